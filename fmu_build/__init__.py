@@ -1,0 +1,1 @@
+"""Modelica to FMU: translate, generate C, compile, describe, bundle and check."""

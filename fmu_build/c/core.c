@@ -1,0 +1,48 @@
+#include "core.h"
+
+#include <string.h>
+
+/* A communication point this close to a tick, in periods, is the tick. */
+static const double SAME_INSTANT = 1e-6;
+
+void core_reset(Core *core) {
+  memset(core, 0, sizeof *core);
+  model_defaults(core->v);
+  core_settle(core);
+}
+
+void core_settle(Core *core) {
+  model_parameters(core->v);
+  model_start(core->v);
+  core->outputs_fresh = 0;
+}
+
+void core_initialize(Core *core, double start) {
+  core->start = start;
+  core->offset = 0.0;
+  core->ticks = 1;
+  model_tick(core->v);
+  core->outputs_fresh = 0;
+}
+
+void core_advance(Core *core, double time) {
+  /* Ticks are counted, never accumulated, so that no rounding builds up over hours. */
+  double target = (time - core->start) / MODEL_PERIOD;
+  while ((double)core->ticks <= target + SAME_INSTANT) {
+    model_step(core->v, MODEL_PERIOD - core->offset);
+    model_tick(core->v);
+    core->offset = 0.0;
+    core->ticks++;
+  }
+  double rest = (target - (double)(core->ticks - 1)) * MODEL_PERIOD;
+  if (rest - core->offset > SAME_INSTANT * MODEL_PERIOD) {
+    model_step(core->v, rest - core->offset);
+    core->offset = rest;
+  }
+  core->outputs_fresh = 0;
+}
+
+void core_refresh(Core *core) {
+  if (!core->outputs_fresh) model_outputs(core->v);
+  core->outputs_fresh = 1;
+}

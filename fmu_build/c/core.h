@@ -1,0 +1,26 @@
+/* A model in time: continuous states between the ticks of one sample clock. */
+#ifndef CORE_H
+#define CORE_H
+
+#include "model.h"
+
+typedef struct {
+  double v[MODEL_VARIABLES];
+  double start;      /* time of the first tick */
+  double offset;     /* time since the last tick */
+  long long ticks;   /* ticks executed */
+  int outputs_fresh; /* continuous outputs belong to the present state */
+} Core;
+
+/* Defaults, before any parameter is set. */
+void core_reset(Core *core);
+/* What depends on parameters, before the first tick. */
+void core_settle(Core *core);
+/* Execute the tick at the start time. */
+void core_initialize(Core *core, double start);
+/* Integrate to a time; a tick that falls on it is executed. */
+void core_advance(Core *core, double time);
+/* Bring continuous outputs up to date. */
+void core_refresh(Core *core);
+
+#endif

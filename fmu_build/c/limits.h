@@ -1,0 +1,17 @@
+/* Which variables may be set, and to what. */
+#ifndef LIMITS_H
+#define LIMITS_H
+
+typedef enum { SET_NEVER, SET_PARAMETER, SET_INPUT } Settable;
+
+typedef struct {
+  const char *name;
+  Settable settable;
+  int integer;
+  double minimum, maximum;
+} Limits;
+
+extern const Limits limits[]; /* by offset, MODEL_VARIABLES entries */
+extern const char *const model_guid;
+
+#endif

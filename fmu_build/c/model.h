@@ -1,0 +1,23 @@
+/* The seam between equations and interface: a model knows no FMI, an interface knows no physics.
+   All variables lie in one array v; the generated source fills in these functions. */
+#ifndef MODEL_H
+#define MODEL_H
+
+#include "model_constants.h"
+
+#include <math.h>
+
+/* Default values of settable parameters and inputs. */
+void model_defaults(double *v);
+/* Dependent parameters, from the settable ones. */
+void model_parameters(double *v);
+/* Start values of states and sampled variables, from the parameters. */
+void model_start(double *v);
+/* Continuous states over a step h, inputs and sampled variables held. */
+void model_step(double *v, double h);
+/* One sample of the control electronics. */
+void model_tick(double *v);
+/* Continuous variables at the present state. */
+void model_outputs(double *v);
+
+#endif

@@ -1,0 +1,246 @@
+"""Expressions and functions of the flat model as C."""
+
+import math
+
+from fmu_build.dae import Dae, Function, Json, Node
+
+_BINARY = {
+    "add": "+",
+    "subtract": "-",
+    "multiply": "*",
+    "divide": "/",
+    "less": "<",
+    "less_equal": "<=",
+    "greater": ">",
+    "greater_equal": ">=",
+    "and": "&&",
+    "or": "||",
+}
+_BUILTIN = {
+    "floor": "m_floor",
+    "integer": "m_floor",
+    "abs": "fabs",
+    "sqrt": "sqrt",
+    "sin": "sin",
+    "cos": "cos",
+    "atan2": "atan2",
+    "exp": "exp",
+    "log": "log",
+}
+
+
+class Emitter:
+    """C text of expressions; vector-valued calls become statements of their own, collected here."""
+
+    def __init__(self, dae: Dae, function: Function | None = None) -> None:
+        self.dae = dae
+        self.function = function
+        self.statements: list[str] = []
+        self._calls: dict[int, str] = {}
+
+    def size(self, node: int) -> int | None:
+        """Length of a vector expression, None for a scalar."""
+        n = self.dae.nodes[node]
+        if n.kind in ("variable", "pre", "derivative"):
+            return self.dae.variables[n.value].size
+        if n.kind == "argument":
+            return self.dae.functions[n.value["function"]].inputs[n.value["ordinal"]].size
+        if n.kind == "function_value":
+            return self.dae.functions[n.value["function"]].values[n.value["value"]].size
+        if n.kind == "call":
+            return self.dae.functions[n.value].values[0].size
+        if n.kind == "array":
+            return len(n.args)
+        if n.kind == "comprehension":
+            domain = self.dae.domains[n.value]
+            return len(range(domain.lower, domain.upper + 1, domain.step))
+        if n.kind in ("literal", "index", "binder", "builtin"):
+            return None
+        sizes = {self.size(a) for a in n.args} - {None}
+        if len(sizes) > 1:
+            raise ValueError(f"vectors of different lengths in one expression: {sizes}")
+        return next(iter(sizes), None)
+
+    def scalar(self, node: int, element: int | None = None) -> str:
+        """C expression of one scalar: of the expression itself, or of one element of a vector."""
+        n = self.dae.nodes[node]
+        element = None if self.size(node) is None else element
+        if n.kind in _BINARY:
+            left, right = (self.scalar(a, element) for a in n.args)
+            return f"({left} {_BINARY[n.kind]} {right})"
+        if n.kind == "negate":
+            return f"(-{self.scalar(n.args[0], element)})"
+        if n.kind == "power":
+            return self._power(n, element)
+        if n.kind == "literal":
+            return _number(n.value)
+        if n.kind in ("variable", "pre", "derivative", "argument", "function_value"):
+            return self._reference(n, element)
+        if n.kind == "binder":
+            return f"(double)i{n.value['domain']}"
+        if n.kind == "builtin":
+            if n.value not in _BUILTIN:
+                raise ValueError(f"builtin {n.value} is not supported")
+            return f"{_BUILTIN[n.value]}({', '.join(self.scalar(a) for a in n.args)})"
+        if n.kind == "array":
+            assert element is not None
+            return self.scalar(n.args[element])
+        if n.kind == "index":
+            return self._indexed(n)
+        if n.kind == "conditional":
+            return self._conditional(n, element)
+        if n.kind == "call":
+            return self._call(node, n, element)
+        raise ValueError(f"an expression of kind {n.kind} is not supported")
+
+    def elements(self, node: int) -> list[str]:
+        """C expressions of all scalars of an expression."""
+        size = self.size(node)
+        return [self.scalar(node)] if size is None else [self.scalar(node, e) for e in range(size)]
+
+    def _power(self, n: Node, element: int | None) -> str:
+        base, exponent = n.args
+        if self.dae.literal(exponent) != 2:
+            raise ValueError("only squares are supported as powers")
+        return f"m_square({self.scalar(base, element)})"
+
+    def _reference(self, n: Node, element: int | None) -> str:
+        if n.kind == "argument":
+            name = f"a_{self.dae.functions[n.value['function']].inputs[n.value['ordinal']].name}"
+        elif n.kind == "function_value":
+            name = f"l_{self.dae.functions[n.value['function']].values[n.value['value']].name}"
+        else:
+            return reference(self.dae, n.kind, n.value, element or 0)
+        return name if element is None else f"{name}[{element}]"
+
+    def _indexed(self, n: Node) -> str:
+        base, pick = n.args
+        position = self.dae.literal(pick)
+        if position is not None:
+            return self.scalar(base, int(position) - 1)
+        b = self.dae.nodes[base]
+        if b.kind not in ("argument", "function_value"):
+            raise ValueError("a computed subscript outside a function is not supported")
+        return f"{self._reference(b, None)}[(int)({self.scalar(pick)}) - 1]"
+
+    def _conditional(self, n: Node, element: int | None) -> str:
+        *pairs, fallback = n.args
+        before = len(self.statements)
+        text = self.scalar(fallback, element)
+        for condition, branch in zip(reversed(pairs[::2]), reversed(pairs[1::2]), strict=True):
+            text = f"({self.scalar(condition)} ? {self.scalar(branch, element)} : {text})"
+        if len(self.statements) != before:
+            raise ValueError("a vector-valued call within a conditional is not supported")
+        return text
+
+    def _call(self, node: int, n: Node, element: int | None) -> str:
+        function = self.dae.functions[n.value]
+        if function.values[0].size is None:
+            return f"{function_name(function)}({', '.join(self._arguments(n))})"
+        if node not in self._calls:
+            result = f"r{node}"
+            self.statements.append(f"double {result}[{function.values[0].size}];")
+            arguments = ", ".join([*self._arguments(n), result])
+            self.statements.append(f"{function_name(function)}({arguments});")
+            self._calls[node] = result
+        assert element is not None
+        return f"{self._calls[node]}[{element}]"
+
+    def _arguments(self, n: Node) -> list[str]:
+        result = []
+        for parameter, argument in zip(self.dae.functions[n.value].inputs, n.args, strict=True):
+            if parameter.size is None:
+                result.append(self.scalar(argument))
+            else:
+                result.append(f"(const double[]){{{', '.join(self.elements(argument))}}}")
+        return result
+
+
+def reference(dae: Dae, kind: str, variable: int, element: int) -> str:
+    """C name of one scalar of the model."""
+    position = dae.variables[variable].offset + element
+    if kind == "derivative":
+        return f"d{position}"
+    if kind == "pre":
+        return f"p{position}"
+    return f"x{position}" if dae.variables[variable].role == "state" else f"v[{position}]"
+
+
+def function_name(function: Function) -> str:
+    """C name of a Modelica function."""
+    return "f_" + function.name.replace(".", "_")
+
+
+def function_signature(function: Function) -> str:
+    """C declaration of a Modelica function; a vector result is written through a last pointer."""
+    parameters = [
+        f"double a_{p.name}" if p.size is None else f"const double *a_{p.name}"
+        for p in function.inputs
+    ]
+    output = function.values[0]
+    if output.size is not None:
+        parameters.append(f"double *restrict l_{output.name}")
+    kind = "double" if output.size is None else "void"
+    return f"static inline {kind} {function_name(function)}({', '.join(parameters)})"
+
+
+def function_body(dae: Dae, function: Function) -> list[str]:
+    """C definition of a Modelica function, line by line."""
+    output, *rest = function.values
+    lines = [f"{function_signature(function)} {{"]
+    for local in rest if output.size is not None else function.values:
+        lines.append(f"  double l_{local.name}{f'[{local.size}]' if local.size else ''};")
+    for statement in function.statements:
+        lines.extend(_statement(dae, function, statement, "  ", nested=False))
+    if output.size is None:
+        lines.append(f"  return l_{output.name};")
+    return [*lines, "}"]
+
+
+def _statement(
+    dae: Dae, function: Function, statement: Json, indent: str, nested: bool
+) -> list[str]:
+    ((kind, body),) = statement.items()
+    if kind == "assignment":
+        return _assignment(dae, function, body, indent, nested)
+    if kind == "for":
+        domain = dae.domains[body["domain"]]
+        index = f"i{body['domain']}"
+        lines = [
+            f"{indent}for (int {index} = {domain.lower}; {index} <= {domain.upper}; "
+            f"{index} += {domain.step}) {{"
+        ]
+        for inner in body["statements"]:
+            lines.extend(_statement(dae, function, inner, indent + "  ", nested=True))
+        return [*lines, f"{indent}}}"]
+    raise ValueError(f"{function.name}: a statement of kind {kind} is not supported")
+
+
+def _assignment(
+    dae: Dae, function: Function, body: Json, indent: str, nested: bool
+) -> list[str]:
+    emitter = Emitter(dae, function)
+    target = function.values[body["target"]]
+    node = dae.nodes[body["rhs"]]
+    name = f"l_{target.name}"
+    if node.kind == "array_update":
+        base, pick, value = node.args
+        if dae.nodes[base].kind != "function_value" and nested:
+            raise ValueError(f"{function.name}: {target.name} is reset within a loop")
+        text = f"{name}[(int)({emitter.scalar(pick)}) - 1] = {emitter.scalar(value)};"
+    elif node.kind == "comprehension":
+        fill = emitter.scalar(node.args[0])
+        text = f"for (int i = 0; i < {target.size}; i++) {name}[i] = {fill};"
+    elif target.size is None:
+        text = f"{name} = {emitter.scalar(body['rhs'])};"
+    else:
+        values = emitter.elements(body["rhs"])
+        text = " ".join(f"{name}[{e}] = {value};" for e, value in enumerate(values))
+    return [indent + line for line in (*emitter.statements, text)]
+
+
+def _number(value: float | int | bool) -> str:
+    number = float(value)
+    if not math.isfinite(number):
+        raise ValueError(f"a literal is not finite: {value}")
+    return repr(number)

@@ -1,0 +1,137 @@
+"""The model's C source behind the seam `model.h`: equations, no FMI."""
+
+from collections.abc import Iterable
+
+from fmu_build.dae import Dae
+from fmu_build.emit import Emitter, function_body, reference
+from fmu_build.sorting import Assignment, Schedule, schedule
+
+
+def generate(dae: Dae) -> str:
+    """C source of a model: the functions that `model.h` declares.
+
+    Raises:
+        ValueError: the model holds what the generator does not know.
+    """
+    plan = schedule(dae)
+    parts = [
+        f"/* {dae.model}: generated from its Modelica source. */",
+        '#include "arithmetic.h"',
+        '#include "model.h"',
+        *_functions(dae),
+        *_procedure("void model_parameters(double *v)", _stores(dae, plan.parameters)),
+        *_procedure("void model_defaults(double *v)", _defaults(dae)),
+        *_procedure("void model_start(double *v)", _stores(dae, plan.starts)),
+        *_procedure("static inline void held(double *v)", _stores(dae, plan.held)),
+        *_derivatives(dae, plan),
+        *_step(dae),
+        *_procedure("void model_tick(double *v)", _tick(dae, plan)),
+        *_procedure(
+            "void model_outputs(double *v)",
+            [*_states(dae), "held(v);", *_stores(dae, plan.outputs)],
+        ),
+    ]
+    return "\n".join(parts) + "\n"
+
+
+def header(dae: Dae) -> str:
+    """The model's constants, included by `model.h`."""
+    period = dae.sample_period
+    return "\n".join(
+        [
+            f"#define MODEL_VARIABLES {dae.scalar_count}",
+            f"#define MODEL_PERIOD ({period.numerator}.0 / {period.denominator}.0)",
+            "",
+        ]
+    )
+
+
+def _functions(dae: Dae) -> list[str]:
+    return [line for function in dae.functions for line in function_body(dae, function)]
+
+
+def _procedure(declaration: str, lines: Iterable[str]) -> list[str]:
+    return [f"{declaration} {{", *(f"  {line}" for line in lines), "}"]
+
+
+def _defaults(dae: Dae) -> list[str]:
+    lines = []
+    for variable in dae.variables:
+        value = dae.literal(variable.start if variable.role == "input" else variable.binding)
+        if variable.role in ("parameter", "input") and value is not None:
+            lines.append(f"v[{variable.offset}] = {value!r};")
+    return lines
+
+
+def _stores(dae: Dae, assignments: Iterable[Assignment]) -> list[str]:
+    """Assignments to the variables' own storage."""
+    emitter = Emitter(dae)
+    lines = []
+    for assignment in assignments:
+        variable = dae.variables[assignment.target[1]]
+        sizes = emitter.size(assignment.expression)
+        for element in range(variable.count):
+            text = emitter.scalar(assignment.expression, None if sizes is None else element)
+            lines.extend(emitter.statements)
+            emitter.statements.clear()
+            lines.append(f"v[{variable.offset + element}] = {text};")
+    return lines
+
+
+def _scalars(dae: Dae, role: str) -> list[int]:
+    return [v.offset + e for v in dae.variables if v.role == role for e in range(v.count)]
+
+
+def _states(dae: Dae) -> list[str]:
+    return [f"const double x{i} = v[{i}];" for i in _scalars(dae, "state")]
+
+
+def _derivatives(dae: Dae, plan: Schedule) -> list[str]:
+    """Derivatives from states passed by value: everything stays in registers."""
+    states = _scalars(dae, "state")
+    emitter = Emitter(dae)
+    lines = [f"const double x{i} = x[{n}];" for n, i in enumerate(states)]
+    for assignment in plan.derivatives:
+        kind, index = assignment.target
+        if kind != "derivative":
+            raise ValueError(
+                f"{dae.variables[index].name} lies between states and derivatives: not supported"
+            )
+        for element in range(dae.variables[index].count):
+            text = emitter.scalar(assignment.expression, element)
+            position = states.index(dae.variables[index].offset + element)
+            lines.append(f"dx[{position}] = {text};")
+    signature = "static inline void derivatives(const double *v, const double *x, double *dx)"
+    return [
+        f"#define STATES {len(states)}",
+        *_procedure(signature, lines),
+        '#include "runge_kutta.h"',
+    ]
+
+
+def _step(dae: Dae) -> list[str]:
+    """Classical Runge-Kutta step of fourth order with inputs and commands held."""
+    states = _scalars(dae, "state")
+    load = [f"x[{n}] = v[{i}];" for n, i in enumerate(states)]
+    store = [f"v[{i}] = x[{n}];" for n, i in enumerate(states)]
+    return _procedure(
+        "void model_step(double *v, double h)",
+        ["double x[STATES];", *load, "held(v);", "runge_kutta_4(v, x, h);", *store],
+    )
+
+
+def _tick(dae: Dae, plan: Schedule) -> list[str]:
+    """One sample; `pre` values are read before anything is written."""
+    used = sorted(
+        {
+            node.value
+            for node in dae.nodes
+            if node.kind == "pre" and dae.variables[node.value].role == "discrete_real"
+        }
+    )
+    before = [
+        f"const double {reference(dae, 'pre', index, e)} = v[{dae.variables[index].offset + e}];"
+        for index in used
+        for e in range(dae.variables[index].count)
+    ]
+    return [*_states(dae), *before, *_stores(dae, plan.tick)]

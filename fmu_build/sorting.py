@@ -1,0 +1,204 @@
+"""Flat equations to assignments in an order that can be executed."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from fmu_build.dae import Dae
+
+Target = tuple[str, int]
+"""What an equation defines: ("variable" or "derivative", index of the variable)."""
+
+
+@dataclass(frozen=True)
+class Assignment:
+    """`target := expression`, a whole scalar or vector at a time."""
+
+    target: Target
+    expression: int
+    sampled: bool
+
+
+@dataclass(frozen=True)
+class Schedule:
+    """The model's assignments, each list in executable order.
+
+    parameters: dependent parameters, once.
+    starts: start values of states and sampled variables, once parameters are known.
+    held: continuous variables that no state touches: constant between samples and inputs.
+    derivatives: what the derivatives need beyond `held`, and the derivatives.
+    outputs: all other continuous variables.
+    tick: everything that a sample computes; continuous variables where sampled ones need them.
+    """
+
+    parameters: tuple[Assignment, ...]
+    starts: tuple[Assignment, ...]
+    held: tuple[Assignment, ...]
+    derivatives: tuple[Assignment, ...]
+    outputs: tuple[Assignment, ...]
+    tick: tuple[Assignment, ...]
+
+
+def schedule(dae: Dae) -> Schedule:
+    """Order the model's equations.
+
+    Raises:
+        ValueError: an equation that defines no variable, or an algebraic loop.
+    """
+    continuous = _assign(dae, dae.continuous)
+    sampled = {_explicit_target(dae, e): _sampled(dae, e) for e in dae.sampled}
+    state_free = _state_free(dae, continuous)
+    held = {t: continuous[t] for t in state_free}
+    rest = {t: a for t, a in continuous.items() if t not in state_free}
+    derivatives = [t for t in rest if t[0] == "derivative"]
+    needed = _closure(dae, rest, derivatives)
+    tick = _closure(dae, continuous | sampled, sampled)
+    return Schedule(
+        parameters=_order(dae, _parameters(dae)),
+        starts=tuple(_starts(dae)),
+        held=_order(dae, {t: a for t, a in held.items()}),
+        derivatives=_order(dae, {t: rest[t] for t in needed}),
+        outputs=_order(dae, {t: a for t, a in rest.items() if t[0] == "variable"}),
+        tick=_order(dae, {t: (continuous | sampled)[t] for t in tick}),
+    )
+
+
+def references(dae: Dae, expression: int) -> Iterator[Target]:
+    """Variables whose current value an expression reads."""
+    pending = [expression]
+    while pending:
+        node = dae.nodes[pending.pop()]
+        if node.kind in ("variable", "derivative"):
+            yield (node.kind, node.value)
+        pending.extend(node.args)
+
+
+def _sides(dae: Dae, residual: int) -> tuple[int, int]:
+    node = dae.nodes[residual]
+    if node.kind != "subtract":
+        raise ValueError(f"an equation is not of the form left = right: {node.kind}")
+    return node.args[0], node.args[1]
+
+
+def _explicit_target(dae: Dae, residual: int) -> Target:
+    node = dae.nodes[_sides(dae, residual)[0]]
+    if node.kind not in ("variable", "derivative"):
+        raise ValueError(f"an equation's left side is no variable: {node.kind}")
+    return (node.kind, node.value)
+
+
+def _sampled(dae: Dae, residual: int) -> Assignment:
+    return Assignment(_explicit_target(dae, residual), _sides(dae, residual)[1], True)
+
+
+def _assign(dae: Dae, equations: Iterable[int]) -> dict[Target, Assignment]:
+    """Match each continuous equation with the variable that it defines."""
+    candidates: list[dict[Target, int]] = []
+    for residual in equations:
+        left, right = _sides(dae, residual)
+        options = {}
+        for side, other in ((left, right), (right, left)):
+            node = dae.nodes[side]
+            if node.kind == "derivative" or (
+                node.kind == "variable"
+                and dae.variables[node.value].role in ("algebraic", "output")
+            ):
+                options[(node.kind, node.value)] = other
+        candidates.append(options)
+    owner: dict[Target, int] = {}
+
+    def find(equation: int, seen: set[Target]) -> bool:
+        for target in candidates[equation]:
+            if target not in seen:
+                seen.add(target)
+                if target not in owner or find(owner[target], seen):
+                    owner[target] = equation
+                    return True
+        return False
+
+    for equation in range(len(candidates)):
+        if not find(equation, set()):
+            raise ValueError(f"equation {equation} defines no variable of its own")
+    return {
+        target: Assignment(target, candidates[equation][target], False)
+        for target, equation in owner.items()
+    }
+
+
+def _state_free(dae: Dae, continuous: dict[Target, Assignment]) -> set[Target]:
+    """Continuous variables that depend on parameters, inputs and sampled variables alone."""
+    free: set[Target] = set()
+    tainted = {("variable", i) for i, v in enumerate(dae.variables) if v.role == "state"}
+    tainted |= {t for t in continuous if t[0] == "derivative"}
+    for target in continuous:
+        if target not in tainted and not (
+            tainted & _closure_targets(dae, continuous, [target], stop=set())
+        ):
+            free.add(target)
+    return free
+
+
+def _closure_targets(
+    dae: Dae, assignments: dict[Target, Assignment], roots: Iterable[Target], stop: set[Target]
+) -> set[Target]:
+    seen: set[Target] = set()
+    pending = list(roots)
+    while pending:
+        target = pending.pop()
+        if target in seen or target in stop:
+            continue
+        seen.add(target)
+        if target in assignments:
+            pending.extend(references(dae, assignments[target].expression))
+    return seen
+
+
+def _closure(
+    dae: Dae, assignments: dict[Target, Assignment], roots: Iterable[Target]
+) -> list[Target]:
+    """The roots and all assigned variables that they depend on, in the order of declaration."""
+    reached = _closure_targets(dae, assignments, roots, stop=set())
+    return [t for t in assignments if t in reached]
+
+
+def _parameters(dae: Dae) -> dict[Target, Assignment]:
+    return {
+        ("variable", i): Assignment(("variable", i), v.binding, False)
+        for i, v in enumerate(dae.variables)
+        if v.role == "parameter" and v.binding is not None and dae.literal(v.binding) is None
+    }
+
+
+def _starts(dae: Dae) -> Iterator[Assignment]:
+    for i, variable in enumerate(dae.variables):
+        if variable.role in ("state", "discrete_real"):
+            if variable.start is None:
+                raise ValueError(f"{variable.name} has no start value")
+            yield Assignment(("variable", i), variable.start, False)
+
+
+def _order(dae: Dae, assignments: dict[Target, Assignment]) -> tuple[Assignment, ...]:
+    """Topological order.
+
+    Raises:
+        ValueError: an algebraic loop; the message names its variables.
+    """
+    ordered: list[Assignment] = []
+    done: set[Target] = set()
+    path: list[Target] = []
+
+    def visit(target: Target) -> None:
+        if target in done or target not in assignments:
+            return
+        if target in path:
+            names = [dae.variables[t[1]].name for t in path[path.index(target) :]]
+            raise ValueError(f"algebraic loop: {' -> '.join(names)}")
+        path.append(target)
+        for reference in references(dae, assignments[target].expression):
+            visit(reference)
+        path.pop()
+        done.add(target)
+        ordered.append(assignments[target])
+
+    for target in assignments:
+        visit(target)
+    return tuple(ordered)

@@ -1,0 +1,42 @@
+within HRG.Controls;
+function orbit "Orbit of the vibration, from the demodulated displacement"
+  input Units.Displacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
+  input Units.Angle previous "Modal angle at the last sample: the result is the nearest of those that differ by pi";
+  output Real result[6] "{modal angle, its cosine and sine, antinode amplitude, quadrature amplitude, phase}";
+protected
+  Real cx2 "cx squared, and so on";
+  Real sx2;
+  Real cy2;
+  Real sy2;
+  Real energy "E = a^2 + q^2";
+  Real r "R = (a^2 - q^2) cos 2 alpha";
+  Real s "S = (a^2 - q^2) sin 2 alpha";
+  Units.Angle principal "Modal angle within (-pi/2, pi/2]";
+  Units.Angle angle "Modal angle, continuous";
+  Units.Displacement amplitude "Antinode amplitude a";
+  Real cosine "Of the modal angle";
+  Real sine "Of the modal angle";
+algorithm
+  cx2 := reading[1]*reading[1];
+  sx2 := reading[2]*reading[2];
+  cy2 := reading[3]*reading[3];
+  sy2 := reading[4]*reading[4];
+  energy := cx2 + sx2 + cy2 + sy2;
+  r := cx2 + sx2 - cy2 - sy2;
+  s := 2*(reading[1]*reading[3] + reading[2]*reading[4]);
+  principal := atan2(s, r)/2;
+  angle := principal + Constants.pi*floor((previous - principal)/Constants.pi + 0.5);
+  amplitude := sqrt((energy + sqrt(r*r + s*s))/2);
+  cosine := cos(angle);
+  sine := sin(angle);
+  result[1] := angle;
+  result[2] := cosine;
+  result[3] := sine;
+  result[4] := amplitude;
+  result[5] := (reading[1]*reading[4] - reading[3]*reading[2])/amplitude;
+  result[6] := atan2(-(reading[2]*cosine + reading[4]*sine), reading[1]*cosine + reading[3]*sine);
+  annotation (Documentation(info="<html>
+<p>E = cx^2 + sx^2 + cy^2 + sy^2, R = cx^2 + sx^2 - cy^2 - sy^2, S = 2 (cx cy + sx sy),
+Q = 2 (cx sy - cy sx) = 2 a q; the modal angle is atan2(S, R)/2, a^2 = (E + sqrt(R^2 + S^2))/2 (D. D. Lynch).</p>
+</html>"));
+end orbit;

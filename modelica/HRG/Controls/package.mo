@@ -1,0 +1,3 @@
+within HRG;
+package Controls "Sampled control electronics"
+end Controls;

@@ -1,0 +1,3 @@
+within HRG;
+package Gyroscopes "Complete gyros: the roots that are exported"
+end Gyroscopes;

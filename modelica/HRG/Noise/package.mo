@@ -1,0 +1,3 @@
+within HRG;
+package Noise "Reproducible white noise"
+end Noise;

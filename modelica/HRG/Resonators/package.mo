@@ -1,0 +1,3 @@
+within HRG;
+package Resonators "The vibrating shell"
+end Resonators;

@@ -1,0 +1,17 @@
+within HRG;
+package Units "Types with units; SI throughout"
+  type Angle = Real(quantity = "Angle", unit = "rad", displayUnit = "deg") "Angle";
+  type AngularRate = Real(quantity = "AngularVelocity", unit = "rad/s", displayUnit = "deg/h") "Rotation rate";
+  type AngularFrequency = Real(quantity = "AngularFrequency", unit = "rad/s", displayUnit = "Hz") "Circular frequency";
+  type Rate = Real(quantity = "Rate", unit = "1/s") "Rate of growth or decay";
+  type Time = Real(quantity = "Time", unit = "s") "Time";
+  type Ratio = Real(unit = "1") "Dimensionless number";
+  type Displacement = Real(quantity = "RelativeDisplacement", unit = "1")
+    "Modal displacement relative to the nominal antinode amplitude";
+  type Force = Real(quantity = "RelativeForce", unit = "1/s")
+    "Modal force as the growth that it gives to the envelope, relative to the nominal amplitude";
+  type AngleNoiseDensity = Real(quantity = "NoiseDensity", unit = "rad2/s", min = 0)
+    "Two-sided density of a white rotation rate: square of the angle random walk coefficient";
+  type DisplacementNoiseDensity = Real(quantity = "NoiseDensity", unit = "s", min = 0)
+    "Two-sided density of a white displacement relative to the nominal amplitude";
+end Units;

@@ -21,11 +21,10 @@ _BUILTIN = {
     "integer": "m_floor",
     "abs": "fabs",
     "sqrt": "sqrt",
-    "sin": "sin",
-    "cos": "cos",
-    "atan2": "atan2",
-    "exp": "exp",
-    "log": "log",
+    "sin": "m_sin",
+    "cos": "m_cos",
+    "atan2": "m_atan2",
+    "log": "m_log",
 }
 
 
@@ -37,6 +36,8 @@ class Emitter:
         self.function = function
         self.statements: list[str] = []
         self._calls: dict[int, str] = {}
+        self.target: int | None = None
+        """Variable being assigned: the only one whose storage still holds its `pre` value."""
 
     def size(self, node: int) -> int | None:
         """Length of a vector expression, None for a scalar."""
@@ -121,7 +122,19 @@ class Emitter:
         b = self.dae.nodes[base]
         if b.kind not in ("argument", "function_value"):
             raise ValueError("a computed subscript outside a function is not supported")
-        return f"{self._reference(b, None)}[(int)({self.scalar(pick)}) - 1]"
+        return f"{self._reference(b, None)}[{self.subscript(pick)} - 1]"
+
+    def subscript(self, node: int) -> str:
+        """C integer expression of a subscript, which counts from 1."""
+        n = self.dae.nodes[node]
+        if n.kind == "literal":
+            return str(int(n.value))
+        if n.kind == "binder":
+            return f"i{n.value['domain']}"
+        if n.kind in ("add", "subtract", "multiply"):
+            left, right = (self.subscript(a) for a in n.args)
+            return f"({left} {_BINARY[n.kind]} {right})"
+        raise ValueError(f"a subscript that is a {n.kind} is not supported")
 
     def _conditional(self, n: Node, element: int | None) -> str:
         *pairs, fallback = n.args
@@ -152,8 +165,18 @@ class Emitter:
             if parameter.size is None:
                 result.append(self.scalar(argument))
             else:
-                result.append(f"(const double[]){{{', '.join(self.elements(argument))}}}")
+                result.append(self._vector_argument(argument))
         return result
+
+    def _vector_argument(self, argument: int) -> str:
+        n = self.dae.nodes[argument]
+        if n.kind in ("argument", "function_value"):
+            return self._reference(n, None)
+        if n.kind == "variable" or (n.kind == "pre" and n.value == self.target):
+            variable = self.dae.variables[n.value]
+            if variable.role != "state":
+                return f"&v[{variable.offset}]"
+        return f"(const double[]){{{', '.join(self.elements(argument))}}}"
 
 
 def reference(dae: Dae, kind: str, variable: int, element: int) -> str:
@@ -227,7 +250,7 @@ def _assignment(
         base, pick, value = node.args
         if dae.nodes[base].kind != "function_value" and nested:
             raise ValueError(f"{function.name}: {target.name} is reset within a loop")
-        text = f"{name}[(int)({emitter.scalar(pick)}) - 1] = {emitter.scalar(value)};"
+        text = f"{name}[{emitter.subscript(pick)} - 1] = {emitter.scalar(value)};"
     elif node.kind == "comprehension":
         fill = emitter.scalar(node.args[0])
         text = f"for (int i = 0; i < {target.size}; i++) {name}[i] = {fill};"

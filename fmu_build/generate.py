@@ -1,5 +1,6 @@
 """The model's C source behind the seam `model.h`: equations, no FMI."""
 
+import re
 from collections.abc import Iterable
 
 from fmu_build.dae import Dae
@@ -68,6 +69,7 @@ def _stores(dae: Dae, assignments: Iterable[Assignment]) -> list[str]:
     emitter = Emitter(dae)
     lines = []
     for assignment in assignments:
+        emitter.target = assignment.target[1]
         variable = dae.variables[assignment.target[1]]
         sizes = emitter.size(assignment.expression)
         for element in range(variable.count):
@@ -122,16 +124,12 @@ def _step(dae: Dae) -> list[str]:
 
 def _tick(dae: Dae, plan: Schedule) -> list[str]:
     """One sample; `pre` values are read before anything is written."""
-    used = sorted(
-        {
-            node.value
-            for node in dae.nodes
-            if node.kind == "pre" and dae.variables[node.value].role == "discrete_real"
-        }
-    )
+    stores = _stores(dae, plan.tick)
+    used = set(re.findall(r"\bp\d+\b", "\n".join(stores)))
     before = [
-        f"const double {reference(dae, 'pre', index, e)} = v[{dae.variables[index].offset + e}];"
-        for index in used
-        for e in range(dae.variables[index].count)
+        f"const double {name} = v[{variable.offset + element}];"
+        for index, variable in enumerate(dae.variables)
+        for element in range(variable.count)
+        if (name := reference(dae, "pre", index, element)) in used
     ]
-    return [*_states(dae), *before, *_stores(dae, plan.tick)]
+    return [*_states(dae), *before, *stores]

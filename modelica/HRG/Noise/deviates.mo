@@ -1,19 +1,35 @@
 within HRG.Noise;
-function deviates "Advances the generator: {state, eight standard normal deviates}"
-  input Real memory[14] "State of the generator, and the last deviates";
-  output Real result[14] "Next state, and the next deviates";
+function deviates "Advances eight generators by one step: {states, eight standard normal deviates}"
+  input Real memory[56] "States of eight MRG32k3a (x[n-3], x[n-2], x[n-1], y[n-3], y[n-2], y[n-1] of all), and the last deviates";
+  output Real result[56] "Next states, and the next deviates";
 protected
-  Real step[7] "State and uniform deviate";
+  constant Real m1 = 4294967087 "First modulus";
+  constant Real m2 = 4294944443 "Second modulus";
+  constant Real unit = 1/4294967088 "Of the uniform deviate, 1/(m1 + 1)";
+  Real x "First component";
+  Real y "Second component";
+  Real difference "Of the components, modulo m1";
 algorithm
-  for i in 1:6 loop
-    step[i] := memory[i];
-  end for;
-  step[7] := 0;
   for i in 1:8 loop
-    step := uniform({step[1], step[2], step[3], step[4], step[5], step[6]});
-    result[6 + i] := normalQuantile(step[7]);
+    x := 1403580*memory[8 + i] - 810728*memory[i];
+    x := x - m1*floor(x/m1);
+    y := 527612*memory[40 + i] - 1370589*memory[24 + i];
+    y := y - m2*floor(y/m2);
+    result[i] := memory[8 + i];
+    result[8 + i] := memory[16 + i];
+    result[16 + i] := x;
+    result[24 + i] := memory[32 + i];
+    result[32 + i] := memory[40 + i];
+    result[40 + i] := y;
+    difference := x - y;
+    result[48 + i] := unit*(if difference > 0 then difference else difference + m1);
   end for;
-  for i in 1:6 loop
-    result[i] := step[i];
+  for i in 49:56 loop
+    result[i] := normalQuantile(result[i]);
   end for;
+  annotation (Documentation(info="<html>
+<p>P. L'Ecuyer, Good parameters and implementations for combined multiple recursive random number generators,
+Operations Research 47 (1999). All products stay below 2^53, so that the arithmetic is exact; the deviates are
+quantiles of uniform ones within (0, 1). A generator for each deviate lets a processor advance them side by side.</p>
+</html>"));
 end deviates;

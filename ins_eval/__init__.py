@@ -1,0 +1,1 @@
+"""What the gyro does to a navigator."""

@@ -1,0 +1,76 @@
+"""The inertial measurement unit: three gyros as FMUs along the body axes, three accelerometers."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ins_eval.increments import Increments
+from pyhrg.bench import full_circumference
+from pyhrg.bench.bias_test import power_on
+from pyhrg.fmu import GyroFmu
+from pyhrg.parameters import Device
+from pyhrg.units import MICRO_G
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Accelerometers:
+    """A triad of accelerometers.
+
+    bias: standard deviation of each one's constant error, m/s^2;
+    noise: velocity random walk, m/s/sqrt(s).
+    """
+
+    bias: float = 5 * MICRO_G
+    noise: float = 5 * MICRO_G
+
+    def measure(self, truth: Increments, generator: np.random.Generator) -> Array:
+        """Velocity increments (n, 3), m/s, with a bias and noise drawn anew."""
+        bias = generator.normal(0.0, self.bias, size=3)
+        noise = generator.normal(0.0, self.noise, size=truth.velocity.shape)
+        return truth.velocity + bias * truth.interval + noise * np.sqrt(truth.interval)
+
+
+def measured_rotation(
+    fmu: GyroFmu, device: Device, rotation: Array, interval: float, generator: np.random.Generator
+) -> Array:
+    """Rotation increments of one gyro, its mean bias calibrated.
+
+    The maker's calibration is a bench run of its own, power-on apart: the mean over eight
+    positions of the circumference, 100 s each.
+
+    Args:
+        fmu: the gyro's model.
+        device: its parameters.
+        rotation: (n,) true rotation about the input axis in each interval, rad.
+        interval: s.
+        generator: of power-on angles and noise seeds.
+
+    Returns:
+        (n,) rad.
+    """
+    mean_bias = full_circumference.run(fmu, device, generator, segments=1).mean
+    with power_on(fmu, device, generator) as gyro:
+        angles = gyro.drive(rotation / interval, interval)
+    return np.diff(angles, prepend=0.0) - mean_bias * interval
+
+
+def measure(
+    fmu: GyroFmu,
+    devices: Sequence[Device],
+    accelerometers: Accelerometers,
+    truth: Increments,
+    generator: np.random.Generator,
+) -> Increments:
+    """What a triad of gyros and accelerometers makes of the true motion."""
+    rotation = np.stack(
+        [
+            measured_rotation(fmu, device, truth.rotation[:, axis], truth.interval, generator)
+            for axis, device in enumerate(devices)
+        ],
+        axis=-1,
+    )
+    return Increments(truth.interval, rotation, accelerometers.measure(truth, generator))

@@ -1,0 +1,223 @@
+"""A recorded drive as a trajectory: read, checked, repeated to length with smooth joints."""
+
+import csv
+import gzip
+import io
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ins_eval import earth
+from ins_eval.trajectories import Knots, Trajectory
+
+Array = NDArray[np.float64]
+
+COLUMNS = (
+    "time_s",
+    "latitude_deg",
+    "longitude_deg",
+    "height_m",
+    "velocity_north_m_s",
+    "velocity_east_m_s",
+    "velocity_down_m_s",
+    "roll_deg",
+    "pitch_deg",
+    "yaw_deg",
+)
+LIMITS = {
+    "latitude_deg": (-89.0, 89.0),
+    "longitude_deg": (-360.0, 360.0),
+    "height_m": (-1000.0, 50_000.0),
+    "velocity_north_m_s": (-1000.0, 1000.0),
+    "velocity_east_m_s": (-1000.0, 1000.0),
+    "velocity_down_m_s": (-1000.0, 1000.0),
+    "roll_deg": (-360.0, 360.0),
+    "pitch_deg": (-80.0, 80.0),
+    "yaw_deg": (-720.0, 720.0),
+}
+SHORTEST = 10
+"""Rows that a drive must have at least."""
+LONGEST_GAP = 5.0
+"""Time between rows that can still be interpolated, s."""
+VELOCITY_AGREEMENT = 1.0
+"""Largest rms difference between recorded velocity and the positions' derivative, m/s."""
+JOINT = 20.0
+"""Time from one repetition's end to the next one's start, s."""
+
+
+class DriveError(Exception):
+    """The file is no drive; the message names file, row, field, and what was expected."""
+
+
+@dataclass(frozen=True)
+class Drive:
+    """Columns of a recorded drive as they come: time from 0, degrees turned into rad."""
+
+    name: str
+    time: Array
+    position: Array
+    """(n, 3) latitude, longitude, height."""
+    velocity: Array
+    """(n, 3) north, east, down, m/s."""
+    euler: Array
+    """(n, 3) roll, pitch, yaw; continuous."""
+
+
+def read(path: Path) -> Drive:
+    """Read a drive from CSV, gzipped or not.
+
+    Raises:
+        DriveError: an unreadable file, a missing column, a value that is no number or out of
+            range, time that does not increase, a long gap, too few rows, or velocities that
+            contradict the positions.
+    """
+    rows = _rows(path)
+    table = np.array(rows)
+    columns = {name: table[:, i] for i, name in enumerate(COLUMNS)}
+    time = columns["time_s"]
+    _check_time(path, time)
+    euler_names = ("roll_deg", "pitch_deg", "yaw_deg")
+    drive = Drive(
+        name=path.name,
+        time=time - time[0],
+        position=np.stack(
+            [
+                np.deg2rad(columns["latitude_deg"]),
+                np.unwrap(np.deg2rad(columns["longitude_deg"])),
+                columns["height_m"],
+            ],
+            axis=-1,
+        ),
+        velocity=np.stack([columns[f"velocity_{x}_m_s"] for x in ("north", "east", "down")], -1),
+        euler=np.stack([np.unwrap(np.deg2rad(columns[name])) for name in euler_names], -1),
+    )
+    _check_velocity(path, drive)
+    return drive
+
+
+def trajectory(drive: Drive, still: float, duration: float) -> Trajectory:
+    """Stand still, then repeat the drive until the duration is covered.
+
+    Each repetition begins where the last one ended: positions are carried on, not reset. Joints
+    change velocity and attitude smoothly.
+
+    Args:
+        drive: as read.
+        still: time at rest before time 0, s.
+        duration: time after it, s.
+    """
+    rest = np.arange(-still, 0.5, 1.0)
+    time = [rest]
+    position = [np.tile(drive.position[0], (len(rest), 1))]
+    euler = [np.tile(drive.euler[0], (len(rest), 1))]
+    velocity = np.zeros(3)
+    while time[-1][-1] < duration + 10.0:
+        for piece in (_joint(drive, position[-1][-1], velocity, euler[-1][-1]), None):
+            t, p, e = piece or _continued(drive, position[-1][-1], euler[-1][-1])
+            time.append(time[-1][-1] + t)
+            position.append(p)
+            euler.append(e)
+        velocity = drive.velocity[-1]
+    p, e = np.concatenate(position), np.concatenate(euler)
+    return Trajectory(drive.name, Knots(np.concatenate(time), *p.T, *e.T))
+
+
+def _joint(
+    drive: Drive, position: Array, velocity: Array, euler: Array
+) -> tuple[Array, Array, Array]:
+    """From a position and velocity to the drive's first velocity and attitude, knots each second."""
+    s = np.arange(1, JOINT + 0.5) / JOINT
+    ramp = s**2 * (3 - 2 * s)
+    way = JOINT * (s**3 - s**4 / 2)
+    change = drive.velocity[0] - velocity
+    moved = velocity * (s * JOINT)[:, None] + change * way[:, None]
+    to_go = np.remainder(drive.euler[0] - euler + math.pi, 2 * math.pi) - math.pi
+    return s * JOINT, position + _angles(position, moved), euler + to_go * ramp[:, None]
+
+
+def _continued(drive: Drive, position: Array, euler: Array) -> tuple[Array, Array, Array]:
+    """The drive's rows after the first, carried on from a position and from a heading's turn."""
+    turns = np.round((euler - drive.euler[0]) / (2 * math.pi)) * 2 * math.pi
+    return (
+        drive.time[1:],
+        position + drive.position[1:] - drive.position[0],
+        drive.euler[1:] + turns,
+    )
+
+
+def _angles(origin: Array, moved: Array) -> Array:
+    """Displacement (n, 3), m north, east, down, as change of latitude, longitude, height."""
+    latitude, _, height = origin
+    return np.stack(
+        [
+            moved[:, 0] / (earth.meridian_radius(latitude) + height),
+            moved[:, 1] / (earth.transverse_radius(latitude) + height) / np.cos(latitude),
+            -moved[:, 2],
+        ],
+        axis=-1,
+    )
+
+
+def _rows(path: Path) -> list[list[float]]:
+    try:
+        data = path.read_bytes()
+        text = (gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data).decode()
+    except (OSError, EOFError, gzip.BadGzipFile, UnicodeDecodeError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise DriveError(f"{path}: can't be read: {reason}") from error
+    reader = csv.reader(io.StringIO(text))
+    header = next(reader, [])
+    missing = [name for name in COLUMNS if name not in header]
+    if missing:
+        raise DriveError(f"{path}: column {', '.join(missing)} is missing; found {', '.join(header)}")
+    places = [header.index(name) for name in COLUMNS]
+    rows = [_values(path, line, row, places) for line, row in enumerate(reader, 2) if row]
+    if len(rows) < SHORTEST:
+        raise DriveError(f"{path}: {len(rows)} rows; expected at least {SHORTEST}")
+    return rows
+
+
+def _values(path: Path, line: int, row: list[str], places: list[int]) -> list[float]:
+    values = []
+    for name, place in zip(COLUMNS, places, strict=True):
+        text = row[place] if place < len(row) else ""
+        try:
+            value = float(text)
+        except ValueError:
+            raise DriveError(f"{path}: row {line}, {name}: {text!r} is no number") from None
+        low, high = LIMITS.get(name, (-math.inf, math.inf))
+        if not (math.isfinite(value) and low <= value <= high):
+            expected = f"expected {low:g} to {high:g}" if name in LIMITS else "expected a number"
+            raise DriveError(f"{path}: row {line}, {name}: {text}; {expected}")
+        values.append(value)
+    return values
+
+
+def _check_time(path: Path, time: Array) -> None:
+    steps = np.diff(time)
+    if np.any(steps <= 0):
+        row = int(np.argmax(steps <= 0)) + 1
+        raise DriveError(
+            f"{path}: row {row + 2}, time_s: {time[row]:g} after {time[row - 1]:g}; "
+            "expected time to increase"
+        )
+    if np.any(steps > LONGEST_GAP):
+        row = int(np.argmax(steps > LONGEST_GAP)) + 1
+        raise DriveError(
+            f"{path}: row {row + 2}, time_s: a gap of {steps[row - 1]:g} s; "
+            f"expected at most {LONGEST_GAP:g} s"
+        )
+
+
+def _check_velocity(path: Path, drive: Drive) -> None:
+    knots = Knots(drive.time, *drive.position.T, *drive.euler.T)
+    derived = Trajectory(drive.name, knots).velocity(drive.time)
+    difference = float(np.sqrt(np.mean(np.sum((derived - drive.velocity) ** 2, axis=1))))
+    if difference > VELOCITY_AGREEMENT:
+        raise DriveError(
+            f"{path}: velocities differ from the positions' derivative by {difference:.1f} m/s rms; "
+            f"expected at most {VELOCITY_AGREEMENT:g} m/s: are columns swapped, or units mixed?"
+        )

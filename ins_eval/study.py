@@ -1,0 +1,128 @@
+"""The experiment: bench one gyro, fly triads of its kind, compare what was promised with what came."""
+
+import os
+import threading
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ins_eval.imu import Accelerometers, measure
+from ins_eval.mission import Mission
+from ins_eval.prediction import bias_sensitivity, predicted_radial_error
+from pyhrg.bench import fixed_position, full_circumference
+from pyhrg.bench.bias_test import RUNS, BiasRun, BiasTest
+from pyhrg.bench.report import bias_table
+from pyhrg.fmu import GyroFmu
+from pyhrg.parameters import Device
+
+Array = NDArray[np.float64]
+Step = Callable[[], None]
+
+
+@dataclass(frozen=True)
+class Validation:
+    """What was benched, promised and flown."""
+
+    seed: int
+    mission: str
+    hours: float
+    fixed_position: BiasTest
+    full_circumference: BiasTest
+    time: Array
+    """(m,) s since the end of alignment."""
+    predicted_fixed_position: Array
+    """(m,) median radial error that the old test promises, m."""
+    predicted_full_circumference: Array
+    """(m,) likewise from the paper's test."""
+    flown: Array
+    """(n, m) radial error of each triad, m."""
+
+    @property
+    def table(self) -> str:
+        """Bench results in the layout of the paper's Table 2."""
+        return bias_table(self.fixed_position, self.full_circumference)
+
+
+def steps(triads: int) -> int:
+    """How often `validate` calls its `step`."""
+    return 2 * RUNS + triads
+
+
+def validate(
+    fmu: GyroFmu,
+    device: Device,
+    accelerometers: Accelerometers,
+    mission: Mission,
+    triads: int,
+    seed: int,
+    step: Step = lambda: None,
+) -> Validation:
+    """Run the experiment.
+
+    Args:
+        fmu: the gyro's model.
+        device: the gyro that is benched; the triads are of its kind (`Device.another`).
+        accelerometers: of every triad.
+        mission: what is flown.
+        triads: how many.
+        seed: of everything random; the same seed gives the same result on any number of cores.
+        step: called after each piece of work.
+    """
+    bench_seeds, flight_seeds = np.random.SeedSequence(seed).spawn(2)
+    generators = [np.random.default_rng(s) for s in bench_seeds.spawn(2 * RUNS)]
+    sensitivity = bias_sensitivity(mission)
+    stop = threading.Event()
+
+    def bench(task: tuple[Callable[..., BiasRun], np.random.Generator]) -> BiasRun:
+        _check(stop)
+        procedure, generator = task
+        result = procedure(fmu, device, generator)
+        step()
+        return result
+
+    def fly(seeds: np.random.SeedSequence) -> Array:
+        _check(stop)
+        generator = np.random.default_rng(seeds)
+        devices = [device.another(generator) for _ in range(3)]
+        error = mission.fly(measure(fmu, devices, accelerometers, mission.truth, generator))
+        step()
+        return np.asarray(np.hypot(error[:, 0], error[:, 1]))
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        try:
+            tasks = [(fixed_position.run, g) for g in generators[:RUNS]]
+            tasks += [(full_circumference.run, g) for g in generators[RUNS:]]
+            runs = list(pool.map(bench, tasks))
+            flown = list(pool.map(fly, flight_seeds.spawn(triads)))
+        except BaseException:
+            stop.set()
+            raise
+    old = BiasTest(tuple(runs[:RUNS]))
+    new = BiasTest(tuple(runs[RUNS:]))
+
+    def promised(test: BiasTest) -> Array:
+        return predicted_radial_error(sensitivity, test.stability, accelerometers.bias)
+
+    return Validation(
+        seed=seed,
+        mission=mission.name,
+        hours=float(mission.time[-1]) / 3600,
+        fixed_position=old,
+        full_circumference=new,
+        time=mission.time,
+        predicted_fixed_position=promised(old),
+        predicted_full_circumference=promised(new),
+        flown=np.stack(flown),
+    )
+
+
+class Interrupted(Exception):
+    """Another piece of work failed or the user stopped the run."""
+
+
+def _check(stop: threading.Event) -> None:
+    if stop.is_set():
+        raise Interrupted

@@ -1,0 +1,132 @@
+"""A vehicle's motion as smooth functions of time, and what an ideal IMU feels on it.
+
+A trajectory is a quintic spline through position and attitude. Velocity, acceleration and rates
+are its exact derivatives, and the IMU's increments integrate them by Gauss-Legendre quadrature:
+nothing here inverts the navigator's formulas.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import BSpline, make_interp_spline
+
+from ins_eval import earth
+from ins_eval.increments import Increments
+from ins_eval.rotation import body_rate_from_euler, mat_from_euler
+
+Array = NDArray[np.float64]
+
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(3)
+
+
+@dataclass(frozen=True)
+class Knots:
+    """Points that a trajectory passes through, all (n,): s, rad, m; yaw continuous."""
+
+    time: Array
+    latitude: Array
+    longitude: Array
+    height: Array
+    roll: Array
+    pitch: Array
+    yaw: Array
+
+    def channels(self) -> Array:
+        """(n, 6): latitude, longitude, height, roll, pitch, yaw."""
+        return np.stack(
+            [self.latitude, self.longitude, self.height, self.roll, self.pitch, self.yaw], axis=-1
+        )
+
+
+class Trajectory:
+    """Motion of a vehicle between the first and the last knot."""
+
+    def __init__(self, name: str, knots: Knots) -> None:
+        self.name = name
+        self.start = float(knots.time[0])
+        self.end = float(knots.time[-1])
+        self._spline: BSpline = make_interp_spline(knots.time, knots.channels(), k=5)
+        self._rate = self._spline.derivative(1)
+        self._acceleration = self._spline.derivative(2)
+
+    def position(self, time: Array) -> Array:
+        """(..., 3) latitude, longitude (rad), height (m)."""
+        return np.asarray(self._spline(time)[..., :3])
+
+    def mat_nb(self, time: Array) -> Array:
+        """(..., 3, 3) attitude."""
+        euler = self._spline(time)[..., 3:]
+        return mat_from_euler(euler[..., 0], euler[..., 1], euler[..., 2])
+
+    def velocity(self, time: Array) -> Array:
+        """(..., 3) velocity over ground, north, east, down, m/s."""
+        position, rate = self._spline(time), self._rate(time)
+        north = earth.meridian_radius(position[..., 0]) + position[..., 2]
+        east = earth.transverse_radius(position[..., 0]) + position[..., 2]
+        return np.stack(
+            [
+                rate[..., 0] * north,
+                rate[..., 1] * east * np.cos(position[..., 0]),
+                -rate[..., 2],
+            ],
+            axis=-1,
+        )
+
+    def rate_and_force(self, time: Array) -> tuple[Array, Array]:
+        """`omega_ib_b` (..., 3), rad/s, and specific force `f_b` (..., 3), m/s^2."""
+        x, dx, ddx = self._spline(time), self._rate(time), self._acceleration(time)
+        latitude, height = x[..., 0], x[..., 2]
+        mat_nb = mat_from_euler(x[..., 3], x[..., 4], x[..., 5])
+        sin, cos = np.sin(latitude), np.cos(latitude)
+        zero = np.zeros_like(sin)
+        omega_ie = earth.RATE * np.stack([cos, zero, -sin], axis=-1)
+        omega_en = np.stack([dx[..., 1] * cos, -dx[..., 0], -dx[..., 1] * sin], axis=-1)
+        omega_nb_b = body_rate_from_euler(
+            x[..., 3], x[..., 4], dx[..., 3], dx[..., 4], dx[..., 5]
+        )
+        omega_ib_b = omega_nb_b + _to_body(mat_nb, omega_ie + omega_en)
+        force = self._acceleration_n(x, dx, ddx) + np.cross(
+            2 * omega_ie + omega_en, self.velocity(time)
+        )
+        force[..., 2] -= earth.gravity(latitude, height)
+        return omega_ib_b, _to_body(mat_nb, force)
+
+    def increments(self, start: float, interval: float, count: int) -> Increments:
+        """Exact increments of an IMU over `count` intervals from `start`."""
+        rotation, velocity = np.empty((count, 3)), np.empty((count, 3))
+        for first in range(0, count, 50_000):
+            last = min(first + 50_000, count)
+            middle = start + interval * (np.arange(first, last) + 0.5)
+            time = middle[:, None] + 0.5 * interval * _NODES
+            omega, force = self.rate_and_force(time)
+            weights = 0.5 * interval * _WEIGHTS[:, None]
+            rotation[first:last] = np.sum(weights * omega, axis=1)
+            velocity[first:last] = np.sum(weights * force, axis=1)
+        return Increments(interval, rotation, velocity)
+
+    @staticmethod
+    def _acceleration_n(x: Array, dx: Array, ddx: Array) -> Array:
+        """Time derivative of the velocity's components, (..., 3)."""
+        latitude, height = x[..., 0], x[..., 2]
+        sin, cos = np.sin(latitude), np.cos(latitude)
+        meridian, transverse = earth.meridian_radius(latitude), earth.transverse_radius(latitude)
+        w = 1 - earth.ECCENTRICITY_SQUARED * sin**2
+        bulge = earth.ECCENTRICITY_SQUARED * sin * cos / w * dx[..., 0]
+        north = meridian + height
+        east = transverse + height
+        north_rate = 3 * meridian * bulge + dx[..., 2]
+        east_rate = transverse * bulge + dx[..., 2]
+        return np.stack(
+            [
+                ddx[..., 0] * north + dx[..., 0] * north_rate,
+                (ddx[..., 1] * east + dx[..., 1] * east_rate) * cos
+                - dx[..., 1] * east * sin * dx[..., 0],
+                -ddx[..., 2],
+            ],
+            axis=-1,
+        )
+
+
+def _to_body(mat_nb: Array, vector_n: Array) -> Array:
+    return np.einsum("...ij,...i->...j", mat_nb, vector_n)

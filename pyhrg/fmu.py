@@ -1,0 +1,215 @@
+"""The only FMI importer: gyros as instances of the FMU, driven by a compiled loop."""
+
+import ctypes
+import os
+import shutil
+import threading
+from collections.abc import Callable, Mapping
+from functools import lru_cache
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+import fmpy
+import numba
+import numpy as np
+from fmpy.fmi2 import (
+    FMU2Slave,
+    fmi2CallbackFunctions,
+    fmi2CallbackLoggerTYPE,
+    fmi2OK,
+)
+from numpy.typing import NDArray
+
+Drive = Callable[..., int]
+
+
+class GyroError(Exception):
+    """The FMU refused a call; the message is its own."""
+
+
+class GyroFmu:
+    """An FMU of the gyro, extracted and ready to be instantiated, from any thread."""
+
+    def __init__(self, path: Path) -> None:
+        """Read the description and extract the archive beside it, once.
+
+        Args:
+            path: the FMU.
+        """
+        self.description = fmpy.read_model_description(str(path))
+        self.folder = _extracted(path)
+        self.references = {v.name: v.valueReference for v in self.description.modelVariables}
+        self._types = {v.name: v.type for v in self.description.modelVariables}
+        self._loading = threading.Lock()
+
+    def power_on(self, parameters: Mapping[str, float], seed: int, start_angle: float) -> "Gyro":
+        """Start a gyro.
+
+        Args:
+            parameters: values by name, SI (`Device.fmu_parameters`).
+            seed: of all its noise, 0 to 2^31 - 1.
+            start_angle: pattern angle at power-on, rad.
+
+        Raises:
+            GyroError: a value that the FMU refuses.
+        """
+        with self._loading:
+            slave = FMU2Slave(
+                guid=self.description.guid,
+                unzipDirectory=str(self.folder),
+                modelIdentifier=self.description.coSimulation.modelIdentifier,
+                instanceName="gyro",
+            )
+            drive = _driver(slave.dll._name)
+        return Gyro(self, slave, drive, {**parameters, "startAngle": start_angle}, seed)
+
+    def set_value(self, slave: FMU2Slave, name: str, value: float) -> None:
+        """Set one variable by name."""
+        if name not in self.references:
+            raise GyroError(f"the FMU has no variable {name}")
+        if self._types[name] == "Integer":
+            slave.setInteger([self.references[name]], [int(value)])
+        else:
+            slave.setReal([self.references[name]], [value])
+
+
+class Gyro:
+    """One gyro that is switched on; a context manager that switches it off."""
+
+    def __init__(
+        self,
+        fmu: GyroFmu,
+        slave: FMU2Slave,
+        drive: Drive,
+        parameters: Mapping[str, float],
+        seed: int,
+    ) -> None:
+        self._fmu = fmu
+        self._slave = slave
+        self._drive = drive
+        self._messages: list[str] = []
+        self._callbacks = self._logging_callbacks()
+        self.time = 0.0
+        """Time since power-on, s."""
+        slave.instantiate(callbacks=self._callbacks)
+        self._call(slave.setupExperiment, startTime=0.0)
+        self._call(slave.enterInitializationMode)
+        for name, value in {**parameters, "seed": seed}.items():
+            self._call(fmu.set_value, slave, name, value)
+        self._call(slave.exitInitializationMode)
+
+    def __enter__(self) -> "Gyro":
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._slave.terminate()
+        self._slave.freeInstance()
+
+    def advance(self, rate: float, duration: float) -> float:
+        """Turn the case at a constant inertial rate.
+
+        Args:
+            rate: about the input axis, rad/s.
+            duration: s.
+
+        Returns:
+            The gyro's angle at the end, rad.
+        """
+        return float(self.drive(np.array([rate]), duration)[0])
+
+    def drive(self, rates: NDArray[np.float64], step: float) -> NDArray[np.float64]:
+        """Turn the case at rates that each hold for one step.
+
+        Args:
+            rates: (n,) inertial rate about the input axis, rad/s.
+            step: communication step, s.
+
+        Returns:
+            (n,) the gyro's angle at the end of each step, rad.
+        """
+        rates = np.ascontiguousarray(rates, dtype=np.float64)
+        angles = np.empty_like(rates)
+        references = np.array(
+            [self._fmu.references["angularRate"], self._fmu.references["gyroAngle"]],
+            dtype=np.uint32,
+        )
+        done = self._drive(self._slave.component, self.time, step, references, rates, angles)
+        if done != len(rates):
+            raise GyroError(self._explain(f"step {done} of {len(rates)} failed"))
+        self.time += step * len(rates)
+        return angles
+
+    def read(self, name: str) -> float:
+        """Present value of a variable, SI."""
+        return float(self._slave.getReal([self._fmu.references[name]])[0])
+
+    def command(self, name: str, value: float) -> None:
+        """Set an input, SI."""
+        self._call(self._fmu.set_value, self._slave, name, value)
+
+    def _call(self, function: Callable[..., Any], *args: Any, **kwargs: Any) -> None:
+        try:
+            function(*args, **kwargs)
+        except GyroError:
+            raise
+        except Exception as error:  # FMPy raises a bare Exception for a status that is not OK
+            raise GyroError(self._explain(str(error))) from error
+
+    def _explain(self, otherwise: str) -> str:
+        return "; ".join(self._messages) or otherwise
+
+    def _logging_callbacks(self) -> fmi2CallbackFunctions:
+        def log(env: Any, name: bytes, status: int, category: bytes, message: bytes) -> None:
+            self._messages.append(message.decode())
+
+        callbacks = fmi2CallbackFunctions()
+        callbacks.logger = fmi2CallbackLoggerTYPE(log)
+        return callbacks
+
+
+def _extracted(path: Path) -> Path:
+    """Folder with the content of an FMU, beside it; made aside and renamed, so never half there."""
+    folder = path.with_suffix("")
+    if not folder.is_dir():
+        aside = path.with_name(f".{folder.name}.{os.getpid()}")
+        fmpy.extract(str(path), str(aside))
+        try:
+            aside.rename(folder)
+        except OSError:
+            shutil.rmtree(aside)
+    return folder
+
+
+@lru_cache(maxsize=4)
+def _driver(library: str) -> Drive:
+    """Compiled loop over the FMU's own functions; all instances of a library share it."""
+    dll = ctypes.CDLL(library)
+    status, handle, real = ctypes.c_int, ctypes.c_void_p, ctypes.c_double
+
+    def function(name: str, *arguments: type) -> Any:
+        address = ctypes.cast(getattr(dll, name), ctypes.c_void_p).value
+        return ctypes.CFUNCTYPE(status, *arguments)(address)
+
+    set_real = function("fmi2SetReal", handle, handle, ctypes.c_size_t, handle)
+    get_real = function("fmi2GetReal", handle, handle, ctypes.c_size_t, handle)
+    do_step = function("fmi2DoStep", handle, real, real, status)
+    ok = fmi2OK
+
+    @numba.njit(nogil=True)  # type: ignore[misc]
+    def drive(component, start, step, references, rates, angles):  # type: ignore[no-untyped-def]
+        for i in range(len(rates)):
+            if (
+                set_real(component, references[0:].ctypes, 1, rates[i:].ctypes) != ok
+                or do_step(component, start + i * step, step, 1) != ok
+                or get_real(component, references[1:].ctypes, 1, angles[i:].ctypes) != ok
+            ):
+                return i
+        return len(rates)
+
+    return drive  # type: ignore[no-any-return]

@@ -66,7 +66,7 @@ def build(path: Path, progress: Progress = lambda text: None) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
         aside = path.with_name(f".{path.name}.{os.getpid()}")
         _zip(aside, content)
-        os.replace(aside, path)
+        aside.replace(path)
     progress(f"built {path}")
 
 
@@ -115,7 +115,11 @@ def compile_library(files: dict[str, str], folder: Path) -> Path:
 
 
 def _limits(dae: Dae, guid: str) -> str:
-    lines = ['#include "limits.h"', "#include <math.h>", f'const char *const model_guid = "{guid}";']
+    lines = [
+        '#include "limits.h"',
+        "#include <math.h>",
+        f'const char *const model_guid = "{guid}";',
+    ]
     lines.append("const Limits limits[] = {")
     kinds = {"parameter": "SET_PARAMETER", "input": "SET_INPUT"}
     for variable in dae.variables:

@@ -5,6 +5,7 @@ import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from importlib.metadata import entry_points
+from typing import NoReturn
 
 
 class UserError(Exception):
@@ -20,9 +21,15 @@ class Command:
     run: Callable[[argparse.Namespace], None]
 
 
+class _Parser(argparse.ArgumentParser):
+    def error(self, message: str) -> NoReturn:
+        """One clear line, as for every user's error."""
+        self.exit(2, f"{self.prog}: {message}\n")
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run `hrg`; returns the exit status: 0, 2 for a user's error, 130 when interrupted."""
-    parser = argparse.ArgumentParser(
+    parser = _Parser(
         prog="hrg", description="Whole-angle hemispherical resonator gyro: model, bench, navigation"
     )
     subparsers = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")

@@ -185,9 +185,7 @@ def _nodes(expressions: Json) -> Iterator[Node]:
         elif kind == "unary":
             yield Node(body["operator"], None, (body["operand"],))
         elif kind in ("index", "array_update"):
-            picks = tuple(
-                next(subscripts)["kind"]["index"] for _ in range(body["subscript_count"])
-            )
+            picks = tuple(next(subscripts)["kind"]["index"] for _ in range(body["subscript_count"]))
             rest = (body["value"],) if kind == "array_update" else ()
             yield Node(kind, None, (body["base"], *picks, *rest))
         elif kind in ("array", "builtin", "call", "conditional"):

@@ -9,7 +9,9 @@ BASE_UNITS: dict[str, dict[str, str]] = {
     "1": {},
     "s": {"s": "1"},
     "1/s": {"s": "-1"},
+    "1/s2": {"s": "-2"},
     "rad": {"rad": "1"},
+    "rad.s": {"rad": "1", "s": "1"},
     "rad/s": {"rad": "1", "s": "-1"},
     "rad2/s": {"rad": "2", "s": "-1"},
 }
@@ -86,9 +88,7 @@ def _units(root: ET.Element, dae: Dae) -> None:
             ET.SubElement(unit, "DisplayUnit", name=display, factor=repr(factor))
 
 
-def _scalar(
-    parent: ET.Element, dae: Dae, variable: Variable, element: int, causality: str
-) -> None:
+def _scalar(parent: ET.Element, dae: Dae, variable: Variable, element: int, causality: str) -> None:
     entry = ET.SubElement(
         parent,
         "ScalarVariable",

@@ -239,9 +239,7 @@ def _statement(
     raise ValueError(f"{function.name}: a statement of kind {kind} is not supported")
 
 
-def _assignment(
-    dae: Dae, function: Function, body: Json, indent: str, nested: bool
-) -> list[str]:
+def _assignment(dae: Dae, function: Function, body: Json, indent: str, nested: bool) -> list[str]:
     emitter = Emitter(dae, function)
     target = function.values[body["target"]]
     node = dae.nodes[body["rhs"]]

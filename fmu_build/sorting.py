@@ -47,7 +47,7 @@ def schedule(dae: Dae) -> Schedule:
     continuous = _assign(dae, dae.continuous)
     sampled = {_explicit_target(dae, e): _sampled(dae, e) for e in dae.sampled}
     state_free = _state_free(dae, continuous)
-    held = {t: continuous[t] for t in state_free}
+    held = {t: a for t, a in continuous.items() if t in state_free}
     rest = {t: a for t, a in continuous.items() if t not in state_free}
     derivatives = [t for t in rest if t[0] == "derivative"]
     needed = _closure(dae, rest, derivatives)
@@ -55,7 +55,7 @@ def schedule(dae: Dae) -> Schedule:
     return Schedule(
         parameters=_order(dae, _parameters(dae)),
         starts=tuple(_starts(dae)),
-        held=_order(dae, {t: a for t, a in held.items()}),
+        held=_order(dae, held),
         derivatives=_order(dae, {t: rest[t] for t in needed}),
         outputs=_order(dae, {t: a for t, a in rest.items() if t[0] == "variable"}),
         tick=_order(dae, {t: (continuous | sampled)[t] for t in tick}),
@@ -126,29 +126,23 @@ def _assign(dae: Dae, equations: Iterable[int]) -> dict[Target, Assignment]:
 
 def _state_free(dae: Dae, continuous: dict[Target, Assignment]) -> set[Target]:
     """Continuous variables that depend on parameters, inputs and sampled variables alone."""
-    free: set[Target] = set()
-    tainted = {("variable", i) for i, v in enumerate(dae.variables) if v.role == "state"}
-    tainted |= {t for t in continuous if t[0] == "derivative"}
-    for target in continuous:
-        if target not in tainted and not (
-            tainted & _closure_targets(dae, continuous, [target], stop=set())
-        ):
-            free.add(target)
-    return free
+    states = {("variable", i) for i, v in enumerate(dae.variables) if v.role == "state"}
+    states |= {t for t in continuous if t[0] == "derivative"}
+    return {t for t in continuous if not states & _reached(dae, continuous, [t])}
 
 
-def _closure_targets(
-    dae: Dae, assignments: dict[Target, Assignment], roots: Iterable[Target], stop: set[Target]
+def _reached(
+    dae: Dae, assignments: dict[Target, Assignment], roots: Iterable[Target]
 ) -> set[Target]:
+    """The roots and all that they depend on."""
     seen: set[Target] = set()
     pending = list(roots)
     while pending:
         target = pending.pop()
-        if target in seen or target in stop:
-            continue
-        seen.add(target)
-        if target in assignments:
-            pending.extend(references(dae, assignments[target].expression))
+        if target not in seen:
+            seen.add(target)
+            if target in assignments:
+                pending.extend(references(dae, assignments[target].expression))
     return seen
 
 
@@ -156,7 +150,7 @@ def _closure(
     dae: Dae, assignments: dict[Target, Assignment], roots: Iterable[Target]
 ) -> list[Target]:
     """The roots and all assigned variables that they depend on, in the order of declaration."""
-    reached = _closure_targets(dae, assignments, roots, stop=set())
+    reached = _reached(dae, assignments, roots)
     return [t for t in assignments if t in reached]
 
 

@@ -27,7 +27,8 @@ def translate(library: Path, model: str) -> Dae:
     """
     if rumoca.version() != COMPILER_VERSION:
         raise TranslationError(
-            f"rumoca {rumoca.version()} is installed; this generator is written for {COMPILER_VERSION}"
+            f"rumoca {rumoca.version()} is installed; expected {COMPILER_VERSION}, "
+            "for which the generator is written"
         )
     try:
         document = rumoca.Session().load(str(library / "package.mo"), model=model).to_dict("dae")

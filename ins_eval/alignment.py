@@ -27,7 +27,8 @@ def static_alignment(record: Increments, latitude: float) -> NDArray[np.float64]
     rate = record.rotation.sum(axis=0) / duration
     if abs(np.linalg.norm(rate) / earth.RATE - 1) > 0.5 or abs(np.cos(latitude)) < 0.01:
         raise AlignmentError(
-            f"mean rate {np.linalg.norm(rate):.2e} rad/s at latitude {np.rad2deg(latitude):.1f} deg; "
+            f"mean rate {np.linalg.norm(rate):.2e} rad/s "
+            f"at latitude {np.rad2deg(latitude):.1f} deg; "
             f"expected about Earth's {earth.RATE:.2e} rad/s, away from the poles"
         )
     roll = np.arctan2(-force[1], -force[2])

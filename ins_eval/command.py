@@ -11,12 +11,10 @@ from fmu_build.bundle import BuildError, built_fmu
 from fmu_build.cli import Command, UserError
 from fmu_build.translate import TranslationError
 from ins_eval import missions, recorded_drive, report, study
-from ins_eval.imu import Accelerometers
 from ins_eval.metrics import FEWEST_FOR_MEDIAN
 from ins_eval.mission import STILL, mission
+from ins_eval.staging import Staging
 from ins_eval.trajectories import Trajectory
-from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
 
 LONGEST_HOURS = 24.0
 MARGIN = 10.0
@@ -40,7 +38,7 @@ def _run(options: argparse.Namespace) -> None:
     triads = _whole("--triads", options.triads, FEWEST_FOR_MEDIAN, 10_000)
     hours = _hours(options.hours)
     try:
-        with report.Staging(options.out) as folder:
+        with Staging(options.out) as folder:
             result = _validated(seed, triads, hours, options.trajectory)
             report.write(result, folder)
     except OSError as error:
@@ -52,20 +50,13 @@ def _run(options: argparse.Namespace) -> None:
 def _validated(seed: int, triads: int, hours: float, file: Path | None) -> study.Validation:
     trajectory = _trajectory(file, hours * 3600 + MARGIN)
     try:
-        fmu = GyroFmu(built_fmu(lambda text: print(text, file=sys.stderr)))
+        fmu = built_fmu(lambda text: print(text, file=sys.stderr))
     except (TranslationError, BuildError) as error:
         raise UserError(str(error)) from error
     print(f"simulating {trajectory.name} for {hours:g} h", file=sys.stderr)
     with tqdm(total=study.steps(triads), desc="bench, flights", unit="run") as bar:
-        return study.validate(
-            fmu,
-            TYPICAL,
-            Accelerometers(),
-            mission(trajectory, hours),
-            triads,
-            seed,
-            step=lambda: bar.update() and None,
-        )
+        flown = mission(trajectory, hours)
+        return study.validate(fmu, flown, triads, seed, step=lambda: bar.update() and None)
 
 
 def _trajectory(file: Path | None, duration: float) -> Trajectory:

@@ -20,20 +20,20 @@ jit = numba.njit(cache=True)
 
 
 @jit
-def meridian_radius(latitude):  # type: ignore[no-untyped-def]
+def meridian_radius(latitude):
     """Radius of curvature M in the meridian, m (Groves 2013, Eq. 2.105)."""
     w = 1 - ECCENTRICITY_SQUARED * np.sin(latitude) ** 2
     return SEMI_MAJOR * (1 - ECCENTRICITY_SQUARED) / w**1.5
 
 
 @jit
-def transverse_radius(latitude):  # type: ignore[no-untyped-def]
+def transverse_radius(latitude):
     """Radius of curvature N across the meridian, m (Groves 2013, Eq. 2.106)."""
     return SEMI_MAJOR / np.sqrt(1 - ECCENTRICITY_SQUARED * np.sin(latitude) ** 2)
 
 
 @jit
-def gravity(latitude, height):  # type: ignore[no-untyped-def]
+def gravity(latitude, height):
     """Normal gravity, m/s^2, down (NIMA TR8350.2, Eqs. 4-1 and 4-3)."""
     s = np.sin(latitude) ** 2
     surface = GRAVITY_EQUATOR * (1 + SOMIGLIANA * s) / np.sqrt(1 - ECCENTRICITY_SQUARED * s)

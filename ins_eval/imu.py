@@ -24,14 +24,18 @@ class Accelerometers:
     noise: velocity random walk, m/s/sqrt(s).
     """
 
-    bias: float = 5 * MICRO_G
-    noise: float = 5 * MICRO_G
+    bias: float
+    noise: float
 
     def measure(self, truth: Increments, generator: np.random.Generator) -> Array:
         """Velocity increments (n, 3), m/s, with a bias and noise drawn anew."""
         bias = generator.normal(0.0, self.bias, size=3)
         noise = generator.normal(0.0, self.noise, size=truth.velocity.shape)
         return truth.velocity + bias * truth.interval + noise * np.sqrt(truth.interval)
+
+
+TYPICAL_ACCELEROMETERS = Accelerometers(bias=5 * MICRO_G, noise=5 * MICRO_G)
+"""Good enough that a gyro bias of 0.001 deg/h can still be seen in the position error."""
 
 
 def measured_rotation(

@@ -3,11 +3,14 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
+from scipy.special import erf
 from scipy.stats import binom
 
 from ins_eval import earth
 
 Array = NDArray[np.float64]
+
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(100)
 
 FEWEST_FOR_MEDIAN = 6
 """Smallest sample whose extremes hold the median with 95 % confidence: 1 - 2 / 2^6 = 96.9 %."""
@@ -25,14 +28,15 @@ def position_error(position: Array, truth: Array) -> Array:
 def median_interval(sample: ArrayLike, confidence: float = 0.95) -> tuple[float, float]:
     """Confidence interval of the median from order statistics, without assumptions.
 
+    The k-th and the k-th last value, with k - 1 the largest number of values that lie below the
+    median with at most (1 - confidence)/2 of probability.
+
     Raises:
         ValueError: fewer than `FEWEST_FOR_MEDIAN` values for 95 %.
     """
     ordered = np.sort(np.asarray(sample, dtype=float))
     n = len(ordered)
-    below = int(binom.ppf((1 - confidence) / 2, n, 0.5))
-    if below < 1 or binom.cdf(below - 1, n, 0.5) > (1 - confidence) / 2:
-        below -= 1
+    below = int(binom.ppf((1 - confidence) / 2, n, 0.5)) - 1
     if below < 0:
         raise ValueError(f"{n} values can't hold the median with {confidence:.0%} confidence")
     return float(ordered[below]), float(ordered[n - 1 - below])
@@ -41,18 +45,19 @@ def median_interval(sample: ArrayLike, confidence: float = 0.95) -> tuple[float,
 def median_radius(covariance: Array) -> float:
     """Radius that a zero-mean normal pair with this covariance (2, 2) exceeds half of the time.
 
-    The distribution function is an integral over the angle of the polar form (Hoyt 1947).
+    Along the major axis u = r sin t; across it the share within the circle is an error function.
     """
     variances = np.linalg.eigvalsh(covariance)
-    largest = float(variances[1])
-    if largest <= 0:
+    major, minor = np.sqrt(np.maximum(variances[::-1], 0.0))
+    if major == 0:
         return 0.0
-    ratio = max(float(variances[0]) / largest, 1e-9)
-    angle = (np.arange(720) + 0.5) * np.pi / 720
-    precision = np.cos(angle) ** 2 + np.sin(angle) ** 2 / ratio
+    ratio = max(minor / major, 1e-12)
+    t = np.pi / 4 * (_NODES + 1)
 
     def excess(radius: float) -> float:
-        share = -np.expm1(-0.5 * radius**2 * precision) / precision
-        return float(np.mean(share) / np.sqrt(ratio) - 0.5)
+        density = np.exp(-0.5 * (radius * np.sin(t)) ** 2) * radius * np.cos(t)
+        within = erf(radius * np.cos(t) / (ratio * np.sqrt(2)))
+        share = np.sqrt(2 / np.pi) * np.pi / 4 * np.sum(_WEIGHTS * density * within)
+        return float(share - 0.5)
 
-    return float(brentq(excess, 1e-3, 10.0)) * np.sqrt(largest)
+    return float(brentq(excess, 0.1, 10.0, xtol=1e-12) * major)

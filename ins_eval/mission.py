@@ -61,8 +61,8 @@ def mission(trajectory: Trajectory, hours: float) -> Mission:
     """The truth along a trajectory that stands still from -STILL to 0, for whole minutes."""
     minutes = round(hours * 60)
     flight = minutes * round(KEPT / INTERVAL)
-    time = KEPT * np.arange(1, minutes + 1)
-    steps = 2 * INTERVAL * np.arange(flight // 2 + 1)
+    time = KEPT * np.arange(1.0, minutes + 1)
+    steps = 2 * INTERVAL * np.arange(flight / 2 + 1)
     return Mission(
         name=trajectory.name,
         truth=trajectory.increments(-STILL, INTERVAL, flight + round(STILL / INTERVAL)),

@@ -128,7 +128,7 @@ def trajectory(drive: Drive, still: float, duration: float) -> Trajectory:
 def _joint(
     drive: Drive, position: Array, velocity: Array, euler: Array
 ) -> tuple[Array, Array, Array]:
-    """From a position and velocity to the drive's first velocity and attitude, knots each second."""
+    """Knots each second from a position and velocity to the drive's first velocity and attitude."""
     s = np.arange(1, JOINT + 0.5) / JOINT
     ramp = s**2 * (3 - 2 * s)
     way = JOINT * (s**3 - s**4 / 2)
@@ -172,7 +172,9 @@ def _rows(path: Path) -> list[list[float]]:
     header = next(reader, [])
     missing = [name for name in COLUMNS if name not in header]
     if missing:
-        raise DriveError(f"{path}: column {', '.join(missing)} is missing; found {', '.join(header)}")
+        raise DriveError(
+            f"{path}: column {', '.join(missing)} is missing; found {', '.join(header)}"
+        )
     places = [header.index(name) for name in COLUMNS]
     rows = [_values(path, line, row, places) for line, row in enumerate(reader, 2) if row]
     if len(rows) < SHORTEST:
@@ -218,6 +220,7 @@ def _check_velocity(path: Path, drive: Drive) -> None:
     difference = float(np.sqrt(np.mean(np.sum((derived - drive.velocity) ** 2, axis=1))))
     if difference > VELOCITY_AGREEMENT:
         raise DriveError(
-            f"{path}: velocities differ from the positions' derivative by {difference:.1f} m/s rms; "
+            f"{path}: velocities differ from the positions' derivative "
+            f"by {difference:.1f} m/s rms; "
             f"expected at most {VELOCITY_AGREEMENT:g} m/s: are columns swapped, or units mixed?"
         )

@@ -1,6 +1,7 @@
 """Strapdown navigation from increments; reads no file and draws no random number.
 
-Two-sample coning and sculling (Savage 1998), Coriolis and gravity at the middle of the step, WGS-84.
+Two-sample coning and sculling (Savage 1998); Coriolis, transport and gravity at the middle of the
+step; WGS-84.
 The height is clamped to a reference, as a barometer would hold it.
 """
 
@@ -66,7 +67,7 @@ def navigate(start: State, increments: Increments, height: Array, keep_every: in
 
 
 @jit
-def _cross(a, b):  # type: ignore[no-untyped-def]
+def _cross(a, b):
     return (
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -75,8 +76,8 @@ def _cross(a, b):  # type: ignore[no-untyped-def]
 
 
 @jit
-def _from_rotation_vector(v):  # type: ignore[no-untyped-def]
-    """Quaternion of a small rotation vector; the series' next terms are below 1e-16 for 0.05 rad."""
+def _from_rotation_vector(v):
+    """Quaternion of a rotation vector; the next terms are below 1e-16 up to 0.05 rad."""
     s = v[0] * v[0] + v[1] * v[1] + v[2] * v[2]
     scalar = 1 - s / 8 + s * s / 384 - s * s * s / 46080
     factor = 0.5 - s / 48 + s * s / 3840 - s * s * s / 645120
@@ -84,7 +85,7 @@ def _from_rotation_vector(v):  # type: ignore[no-untyped-def]
 
 
 @jit
-def _multiply(p, q):  # type: ignore[no-untyped-def]
+def _multiply(p, q):
     return (
         p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3],
         p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2],
@@ -94,7 +95,7 @@ def _multiply(p, q):  # type: ignore[no-untyped-def]
 
 
 @jit
-def _rotate(q, v):  # type: ignore[no-untyped-def]
+def _rotate(q, v):
     u = (q[1], q[2], q[3])
     t = _cross(u, v)
     t = (2 * t[0], 2 * t[1], 2 * t[2])
@@ -103,7 +104,7 @@ def _rotate(q, v):  # type: ignore[no-untyped-def]
 
 
 @jit
-def _coning(r1, r2):  # type: ignore[no-untyped-def]
+def _coning(r1, r2):
     """Rotation vector of two intervals: r1 + r2 + 2/3 r1 x r2."""
     c = _cross(r1, r2)
     return (
@@ -114,7 +115,7 @@ def _coning(r1, r2):  # type: ignore[no-untyped-def]
 
 
 @jit
-def _sculling(r1, r2, v1, v2):  # type: ignore[no-untyped-def]
+def _sculling(r1, r2, v1, v2):
     """Velocity change of two intervals in the body axes of their start."""
     r = (r1[0] + r2[0], r1[1] + r2[1], r1[2] + r2[2])
     v = (v1[0] + v2[0], v1[1] + v2[1], v1[2] + v2[2])
@@ -129,7 +130,7 @@ def _sculling(r1, r2, v1, v2):  # type: ignore[no-untyped-def]
 
 
 @jit
-def _navigation_rates(latitude, height, north, east):  # type: ignore[no-untyped-def]
+def _navigation_rates(latitude, height, north, east):
     """Earth rate and transport rate in navigation axes, rad/s."""
     sin, cos = np.sin(latitude), np.cos(latitude)
     rate_e = east / (earth.transverse_radius(latitude) + height)
@@ -142,7 +143,7 @@ def _navigation_rates(latitude, height, north, east):  # type: ignore[no-untyped
 @jit
 def _navigate(
     latitude, longitude, velocity, quaternion, interval, rotation, force, height, keep, result
-):  # type: ignore[no-untyped-def]
+):
     step = 2 * interval
     q = (quaternion[0], quaternion[1], quaternion[2], quaternion[3])
     north, east = velocity[0], velocity[1]

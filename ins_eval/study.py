@@ -1,25 +1,30 @@
-"""The experiment: bench one gyro, fly triads of its kind, compare what was promised with what came."""
+"""The experiment: bench one gyro, fly triads of its kind, compare promise and outcome."""
 
 import os
 import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.imu import Accelerometers, measure
+from ins_eval.imu import TYPICAL_ACCELEROMETERS, Accelerometers, measure
 from ins_eval.mission import Mission
 from ins_eval.prediction import bias_sensitivity, predicted_radial_error
 from pyhrg.bench import fixed_position, full_circumference
 from pyhrg.bench.bias_test import RUNS, BiasRun, BiasTest
 from pyhrg.bench.report import bias_table
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import Device
+from pyhrg.parameters import TYPICAL, Device
 
 Array = NDArray[np.float64]
 Step = Callable[[], None]
+
+
+class InterruptedStudyError(Exception):
+    """Another piece of work failed or the user stopped the run."""
 
 
 @dataclass(frozen=True)
@@ -52,25 +57,29 @@ def steps(triads: int) -> int:
 
 
 def validate(
-    fmu: GyroFmu,
-    device: Device,
-    accelerometers: Accelerometers,
+    fmu_path: Path,
     mission: Mission,
     triads: int,
     seed: int,
+    *,
+    device: Device = TYPICAL,
+    accelerometers: Accelerometers = TYPICAL_ACCELEROMETERS,
+    workers: int | None = None,
     step: Step = lambda: None,
 ) -> Validation:
     """Run the experiment.
 
     Args:
-        fmu: the gyro's model.
-        device: the gyro that is benched; the triads are of its kind (`Device.another`).
-        accelerometers: of every triad.
+        fmu_path: the gyro's model.
         mission: what is flown.
         triads: how many.
-        seed: of everything random; the same seed gives the same result on any number of cores.
+        seed: of everything random; the same seed gives the same result on any number of workers.
+        device: the gyro that is benched; the triads are of its kind (`Device.another`).
+        accelerometers: of every triad.
+        workers: threads; as many as cores if not given.
         step: called after each piece of work.
     """
+    fmu = GyroFmu(fmu_path)
     bench_seeds, flight_seeds = np.random.SeedSequence(seed).spawn(2)
     generators = [np.random.default_rng(s) for s in bench_seeds.spawn(2 * RUNS)]
     sensitivity = bias_sensitivity(mission)
@@ -91,7 +100,7 @@ def validate(
         step()
         return np.asarray(np.hypot(error[:, 0], error[:, 1]))
 
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
+    with ThreadPoolExecutor(workers or os.cpu_count()) as pool:
         try:
             tasks = [(fixed_position.run, g) for g in generators[:RUNS]]
             tasks += [(full_circumference.run, g) for g in generators[RUNS:]]
@@ -119,10 +128,6 @@ def validate(
     )
 
 
-class Interrupted(Exception):
-    """Another piece of work failed or the user stopped the run."""
-
-
 def _check(stop: threading.Event) -> None:
     if stop.is_set():
-        raise Interrupted
+        raise InterruptedStudyError

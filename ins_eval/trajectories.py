@@ -82,9 +82,7 @@ class Trajectory:
         zero = np.zeros_like(sin)
         omega_ie = earth.RATE * np.stack([cos, zero, -sin], axis=-1)
         omega_en = np.stack([dx[..., 1] * cos, -dx[..., 0], -dx[..., 1] * sin], axis=-1)
-        omega_nb_b = body_rate_from_euler(
-            x[..., 3], x[..., 4], dx[..., 3], dx[..., 4], dx[..., 5]
-        )
+        omega_nb_b = body_rate_from_euler(x[..., 3], x[..., 4], dx[..., 3], dx[..., 4], dx[..., 5])
         omega_ib_b = omega_nb_b + _to_body(mat_nb, omega_ie + omega_en)
         force = self._acceleration_n(x, dx, ddx) + np.cross(
             2 * omega_ie + omega_en, self.velocity(time)

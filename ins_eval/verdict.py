@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 from ins_eval.metrics import median_interval
 
 TRUTHFUL = 2.0
-"""A promise is kept when flown over promised lies, with its whole interval, within this factor."""
+"""A promise is kept when flown over promised lies within this factor; it is broken when the whole
+interval lies outside."""
 
 
 @dataclass(frozen=True)
@@ -29,7 +30,7 @@ class Ratio:
             return "too good"
         if self.high < 1 / TRUTHFUL:
             return "too bad"
-        if self.low >= 1 / TRUTHFUL and self.high <= TRUTHFUL:
+        if 1 / TRUTHFUL <= self.value <= TRUTHFUL:
             return "true"
         return "undecided"
 
@@ -46,15 +47,16 @@ def ratio(flown: NDArray[np.float64], promised: float) -> Ratio:
 def verdict(fixed: Ratio, circumference: Ratio) -> str:
     """The comparison in words."""
     words = {
-        "true": "told the truth",
+        "true": f"told the truth within a factor of {TRUTHFUL:g}",
         "too good": "promised too much",
         "too bad": "promised too little",
         "undecided": "is not decided by this many triads",
     }
     between = fixed.value / circumference.value
-    if 1 / TRUTHFUL <= between <= TRUTHFUL:
+    factor = max(between, 1 / between)
+    if factor <= TRUTHFUL:
         head = (
-            f"The two tests agree: their promises differ by a factor of {max(between, 1 / between):.2f}, "
+            f"The two tests agree: their promises differ by a factor of {factor:.2f}, "
             "so the pattern angle makes no difference to this gyro."
         )
     elif circumference.word == "true" and fixed.word == "too good":

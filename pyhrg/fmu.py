@@ -40,7 +40,7 @@ class GyroFmu:
         self.description = fmpy.read_model_description(str(path))
         self.folder = _extracted(path)
         self.references = {v.name: v.valueReference for v in self.description.modelVariables}
-        self._types = {v.name: v.type for v in self.description.modelVariables}
+        self.kinds = {v.name: v.type for v in self.description.modelVariables}
         self._loading = threading.Lock()
 
     def power_on(self, parameters: Mapping[str, float], seed: int, start_angle: float) -> "Gyro":
@@ -68,7 +68,7 @@ class GyroFmu:
         """Set one variable by name."""
         if name not in self.references:
             raise GyroError(f"the FMU has no variable {name}")
-        if self._types[name] == "Integer":
+        if self.kinds[name] == "Integer":
             slave.setInteger([self.references[name]], [int(value)])
         else:
             slave.setReal([self.references[name]], [value])
@@ -193,16 +193,18 @@ def _driver(library: str) -> Drive:
     status, handle, real = ctypes.c_int, ctypes.c_void_p, ctypes.c_double
 
     def function(name: str, *arguments: type) -> Any:
-        address = ctypes.cast(getattr(dll, name), ctypes.c_void_p).value
-        return ctypes.CFUNCTYPE(status, *arguments)(address)
+        pointer = ctypes.cast(getattr(dll, name), ctypes.c_void_p)
+        return ctypes.CFUNCTYPE(status, *arguments)(pointer.value or 0)
 
     set_real = function("fmi2SetReal", handle, handle, ctypes.c_size_t, handle)
     get_real = function("fmi2GetReal", handle, handle, ctypes.c_size_t, handle)
     do_step = function("fmi2DoStep", handle, real, real, status)
     ok = fmi2OK
 
-    @numba.njit(nogil=True)  # type: ignore[misc]
-    def drive(component, start, step, references, rates, angles):  # type: ignore[no-untyped-def]
+    @numba.njit(nogil=True)
+    def drive(
+        component: Any, start: Any, step: Any, references: Any, rates: Any, angles: Any
+    ) -> int:
         for i in range(len(rates)):
             if (
                 set_real(component, references[0:].ctypes, 1, rates[i:].ctypes) != ok
@@ -212,4 +214,4 @@ def _driver(library: str) -> Drive:
                 return i
         return len(rates)
 
-    return drive  # type: ignore[no-any-return]
+    return drive

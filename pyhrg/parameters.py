@@ -107,10 +107,10 @@ def _turned(gain: float, nonorthogonality: float, angle: float) -> tuple[float, 
 
 TYPICAL = Device(
     decay_time=450.0,
-    damping_anisotropy=7e-7,
-    damping_axis=20 * DEG,
+    damping_anisotropy=7.5e-7,
+    damping_axis=85 * DEG,
     frequency_split=2 * math.pi * 0.5e-3,
-    stiffness_axis=65 * DEG,
+    stiffness_axis=17.5 * DEG,
     pickoff_gain_mismatch=4e-5,
     pickoff_nonorthogonality=3e-5,
     drive_gain_mismatch=-3e-5,
@@ -122,4 +122,5 @@ TYPICAL = Device(
     power_on_scatter=0.5 * DEG,
 )
 """A 20 mm gyro whose damping anisotropy is trimmed to 0.03 % of 1/tau: about 0.1 deg/h of bias
-over the circumference, 0.001 deg/h at one pattern angle (the paper's Table 2, normalised)."""
+over the circumference, 0.001 deg/h at one pattern angle (the paper's Table 2, normalised). Its
+imperfections stand in quadrature, so that its bias map is as large as the rms of its kind."""

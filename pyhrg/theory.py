@@ -25,9 +25,7 @@ def static_bias_phasor(device: Device) -> complex:
     gain = (device.pickoff_gain_mismatch + device.drive_gain_mismatch) / tau
     skew = (device.pickoff_nonorthogonality + device.drive_nonorthogonality) / tau
     damping = device.damping_anisotropy * np.exp(4j * device.damping_axis)
-    split = (
-        device.frequency_split * device.phase_error * np.exp(4j * device.stiffness_axis)
-    )
+    split = device.frequency_split * device.phase_error * np.exp(4j * device.stiffness_axis)
     return complex((-1j * (damping + split - gain) - skew) / (4 * device.bryan_factor))
 
 

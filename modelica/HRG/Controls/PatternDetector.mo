@@ -10,7 +10,7 @@ block PatternDetector "Sampled orbit of the vibration"
   discrete output Units.Displacement quadrature(start = 0, fixed = true) "Quadrature amplitude";
   discrete output Units.Angle phase(start = 0, fixed = true) "Phase of the antinode against the reference";
 protected
-  discrete Real detected[6](start = {2*startAngle, cos(2*startAngle), sin(2*startAngle), 1, 0, 0}, each fixed = true) "Result of the detection";
+  discrete Units.Ratio detected[6](start = {2*startAngle, cos(2*startAngle), sin(2*startAngle), 1, 0, 0}, each fixed = true) "Result of the detection";
 equation
   when sample(0, samplePeriod) then
     detected = orbit(reading, 2*pre(patternAngle));

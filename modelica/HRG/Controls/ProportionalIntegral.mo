@@ -2,19 +2,20 @@ within HRG.Controls;
 block ProportionalIntegral "Critically damped loop of an integrating plant, sampled"
   parameter Units.Time samplePeriod "Control period";
   parameter Units.AngularFrequency naturalFrequency "Natural frequency of the closed loop";
-  parameter Real startCommand = 0 "Command that the integral gives at time 0";
-  input Real error "Set point less measurement";
-  discrete output Real command(start = startCommand, fixed = true) "Command, held until the next sample";
+  parameter Real startCommand(unit = "1/s") = 0 "Command that the integral gives at time 0";
+  input Real error(unit = "1") "Set point less measurement";
+  discrete output Real command(unit = "1/s", start = startCommand, fixed = true) "Command, held until the next sample";
+  discrete Real integral(unit = "s", start = startCommand/naturalFrequency^2, fixed = true) "Integral of the error";
 protected
-  final parameter Real proportionalGain = 2*naturalFrequency "Of the error";
-  final parameter Real integralGain = naturalFrequency^2 "Of the integral";
-  discrete Real integral(start = startCommand/naturalFrequency^2, fixed = true) "Integral of the error";
+  final parameter Units.Rate proportionalGain = 2*naturalFrequency "Of the error";
+  final parameter Real integralGain(unit = "1/s2") = naturalFrequency^2 "Of the integral";
 equation
   when sample(0, samplePeriod) then
     integral = pre(integral) + samplePeriod*error;
     command = proportionalGain*error + integralGain*integral;
   end when;
   annotation (Documentation(info="<html>
-<p>Both poles of the closed loop lie at the natural frequency w: command = 2 w e + w^2 integral of e.</p>
+<p>Both poles of the closed loop lie at the natural frequency w: command = 2 w e + w^2 integral of e.
+An instance whose error is an angle gives the units of its error, command and integral anew.</p>
 </html>"));
 end ProportionalIntegral;

@@ -14,7 +14,13 @@ block WholeAngleController "Phase, amplitude and quadrature loops and the whole-
   output Units.AngularFrequency detuning "Reference frequency less the nominal one";
   output Units.Angle gyroAngle "Measured angle of the case since time 0";
   PatternDetector detector(samplePeriod = samplePeriod, startAngle = startAngle) "Orbit of the vibration";
-  ProportionalIntegral phaseLoop(samplePeriod = samplePeriod, naturalFrequency = phaseLoopFrequency)
+  ProportionalIntegral phaseLoop(
+    samplePeriod = samplePeriod,
+    naturalFrequency = phaseLoopFrequency,
+    startCommand(unit = "rad/s"),
+    error(unit = "rad"),
+    command(unit = "rad/s"),
+    integral(unit = "rad.s"))
     "Keeps the reference in phase with the antinode";
   ProportionalIntegral amplitudeLoop(
     samplePeriod = samplePeriod,

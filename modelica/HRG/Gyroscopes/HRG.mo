@@ -43,11 +43,11 @@ model HRG "Whole-angle hemispherical resonator gyro: complex envelope, electroni
     nonOrthogonality = pickOffNonOrthogonality,
     phaseError = phaseError) "Pick-offs and demodulation";
   Electrodes.Drive drive(gainMismatch = driveGainMismatch, nonOrthogonality = driveNonOrthogonality) "Drives";
-  Noise.WhiteNoise noise(
+  Noise.ChannelNoise noise(
     samplePeriod = samplePeriod,
     seed = seed,
-    densityA = 4*bryanFactor^2*forceNoiseDensity,
-    densityB = pickOffNoiseDensity) "Force noise (a) and pick-off noise (b)";
+    forceDensity = 4*bryanFactor^2*forceNoiseDensity,
+    pickOffDensity = pickOffNoiseDensity) "Noise of drives and pick-offs";
   Controls.WholeAngleController controller(
     samplePeriod = samplePeriod,
     phaseLoopFrequency = phaseLoopFrequency,
@@ -61,11 +61,11 @@ equation
   resonator.detuning = controller.detuning;
   resonator.force = drive.force;
   pickOff.envelope = resonator.envelope;
-  pickOff.noise = noise.b;
+  pickOff.noise = noise.pickOff;
   controller.reading = pickOff.reading;
   controller.virtualRotation = virtualRotation;
   drive.command = controller.force;
-  drive.noise = noise.a;
+  drive.noise = noise.force;
   gyroAngle = controller.gyroAngle;
   patternAngle = controller.detector.patternAngle;
   amplitude = controller.detector.amplitude;

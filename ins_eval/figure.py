@@ -1,0 +1,41 @@
+"""The figure of a validation: position-error growth, promised and flown."""
+
+from pathlib import Path
+
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from ins_eval.study import Validation
+
+NAUTICAL_MILE = 1852.0
+DEG_PER_H = np.pi / 180 / 3600
+
+
+def draw(result: Validation, path: Path) -> None:
+    """Write the figure as PNG."""
+    hours = result.time / 3600
+    figure = Figure(figsize=(8, 5), layout="constrained")
+    axes = figure.add_subplot()
+    for number, triad in enumerate(result.flown):
+        label = f"flown, {len(result.flown)} triads" if number == 0 else None
+        axes.plot(hours, triad / NAUTICAL_MILE, color="0.75", linewidth=0.8, label=label)
+    median = np.median(result.flown, axis=0) / NAUTICAL_MILE
+    axes.plot(hours, median, color="black", linewidth=2.2, label="flown, median")
+
+    def promise(radial: NDArray[np.float64], stability: float, color: str, name: str) -> None:
+        label = f"promised by the {name} test ({stability / DEG_PER_H:.2g} deg/h)"
+        axes.plot(hours, radial / NAUTICAL_MILE, color, linestyle="--", linewidth=2, label=label)
+
+    new, old = result.full_circumference, result.fixed_position
+    promise(result.predicted_full_circumference, new.stability, "tab:blue", "full-circumference")
+    promise(result.predicted_fixed_position, old.stability, "tab:red", "fixed-position")
+    axes.set_yscale("log")
+    axes.set_ylim(bottom=1e-3)
+    axes.set_xlim(0, hours[-1])
+    axes.set_xlabel("time since alignment, h")
+    axes.set_ylabel("radial position error, nautical miles")
+    axes.set_title(f"Whole-angle HRG triads on {result.mission}: promised and flown")
+    axes.grid(which="both", alpha=0.25)
+    axes.legend(loc="lower right", framealpha=0.95)
+    figure.savefig(path, dpi=120, metadata={"Software": None})

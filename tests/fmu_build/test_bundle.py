@@ -1,0 +1,76 @@
+"""The archive: same sources, same bytes; built once; sound by FMPy's rules."""
+
+import os
+import subprocess
+import sys
+import warnings
+import zipfile
+from pathlib import Path
+
+import fmpy
+import fmpy.validation
+import numpy as np
+import pytest
+
+from fmu_build import bundle
+
+
+def test_same_sources_same_bytes(tmp_path: Path, fmu_path: Path) -> None:
+    """In another process, whose hashes fall differently."""
+    code = "import pathlib, sys, fmu_build.bundle as b; b.build(pathlib.Path(sys.argv[1]))"
+    command = [sys.executable, "-c", code, str(tmp_path / "again.fmu")]
+    environment = {**os.environ, "PYTHONHASHSEED": "12345"}
+    subprocess.run(command, check=True, env=environment)
+    assert (tmp_path / "again.fmu").read_bytes() == fmu_path.read_bytes()
+
+
+def test_what_is_built_is_not_built_again(fmu_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*args: object, **kwargs: object) -> None:
+        raise AssertionError("a compiler was called")
+
+    monkeypatch.setattr(subprocess, "run", refuse)
+    monkeypatch.setattr(bundle, "translate", refuse)
+    assert bundle.built_fmu() == fmu_path
+
+
+def test_failed_build_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(bundle, "generate", lambda dae: "this is no C")
+    with pytest.raises(bundle.BuildError, match="this is no C"):
+        bundle.build(tmp_path / "out" / "HRG.fmu")
+    assert not (tmp_path / "out").exists()
+
+
+def test_equations_hold_no_fmi_and_the_shell_no_physics(fmu_path: Path) -> None:
+    with zipfile.ZipFile(fmu_path) as archive:
+        assert "fmi" not in archive.read("sources/model.c").decode().lower()
+        shell = archive.read("sources/fmi2.c").decode().lower()
+    assert not any(word in shell for word in ("pattern", "damping", "angle", "amplitude"))
+
+
+def test_fmpy_finds_nothing(fmu_path: Path) -> None:
+    assert fmpy.validation.validate_fmu(str(fmu_path)) == []
+
+
+def test_fmpy_runs_it_without_a_warning(fmu_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        result = fmpy.simulate_fmu(
+            str(fmu_path),
+            stop_time=1.0,
+            output_interval=0.1,
+            start_values={"dampingAnisotropy": 1e-6, "startAngle": 0.4, "seed": 5},
+            output=["gyroAngle", "amplitude"],
+        )
+    assert len(result) == 11
+    assert np.all(np.isfinite(result["gyroAngle"]))
+    captured = capfd.readouterr()
+    assert captured.out + captured.err == ""
+
+
+def test_every_variable_is_described_and_has_a_unit(fmu_path: Path) -> None:
+    description = fmpy.read_model_description(str(fmu_path))
+    assert len(description.modelVariables) > 100
+    for variable in description.modelVariables:
+        assert variable.description, variable.name
+        if variable.type == "Real":
+            assert variable.unit, variable.name

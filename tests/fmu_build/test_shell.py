@@ -1,0 +1,113 @@
+"""The FMI shell: errors that explain themselves, state that restores, steps that don't matter."""
+
+from collections.abc import Iterator
+
+import pytest
+from fmpy.fmi2 import FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
+
+from pyhrg.fmu import GyroError, GyroFmu
+from pyhrg.parameters import TYPICAL
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "message"),
+    [
+        ("decayTime", -3.0, r"decayTime = -3 is outside its range from 1 to 100000"),
+        ("frequencySplit", float("nan"), r"frequencySplit = nan is outside"),
+        ("resonator.dampingX", 1.0, r"resonator\.dampingX can't be set at all"),
+        ("noSuchThing", 1.0, "no variable noSuchThing"),
+    ],
+)
+def test_refused_value_is_named_with_its_range(
+    fmu: GyroFmu, name: str, value: float, message: str
+) -> None:
+    with pytest.raises(GyroError, match=message):
+        fmu.power_on({name: value}, seed=0, start_angle=0.0)
+
+
+def test_refused_seed_is_named_with_its_range(fmu: GyroFmu) -> None:
+    with pytest.raises(GyroError, match=r"seed = -1 is outside its range from 0 to 2\.14748e\+09"):
+        fmu.power_on({}, seed=-1, start_angle=0.0)
+
+
+def test_parameter_is_refused_after_initialization(fmu: GyroFmu) -> None:
+    with (
+        fmu.power_on({}, seed=0, start_angle=0.0) as gyro,
+        pytest.raises(GyroError, match="decayTime can't be set after initialization"),
+    ):
+        gyro.command("decayTime", 100.0)
+
+
+def test_input_that_makes_no_sense_stops_the_drive(fmu: GyroFmu) -> None:
+    with (
+        fmu.power_on({}, seed=0, start_angle=0.0) as gyro,
+        pytest.raises(GyroError, match=r"angularRate = 1000 is outside its range"),
+    ):
+        gyro.advance(1000.0, 0.01)
+
+
+@pytest.mark.parametrize("step", [0.002, 0.01, 0.1, 1.0])
+def test_communication_step_does_not_matter(fmu: GyroFmu, step: float) -> None:
+    def run(communication_step: float) -> list[float]:
+        with fmu.power_on(TYPICAL.fmu_parameters(), seed=7, start_angle=0.3) as gyro:
+            for _ in range(round(2.0 / communication_step)):
+                gyro.advance(0.05, communication_step)
+            return [gyro.read(name) for name in ("gyroAngle", "amplitude", "quadratureForce")]
+
+    assert run(step) == run(0.001)
+
+
+@pytest.fixture
+def slave(fmu: GyroFmu) -> Iterator[FMU2Slave]:
+    instance = FMU2Slave(
+        guid=fmu.description.guid,
+        unzipDirectory=str(fmu.folder),
+        modelIdentifier="HRG",
+        instanceName="saved",
+    )
+    callbacks = fmi2CallbackFunctions()
+    callbacks.logger = fmi2CallbackLoggerTYPE(lambda *args: None)
+    instance.instantiate(callbacks=callbacks)
+    instance.setupExperiment(startTime=0.0)
+    instance.enterInitializationMode()
+    instance.setInteger([fmu.references["seed"]], [11])
+    instance.setReal([fmu.references["forceNoiseDensity"]], [1e-15])
+    instance.exitInitializationMode()
+    yield instance
+    instance.freeInstance()
+
+
+def test_saved_state_restores_bit_for_bit(fmu: GyroFmu, slave: FMU2Slave) -> None:
+    every = [r for n, r in fmu.references.items() if fmu.kinds[n] == "Real"]
+    slave.doStep(0.0, 0.5)
+    state = slave.getFMUState()
+    saved = slave.serializeFMUState(state)
+    slave.doStep(0.5, 0.25)
+    expected = slave.getReal(every)
+    slave.setFMUState(slave.deSerializeFMUstate(saved))
+    slave.doStep(0.5, 0.25)
+    assert slave.getReal(every) == expected
+    slave.freeFMUState(state)
+
+
+def test_reset_is_a_fresh_start(fmu: GyroFmu, slave: FMU2Slave) -> None:
+    angle = [fmu.references["gyroAngle"]]
+
+    def run() -> list[float]:
+        slave.setupExperiment(startTime=0.0)
+        slave.enterInitializationMode()
+        slave.setReal([fmu.references["forceNoiseDensity"]], [1e-12])
+        slave.exitInitializationMode()
+        slave.doStep(0.0, 0.5)
+        return list(slave.getReal(angle))
+
+    slave.reset()
+    first = run()
+    slave.reset()
+    assert run() == first
+
+
+def test_step_from_the_wrong_time_is_refused(slave: FMU2Slave) -> None:
+    slave.doStep(0.0, 0.5)
+    with pytest.raises(Exception, match="fmi2DoStep"):
+        slave.doStep(0.1, 0.5)

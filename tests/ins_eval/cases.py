@@ -1,0 +1,28 @@
+"""Motion for tests."""
+
+import numpy as np
+
+from ins_eval import earth
+from ins_eval.increments import Increments
+from ins_eval.mission import STILL, Mission, mission
+from ins_eval.missions import car
+
+
+def at_rest(
+    latitude: float, height: float, seconds: float, gyro_bias: np.ndarray, yaw: float = 0.0
+) -> Increments:
+    """Increments at 100 Hz of a level vehicle at rest whose gyros are biased, rad/s."""
+    north = earth.RATE * np.cos(latitude)
+    rate = np.array([north * np.cos(yaw), -north * np.sin(yaw), -earth.RATE * np.sin(latitude)])
+    force = np.array([0.0, 0.0, -earth.gravity(latitude, height)])
+    count = round(seconds * 100)
+    return Increments(
+        0.01,
+        np.tile((rate + gyro_bias) * 0.01, (count, 1)),
+        np.tile(force * 0.01, (count, 1)),
+    )
+
+
+def short_mission(hours: float) -> Mission:
+    """The default manoeuvre, cut short."""
+    return mission(car(STILL, hours * 3600 + 10), hours)

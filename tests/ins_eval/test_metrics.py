@@ -1,0 +1,61 @@
+"""Statistics against simulation and exact counts."""
+
+import numpy as np
+import pytest
+from scipy.stats import binom
+
+from ins_eval.metrics import FEWEST_FOR_MEDIAN, median_interval, median_radius
+from ins_eval.verdict import Ratio, verdict
+
+
+@pytest.mark.parametrize("n", [6, 7, 8, 9, 15, 20, 21, 50, 101])
+def test_median_interval_is_the_narrowest_that_holds_95_percent(n: int) -> None:
+    low, high = median_interval(np.arange(n))
+    assert low + high == n - 1
+    rank = int(low)
+    assert binom.cdf(rank, n, 0.5) <= 0.025 < binom.cdf(rank + 1, n, 0.5)
+
+
+def test_too_few_for_an_interval() -> None:
+    with pytest.raises(ValueError, match="5 values can't hold the median"):
+        median_interval(np.arange(FEWEST_FOR_MEDIAN - 1))
+
+
+@pytest.mark.parametrize("deviations", [(1.0, 1.0), (3.0, 1.0), (1.0, 0.01), (2.0, 0.0)])
+def test_median_radius(deviations: tuple[float, float]) -> None:
+    """Against 200 000 draws, seed 1."""
+    draws = np.random.default_rng(1).normal(size=(200_000, 2)) * deviations
+    turn = np.array([[0.6, -0.8], [0.8, 0.6]])
+    covariance = turn @ np.diag(np.square(deviations)) @ turn.T
+    expected = np.median(np.hypot(*draws.T))
+    assert median_radius(covariance) == pytest.approx(expected, rel=0.01)
+
+
+def test_median_radius_of_a_circle_is_rayleighs() -> None:
+    assert median_radius(4 * np.eye(2)) == pytest.approx(2 * np.sqrt(2 * np.log(2)), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("fixed", "circumference", "words"),
+    [
+        (Ratio(100, 80, 120), Ratio(1.1, 0.8, 1.4), "full-circumference test told the truth; the"),
+        (Ratio(1.2, 0.9, 1.5), Ratio(1.0, 0.8, 1.3), "The two tests agree"),
+        (Ratio(1.2, 0.9, 1.5), Ratio(0.1, 0.08, 0.13), "fixed-position test told the truth; the"),
+        (Ratio(100, 80, 120), Ratio(10, 8, 12), "Neither"),
+    ],
+)
+def test_verdict_follows_the_ratios(fixed: Ratio, circumference: Ratio, words: str) -> None:
+    assert words in verdict(fixed, circumference)
+
+
+@pytest.mark.parametrize(
+    ("ratio", "word"),
+    [
+        (Ratio(3.0, 2.1, 4.0), "too good"),
+        (Ratio(0.3, 0.2, 0.4), "too bad"),
+        (Ratio(1.5, 0.8, 2.5), "true"),
+        (Ratio(2.4, 1.8, 3.0), "undecided"),
+    ],
+)
+def test_ratio_in_a_word(ratio: Ratio, word: str) -> None:
+    assert ratio.word == word

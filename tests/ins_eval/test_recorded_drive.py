@@ -1,0 +1,118 @@
+"""Reading a drive: what is right goes through, what is wrong is named."""
+
+import gzip
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from ins_eval import earth
+from ins_eval.recorded_drive import COLUMNS, DriveError, read, trajectory
+
+Rows = list[list[str]]
+
+
+def made_up_drive() -> Rows:
+    """Two minutes of a car going north at 10 m/s, turning gently, 1 Hz."""
+    time = np.arange(121.0)
+    heading = 0.2 + 0.3 * np.sin(time / 60)
+    north, east = 10 * np.cos(heading), 10 * np.sin(heading)
+    latitude = 0.78 + np.cumsum(north) / float(earth.meridian_radius(0.78))
+    longitude = 0.13 + np.cumsum(east) / float(earth.transverse_radius(0.78)) / np.cos(0.78)
+    zero = np.zeros_like(time)
+    table = np.stack(
+        [
+            time,
+            np.rad2deg(latitude),
+            np.rad2deg(longitude),
+            zero + 300,
+            (north + np.roll(north, -1)) / 2,
+            (east + np.roll(east, -1)) / 2,
+            zero,
+            zero,
+            zero,
+            np.rad2deg(heading),
+        ],
+        axis=-1,
+    )
+    return [list(COLUMNS), *([f"{value:.9f}" for value in row] for row in table)]
+
+
+def written(folder: Path, rows: Rows) -> Path:
+    path = folder / "drive.csv"
+    path.write_text("\n".join(",".join(row) for row in rows) + "\n")
+    return path
+
+
+def test_drive_is_read_plain_and_gzipped(tmp_path: Path) -> None:
+    plain = written(tmp_path, made_up_drive())
+    packed = tmp_path / "drive.csv.gz"
+    packed.write_bytes(gzip.compress(plain.read_bytes()))
+    assert np.array_equal(read(plain).position, read(packed).position)
+
+
+def test_drive_repeats_smoothly(tmp_path: Path) -> None:
+    """Ten minutes from two: accelerations stay those of a car, rest comes first, heading holds."""
+    drive = read(written(tmp_path, made_up_drive()))
+    path = trajectory(drive, 320.0, 600.0)
+    assert path.start == -320.0
+    assert path.end > 605.0
+    time = np.arange(0.0, 600.0, 0.1)
+    force = path.rate_and_force(time)[1]
+    assert np.max(np.abs(force[:, :2])) < 4.0
+    assert np.max(np.linalg.norm(path.velocity(time), axis=1)) < 15.0
+    assert path.velocity(np.array(-100.0)) == pytest.approx(np.zeros(3), abs=1e-6)
+    speed = np.linalg.norm(path.velocity(np.array([60.0, 200.0, 340.0, 480.0])), axis=1)
+    assert speed == pytest.approx(np.full(4, 10.0), abs=0.3)
+
+
+def edit(row: int, column: str, text: str) -> Callable[[Rows], Rows]:
+    def apply(rows: Rows) -> Rows:
+        rows[row][COLUMNS.index(column)] = text
+        return rows
+
+    return apply
+
+
+def drop_columns(rows: Rows) -> Rows:
+    return [row[:7] for row in rows]
+
+
+def swap_velocities(rows: Rows) -> Rows:
+    return [rows[0], *([*row[:4], row[5], row[4], *row[6:]] for row in rows[1:])]
+
+
+def gap(rows: Rows) -> Rows:
+    return rows[:40] + rows[60:]
+
+
+@pytest.mark.parametrize(
+    ("mistake", "message"),
+    [
+        (drop_columns, r"column roll_deg, pitch_deg, yaw_deg is missing; found time_s, "),
+        (edit(7, "latitude_deg", "nan"), r"row 8, latitude_deg: nan; expected -89 to 89"),
+        (edit(9, "latitude_deg", "95.0"), r"row 10, latitude_deg: 95\.0; expected -89 to 89"),
+        (edit(5, "time_s", "2.0"), r"row 6, time_s: 2 after 3; expected time to increase"),
+        (edit(5, "yaw_deg", "north"), r"row 6, yaw_deg: 'north' is no number"),
+        (edit(5, "time_s", ""), r"row 6, time_s: '' is no number"),
+        (lambda rows: rows[:5], r"4 rows; expected at least 10"),
+        (lambda rows: [], r"column time_s, .* is missing"),
+        (gap, r"row 41, time_s: a gap of 21 s; expected at most 5 s"),
+        (swap_velocities, r"velocities differ from the positions' derivative by"),
+    ],
+)
+def test_mistake_is_named(tmp_path: Path, mistake: Callable[[Rows], Rows], message: str) -> None:
+    path = written(tmp_path, mistake(made_up_drive()))
+    with pytest.raises(DriveError, match=message) as caught:
+        read(path)
+    assert str(caught.value).startswith(str(path))
+    assert "\n" not in str(caught.value)
+
+
+def test_missing_and_broken_files(tmp_path: Path) -> None:
+    with pytest.raises(DriveError, match="No such file"):
+        read(tmp_path / "nowhere.csv")
+    (tmp_path / "broken.gz").write_bytes(b"\x1f\x8bnonsense")
+    with pytest.raises(DriveError, match="can't be read"):
+        read(tmp_path / "broken.gz")

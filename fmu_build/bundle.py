@@ -1,37 +1,30 @@
-"""Compile the generated C and pack it into an FMU."""
+"""The FMU archive: generated sources, compiled for each platform, packed; cached by digest."""
 
 import hashlib
 import os
-import subprocess
-import sys
 import tempfile
+import xml.etree.ElementTree as ET
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from importlib import resources
 from importlib.metadata import version
 from pathlib import Path
 
-import fmpy
 import platformdirs
 
 from fmu_build.dae import Dae
-from fmu_build.description import fmi_causality, model_description
+from fmu_build.description import Identity, fmi2_description, fmi3_description, fmi_causality
 from fmu_build.generate import generate, header
+from fmu_build.platforms import FLAGS, PLATFORMS, compile_library, host, universal
 from fmu_build.translate import COMPILER_VERSION, translate
 
 IDENTIFIER = "HRG"
 MODEL = "HRG.Gyroscopes.HRG"
 DESCRIPTION = "Whole-angle hemispherical resonator gyro with its control electronics"
-COMPILER = [sys.executable, "-m", "ziglang", "cc"]
-FLAGS = ["-target", "x86_64-linux-gnu.2.17", "-std=c99", "-O2", "-ffp-contract=off"]
-FLAGS += ["-fno-math-errno", "-fno-sanitize=all", "-fPIC", "-shared", "-s", "-Wall", "-Wextra"]
-SOURCES = ("model.c", "core.c", "limits.c", "fmi2.c")
+SOURCES = ("model.c", "core.c", "limits.c", "instance.c")
+SHELLS = {2: "fmi2.c", 3: "fmi3.c"}
 
 Progress = Callable[[str], None]
-
-
-class BuildError(Exception):
-    """The C compiler refused the generated sources."""
 
 
 def modelica_library() -> Path:
@@ -39,15 +32,30 @@ def modelica_library() -> Path:
     return Path(str(resources.files("modelica").joinpath("HRG")))
 
 
-def built_fmu(progress: Progress = lambda text: None) -> Path:
-    """Path of an FMU of the present sources: from the user's cache, built if it isn't there."""
-    path = platformdirs.user_cache_path("hrg") / sources_digest()[:16] / f"{IDENTIFIER}.fmu"
+def built_fmu(
+    progress: Progress = lambda text: None, fmi: int = 2, platforms: Sequence[str] = ()
+) -> Path:
+    """Path of an FMU of the present sources: from the user's cache, built if it isn't there.
+
+    Args:
+        progress: is told what is being done.
+        fmi: version of the standard, 2 or 3.
+        platforms: names from `PLATFORMS`; this machine's if none is given.
+    """
+    platforms = sorted(platforms) or [host()]
+    folder = f"{sources_digest()[:16]}-fmi{fmi}-{'+'.join(platforms)}"
+    path = platformdirs.user_cache_path("hrg") / folder / f"{IDENTIFIER}.fmu"
     if not path.exists():
-        build(path, progress)
+        build(path, progress, fmi, platforms)
     return path
 
 
-def build(path: Path, progress: Progress = lambda text: None) -> None:
+def build(
+    path: Path,
+    progress: Progress = lambda text: None,
+    fmi: int = 2,
+    platforms: Sequence[str] = (),
+) -> None:
     """Translate, compile and pack the gyro; `path` appears only when all is done.
 
     Raises:
@@ -55,24 +63,31 @@ def build(path: Path, progress: Progress = lambda text: None) -> None:
     """
     progress(f"translating {MODEL}")
     dae = translate(modelica_library(), MODEL)
-    files = generated_files(dae)
-    with tempfile.TemporaryDirectory(prefix="hrg-build-") as folder:
-        progress("compiling")
-        library = compile_library(files, Path(folder))
-        content = {f"binaries/linux64/{IDENTIFIER}.so": library.read_bytes()}
-        content["modelDescription.xml"] = files["modelDescription.xml"].encode()
-        for name in SOURCES:
-            content[f"sources/{name}"] = (library.parent / name).read_bytes()
-        path.parent.mkdir(parents=True, exist_ok=True)
-        aside = path.with_name(f".{path.name}.{os.getpid()}")
-        _zip(aside, content)
-        aside.replace(path)
+    sources = [*SOURCES, SHELLS[fmi]]
+    with tempfile.TemporaryDirectory(prefix="hrg-build-") as name:
+        folder = Path(name)
+        description = write_sources(dae, folder, fmi)
+        content = {"modelDescription.xml": description.encode()}
+        content |= {f"sources/{f.name}": f.read_bytes() for f in _packed(folder, sources)}
+        libraries = {}
+        for platform in platforms or [host()]:
+            progress(f"compiling for {platform}")
+            target = PLATFORMS[platform]
+            libraries[platform] = compile_library(folder, sources, IDENTIFIER, target)
+    content |= _fmi2_binaries(libraries) if fmi == 2 else _fmi3_binaries(libraries)
+    if fmi == 3:
+        content["sources/buildDescription.xml"] = _build_description(sources).encode()
+    path.parent.mkdir(parents=True, exist_ok=True)
+    aside = path.with_name(f".{path.name}.{os.getpid()}")
+    _zip(aside, content)
+    aside.replace(path)
     progress(f"built {path}")
 
 
 def sources_digest() -> str:
     """Digest of all that determines the FMU: Modelica, generator, C, tools."""
-    digest = hashlib.sha256(f"{COMPILER_VERSION} {version('ziglang')} {FLAGS}".encode())
+    tools = f"{COMPILER_VERSION} {version('ziglang')} {version('hrg')} {FLAGS}"
+    digest = hashlib.sha256(tools.encode())
     package = Path(__file__).parent
     for root, pattern in ((modelica_library(), "**/*.mo"), (package, "*.py"), (package, "c/*")):
         for file in sorted(root.glob(pattern)):
@@ -81,53 +96,63 @@ def sources_digest() -> str:
     return digest.hexdigest()
 
 
-def generated_files(dae: Dae) -> dict[str, str]:
-    """Text of every generated file, by name."""
+def write_sources(dae: Dae, folder: Path, fmi: int) -> str:
+    """Write the C sources into a folder; returns modelDescription.xml."""
+    for source in (Path(__file__).parent / "c").iterdir():
+        (folder / source.name).write_bytes(source.read_bytes())
     equations = generate(dae)
-    guid = hashlib.sha256((equations + _limits(dae, "")).encode()).hexdigest()[:32]
+    token = hashlib.sha256((equations + _limits(dae, "")).encode()).hexdigest()[:32]
+    (folder / "model.c").write_text(equations)
+    (folder / "model_constants.h").write_text(header(dae))
+    (folder / "limits.c").write_text(_limits(dae, token))
+    identity = Identity(IDENTIFIER, DESCRIPTION, token, version("hrg"))
+    return {2: fmi2_description, 3: fmi3_description}[fmi](dae, identity)
+
+
+def _packed(folder: Path, sources: Sequence[str]) -> list[Path]:
+    """Sources of one shell and all headers."""
+    return [*(folder / name for name in sources), *folder.glob("*.h")]
+
+
+def _fmi2_binaries(libraries: dict[str, bytes]) -> dict[str, bytes]:
+    """FMI 2.0 has one folder for both kinds of Mac, and none for Linux on ARM."""
+    folders: dict[str, list[bytes]] = {}
+    for name, library in libraries.items():
+        platform = PLATFORMS[name]
+        if platform.fmi2_folder:
+            path = f"binaries/{platform.fmi2_folder}/{IDENTIFIER}{platform.suffix}"
+            folders.setdefault(path, []).append(library)
+    return {path: x[0] if len(x) == 1 else universal(x) for path, x in folders.items()}
+
+
+def _fmi3_binaries(libraries: dict[str, bytes]) -> dict[str, bytes]:
     return {
-        "model.c": equations,
-        "model_constants.h": header(dae),
-        "limits.c": _limits(dae, guid),
-        "modelDescription.xml": model_description(
-            dae, IDENTIFIER, DESCRIPTION, guid, version("hrg")
-        ),
+        f"binaries/{name}/{IDENTIFIER}{PLATFORMS[name].suffix}": library
+        for name, library in libraries.items()
     }
 
 
-def compile_library(files: dict[str, str], folder: Path) -> Path:
-    """Shared library of the generated files and the FMI shell, in an empty folder.
-
-    Raises:
-        BuildError: with the compiler's words.
-    """
-    for name, text in files.items():
-        (folder / name).write_text(text)
-    for source in (Path(__file__).parent / "c").iterdir():
-        (folder / source.name).write_bytes(source.read_bytes())
-    headers = Path(fmpy.__file__).parent / "c-code"
-    library = folder / f"{IDENTIFIER}.so"
-    command = [*COMPILER, *FLAGS, f"-I{headers}", "-o", library.name, *SOURCES, "-lm"]
-    run = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-    if run.returncode != 0:
-        raise BuildError(f"the C compiler failed:\n{run.stderr}")
-    return library
+def _build_description(sources: Sequence[str]) -> str:
+    root = ET.Element("fmiBuildDescription", fmiVersion="3.0")
+    configuration = ET.SubElement(root, "BuildConfiguration", modelIdentifier=IDENTIFIER)
+    files = ET.SubElement(configuration, "SourceFileSet", language="C99")
+    for name in sources:
+        ET.SubElement(files, "SourceFile", name=name)
+    ET.indent(root)
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n{ET.tostring(root, encoding="unicode")}\n'
 
 
-def _limits(dae: Dae, guid: str) -> str:
-    lines = [
-        '#include "limits.h"',
-        "#include <math.h>",
-        f'const char *const model_guid = "{guid}";',
-    ]
+def _limits(dae: Dae, token: str) -> str:
+    lines = ['#include "limits.h"', f'const char *const model_token = "{token}";']
     lines.append("const Limits limits[] = {")
     kinds = {"parameter": "SET_PARAMETER", "input": "SET_INPUT"}
     for variable in dae.variables:
         kind = kinds.get(fmi_causality(dae, variable), "SET_NEVER")
-        low, high = dae.literal(variable.minimum), dae.literal(variable.maximum)
-        bounds = f"{-1e300 if low is None else low!r}, {1e300 if high is None else high!r}"
         whole = int(variable.scalar == "integer")
         for element in range(variable.count):
+            low = dae.constant(variable.minimum, element)
+            high = dae.constant(variable.maximum, element)
+            bounds = f"{-1e300 if low is None else low!r}, {1e300 if high is None else high!r}"
             name = variable.element_name(element)
             lines.append(f'  {{"{name}", {kind}, {whole}, {bounds}}},')
     return "\n".join([*lines, "};", ""])

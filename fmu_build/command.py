@@ -5,22 +5,36 @@ import shutil
 import sys
 from pathlib import Path
 
-from fmu_build.bundle import BuildError, built_fmu
+from fmu_build.bundle import built_fmu
 from fmu_build.cli import Command, UserError
+from fmu_build.platforms import PLATFORMS, BuildError
 from fmu_build.translate import TranslationError
 
 
 def _add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--out", type=Path, default=Path("HRG.fmu"), help="file to write")
+    parser.add_argument(
+        "--fmi", type=int, choices=(2, 3), default=2, help="version of the standard"
+    )
+    parser.add_argument(
+        "--platform",
+        action="append",
+        choices=(*PLATFORMS, "all"),
+        default=[],
+        help="to compile for; may be repeated (default: this machine's)",
+    )
 
 
 def _run(options: argparse.Namespace) -> None:
+    platforms = list(PLATFORMS) if "all" in options.platform else options.platform
     try:
-        built = built_fmu(lambda text: print(text, file=sys.stderr))
+        built = built_fmu(lambda text: print(text, file=sys.stderr), options.fmi, platforms)
     except (TranslationError, BuildError) as error:
         raise UserError(str(error)) from error
+    aside = options.out.with_name(f".{options.out.name}.partial")
     try:
-        shutil.copyfile(built, options.out)
+        shutil.copyfile(built, aside)
+        aside.replace(options.out)
     except OSError as error:
         raise UserError(f"can't write {options.out}: {error.strerror}") from error
     print(options.out)

@@ -91,16 +91,21 @@ class Dae:
         """Number of scalars in all variables."""
         return sum(variable.count for variable in self.variables)
 
-    def literal(self, node: int | None) -> float | None:
-        """Value of a constant expression, None where it depends on anything."""
+    def constant(self, node: int | None, element: int = 0) -> float | None:
+        """Value of a constant expression, or of one element of a constant vector; None where it
+        depends on anything."""
         if node is None:
             return None
         n = self.nodes[node]
         if n.kind == "literal":
             return float(n.value)
         if n.kind == "negate":
-            value = self.literal(n.args[0])
+            value = self.constant(n.args[0], element)
             return None if value is None else -value
+        if n.kind == "array":
+            return self.constant(n.args[element])
+        if n.kind == "comprehension":
+            return self.constant(n.args[0])
         return None
 
 

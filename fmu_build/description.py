@@ -1,82 +1,198 @@
-"""Variables of the flat model to modelDescription.xml."""
+"""Variables of the flat model to modelDescription.xml, FMI 2.0 or 3.0."""
 
 import math
 import xml.etree.ElementTree as ET
+from collections.abc import Iterator
+from dataclasses import dataclass
 
 from fmu_build.dae import Dae, Variable
 
 BASE_UNITS: dict[str, dict[str, str]] = {
     "1": {},
+    "K": {"K": "1"},
+    "K/s": {"K": "1", "s": "-1"},
+    "1/K": {"K": "-1"},
+    "m/s2": {"m": "1", "s": "-2"},
     "s": {"s": "1"},
+    "s/m": {"s": "1", "m": "-1"},
+    "s2/m": {"s": "2", "m": "-1"},
+    "s4/m2": {"s": "4", "m": "-2"},
     "1/s": {"s": "-1"},
     "1/s2": {"s": "-2"},
     "rad": {"rad": "1"},
+    "rad/K": {"rad": "1", "K": "-1"},
     "rad.s": {"rad": "1", "s": "1"},
+    "rad.s/K": {"rad": "1", "s": "1", "K": "-1"},
+    "rad.s/m": {"rad": "1", "s": "1", "m": "-1"},
+    "rad.s2/m": {"rad": "1", "s": "2", "m": "-1"},
     "rad/s": {"rad": "1", "s": "-1"},
     "rad2/s": {"rad": "2", "s": "-1"},
+    "rad2/s3": {"rad": "2", "s": "-3"},
 }
 """Exponents of the SI base units of every unit that the library uses."""
 
-DISPLAY_UNITS: dict[str, tuple[str, float]] = {
-    "rad": ("deg", 180 / math.pi),
-    "rad/s": ("deg/h", 180 / math.pi * 3600),
+DISPLAY_UNITS: dict[str, tuple[str, float, float]] = {
+    "rad": ("deg", 180 / math.pi, 0.0),
+    "rad/s": ("deg/h", 180 / math.pi * 3600, 0.0),
+    "K": ("degC", 1.0, -273.15),
 }
-"""Display unit and its factor: display value = factor * value."""
+"""Display unit, factor and offset: display value = factor * value + offset."""
 
 
-def model_description(dae: Dae, identifier: str, description: str, guid: str, version: str) -> str:
-    """The FMI 2.0 description of a model for co-simulation.
+@dataclass(frozen=True)
+class Identity:
+    """What an FMU calls itself."""
+
+    identifier: str
+    description: str
+    token: str
+    version: str
+
+
+@dataclass(frozen=True)
+class Scalar:
+    """One scalar variable as both standards describe it."""
+
+    name: str
+    reference: int
+    causality: str
+    variability: str
+    whole: bool
+    attributes: dict[str, str]
+    """description, unit, displayUnit, min, max, nominal, start: those that apply."""
+
+
+def scalars(dae: Dae) -> Iterator[Scalar]:
+    """All scalars of a model, in the order of their value references."""
+    for variable in dae.variables:
+        causality = fmi_causality(dae, variable)
+        for element in range(variable.count):
+            yield Scalar(
+                name=variable.element_name(element),
+                reference=variable.offset + element,
+                causality=causality,
+                variability=_variability(variable),
+                whole=variable.scalar == "integer",
+                attributes=_attributes(dae, variable, element, causality),
+            )
+
+
+def fmi_causality(dae: Dae, variable: Variable) -> str:
+    """Causality in the sense of FMI."""
+    if variable.role == "parameter":
+        settable = variable.tunable and dae.constant(variable.binding) is not None
+        return "parameter" if settable else "calculatedParameter"
+    return variable.causality if "." not in variable.name else "local"
+
+
+def fmi2_description(dae: Dae, identity: Identity) -> str:
+    """modelDescription.xml of FMI 2.0, co-simulation.
 
     Raises:
         ValueError: a variable has a unit that is not in `BASE_UNITS`.
     """
-    root = ET.Element(
-        "fmiModelDescription",
-        fmiVersion="2.0",
-        modelName=identifier,
-        guid=guid,
-        description=description,
-        version=version,
-        generationTool=f"hrg fmu_build {version}",
-        variableNamingConvention="structured",
-    )
+    root = _root("2.0", identity, guid=identity.token)
     ET.SubElement(
         root,
         "CoSimulation",
-        modelIdentifier=identifier,
+        modelIdentifier=identity.identifier,
         canHandleVariableCommunicationStepSize="true",
         canGetAndSetFMUstate="true",
         canSerializeFMUstate="true",
         canNotUseMemoryManagementFunctions="true",
     )
-    _units(root, dae)
-    categories = ET.SubElement(root, "LogCategories")
-    ET.SubElement(categories, "Category", name="logStatusError", description="Refused calls")
-    ET.SubElement(root, "DefaultExperiment", startTime="0", stopTime="10", stepSize="0.01")
+    _common(root, dae)
     variables = ET.SubElement(root, "ModelVariables")
-    structure: dict[str, list[int]] = {"output": [], "calculatedParameter": []}
-    index = 0
-    for variable in dae.variables:
-        causality = fmi_causality(dae, variable)
-        for element in range(variable.count):
-            index += 1
-            _scalar(variables, dae, variable, element, causality)
-            structure.get(causality, []).append(index)
-    _structure(root, structure)
-    ET.indent(root)
-    text = ET.tostring(root, encoding="unicode")
-    return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n'
+    listed = list(scalars(dae))
+    for scalar in listed:
+        entry = ET.SubElement(
+            variables,
+            "ScalarVariable",
+            name=scalar.name,
+            valueReference=str(scalar.reference),
+            causality=scalar.causality,
+            variability=scalar.variability,
+        )
+        rest = dict(scalar.attributes)
+        if "description" in rest:
+            entry.set("description", rest.pop("description"))
+        if scalar.causality not in ("parameter", "input"):
+            entry.set("initial", "calculated")
+        ET.SubElement(entry, "Integer" if scalar.whole else "Real", rest)
+    structure = ET.SubElement(root, "ModelStructure")
+    outputs, initial = (ET.SubElement(structure, x) for x in ("Outputs", "InitialUnknowns"))
+    for index, scalar in enumerate(listed, 1):
+        if scalar.causality == "output":
+            ET.SubElement(outputs, "Unknown", index=str(index))
+        if scalar.causality in ("output", "calculatedParameter"):
+            ET.SubElement(initial, "Unknown", index=str(index))
+    return _text(root)
 
 
-def fmi_causality(dae: Dae, variable: Variable) -> str:
-    """Causality in the sense of FMI 2.0."""
-    if variable.role == "parameter":
-        settable = variable.tunable and dae.literal(variable.binding) is not None
-        return "parameter" if settable else "calculatedParameter"
-    return variable.causality if "." not in variable.name else "local"
+def fmi3_description(dae: Dae, identity: Identity) -> str:
+    """modelDescription.xml of FMI 3.0, co-simulation.
+
+    Raises:
+        ValueError: a variable has a unit that is not in `BASE_UNITS`.
+    """
+    root = _root("3.0", identity, instantiationToken=identity.token)
+    ET.SubElement(
+        root,
+        "CoSimulation",
+        modelIdentifier=identity.identifier,
+        canHandleVariableCommunicationStepSize="true",
+        canGetAndSetFMUState="true",
+        canSerializeFMUState="true",
+    )
+    _common(root, dae)
+    variables = ET.SubElement(root, "ModelVariables")
+    structure = ET.Element("ModelStructure")
+    listed = list(scalars(dae))
+    for scalar in listed:
+        entry = ET.SubElement(
+            variables,
+            "Int32" if scalar.whole else "Float64",
+            {"name": scalar.name, "valueReference": str(scalar.reference)},
+            causality=scalar.causality,
+            variability=scalar.variability,
+        )
+        if scalar.causality not in ("parameter", "input"):
+            entry.set("initial", "calculated")
+        entry.attrib.update(scalar.attributes)
+    ET.SubElement(
+        variables,
+        "Float64",
+        name="time",
+        valueReference=str(dae.scalar_count),
+        causality="independent",
+        variability="continuous",
+        description="Simulation time",
+        unit="s",
+    )
+    root.append(structure)
+    for kind, causalities in (
+        ("Output", ("output",)),
+        ("InitialUnknown", ("output", "calculatedParameter")),
+    ):
+        for scalar in listed:
+            if scalar.causality in causalities:
+                ET.SubElement(structure, kind, valueReference=str(scalar.reference))
+    return _text(root)
 
 
-def _units(root: ET.Element, dae: Dae) -> None:
+def _root(fmi_version: str, identity: Identity, **token: str) -> ET.Element:
+    return ET.Element(
+        "fmiModelDescription",
+        {"fmiVersion": fmi_version, "modelName": identity.identifier, **token},
+        description=identity.description,
+        version=identity.version,
+        generationTool=f"hrg fmu_build {identity.version}",
+        variableNamingConvention="structured",
+    )
+
+
+def _common(root: ET.Element, dae: Dae) -> None:
+    """Units, log categories and default experiment: alike in both standards."""
     definitions = ET.SubElement(root, "UnitDefinitions")
     for name in sorted({v.unit for v in dae.variables if v.unit}):
         if name not in BASE_UNITS:
@@ -84,56 +200,45 @@ def _units(root: ET.Element, dae: Dae) -> None:
         unit = ET.SubElement(definitions, "Unit", name=name)
         ET.SubElement(unit, "BaseUnit", BASE_UNITS[name])
         if name in DISPLAY_UNITS:
-            display, factor = DISPLAY_UNITS[name]
-            ET.SubElement(unit, "DisplayUnit", name=display, factor=repr(factor))
+            display, factor, offset = DISPLAY_UNITS[name]
+            entry = ET.SubElement(unit, "DisplayUnit", name=display, factor=repr(factor))
+            if offset:
+                entry.set("offset", repr(offset))
+    categories = ET.SubElement(root, "LogCategories")
+    ET.SubElement(categories, "Category", name="logStatusError", description="Refused calls")
+    ET.SubElement(root, "DefaultExperiment", startTime="0", stopTime="10", stepSize="0.01")
 
 
-def _scalar(parent: ET.Element, dae: Dae, variable: Variable, element: int, causality: str) -> None:
-    entry = ET.SubElement(
-        parent,
-        "ScalarVariable",
-        name=variable.element_name(element),
-        valueReference=str(variable.offset + element),
-        causality=causality,
-        variability=_variability(variable, causality),
-    )
-    if variable.description:
-        entry.set("description", variable.description)
-    if causality not in ("parameter", "input"):
-        entry.set("initial", "calculated")
-    kind = ET.SubElement(entry, "Integer" if variable.scalar == "integer" else "Real")
-    whole = variable.scalar == "integer"
-    if variable.unit:
-        kind.set("unit", variable.unit)
-        if variable.unit in DISPLAY_UNITS:
-            kind.set("displayUnit", DISPLAY_UNITS[variable.unit][0])
-    bounds = {"min": variable.minimum, "max": variable.maximum, "nominal": variable.nominal}
-    for name, node in bounds.items():
-        value = dae.literal(node)
-        if value is not None:
-            kind.set(name, _text(value, whole))
-    if causality in ("parameter", "input"):
-        start = dae.literal(variable.binding if causality == "parameter" else variable.start)
-        kind.set("start", _text(start or 0.0, whole))
-
-
-def _variability(variable: Variable, causality: str) -> str:
+def _variability(variable: Variable) -> str:
     if variable.role == "parameter":
         return "fixed"
-    if variable.role == "discrete_real":
-        return "discrete"
-    return "discrete" if variable.scalar == "integer" else "continuous"
+    return "discrete" if variable.role == "discrete_real" else "continuous"
 
 
-def _structure(root: ET.Element, structure: dict[str, list[int]]) -> None:
-    parent = ET.SubElement(root, "ModelStructure")
-    outputs = ET.SubElement(parent, "Outputs")
-    for index in structure["output"]:
-        ET.SubElement(outputs, "Unknown", index=str(index))
-    initial = ET.SubElement(parent, "InitialUnknowns")
-    for index in sorted(structure["output"] + structure["calculatedParameter"]):
-        ET.SubElement(initial, "Unknown", index=str(index))
+def _attributes(dae: Dae, variable: Variable, element: int, causality: str) -> dict[str, str]:
+    whole = variable.scalar == "integer"
+    result = {}
+    if variable.description:
+        result["description"] = variable.description
+    if variable.unit:
+        result["unit"] = variable.unit
+        if variable.unit in DISPLAY_UNITS:
+            result["displayUnit"] = DISPLAY_UNITS[variable.unit][0]
+    bounds = {"min": variable.minimum, "max": variable.maximum, "nominal": variable.nominal}
+    for name, node in bounds.items():
+        value = dae.constant(node, element)
+        if value is not None:
+            result[name] = _number(value, whole)
+    if causality in ("parameter", "input"):
+        node = variable.binding if causality == "parameter" else variable.start
+        result["start"] = _number(dae.constant(node, element) or 0.0, whole)
+    return result
 
 
-def _text(value: float, whole: bool) -> str:
+def _number(value: float, whole: bool) -> str:
     return str(int(value)) if whole else repr(value)
+
+
+def _text(root: ET.Element) -> str:
+    ET.indent(root)
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n{ET.tostring(root, encoding="unicode")}\n'

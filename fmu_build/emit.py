@@ -1,6 +1,7 @@
 """Expressions and functions of the flat model as C."""
 
 import math
+from collections.abc import Collection, Iterable
 
 from fmu_build.dae import Dae, Function, Json, Node
 
@@ -31,9 +32,10 @@ _BUILTIN = {
 class Emitter:
     """C text of expressions; vector-valued calls become statements of their own, collected here."""
 
-    def __init__(self, dae: Dae, function: Function | None = None) -> None:
+    def __init__(self, dae: Dae, registers: Collection[int] = ()) -> None:
+        """Variables listed in `registers` have C variables of their own, like states."""
         self.dae = dae
-        self.function = function
+        self._registers = registers
         self.statements: list[str] = []
         self._calls: dict[int, str] = {}
         self.target: int | None = None
@@ -101,7 +103,7 @@ class Emitter:
 
     def _power(self, n: Node, element: int | None) -> str:
         base, exponent = n.args
-        if self.dae.literal(exponent) != 2:
+        if self.dae.constant(exponent) != 2:
             raise ValueError("only squares are supported as powers")
         return f"m_square({self.scalar(base, element)})"
 
@@ -111,12 +113,22 @@ class Emitter:
         elif n.kind == "function_value":
             name = f"l_{self.dae.functions[n.value['function']].values[n.value['value']].name}"
         else:
-            return reference(self.dae, n.kind, n.value, element or 0)
+            return self.reference(n.kind, n.value, element or 0)
         return name if element is None else f"{name}[{element}]"
+
+    def reference(self, kind: str, variable: int, element: int) -> str:
+        """C name of one scalar of the model."""
+        position = self.dae.variables[variable].offset + element
+        if kind == "derivative":
+            return f"d{position}"
+        if kind == "pre":
+            return f"p{position}"
+        own = self.dae.variables[variable].role == "state" or variable in self._registers
+        return f"x{position}" if own else f"v[{position}]"
 
     def _indexed(self, n: Node) -> str:
         base, pick = n.args
-        position = self.dae.literal(pick)
+        position = self.dae.constant(pick)
         if position is not None:
             return self.scalar(base, int(position) - 1)
         b = self.dae.nodes[base]
@@ -174,19 +186,9 @@ class Emitter:
             return self._reference(n, None)
         if n.kind == "variable" or (n.kind == "pre" and n.value == self.target):
             variable = self.dae.variables[n.value]
-            if variable.role != "state":
+            if variable.role != "state" and n.value not in self._registers:
                 return f"&v[{variable.offset}]"
         return f"(const double[]){{{', '.join(self.elements(argument))}}}"
-
-
-def reference(dae: Dae, kind: str, variable: int, element: int) -> str:
-    """C name of one scalar of the model."""
-    position = dae.variables[variable].offset + element
-    if kind == "derivative":
-        return f"d{position}"
-    if kind == "pre":
-        return f"p{position}"
-    return f"x{position}" if dae.variables[variable].role == "state" else f"v[{position}]"
 
 
 def function_name(function: Function) -> str:
@@ -213,11 +215,33 @@ def function_body(dae: Dae, function: Function) -> list[str]:
     lines = [f"{function_signature(function)} {{"]
     for local in rest if output.size is not None else function.values:
         lines.append(f"  double l_{local.name}{f'[{local.size}]' if local.size else ''};")
-    for statement in function.statements:
+    for statement in _without_refills(dae, function.statements):
         lines.extend(_statement(dae, function, statement, "  ", nested=False))
     if output.size is None:
         lines.append(f"  return l_{output.name};")
     return [*lines, "}"]
+
+
+def _without_refills(dae: Dae, statements: Iterable[Json]) -> list[Json]:
+    """Leave out initial values that the next statements overwrite with initial values again."""
+    result: list[Json] = []
+    run: dict[int, Json] = {}
+    for statement in statements:
+        if _is_fill(dae, statement):
+            run[statement["assignment"]["target"]] = statement
+        else:
+            result += [*run.values(), statement]
+            run.clear()
+    return [*result, *run.values()]
+
+
+def _is_fill(dae: Dae, statement: Json) -> bool:
+    if "assignment" not in statement:
+        return False
+    node = dae.nodes[statement["assignment"]["rhs"]]
+    if node.kind == "comprehension":
+        node = dae.nodes[node.args[0]]
+    return node.kind == "literal"
 
 
 def _statement(
@@ -240,7 +264,7 @@ def _statement(
 
 
 def _assignment(dae: Dae, function: Function, body: Json, indent: str, nested: bool) -> list[str]:
-    emitter = Emitter(dae, function)
+    emitter = Emitter(dae)
     target = function.values[body["target"]]
     node = dae.nodes[body["rhs"]]
     name = f"l_{target.name}"
@@ -250,8 +274,13 @@ def _assignment(dae: Dae, function: Function, body: Json, indent: str, nested: b
             raise ValueError(f"{function.name}: {target.name} is reset within a loop")
         text = f"{name}[{emitter.subscript(pick)} - 1] = {emitter.scalar(value)};"
     elif node.kind == "comprehension":
-        fill = emitter.scalar(node.args[0])
-        text = f"for (int i = 0; i < {target.size}; i++) {name}[i] = {fill};"
+        domain, index = dae.domains[node.value], f"i{node.value}"
+        if domain.step != 1:
+            raise ValueError(f"{function.name}: a loop with a step other than 1 is not supported")
+        text = (
+            f"for (int {index} = {domain.lower}; {index} <= {domain.upper}; {index}++) "
+            f"{name}[{index} - {domain.lower}] = {emitter.scalar(node.args[0])};"
+        )
     elif target.size is None:
         text = f"{name} = {emitter.scalar(body['rhs'])};"
     else:

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterable
 
 from fmu_build.dae import Dae
-from fmu_build.emit import Emitter, function_body, reference
+from fmu_build.emit import Emitter, function_body
 from fmu_build.sorting import Assignment, Schedule, schedule
 
 
@@ -58,9 +58,13 @@ def _procedure(declaration: str, lines: Iterable[str]) -> list[str]:
 def _defaults(dae: Dae) -> list[str]:
     lines = []
     for variable in dae.variables:
-        value = dae.literal(variable.start if variable.role == "input" else variable.binding)
-        if variable.role in ("parameter", "input") and value is not None:
-            lines.append(f"v[{variable.offset}] = {value!r};")
+        if variable.role not in ("parameter", "input"):
+            continue
+        node = variable.start if variable.role == "input" else variable.binding
+        for element in range(variable.count):
+            value = dae.constant(node, element)
+            if value is not None:
+                lines.append(f"v[{variable.offset + element}] = {value!r};")
     return lines
 
 
@@ -91,18 +95,18 @@ def _states(dae: Dae) -> list[str]:
 def _derivatives(dae: Dae, plan: Schedule) -> list[str]:
     """Derivatives from states passed by value: everything stays in registers."""
     states = _scalars(dae, "state")
-    emitter = Emitter(dae)
+    between = [a.target[1] for a in plan.derivatives if a.target[0] == "variable"]
+    emitter = Emitter(dae, registers=between)
     lines = [f"const double x{i} = x[{n}];" for n, i in enumerate(states)]
     for assignment in plan.derivatives:
         kind, index = assignment.target
-        if kind != "derivative":
-            raise ValueError(
-                f"{dae.variables[index].name} lies between states and derivatives: not supported"
-            )
         for element in range(dae.variables[index].count):
             text = emitter.scalar(assignment.expression, element)
-            position = states.index(dae.variables[index].offset + element)
-            lines.append(f"dx[{position}] = {text};")
+            if kind == "variable":
+                lines.append(f"const double {emitter.reference(kind, index, element)} = {text};")
+            else:
+                position = states.index(dae.variables[index].offset + element)
+                lines.append(f"dx[{position}] = {text};")
     signature = "static inline void derivatives(const double *v, const double *x, double *dx)"
     return [
         f"#define STATES {len(states)}",
@@ -125,11 +129,12 @@ def _step(dae: Dae) -> list[str]:
 def _tick(dae: Dae, plan: Schedule) -> list[str]:
     """One sample; `pre` values are read before anything is written."""
     stores = _stores(dae, plan.tick)
+    names = Emitter(dae)
     used = set(re.findall(r"\bp\d+\b", "\n".join(stores)))
     before = [
         f"const double {name} = v[{variable.offset + element}];"
         for index, variable in enumerate(dae.variables)
         for element in range(variable.count)
-        if (name := reference(dae, "pre", index, element)) in used
+        if (name := names.reference("pre", index, element)) in used
     ]
     return [*_states(dae), *before, *stores]

@@ -158,7 +158,7 @@ def _parameters(dae: Dae) -> dict[Target, Assignment]:
     return {
         ("variable", i): Assignment(("variable", i), v.binding, False)
         for i, v in enumerate(dae.variables)
-        if v.role == "parameter" and v.binding is not None and dae.literal(v.binding) is None
+        if v.role == "parameter" and v.binding is not None and dae.constant(v.binding) is None
     }
 
 

@@ -7,8 +7,9 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from fmu_build.bundle import BuildError, built_fmu
+from fmu_build.bundle import built_fmu
 from fmu_build.cli import Command, UserError
+from fmu_build.platforms import BuildError
 from fmu_build.translate import TranslationError
 from ins_eval import missions, recorded_drive, report, study
 from ins_eval.metrics import FEWEST_FOR_MEDIAN

@@ -51,20 +51,20 @@ class Device:
         control_period = 1e-3
         displacement_noise = 2 * self.bryan_factor * self.pickoff_noise
         return {
-            "decayTime": self.decay_time,
-            "dampingAnisotropy": self.damping_anisotropy,
-            "dampingAxis": self.damping_axis,
-            "frequencySplit": self.frequency_split,
-            "stiffnessAxis": self.stiffness_axis,
-            "bryanFactor": self.bryan_factor,
-            "nominalBryanFactor": self.bryan_factor,
-            "pickOffGainMismatch": self.pickoff_gain_mismatch,
-            "pickOffNonOrthogonality": self.pickoff_nonorthogonality,
-            "driveGainMismatch": self.drive_gain_mismatch,
-            "driveNonOrthogonality": self.drive_nonorthogonality,
-            "phaseError": self.phase_error,
-            "forceNoiseDensity": self.angle_random_walk**2,
-            "pickOffNoiseDensity": displacement_noise**2 * control_period,
+            "resonator.material.decayTime": self.decay_time,
+            "resonator.material.dampingAnisotropy": self.damping_anisotropy,
+            "resonator.material.dampingAxis": self.damping_axis,
+            "resonator.material.frequencySplit": self.frequency_split,
+            "resonator.material.stiffnessAxis": self.stiffness_axis,
+            "resonator.material.bryanFactor": self.bryan_factor,
+            "controller.readout.bryanFactor": self.bryan_factor,
+            "pickOff.gainMismatch": self.pickoff_gain_mismatch,
+            "pickOff.nonOrthogonality": self.pickoff_nonorthogonality,
+            "drive.gainMismatch": self.drive_gain_mismatch,
+            "drive.nonOrthogonality": self.drive_nonorthogonality,
+            "pickOff.phaseError": self.phase_error,
+            "noise.angleRandomWalk": self.angle_random_walk**2,
+            "noise.pickOff": displacement_noise**2 * control_period,
         }
 
     def without_anisotropy(self) -> "Device":

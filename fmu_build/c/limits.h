@@ -12,6 +12,6 @@ typedef struct {
 } Limits;
 
 extern const Limits limits[]; /* by offset, MODEL_VARIABLES entries */
-extern const char *const model_guid;
+extern const char *const model_token;
 
 #endif

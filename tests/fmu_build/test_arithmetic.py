@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from fmu_build import bundle
+from fmu_build import bundle, platforms
 
 SOURCE = """
 #include "arithmetic.h"
@@ -26,7 +26,8 @@ def kernel(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
     folder = tmp_path_factory.mktemp("arithmetic")
     (folder / "a.c").write_text(SOURCE)
     headers = Path(bundle.__file__).parent / "c"
-    command = [*bundle.COMPILER, *bundle.FLAGS, f"-I{headers}", "-o", "a.so", "a.c"]
+    command = [*platforms.COMPILER, *platforms.FLAGS, "-shared", "-fPIC", f"-I{headers}"]
+    command += ["-o", "a.so", "a.c"]
     subprocess.run(command, cwd=folder, check=True, capture_output=True)
     return ctypes.CDLL(str(folder / "a.so"))
 

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from fmu_build import bundle
+from fmu_build.platforms import BuildError
 
 
 def test_same_sources_same_bytes(tmp_path: Path, fmu_path: Path) -> None:
@@ -35,7 +36,7 @@ def test_what_is_built_is_not_built_again(fmu_path: Path, monkeypatch: pytest.Mo
 
 def test_failed_build_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(bundle, "generate", lambda dae: "this is no C")
-    with pytest.raises(bundle.BuildError, match="this is no C"):
+    with pytest.raises(BuildError, match="this is no C"):
         bundle.build(tmp_path / "out" / "HRG.fmu")
     assert not (tmp_path / "out").exists()
 
@@ -58,7 +59,11 @@ def test_fmpy_runs_it_without_a_warning(fmu_path: Path, capfd: pytest.CaptureFix
             str(fmu_path),
             stop_time=1.0,
             output_interval=0.1,
-            start_values={"dampingAnisotropy": 1e-6, "startAngle": 0.4, "seed": 5},
+            start_values={
+                "resonator.material.dampingAnisotropy": 1e-6,
+                "startAngle": 0.4,
+                "seed": 5,
+            },
             output=["gyroAngle", "amplitude"],
         )
     assert len(result) == 11

@@ -12,9 +12,13 @@ from pyhrg.parameters import TYPICAL
 @pytest.mark.parametrize(
     ("name", "value", "message"),
     [
-        ("decayTime", -3.0, r"decayTime = -3 is outside its range from 1 to 100000"),
-        ("frequencySplit", float("nan"), r"frequencySplit = nan is outside"),
-        ("resonator.dampingX", 1.0, r"resonator\.dampingX can't be set at all"),
+        (
+            "resonator.material.decayTime",
+            -3.0,
+            r"material\.decayTime = -3 is outside its range from 1 to 100000",
+        ),
+        ("resonator.material.frequencySplit", float("nan"), r"frequencySplit = nan is outside"),
+        ("resonator.material.ownCos", 1.0, r"material\.ownCos can't be set at all"),
         ("noSuchThing", 1.0, "no variable noSuchThing"),
     ],
 )
@@ -35,7 +39,7 @@ def test_parameter_is_refused_after_initialization(fmu: GyroFmu) -> None:
         fmu.power_on({}, seed=0, start_angle=0.0) as gyro,
         pytest.raises(GyroError, match="decayTime can't be set after initialization"),
     ):
-        gyro.command("decayTime", 100.0)
+        gyro.command("resonator.material.decayTime", 100.0)
 
 
 def test_input_that_makes_no_sense_stops_the_drive(fmu: GyroFmu) -> None:
@@ -71,7 +75,7 @@ def slave(fmu: GyroFmu) -> Iterator[FMU2Slave]:
     instance.setupExperiment(startTime=0.0)
     instance.enterInitializationMode()
     instance.setInteger([fmu.references["seed"]], [11])
-    instance.setReal([fmu.references["forceNoiseDensity"]], [1e-15])
+    instance.setReal([fmu.references["noise.angleRandomWalk"]], [1e-15])
     instance.exitInitializationMode()
     yield instance
     instance.freeInstance()
@@ -96,7 +100,7 @@ def test_reset_is_a_fresh_start(fmu: GyroFmu, slave: FMU2Slave) -> None:
     def run() -> list[float]:
         slave.setupExperiment(startTime=0.0)
         slave.enterInitializationMode()
-        slave.setReal([fmu.references["forceNoiseDensity"]], [1e-12])
+        slave.setReal([fmu.references["noise.angleRandomWalk"]], [1e-12])
         slave.exitInitializationMode()
         slave.doStep(0.0, 0.5)
         return list(slave.getReal(angle))

@@ -1,24 +1,41 @@
 within HRG.Controls;
 block ForceSynthesis "Loop commands, resolved from the pattern's axes into the electrodes'"
   parameter Units.Time samplePeriod "Control period";
+  parameter Units.Angle startAngle "Pattern angle at time 0";
+  parameter Units.Time loopDelay(min = 0, max = 0.1) = 0
+    "Age of the angle that forces are resolved with, beyond the sample, typically up to 1e-3";
+  input Units.Angle patternAngle "Detected pattern angle";
   input Units.Ratio cosine "Of the detected modal angle";
   input Units.Ratio sine "Of the detected modal angle";
   input Units.Displacement amplitude "Detected antinode amplitude";
   input Units.Rate growthRate "Command of the amplitude loop";
   input Units.Force quadratureForce "Command of the quadrature loop";
   input Units.AngularRate patternRate "Commanded rotation of the pattern";
+  input Units.Ratio driveOn "1 with the drive on, 0 off";
   discrete output Units.Force force[4](each start = 0, each fixed = true) "Force {cos x, sin x, cos y, sin y}";
+  discrete output Units.Force acting[4](each start = 0, each fixed = true) "Force that was held up to the sample";
 protected
+  discrete Units.Angle lastAngle(start = startAngle, fixed = true) "Pattern angle at the last sample";
+  discrete Units.Angle lag(start = 0, fixed = true) "Modal angle by which the forces lag";
+  discrete Units.Ratio lagCosine(start = 1, fixed = true) "Of the lag, to fourth order";
+  discrete Units.Ratio lagSine(start = 0, fixed = true) "Of the lag, to fourth order";
+  discrete Units.Ratio c(start = 1, fixed = true) "Of the modal angle of the forces";
+  discrete Units.Ratio s(start = 0, fixed = true) "Of the modal angle of the forces";
   discrete Units.Force antinode(start = 0, fixed = true) "Force on the antinode, in phase with the velocity";
   discrete Units.Force node(start = 0, fixed = true) "Force on the node, in phase with the velocity";
+  discrete Units.Force square(start = 0, fixed = true) "Force on the node, in phase with the displacement";
 equation
   when sample(0, samplePeriod) then
-    antinode = growthRate*amplitude;
-    node = 2*patternRate*amplitude;
-    force = {
-      antinode*cosine - node*sine,
-      -quadratureForce*sine,
-      antinode*sine + node*cosine,
-      quadratureForce*cosine};
+    acting = pre(force);
+    lastAngle = patternAngle;
+    lag = loopDelay*2*(patternAngle - pre(lastAngle))/samplePeriod;
+    lagCosine = 1 - lag*lag/2;
+    lagSine = lag - lag*lag*lag/6;
+    c = cosine*lagCosine + sine*lagSine;
+    s = sine*lagCosine - cosine*lagSine;
+    antinode = driveOn*growthRate*amplitude;
+    node = driveOn*2*patternRate*amplitude;
+    square = driveOn*quadratureForce;
+    force = {antinode*c - node*s, -square*s, antinode*s + node*c, square*c};
   end when;
 end ForceSynthesis;

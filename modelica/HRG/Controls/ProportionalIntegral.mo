@@ -1,7 +1,7 @@
 within HRG.Controls;
 block ProportionalIntegral "Critically damped loop of an integrating plant, sampled"
   parameter Units.Time samplePeriod "Control period";
-  parameter Units.AngularFrequency naturalFrequency "Natural frequency of the closed loop";
+  parameter Units.AngularFrequency naturalFrequency(min = 0.01, max = 500) = 6 "Natural frequency of the closed loop";
   parameter Real startCommand(unit = "1/s") = 0 "Command that the integral gives at time 0";
   input Real error(unit = "1") "Set point less measurement";
   discrete output Real command(unit = "1/s", start = startCommand, fixed = true) "Command, held until the next sample";

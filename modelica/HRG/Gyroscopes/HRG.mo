@@ -1,80 +1,80 @@
 within HRG.Gyroscopes;
 model HRG "Whole-angle hemispherical resonator gyro: complex envelope, electronics sampled at 1 kHz"
-  parameter Units.Time decayTime(min = 1, max = 1e5) = 450 "Mean amplitude decay time of the resonator";
-  parameter Units.Rate dampingAnisotropy(min = 0, max = 1e-2) = 0 "Difference of 1/tau between the axes of maximum and minimum damping";
-  parameter Units.Angle dampingAxis = 0 "Pattern angle of maximum damping";
-  parameter Units.AngularFrequency frequencySplit(min = 0, max = 100) = 0 "Difference of the modes' circular frequencies";
-  parameter Units.Angle stiffnessAxis = 0 "Pattern angle of the mode of lower frequency";
-  parameter Units.Ratio bryanFactor(min = 0.01, max = 1) = 0.277 "Precession of the pattern over rotation of the case";
-  parameter Units.Ratio nominalBryanFactor(min = 0.01, max = 1) = 0.277 "Bryan factor that the electronics believe";
-  parameter Units.Ratio pickOffGainMismatch(min = -0.5, max = 0.5) = 0 "Pick-off gain of x over that of y, less one";
-  parameter Units.Ratio pickOffNonOrthogonality(min = -0.5, max = 0.5) = 0 "Share of x that the pick-off of y reads";
-  parameter Units.Ratio driveGainMismatch(min = -0.5, max = 0.5) = 0 "Drive gain of x over that of y, less one";
-  parameter Units.Ratio driveNonOrthogonality(min = -0.5, max = 0.5) = 0 "Share of the x force that drives y";
-  parameter Units.Angle phaseError(min = -1, max = 1) = 0 "Phase that the demodulation adds";
-  parameter Units.AngleNoiseDensity forceNoiseDensity(max = 1) = 0
-    "White force noise, as the square of the angle random walk coefficient it causes at nominal amplitude";
-  parameter Units.DisplacementNoiseDensity pickOffNoiseDensity(max = 1) = 0
-    "White noise of each demodulated channel, relative to the nominal amplitude";
   parameter Integer seed(min = 0, max = 2147483647) = 0 "Seed of all noise";
   parameter Units.Angle startAngle = 0 "Pattern angle at power-on";
+  parameter Units.Displacement startAmplitude(min = 1e-6, max = 10) = 1 "Antinode amplitude at power-on";
   final parameter Units.Time samplePeriod = 1e-3 "Control period";
-  parameter Units.AngularFrequency phaseLoopFrequency(min = 0.1, max = 500) = 200 "Natural frequency of the phase loop";
-  parameter Units.AngularFrequency amplitudeLoopFrequency(min = 0.1, max = 500) = 6 "Natural frequency of the amplitude loop";
-  parameter Units.AngularFrequency quadratureLoopFrequency(min = 0.1, max = 500) = 6 "Natural frequency of the quadrature loop";
   input Units.AngularRate angularRate(start = 0, min = -100, max = 100) "Inertial rate about the input axis";
   input Units.AngularRate virtualRotation(start = 0, min = -10, max = 10) "Commanded virtual rotation, as an input rate";
+  input Units.Acceleration accelerationX(start = 0, min = -1e5, max = 1e5) "Specific force along the x electrodes";
+  input Units.Acceleration accelerationY(start = 0, min = -1e5, max = 1e5) "Specific force across the x electrodes";
+  input Units.Acceleration accelerationZ(start = 0, min = -1e5, max = 1e5) "Specific force along the input axis";
+  input Units.Temperature caseTemperature(start = 298.15, min = 100, max = 500) "Temperature of the case";
+  input Units.Ratio biasVoltage(start = 1, min = 0, max = 10) "Electrode bias voltage over the nominal one";
+  input Units.Acceleration vibration(start = 0, min = -1e5, max = 1e5) "Case vibration at the modal frequency, in phase";
+  input Units.Displacement amplitudeSetpoint(start = 1, min = 0.01, max = 10) "Antinode amplitude to hold";
+  input Units.Angle phaseOffset(start = 0, min = -1, max = 1) "Added to the detected phase";
+  input Units.Ratio driveOn(start = 1, min = 0, max = 1) "1 with the drive on, 0 off: ring-down";
   output Units.Angle gyroAngle "Measured angle about the input axis since power-on";
+  output Units.AngularRate gyroRate "Measured rate over the last control period";
   output Units.Angle patternAngle "Detected pattern angle, continuous";
   output Units.Displacement amplitude "Detected antinode amplitude";
+  output Units.Displacement quadrature "Detected quadrature amplitude";
   output Units.Rate amplitudeForce "Amplitude-loop force over detected amplitude, as a growth rate";
   output Units.Force quadratureForce "Quadrature-loop force";
-  output Units.AngularFrequency frequencyOffset "Phase-loop frequency less the nominal one";
-  Resonators.AnisotropicEnvelope resonator(
-    decayTime = decayTime,
-    dampingAnisotropy = dampingAnisotropy,
-    dampingAxis = dampingAxis,
-    frequencySplit = frequencySplit,
-    stiffnessAxis = stiffnessAxis,
-    bryanFactor = bryanFactor,
-    startAngle = startAngle) "Vibrating shell";
-  Electrodes.PickOff pickOff(
-    gainMismatch = pickOffGainMismatch,
-    nonOrthogonality = pickOffNonOrthogonality,
-    phaseError = phaseError) "Pick-offs and demodulation";
-  Electrodes.Drive drive(gainMismatch = driveGainMismatch, nonOrthogonality = driveNonOrthogonality) "Drives";
-  Noise.ChannelNoise noise(
+  output Units.AngularFrequency frequencyOffset "Phase-loop frequency less the nominal one, as the gyro's clock counts it";
+  output Units.Ratio valid "1 while the output is valid";
+  Resonators.Resonator resonator(
     samplePeriod = samplePeriod,
-    seed = seed,
-    forceDensity = 4*bryanFactor^2*forceNoiseDensity,
-    pickOffDensity = pickOffNoiseDensity) "Noise of drives and pick-offs";
-  Controls.WholeAngleController controller(
+    startAngle = startAngle,
+    startAmplitude = startAmplitude) "Vibrating shell";
+  Electrodes.PickOff pickOff "Pick-offs and demodulation";
+  Electrodes.Drive drive "Drives";
+  Noise.ElectronicsNoise noise(
     samplePeriod = samplePeriod,
-    phaseLoopFrequency = phaseLoopFrequency,
-    amplitudeLoopFrequency = amplitudeLoopFrequency,
-    quadratureLoopFrequency = quadratureLoopFrequency,
-    decayTime = decayTime,
-    bryanFactor = nominalBryanFactor,
-    startAngle = startAngle) "Control electronics";
+    bryanFactor = resonator.material.bryanFactor,
+    seed = seed) "Noise of drives, pick-offs and electronics";
+  Controls.Controller controller(
+    samplePeriod = samplePeriod,
+    startAngle = startAngle,
+    startGrowthRate = 1/resonator.material.decayTime) "Control electronics";
 equation
   resonator.angularRate = angularRate;
-  resonator.detuning = controller.detuning;
+  resonator.acceleration = {accelerationX, accelerationY, accelerationZ};
+  resonator.caseTemperature = caseTemperature;
+  resonator.biasVoltage = biasVoltage;
+  resonator.vibration = vibration;
+  resonator.reference = controller.reference;
   resonator.force = drive.force;
-  pickOff.envelope = resonator.envelope;
-  pickOff.noise = noise.pickOff;
+  pickOff.displacement = resonator.displacement;
+  pickOff.force = controller.acting;
+  pickOff.temperature = resonator.environment.temperature;
+  pickOff.acceleration = {accelerationX, accelerationY, accelerationZ};
+  pickOff.noise = noise.displacement;
   controller.reading = pickOff.reading;
+  controller.amplitudeSetpoint = amplitudeSetpoint;
+  controller.phaseOffset = phaseOffset;
+  controller.driveOn = driveOn;
   controller.virtualRotation = virtualRotation;
+  controller.rateNoise = noise.patternRate;
+  controller.gainNoise = noise.rotation;
   drive.command = controller.force;
+  drive.acceleration = {accelerationX, accelerationY, accelerationZ};
+  drive.temperatureRate = resonator.environment.temperatureRate;
   drive.noise = noise.force;
-  gyroAngle = controller.gyroAngle;
+  gyroAngle = controller.readout.gyroAngle;
+  gyroRate = controller.readout.gyroRate;
   patternAngle = controller.detector.patternAngle;
   amplitude = controller.detector.amplitude;
+  quadrature = controller.detector.quadrature;
   amplitudeForce = controller.amplitudeLoop.command;
   quadratureForce = controller.quadratureLoop.command;
-  frequencyOffset = controller.detuning;
+  frequencyOffset = controller.reference - controller.readout.clockError*resonator.material.frequency;
+  valid = controller.startUp.valid;
   annotation (Documentation(info="<html>
 <p>The resonator runs in continuous time; the control electronics detect the orbit once per control period
 and hold their forces until the next. In the whole-angle mode the pattern is free: it precesses by
--k times the angle of the case, and the gyro measures by reading it.</p>
+-k times the angle of the case, and the gyro measures by reading it. In the force-to-rebalance mode
+(<code>controller.forceToRebalance = 1</code>) it is held, and the gyro measures by the rotation it commands.</p>
 </html>"));
 end HRG;

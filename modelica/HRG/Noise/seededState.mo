@@ -1,16 +1,16 @@
 within HRG.Noise;
-function seededState "States of eight generators for a seed; different seeds give unrelated streams"
+function seededState "Memory of twelve generators for a seed; different seeds give unrelated streams"
   input Real seed "Whole number from 0 to 2^31 - 1";
-  output Real state[56] "States of eight MRG32k3a, and zeros where the deviates go";
+  output Real memory[84] "States of twelve MRG32k3a, and zeros where the deviates go";
 protected
   Real h "Hash, a whole number below the smaller modulus less one";
 algorithm
   h := scrambled(scrambled(scrambled(scrambled(seed + 1234567891))));
-  for i in 1:48 loop
+  for i in 1:72 loop
     h := scrambled(h + 40014*i);
-    state[i] := h + 1;
+    memory[i] := h + 1;
   end for;
-  for i in 49:56 loop
-    state[i] := 0;
+  for i in 73:84 loop
+    memory[i] := 0;
   end for;
 end seededState;

@@ -10,8 +10,13 @@ package Units "Types with units; SI throughout"
     "Modal displacement relative to the nominal antinode amplitude";
   type Force = Real(quantity = "RelativeForce", unit = "1/s")
     "Modal force as the growth that it gives to the envelope, relative to the nominal amplitude";
+  type Temperature = Real(quantity = "ThermodynamicTemperature", unit = "K", displayUnit = "degC") "Absolute temperature";
+  type TemperatureDifference = Real(quantity = "TemperatureDifference", unit = "K") "Temperature above the reference";
+  type PerKelvin = Real(unit = "1/K") "Relative change per temperature";
+  type Acceleration = Real(quantity = "Acceleration", unit = "m/s2") "Specific force";
+  type PerAcceleration = Real(unit = "s2/m") "Relative change per specific force";
   type AngleNoiseDensity = Real(quantity = "NoiseDensity", unit = "rad2/s", min = 0)
     "Two-sided density of a white rotation rate: square of the angle random walk coefficient";
   type DisplacementNoiseDensity = Real(quantity = "NoiseDensity", unit = "s", min = 0)
-    "Two-sided density of a white displacement relative to the nominal amplitude";
+    "Two-sided density of a white relative quantity";
 end Units;

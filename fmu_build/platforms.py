@@ -1,0 +1,88 @@
+"""Platforms that an FMU can hold, and the C compiler that serves them all."""
+
+import platform
+import struct
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import fmpy
+
+COMPILER = [sys.executable, "-m", "ziglang", "cc"]
+FLAGS = ["-std=c99", "-O2", "-ffp-contract=off", "-fno-math-errno", "-fno-sanitize=all"]
+FLAGS += ["-Wall", "-Wextra"]
+
+
+@dataclass(frozen=True)
+class Platform:
+    """A target: its names for the compiler and in the two standards' archives."""
+
+    name: str
+    target: str
+    fmi2_folder: str | None
+    suffix: str
+    link: tuple[str, ...] = ("-shared", "-s")
+
+
+PLATFORMS = {
+    p.name: p
+    for p in (
+        Platform("x86_64-linux", "x86_64-linux-gnu.2.17", "linux64", ".so"),
+        Platform("aarch64-linux", "aarch64-linux-gnu.2.17", None, ".so"),
+        Platform("x86_64-windows", "x86_64-windows-gnu", "win64", ".dll"),
+        Platform("x86_64-darwin", "x86_64-macos.11.0", "darwin64", ".dylib"),
+        Platform("aarch64-darwin", "aarch64-macos.11.0", "darwin64", ".dylib"),
+    )
+}
+
+
+class BuildError(Exception):
+    """The C compiler refused the generated sources, or there is nothing to build for."""
+
+
+def host() -> str:
+    """Name of the platform that this process runs on.
+
+    Raises:
+        BuildError: none of the known ones.
+    """
+    machine = {"AMD64": "x86_64", "arm64": "aarch64"}.get(platform.machine(), platform.machine())
+    name = f"{machine}-{platform.system().lower()}"
+    if name not in PLATFORMS:
+        raise BuildError(f"no FMU can be built for {name}; known are {', '.join(PLATFORMS)}")
+    return name
+
+
+def compile_library(folder: Path, sources: list[str], identifier: str, target: Platform) -> bytes:
+    """Shared library of the C sources in a folder.
+
+    Raises:
+        BuildError: with the compiler's words.
+    """
+    headers = Path(fmpy.__file__).parent / "c-code"
+    library = folder / target.name / f"{identifier}{target.suffix}"
+    library.parent.mkdir()
+    link = [*target.link, "-fPIC"] if target.suffix != ".dll" else list(target.link)
+    if target.suffix == ".dylib":
+        link.append(f"-Wl,-install_name,@rpath/{library.name}")
+    output = f"{target.name}/{library.name}"
+    command = [*COMPILER, "-target", target.target, *FLAGS, *link, f"-I{headers}", "-o", output]
+    command += [*sources, "-lm"]
+    run = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    if run.returncode != 0:
+        raise BuildError(f"the C compiler failed for {target.name}:\n{run.stderr}")
+    return library.read_bytes()
+
+
+def universal(libraries: list[bytes]) -> bytes:
+    """One fat Mach-O of several thin ones, as `lipo -create` makes it."""
+    alignment = 14
+    offset = 1 << alignment
+    header = struct.pack(">II", 0xCAFEBABE, len(libraries))
+    body = b""
+    for library in libraries:
+        cpu, subtype = struct.unpack("<II", library[4:12])
+        header += struct.pack(">IIIII", cpu, subtype, offset + len(body), len(library), alignment)
+        body += library + b"\0" * (-len(library) % (1 << alignment))
+    return header.ljust(offset, b"\0") + body

@@ -1,0 +1,30 @@
+within HRG.Controls;
+block StartUp "Amplitude to aim at after power-on, and whether the output is valid"
+  parameter Units.Time samplePeriod "Control period";
+  parameter Units.Ratio firstAmplitude(min = 1e-3, max = 1) = 1
+    "Share of the set point in the first stage, which gives a rate soon; 1: no start-up";
+  parameter Units.Time firstTime(min = 0, max = 100) = 1 "End of the first stage";
+  parameter Units.Time fullTime(min = 0.1, max = 1000) = 10 "Full amplitude is aimed at from here on";
+  parameter Units.Ratio amplitudeTolerance(min = 0, max = 1) = 0.2 "Of valid output, relative to the aim";
+  parameter Units.Angle phaseTolerance(min = 0, max = 1) = 0.05 "Of valid output";
+  input Units.Displacement setpoint "Amplitude to hold in the end";
+  input Units.Displacement amplitude "Detected antinode amplitude";
+  input Units.Angle phase "Detected phase";
+  discrete output Units.Displacement aim(start = 1, fixed = true) "Amplitude to aim at now";
+  discrete output Units.Displacement error(start = 0, fixed = true)
+    "Aim less amplitude, scaled up while the aim is small, so that the loop stays as fast";
+  discrete output Units.Ratio valid(start = 0, fixed = true) "1 while amplitude and phase are within tolerance";
+protected
+  discrete Units.Time clock(start = -samplePeriod, fixed = true) "Time since power-on";
+equation
+  when sample(0, samplePeriod) then
+    clock = pre(clock) + samplePeriod;
+    aim = setpoint*rampedShare(clock, firstAmplitude, firstTime, fullTime);
+    error = (aim - amplitude)*setpoint/aim;
+    valid = if abs(amplitude - aim) <= amplitudeTolerance*aim and abs(phase) <= phaseTolerance then 1 else 0;
+  end when;
+  annotation (Documentation(info="<html>
+<p>Two stages, after section 2.3 of the paper: a small vibration within a second, which already measures, then
+the full amplitude within ten.</p>
+</html>"));
+end StartUp;

@@ -1,0 +1,48 @@
+within HRG.Noise;
+block ElectronicsNoise "White noise of the force and pick-off channels, slow noise of the rate, noise of the virtual rotation"
+  parameter Units.Time samplePeriod "Control period";
+  parameter Units.Ratio bryanFactor "Converts input rates into pattern rates";
+  parameter Integer seed(min = 0, max = 2147483647) "Seed of the generators";
+  parameter Units.AngleNoiseDensity angleRandomWalk(max = 1) = 0
+    "White force noise, as the square of the angle random walk coefficient it causes at nominal amplitude; (1e-5 to 1e-3 deg/sqrt(h))^2";
+  parameter Units.DisplacementNoiseDensity pickOff(max = 1) = 0
+    "White noise of each demodulated channel, relative to the nominal amplitude";
+  parameter Real rateRandomWalk(unit = "rad2/s3", min = 0, max = 1) = 0 "Square of the rate random walk coefficient K";
+  parameter Units.AngularRate biasInstability(min = 0, max = 1) = 0 "Flicker coefficient B (IEEE Std 952)";
+  parameter Units.DisplacementNoiseDensity virtualRotation(max = 1) = 0 "Density of the relative noise of a commanded rotation";
+  output Units.Force force[4] "Force noise {cos x, sin x, cos y, sin y}";
+  output Units.Displacement displacement[4] "Pick-off noise {cx, sx, cy, sy}";
+  output Units.AngularRate patternRate "Slow noise, as a pattern rate";
+  output Units.Ratio rotation "Relative noise of the commanded rotation";
+protected
+  final parameter Units.Ratio start[84] = seededState(seed) "Memory at time 0";
+  final parameter Units.Force forceDeviation = 2*bryanFactor*sqrt(angleRandomWalk/samplePeriod)
+    "Standard deviation of a force channel";
+  final parameter Units.Displacement pickOffDeviation = sqrt(pickOff/samplePeriod) "Standard deviation of a pick-off channel";
+  final parameter Units.AngularRate walkDeviation = bryanFactor*sqrt(rateRandomWalk*samplePeriod)
+    "Standard deviation of a step of the rate random walk";
+  final parameter Units.AngularRate flickerScale = bryanFactor*biasInstability*2.0794415416798357/Constants.pi
+    "Of the sum of lags, ln 8/pi";
+  final parameter Units.Ratio rotationDeviation = sqrt(virtualRotation/samplePeriod) "Standard deviation of the rotation's noise";
+  discrete Units.Ratio memory[84](start = start, each fixed = true) "States of the generators, and the last deviates";
+  discrete Units.Ratio lags[8](each start = 0, each fixed = true) "Flicker noise";
+  discrete Units.AngularRate walk(start = 0, fixed = true) "Rate random walk";
+equation
+  when sample(0, samplePeriod) then
+    memory = deviates(pre(memory));
+    lags = flicker(pre(lags), memory[81], samplePeriod);
+    walk = pre(walk) + walkDeviation*memory[82];
+  end when;
+  force = {
+    forceDeviation*memory[73],
+    forceDeviation*memory[74],
+    forceDeviation*memory[75],
+    forceDeviation*memory[76]};
+  displacement = {
+    pickOffDeviation*memory[77],
+    pickOffDeviation*memory[78],
+    pickOffDeviation*memory[79],
+    pickOffDeviation*memory[80]};
+  patternRate = walk + flickerScale*(lags[1] + lags[2] + lags[3] + lags[4] + lags[5] + lags[6] + lags[7] + lags[8]);
+  rotation = rotationDeviation*memory[83];
+end ElectronicsNoise;

@@ -1,0 +1,27 @@
+within HRG.Resonators;
+block Environment "Temperature of the resonator, rate of the case's temperature, and age, sampled"
+  parameter Units.Time samplePeriod "Control period";
+  parameter Units.Temperature referenceTemperature(min = 1, max = 1000) = 298.15 "Temperature that parameters hold at";
+  parameter Units.Time thermalLag(min = 1, max = 1e6) = 600 "Lag of the resonator behind the case, typically 60 to 1800 s";
+  input Units.Temperature caseTemperature "Temperature of the case";
+  discrete output Units.TemperatureDifference temperature(start = 0, fixed = true)
+    "Resonator above the reference temperature";
+  discrete output Real temperatureRate(unit = "K/s", start = 0, fixed = true) "Rate of the case's temperature";
+  discrete output Units.Time age(start = 0, fixed = true) "Time since power-on";
+protected
+  final parameter Units.Ratio approach = samplePeriod/thermalLag "Share of the difference that a period takes away";
+  discrete Units.TemperatureDifference case(start = 0, fixed = true) "Case above the reference temperature";
+  discrete Units.Ratio started(start = 0, fixed = true) "1 from the first sample on";
+equation
+  when sample(0, samplePeriod) then
+    case = caseTemperature - referenceTemperature;
+    temperature = pre(temperature) + approach*(case - pre(temperature));
+    temperatureRate = pre(started)*(case - pre(case))/samplePeriod;
+    age = pre(age) + samplePeriod*pre(started);
+    started = 1;
+  end when;
+  annotation (Documentation(info="<html>
+<p>The resonator starts at the reference temperature and follows the case with a first-order lag. Heat moves
+in minutes, so that the control period is a fine step for it.</p>
+</html>"));
+end Environment;

@@ -1,0 +1,71 @@
+within HRG.Resonators;
+block Material "Damping, stiffness and coupling of the shell under its environment"
+  parameter Units.Time decayTime(min = 1, max = 1e5) = 450 "Mean amplitude decay time tau, typically 200 to 2000 s";
+  parameter Units.PerKelvin decayTimePerKelvin(min = -0.1, max = 0.1) = 0 "Of the decay time, typically -0.002 to -0.01";
+  parameter Real decayTimeAgeing(unit = "1/s", min = -1e-4, max = 1e-4) = 0
+    "Relative loss of decay time per time (outgassing, vacuum loss), typically 1 to 5 % a year";
+  parameter Units.Rate dampingAnisotropy(min = 0, max = 1e-2) = 0
+    "D = 1/tau1 - 1/tau2 between the axes of maximum and minimum damping, typically 0.1 to 2 % of 1/tau";
+  parameter Units.Angle dampingAxis = 0 "Pattern angle of maximum damping";
+  parameter Units.PerKelvin dampingAnisotropyPerKelvin(min = -1, max = 1) = 0 "Of the damping anisotropy, typically up to 0.01";
+  parameter Units.Rate mountingDamping(min = 0, max = 1e-2) = 0
+    "Damping anisotropy that the mounting adds (anchor loss), changes with remounting and shock";
+  parameter Units.Angle mountingAxis = 0 "Its pattern angle of maximum damping";
+  parameter Units.AngularFrequency frequency(min = 1e3, max = 1e6) = 43982.297150257104 "Nominal modal frequency, 4 to 9 kHz";
+  parameter Units.PerKelvin frequencyPerKelvin(min = -1e-3, max = 1e-3) = 0 "Of the modal frequency, typically 80e-6 to 95e-6";
+  parameter Units.AngularFrequency frequencySplit(min = 0, max = 100) = 0
+    "Difference of the modes' circular frequencies, trimmed below 1 mHz";
+  parameter Units.Angle stiffnessAxis = 0 "Pattern angle of the mode of lower frequency";
+  parameter Real splitPerAcceleration[3](each unit = "rad.s/m", each min = -10, each max = 10) = {0, 0, 0}
+    "Frequency split along the x electrodes per specific force";
+  parameter Units.AngularFrequency electrostaticShift(min = -1e3, max = 1e3) = 0
+    "Softening of the mean frequency by the nominal bias voltage";
+  parameter Units.AngularFrequency electrostaticSplit(min = 0, max = 100) = 0
+    "Frequency split that the nominal bias voltage makes (trim), balanced by the mechanical one";
+  parameter Units.Angle electrostaticAxis = 0 "Pattern angle of its lower frequency";
+  parameter Units.Ratio bryanFactor(min = 0.01, max = 1) = 0.277 "Precession of the pattern over rotation of the case";
+  parameter Units.PerKelvin bryanFactorPerKelvin(min = -1e-3, max = 1e-3) = 0 "Of the Bryan factor, typically below 1e-6";
+  input Units.TemperatureDifference temperature "Above the reference";
+  input Units.Time age "Time since power-on";
+  input Units.Ratio biasVoltage "Over the nominal one";
+  input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
+  input Units.AngularRate angularRate "Inertial rate about the input axis";
+  output Units.Rate dampingX "Damping of x";
+  output Units.Rate dampingY "Damping of y";
+  output Units.Rate dampingSin "Damping between x and y";
+  output Units.AngularFrequency shift "Mean frequency above the nominal one";
+  output Units.AngularFrequency splitCos "Stiffness anisotropy, diagonal";
+  output Units.AngularFrequency splitSin "Stiffness anisotropy, off diagonal";
+  output Units.AngularRate coupling "Bryan coupling of the modes, n k Omega with n = 2";
+protected
+  final parameter Units.Rate ownCos = dampingAnisotropy/2*cos(4*dampingAxis) "Of the shell, diagonal";
+  final parameter Units.Rate ownSin = dampingAnisotropy/2*sin(4*dampingAxis) "Of the shell, off diagonal";
+  final parameter Units.Rate mountingCos = mountingDamping/2*cos(4*mountingAxis) "Of the mounting, diagonal";
+  final parameter Units.Rate mountingSin = mountingDamping/2*sin(4*mountingAxis) "Of the mounting, off diagonal";
+  final parameter Units.AngularFrequency ownSplitCos = frequencySplit/2*cos(4*stiffnessAxis) "Of the shell, diagonal";
+  final parameter Units.AngularFrequency ownSplitSin = frequencySplit/2*sin(4*stiffnessAxis) "Of the shell, off diagonal";
+  final parameter Units.AngularFrequency trimCos = electrostaticSplit/2*cos(4*electrostaticAxis) "Of the trim, diagonal";
+  final parameter Units.AngularFrequency trimSin = electrostaticSplit/2*sin(4*electrostaticAxis) "Of the trim, off diagonal";
+  Units.Rate damping "Mean damping";
+  Units.Rate dampingCos "Anisotropic damping, diagonal";
+  Units.Ratio warmth "Factor of the damping anisotropy";
+  Units.Ratio voltageChange "Change of the squared bias voltage";
+equation
+  damping = 1/(decayTime*(1 + decayTimePerKelvin*temperature)*(1 - decayTimeAgeing*age));
+  warmth = 1 + dampingAnisotropyPerKelvin*temperature;
+  dampingCos = ownCos*warmth + mountingCos;
+  dampingSin = ownSin*warmth + mountingSin;
+  dampingX = damping + dampingCos;
+  dampingY = damping - dampingCos;
+  voltageChange = biasVoltage*biasVoltage - 1;
+  shift = frequency*frequencyPerKelvin*temperature - electrostaticShift*voltageChange;
+  splitCos = ownSplitCos + trimCos*voltageChange
+    + (splitPerAcceleration[1]*acceleration[1] + splitPerAcceleration[2]*acceleration[2]
+    + splitPerAcceleration[3]*acceleration[3])/2;
+  splitSin = ownSplitSin + trimSin*voltageChange;
+  coupling = 2*bryanFactor*(1 + bryanFactorPerKelvin*temperature)*angularRate;
+  annotation (Documentation(info="<html>
+<p>Mechanisms 1, 9, 16, 23 to 26, 28 and 31 of the catalogue: what slowly changes the coefficients of the
+envelope's equation. At the nominal bias voltage the electrostatic terms are part of the nominal values.</p>
+</html>"));
+end Material;

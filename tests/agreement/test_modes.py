@@ -1,0 +1,121 @@
+"""Modes of operation: ring-down, rebalance, start-up, compensation, cancellation."""
+
+import math
+
+import numpy as np
+import pytest
+
+from pyhrg.fmu import GyroFmu
+from pyhrg.units import DEG, DEG_PER_H
+
+K = 0.277
+TAU = 450.0
+
+
+def test_ring_down_gives_decay_time_and_damping_axis(fmu: GyroFmu) -> None:
+    """tan 2(th - th_tau) = tan 2(th0 - th_tau) exp(D t); the amplitude decays with tau."""
+    d, axis, start = 2e-4, 10 * DEG, 30 * DEG
+    parameters = {
+        "resonator.material.dampingAnisotropy": d,
+        "resonator.material.dampingAxis": axis,
+    }
+    with fmu.power_on(parameters, seed=0, start_angle=start) as gyro:
+        gyro.command("driveOn", 0.0)
+        gyro.advance(0.0, 0.001)
+        begin = gyro.read("patternAngle")
+        gyro.advance(0.0, 200.0)
+        expected = axis + 0.5 * math.atan(math.tan(2 * (begin - axis)) * math.exp(d * 200))
+        assert gyro.read("patternAngle") == pytest.approx(expected, abs=1e-7)
+        growth = math.log(gyro.read("amplitude")) / 200
+        assert growth == pytest.approx(-1 / TAU, rel=0.05)
+
+
+def test_force_to_rebalance_holds_the_pattern_and_measures(fmu: GyroFmu) -> None:
+    with fmu.power_on({"controller.forceToRebalance": 1}, seed=0, start_angle=20 * DEG) as gyro:
+        gyro.advance(1 * DEG, 2.0)
+        before = gyro.advance(1 * DEG, 1.0)
+        angle = gyro.advance(1 * DEG, 20.0)
+        assert gyro.read("patternAngle") == pytest.approx(20 * DEG, abs=1e-6)
+        assert (angle - before) / 20 == pytest.approx(1 * DEG, rel=1e-5)
+        assert gyro.read("gyroRate") == pytest.approx(1 * DEG, rel=1e-4)
+
+
+def test_force_to_rebalance_range_is_the_drives_authority(fmu: GyroFmu) -> None:
+    """A force of f turns the pattern at f/2: full range is f/(2k); beyond it the pattern slips."""
+    authority = 0.02
+    full = authority / (2 * K)
+    parameters = {"controller.forceToRebalance": 1, "drive.authority": authority}
+    for rate, held in ((0.8 * full, True), (1.3 * full, False)):
+        with fmu.power_on(parameters, seed=0, start_angle=0.0) as gyro:
+            gyro.advance(rate, 5.0)
+            assert (abs(gyro.read("patternAngle")) < 1e-3) == held
+
+
+def test_start_up_in_two_stages(fmu: GyroFmu) -> None:
+    """From 1 % of amplitude: a valid rate within 1 s, full amplitude at 10 s."""
+    parameters = {"startAmplitude": 0.01, "controller.startUp.firstAmplitude": 0.05}
+    with fmu.power_on(parameters, seed=0, start_angle=0.3) as gyro:
+        assert gyro.read("valid") == 0
+        gyro.advance(0.1, 1.0)
+        assert gyro.read("valid") == 1
+        assert gyro.read("amplitude") < 0.15
+        first = gyro.advance(0.1, 0.5)
+        assert (gyro.advance(0.1, 1.0) - first) / 0.1 == pytest.approx(1.0, rel=1e-3)
+        gyro.advance(0.1, 8.0)
+        assert gyro.read("amplitude") == pytest.approx(1.0, rel=0.02)
+        assert gyro.read("valid") == 1
+
+
+def test_bias_map_compensates_the_dead_zone(fmu: GyroFmu) -> None:
+    """Eq. (5): locked, the pattern stands; with the map the output still gives the input."""
+    d = 1e-2
+    limit = d / (4 * K)
+    parameters = {
+        "resonator.material.dampingAnisotropy": d,
+        "controller.biasMap.sin4": -limit,
+    }
+    with fmu.power_on(parameters, seed=0, start_angle=0.0) as gyro:
+        before = gyro.advance(0.6 * limit, 2000.0)
+        angle = gyro.read("patternAngle")
+        gained = gyro.advance(0.6 * limit, 100.0) - before
+        assert gyro.read("patternAngle") == pytest.approx(angle, abs=1e-4)
+        assert gained == pytest.approx(60 * limit, rel=1e-3)
+
+
+def test_cancellation_removes_the_dead_zone(fmu: GyroFmu) -> None:
+    """Eq. (7), its factors mended: the pattern precesses again, at half the lock-in rate."""
+    d, axis = 1e-2, 15 * DEG
+    limit = d / (4 * K)
+    parameters = {
+        "resonator.material.dampingAnisotropy": d,
+        "resonator.material.dampingAxis": axis,
+        "controller.cancellation.dampingAnisotropy": d,
+        "controller.cancellation.dampingAxis": axis,
+    }
+    with fmu.power_on(parameters, seed=0, start_angle=0.0) as gyro:
+        before = gyro.advance(0.5 * limit, 10.0)
+        gained = gyro.advance(0.5 * limit, 500.0) - before
+    assert gained == pytest.approx(250 * limit, rel=1e-3)
+
+
+def test_full_turn_mean_is_zero_for_imposed_rotation_only(fmu: GyroFmu) -> None:
+    """The paper's 1.2: yes for an imposed uniform turn; a free pattern obeys Adler, and its mean
+    output falls short by W - sqrt(W^2 - WL^2)."""
+    d = 1e-4
+    limit = d / (4 * K)
+    rate = 20 * limit
+    parameters = {"resonator.material.dampingAnisotropy": d}
+    short = rate - math.sqrt(rate**2 - limit**2)
+    period = 2 * math.pi / (4 * K * math.sqrt(rate**2 - limit**2))
+    with fmu.power_on(parameters, seed=0, start_angle=0.0) as gyro:
+        before = gyro.advance(rate, 20.0)
+        free = (gyro.advance(rate, period) - before) / period - rate
+    hold = -rate * 5e-4 / TAU
+    assert free - hold == pytest.approx(-short, rel=0.05)
+    angles = np.arange(16) * 22.5 / 4 * DEG
+    imposed = []
+    for angle in angles:
+        with fmu.power_on(parameters, seed=0, start_angle=angle) as gyro:
+            before = gyro.advance(0.0, 5.0)
+            imposed.append((gyro.advance(0.0, 1.0) - before) / 1.0)
+    assert abs(np.mean(imposed)) < 0.02 * short + 1e-5 * DEG_PER_H

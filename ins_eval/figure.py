@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from ins_eval.metrics import median_interval
 from ins_eval.study import Validation
 
 NAUTICAL_MILE = 1852.0
@@ -21,7 +22,9 @@ def draw(result: Validation, path: Path) -> None:
         label = f"flown, {len(result.flown)} triads" if number == 0 else None
         axes.plot(hours, triad / NAUTICAL_MILE, color="0.75", linewidth=0.8, label=label)
     median = np.median(result.flown, axis=0) / NAUTICAL_MILE
-    axes.plot(hours, median, color="black", linewidth=2.2, label="flown, median")
+    axes.plot(hours, median, color="black", linewidth=2.2, label="flown, median (band: 95 %)")
+    band = np.array([median_interval(radial) for radial in result.flown.T]) / NAUTICAL_MILE
+    axes.fill_between(hours, band[:, 0], band[:, 1], color="black", alpha=0.15, linewidth=0)
 
     def promise(radial: NDArray[np.float64], stability: float, color: str, name: str) -> None:
         label = f"promised by the {name} test ({stability / DEG_PER_H:.2g} deg/h)"

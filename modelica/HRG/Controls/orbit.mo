@@ -4,10 +4,10 @@ function orbit "Orbit of the vibration, from the demodulated displacement"
   input Units.Angle previous "Modal angle at the last sample: the result is the nearest of those that differ by pi";
   output Real result[6] "{modal angle, its cosine and sine, antinode amplitude, quadrature amplitude, phase}";
 protected
-  Real cx2 "cx squared, and so on";
-  Real sx2;
-  Real cy2;
-  Real sy2;
+  Real cx2 "cx squared";
+  Real sx2 "sx squared";
+  Real cy2 "cy squared";
+  Real sy2 "sy squared";
   Real energy "E = a^2 + q^2";
   Real r "R = (a^2 - q^2) cos 2 alpha";
   Real s "S = (a^2 - q^2) sin 2 alpha";

@@ -1,0 +1,51 @@
+"""The library is standard Modelica, described throughout: read by a second, independent parser."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pymoca.ast
+import pymoca.parser
+import pytest
+
+from fmu_build.bundle import modelica_library
+
+FILES = sorted(modelica_library().rglob("*.mo"))
+
+
+def defined(path: Path) -> pymoca.ast.Class:
+    """The class that a file defines, found by the file's place in the library."""
+    place = path.parent if path.name == "package.mo" else path.with_suffix("")
+    found = pymoca.parser.parse(path.read_text())
+    assert found is not None, "not Modelica"
+    for name in place.relative_to(modelica_library().parent).parts:
+        found = found.classes[name]
+    return found
+
+
+def nested(item: pymoca.ast.Class) -> Iterator[pymoca.ast.Class]:
+    yield item
+    for child in item.classes.values():
+        yield from nested(child)
+
+
+def test_the_library_is_there() -> None:
+    assert len(FILES) > 30
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda p: str(p.relative_to(modelica_library())))
+def test_second_parser_reads_it_and_everything_is_described(path: Path) -> None:
+    for item in nested(defined(path)):
+        assert item.comment, item.name
+        for symbol in item.symbols.values():
+            assert symbol.comment, f"{item.name}.{symbol.name}"
+
+
+@pytest.mark.parametrize("folder", sorted({path.parent for path in FILES}), ids=lambda p: p.name)
+def test_package_order_lists_what_is_there(folder: Path) -> None:
+    """The package order is the reader's map: complete, and without ghosts."""
+    listed = (folder / "package.order").read_text().split()
+    assert len(listed) == len(set(listed))
+    files = {path.stem for path in folder.glob("*.mo")} - {"package"}
+    packages = {path.parent.name for path in folder.glob("*/package.mo")}
+    inside = defined(folder / "package.mo")
+    assert set(listed) == files | packages | set(inside.classes) | set(inside.symbols)

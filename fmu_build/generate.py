@@ -15,6 +15,7 @@ def generate(dae: Dae) -> str:
         ValueError: the model holds what the generator does not know.
     """
     plan = schedule(dae)
+    dae = plan.dae
     parts = [
         f"/* {dae.model}: generated from its Modelica source. */",
         '#include "arithmetic.h"',

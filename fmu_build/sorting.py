@@ -1,7 +1,7 @@
 """Flat equations to assignments in an order that can be executed."""
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from fmu_build.dae import Dae
 
@@ -22,14 +22,16 @@ class Assignment:
 class Schedule:
     """The model's assignments, each list in executable order.
 
+    dae: the model with every alias replaced by what it stands for.
     parameters: dependent parameters, once.
     starts: start values of states and sampled variables, once parameters are known.
-    held: continuous variables that no state touches: constant between samples and inputs.
-    derivatives: what the derivatives need beyond `held`, and the derivatives.
-    outputs: all other continuous variables.
+    held: what the derivatives need that no state touches: constant between samples and inputs.
+    derivatives: what else the derivatives need, and the derivatives.
+    outputs: all other continuous variables, aliases among them.
     tick: everything that a sample computes; continuous variables where sampled ones need them.
     """
 
+    dae: Dae
     parameters: tuple[Assignment, ...]
     starts: tuple[Assignment, ...]
     held: tuple[Assignment, ...]
@@ -46,20 +48,44 @@ def schedule(dae: Dae) -> Schedule:
     """
     continuous = _assign(dae, dae.continuous)
     sampled = {_explicit_target(dae, e): _sampled(dae, e) for e in dae.sampled}
+    dae = _without_aliases(dae, continuous)
     state_free = _state_free(dae, continuous)
-    held = {t: a for t, a in continuous.items() if t in state_free}
-    rest = {t: a for t, a in continuous.items() if t not in state_free}
-    derivatives = [t for t in rest if t[0] == "derivative"]
-    needed = _closure(dae, rest, derivatives)
+    derivatives = [t for t in continuous if t[0] == "derivative"]
+    needed = _closure(dae, continuous, derivatives)
+    held = {t: continuous[t] for t in needed if t in state_free}
+    rest = {t: a for t, a in continuous.items() if t not in held and t[0] == "variable"}
     tick = _closure(dae, continuous | sampled, sampled)
     return Schedule(
+        dae=dae,
         parameters=_order(dae, _parameters(dae)),
         starts=tuple(_starts(dae)),
         held=_order(dae, held),
-        derivatives=_order(dae, {t: rest[t] for t in needed}),
-        outputs=_order(dae, {t: a for t, a in rest.items() if t[0] == "variable"}),
+        derivatives=_order(dae, {t: continuous[t] for t in needed if t not in state_free}),
+        outputs=_order(dae, rest),
         tick=_order(dae, {t: (continuous | sampled)[t] for t in tick}),
     )
+
+
+def _without_aliases(dae: Dae, continuous: dict[Target, Assignment]) -> Dae:
+    """Read the source where a variable is only another name for it."""
+    source: dict[int, int] = {}
+    for (kind, index), assignment in continuous.items():
+        node = dae.nodes[assignment.expression]
+        if kind == node.kind == "variable":
+            source[index] = node.value
+
+    def root(index: int) -> int:
+        visited = {index}
+        while index in source and source[index] not in visited:
+            index = source[index]
+            visited.add(index)
+        return index
+
+    nodes = (
+        replace(n, value=root(n.value)) if n.kind == "variable" and n.value in source else n
+        for n in dae.nodes
+    )
+    return replace(dae, nodes=tuple(nodes))
 
 
 def references(dae: Dae, expression: int) -> Iterator[Target]:

@@ -1,5 +1,5 @@
 within HRG.Noise;
-function deviates "Advances twelve generators by one step: {states, twelve standard normal deviates}"
+function deviates "Advances twelve generators by one step: {states, eight standard normal deviates, four uniform ones of variance 1}"
   input Real memory[84] "States of twelve MRG32k3a (x[n-3], x[n-2], x[n-1], y[n-3], y[n-2], y[n-1] of all), and the last deviates";
   output Real result[84] "Next states, and the next deviates";
 protected
@@ -9,7 +9,7 @@ protected
   Real x "First component";
   Real y "Second component";
   Real difference "Of the components, modulo m1";
-  Real central[12] "Normal quantiles, right where the uniform deviate is within 0.425 of the median";
+  Real central[8] "Normal quantiles, right where the uniform deviate is within 0.425 of the median";
 algorithm
   for i in 1:12 loop
     x := 1403580*memory[12 + i] - 810728*memory[i];
@@ -25,16 +25,19 @@ algorithm
     difference := x - y;
     result[72 + i] := unit*(if difference > 0 then difference else difference + m1);
   end for;
-  for i in 1:12 loop
+  for i in 1:8 loop
     central[i] := centralQuantile(result[72 + i] - 0.5);
   end for;
-  for i in 1:12 loop
+  for i in 1:8 loop
     result[72 + i] := if abs(result[72 + i] - 0.5) <= 0.425 then central[i] else tailQuantile(result[72 + i]);
+  end for;
+  for i in 81:84 loop
+    result[i] := 3.4641016151377544*(result[i] - 0.5);
   end for;
   annotation (Documentation(info="<html>
 <p>P. L'Ecuyer, Good parameters and implementations for combined multiple recursive random number generators,
 Operations Research 47 (1999). All products stay below 2^53, so that the arithmetic is exact; the deviates are
 quantiles of uniform ones within (0, 1) by Algorithm AS 241, PPND16: M. J. Wichura, The percentage points of the
-normal distribution, Applied Statistics 37 (1988). A generator for each deviate lets a processor advance them side by side.</p>
+normal distribution, Applied Statistics 37 (1988). The uniform ones feed sums of many, which are normal. A generator for each deviate lets a processor advance them side by side.</p>
 </html>"));
 end deviates;

@@ -1,7 +1,7 @@
 """The FMU archive: generated sources, compiled for each platform, packed; cached by digest."""
 
 import hashlib
-import os
+import io
 import tempfile
 import xml.etree.ElementTree as ET
 import zipfile
@@ -14,6 +14,7 @@ import platformdirs
 
 from fmu_build.dae import Dae
 from fmu_build.description import Identity, fmi2_description, fmi3_description, fmi_causality
+from fmu_build.files import write_whole
 from fmu_build.generate import generate, header
 from fmu_build.platforms import FLAGS, PLATFORMS, compile_library, host, universal
 from fmu_build.translate import COMPILER_VERSION, translate
@@ -78,9 +79,7 @@ def build(
     if fmi == 3:
         content["sources/buildDescription.xml"] = _build_description(sources).encode()
     path.parent.mkdir(parents=True, exist_ok=True)
-    aside = path.with_name(f".{path.name}.{os.getpid()}")
-    _zip(aside, content)
-    aside.replace(path)
+    write_whole(path, _zipped(content))
     progress(f"built {path}")
 
 
@@ -98,14 +97,17 @@ def sources_digest() -> str:
 
 def write_sources(dae: Dae, folder: Path, fmi: int) -> str:
     """Write the C sources into a folder; returns modelDescription.xml."""
-    for source in (Path(__file__).parent / "c").iterdir():
-        (folder / source.name).write_bytes(source.read_bytes())
     equations = generate(dae)
-    token = hashlib.sha256((equations + _limits(dae, "")).encode()).hexdigest()[:32]
+    digest = hashlib.sha256((equations + _limits(dae, "")).encode())
+    for source in sorted((Path(__file__).parent / "c").iterdir()):
+        (folder / source.name).write_bytes(source.read_bytes())
+        digest.update(source.read_bytes())
+    token = digest.hexdigest()[:32]
     (folder / "model.c").write_text(equations)
     (folder / "model_constants.h").write_text(header(dae))
     (folder / "limits.c").write_text(_limits(dae, token))
-    identity = Identity(IDENTIFIER, DESCRIPTION, token, version("hrg"))
+    sources = (*SOURCES, SHELLS[fmi])
+    identity = Identity(IDENTIFIER, DESCRIPTION, token, version("hrg"), sources)
     return {2: fmi2_description, 3: fmi3_description}[fmi](dae, identity)
 
 
@@ -158,11 +160,13 @@ def _limits(dae: Dae, token: str) -> str:
     return "\n".join([*lines, "};", ""])
 
 
-def _zip(path: Path, content: dict[str, bytes]) -> None:
+def _zipped(content: dict[str, bytes]) -> bytes:
     """Sorted names and fixed times: the same content gives the same bytes."""
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in sorted(content):
             entry = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.external_attr = 0o644 << 16
             archive.writestr(entry, content[name])
+    return buffer.getvalue()

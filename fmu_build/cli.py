@@ -1,10 +1,11 @@
 """The command `hrg`: each package brings its own subcommands as entry points."""
 
 import argparse
+import signal
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from importlib.metadata import entry_points
+from importlib.metadata import entry_points, version
 from typing import NoReturn
 
 
@@ -29,9 +30,22 @@ class _Parser(argparse.ArgumentParser):
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run `hrg`; returns the exit status: 0, 2 for a user's error, 130 when interrupted."""
+    try:
+        return _dispatch(arguments)
+    except UserError as error:
+        print(f"hrg: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("hrg: interrupted; nothing was written", file=sys.stderr)
+        return 130
+
+
+def _dispatch(arguments: Sequence[str] | None) -> int:
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     parser = _Parser(
         prog="hrg", description="Whole-angle hemispherical resonator gyro: model, bench, navigation"
     )
+    parser.add_argument("--version", action="version", version=version("hrg"))
     subparsers = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     commands = {}
     for entry in sorted(entry_points(group="hrg.commands"), key=lambda e: e.name):
@@ -41,12 +55,5 @@ def main(arguments: Sequence[str] | None = None) -> int:
             subparsers.add_parser(entry.name, help=command.help, description=command.help)
         )
     options = parser.parse_args(arguments)
-    try:
-        commands[options.command].run(options)
-    except UserError as error:
-        print(f"hrg {options.command}: {error}", file=sys.stderr)
-        return 2
-    except KeyboardInterrupt:
-        print(f"hrg {options.command}: interrupted; nothing was written", file=sys.stderr)
-        return 130
+    commands[options.command].run(options)
     return 0

@@ -1,12 +1,12 @@
 """`hrg build`: the FMU as a file."""
 
 import argparse
-import shutil
 import sys
 from pathlib import Path
 
 from fmu_build.bundle import built_fmu
 from fmu_build.cli import Command, UserError
+from fmu_build.files import write_whole
 from fmu_build.platforms import PLATFORMS, BuildError
 from fmu_build.translate import TranslationError
 
@@ -31,10 +31,10 @@ def _run(options: argparse.Namespace) -> None:
         built = built_fmu(lambda text: print(text, file=sys.stderr), options.fmi, platforms)
     except (TranslationError, BuildError) as error:
         raise UserError(str(error)) from error
-    aside = options.out.with_name(f".{options.out.name}.partial")
+    except OSError as error:
+        raise UserError(f"can't build the FMU: {error}") from error
     try:
-        shutil.copyfile(built, aside)
-        aside.replace(options.out)
+        write_whole(options.out, built.read_bytes())
     except OSError as error:
         raise UserError(f"can't write {options.out}: {error.strerror}") from error
     print(options.out)

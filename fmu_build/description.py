@@ -47,6 +47,7 @@ class Identity:
     description: str
     token: str
     version: str
+    sources: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -92,7 +93,7 @@ def fmi2_description(dae: Dae, identity: Identity) -> str:
         ValueError: a variable has a unit that is not in `BASE_UNITS`.
     """
     root = _root("2.0", identity, guid=identity.token)
-    ET.SubElement(
+    simulation = ET.SubElement(
         root,
         "CoSimulation",
         modelIdentifier=identity.identifier,
@@ -101,6 +102,9 @@ def fmi2_description(dae: Dae, identity: Identity) -> str:
         canSerializeFMUstate="true",
         canNotUseMemoryManagementFunctions="true",
     )
+    files = ET.SubElement(simulation, "SourceFiles")
+    for name in identity.sources:
+        ET.SubElement(files, "File", name=name)
     _common(root, dae)
     variables = ET.SubElement(root, "ModelVariables")
     listed = list(scalars(dae))

@@ -28,6 +28,7 @@ def generate(dae: Dae) -> str:
         *_derivatives(dae, plan),
         *_step(dae),
         *_procedure("void model_tick(double *v)", _tick(dae, plan)),
+        *_procedure("int model_is_finite(const double *v)", _finite(dae)),
         *_procedure(
             "void model_outputs(double *v)",
             [*_states(dae), "held(v);", *_stores(dae, plan.outputs)],
@@ -66,6 +67,8 @@ def _defaults(dae: Dae) -> list[str]:
             value = dae.constant(node, element)
             if value is not None:
                 lines.append(f"v[{variable.offset + element}] = {value!r};")
+            elif variable.role == "input":
+                raise ValueError(f"{variable.name} has no constant start value")
     return lines
 
 
@@ -125,6 +128,10 @@ def _step(dae: Dae) -> list[str]:
         "void model_step(double *v, double h)",
         ["double x[STATES];", *load, "held(v);", "runge_kutta_4(v, x, h);", *store],
     )
+
+
+def _finite(dae: Dae) -> list[str]:
+    return [f"return isfinite({' + '.join(f'0.0 * v[{i}]' for i in _scalars(dae, 'state'))});"]
 
 
 def _tick(dae: Dae, plan: Schedule) -> list[str]:

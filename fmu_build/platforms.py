@@ -11,6 +11,7 @@ import fmpy
 
 COMPILER = [sys.executable, "-m", "ziglang", "cc"]
 FLAGS = ["-std=c99", "-O2", "-ffp-contract=off", "-fno-math-errno", "-fno-sanitize=all"]
+FLAGS += ["-fvisibility=hidden"]
 FLAGS += ["-Wall", "-Wextra"]
 
 

@@ -15,7 +15,6 @@ class Assignment:
 
     target: Target
     expression: int
-    sampled: bool
 
 
 @dataclass(frozen=True)
@@ -113,7 +112,7 @@ def _explicit_target(dae: Dae, residual: int) -> Target:
 
 
 def _sampled(dae: Dae, residual: int) -> Assignment:
-    return Assignment(_explicit_target(dae, residual), _sides(dae, residual)[1], True)
+    return Assignment(_explicit_target(dae, residual), _sides(dae, residual)[1])
 
 
 def _assign(dae: Dae, equations: Iterable[int]) -> dict[Target, Assignment]:
@@ -145,7 +144,7 @@ def _assign(dae: Dae, equations: Iterable[int]) -> dict[Target, Assignment]:
         if not find(equation, set()):
             raise ValueError(f"equation {equation} defines no variable of its own")
     return {
-        target: Assignment(target, candidates[equation][target], False)
+        target: Assignment(target, candidates[equation][target])
         for target, equation in owner.items()
     }
 
@@ -182,7 +181,7 @@ def _closure(
 
 def _parameters(dae: Dae) -> dict[Target, Assignment]:
     return {
-        ("variable", i): Assignment(("variable", i), v.binding, False)
+        ("variable", i): Assignment(("variable", i), v.binding)
         for i, v in enumerate(dae.variables)
         if v.role == "parameter" and v.binding is not None and dae.constant(v.binding) is None
     }
@@ -193,7 +192,7 @@ def _starts(dae: Dae) -> Iterator[Assignment]:
         if variable.role in ("state", "discrete_real"):
             if variable.start is None:
                 raise ValueError(f"{variable.name} has no start value")
-            yield Assignment(("variable", i), variable.start, False)
+            yield Assignment(("variable", i), variable.start)
 
 
 def _order(dae: Dae, assignments: dict[Target, Assignment]) -> tuple[Assignment, ...]:

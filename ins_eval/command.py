@@ -14,7 +14,7 @@ from fmu_build.translate import TranslationError
 from ins_eval import missions, recorded_drive, report, study
 from ins_eval.metrics import FEWEST_FOR_MEDIAN
 from ins_eval.mission import STILL, mission
-from ins_eval.staging import Staging
+from ins_eval.staging import staging
 from ins_eval.trajectories import Trajectory
 
 LONGEST_HOURS = 24.0
@@ -38,26 +38,33 @@ def _run(options: argparse.Namespace) -> None:
     seed = _whole("--seed", options.seed, 0, 2**63 - 1)
     triads = _whole("--triads", options.triads, FEWEST_FOR_MEDIAN, 10_000)
     hours = _hours(options.hours)
+    trajectory = _trajectory(options.trajectory, hours * 3600 + MARGIN)
     try:
-        with Staging(options.out) as folder:
-            result = _validated(seed, triads, hours, options.trajectory)
+        with staging(options.out, report.FILES) as folder:
+            result = _validated(seed, triads, hours, trajectory)
             report.write(result, folder)
     except OSError as error:
         raise UserError(f"can't write {options.out}: {error.strerror}") from error
     print(report.summary(result))
-    print(f"\nwritten to {options.out}: validation.json, position_error.csv, validation.png")
+    print(f"\nwritten to {options.out}: {', '.join(report.FILES)}")
 
 
-def _validated(seed: int, triads: int, hours: float, file: Path | None) -> study.Validation:
-    trajectory = _trajectory(file, hours * 3600 + MARGIN)
+def _validated(seed: int, triads: int, hours: float, trajectory: Trajectory) -> study.Validation:
     try:
         fmu = built_fmu(lambda text: print(text, file=sys.stderr))
     except (TranslationError, BuildError) as error:
         raise UserError(str(error)) from error
+    except OSError as error:
+        raise UserError(f"can't build the FMU: {error}") from error
     print(f"simulating {trajectory.name} for {hours:g} h", file=sys.stderr)
-    with tqdm(total=study.steps(triads), desc="bench, flights", unit="run") as bar:
-        flown = mission(trajectory, hours)
-        return study.validate(fmu, flown, triads, seed, step=lambda: bar.update() and None)
+    flown = mission(trajectory, hours)
+    layout = "{desc} {percentage:3.0f}%|{bar}| {n}/{total} gyro minutes [{elapsed}]"
+    with tqdm(total=study.work(triads, flown), desc="bench, flights", bar_format=layout) as bar:
+
+        def done(minutes: int) -> None:
+            bar.update(minutes)
+
+        return study.validate(fmu, flown, triads, seed, done=done)
 
 
 def _trajectory(file: Path | None, duration: float) -> Trajectory:

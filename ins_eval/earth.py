@@ -16,7 +16,8 @@ SOMIGLIANA = 0.00193185265241
 GRAVITY_RATIO = 0.00344978650684
 """m = RATE^2 a^2 b / GM."""
 
-jit = numba.njit(cache=True)
+jit = numba.njit
+"""No cache: it would not notice a change in a function that is called from another module."""
 
 
 @jit

@@ -34,7 +34,8 @@ def draw(result: Validation, path: Path) -> None:
     promise(result.predicted_full_circumference, new.stability, "tab:blue", "full-circumference")
     promise(result.predicted_fixed_position, old.stability, "tab:red", "fixed-position")
     axes.set_yscale("log")
-    axes.set_ylim(bottom=1e-3)
+    floor = min(result.predicted_fixed_position[-1], median[-1] * NAUTICAL_MILE) / NAUTICAL_MILE
+    axes.set_ylim(bottom=floor / 100)
     axes.set_xlim(0, hours[-1])
     axes.set_xlabel("time since alignment, h")
     axes.set_ylabel("radial position error, nautical miles")

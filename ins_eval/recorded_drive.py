@@ -4,6 +4,7 @@ import csv
 import gzip
 import io
 import math
+import zlib
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -40,6 +41,10 @@ LIMITS = {
 }
 SHORTEST = 10
 """Rows that a drive must have at least."""
+BRIEFEST = 10.0
+"""Time that it must last, s."""
+FASTEST_TURN = 10.0
+"""Largest rate of turn that is a vehicle's, rad/s: beyond it, attitude is garbled."""
 LONGEST_GAP = 5.0
 """Time between rows that can still be interpolated, s."""
 VELOCITY_AGREEMENT = 1.0
@@ -94,6 +99,7 @@ def read(path: Path) -> Drive:
         velocity=np.stack([columns[f"velocity_{x}_m_s"] for x in ("north", "east", "down")], -1),
         euler=np.stack([np.unwrap(np.deg2rad(columns[name])) for name in euler_names], -1),
     )
+    _check_turns(path, drive)
     _check_velocity(path, drive)
     return drive
 
@@ -108,6 +114,9 @@ def trajectory(drive: Drive, still: float, duration: float) -> Trajectory:
         drive: as read.
         still: time at rest before time 0, s.
         duration: time after it, s.
+
+    Raises:
+        DriveError: repeated that often, the drive leaves the latitudes that can be flown.
     """
     rest = np.arange(-still, 0.5, 1.0)
     time = [rest]
@@ -122,6 +131,12 @@ def trajectory(drive: Drive, still: float, duration: float) -> Trajectory:
             euler.append(e)
         velocity = drive.velocity[-1]
     p, e = np.concatenate(position), np.concatenate(euler)
+    low, high = np.deg2rad(LIMITS["latitude_deg"])
+    if np.any((p[:, 0] < low) | (p[:, 0] > high)):
+        raise DriveError(
+            f"{drive.name}: repeated for {duration / 3600:g} h it leaves latitudes "
+            f"{LIMITS['latitude_deg'][0]:g} to {LIMITS['latitude_deg'][1]:g}; fly it for less"
+        )
     return Trajectory(drive.name, Knots(np.concatenate(time), *p.T, *e.T))
 
 
@@ -141,9 +156,11 @@ def _joint(
 def _continued(drive: Drive, position: Array, euler: Array) -> tuple[Array, Array, Array]:
     """The drive's rows after the first, carried on from a position and from a heading's turn."""
     turns = np.round((euler - drive.euler[0]) / (2 * math.pi)) * 2 * math.pi
+    moved = drive.position[1:] - drive.position[0]
+    moved[:, 1] *= np.cos(drive.position[1:, 0]) / np.cos(position[0] + moved[:, 0])
     return (
         drive.time[1:],
-        position + drive.position[1:] - drive.position[0],
+        position + moved,
         drive.euler[1:] + turns,
     )
 
@@ -164,19 +181,24 @@ def _angles(origin: Array, moved: Array) -> Array:
 def _rows(path: Path) -> list[list[float]]:
     try:
         data = path.read_bytes()
-        text = (gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data).decode()
-    except (OSError, EOFError, gzip.BadGzipFile, UnicodeDecodeError) as error:
+        text = (gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data).decode("utf-8-sig")
+    except (OSError, EOFError, zlib.error, UnicodeDecodeError) as error:
         reason = getattr(error, "strerror", None) or error
         raise DriveError(f"{path}: can't be read: {reason}") from error
     reader = csv.reader(io.StringIO(text))
-    header = next(reader, [])
+    header = [name.strip() for name in next(reader, [])]
     missing = [name for name in COLUMNS if name not in header]
     if missing:
         raise DriveError(
             f"{path}: column {', '.join(missing)} is missing; found {', '.join(header)}"
         )
+    if repeated := [name for name in COLUMNS if header.count(name) > 1]:
+        raise DriveError(f"{path}: column {', '.join(repeated)} stands there more than once")
     places = [header.index(name) for name in COLUMNS]
-    rows = [_values(path, line, row, places) for line, row in enumerate(reader, 2) if row]
+    try:
+        rows = [_values(path, reader.line_num, row, places) for row in reader if row]
+    except csv.Error as error:
+        raise DriveError(f"{path}: row {reader.line_num}: {error}") from error
     if len(rows) < SHORTEST:
         raise DriveError(f"{path}: {len(rows)} rows; expected at least {SHORTEST}")
     return rows
@@ -200,6 +222,10 @@ def _values(path: Path, line: int, row: list[str], places: list[int]) -> list[fl
 
 def _check_time(path: Path, time: Array) -> None:
     steps = np.diff(time)
+    if time[-1] - time[0] < BRIEFEST and np.all(steps > 0):
+        raise DriveError(
+            f"{path}: time_s covers {time[-1] - time[0]:g} s; expected at least {BRIEFEST:g} s"
+        )
     if np.any(steps <= 0):
         row = int(np.argmax(steps <= 0)) + 1
         raise DriveError(
@@ -211,6 +237,17 @@ def _check_time(path: Path, time: Array) -> None:
         raise DriveError(
             f"{path}: row {row + 2}, time_s: a gap of {steps[row - 1]:g} s; "
             f"expected at most {LONGEST_GAP:g} s"
+        )
+
+
+def _check_turns(path: Path, drive: Drive) -> None:
+    rates = np.abs(np.diff(drive.euler, axis=0)) / np.diff(drive.time)[:, None]
+    row, axis = np.unravel_index(np.argmax(rates), rates.shape)
+    if rates[row, axis] > FASTEST_TURN:
+        name = ("roll_deg", "pitch_deg", "yaw_deg")[axis]
+        raise DriveError(
+            f"{path}: row {row + 3}, {name}: turns at {np.rad2deg(rates[row, axis]):.0f} deg/s; "
+            f"expected at most {np.rad2deg(FASTEST_TURN):.0f} deg/s"
         )
 
 

@@ -2,6 +2,7 @@
 
 import csv
 import json
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ from ins_eval.verdict import Ratio, ratio, verdict
 Array = NDArray[np.float64]
 
 SCHEMA = "hrg-validation/1"
+FILES = ("validation.json", "position_error.csv", "validation.png")
 
 
 def ratios(result: Validation) -> tuple[Ratio, Ratio]:
@@ -39,10 +41,10 @@ def summary(result: Validation) -> str:
             result.table,
             "",
             heading,
-            f"{'promised by the fixed-position test':<45}{fixed:9.3f}",
-            f"{'promised by the full-circumference test':<45}{circumference:9.3f}",
-            f"{f'flown by {len(flown)} triads':<45}{np.median(flown):9.3f}"
-            f"   (95 %: {low:.3f} to {high:.3f})",
+            f"{'promised by the fixed-position test':<45}{fixed:9.3g}",
+            f"{'promised by the full-circumference test':<45}{circumference:9.3g}",
+            f"{f'flown by {len(flown)} triads':<45}{np.median(flown):9.3g}"
+            f"   (95 %: {low:.3g} to {high:.3g})",
             "",
             verdict(*ratios(result)),
         ]
@@ -88,9 +90,11 @@ def document(result: Validation) -> dict[str, Any]:
 
     return {
         "schema": SCHEMA,
+        "hrg": version("hrg"),
         "seed": result.seed,
         "hours": result.hours,
         "mission": result.mission,
+        "calibration": "mean bias over the circumference, of each flown gyro",
         "bench": {name: bench(name) for name in ("fixed_position", "full_circumference")},
         "predicted": {
             "fixed_position": promise(result.predicted_fixed_position, fixed),

@@ -1,40 +1,38 @@
 """Output files that appear together or not at all."""
 
-import os
 import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from types import TracebackType
 
 
-class Staging:
-    """A context manager: a folder aside, whose files move into `out` when the block succeeds.
+@contextmanager
+def staging(out: Path, names: tuple[str, ...]) -> Iterator[Path]:
+    """A folder aside, within `out`, whose files move up when the block succeeds.
+
+    Args:
+        out: output folder; made if it isn't there, and removed again if the block fails.
+        names: of the files that the block is going to write.
 
     Raises:
-        OSError: on entry, if the output folder can't be written.
+        OSError: on entry, if the folder can't be written or a name is taken by a folder.
     """
-
-    def __init__(self, out: Path) -> None:
-        self.out = out
-        self.aside = out.parent / f".{out.name}.{os.getpid()}"
-
-    def __enter__(self) -> Path:
-        if self.out.exists() and not self.out.is_dir():
-            raise NotADirectoryError(20, "not a folder")
-        if self.out.exists() and not os.access(self.out, os.W_OK | os.X_OK):
-            raise PermissionError(13, "permission denied")
-        self.aside.mkdir(parents=True)
-        return self.aside
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    made = [p for p in (out, *out.parents) if not p.exists()]
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        for name in names:
+            if (out / name).is_dir():
+                raise IsADirectoryError(21, f"{name} is a folder")
+        aside = Path(tempfile.mkdtemp(prefix=".partial-", dir=out))
         try:
-            if kind is None:
-                self.out.mkdir(exist_ok=True)
-                for file in sorted(self.aside.iterdir()):
-                    file.replace(self.out / file.name)
+            yield aside
+            for name in names:
+                (aside / name).replace(out / name)
         finally:
-            shutil.rmtree(self.aside, ignore_errors=True)
+            shutil.rmtree(aside, ignore_errors=True)
+    except BaseException:
+        for folder in made:
+            if folder.is_dir():
+                folder.rmdir()
+        raise

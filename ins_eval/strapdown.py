@@ -7,7 +7,6 @@ The height is clamped to a reference, as a barometer would hold it.
 
 from dataclasses import dataclass
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
@@ -16,7 +15,7 @@ from ins_eval.increments import Increments
 
 Array = NDArray[np.float64]
 
-jit = numba.njit(cache=True)
+jit = earth.jit
 
 
 @dataclass(frozen=True)
@@ -120,12 +119,13 @@ def _sculling(r1, r2, v1, v2):
     r = (r1[0] + r2[0], r1[1] + r2[1], r1[2] + r2[2])
     v = (v1[0] + v2[0], v1[1] + v2[1], v1[2] + v2[2])
     turning = _cross(r, v)
+    again = _cross(r, turning)
     a = _cross(r1, v2)
     b = _cross(v1, r2)
     return (
-        v[0] + 0.5 * turning[0] + 2 / 3 * (a[0] + b[0]),
-        v[1] + 0.5 * turning[1] + 2 / 3 * (a[1] + b[1]),
-        v[2] + 0.5 * turning[2] + 2 / 3 * (a[2] + b[2]),
+        v[0] + 0.5 * turning[0] + again[0] / 6 + 2 / 3 * (a[0] + b[0]),
+        v[1] + 0.5 * turning[1] + again[1] / 6 + 2 / 3 * (a[1] + b[1]),
+        v[2] + 0.5 * turning[2] + again[2] / 6 + 2 / 3 * (a[2] + b[2]),
     )
 
 

@@ -20,11 +20,10 @@ from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL, Device
 
 Array = NDArray[np.float64]
-Step = Callable[[], None]
+Done = Callable[[int], None]
 
-
-class InterruptedStudyError(Exception):
-    """Another piece of work failed or the user stopped the run."""
+BENCH_MINUTES = (60, 45)
+"""Gyro time of one run of each bench test, roughly, for the progress."""
 
 
 @dataclass(frozen=True)
@@ -51,9 +50,9 @@ class Validation:
         return bias_table(self.fixed_position, self.full_circumference)
 
 
-def steps(triads: int) -> int:
-    """How often `validate` calls its `step`."""
-    return 2 * RUNS + triads
+def work(triads: int, mission: Mission) -> int:
+    """Gyro time that `validate` simulates, minutes: the sum of what it reports as done."""
+    return RUNS * sum(BENCH_MINUTES) + triads * 3 * len(mission.time)
 
 
 def validate(
@@ -65,7 +64,7 @@ def validate(
     device: Device = TYPICAL,
     accelerometers: Accelerometers = TYPICAL_ACCELEROMETERS,
     workers: int | None = None,
-    step: Step = lambda: None,
+    done: Done = lambda minutes: None,
 ) -> Validation:
     """Run the experiment.
 
@@ -76,36 +75,39 @@ def validate(
         seed: of everything random; the same seed gives the same result on any number of workers.
         device: the gyro that is benched; the triads are of its kind (`Device.another`).
         accelerometers: of every triad.
-        workers: threads; as many as cores if not given.
-        step: called after each piece of work.
+        workers: threads; as many as this process has cores, if not given.
+        done: told the gyro time, minutes, of each piece of work that is done.
     """
     fmu = GyroFmu(fmu_path)
     bench_seeds, flight_seeds = np.random.SeedSequence(seed).spawn(2)
     generators = [np.random.default_rng(s) for s in bench_seeds.spawn(2 * RUNS)]
     sensitivity = bias_sensitivity(mission)
     stop = threading.Event()
+    fmu.stop = stop
 
     def bench(task: tuple[Callable[..., BiasRun], np.random.Generator]) -> BiasRun:
-        _check(stop)
         procedure, generator = task
-        result = procedure(fmu, device, generator)
-        step()
-        return result
+        return procedure(fmu, device, generator)
 
     def fly(seeds: np.random.SeedSequence) -> Array:
-        _check(stop)
         generator = np.random.default_rng(seeds)
         devices = [device.another(generator) for _ in range(3)]
         error = mission.fly(measure(fmu, devices, accelerometers, mission.truth, generator))
-        step()
         return np.asarray(np.hypot(error[:, 0], error[:, 1]))
 
-    with ThreadPoolExecutor(workers or os.cpu_count()) as pool:
+    runs, flown = [], []
+    with ThreadPoolExecutor(workers or len(os.sched_getaffinity(0))) as pool:
         try:
             tasks = [(fixed_position.run, g) for g in generators[:RUNS]]
             tasks += [(full_circumference.run, g) for g in generators[RUNS:]]
-            runs = list(pool.map(bench, tasks))
-            flown = list(pool.map(fly, flight_seeds.spawn(triads)))
+            benched = pool.map(bench, tasks)
+            flights = pool.map(fly, flight_seeds.spawn(triads))
+            for number, run in enumerate(benched):
+                runs.append(run)
+                done(BENCH_MINUTES[number // RUNS])
+            for radial in flights:
+                flown.append(radial)
+                done(3 * len(mission.time))
         except BaseException:
             stop.set()
             raise
@@ -126,8 +128,3 @@ def validate(
         predicted_full_circumference=promised(new),
         flown=np.stack(flown),
     )
-
-
-def _check(stop: threading.Event) -> None:
-    if stop.is_set():
-        raise InterruptedStudyError

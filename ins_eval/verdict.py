@@ -8,8 +8,17 @@ from numpy.typing import NDArray
 from ins_eval.metrics import median_interval
 
 TRUTHFUL = 2.0
-"""A promise is kept when flown over promised lies within this factor; it is broken when the whole
-interval lies outside."""
+"""A promise is kept when flown over promised lies, with its whole interval, within this factor of
+1; broken when the whole interval lies outside; consistent when the figure lies within and the
+interval reaches out; undecided otherwise."""
+
+WORDS = {
+    "true": f"told the truth within a factor of {TRUTHFUL:g}",
+    "consistent": f"is consistent with the truth within a factor of {TRUTHFUL:g}",
+    "too good": "promised too much",
+    "too bad": "promised too little",
+    "undecided": "is not decided by this many triads",
+}
 
 
 @dataclass(frozen=True)
@@ -25,14 +34,14 @@ class Ratio:
 
     @property
     def word(self) -> str:
-        """How well the promise was kept."""
+        """How well the promise was kept: a key of `WORDS`."""
         if self.low > TRUTHFUL:
             return "too good"
         if self.high < 1 / TRUTHFUL:
             return "too bad"
-        if 1 / TRUTHFUL <= self.value <= TRUTHFUL:
+        if self.low >= 1 / TRUTHFUL and self.high <= TRUTHFUL:
             return "true"
-        return "undecided"
+        return "consistent" if 1 / TRUTHFUL <= self.value <= TRUTHFUL else "undecided"
 
     def __str__(self) -> str:
         return f"{self.value:.3g} (95 %: {self.low:.3g} to {self.high:.3g})"
@@ -46,27 +55,29 @@ def ratio(flown: NDArray[np.float64], promised: float) -> Ratio:
 
 def verdict(fixed: Ratio, circumference: Ratio) -> str:
     """The comparison in words."""
-    words = {
-        "true": f"told the truth within a factor of {TRUTHFUL:g}",
-        "too good": "promised too much",
-        "too bad": "promised too little",
-        "undecided": "is not decided by this many triads",
-    }
+    return (
+        f"{_headline(fixed, circumference)}\n"
+        f"Full circumference {WORDS[circumference.word]}: flown over promised is {circumference}.\n"
+        f"Fixed position {WORDS[fixed.word]}: flown over promised is {fixed}."
+    )
+
+
+def _headline(fixed: Ratio, circumference: Ratio) -> str:
     between = fixed.value / circumference.value
     factor = max(between, 1 / between)
     if factor <= TRUTHFUL:
-        head = (
-            f"The two tests agree: their promises differ by a factor of {factor:.2f}, "
-            "so the pattern angle makes no difference to this gyro."
+        return f"The two tests agree: their promises differ by a factor of {factor:.2f}."
+    tests = (("full-circumference", circumference), ("fixed-position", fixed))
+    kept = [name for name, r in tests if r.word == "true"]
+    open_ = [name for name, r in tests if r.word == "consistent"]
+    broken = [name for name, r in tests if r.word in ("too good", "too bad")]
+    if len(broken) == 2:
+        return "Neither test told the truth."
+    if kept and broken:
+        return f"The {kept[0]} test told the truth; the {broken[0]} test did not."
+    if open_ and broken:
+        return (
+            f"The {open_[0]} test is consistent with the truth; the {broken[0]} test is not. "
+            "More triads would tell how close."
         )
-    elif circumference.word == "true" and fixed.word == "too good":
-        head = "The full-circumference test told the truth; the fixed-position test did not."
-    elif fixed.word == "true":
-        head = "The fixed-position test told the truth; the full-circumference test did not."
-    else:
-        head = "Neither test can be said to have told the truth."
-    return (
-        f"{head}\n"
-        f"Full circumference {words[circumference.word]}: flown over promised is {circumference}.\n"
-        f"Fixed position {words[fixed.word]}: flown over promised is {fixed}."
-    )
+    return "The tests differ, and this many triads do not decide between them."

@@ -1,8 +1,10 @@
 """The only FMI importer: gyros as instances of the FMU, driven by a compiled loop."""
 
+import contextlib
 import ctypes
-import os
+import hashlib
 import shutil
+import tempfile
 import threading
 from collections.abc import Callable, Mapping
 from functools import lru_cache
@@ -28,6 +30,12 @@ class GyroError(Exception):
     """The FMU refused a call; the message is its own."""
 
 
+_LOADING = threading.Lock()
+"""FMPy changes the working directory while it loads a library."""
+CHUNK = 20_000
+"""Steps of a drive between looks at `GyroFmu.stop`: a second or two at 10 ms."""
+
+
 class GyroFmu:
     """An FMU of the gyro, extracted and ready to be instantiated, from any thread."""
 
@@ -41,7 +49,8 @@ class GyroFmu:
         self.folder = _extracted(path)
         self.references = {v.name: v.valueReference for v in self.description.modelVariables}
         self.kinds = {v.name: v.type for v in self.description.modelVariables}
-        self._loading = threading.Lock()
+        self.stop: threading.Event | None = None
+        """Set from another thread, it ends every drive under way with `GyroError`."""
 
     def power_on(self, parameters: Mapping[str, float], seed: int, start_angle: float) -> "Gyro":
         """Start a gyro.
@@ -54,7 +63,7 @@ class GyroFmu:
         Raises:
             GyroError: a value that the FMU refuses.
         """
-        with self._loading:
+        with _LOADING:
             slave = FMU2Slave(
                 guid=self.description.guid,
                 unzipDirectory=str(self.folder),
@@ -93,11 +102,15 @@ class Gyro:
         self.time = 0.0
         """Time since power-on, s."""
         slave.instantiate(callbacks=self._callbacks)
-        self._call(slave.setupExperiment, startTime=0.0)
-        self._call(slave.enterInitializationMode)
-        for name, value in {**parameters, "seed": seed}.items():
-            self._call(fmu.set_value, slave, name, value)
-        self._call(slave.exitInitializationMode)
+        try:
+            self._call(slave.setupExperiment, startTime=0.0)
+            self._call(slave.enterInitializationMode)
+            for name, value in {**parameters, "seed": seed}.items():
+                self._call(fmu.set_value, slave, name, value)
+            self._call(slave.exitInitializationMode)
+        except GyroError:
+            slave.freeInstance()
+            raise
 
     def __enter__(self) -> "Gyro":
         return self
@@ -108,8 +121,10 @@ class Gyro:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        self._slave.terminate()
-        self._slave.freeInstance()
+        try:
+            self._slave.terminate()
+        finally:
+            self._slave.freeInstance()
 
     def advance(self, rate: float, duration: float) -> float:
         """Turn the case at a constant inertial rate.
@@ -139,9 +154,16 @@ class Gyro:
             [self._fmu.references["angularRate"], self._fmu.references["gyroAngle"]],
             dtype=np.uint32,
         )
-        done = self._drive(self._slave.component, self.time, step, references, rates, angles)
-        if done != len(rates):
-            raise GyroError(self._explain(f"step {done} of {len(rates)} failed"))
+        for first in range(0, len(rates), CHUNK):
+            if self._fmu.stop is not None and self._fmu.stop.is_set():
+                raise GyroError("the drive was stopped")
+            part = slice(first, first + CHUNK)
+            begin = self.time + first * step
+            done = self._drive(
+                self._slave.component, begin, step, references, rates[part], angles[part]
+            )
+            if done != len(rates[part]):
+                raise GyroError(self._explain(f"step {first + done} of {len(rates)} failed"))
         self.time += step * len(rates)
         return angles
 
@@ -162,7 +184,9 @@ class Gyro:
             raise GyroError(self._explain(str(error))) from error
 
     def _explain(self, otherwise: str) -> str:
-        return "; ".join(self._messages) or otherwise
+        text = "; ".join(self._messages) or otherwise
+        self._messages.clear()
+        return text
 
     def _logging_callbacks(self) -> fmi2CallbackFunctions:
         def log(env: Any, name: bytes, status: int, category: bytes, message: bytes) -> None:
@@ -174,15 +198,18 @@ class Gyro:
 
 
 def _extracted(path: Path) -> Path:
-    """Folder with the content of an FMU, beside it; made aside and renamed, so never half there."""
-    folder = path.with_suffix("")
+    """Folder with the content of an FMU, beside it, named by its digest; made aside and renamed, so
+    that it is never half there nor another FMU's."""
+    digest = hashlib.sha256(path.read_bytes()).hexdigest()[:16]
+    folder = path.with_name(f"{path.stem}-{digest}")
     if not folder.is_dir():
-        aside = path.with_name(f".{folder.name}.{os.getpid()}")
-        fmpy.extract(str(path), str(aside))
+        aside = Path(tempfile.mkdtemp(prefix=".partial-", dir=path.parent))
         try:
-            aside.rename(folder)
-        except OSError:
-            shutil.rmtree(aside)
+            fmpy.extract(str(path), str(aside))
+            with contextlib.suppress(OSError):  # another process was faster
+                aside.rename(folder)
+        finally:
+            shutil.rmtree(aside, ignore_errors=True)
     return folder
 
 

@@ -117,6 +117,8 @@ int instance_step(Instance *instance, double time, double step) {
                            now->stop);
   core_advance(&now->core, time + step);
   now->time = time + step;
+  if (!model_is_finite(now->core.v))
+    return instance_refuse(instance, "the state is no longer finite at %.17g", now->time);
   return 1;
 }
 

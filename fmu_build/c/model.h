@@ -19,5 +19,7 @@ void model_step(double *v, double h);
 void model_tick(double *v);
 /* Continuous variables at the present state. */
 void model_outputs(double *v);
+/* Whether every continuous state is a number. */
+int model_is_finite(const double *v);
 
 #endif

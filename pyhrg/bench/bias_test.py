@@ -77,6 +77,6 @@ def segment_means(gyro: Gyro, rate: float, count: int) -> NDArray[np.float64]:
     Returns:
         (count,) rad/s.
     """
-    before = gyro.advance(rate, 1e-3)
+    before = gyro.read("gyroAngle")
     angles = gyro.drive(np.full(count, rate), SEGMENT)
     return np.diff(angles, prepend=before) / SEGMENT - rate

@@ -12,11 +12,12 @@ from fmu_build import bundle, platforms
 
 SOURCE = """
 #include "arithmetic.h"
-double sine(double x) { return m_sin(x); }
-double cosine(double x) { return m_cos(x); }
-double arctangent(double y, double x) { return m_atan2(y, x); }
-double logarithm(double x) { return m_log(x); }
-double floored(double x) { return m_floor(x); }
+#define API __attribute__((visibility("default")))
+API double sine(double x) { return m_sin(x); }
+API double cosine(double x) { return m_cos(x); }
+API double arctangent(double y, double x) { return m_atan2(y, x); }
+API double logarithm(double x) { return m_log(x); }
+API double floored(double x) { return m_floor(x); }
 """
 ULP = np.finfo(float).eps
 

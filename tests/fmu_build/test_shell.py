@@ -61,6 +61,12 @@ def test_communication_step_does_not_matter(fmu: GyroFmu, step: float) -> None:
     assert run(step) == run(0.001)
 
 
+def _silent() -> fmi2CallbackFunctions:
+    callbacks = fmi2CallbackFunctions()
+    callbacks.logger = fmi2CallbackLoggerTYPE(lambda *args: None)
+    return callbacks
+
+
 @pytest.fixture
 def slave(fmu: GyroFmu) -> Iterator[FMU2Slave]:
     instance = FMU2Slave(
@@ -69,9 +75,7 @@ def slave(fmu: GyroFmu) -> Iterator[FMU2Slave]:
         modelIdentifier="HRG",
         instanceName="saved",
     )
-    callbacks = fmi2CallbackFunctions()
-    callbacks.logger = fmi2CallbackLoggerTYPE(lambda *args: None)
-    instance.instantiate(callbacks=callbacks)
+    instance.instantiate(callbacks=_silent())
     instance.setupExperiment(startTime=0.0)
     instance.enterInitializationMode()
     instance.setInteger([fmu.references["seed"]], [11])
@@ -95,20 +99,79 @@ def test_saved_state_restores_bit_for_bit(fmu: GyroFmu, slave: FMU2Slave) -> Non
 
 
 def test_reset_is_a_fresh_start(fmu: GyroFmu, slave: FMU2Slave) -> None:
-    angle = [fmu.references["gyroAngle"]]
+    """After other parameters, other noise and some time: the same as an instance never used."""
 
-    def run() -> list[float]:
-        slave.setupExperiment(startTime=0.0)
-        slave.enterInitializationMode()
-        slave.setReal([fmu.references["noise.angleRandomWalk"]], [1e-12])
-        slave.exitInitializationMode()
-        slave.doStep(0.0, 0.5)
-        return list(slave.getReal(angle))
+    def run(instance: FMU2Slave) -> list[float]:
+        instance.setupExperiment(startTime=0.0)
+        instance.enterInitializationMode()
+        instance.setReal([fmu.references["noise.pickOff"]], [1e-12])
+        instance.exitInitializationMode()
+        instance.doStep(0.0, 0.5)
+        return list(instance.getReal([fmu.references["gyroAngle"]]))
 
+    slave.doStep(0.0, 0.5)
     slave.reset()
-    first = run()
-    slave.reset()
-    assert run() == first
+    again = run(slave)
+    fresh = FMU2Slave(
+        guid=fmu.description.guid,
+        unzipDirectory=str(fmu.folder),
+        modelIdentifier="HRG",
+        instanceName="fresh",
+    )
+    fresh.instantiate()
+    assert run(fresh) == again
+    fresh.freeInstance()
+
+
+def test_steps_that_are_no_multiple_of_a_tick(fmu: GyroFmu) -> None:
+    """0.4 s in steps of 0.7 ms and what is left: the ticks stay where they are."""
+
+    def run(steps: list[float]) -> float:
+        with fmu.power_on(TYPICAL.fmu_parameters(), seed=7, start_angle=0.3) as gyro:
+            for step in steps:
+                angle = gyro.advance(0.5, step)
+        return angle
+
+    uneven = [0.0007] * 571 + [0.4 - 0.0007 * 571]
+    assert run(uneven) == pytest.approx(run([0.4]), rel=1e-12)
+
+
+def test_another_models_token_is_refused(fmu: GyroFmu) -> None:
+    instance = FMU2Slave(
+        guid="another",
+        unzipDirectory=str(fmu.folder),
+        modelIdentifier="HRG",
+        instanceName="wrong",
+    )
+    with pytest.raises(Exception, match="instantiate"):
+        instance.instantiate(callbacks=_silent())
+
+
+def test_stop_time_is_kept(fmu: GyroFmu) -> None:
+    instance = FMU2Slave(
+        guid=fmu.description.guid,
+        unzipDirectory=str(fmu.folder),
+        modelIdentifier="HRG",
+        instanceName="stopped",
+    )
+    instance.instantiate(callbacks=_silent())
+    instance.setupExperiment(startTime=2.0, stopTime=3.0)
+    instance.enterInitializationMode()
+    instance.exitInitializationMode()
+    instance.doStep(2.0, 0.75)
+    with pytest.raises(Exception, match="fmi2DoStep"):
+        instance.doStep(2.75, 0.5)
+    instance.freeInstance()
+
+
+def test_state_that_is_no_number_is_an_error(fmu: GyroFmu) -> None:
+    """A drive so strong and a converter so coarse that the loops throw the vibration away."""
+    wild = {"noise.angleRandomWalk": 1.0, "noise.pickOff": 1.0}
+    with (
+        fmu.power_on(wild, seed=1, start_angle=0.0) as gyro,
+        pytest.raises(GyroError, match="no longer finite"),
+    ):
+        gyro.advance(0.0, 100.0)
 
 
 def test_step_from_the_wrong_time_is_refused(slave: FMU2Slave) -> None:

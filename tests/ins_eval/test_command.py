@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from fmu_build.cli import main
+from tests.ins_eval.test_recorded_drive import made_up_drive, written
 
 
 def test_validate_writes_what_it_promises(
@@ -29,6 +30,15 @@ def test_validate_writes_what_it_promises(
     assert (out / "validation.png").read_bytes().startswith(b"\x89PNG")
     assert document["verdict"] in capsys.readouterr().out
     assert list(tmp_path.iterdir()) == [out]
+
+
+def test_recorded_drive_is_flown(tmp_path: Path) -> None:
+    drive = written(tmp_path, made_up_drive())
+    out = tmp_path / "result"
+    arguments = ["validate", "--trajectory", str(drive), "--hours", "0.1", "--triads", "6"]
+    assert main([*arguments, "--out", str(out)]) == 0
+    document = json.loads((out / "validation.json").read_text())
+    assert document["mission"] == "drive.csv"
 
 
 @pytest.mark.parametrize(
@@ -62,6 +72,14 @@ def test_mistake_is_one_line_and_status_2(
     assert list(tmp_path.iterdir()) == []
 
 
+def test_file_in_the_way_of_a_result_is_found_before_the_work(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "validation.json").mkdir()
+    assert main(["validate", "--out", str(tmp_path)]) == 2
+    assert "validation.json is a folder" in capsys.readouterr().err
+
+
 def test_output_folder_that_cannot_be_written(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -69,7 +87,7 @@ def test_output_folder_that_cannot_be_written(
     for out in ("file", "file/below"):
         assert main(["validate", "--out", str(tmp_path / out)]) == 2
         error = capsys.readouterr().err
-        assert error.startswith(f"hrg validate: can't write {tmp_path / out}: ")
+        assert error.startswith(f"hrg: can't write {tmp_path / out}: ")
         assert error.count("\n") == 1
     assert (tmp_path / "file").read_text() == "in the way"
     assert [path.name for path in tmp_path.iterdir()] == ["file"]

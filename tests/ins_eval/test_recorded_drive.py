@@ -67,6 +67,24 @@ def test_drive_repeats_smoothly(tmp_path: Path) -> None:
     assert speed == pytest.approx(np.full(4, 10.0), abs=0.3)
 
 
+def test_drive_in_circles_repeats_without_unwinding(tmp_path: Path) -> None:
+    """Two rounds to the right: repetitions go on from the heading reached, never back."""
+    rows = made_up_drive()
+    time = np.arange(121.0)
+    heading = 4 * np.pi * time / 120
+    radius = 10 * 120 / (4 * np.pi)
+    north, east = radius * np.sin(heading), radius * (1 - np.cos(heading))
+    for i, row in enumerate(rows[1:]):
+        row[1] = f"{np.rad2deg(0.78 + north[i] / float(earth.meridian_radius(0.78))):.10f}"
+        east_radius = float(earth.transverse_radius(0.78)) * np.cos(0.78)
+        row[2] = f"{np.rad2deg(0.13 + east[i] / east_radius):.10f}"
+        row[4], row[5] = f"{10 * np.cos(heading[i]):.6f}", f"{10 * np.sin(heading[i]):.6f}"
+        row[9] = f"{np.rad2deg(np.mod(heading[i], 2 * np.pi)):.6f}"
+    path = trajectory(read(written(tmp_path, rows)), 320.0, 900.0)
+    omega = path.rate_and_force(np.arange(0.0, 900.0, 0.1))[0]
+    assert np.max(np.abs(omega[:, 2])) < 0.2
+
+
 def edit(row: int, column: str, text: str) -> Callable[[Rows], Rows]:
     def apply(rows: Rows) -> Rows:
         rows[row][COLUMNS.index(column)] = text
@@ -83,6 +101,13 @@ def swap_velocities(rows: Rows) -> Rows:
     return [rows[0], *([*row[:4], row[5], row[4], *row[6:]] for row in rows[1:])]
 
 
+def roll_over(rows: Rows) -> Rows:
+    """At ten times the pace, so that a jump of 170 deg can't be a turn."""
+    for row in rows[1:]:
+        row[0] = str(float(row[0]) / 10)
+    return edit(5, "roll_deg", "170")(rows)
+
+
 def gap(rows: Rows) -> Rows:
     return rows[:40] + rows[60:]
 
@@ -97,6 +122,12 @@ def gap(rows: Rows) -> Rows:
         (edit(5, "yaw_deg", "north"), r"row 6, yaw_deg: 'north' is no number"),
         (edit(5, "time_s", ""), r"row 6, time_s: '' is no number"),
         (lambda rows: rows[:5], r"4 rows; expected at least 10"),
+        (
+            lambda rows: [[*row, row[0]] for row in rows],
+            r"column time_s stands there more than once",
+        ),
+        (edit(5, "yaw_deg", "1e3"), r"row 6, yaw_deg: 1e3; expected -720 to 720"),
+        (roll_over, r"row 7, roll_deg: turns at 1700 deg/s; expected at most 573 deg/s"),
         (lambda rows: [], r"column time_s, .* is missing"),
         (gap, r"row 41, time_s: a gap of 21 s; expected at most 5 s"),
         (swap_velocities, r"velocities differ from the positions' derivative by"),
@@ -110,9 +141,22 @@ def test_mistake_is_named(tmp_path: Path, mistake: Callable[[Rows], Rows], messa
     assert "\n" not in str(caught.value)
 
 
+def test_byte_order_mark_is_no_column(tmp_path: Path) -> None:
+    path = written(tmp_path, made_up_drive())
+    path.write_text("\ufeff" + path.read_text())
+    assert len(read(path).time) == 121
+
+
 def test_missing_and_broken_files(tmp_path: Path) -> None:
     with pytest.raises(DriveError, match="No such file"):
         read(tmp_path / "nowhere.csv")
     (tmp_path / "broken.gz").write_bytes(b"\x1f\x8bnonsense")
     with pytest.raises(DriveError, match="can't be read"):
         read(tmp_path / "broken.gz")
+
+
+def test_drive_that_would_pass_the_pole_is_refused(tmp_path: Path) -> None:
+    """North at 10 m/s from 45 deg: 150 h would end beyond 89 deg."""
+    drive = read(written(tmp_path, made_up_drive()))
+    with pytest.raises(DriveError, match="leaves latitudes -89 to 89"):
+        trajectory(drive, 320.0, 150 * 3600.0)

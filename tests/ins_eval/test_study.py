@@ -40,14 +40,17 @@ def test_verdict_of_the_typical_gyro(fmu_path: Path, flight: Mission) -> None:
     result = validate(fmu_path, flight, 10, 5)
     fixed, circumference = report.ratios(result)
     assert fixed.low > 10
-    assert circumference.word == "true"
-    assert "full-circumference test told the truth; the" in verdict(fixed, circumference)
+    assert fixed.word == "too good"
+    assert circumference.word in ("true", "consistent")
+    assert verdict(fixed, circumference).startswith("The full-circumference test")
 
 
 def test_without_anisotropy_both_tests_agree(fmu_path: Path, flight: Mission) -> None:
-    """Negative control: same noise, every anisotropy zero."""
+    """Negative control: same noise, every anisotropy zero; both promises are kept."""
     device = TYPICAL.without_anisotropy()
     result = validate(fmu_path, flight, 8, 5, device=device)
     stability = (result.fixed_position.stability, result.full_circumference.stability)
     assert max(stability) / min(stability) < 1.5
-    assert verdict(*report.ratios(result)).startswith("The two tests agree")
+    ratios = report.ratios(result)
+    assert verdict(*ratios).startswith("The two tests agree")
+    assert all(0.5 < ratio.value < 2.0 for ratio in ratios)

@@ -2,7 +2,7 @@ within HRG.Controls;
 block DampingCancellation "Pattern rate that cancels damping anisotropy by force"
   parameter Units.Time samplePeriod "Control period";
   parameter Units.Rate dampingAnisotropy(min = 0, max = 1e-2) = 0 "D as calibrated";
-  parameter Units.Angle dampingAxis = 0 "Its axis of maximum damping";
+  parameter Units.Angle dampingAxis(min = -1000, max = 1000) = 0 "Its axis of maximum damping";
   input Units.Ratio cosine "Of the modal angle 2 theta";
   input Units.Ratio sine "Of the modal angle 2 theta";
   discrete output Units.AngularRate patternRate(start = 0, fixed = true) "Rate to be driven";

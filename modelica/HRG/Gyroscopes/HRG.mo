@@ -1,7 +1,7 @@
 within HRG.Gyroscopes;
 model HRG "Whole-angle hemispherical resonator gyro: complex envelope, electronics sampled at 1 kHz"
   parameter Integer seed(min = 0, max = 2147483647) = 0 "Seed of all noise";
-  parameter Units.Angle startAngle = 0 "Pattern angle at power-on";
+  parameter Units.Angle startAngle(min = -1000, max = 1000) = 0 "Pattern angle at power-on";
   parameter Units.Displacement startAmplitude(min = 1e-6, max = 10) = 1 "Antinode amplitude at power-on";
   final parameter Units.Time samplePeriod = 1e-3 "Control period";
   input Units.AngularRate angularRate(start = 0, min = -100, max = 100) "Inertial rate about the input axis";

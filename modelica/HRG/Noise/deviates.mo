@@ -3,9 +3,9 @@ function deviates "Advances twelve generators by one step: {states, eight standa
   input Real memory[84] "States of twelve MRG32k3a (x[n-3], x[n-2], x[n-1], y[n-3], y[n-2], y[n-1] of all), and the last deviates";
   output Real result[84] "Next states, and the next deviates";
 protected
-  constant Real m1 = 4294967087 "First modulus";
-  constant Real m2 = 4294944443 "Second modulus";
-  constant Real unit = 1/4294967088 "Of the uniform deviate, 1/(m1 + 1)";
+  constant Real m1 = 4294967087.0 "First modulus";
+  constant Real m2 = 4294944443.0 "Second modulus";
+  constant Real unit = 1/4294967088.0 "Of the uniform deviate, 1/(m1 + 1)";
   Real x "First component";
   Real y "Second component";
   Real difference "Of the components, modulo m1";

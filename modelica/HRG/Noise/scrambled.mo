@@ -3,7 +3,7 @@ function scrambled "Hash of a whole number: the square of its low half, mixed in
   input Real number "Whole number, at least 0 and below 2^52";
   output Real hash "Whole number below 4294944442";
 protected
-  constant Real m = 4294944442 "The smaller modulus of MRG32k3a, less one";
+  constant Real m = 4294944442.0 "The smaller modulus of MRG32k3a, less one";
   Real low "Lowest 26 bits: their square is exact";
   Real sum "Still to be reduced";
 algorithm

@@ -6,23 +6,23 @@ block Material "Damping, stiffness and coupling of the shell under its environme
     "Relative loss of decay time per time (outgassing, vacuum loss), typically 1 to 5 % a year";
   parameter Units.Rate dampingAnisotropy(min = 0, max = 1e-2) = 0
     "D = 1/tau1 - 1/tau2 between the axes of maximum and minimum damping, typically 0.1 to 2 % of 1/tau";
-  parameter Units.Angle dampingAxis = 0 "Pattern angle of maximum damping";
+  parameter Units.Angle dampingAxis(min = -1000, max = 1000) = 0 "Pattern angle of maximum damping";
   parameter Units.PerKelvin dampingAnisotropyPerKelvin(min = -1, max = 1) = 0 "Of the damping anisotropy, typically up to 0.01";
   parameter Units.Rate mountingDamping(min = 0, max = 1e-2) = 0
     "Damping anisotropy that the mounting adds (anchor loss), changes with remounting and shock";
-  parameter Units.Angle mountingAxis = 0 "Its pattern angle of maximum damping";
+  parameter Units.Angle mountingAxis(min = -1000, max = 1000) = 0 "Its pattern angle of maximum damping";
   parameter Units.AngularFrequency frequency(min = 1e3, max = 1e6) = 43982.297150257104 "Nominal modal frequency, 4 to 9 kHz";
   parameter Units.PerKelvin frequencyPerKelvin(min = -1e-3, max = 1e-3) = 0 "Of the modal frequency, typically 80e-6 to 95e-6";
   parameter Units.AngularFrequency frequencySplit(min = 0, max = 100) = 0
     "Difference of the modes' circular frequencies, trimmed below 1 mHz";
-  parameter Units.Angle stiffnessAxis = 0 "Pattern angle of the mode of lower frequency";
+  parameter Units.Angle stiffnessAxis(min = -1000, max = 1000) = 0 "Pattern angle of the mode of lower frequency";
   parameter Real splitPerAcceleration[3](each unit = "rad.s/m", each min = -10, each max = 10) = {0, 0, 0}
     "Frequency split along the x electrodes per specific force";
   parameter Units.AngularFrequency electrostaticShift(min = -1e3, max = 1e3) = 0
     "Softening of the mean frequency by the nominal bias voltage";
   parameter Units.AngularFrequency electrostaticSplit(min = 0, max = 100) = 0
     "Frequency split that the nominal bias voltage makes (trim), balanced by the mechanical one";
-  parameter Units.Angle electrostaticAxis = 0 "Pattern angle of its lower frequency";
+  parameter Units.Angle electrostaticAxis(min = -1000, max = 1000) = 0 "Pattern angle of its lower frequency";
   parameter Units.Ratio bryanFactor(min = 0.01, max = 1) = 0.277 "Precession of the pattern over rotation of the case";
   parameter Units.PerKelvin bryanFactorPerKelvin(min = -1e-3, max = 1e-3) = 0 "Of the Bryan factor, typically below 1e-6";
   input Units.TemperatureDifference temperature "Above the reference";

@@ -45,6 +45,11 @@ def test_fixed_position_sees_one_point_of_the_map(fmu: GyroFmu) -> None:
     assert run.deviation < 0.01 * theory.circumferential_bias_stability(QUIET)
 
 
+def test_power_ons_differ_in_noise_and_angle(fmu: GyroFmu) -> None:
+    runs = [fixed_position.run(fmu, TYPICAL, np.random.default_rng(seed)).points for seed in (1, 2)]
+    assert not np.any(np.isclose(runs[0], runs[1], rtol=1e-9, atol=0.0))
+
+
 def test_stability_and_repeatability_are_the_papers() -> None:
     """Stability: mean of the runs' deviations; repeatability: deviation of the runs' means."""
     test = BiasTest((BiasRun(np.array([1.0, 3.0])), BiasRun(np.array([2.0, 6.0]))))

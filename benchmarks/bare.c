@@ -18,8 +18,8 @@ int main(int count, char **arguments) {
   core_initialize(&core, 0.0);
   double begin = now();
   for (long i = 0; i < ticks; i++) {
-    model_step(core.v, MODEL_PERIOD);
-    model_tick(core.v);
+    model_step(core.v, MODEL_PERIOD(core.v));
+    model_tick(core.v, i + 1);
   }
   printf("%.17g\n", (now() - begin) / (double)ticks);
   return 0;

@@ -17,15 +17,17 @@ import numpy as np
 
 from fmu_build import bundle
 from fmu_build.platforms import COMPILER, FLAGS
+from fmu_build.roots import ROOTS
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL
 
 REPEATS = 3
+ROOT = ROOTS["HRG"]
 
 
 def bare_host(folder: Path) -> Path:
     """The C host, compiled with the FMU's own flags."""
-    bundle.write_sources(bundle.translate(bundle.modelica_library(), bundle.MODEL), folder, 2)
+    bundle.write_sources(bundle.translate(bundle.modelica_library(), ROOT.model), folder, 2, ROOT)
     source = Path(__file__).with_name("bare.c")
     (folder / "bare.c").write_bytes(source.read_bytes())
     command = [*COMPILER, *FLAGS, "-D_POSIX_C_SOURCE=199309L", "bare.c", "model.c", "core.c"]

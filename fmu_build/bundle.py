@@ -17,11 +17,9 @@ from fmu_build.description import Identity, fmi2_description, fmi3_description, 
 from fmu_build.files import write_whole
 from fmu_build.generate import generate, header
 from fmu_build.platforms import FLAGS, PLATFORMS, compile_library, host, universal
+from fmu_build.roots import ROOTS, Root
 from fmu_build.translate import COMPILER_VERSION, translate
 
-IDENTIFIER = "HRG"
-MODEL = "HRG.Gyroscopes.HRG"
-DESCRIPTION = "Whole-angle hemispherical resonator gyro with its control electronics"
 SOURCES = ("model.c", "core.c", "limits.c", "instance.c")
 SHELLS = {2: "fmi2.c", 3: "fmi3.c"}
 
@@ -34,7 +32,10 @@ def modelica_library() -> Path:
 
 
 def built_fmu(
-    progress: Progress = lambda text: None, fmi: int = 2, platforms: Sequence[str] = ()
+    progress: Progress = lambda text: None,
+    fmi: int = 2,
+    platforms: Sequence[str] = (),
+    root: Root = ROOTS["HRG"],
 ) -> Path:
     """Path of an FMU of the present sources: from the user's cache, built if it isn't there.
 
@@ -42,12 +43,13 @@ def built_fmu(
         progress: is told what is being done.
         fmi: version of the standard, 2 or 3.
         platforms: names from `PLATFORMS`; this machine's if none is given.
+        root: the model.
     """
     platforms = sorted(platforms) or [host()]
     folder = f"{sources_digest()[:16]}-fmi{fmi}-{'+'.join(platforms)}"
-    path = platformdirs.user_cache_path("hrg") / folder / f"{IDENTIFIER}.fmu"
+    path = platformdirs.user_cache_path("hrg") / folder / f"{root.identifier}.fmu"
     if not path.exists():
-        build(path, progress, fmi, platforms)
+        build(path, progress, fmi, platforms, root)
     return path
 
 
@@ -56,28 +58,32 @@ def build(
     progress: Progress = lambda text: None,
     fmi: int = 2,
     platforms: Sequence[str] = (),
+    root: Root = ROOTS["HRG"],
 ) -> None:
-    """Translate, compile and pack the gyro; `path` appears only when all is done.
+    """Translate, compile and pack a model; `path` appears only when all is done.
 
     Raises:
         TranslationError, BuildError, OSError.
     """
-    progress(f"translating {MODEL}")
-    dae = translate(modelica_library(), MODEL)
+    progress(f"translating {root.model}")
+    dae = translate(modelica_library(), root.model)
     sources = [*SOURCES, SHELLS[fmi]]
     with tempfile.TemporaryDirectory(prefix="hrg-build-") as name:
         folder = Path(name)
-        description = write_sources(dae, folder, fmi)
+        description = write_sources(dae, folder, fmi, root)
         content = {"modelDescription.xml": description.encode()}
         content |= {f"sources/{f.name}": f.read_bytes() for f in _packed(folder, sources)}
         libraries = {}
         for platform in platforms or [host()]:
             progress(f"compiling for {platform}")
             target = PLATFORMS[platform]
-            libraries[platform] = compile_library(folder, sources, IDENTIFIER, target)
-    content |= _fmi2_binaries(libraries) if fmi == 2 else _fmi3_binaries(libraries)
+            libraries[platform] = compile_library(folder, sources, root.identifier, target)
+    binaries = _fmi2_binaries if fmi == 2 else _fmi3_binaries
+    content |= binaries(libraries, root.identifier)
     if fmi == 3:
-        content["sources/buildDescription.xml"] = _build_description(sources).encode()
+        content["sources/buildDescription.xml"] = _build_description(
+            sources, root.identifier
+        ).encode()
     path.parent.mkdir(parents=True, exist_ok=True)
     write_whole(path, _zipped(content))
     progress(f"built {path}")
@@ -95,9 +101,9 @@ def sources_digest() -> str:
     return digest.hexdigest()
 
 
-def write_sources(dae: Dae, folder: Path, fmi: int) -> str:
+def write_sources(dae: Dae, folder: Path, fmi: int, root: Root = ROOTS["HRG"]) -> str:
     """Write the C sources into a folder; returns modelDescription.xml."""
-    equations = generate(dae)
+    equations = generate(dae, root.integrator)
     digest = hashlib.sha256((equations + _limits(dae, "")).encode())
     for source in sorted((Path(__file__).parent / "c").iterdir()):
         (folder / source.name).write_bytes(source.read_bytes())
@@ -107,7 +113,9 @@ def write_sources(dae: Dae, folder: Path, fmi: int) -> str:
     (folder / "model_constants.h").write_text(header(dae))
     (folder / "limits.c").write_text(_limits(dae, token))
     sources = (*SOURCES, SHELLS[fmi])
-    identity = Identity(IDENTIFIER, DESCRIPTION, token, version("hrg"), sources)
+    identity = Identity(
+        root.identifier, root.description, token, version("hrg"), sources, root.step
+    )
     return {2: fmi2_description, 3: fmi3_description}[fmi](dae, identity)
 
 
@@ -116,27 +124,27 @@ def _packed(folder: Path, sources: Sequence[str]) -> list[Path]:
     return [*(folder / name for name in sources), *folder.glob("*.h")]
 
 
-def _fmi2_binaries(libraries: dict[str, bytes]) -> dict[str, bytes]:
+def _fmi2_binaries(libraries: dict[str, bytes], identifier: str) -> dict[str, bytes]:
     """FMI 2.0 has one folder for both kinds of Mac, and none for Linux on ARM."""
     folders: dict[str, list[bytes]] = {}
     for name, library in libraries.items():
         platform = PLATFORMS[name]
         if platform.fmi2_folder:
-            path = f"binaries/{platform.fmi2_folder}/{IDENTIFIER}{platform.suffix}"
+            path = f"binaries/{platform.fmi2_folder}/{identifier}{platform.suffix}"
             folders.setdefault(path, []).append(library)
     return {path: x[0] if len(x) == 1 else universal(x) for path, x in folders.items()}
 
 
-def _fmi3_binaries(libraries: dict[str, bytes]) -> dict[str, bytes]:
+def _fmi3_binaries(libraries: dict[str, bytes], identifier: str) -> dict[str, bytes]:
     return {
-        f"binaries/{name}/{IDENTIFIER}{PLATFORMS[name].suffix}": library
+        f"binaries/{name}/{identifier}{PLATFORMS[name].suffix}": library
         for name, library in libraries.items()
     }
 
 
-def _build_description(sources: Sequence[str]) -> str:
+def _build_description(sources: Sequence[str], identifier: str) -> str:
     root = ET.Element("fmiBuildDescription", fmiVersion="3.0")
-    configuration = ET.SubElement(root, "BuildConfiguration", modelIdentifier=IDENTIFIER)
+    configuration = ET.SubElement(root, "BuildConfiguration", modelIdentifier=identifier)
     files = ET.SubElement(configuration, "SourceFileSet", language="C99")
     for name in sources:
         ET.SubElement(files, "SourceFile", name=name)

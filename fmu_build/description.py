@@ -48,6 +48,7 @@ class Identity:
     token: str
     version: str
     sources: tuple[str, ...]
+    step: str
 
 
 @dataclass(frozen=True)
@@ -105,7 +106,7 @@ def fmi2_description(dae: Dae, identity: Identity) -> str:
     files = ET.SubElement(simulation, "SourceFiles")
     for name in identity.sources:
         ET.SubElement(files, "File", name=name)
-    _common(root, dae)
+    _common(root, dae, identity.step)
     variables = ET.SubElement(root, "ModelVariables")
     listed = list(scalars(dae))
     for scalar in listed:
@@ -148,7 +149,7 @@ def fmi3_description(dae: Dae, identity: Identity) -> str:
         canGetAndSetFMUState="true",
         canSerializeFMUState="true",
     )
-    _common(root, dae)
+    _common(root, dae, identity.step)
     variables = ET.SubElement(root, "ModelVariables")
     structure = ET.Element("ModelStructure")
     listed = list(scalars(dae))
@@ -195,7 +196,7 @@ def _root(fmi_version: str, identity: Identity, **token: str) -> ET.Element:
     )
 
 
-def _common(root: ET.Element, dae: Dae) -> None:
+def _common(root: ET.Element, dae: Dae, step: str) -> None:
     """Units, log categories and default experiment: alike in both standards."""
     definitions = ET.SubElement(root, "UnitDefinitions")
     for name in sorted({v.unit for v in dae.variables if v.unit}):
@@ -210,7 +211,7 @@ def _common(root: ET.Element, dae: Dae) -> None:
                 entry.set("offset", repr(offset))
     categories = ET.SubElement(root, "LogCategories")
     ET.SubElement(categories, "Category", name="logStatusError", description="Refused calls")
-    ET.SubElement(root, "DefaultExperiment", startTime="0", stopTime="10", stepSize="0.01")
+    ET.SubElement(root, "DefaultExperiment", startTime="0", stopTime="10", stepSize=step)
 
 
 def _variability(variable: Variable) -> str:

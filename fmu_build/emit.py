@@ -26,6 +26,7 @@ _BUILTIN = {
     "cos": "m_cos",
     "atan2": "m_atan2",
     "log": "m_log",
+    "exp": "m_exp",
 }
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
-from fmu_build.dae import Dae
+from fmu_build.dae import Dae, Sample
 
 Target = tuple[str, int]
 """What an equation defines: ("variable" or "derivative", index of the variable)."""
@@ -11,10 +11,11 @@ Target = tuple[str, int]
 
 @dataclass(frozen=True)
 class Assignment:
-    """`target := expression`, a whole scalar or vector at a time."""
+    """`target := expression`, a whole scalar or vector at a time, at every so many-th tick."""
 
     target: Target
     expression: int
+    every: int = 1
 
 
 @dataclass(frozen=True)
@@ -46,14 +47,13 @@ def schedule(dae: Dae) -> Schedule:
         ValueError: an equation that defines no variable, or an algebraic loop.
     """
     continuous = _assign(dae, dae.continuous)
-    sampled = {_explicit_target(dae, e): _sampled(dae, e) for e in dae.sampled}
+    sampled = {_explicit_target(dae, s.equation): _sampled(dae, s) for s in dae.sampled}
     dae = _without_aliases(dae, continuous)
     state_free = _state_free(dae, continuous)
     derivatives = [t for t in continuous if t[0] == "derivative"]
     needed = _closure(dae, continuous, derivatives)
     held = {t: continuous[t] for t in needed if t in state_free}
     rest = {t: a for t, a in continuous.items() if t not in held and t[0] == "variable"}
-    tick = _closure(dae, continuous | sampled, sampled)
     return Schedule(
         dae=dae,
         parameters=_order(dae, _parameters(dae)),
@@ -61,7 +61,7 @@ def schedule(dae: Dae) -> Schedule:
         held=_order(dae, held),
         derivatives=_order(dae, {t: continuous[t] for t in needed if t not in state_free}),
         outputs=_order(dae, rest),
-        tick=_order(dae, {t: (continuous | sampled)[t] for t in tick}),
+        tick=_order(dae, _tick(dae, continuous | sampled, sampled)),
     )
 
 
@@ -111,8 +111,22 @@ def _explicit_target(dae: Dae, residual: int) -> Target:
     return (node.kind, node.value)
 
 
-def _sampled(dae: Dae, residual: int) -> Assignment:
-    return Assignment(_explicit_target(dae, residual), _sides(dae, residual)[1])
+def _sampled(dae: Dae, sample: Sample) -> Assignment:
+    target = _explicit_target(dae, sample.equation)
+    return Assignment(target, _sides(dae, sample.equation)[1], sample.every)
+
+
+def _tick(
+    dae: Dae, assignments: dict[Target, Assignment], sampled: dict[Target, Assignment]
+) -> dict[Target, Assignment]:
+    """Sampled variables, and what they need as often as the most frequent of them."""
+    result: dict[Target, Assignment] = {}
+    for every in sorted({a.every for a in sampled.values()}):
+        roots = [t for t, a in sampled.items() if a.every == every]
+        for target in _closure(dae, assignments, roots):
+            own = sampled[target].every if target in sampled else every
+            result.setdefault(target, replace(assignments[target], every=own))
+    return result
 
 
 def _assign(dae: Dae, equations: Iterable[int]) -> dict[Target, Assignment]:

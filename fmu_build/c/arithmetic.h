@@ -1,6 +1,6 @@
 /* Arithmetic that the generated equations call. The transcendental functions are our own, so that
    every platform computes the same bits; errors are below 2 units in the last place.
-   Sources: S. L. Moshier, Cephes Math Library (sin, cos, atan); Sun Microsystems, fdlibm (log). */
+   Sources: S. L. Moshier, Cephes Math Library (sin, cos, atan, exp); Sun Microsystems, fdlibm (log). */
 #ifndef ARITHMETIC_H
 #define ARITHMETIC_H
 
@@ -128,6 +128,23 @@ static inline double m_log(double x) {
   double k = (double)exponent;
   return k * 6.93147180369123816490e-01 -
          ((half - (s * (half + r) + k * 1.90821492927058770002e-10)) - f);
+}
+
+/* For |x| < 700. */
+static inline double m_exp(double x) {
+  double n = m_floor(x * 1.4426950408889634073599 + 0.5);
+  x = (x - n * 6.93145751953125e-1) - n * 1.42860682030941723212e-6;
+  double z = x * x;
+  double p = x * ((1.26177193074810590878e-4 * z + 3.02994407707441961300e-2) * z +
+                  9.99999999999999999910e-1);
+  double q = ((3.00198505138664455042e-6 * z + 2.52448340349684104192e-3) * z +
+              2.27265548208155028766e-1) *
+                 z +
+             2.00000000000000000005e0;
+  unsigned long long bits = (unsigned long long)((long long)n + 1023) << 52;
+  double scale;
+  memcpy(&scale, &bits, sizeof scale);
+  return (1.0 + 2.0 * p / (q - p)) * scale;
 }
 
 #endif

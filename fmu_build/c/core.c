@@ -21,21 +21,22 @@ void core_initialize(Core *core, double start) {
   core->start = start;
   core->offset = 0.0;
   core->ticks = 1;
-  model_tick(core->v);
+  model_tick(core->v, 0);
   core->outputs_fresh = 0;
 }
 
 void core_advance(Core *core, double time) {
   /* Ticks are counted, never accumulated, so that no rounding builds up over hours. */
-  double target = (time - core->start) / MODEL_PERIOD;
+  const double period = MODEL_PERIOD(core->v);
+  double target = (time - core->start) / period;
   while ((double)core->ticks <= target + SAME_INSTANT) {
-    model_step(core->v, MODEL_PERIOD - core->offset);
-    model_tick(core->v);
+    model_step(core->v, period - core->offset);
+    model_tick(core->v, core->ticks);
     core->offset = 0.0;
     core->ticks++;
   }
-  double rest = (target - (double)(core->ticks - 1)) * MODEL_PERIOD;
-  if (rest - core->offset > SAME_INSTANT * MODEL_PERIOD) {
+  double rest = (target - (double)(core->ticks - 1)) * period;
+  if (rest - core->offset > SAME_INSTANT * period) {
     model_step(core->v, rest - core->offset);
     core->offset = rest;
   }

@@ -15,8 +15,8 @@ void model_parameters(double *v);
 void model_start(double *v);
 /* Continuous states over a step h, inputs and sampled variables held. */
 void model_step(double *v, double h);
-/* One sample of the control electronics. */
-void model_tick(double *v);
+/* One sample of the clocks that are due at this multiple of the base period MODEL_PERIOD(v). */
+void model_tick(double *v, long long index);
 /* Continuous variables at the present state. */
 void model_outputs(double *v);
 /* Whether every continuous state is a number. */

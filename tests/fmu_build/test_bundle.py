@@ -35,7 +35,7 @@ def test_what_is_built_is_not_built_again(fmu_path: Path, monkeypatch: pytest.Mo
 
 
 def test_failed_build_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(bundle, "generate", lambda dae: "this is no C")
+    monkeypatch.setattr(bundle, "generate", lambda dae, integrator: "this is no C")
     with pytest.raises(BuildError, match="this is no C"):
         bundle.build(tmp_path / "out" / "HRG.fmu")
     assert not (tmp_path / "out").exists()

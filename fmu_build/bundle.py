@@ -18,6 +18,7 @@ from fmu_build.files import write_whole
 from fmu_build.generate import generate, header
 from fmu_build.platforms import FLAGS, PLATFORMS, compile_library, host, universal
 from fmu_build.roots import ROOTS, Root
+from fmu_build.sorting import schedule
 from fmu_build.translate import COMPILER_VERSION, translate
 
 SOURCES = ("model.c", "core.c", "limits.c", "instance.c")
@@ -156,15 +157,18 @@ def _limits(dae: Dae, token: str) -> str:
     lines = ['#include "limits.h"', f'const char *const model_token = "{token}";']
     lines.append("const Limits limits[] = {")
     kinds = {"parameter": "SET_PARAMETER", "input": "SET_INPUT"}
-    for variable in dae.variables:
+    plan = schedule(dae)
+    on_demand = {a.target[1] for a in (*plan.held, *plan.outputs)}
+    for index, variable in enumerate(dae.variables):
         kind = kinds.get(fmi_causality(dae, variable), "SET_NEVER")
         whole = int(variable.scalar == "integer")
+        continuous = int(index in on_demand)
         for element in range(variable.count):
             low = dae.constant(variable.minimum, element)
             high = dae.constant(variable.maximum, element)
             bounds = f"{-1e300 if low is None else low!r}, {1e300 if high is None else high!r}"
             name = variable.element_name(element)
-            lines.append(f'  {{"{name}", {kind}, {whole}, {bounds}}},')
+            lines.append(f'  {{"{name}", {kind}, {whole}, {continuous}, {bounds}}},')
     return "\n".join([*lines, "};", ""])
 
 

@@ -83,6 +83,8 @@ class Emitter:
         if n.kind == "binder":
             return f"(double)i{n.value['domain']}"
         if n.kind == "builtin":
+            if n.value == "no_event":
+                return self.scalar(n.args[0])
             if n.value not in _BUILTIN:
                 raise ValueError(f"builtin {n.value} is not supported")
             return f"{_BUILTIN[n.value]}({', '.join(self.scalar(a) for a in n.args)})"

@@ -28,15 +28,12 @@ def generate(dae: Dae, integrator: str = "runge_kutta_4") -> str:
         *_procedure("void model_parameters(double *v)", _stores(dae, plan.parameters)),
         *_procedure("void model_defaults(double *v)", _defaults(dae)),
         *_procedure("void model_start(double *v)", _stores(dae, plan.starts)),
-        *_procedure("static inline void held(double *v)", _stores(dae, plan.held)),
+        *_procedure("void model_held(double *v)", _stores(dae, plan.held)),
         *_derivatives(dae, plan),
         *_step(dae, integrator),
         *_procedure("void model_tick(double *v, long long index)", _tick(dae, plan)),
         *_procedure("int model_is_finite(const double *v)", _finite(dae)),
-        *_procedure(
-            "void model_outputs(double *v)",
-            [*_states(dae), "held(v);", *_stores(dae, plan.outputs)],
-        ),
+        *_procedure("void model_outputs(double *v)", _outputs(dae, plan)),
     ]
     return "\n".join(parts) + "\n"
 
@@ -102,8 +99,10 @@ def _scalars(dae: Dae, role: str) -> list[int]:
     return [v.offset + e for v in dae.variables if v.role == role for e in range(v.count)]
 
 
-def _states(dae: Dae) -> list[str]:
-    return [f"const double x{i} = v[{i}];" for i in _scalars(dae, "state")]
+def _states(dae: Dae, lines: Iterable[str]) -> list[str]:
+    """C variables of the states that the lines read."""
+    used = set(re.findall(r"\bx\d+\b", "\n".join(lines)))
+    return [f"const double x{i} = v[{i}];" for i in _scalars(dae, "state") if f"x{i}" in used]
 
 
 def _derivatives(dae: Dae, plan: Schedule) -> list[str]:
@@ -135,9 +134,14 @@ def _step(dae: Dae, integrator: str) -> list[str]:
     states = _scalars(dae, "state")
     load = [f"x[{n}] = v[{i}];" for n, i in enumerate(states)]
     store = [f"v[{i}] = x[{n}];" for n, i in enumerate(states)]
-    lines = ["double x[STATES];", *load, "held(v);", f"{integrator}(v, x, h);", *store]
+    lines = ["double x[STATES];", *load, f"{integrator}(v, x, h);", *store]
     step = _procedure("void model_step(double *v, double h)", lines)
     return [f'#include "{integrator}.h"', *step]
+
+
+def _outputs(dae: Dae, plan: Schedule) -> list[str]:
+    stores = _stores(dae, plan.outputs)
+    return ["model_held(v);", *_states(dae, stores), *stores]
 
 
 def _finite(dae: Dae) -> list[str]:
@@ -158,4 +162,4 @@ def _tick(dae: Dae, plan: Schedule) -> list[str]:
         for element in range(variable.count)
         if (name := names.reference("pre", index, element)) in used
     ]
-    return ["(void)index;", *_states(dae), *before, *stores]
+    return ["(void)index;", *_states(dae, stores), *before, *stores]

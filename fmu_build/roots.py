@@ -40,7 +40,7 @@ ROOTS = {
             "HRGSlow",
             "HRG.Gyroscopes.HRGSlow",
             "Whole-angle hemispherical resonator gyro, loops quasi-steady: for hours and thousands",
-            "runge_kutta_4",
+            "midpoint",
             "0.1",
         ),
     )

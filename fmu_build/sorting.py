@@ -25,10 +25,12 @@ class Schedule:
     dae: the model with every alias replaced by what it stands for.
     parameters: dependent parameters, once.
     starts: start values of states and sampled variables, once parameters are known.
-    held: what the derivatives need that no state touches: constant between samples and inputs.
+    held: what derivatives and samples need that no state touches: constant between samples and
+        inputs.
     derivatives: what else the derivatives need, and the derivatives.
     outputs: all other continuous variables, aliases among them.
-    tick: everything that a sample computes; continuous variables where sampled ones need them.
+    tick: everything that a sample computes; what no state touches only as often as it may change,
+        other continuous variables where sampled ones need them; outputs that are sampled ones.
     """
 
     dae: Dae
@@ -52,8 +54,12 @@ def schedule(dae: Dae) -> Schedule:
     state_free = _state_free(dae, continuous)
     derivatives = [t for t in continuous if t[0] == "derivative"]
     needed = _closure(dae, continuous, derivatives)
-    held = {t: continuous[t] for t in needed if t in state_free}
-    rest = {t: a for t, a in continuous.items() if t not in held and t[0] == "variable"}
+    tick = _tick(dae, continuous | sampled, sampled)
+    held = {t: continuous[t] for t in continuous if t in state_free and (t in needed or t in tick)}
+    readings = _readings(dae, continuous, sampled)
+    tick = {t: a for t, a in tick.items() if t not in held} | readings
+    done = held | readings
+    rest = {t: a for t, a in continuous.items() if t not in done and t[0] == "variable"}
     return Schedule(
         dae=dae,
         parameters=_order(dae, _parameters(dae)),
@@ -61,7 +67,7 @@ def schedule(dae: Dae) -> Schedule:
         held=_order(dae, held),
         derivatives=_order(dae, {t: continuous[t] for t in needed if t not in state_free}),
         outputs=_order(dae, rest),
-        tick=_order(dae, _tick(dae, continuous | sampled, sampled)),
+        tick=_order(dae, tick | _changing(dae, held, sampled)),
     )
 
 
@@ -102,6 +108,32 @@ def _sides(dae: Dae, residual: int) -> tuple[int, int]:
     if node.kind != "subtract":
         raise ValueError(f"an equation is not of the form left = right: {node.kind}")
     return node.args[0], node.args[1]
+
+
+def _changing(
+    dae: Dae, held: dict[Target, Assignment], sampled: dict[Target, Assignment]
+) -> dict[Target, Assignment]:
+    """Held variables that samples change, with the period of the most frequent of those samples."""
+    result = {}
+    for target, assignment in held.items():
+        reached = _reached(dae, held, [target])
+        periods = [sampled[t].every for t in reached if t in sampled]
+        if periods:
+            result[target] = replace(assignment, every=min(periods))
+    return result
+
+
+def _readings(
+    dae: Dae, continuous: dict[Target, Assignment], sampled: dict[Target, Assignment]
+) -> dict[Target, Assignment]:
+    """Outputs of the model that are other names of sampled variables."""
+    result = {}
+    for target, assignment in continuous.items():
+        node = dae.nodes[assignment.expression]
+        source = sampled.get((node.kind, node.value))
+        if source and dae.variables[target[1]].causality == "output":
+            result[target] = replace(assignment, every=source.every)
+    return result
 
 
 def _explicit_target(dae: Dae, residual: int) -> Target:

@@ -54,6 +54,7 @@ static inline double cosine_kernel(double x) {
 }
 
 static inline double m_sin(double x) {
+  if (fabs(x) <= 0.78) return sine_kernel(x);
   double rest;
   int quarter = quarter_turns(x, &rest);
   double value = quarter & 1 ? cosine_kernel(rest) : sine_kernel(rest);
@@ -61,6 +62,7 @@ static inline double m_sin(double x) {
 }
 
 static inline double m_cos(double x) {
+  if (fabs(x) <= 0.78) return cosine_kernel(x);
   double rest;
   int quarter = quarter_turns(x, &rest);
   double value = quarter & 1 ? sine_kernel(rest) : cosine_kernel(rest);

@@ -14,18 +14,27 @@ void core_reset(Core *core) {
 void core_settle(Core *core) {
   model_parameters(core->v);
   model_start(core->v);
-  core->outputs_fresh = 0;
+  core_touch(core);
+}
+
+void core_touch(Core *core) { core->held_fresh = core->outputs_fresh = 0; }
+
+static void refresh_held(Core *core) {
+  if (!core->held_fresh) model_held(core->v);
+  core->held_fresh = 1;
 }
 
 void core_initialize(Core *core, double start) {
   core->start = start;
   core->offset = 0.0;
   core->ticks = 1;
+  refresh_held(core);
   model_tick(core->v, 0);
   core->outputs_fresh = 0;
 }
 
 void core_advance(Core *core, double time) {
+  refresh_held(core);
   /* Ticks are counted, never accumulated, so that no rounding builds up over hours. */
   const double period = MODEL_PERIOD(core->v);
   double target = (time - core->start) / period;

@@ -80,7 +80,7 @@ int instance_get(Instance *instance, unsigned reference, int integer, double *va
     return 1;
   }
   if (!is_known(instance, reference, integer)) return 0;
-  core_refresh(&instance->now.core);
+  if (limits[reference].continuous) core_refresh(&instance->now.core);
   *value = instance->now.core.v[reference];
   return 1;
 }
@@ -96,7 +96,7 @@ int instance_set(Instance *instance, unsigned reference, int integer, double val
     return instance_refuse(instance, "%s = %.17g is outside its range from %g to %g", limit->name,
                            value, limit->minimum, limit->maximum);
   instance->now.core.v[reference] = value;
-  instance->now.core.outputs_fresh = 0;
+  core_touch(&instance->now.core);
   return 1;
 }
 

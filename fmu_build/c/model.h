@@ -13,6 +13,9 @@ void model_defaults(double *v);
 void model_parameters(double *v);
 /* Start values of states and sampled variables, from the parameters. */
 void model_start(double *v);
+/* What depends on inputs and sampled variables, no state: after inputs were set. Samples keep up
+   what they change themselves. */
+void model_held(double *v);
 /* Continuous states over a step h, inputs and sampled variables held. */
 void model_step(double *v, double h);
 /* One sample of the clocks that are due at this multiple of the base period MODEL_PERIOD(v). */

@@ -46,11 +46,11 @@ protected
   Units.Angle commanded(start = startAngle, fixed = true) "Pattern angle at time 0 and all rotation counted since";
   Units.AngularRate counted "Rotation that is counted in the force-to-rebalance mode";
 equation
-  counted = driveOn*(synthesis.motion[8] - readout.unknownRate)/(1 + readout.virtualRotationError + gainNoise);
+  counted = driveOn*(synthesis.drivenRate - readout.unknownRate)/(1 + readout.virtualRotationError + gainNoise);
   der(commanded) = readout.countedRate + forceToRebalance*((1 + readout.clockError)*counted - readout.countedRate);
   rates = {synthesis.motion[1], synthesis.motion[2], synthesis.motion[3], synthesis.motion[4]};
   force = synthesis.force;
-  growthRate = synthesis.motion[5];
-  quadratureForce = synthesis.motion[6];
-  reference = synthesis.motion[7];
+  growthRate = synthesis.growthRate;
+  quadratureForce = synthesis.quadratureForce;
+  reference = synthesis.motion[8];
 end QuasisteadyController;

@@ -23,6 +23,9 @@ block QuasisteadyLoops "Loops that follow at once, and the forces they need"
   input Units.AngularRate patternRate "Commanded rotation of the pattern, in the whole-angle mode";
   output Real detection[6] "Detected orbit, as of deviation()";
   output Real motion[8] "As of precession()";
+  output Units.Rate growthRate "Force on the antinode over the detected amplitude, as commanded";
+  output Units.Force quadratureForce "Force on the node in quadrature, as commanded";
+  output Units.AngularRate drivenRate "Rotation of the pattern, as commanded";
   output Units.Force force[4] "Force in action, for the feedthrough, {cos x, sin x, cos y, sin y}";
 protected
   final parameter Units.Rate quickness = 1/samplePeriod "Of the loops";
@@ -31,7 +34,9 @@ protected
   Units.Force antinode(start = 0, fixed = true) "Force on the antinode, as the pick-offs feel it";
   Units.Force node(start = 0, fixed = true) "Force on the node, likewise";
   Units.Force square(start = 0, fixed = true) "Force on the node in quadrature, likewise";
+  Units.Ratio command "Command over force; 0 with the drive off";
 equation
+  command = noEvent(if driveOn > 0 then 1/driveOn else 0);
   detection = deviation(analogue, axes);
   lag = (controlPeriod/2 + loopDelay)*(1 - rebalance)*(2*patternRate*driveOn - coupling);
   aim = {detection[4] + lag*detection[5], detection[5] - lag*detection[4]};
@@ -42,9 +47,12 @@ equation
      quickness*(quadratureAim - detection[2]),
      quickness*(phaseAim - phase - detection[3])},
     patternRate, rebalance);
-  der(antinode) = quickness*(driveOn*motion[5]*detection[1] - antinode);
-  der(node) = quickness*(driveOn*2*motion[8]*detection[1] - node);
-  der(square) = quickness*(driveOn*motion[6] - square);
+  der(antinode) = quickness*(motion[5] - antinode);
+  der(node) = quickness*(motion[7] - node);
+  der(square) = quickness*(motion[6] - square);
+  growthRate = motion[5]*command/detection[1];
+  quadratureForce = motion[6]*command;
+  drivenRate = motion[7]*command/(2*detection[1]);
   force = {
     antinode*axes[1] - node*axes[2],
     -square*axes[2],

@@ -36,18 +36,22 @@ def defined(path: Path) -> pymoca.ast.Class:
 
 
 def models(package: str) -> list[Model]:
-    """All models below a package of the library that are not partial."""
+    """All models below a package of the library; its `BaseClasses` are none.
+
+    Raises:
+        ValueError: one states no experiment or has no info page.
+    """
     files = sorted((modelica_library() / package).rglob("*.mo"))
-    return [_model(path) for path in files if _is_complete(defined(path))]
-
-
-def _is_complete(item: pymoca.ast.Class) -> bool:
-    return item.type == "model" and not item.partial
+    return [
+        _model(path)
+        for path in files
+        if path.name != "package.mo" and path.parent.name != "BaseClasses"
+    ]
 
 
 def _model(path: Path) -> Model:
     annotation = _modifiers(defined(path).annotation)
-    if "experiment" not in annotation or "Documentation" not in annotation:
+    if not annotation.keys() >= {"experiment", "Documentation"}:
         raise ValueError(f"{path.name}: expected annotation(experiment, Documentation)")
     return Model(
         name=".".join(path.with_suffix("").relative_to(modelica_library().parent).parts),
@@ -56,9 +60,10 @@ def _model(path: Path) -> Model:
     )
 
 
-def _modifiers(clause: pymoca.ast.ClassModification) -> dict[str, pymoca.ast.Node]:
+def _modifiers(clause: pymoca.ast.ClassModification | None) -> dict[str, pymoca.ast.Node]:
     """First modification of each name."""
-    return {a.value.component.name: a.value.modifications[0] for a in clause.arguments}
+    arguments = clause.arguments if clause else []
+    return {a.value.component.name: a.value.modifications[0] for a in arguments}
 
 
 class ModelFmu:

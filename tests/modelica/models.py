@@ -11,9 +11,12 @@ import pymoca.ast
 import pymoca.parser
 from fmpy.fmi2 import FMU2Slave
 
-from fmu_build.bundle import IDENTIFIER, SHELLS, SOURCES, modelica_library, write_sources
+from fmu_build.bundle import SHELLS, SOURCES, modelica_library, write_sources
 from fmu_build.platforms import PLATFORMS, compile_library, host
+from fmu_build.roots import Root
 from fmu_build.translate import translate
+
+IDENTIFIER = "Model"
 
 
 @dataclass(frozen=True)
@@ -126,7 +129,8 @@ def built(model: Model) -> Iterator[ModelFmu]:
 def _write(model: Model, folder: Path) -> None:
     """An FMU, extracted."""
     platform = PLATFORMS[host()]
-    description = write_sources(translate(modelica_library(), model.name), folder, 2)
+    root = Root(IDENTIFIER, model.name, model.name, "runge_kutta_4", "0.01")
+    description = write_sources(translate(modelica_library(), model.name), folder, 2, root)
     library = compile_library(folder, [*SOURCES, SHELLS[2]], IDENTIFIER, platform)
     (folder / "modelDescription.xml").write_text(description)
     binaries = folder / "binaries" / str(platform.fmi2_folder)

@@ -5,7 +5,7 @@ model DuffingFrequency "Cubic stiffness: a frequency of delta a^2"
     gyro(
       startAmplitude = amplitude,
       amplitudeSetpoint = amplitude,
-      resonator(envelope(duffing = present*duffing))));
+      resonator(material(duffing = present*duffing))));
   parameter Units.AngularFrequency duffing = 0.05 "delta, frequency shift at unit amplitude";
   parameter Units.Displacement amplitude = 0.5 "a";
 equation

@@ -4,7 +4,7 @@ model DuffingPrecession "Cubic stiffness with quadrature q: a constant bias of +
     gyro(
       startAmplitude = amplitude,
       amplitudeSetpoint = amplitude,
-      resonator(envelope(duffing = present*duffing)),
+      resonator(material(duffing = present*duffing)),
       controller(quadratureSetpoint = residual)));
   parameter Units.AngularFrequency duffing = 0.05 "delta, frequency shift at unit amplitude";
   parameter Units.Displacement residual = 1e-3 "q, over the nominal amplitude";

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -21,11 +21,25 @@ IDENTIFIER = "Model"
 
 @dataclass(frozen=True)
 class Model:
-    """A model that can be run: its full name, its experiment's stop time (s), its info page."""
+    """A model that can be run.
+
+    name: in full.
+    stop_time: of its experiment, s.
+    info: its info page.
+    text: of its file.
+    is_own: whether that file is the library's.
+    """
 
     name: str
     stop_time: float
     info: str
+    text: str
+    is_own: bool = True
+
+    def redeclared(self, name: str, redeclaration: str) -> "Model":
+        """This model with a class replaced, under a name of its own."""
+        text = f'model {name} "{name}" extends {self.name}({redeclaration}); end {name};'
+        return replace(self, name=name, text=text, is_own=False)
 
 
 def defined(path: Path) -> pymoca.ast.Class:
@@ -60,6 +74,7 @@ def _model(path: Path) -> Model:
         name=".".join(path.with_suffix("").relative_to(modelica_library().parent).parts),
         stop_time=float(_modifiers(annotation["experiment"])["StopTime"].value),
         info=str(_modifiers(annotation["Documentation"])["info"].value),
+        text=path.read_text(),
     )
 
 
@@ -130,7 +145,8 @@ def _write(model: Model, folder: Path) -> None:
     """An FMU, extracted."""
     platform = PLATFORMS[host()]
     root = Root(IDENTIFIER, model.name, model.name, "runge_kutta_4", "0.01")
-    description = write_sources(translate(modelica_library(), model.name), folder, 2, root)
+    dae = translate(modelica_library(), model.name, "" if model.is_own else model.text)
+    description = write_sources(dae, folder, 2, root)
     library = compile_library(folder, [*SOURCES, SHELLS[2]], IDENTIFIER, platform)
     (folder / "modelDescription.xml").write_text(description)
     binaries = folder / "binaries" / str(platform.fmi2_folder)

@@ -3,7 +3,6 @@ partial model Turning "Angle read on a table that turns at a constant rate"
   extends Claim(redeclare type Quantity = Units.Angle, gyro(angularRate = rate));
   parameter Units.AngularRate rate = 1 "Rate of the table";
 protected
-  final parameter Units.Ratio holdError = -gyro.samplePeriod/2/tau "Scale-factor error of held forces: a claim of its own";
   Units.Angle caseAngle(start = 0, fixed = true) "Angle of the table";
   Units.Angle angleError "Error of the gyro's angle, the hold's taken out";
 equation

@@ -6,7 +6,7 @@ model ClockRate "A clock fast by e: the rate is off by -e"
   parameter Units.AngularRate rate = 1 "Of the table";
   parameter Units.Ratio excess = 1e-4 "e, of the clock";
 equation
-  measured = gyro.gyroRate - rate*(1 - gyro.samplePeriod/2/tau);
+  measured = gyro.gyroRate - rate*(1 + holdError);
   expected = -excess*rate;
   scale = excess*abs(rate);
   annotation (experiment(StopTime = 5), Documentation(info="<html>

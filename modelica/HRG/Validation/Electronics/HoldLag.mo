@@ -7,8 +7,8 @@ protected
 equation
   der(caseAngle) = rate;
   measured = gyro.gyroAngle - caseAngle;
-  expected = -gyro.samplePeriod/2/tau*caseAngle;
-  scale = gyro.samplePeriod/2/tau*caseAngle;
+  expected = -controlPeriod/2/tau*caseAngle;
+  scale = controlPeriod/2/tau*caseAngle;
   annotation (experiment(StopTime = 100), Documentation(info="<html>
 <p>Held forces point on average at where the pattern was Ts/2 ago, and the sustaining force 1/tau pulls it back:
 mechanism 15.</p>

@@ -11,7 +11,7 @@ model BryanFactorOverTemperature "The Bryan factor follows the temperature: a sc
   parameter Units.PerKelvin coefficient = 1e-5 "Relative change per kelvin";
   BaseClasses.MeanRate turning(samplePeriod = gyro.samplePeriod, angle = gyro.gyroAngle, begin = 20) "Output rate";
 equation
-  measured = turning.rate - rate*(1 - gyro.samplePeriod/2/tau);
+  measured = turning.rate - rate*(1 + holdError);
   expected = coefficient*warming*rate;
   scale = coefficient*warming*rate;
   annotation (experiment(StopTime = 40), Documentation(info="<html>

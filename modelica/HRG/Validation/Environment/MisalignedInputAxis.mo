@@ -10,7 +10,7 @@ protected
   Units.Angle table(start = 0, fixed = true) "Angle of the table";
 equation
   der(table) = rate;
-  measured = gyro.gyroAngle - table*(1 - gyro.samplePeriod/2/tau);
+  measured = gyro.gyroAngle - table*(1 + holdError);
   expected = horizontal*sin(tilt)/rate*(1 - cos(table));
   scale = horizontal*sin(tilt)/rate;
   annotation (experiment(StopTime = 8), Documentation(info="<html>

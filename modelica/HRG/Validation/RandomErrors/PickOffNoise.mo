@@ -17,8 +17,8 @@ model PickOffNoise "Pick-off noise: Allan deviation sqrt(3) s/T, s = sqrt(S/Ts)/
     average = average) "Of the output";
 equation
   measured = allan.deviation;
-  expected = sqrt(3*density/gyro.samplePeriod)/(2*k*amplitude*average);
-  scale = sqrt(3*density/gyro.samplePeriod)/(2*k*amplitude*average);
+  expected = sqrt(3*density/controlPeriod)/(2*k*amplitude*average);
+  scale = sqrt(3*density/controlPeriod)/(2*k*amplitude*average);
   annotation (experiment(StopTime = 105), Documentation(info="<html>
 <p>White angle noise: successive means of the rate share a sample, hence 3 s^2/T^2. A channel of density S
 at period Ts reads with a deviation of sqrt(S/Ts), the angle with 1/(2k a) of it. Mechanism 21. 2000 means, correlated:

@@ -120,6 +120,10 @@ class Dae:
             return self.constant(n.args[0])
         return None
 
+    def is_constant(self, node: int | None, count: int) -> bool:
+        """Whether every one of `count` elements of an expression is a constant."""
+        return all(self.constant(node, element) is not None for element in range(count))
+
 
 def parse(model: str, storage: Json) -> Dae:
     """Read the compiler's document.

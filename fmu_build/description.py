@@ -27,6 +27,7 @@ BASE_UNITS: dict[str, dict[str, str]] = {
     "rad.s2/m": {"rad": "1", "s": "2", "m": "-1"},
     "rad/s": {"rad": "1", "s": "-1"},
     "rad2/s": {"rad": "2", "s": "-1"},
+    "rad2/s2": {"rad": "2", "s": "-2"},
     "rad2/s3": {"rad": "2", "s": "-3"},
 }
 """Exponents of the SI base units of every unit that the library uses."""
@@ -82,7 +83,7 @@ def scalars(dae: Dae) -> Iterator[Scalar]:
 def fmi_causality(dae: Dae, variable: Variable) -> str:
     """Causality in the sense of FMI."""
     if variable.role == "parameter":
-        settable = variable.tunable and dae.constant(variable.binding) is not None
+        settable = variable.tunable and dae.is_constant(variable.binding, variable.count)
         return "parameter" if settable else "calculatedParameter"
     return variable.causality if "." not in variable.name else "local"
 

@@ -229,7 +229,9 @@ def _parameters(dae: Dae) -> dict[Target, Assignment]:
     return {
         ("variable", i): Assignment(("variable", i), v.binding)
         for i, v in enumerate(dae.variables)
-        if v.role == "parameter" and v.binding is not None and dae.constant(v.binding) is None
+        if v.role == "parameter"
+        and v.binding is not None
+        and not dae.is_constant(v.binding, v.count)
     }
 
 

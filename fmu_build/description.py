@@ -38,6 +38,12 @@ DISPLAY_UNITS: dict[str, tuple[str, float, float]] = {
 }
 """Display unit, factor and offset: display value = factor * value + offset."""
 
+LOG_CATEGORIES = {
+    "logStatusError": "Refused calls and failed steps, with the reason",
+    "logEvents": "Initialization, termination, reset, restored states",
+}
+"""What the C shell reports, in the order of its `log_categories`."""
+
 
 @dataclass(frozen=True)
 class Identity:
@@ -101,6 +107,7 @@ def fmi2_description(dae: Dae, identity: Identity) -> str:
         canHandleVariableCommunicationStepSize="true",
         canGetAndSetFMUstate="true",
         canSerializeFMUstate="true",
+        providesDirectionalDerivative="true",
         canNotUseMemoryManagementFunctions="true",
     )
     files = ET.SubElement(simulation, "SourceFiles")
@@ -148,6 +155,10 @@ def fmi3_description(dae: Dae, identity: Identity) -> str:
         canHandleVariableCommunicationStepSize="true",
         canGetAndSetFMUState="true",
         canSerializeFMUState="true",
+        providesDirectionalDerivatives="true",
+        providesAdjointDerivatives="true",
+        providesIntermediateUpdate="true",
+        canReturnEarlyAfterIntermediateUpdate="true",
     )
     _common(root, dae, identity.step)
     variables = ET.SubElement(root, "ModelVariables")
@@ -210,7 +221,8 @@ def _common(root: ET.Element, dae: Dae, step: str) -> None:
             if offset:
                 entry.set("offset", repr(offset))
     categories = ET.SubElement(root, "LogCategories")
-    ET.SubElement(categories, "Category", name="logStatusError", description="Refused calls")
+    for name, description in LOG_CATEGORIES.items():
+        ET.SubElement(categories, "Category", name=name, description=description)
     ET.SubElement(root, "DefaultExperiment", startTime="0", stopTime="10", stepSize=step)
 
 

@@ -57,14 +57,14 @@ void core_refresh(Core *core) {
   core->outputs_fresh = 1;
 }
 
-double core_next_tick(const Core *core) { return core->start + (double)core->ticks * MODEL_PERIOD; }
+double core_next_tick(const Core *core) { return core->start + (double)core->ticks * MODEL_PERIOD(core->v); }
 
 int core_ticks_before(const Core *core, double time) {
-  return (time - core->start) / MODEL_PERIOD > (double)core->ticks + SAME_INSTANT;
+  return (time - core->start) / MODEL_PERIOD(core->v) > (double)core->ticks + SAME_INSTANT;
 }
 
 int core_is_at(const Core *core, double time) {
-  double last = core->start + (double)(core->ticks - 1) * MODEL_PERIOD;
-  return core->ticks >= 1 && core->offset >= 0.0 && core->offset < MODEL_PERIOD &&
-         fabs(last + core->offset - time) <= SAME_INSTANT * MODEL_PERIOD + 1e-15 * fabs(time);
+  double last = core->start + (double)(core->ticks - 1) * MODEL_PERIOD(core->v);
+  return core->ticks >= 1 && core->offset >= 0.0 && core->offset < MODEL_PERIOD(core->v) &&
+         fabs(last + core->offset - time) <= SAME_INSTANT * MODEL_PERIOD(core->v) + 1e-15 * fabs(time);
 }

@@ -12,8 +12,8 @@ typedef unsigned long long Word;
 
 /* A situation as bytes: members of 8 bytes each, so that there is no padding between them. */
 typedef struct {
-  char model[40];
   Word digest;
+  char model[40];
   Word phase, stop_defined;
   long long ticks;
   double time, start, stop, first_tick, offset;
@@ -26,7 +26,7 @@ static int are_given(Instance *instance, const void *one, const void *other) {
 
 /* Fowler, Noll, Vo: FNV-1a, 64 bits, of all that follows the digest. */
 static Word digest_of(const Record *record) {
-  const unsigned char *byte = (const unsigned char *)&record->phase;
+  const unsigned char *byte = (const unsigned char *)record->model;
   const unsigned char *end = (const unsigned char *)(record + 1);
   Word hash = 14695981039346656037u;
   while (byte < end) hash = (hash ^ *byte++) * 1099511628211u;

@@ -199,10 +199,10 @@ def _state_free(dae: Dae, continuous: dict[Target, Assignment]) -> set[Target]:
     """Continuous variables that depend on parameters, inputs and sampled variables alone."""
     states = {("variable", i) for i, v in enumerate(dae.variables) if v.role == "state"}
     states |= {t for t in continuous if t[0] == "derivative"}
-    return {t for t in continuous if not states & _reached(dae, continuous, [t])}
+    return {t for t in continuous if not states & reached(dae, continuous, [t])}
 
 
-def _reached(
+def reached(
     dae: Dae, assignments: dict[Target, Assignment], roots: Iterable[Target]
 ) -> set[Target]:
     """The roots and all that they depend on."""
@@ -221,8 +221,8 @@ def _closure(
     dae: Dae, assignments: dict[Target, Assignment], roots: Iterable[Target]
 ) -> list[Target]:
     """The roots and all assigned variables that they depend on, in the order of declaration."""
-    reached = _reached(dae, assignments, roots)
-    return [t for t in assignments if t in reached]
+    needed = reached(dae, assignments, roots)
+    return [t for t in assignments if t in needed]
 
 
 def _parameters(dae: Dae) -> dict[Target, Assignment]:

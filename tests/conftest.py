@@ -21,11 +21,28 @@ def fmu(fmu_path: Path) -> GyroFmu:
 
 
 @pytest.fixture(scope="session")
+def extracted(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Path]:
+    """By FMI version: the FMU for this machine, extracted."""
+    return {fmi: _extracted(built_fmu(fmi=fmi), tmp_path_factory) for fmi in (2, 3)}
+
+
+@pytest.fixture(params=[2, 3], ids=["fmi2", "fmi3"])
+def folder(request: pytest.FixtureRequest, extracted: dict[int, Path]) -> Path:
+    """The extracted FMU of each standard in turn."""
+    return extracted[request.param]
+
+
+@pytest.fixture(scope="session")
 def folders(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Path]:
     """By FMI version: the FMU for every platform, extracted."""
-    result = {}
-    for fmi in (2, 3):
-        result[fmi] = tmp_path_factory.mktemp(f"fmi{fmi}")
-        with zipfile.ZipFile(built_fmu(fmi=fmi, platforms=list(PLATFORMS))) as archive:
-            archive.extractall(result[fmi])
-    return result
+    platforms = list(PLATFORMS)
+    return {
+        fmi: _extracted(built_fmu(fmi=fmi, platforms=platforms), tmp_path_factory) for fmi in (2, 3)
+    }
+
+
+def _extracted(path: Path, factory: pytest.TempPathFactory) -> Path:
+    folder = factory.mktemp("fmu")
+    with zipfile.ZipFile(path) as archive:
+        archive.extractall(folder)
+    return folder

@@ -19,7 +19,6 @@
 #define STATE_BYTES 65536
 #define DIGEST 8 /* bytes that a serialized state begins with */
 #define HANGING 120  /* s */
-#define TICK 1e-3
 
 typedef enum { FRESH, INITIALIZING, RUNNING, FAILED, OVER } Phase;
 
@@ -134,6 +133,15 @@ static Reference pick(int whole, int settable) {
   }
 }
 
+/* The period by which the model is sampled at present, s; some models have it as a parameter. */
+static double tick(void) {
+  Reference r = 0;
+  double period = 1e-3;
+  while (strcmp(limits[r].name, "samplePeriod") != 0) r++;
+  if (known.phase == RUNNING && !door_get(handle, &r, 1, 0, &period)) finding("no period");
+  return period;
+}
+
 static int is_open(void) { return known.phase != FRESH && known.phase != FAILED; }
 
 static void try_initialize(void) {
@@ -174,7 +182,7 @@ static void try_exit(void) {
 
 static void try_step(void) {
   static const double odd_steps[] = {0.0, -1e-3, NAN, INFINITY, 1e9};
-  double time = known.time, step = TICK * (1 + below(5));
+  double period = tick(), time = known.time, step = period * (1 + below(5));
   int legal = known.phase == RUNNING;
   if (chance(20)) {
     step = odd_steps[below(5)];
@@ -188,7 +196,7 @@ static void try_step(void) {
   prepare(legal);
   if (may_fail("a step", legal, door_step(handle, time, step))) {
     known.time = time + step;
-    known.on_tick &= step > 0.9 * TICK && fabs(step / TICK - round(step / TICK)) < 1e-9;
+    known.on_tick &= step > 0.9 * period && fabs(step / period - round(step / period)) < 1e-9;
   }
 }
 
@@ -204,7 +212,7 @@ static void try_get(void) {
   if (known.phase == FAILED) return; /* each value may or may not be finite */
   int null = n && chance(30);
   prepare(legal && !null);
-  int success = door_get(handle, references, (size_t)n, whole, null ? NULL : values);
+  int success = door_get(handle, n ? references : NULL, (size_t)n, whole, null || !n ? NULL : values);
   int unchecked = known.phase == INITIALIZING; /* the end of initialization looks at all values */
   if (legal && !null && unchecked && is_excused(success, "is not finite at")) return;
   judged("reading", legal && !null, success);
@@ -245,12 +253,30 @@ static void try_set(void) {
   }
   int null = n && chance(30);
   const void *values = whole ? (const void *)integers : (const void *)reals;
-  JUDGE("setting", legal && !null, door_set(handle, references, (size_t)n, whole, null ? NULL : values));
+  const Reference *given = n && !(null && chance(2)) ? references : NULL;
+  JUDGE("setting", legal && !null,
+        door_set(handle, given, (size_t)n, whole, null || !n ? NULL : values));
 }
 
 static void try_save(void) {
   Saved *slot = &saved[below(SAVED)];
   if (JUDGE("saving", known.phase != FAILED, door_save(handle, &slot->state))) slot->known = known;
+}
+
+static void try_null_pointers(void) {
+  size_t n = 0;
+  double value;
+  void *none = NULL;
+  Reference r = 0;
+  JUDGE("saving into nothing", 0, door_save(handle, NULL));
+  JUDGE("restoring nothing", 0, door_restore(handle, NULL));
+  JUDGE("the size of nothing", 0, door_size(handle, NULL, &n));
+  JUDGE("serializing nothing", 0, door_write(handle, NULL, &value, sizeof value));
+  JUDGE("reading nothing", 0, door_read(handle, NULL, sizeof value, &none));
+  JUDGE("a derivative of nothing", 0, door_derivative(handle, NULL, 1, &r, 1, &value, &value));
+  JUDGE("a derivative without a seed", 0, door_derivative(handle, &r, 1, &r, 1, NULL, &value));
+  JUDGE("logging nothing", 0, door_logging(handle, 1, 1, NULL));
+  JUDGE("freeing nothing", 1, door_drop(handle, &none) && door_drop(handle, NULL));
 }
 
 static void try_restore(void) {
@@ -287,8 +313,8 @@ static void try_corrupt(void) {
   if (!door_restore(handle, state)) finding("a state that was read can't be restored");
   double time = 0.0;
   Reference r = MODEL_VARIABLES;
-  if (FMI == 3 && door_get(handle, &r, 1, 0, &time)) door_step(handle, time, 5 * TICK);
-  door_step(handle, known.time, 5 * TICK);
+  if (FMI == 3 && door_get(handle, &r, 1, 0, &time)) door_step(handle, time, 0.005);
+  door_step(handle, known.time, 0.005);
   door_drop(handle, &state);
   if (!door_read(handle, good, n, &state) || !door_restore(handle, state))
     finding("a good state can't be restored");
@@ -309,15 +335,16 @@ static void try_partition(void) {
   if (known.phase != RUNNING || !known.on_tick || known.time > 1e6) return;
   void *state = NULL;
   int ticks = 2 + below(30);
+  double period = tick();
   calls_made++;
   if (!door_save(handle, &state)) finding("the state can't be saved");
-  if (door_step(handle, known.time, ticks * TICK)) {
+  if (door_step(handle, known.time, ticks * period)) {
     all_values(whole);
     double time = known.time;
     if (!door_restore(handle, state)) finding("the state can't be restored");
     for (int done = 0, step; done < ticks; done += step) {
       step = 1 + below(ticks - done);
-      double end = known.time + (done + step) * TICK;
+      double end = known.time + (done + step) * period;
       if (!door_step(handle, time, end - time)) finding("a part of a good step failed");
       time = time + (end - time);
     }
@@ -377,6 +404,7 @@ static void one_call(void) {
       int which = below(UNSUPPORTED_CALLS);
       JUDGE("an unsupported call", 0, door_unsupported(handle, which));
       if (chance(4)) try_logging();
+      if (chance(4)) try_null_pointers();
       break;
     }
     default:

@@ -8,8 +8,9 @@ from pathlib import Path
 
 import fmpy
 
-from fmu_build.bundle import MODEL, SHELLS, SOURCES, modelica_library, write_sources
+from fmu_build.bundle import SHELLS, SOURCES, modelica_library, write_sources
 from fmu_build.dae import Dae
+from fmu_build.roots import ROOTS
 from fmu_build.translate import translate
 
 HERE = Path(__file__).parent
@@ -29,9 +30,9 @@ def tool(name: str) -> str:
 
 
 @lru_cache
-def gyro() -> Dae:
-    """The flat model of the FMU."""
-    return translate(modelica_library(), MODEL)
+def flat(root: str = "HRG") -> Dae:
+    """The flat model of an FMU."""
+    return translate(modelica_library(), ROOTS[root].model)
 
 
 def run(command: list[str | Path], seconds: float = 120, **options: object) -> str:
@@ -52,9 +53,9 @@ def run(command: list[str | Path], seconds: float = 120, **options: object) -> s
         return str(out.read().decode())
 
 
-def fuzzer(folder: Path, fmi: int) -> Path:
-    """The fuzzer, linked with the FMU's sources under the sanitizers."""
-    write_sources(gyro(), folder, fmi)
+def fuzzer(folder: Path, fmi: int, root: str = "HRG") -> Path:
+    """The fuzzer, linked with an FMU's sources under the sanitizers."""
+    write_sources(flat(root), folder, fmi, ROOTS[root])
     flags = ["-std=c99", "-O1", "-g", f"-fsanitize={SANITIZERS}", "-fno-sanitize-recover=all"]
     flags += [f"-DFMI={fmi}", "-I.", f"-I{HEADERS}", f"-I{HERE}"]
     sources = [HERE / "fuzz.c", SHELLS[fmi], *SOURCES]

@@ -58,7 +58,7 @@ void core_advance(Core *core, double time) {
 
 void core_refresh(Core *core) {
   if (!core->outputs_fresh) model_outputs(core->v);
-  core->outputs_fresh = 1;
+  core->outputs_fresh = core->held_fresh = 1;
 }
 
 double core_next_tick(const Core *core) {

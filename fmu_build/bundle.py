@@ -21,7 +21,7 @@ from fmu_build.roots import ROOTS, Root
 from fmu_build.sorting import schedule
 from fmu_build.translate import COMPILER_VERSION, translate
 
-SOURCES = ("model.c", "core.c", "limits.c", "instance.c")
+SOURCES = ("model.c", "core.c", "limits.c", "instance.c", "snapshot.c", "derivative.c")
 SHELLS = {2: "fmi2.c", 3: "fmi3.c"}
 
 Progress = Callable[[str], None]

@@ -2,10 +2,11 @@
 
 import math
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from fmu_build.dae import Dae, Variable
+from fmu_build.dependencies import Dependencies, Graph
 
 BASE_UNITS: dict[str, dict[str, str]] = {
     "1": {},
@@ -38,6 +39,12 @@ DISPLAY_UNITS: dict[str, tuple[str, float, float]] = {
     "K": ("degC", 1.0, -273.15),
 }
 """Display unit, factor and offset: display value = factor * value + offset."""
+
+LOG_CATEGORIES = {
+    "logStatusError": "Refused calls and failed steps, with the reason",
+    "logEvents": "Initialization, termination, reset, restored states",
+}
+"""What the C shell reports, in the order of its `log_categories`."""
 
 
 @dataclass(frozen=True)
@@ -102,6 +109,7 @@ def fmi2_description(dae: Dae, identity: Identity) -> str:
         canHandleVariableCommunicationStepSize="true",
         canGetAndSetFMUstate="true",
         canSerializeFMUstate="true",
+        providesDirectionalDerivative="true",
         canNotUseMemoryManagementFunctions="true",
     )
     files = ET.SubElement(simulation, "SourceFiles")
@@ -127,11 +135,14 @@ def fmi2_description(dae: Dae, identity: Identity) -> str:
         ET.SubElement(entry, "Integer" if scalar.whole else "Real", rest)
     structure = ET.SubElement(root, "ModelStructure")
     outputs, initial = (ET.SubElement(structure, x) for x in ("Outputs", "InitialUnknowns"))
+    depends = _dependencies(dae)
     for index, scalar in enumerate(listed, 1):
         if scalar.causality == "output":
-            ET.SubElement(outputs, "Unknown", index=str(index))
+            knowns = _listed(i + 1 for i in depends[scalar.reference].stepping)
+            ET.SubElement(outputs, "Unknown", index=str(index), dependencies=knowns)
         if scalar.causality in ("output", "calculatedParameter"):
-            ET.SubElement(initial, "Unknown", index=str(index))
+            knowns = _listed(i + 1 for i in depends[scalar.reference].initial)
+            ET.SubElement(initial, "Unknown", index=str(index), dependencies=knowns)
     return _text(root)
 
 
@@ -149,6 +160,10 @@ def fmi3_description(dae: Dae, identity: Identity) -> str:
         canHandleVariableCommunicationStepSize="true",
         canGetAndSetFMUState="true",
         canSerializeFMUState="true",
+        providesDirectionalDerivatives="true",
+        providesAdjointDerivatives="true",
+        providesIntermediateUpdate="true",
+        canReturnEarlyAfterIntermediateUpdate="true",
     )
     _common(root, dae, identity.step)
     variables = ET.SubElement(root, "ModelVariables")
@@ -176,14 +191,32 @@ def fmi3_description(dae: Dae, identity: Identity) -> str:
         unit="s",
     )
     root.append(structure)
-    for kind, causalities in (
-        ("Output", ("output",)),
-        ("InitialUnknown", ("output", "calculatedParameter")),
+    depends = _dependencies(dae)
+    for kind, phase, causalities in (
+        ("Output", "stepping", ("output",)),
+        ("InitialUnknown", "initial", ("output", "calculatedParameter")),
     ):
         for scalar in listed:
             if scalar.causality in causalities:
-                ET.SubElement(structure, kind, valueReference=str(scalar.reference))
+                knowns = _listed(getattr(depends[scalar.reference], phase))
+                reference = str(scalar.reference)
+                ET.SubElement(structure, kind, valueReference=reference, dependencies=knowns)
     return _text(root)
+
+
+def _dependencies(dae: Dae) -> dict[int, Dependencies]:
+    """Of every scalar that is an output or a calculated parameter, by value reference."""
+    graph = Graph(dae)
+    return {
+        variable.offset + element: graph.of(index)
+        for index, variable in enumerate(dae.variables)
+        if fmi_causality(dae, variable) in ("output", "calculatedParameter")
+        for element in range(variable.count)
+    }
+
+
+def _listed(numbers: Iterable[int]) -> str:
+    return " ".join(str(number) for number in numbers)
 
 
 def _root(fmi_version: str, identity: Identity, **token: str) -> ET.Element:
@@ -211,7 +244,8 @@ def _common(root: ET.Element, dae: Dae, step: str) -> None:
             if offset:
                 entry.set("offset", repr(offset))
     categories = ET.SubElement(root, "LogCategories")
-    ET.SubElement(categories, "Category", name="logStatusError", description="Refused calls")
+    for name, description in LOG_CATEGORIES.items():
+        ET.SubElement(categories, "Category", name=name, description=description)
     ET.SubElement(root, "DefaultExperiment", startTime="0", stopTime="10", stepSize=step)
 
 

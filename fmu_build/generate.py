@@ -32,7 +32,7 @@ def generate(dae: Dae, integrator: str = "runge_kutta_4") -> str:
         *_derivatives(dae, plan),
         *_step(dae, integrator),
         *_procedure("void model_tick(double *v, long long index)", _tick(dae, plan)),
-        *_procedure("int model_is_finite(const double *v)", _finite(dae)),
+        *_procedure("int model_is_finite(const double *v)", _finite(dae, plan)),
         *_procedure("void model_outputs(double *v)", _outputs(dae, plan)),
     ]
     return "\n".join(parts) + "\n"
@@ -144,8 +144,12 @@ def _outputs(dae: Dae, plan: Schedule) -> list[str]:
     return ["model_held(v);", *_states(dae, stores), *stores]
 
 
-def _finite(dae: Dae) -> list[str]:
-    return [f"return isfinite({' + '.join(f'0.0 * v[{i}]' for i in _scalars(dae, 'state'))});"]
+def _finite(dae: Dae, plan: Schedule) -> list[str]:
+    """The states, and the samples that act on them until the next step."""
+    acting = "\n".join([*_stores(dae, plan.held), *_derivatives(dae, plan)])
+    used = {int(i) for i in re.findall(r"\bv\[(\d+)\]", acting)}
+    watched = [*_scalars(dae, "state"), *sorted(used & set(_scalars(dae, "discrete_real")))]
+    return [f"return isfinite({' + '.join(f'0.0 * v[{i}]' for i in watched)});"]
 
 
 def _tick(dae: Dae, plan: Schedule) -> list[str]:

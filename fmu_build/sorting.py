@@ -24,7 +24,8 @@ class Schedule:
 
     dae: the model with every alias replaced by what it stands for.
     parameters: dependent parameters, once.
-    starts: start values of states and sampled variables, once parameters are known.
+    starts: start values of states and sampled variables, once parameters are known; outputs that
+        are sampled ones.
     held: what derivatives and samples need that no state touches: constant between samples and
         inputs.
     derivatives: what else the derivatives need, and the derivatives.
@@ -63,7 +64,7 @@ def schedule(dae: Dae) -> Schedule:
     return Schedule(
         dae=dae,
         parameters=_order(dae, _parameters(dae)),
-        starts=tuple(_starts(dae)),
+        starts=(*_starts(dae), *readings.values()),
         held=_order(dae, held),
         derivatives=_order(dae, {t: continuous[t] for t in needed if t not in state_free}),
         outputs=_order(dae, rest),
@@ -116,8 +117,8 @@ def _changing(
     """Held variables that samples change, with the period of the most frequent of those samples."""
     result = {}
     for target, assignment in held.items():
-        reached = _reached(dae, held, [target])
-        periods = [sampled[t].every for t in reached if t in sampled]
+        sources = reached(dae, held, [target])
+        periods = [sampled[t].every for t in sources if t in sampled]
         if periods:
             result[target] = replace(assignment, every=min(periods))
     return result
@@ -199,10 +200,10 @@ def _state_free(dae: Dae, continuous: dict[Target, Assignment]) -> set[Target]:
     """Continuous variables that depend on parameters, inputs and sampled variables alone."""
     states = {("variable", i) for i, v in enumerate(dae.variables) if v.role == "state"}
     states |= {t for t in continuous if t[0] == "derivative"}
-    return {t for t in continuous if not states & _reached(dae, continuous, [t])}
+    return {t for t in continuous if not states & reached(dae, continuous, [t])}
 
 
-def _reached(
+def reached(
     dae: Dae, assignments: dict[Target, Assignment], roots: Iterable[Target]
 ) -> set[Target]:
     """The roots and all that they depend on."""
@@ -221,8 +222,8 @@ def _closure(
     dae: Dae, assignments: dict[Target, Assignment], roots: Iterable[Target]
 ) -> list[Target]:
     """The roots and all assigned variables that they depend on, in the order of declaration."""
-    reached = _reached(dae, assignments, roots)
-    return [t for t in assignments if t in reached]
+    needed = reached(dae, assignments, roots)
+    return [t for t in assignments if t in needed]
 
 
 def _parameters(dae: Dae) -> dict[Target, Assignment]:

@@ -16,8 +16,13 @@ static inline double m_floor(double x) {
 
 static inline double m_square(double x) { return x * x; }
 
-/* x less the nearest multiple of pi/2, which is returned modulo 4; for |x| < 1e6. */
+/* x less the nearest multiple of pi/2, which is returned modulo 4; for |x| < 1e8, beyond which the
+   products with parts of pi/2 are no longer exact: no number then. */
 static inline int quarter_turns(double x, double *rest) {
+  if (!(fabs(x) < 1e8)) {
+    *rest = NAN;
+    return 0;
+  }
   double n = m_floor(x * 6.36619772367581343076e-1 + 0.5);
   *rest = ((x - n * 1.57079625129699707031) - n * 7.54978941586159635335e-8) -
           n * 5.39030252995776476554e-15;

@@ -25,5 +25,10 @@ void core_initialize(Core *core, double start);
 void core_advance(Core *core, double time);
 /* Bring continuous outputs up to date. */
 void core_refresh(Core *core);
+/* Time of the next tick, and whether it lies before a time, not on it. */
+double core_next_tick(const Core *core);
+int core_ticks_before(const Core *core, double time);
+/* Whether ticks and offset are those of a time after the first tick. */
+int core_is_at(const Core *core, double time);
 
 #endif

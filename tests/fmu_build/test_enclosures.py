@@ -64,7 +64,7 @@ def test_the_page_has_the_equations_of_the_library(archive: zipfile.ZipFile) -> 
 
 def test_an_info_text_that_is_no_html_is_refused(tmp_path: Path) -> None:
     body = SAMPLED.replace("  end M;", '  annotation(Documentation(info="<p>open"));\n  end M;')
-    with pytest.raises(ValueError, match="info text of .* is no HTML"):
+    with pytest.raises(ValueError, match=r"info text of .* is no HTML"):
         documentation(translated(tmp_path, body), "title", "1")
 
 

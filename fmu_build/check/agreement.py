@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator, Mapping
 
 from fmu_build.check.experiment import Experiment
-from fmu_build.check.importers import Trace
+from fmu_build.check.recording import Trace
 
 
 def disagreements(experiment: Experiment, traces: Mapping[str, Trace]) -> Iterator[str]:

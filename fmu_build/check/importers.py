@@ -4,13 +4,10 @@ Called as `python -m fmu_build.check.importers NAME`, it reads an experiment fro
 and writes what it recorded to the file that the experiment names.
 """
 
-import csv
 import json
-import re
 import subprocess
 import sys
 import tempfile
-import zipfile
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from importlib.metadata import PackageNotFoundError, version
@@ -18,18 +15,8 @@ from pathlib import Path
 from shutil import which
 
 from fmu_build.check.experiment import Experiment
-
-Trace = dict[str, list[float]]
-"""Recorded outputs by name, one value a communication point after the start."""
-
-
-@dataclass(frozen=True)
-class Recording:
-    """What an importer recorded; `remark` says what had to be done for it."""
-
-    trace: Trace
-    remark: str = ""
-
+from fmu_build.check.fmi_sim import fmi_sim
+from fmu_build.check.recording import FailedError, Recording, Trace, last_words
 
 TIMEOUT = 120
 """Seconds after which an importer is taken to hang."""
@@ -37,10 +24,6 @@ TIMEOUT = 120
 
 class MissingError(Exception):
     """The importer isn't installed; the message says how to install it."""
-
-
-class FailedError(Exception):
-    """The importer refused the FMU, failed or crashed."""
 
 
 @dataclass(frozen=True)
@@ -88,13 +71,8 @@ class Importer:
             if run.returncode < 0:
                 raise FailedError(f"it crashed by signal {-run.returncode}")
             if run.returncode or not result.exists():
-                raise FailedError(_last_words(run.stdout + run.stderr))
+                raise FailedError(last_words(run.stdout + run.stderr))
             return Recording(**json.loads(result.read_text()))
-
-
-def _last_words(text: str) -> str:
-    lines = [line for line in text.splitlines() if line.strip()]
-    return lines[-1] if lines else "it ended without a word"
 
 
 def fmpy(experiment: Experiment) -> Recording:
@@ -157,58 +135,15 @@ def libcosimpy(experiment: Experiment) -> Recording:
     return Recording(trace)
 
 
-def fmi_sim(experiment: Experiment) -> Recording:
-    """fmi-sim; where its version can't read a base unit of FMI 3.0, with a copy of the FMU."""
-    try:
-        return Recording(_fmi_sim(experiment, Path(experiment.path)))
-    except FailedError as error:
-        if 'in element "BaseUnit"' not in str(error):
-            raise
-        with tempfile.TemporaryDirectory(prefix="hrg-check-") as folder:
-            copy = Path(folder) / Path(experiment.path).name
-            _lower_case_base_units(Path(experiment.path), copy)
-            remark = f"{error}: its reader takes A and K in lower case, so it got a copy with these"
-            return Recording(_fmi_sim(experiment, copy), remark)
-
-
-def _fmi_sim(experiment: Experiment, path: Path) -> Trace:
-    """By its command line; it writes the shortest digits that give the same number."""
-    with tempfile.TemporaryDirectory(prefix="hrg-check-") as folder:
-        output = Path(folder) / "output.csv"
-        stop = experiment.start + experiment.steps * experiment.step
-        command = ["fmi-sim", "-q", "--model", str(path), "-o", str(output), "co-simulation"]
-        command += ["-s", repr(experiment.start), "-f", repr(stop)]
-        command += ["--output-interval", repr(experiment.step)]
-        for name, value in experiment.inputs.items():
-            command += ["--init-values", f"{name}={value!r}"]
-        run = subprocess.run(command, capture_output=True, text=True, check=False)
-        if run.returncode:
-            words = [line for line in run.stderr.splitlines() if line.startswith("Error: ")]
-            raise FailedError(words[0][7:] if words else _last_words(run.stderr))
-        with output.open(newline="") as file:
-            rows = list(csv.DictReader(file))[1:]
-    return {name: [float(row[name]) for row in rows] for name in experiment.outputs}
-
-
-def _lower_case_base_units(path: Path, copy: Path) -> None:
-    with zipfile.ZipFile(path) as source, zipfile.ZipFile(copy, "w") as target:
-        for name in source.namelist():
-            data = source.read(name)
-            if name == "modelDescription.xml":
-                data = re.sub(rb"<BaseUnit\b[^>]*>", lambda m: _lower_case(m.group()), data)
-            target.writestr(name, data)
-
-
-def _lower_case(element: bytes) -> bytes:
-    return re.sub(rb"\b([AK])(?=\s*=)", lambda m: m.group().lower(), element)
-
-
 def _program_version(name: str) -> str:
     if which(name) is None:
         raise FileNotFoundError(name)
     run = subprocess.run([name, "--version"], capture_output=True, text=True, check=False)
     return (run.stdout + run.stderr).replace("Error:", "").split()[1]
 
+
+FMI_SIM_VERSION = "0.7.0"
+"""The version that the checks are known to pass with."""
 
 PYTHON_EXTRA = "pip install 'hrg[check]'"
 
@@ -219,7 +154,7 @@ IMPORTERS = (
         "fmi-sim",
         "fmi-sim",
         (2, 3),
-        "apt-get install libclang-dev; cargo install fmi-sim --version 0.7.0",
+        f"apt-get install libclang-dev; cargo install fmi-sim --version {FMI_SIM_VERSION}",
         fmi_sim,
     ),
     Importer("libcosimpy", "libcosimpy", (2,), PYTHON_EXTRA, libcosimpy),
@@ -232,8 +167,10 @@ def _main() -> None:
     (importer,) = (i for i in IMPORTERS if i.name == name)
     try:
         recording = importer.run(experiment)
-    except Exception as error:
-        sys.exit(str(error))
+    except (ImportError, OSError) as error:
+        sys.exit(f"it can't be loaded: {error}; {importer.install}")
+    except Exception as error:  # an importer raises what it likes
+        sys.exit(str(error) or type(error).__name__)
     Path(result).write_text(json.dumps(asdict(recording)))
 
 

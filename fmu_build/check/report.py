@@ -16,14 +16,8 @@ from fmu_build.check import (  # noqa: F401 (modules of rules register themselve
 from fmu_build.check.agreement import disagreements
 from fmu_build.check.archive import Fmu
 from fmu_build.check.experiment import Experiment, experiment
-from fmu_build.check.importers import (
-    IMPORTERS,
-    FailedError,
-    Importer,
-    MissingError,
-    Recording,
-    Trace,
-)
+from fmu_build.check.importers import IMPORTERS, Importer, MissingError
+from fmu_build.check.recording import FailedError, Trace
 from fmu_build.check.rule import RULES, Rule
 
 
@@ -74,7 +68,7 @@ def _run(importer: Importer, planned: Experiment, traces: dict[str, Trace]) -> C
         name = f"{importer.name} {importer.version()} runs it"
         if planned.fmi not in importer.fmi:
             return Check(name, remark=f"not asked: it knows no FMI {planned.fmi}.0")
-        recording: Recording = importer.recording(planned)
+        recording = importer.recording(planned)
     except (MissingError, FailedError) as error:
         return Check(name, [str(error)])
     traces[importer.name] = recording.trace

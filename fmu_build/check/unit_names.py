@@ -95,6 +95,8 @@ def meanings(name: str) -> tuple[Dimension, ...]:
         return HERTZ
     if name in PLAIN:
         return (PLAIN[name],)
+    if not name:
+        return ()
     above, _, below = name.partition("/")
     result = _unit()
     for factors, sign in ((above, 1), (below.strip("()"), -1)):

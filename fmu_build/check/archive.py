@@ -90,6 +90,8 @@ class Fmu:
             if self.major == 3:
                 start = element.find("Start")
                 inner = {} if start is None else {"start": start.get("value", "")}
+                if element.find("Dimension") is not None:
+                    inner["dimensions"] = "true"
                 yield Variable(element.tag, {**element.attrib, **inner})
                 yield from (
                     Variable(element.tag, {**element.attrib, **alias.attrib, "alias": "true"})

@@ -38,7 +38,8 @@ def experiment(fmu: Fmu) -> Experiment | None:
     interface = fmu.description.find("CoSimulation")
     if interface is None:
         return None
-    floats = [v for v in fmu.variables if v.kind in FLOAT and "dimensions" not in v.given]
+    scalars = (v for v in fmu.variables if not v.given.keys() & {"alias", "dimensions"})
+    floats = [v for v in scalars if v.kind in FLOAT]
     inputs = [v for v in floats if v.causality == "input"]
     variable_step = is_true(interface.get("canHandleVariableCommunicationStepSize"))
     return Experiment(

@@ -18,7 +18,7 @@ from fmu_build.check.experiment import Experiment
 from fmu_build.check.fmi_sim import fmi_sim
 from fmu_build.check.recording import FailedError, Recording, Trace, last_words
 
-TIMEOUT = 120
+TIMEOUT = 60
 """Seconds after which an importer is taken to hang."""
 
 

@@ -6,21 +6,25 @@ from html import escape
 from importlib import resources
 from pathlib import Path
 
+import numpy as np
+
 from fmu_build.dae import Dae
 from fmu_build.modelica import Page, page
+from fmu_build.plot import line_plot
+from fmu_build.reference import Reference
 from fmu_build.scalars import Scalar, scalars
 from fmu_build.signal_flow import figure
 from fmu_build.units import displayed
 
 
-def documentation(dae: Dae, title: str, version: str, plots: str = "") -> str:
+def documentation(dae: Dae, title: str, version: str, run: Reference | None = None) -> str:
     """The page; it needs no other file.
 
     Args:
         dae: the model.
         title: one line on what it is.
         version: of the model.
-        plots: figures of a run, as HTML.
+        run: to show in a figure.
 
     Raises:
         ValueError: an info text that is no well-formed HTML.
@@ -31,7 +35,7 @@ def documentation(dae: Dae, title: str, version: str, plots: str = "") -> str:
     period = float(dae.sample_period)
     sections = (
         ("Signal flow", _flow(dae)),
-        ("What it does", plots),
+        ("What it does", _run(run, listed) if run else ""),
         ("Inputs", _table(s for s in listed if s.causality == "input")),
         ("Outputs", _table(s for s in listed if s.causality == "output")),
         ("Equations", _equations(dae)),
@@ -81,6 +85,19 @@ def _flow(dae: Dae) -> str:
         f"<figure>\n{figure(dae)}\n<figcaption>What each part reads from which, by the equations: "
         "arrows above lead forward, arrows below back. Point at an arrow for its signals."
         "</figcaption></figure>"
+    )
+
+
+def _run(run: Reference, listed: Sequence[Scalar]) -> str:
+    """The angles among the outputs of the reference run."""
+    angles = [s for s in listed if s.causality == "output" and s.attributes.get("unit") == "rad"]
+    lines = {s.name: np.degrees(run.outputs[s.name]) for s in angles}
+    told = ", ".join(f"<code>{escape(s.name)}</code>" for s in angles)
+    driven = ", ".join(f"<code>{escape(name)}</code>" for name in run.driven)
+    return (
+        f"<figure>\n{line_plot(run.inputs['time'], lines, 'deg')}\n<figcaption>{told} in the "
+        f"reference run of this archive ({driven} driven, all else at its default), computed by "
+        "this FMU when it was built.</figcaption></figure>"
     )
 
 

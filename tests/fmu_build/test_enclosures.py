@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import fmpy
+import numpy as np
 import pytest
 
 from fmu_build.bundle import built_fmu, modelica_library
@@ -97,6 +98,30 @@ def test_the_bill_holds_the_digest_of_all_that_runs(archive: zipfile.ZipFile) ->
     expected = {n: hashlib.sha256(archive.read(n)).hexdigest() for n in listed}
     assert expected == files
     assert {t["name"] for t in bill["metadata"]["tools"]["components"]} >= {"rumoca", "ziglang"}
+
+
+def test_reference_results_are_what_an_importer_gets(
+    archive: zipfile.ZipFile, path: Path, tmp_path: Path
+) -> None:
+    """To the last bit, in every step."""
+    folder = "extra/org.fmi-standard.fmi-ls-ref"
+    manifest = ET.fromstring(archive.read(f"{folder}/fmi-ls-manifest.xml"))
+    files = {
+        e.get("role"): archive.extract(f"{folder}/{e.get('source')}", tmp_path) for e in manifest
+    }
+    inputs, expected = (
+        np.genfromtxt(files[role], delimiter=",", names=True) for role in ("input", "result")
+    )
+    result = fmpy.simulate_fmu(
+        str(path),
+        stop_time=inputs["time"][-1],
+        output_interval=inputs["time"][1],
+        input=inputs,
+        output=list(expected.dtype.names[1:]),
+    )
+    assert np.ptp(expected["gyroAngle"]) > 1
+    for name in expected.dtype.names:
+        np.testing.assert_array_equal(result[name], expected[name], err_msg=name)
 
 
 def test_every_notice_that_is_named_is_there(archive: zipfile.ZipFile) -> None:

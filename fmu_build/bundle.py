@@ -3,7 +3,6 @@
 import hashlib
 import io
 import tempfile
-import xml.etree.ElementTree as ET
 import zipfile
 from collections.abc import Callable, Sequence
 from importlib import resources
@@ -12,12 +11,16 @@ from pathlib import Path
 
 import platformdirs
 
+from fmu_build.build_description import build_description
 from fmu_build.dae import Dae
-from fmu_build.description import Identity, fmi2_description, fmi3_description, fmi_causality
+from fmu_build.description import Identity, fmi2_description, fmi3_description
+from fmu_build.enclosures import enclosures
 from fmu_build.files import write_whole
 from fmu_build.generate import generate, header
-from fmu_build.platforms import FLAGS, PLATFORMS, compile_library, host, universal
+from fmu_build.licences import licence_expression
+from fmu_build.platforms import FLAGS, PLATFORMS, PORTABLE_FLAGS, compile_library, host, universal
 from fmu_build.roots import ROOTS, Root
+from fmu_build.scalars import fmi_causality
 from fmu_build.sorting import schedule
 from fmu_build.translate import COMPILER_VERSION, translate
 
@@ -82,9 +85,9 @@ def build(
     binaries = _fmi2_binaries if fmi == 2 else _fmi3_binaries
     content |= binaries(libraries, root.identifier)
     if fmi == 3:
-        content["sources/buildDescription.xml"] = _build_description(
-            sources, root.identifier
-        ).encode()
+        build_text = build_description(root.identifier, sources, PORTABLE_FLAGS)
+        content["sources/buildDescription.xml"] = build_text.encode()
+    content |= enclosures(dae, root.identifier, root.description, fmi, content)
     path.parent.mkdir(parents=True, exist_ok=True)
     write_whole(path, _zipped(content))
     progress(f"built {path}")
@@ -95,7 +98,12 @@ def sources_digest() -> str:
     tools = f"{COMPILER_VERSION} {version('ziglang')} {version('hrg')} {FLAGS}"
     digest = hashlib.sha256(tools.encode())
     package = Path(__file__).parent
-    for root, pattern in ((modelica_library(), "**/*.mo"), (package, "*.py"), (package, "c/*")):
+    for root, pattern in (
+        (modelica_library(), "**/*.mo"),
+        (package, "*.py"),
+        (package, "*.css"),
+        (package, "c/*"),
+    ):
         for file in sorted(root.glob(pattern)):
             digest.update(file.relative_to(root).as_posix().encode())
             digest.update(file.read_bytes())
@@ -115,7 +123,13 @@ def write_sources(dae: Dae, folder: Path, fmi: int, root: Root = ROOTS["HRG"]) -
     (folder / "limits.c").write_text(_limits(dae, token))
     sources = (*SOURCES, SHELLS[fmi])
     identity = Identity(
-        root.identifier, root.description, token, version("hrg"), sources, root.step
+        root.identifier,
+        root.description,
+        token,
+        version("hrg"),
+        sources,
+        root.step,
+        licence_expression(),
     )
     return {2: fmi2_description, 3: fmi3_description}[fmi](dae, identity)
 
@@ -141,16 +155,6 @@ def _fmi3_binaries(libraries: dict[str, bytes], identifier: str) -> dict[str, by
         f"binaries/{name}/{identifier}{PLATFORMS[name].suffix}": library
         for name, library in libraries.items()
     }
-
-
-def _build_description(sources: Sequence[str], identifier: str) -> str:
-    root = ET.Element("fmiBuildDescription", fmiVersion="3.0")
-    configuration = ET.SubElement(root, "BuildConfiguration", modelIdentifier=identifier)
-    files = ET.SubElement(configuration, "SourceFileSet", language="C99")
-    for name in sources:
-        ET.SubElement(files, "SourceFile", name=name)
-    ET.indent(root)
-    return f'<?xml version="1.0" encoding="UTF-8"?>\n{ET.tostring(root, encoding="unicode")}\n'
 
 
 def _limits(dae: Dae, token: str) -> str:

@@ -35,6 +35,10 @@ class Variable:
     maximum: int | None
     nominal: int | None
     offset: int
+    type_name: str
+    """Declared type as written, e.g. `Units.Angle`."""
+    file: str
+    """The Modelica file that declares it."""
 
     @property
     def count(self) -> int:
@@ -125,8 +129,8 @@ class Dae:
         return all(self.constant(node, element) is not None for element in range(count))
 
 
-def parse(model: str, storage: Json) -> Dae:
-    """Read the compiler's document.
+def parse(model: str, storage: Json, source_map: Json) -> Dae:
+    """Read the compiler's document: the flat model, and the Modelica texts that it comes from.
 
     Raises:
         ValueError: it holds what this generator does not know.
@@ -145,7 +149,7 @@ def parse(model: str, storage: Json) -> Dae:
     period, multiples = _periods(storage["clocks"])
     return Dae(
         model=model,
-        variables=tuple(_variables(storage)),
+        variables=tuple(_variables(storage, source_map)),
         nodes=nodes,
         functions=tuple(_function(f, storage["value_types"]) for f in storage["functions"]),
         domains=tuple(_domain(d) for d in storage["domains"]),
@@ -255,10 +259,14 @@ def _size(type_index: int, value_types: list[Json]) -> int | None:
     return dimensions[0] if dimensions else None
 
 
-def _variables(storage: Json) -> Iterator[Variable]:
+def _variables(storage: Json, source_map: Json) -> Iterator[Variable]:
+    files = {source: (path, text.encode()) for source, path, text in source_map["files"]}
     offset = 0
     for raw in storage["variables"]:
         attributes = raw["attributes"]
+        span = raw["declaration"]["span"]
+        path, text = files[span["source"]]
+        type_name = text[span["start"] : span["end"]].split()[0].decode()
         variable = Variable(
             name=raw["name"],
             role=raw["role"],
@@ -274,6 +282,8 @@ def _variables(storage: Json) -> Iterator[Variable]:
             maximum=attributes["max"],
             nominal=attributes["nominal"],
             offset=offset,
+            type_name=type_name,
+            file=path,
         )
         offset += variable.count
         yield variable

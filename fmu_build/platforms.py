@@ -10,9 +10,8 @@ from pathlib import Path
 import fmpy
 
 COMPILER = [sys.executable, "-m", "ziglang", "cc"]
-FLAGS = ["-std=c99", "-O2", "-ffp-contract=off", "-fno-math-errno", "-fno-sanitize=all"]
-FLAGS += ["-fvisibility=hidden"]
-FLAGS += ["-Wall", "-Wextra"]
+PORTABLE_FLAGS = ["-O2", "-ffp-contract=off", "-fno-math-errno", "-fvisibility=hidden"]
+FLAGS = ["-std=c99", *PORTABLE_FLAGS, "-fno-sanitize=all", "-Wall", "-Wextra"]
 
 
 @dataclass(frozen=True)

@@ -40,7 +40,7 @@ def translate(library: Path, model: str, source: str = "") -> Dae:
             f"rumoca wrote schema {document['schema_version']}; expected {SCHEMA_VERSION}"
         )
     try:
-        return parse(model, document["storage"])
+        return parse(model, document["storage"], document["source_map"])
     except ValueError as error:
         raise TranslationError(f"{model}: {error}") from error
 

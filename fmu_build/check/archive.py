@@ -1,0 +1,144 @@
+"""An FMU as the rules read it."""
+
+import xml.etree.ElementTree as ET
+import zipfile
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+INTERFACES = ("ModelExchange", "CoSimulation", "ScheduledExecution")
+
+BASE_TYPES = {"Real", "Integer", "Boolean", "String", "Enumeration"}
+"""Elements that hold a variable's type in FMI 2.0."""
+
+
+class UnusableError(Exception):
+    """No FMU that can be checked: not a ZIP file, or without a description that can be read."""
+
+
+@dataclass(frozen=True)
+class Variable:
+    """A variable of FMI 2.0 or 3.0: common attributes and those of its type in one."""
+
+    kind: str
+    """Base type, e.g. Real or Float64."""
+    given: dict[str, str]
+
+    @property
+    def name(self) -> str:
+        """As given; empty where it is missing."""
+        return self.given.get("name", "")
+
+    @property
+    def reference(self) -> str:
+        """Value reference."""
+        return self.given.get("valueReference", "")
+
+    @property
+    def causality(self) -> str:
+        """With the standard's default."""
+        return self.given.get("causality", "local")
+
+
+@dataclass(frozen=True)
+class Fmu:
+    """An opened archive with its parsed description."""
+
+    path: Path
+    names: tuple[str, ...]
+    description: ET.Element
+
+    @property
+    def major(self) -> int:
+        """Version of the standard, 2 or 3."""
+        return int(self.description.get("fmiVersion", "0")[0])
+
+    def entries(self) -> list[zipfile.ZipInfo]:
+        """Entries of the archive."""
+        with zipfile.ZipFile(self.path) as archive:
+            return archive.infolist()
+
+    def xml(self, name: str) -> ET.Element | None:
+        """Root of a document inside; None where there is none.
+
+        Raises:
+            ET.ParseError: it is no XML.
+        """
+        if name not in self.names:
+            return None
+        with zipfile.ZipFile(self.path) as archive:
+            return ET.fromstring(archive.read(name))
+
+    @cached_property
+    def identifiers(self) -> set[str]:
+        """Model identifiers of the interfaces that the FMU offers."""
+        return {e.get("modelIdentifier", "") for e in self.interfaces}
+
+    @property
+    def interfaces(self) -> list[ET.Element]:
+        """Elements of the interfaces that the FMU offers."""
+        return [e for name in INTERFACES for e in self.description.findall(name)]
+
+    @cached_property
+    def variables(self) -> tuple[Variable, ...]:
+        """All variables, in the order of the description."""
+        return tuple(self._variables())
+
+    def _variables(self) -> Iterator[Variable]:
+        for element in self.description.findall("ModelVariables/*"):
+            if self.major == 3:
+                start = element.find("Start")
+                inner = {} if start is None else {"start": start.get("value", "")}
+                if element.find("Dimension") is not None:
+                    inner["dimensions"] = "true"
+                yield Variable(element.tag, {**element.attrib, **inner})
+                yield from (
+                    Variable(element.tag, {**element.attrib, **alias.attrib, "alias": "true"})
+                    for alias in element.findall("Alias")
+                )
+            else:
+                (inside,) = [e for e in element if e.tag in BASE_TYPES] or [ET.Element("none")]
+                yield Variable(inside.tag, {**inside.attrib, **element.attrib})
+
+    @cached_property
+    def types(self) -> dict[str, dict[str, str]]:
+        """Attributes of the declared types, by name."""
+        found = {}
+        for element in self.description.findall("TypeDefinitions/*"):
+            inside = element.attrib if self.major == 3 else (e.attrib for e in list(element)[:1])
+            given = inside if isinstance(inside, dict) else next(inside, {})
+            found[element.get("name", "")] = dict(given)
+        return found
+
+    def attribute(self, variable: Variable, name: str) -> str | None:
+        """A variable's attribute, or that of its declared type."""
+        if name in variable.given:
+            return variable.given[name]
+        return self.types.get(variable.given.get("declaredType", ""), {}).get(name)
+
+
+def opened(path: Path) -> Fmu:
+    """Open an FMU.
+
+    Raises:
+        UnusableError: it can't be read, or is of another version than 2.0 or 3.0.
+    """
+    try:
+        with zipfile.ZipFile(path) as archive:
+            names = tuple(archive.namelist())
+            text = archive.read("modelDescription.xml")
+    except OSError as error:
+        raise UnusableError(f"can't read {path}: {error.strerror}") from error
+    except zipfile.BadZipFile as error:
+        raise UnusableError(f"{path} is no ZIP file: {error}") from error
+    except KeyError as error:
+        raise UnusableError(f"{path} holds no modelDescription.xml") from error
+    try:
+        root = ET.fromstring(text)
+    except ET.ParseError as error:
+        raise UnusableError(f"modelDescription.xml in {path} is no XML: {error}") from error
+    version = root.get("fmiVersion", "none")
+    if not version.startswith(("2.", "3.")):
+        raise UnusableError(f"{path} is of FMI version {version}; expected 2.0 or 3.0")
+    return Fmu(path, names, root)

@@ -1,0 +1,86 @@
+"""All checks of an FMU, one after the other."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from xml.etree.ElementTree import ParseError
+
+from fmu_build.check import (  # noqa: F401 (modules of rules register themselves)
+    rules_archive,
+    rules_capabilities,
+    rules_sources,
+    rules_structure,
+    rules_terminals,
+    rules_units,
+    rules_variables,
+)
+from fmu_build.check.agreement import disagreements
+from fmu_build.check.archive import Fmu
+from fmu_build.check.experiment import Experiment, experiment
+from fmu_build.check.importers import IMPORTERS, Importer, MissingError
+from fmu_build.check.recording import FailedError, Trace
+from fmu_build.check.rule import RULES, Rule
+
+
+@dataclass(frozen=True)
+class Check:
+    """What was asked, what was found, and a remark."""
+
+    name: str
+    findings: list[str] = field(default_factory=list)
+    remark: str = ""
+
+
+def checks(fmu: Fmu) -> Iterator[Check]:
+    """Our own rules, FMPy's validation, and a short run in every importer with equal numbers."""
+    for name, rule in RULES.items():
+        yield Check(name, _held(rule, fmu))
+    yield Check("FMPy validates it", _fmpy_findings(fmu))
+    planned = experiment(fmu)
+    if planned is None:
+        yield Check("importers run it", remark="it offers no co-simulation: no importer was run")
+        return
+    traces: dict[str, Trace] = {}
+    for importer in IMPORTERS:
+        yield _run(importer, planned, traces)
+    yield _agreement(planned, traces)
+
+
+def _held(rule: Rule, fmu: Fmu) -> list[str]:
+    """Findings of a rule; a number or a document that can't be read is one."""
+    try:
+        return list(rule(fmu))
+    except (ParseError, ValueError, KeyError) as error:
+        return [f"can't be read: {error}"]
+
+
+def _fmpy_findings(fmu: Fmu) -> list[str]:
+    from fmpy.validation import validate_fmu
+
+    try:
+        return [str(problem) for problem in validate_fmu(str(fmu.path))]
+    except Exception as error:  # FMPy raises what its readers raise
+        return [f"{type(error).__name__}: {error}"]
+
+
+def _run(importer: Importer, planned: Experiment, traces: dict[str, Trace]) -> Check:
+    name = f"{importer.name} runs it"
+    try:
+        name = f"{importer.name} {importer.version()} runs it"
+        if planned.fmi not in importer.fmi:
+            return Check(name, remark=f"not asked: it knows no FMI {planned.fmi}.0")
+        recording = importer.recording(planned)
+    except (MissingError, FailedError) as error:
+        return Check(name, [str(error)])
+    traces[importer.name] = recording.trace
+    return Check(name, remark=recording.remark)
+
+
+def _agreement(planned: Experiment, traces: dict[str, Trace]) -> Check:
+    name = "importers see equal numbers, to the last bit"
+    if len(traces) < 2:
+        return Check(name, [f"{len(traces)} importers ran it; two are needed to compare"])
+    if not planned.outputs:
+        return Check(name, remark="there are no real outputs to compare")
+    count = len(planned.outputs) * planned.steps
+    remark = f"{count} numbers of {', '.join(traces)}"
+    return Check(name, list(disagreements(planned, traces)), remark)

@@ -1,0 +1,91 @@
+"""What the Modelica compiler leaves out of its document: quantities, display units, info pages.
+
+A small reader of Modelica's text: types derived from Real in one line of attributes, and the
+`Documentation(info="...")` annotation. The tests hold it to a full parser.
+"""
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+STRING = r'"((?:[^"\\]|\\.)*)"'
+
+
+@dataclass(frozen=True)
+class RealType:
+    """A type derived from Real; attributes that it doesn't give are empty."""
+
+    name: str
+    description: str
+    quantity: str
+    unit: str
+    display_unit: str
+
+
+@dataclass(frozen=True)
+class Page:
+    """Documentation of a class: what it is, and its `info` text in HTML."""
+
+    name: str
+    description: str
+    info: str
+
+
+def types_of(files: Iterable[str]) -> dict[str, RealType]:
+    """Types of the library that Modelica files belong to, by full name."""
+    found: dict[str, RealType] = {}
+    for root in sorted({_root(Path(file)) for file in files}):
+        for file in sorted(root.rglob("*.mo")):
+            found |= _types(file)
+    return found
+
+
+def page(file: Path) -> Page:
+    """The page of the class that a file holds."""
+    text = file.read_text(encoding="utf-8")
+    name = file.parent.name if file.name == "package.mo" else file.stem
+    head = re.search(rf"\b{name}\s+{STRING}", text)
+    info = re.search(rf"Documentation\s*\(\s*info\s*=\s*{STRING}", text)
+    return Page(
+        name=f"{_package(text)}{name}",
+        description=_plain(head.group(1)) if head else "",
+        info=re.sub(r"</?html>", "", _plain(info.group(1))).strip() if info else "",
+    )
+
+
+def _types(file: Path) -> dict[str, RealType]:
+    text = file.read_text(encoding="utf-8")
+    scope = f"{_package(text)}{file.parent.name}" if file.name == "package.mo" else ""
+    found = {}
+    for match in re.finditer(rf"\btype\s+(\w+)\s*=\s*Real\s*\(([^)]*)\)\s*{STRING}", text):
+        name, attributes, description = match.groups()
+        given = dict(re.findall(rf"(\w+)\s*=\s*{STRING}", attributes))
+        found[f"{scope}.{name}"] = RealType(
+            name=f"{scope}.{name}",
+            description=_plain(description),
+            quantity=given.get("quantity", ""),
+            unit=given.get("unit", ""),
+            display_unit=given.get("displayUnit", ""),
+        )
+    return found
+
+
+@cache
+def _root(file: Path) -> Path:
+    """Folder of the top-level package."""
+    folder = file.parent
+    while (folder.parent / "package.mo").exists():
+        folder = folder.parent
+    return folder
+
+
+def _package(text: str) -> str:
+    within = re.match(r"\s*within\s+([\w.]+)\s*;", text)
+    return f"{within.group(1)}." if within else ""
+
+
+def _plain(literal: str) -> str:
+    """Text of a Modelica string literal."""
+    return re.sub(r"\\(.)", r"\1", literal)

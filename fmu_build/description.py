@@ -11,7 +11,6 @@ from fmu_build.scalars import Scalar, scalars
 from fmu_build.units import add_unit_definitions
 from fmu_build.xml import xml_text
 
-
 LOG_CATEGORIES = {
     "logStatusError": "Refused calls and failed steps, with the reason",
     "logEvents": "Initialization, termination, reset, restored states",

@@ -41,12 +41,10 @@ class Demonstration:
 def demonstrate(claim: Model) -> Demonstration:
     """Build a model and run it from every start angle, the control from every third."""
     with built(claim) as fmu:
+        shown = [_run(fmu, claim, angle, present=1) for angle in START_ANGLES]
+        control = [_run(fmu, claim, angle, present=0) for angle in START_ANGLES[::3]]
         (tolerance,) = fmu.read(["tolerance"])
-        return Demonstration(
-            tolerance=tolerance,
-            shown=[_run(fmu, claim, angle, present=1) for angle in START_ANGLES],
-            control=[_run(fmu, claim, angle, present=0) for angle in START_ANGLES[::3]],
-        )
+    return Demonstration(tolerance, shown, control)
 
 
 def _run(fmu: ModelFmu, claim: Model, start_angle: float, present: int) -> Result:

@@ -19,13 +19,12 @@ from fmu_build.files import write_whole
 from fmu_build.generate import generate, header
 from fmu_build.licences import licence_expression
 from fmu_build.platforms import FLAGS, PLATFORMS, PORTABLE_FLAGS, compile_library, host, universal
+from fmu_build.roots import ROOTS, Root
 from fmu_build.scalars import fmi_causality
+from fmu_build.sorting import schedule
 from fmu_build.translate import COMPILER_VERSION, translate
 
-IDENTIFIER = "HRG"
-MODEL = "HRG.Gyroscopes.HRG"
-DESCRIPTION = "Whole-angle hemispherical resonator gyro with its control electronics"
-SOURCES = ("model.c", "core.c", "limits.c", "instance.c")
+SOURCES = ("model.c", "core.c", "limits.c", "instance.c", "snapshot.c", "derivative.c")
 SHELLS = {2: "fmi2.c", 3: "fmi3.c"}
 
 Progress = Callable[[str], None]
@@ -37,7 +36,10 @@ def modelica_library() -> Path:
 
 
 def built_fmu(
-    progress: Progress = lambda text: None, fmi: int = 2, platforms: Sequence[str] = ()
+    progress: Progress = lambda text: None,
+    fmi: int = 2,
+    platforms: Sequence[str] = (),
+    root: Root = ROOTS["HRG"],
 ) -> Path:
     """Path of an FMU of the present sources: from the user's cache, built if it isn't there.
 
@@ -45,12 +47,13 @@ def built_fmu(
         progress: is told what is being done.
         fmi: version of the standard, 2 or 3.
         platforms: names from `PLATFORMS`; this machine's if none is given.
+        root: the model.
     """
     platforms = sorted(platforms) or [host()]
     folder = f"{sources_digest()[:16]}-fmi{fmi}-{'+'.join(platforms)}"
-    path = platformdirs.user_cache_path("hrg") / folder / f"{IDENTIFIER}.fmu"
+    path = platformdirs.user_cache_path("hrg") / folder / f"{root.identifier}.fmu"
     if not path.exists():
-        build(path, progress, fmi, platforms)
+        build(path, progress, fmi, platforms, root)
     return path
 
 
@@ -59,30 +62,32 @@ def build(
     progress: Progress = lambda text: None,
     fmi: int = 2,
     platforms: Sequence[str] = (),
+    root: Root = ROOTS["HRG"],
 ) -> None:
-    """Translate, compile and pack the gyro; `path` appears only when all is done.
+    """Translate, compile and pack a model; `path` appears only when all is done.
 
     Raises:
         TranslationError, BuildError, OSError.
     """
-    progress(f"translating {MODEL}")
-    dae = translate(modelica_library(), MODEL)
+    progress(f"translating {root.model}")
+    dae = translate(modelica_library(), root.model)
     sources = [*SOURCES, SHELLS[fmi]]
     with tempfile.TemporaryDirectory(prefix="hrg-build-") as name:
         folder = Path(name)
-        description = write_sources(dae, folder, fmi)
+        description = write_sources(dae, folder, fmi, root)
         content = {"modelDescription.xml": description.encode()}
         content |= {f"sources/{f.name}": f.read_bytes() for f in _packed(folder, sources)}
         libraries = {}
         for platform in platforms or [host()]:
             progress(f"compiling for {platform}")
             target = PLATFORMS[platform]
-            libraries[platform] = compile_library(folder, sources, IDENTIFIER, target)
-    content |= _fmi2_binaries(libraries) if fmi == 2 else _fmi3_binaries(libraries)
+            libraries[platform] = compile_library(folder, sources, root.identifier, target)
+    binaries = _fmi2_binaries if fmi == 2 else _fmi3_binaries
+    content |= binaries(libraries, root.identifier)
     if fmi == 3:
-        build_text = build_description(IDENTIFIER, sources, PORTABLE_FLAGS)
+        build_text = build_description(root.identifier, sources, PORTABLE_FLAGS)
         content["sources/buildDescription.xml"] = build_text.encode()
-    content |= enclosures(dae, IDENTIFIER, DESCRIPTION, fmi, content)
+    content |= enclosures(dae, root, fmi, content)
     path.parent.mkdir(parents=True, exist_ok=True)
     write_whole(path, _zipped(content))
     progress(f"built {path}")
@@ -105,9 +110,9 @@ def sources_digest() -> str:
     return digest.hexdigest()
 
 
-def write_sources(dae: Dae, folder: Path, fmi: int) -> str:
+def write_sources(dae: Dae, folder: Path, fmi: int, root: Root = ROOTS["HRG"]) -> str:
     """Write the C sources into a folder; returns modelDescription.xml."""
-    equations = generate(dae)
+    equations = generate(dae, root.integrator)
     digest = hashlib.sha256((equations + _limits(dae, "")).encode())
     for source in sorted((Path(__file__).parent / "c").iterdir()):
         (folder / source.name).write_bytes(source.read_bytes())
@@ -118,7 +123,13 @@ def write_sources(dae: Dae, folder: Path, fmi: int) -> str:
     (folder / "limits.c").write_text(_limits(dae, token))
     sources = (*SOURCES, SHELLS[fmi])
     identity = Identity(
-        IDENTIFIER, DESCRIPTION, token, version("hrg"), sources, licence_expression()
+        root.identifier,
+        root.description,
+        token,
+        version("hrg"),
+        sources,
+        root.step,
+        licence_expression(),
     )
     return {2: fmi2_description, 3: fmi3_description}[fmi](dae, identity)
 
@@ -128,20 +139,20 @@ def _packed(folder: Path, sources: Sequence[str]) -> list[Path]:
     return [*(folder / name for name in sources), *folder.glob("*.h")]
 
 
-def _fmi2_binaries(libraries: dict[str, bytes]) -> dict[str, bytes]:
+def _fmi2_binaries(libraries: dict[str, bytes], identifier: str) -> dict[str, bytes]:
     """FMI 2.0 has one folder for both kinds of Mac, and none for Linux on ARM."""
     folders: dict[str, list[bytes]] = {}
     for name, library in libraries.items():
         platform = PLATFORMS[name]
         if platform.fmi2_folder:
-            path = f"binaries/{platform.fmi2_folder}/{IDENTIFIER}{platform.suffix}"
+            path = f"binaries/{platform.fmi2_folder}/{identifier}{platform.suffix}"
             folders.setdefault(path, []).append(library)
     return {path: x[0] if len(x) == 1 else universal(x) for path, x in folders.items()}
 
 
-def _fmi3_binaries(libraries: dict[str, bytes]) -> dict[str, bytes]:
+def _fmi3_binaries(libraries: dict[str, bytes], identifier: str) -> dict[str, bytes]:
     return {
-        f"binaries/{name}/{IDENTIFIER}{PLATFORMS[name].suffix}": library
+        f"binaries/{name}/{identifier}{PLATFORMS[name].suffix}": library
         for name, library in libraries.items()
     }
 
@@ -150,15 +161,18 @@ def _limits(dae: Dae, token: str) -> str:
     lines = ['#include "limits.h"', f'const char *const model_token = "{token}";']
     lines.append("const Limits limits[] = {")
     kinds = {"parameter": "SET_PARAMETER", "input": "SET_INPUT"}
-    for variable in dae.variables:
+    plan = schedule(dae)
+    on_demand = {a.target[1] for a in (*plan.held, *plan.outputs)}
+    for index, variable in enumerate(dae.variables):
         kind = kinds.get(fmi_causality(dae, variable), "SET_NEVER")
         whole = int(variable.scalar == "integer")
+        continuous = int(index in on_demand)
         for element in range(variable.count):
             low = dae.constant(variable.minimum, element)
             high = dae.constant(variable.maximum, element)
             bounds = f"{-1e300 if low is None else low!r}, {1e300 if high is None else high!r}"
             name = variable.element_name(element)
-            lines.append(f'  {{"{name}", {kind}, {whole}, {bounds}}},')
+            lines.append(f'  {{"{name}", {kind}, {whole}, {continuous}, {bounds}}},')
     return "\n".join([*lines, "};", ""])
 
 

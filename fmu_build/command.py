@@ -8,11 +8,18 @@ from fmu_build.bundle import built_fmu
 from fmu_build.cli import Command, UserError
 from fmu_build.files import write_whole
 from fmu_build.platforms import PLATFORMS, BuildError
+from fmu_build.roots import ROOTS
 from fmu_build.translate import TranslationError
 
 
 def _add_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--out", type=Path, default=Path("HRG.fmu"), help="file to write")
+    parser.add_argument(
+        "--model",
+        choices=tuple(ROOTS),
+        default="HRG",
+        help="the gyro at 1 kHz, at its carrier, or with quasi-steady loops",
+    )
+    parser.add_argument("--out", type=Path, help="file to write (default: MODEL.fmu)")
     parser.add_argument(
         "--fmi", type=int, choices=(2, 3), default=2, help="version of the standard"
     )
@@ -27,17 +34,19 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
 
 def _run(options: argparse.Namespace) -> None:
     platforms = list(PLATFORMS) if "all" in options.platform else options.platform
+    root = ROOTS[options.model]
+    out = options.out or Path(f"{root.identifier}.fmu")
     try:
-        built = built_fmu(lambda text: print(text, file=sys.stderr), options.fmi, platforms)
+        built = built_fmu(lambda text: print(text, file=sys.stderr), options.fmi, platforms, root)
     except (TranslationError, BuildError) as error:
         raise UserError(str(error)) from error
     except OSError as error:
         raise UserError(f"can't build the FMU: {error}") from error
     try:
-        write_whole(options.out, built.read_bytes())
+        write_whole(out, built.read_bytes())
     except OSError as error:
-        raise UserError(f"can't write {options.out}: {error.strerror}") from error
-    print(options.out)
+        raise UserError(f"can't write {out}: {error.strerror}") from error
+    print(out)
 
 
 BUILD = Command("translate the Modelica gyro and build HRG.fmu", _add_options, _run)

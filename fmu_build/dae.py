@@ -78,8 +78,20 @@ class Domain:
 
 
 @dataclass(frozen=True)
+class Sample:
+    """A sampled equation, and how many base periods lie between its samples."""
+
+    equation: int
+    every: int
+
+
+@dataclass(frozen=True)
 class Dae:
-    """A flat model with one periodic clock."""
+    """A flat model whose periodic clocks tick at whole multiples of one base period.
+
+    sample_period: the base period, s; where the root model has a settable parameter
+        `samplePeriod`, that parameter's value at run time is the period and this its default.
+    """
 
     model: str
     variables: tuple[Variable, ...]
@@ -87,7 +99,7 @@ class Dae:
     functions: tuple[Function, ...]
     domains: tuple[Domain, ...]
     continuous: tuple[int, ...]
-    sampled: tuple[int, ...]
+    sampled: tuple[Sample, ...]
     sample_period: Fraction
 
     @property
@@ -112,6 +124,10 @@ class Dae:
             return self.constant(n.args[0])
         return None
 
+    def is_constant(self, node: int | None, count: int) -> bool:
+        """Whether every one of `count` elements of an expression is a constant."""
+        return all(self.constant(node, element) is not None for element in range(count))
+
 
 def parse(model: str, storage: Json, source_map: Json) -> Dae:
     """Read the compiler's document: the flat model, and the Modelica texts that it comes from.
@@ -130,7 +146,7 @@ def parse(model: str, storage: Json, source_map: Json) -> Dae:
             continuous.append(equation["bodies"][0])
         else:
             raise ValueError(f"an equation of kind {kind} is not supported")
-    (clock,) = storage["clocks"]
+    period, multiples = _periods(storage["clocks"])
     return Dae(
         model=model,
         variables=tuple(_variables(storage, source_map)),
@@ -138,8 +154,11 @@ def parse(model: str, storage: Json, source_map: Json) -> Dae:
         functions=tuple(_function(f, storage["value_types"]) for f in storage["functions"]),
         domains=tuple(_domain(d) for d in storage["domains"]),
         continuous=tuple(continuous),
-        sampled=tuple(e["residual"] for e in storage["discrete_real_equations"]),
-        sample_period=_period(clock),
+        sampled=tuple(
+            Sample(e["residual"], multiples[_clock(e, storage)])
+            for e in storage["discrete_real_equations"]
+        ),
+        sample_period=period,
     )
 
 
@@ -164,11 +183,21 @@ def _refuse_unknown(storage: Json) -> None:
     for key in _UNSUPPORTED:
         if storage[key]:
             raise ValueError(f"the model has {key.replace('_', ' ')}; they are not supported")
-    if len(storage["clocks"]) != 1:
-        raise ValueError(f"the model has {len(storage['clocks'])} clocks; expected one")
+    if not storage["clocks"]:
+        raise ValueError("the model has no sample clock")
     for condition in storage["conditions"]:
-        if condition["node"] != {"clock": 0}:
-            raise ValueError(f"a condition is not the sample clock: {condition['node']}")
+        if "clock" not in condition["node"]:
+            raise ValueError(f"a condition is not a sample clock: {condition['node']}")
+
+
+def _periods(clocks: list[Json]) -> tuple[Fraction, list[int]]:
+    """The shortest period, and each clock's period as a multiple of it."""
+    periods = [_period(clock) for clock in clocks]
+    base = min(periods)
+    for period in periods:
+        if (period / base).denominator != 1:
+            raise ValueError(f"the sample period {period} s is no multiple of {base} s")
+    return base, [int(period / base) for period in periods]
 
 
 def _period(clock: Json) -> Fraction:
@@ -176,6 +205,10 @@ def _period(clock: Json) -> Fraction:
     if lattice["phase"]["num"] != 0:
         raise ValueError("the sample clock does not start at time 0")
     return Fraction(lattice["period"]["num"], lattice["period"]["den"])
+
+
+def _clock(equation: Json, storage: Json) -> int:
+    return int(storage["conditions"][equation["activation"]["when"]["guard"]]["node"]["clock"])
 
 
 def _nodes(expressions: Json) -> Iterator[Node]:

@@ -1,52 +1,56 @@
-"""Which inputs and parameters an output depends on, read from the equations."""
+"""What each unknown of a model depends on, read off its equations."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable
+from dataclasses import dataclass
 
 from fmu_build.dae import Dae
-from fmu_build.sorting import references, schedule
+from fmu_build.sorting import Assignment, Target, reached, schedule
 
 
+@dataclass(frozen=True)
 class Dependencies:
-    """Knowns behind each unknown, as indices of variables.
+    """Known scalars that a variable depends on: offsets in the model, ascending.
 
-    At a communication point outputs are algebraic in inputs; states and sampled variables are
-    given. During initialization these have their start values, so that parameters matter.
+    stepping: inputs, while the simulation runs: through continuous equations alone, since samples
+        hold between ticks.
+    initial: parameters and inputs, during initialization: through start values as well.
     """
+
+    stepping: tuple[int, ...]
+    initial: tuple[int, ...]
+
+
+class Graph:
+    """Assignments of a model, to be followed back to what can be set."""
 
     def __init__(self, dae: Dae) -> None:
         plan = schedule(dae)
         self._dae = plan.dae
-        continuous = {
-            a.target[1]: a.expression
-            for a in (*plan.held, *plan.derivatives, *plan.outputs)
-            if a.target[0] == "variable"
-        }
-        given = {a.target[1]: a.expression for a in (*plan.parameters, *plan.starts)}
-        self._continuous = continuous
-        self._initial = continuous | given
+        self._continuous = _by_target((*plan.held, *plan.derivatives, *plan.outputs))
+        self._initial = _by_target((*plan.parameters, *plan.starts)) | self._continuous
 
-    def at_communication_points(self, unknown: int) -> list[int]:
-        """Inputs that an output depends on without a step in between, ascending."""
-        reached = self._reached(unknown, self._continuous)
-        return [i for i in reached if self._dae.variables[i].role == "input"]
+    def of(self, variable: int) -> Dependencies:
+        """Dependencies of the variable with this index."""
+        return Dependencies(
+            self._knowns(variable, self._continuous, {"input"}),
+            self._knowns(variable, self._initial, {"input", "parameter"}),
+        )
 
-    def at_initialization(self, unknown: int) -> list[int]:
-        """Inputs and settable parameters that a start value depends on, ascending."""
-        reached = self._reached(unknown, self._initial)
-        roles = ("input", "parameter")
-        return [
-            i
-            for i in reached
-            if self._dae.variables[i].role in roles and i not in self._initial and i != unknown
-        ]
+    def _knowns(
+        self, variable: int, assignments: dict[Target, Assignment], roles: set[str]
+    ) -> tuple[int, ...]:
+        """Scalars at which the way back ends: of these roles, and computed from nothing."""
+        on_the_way = reached(self._dae, assignments, [("variable", variable)])
+        ends = (self._dae.variables[i] for kind, i in on_the_way if (kind, i) not in assignments)
+        return tuple(
+            sorted(
+                v.offset + e
+                for v in ends
+                if v.role in roles and (v.role == "input" or v.tunable)
+                for e in range(v.count)
+            )
+        )
 
-    def _reached(self, root: int, expressions: Mapping[int, int]) -> list[int]:
-        seen = {root}
-        pending = [root]
-        while pending:
-            expression = expressions.get(pending.pop())
-            if expression is not None:
-                new = {i for _, i in references(self._dae, expression)} - seen
-                seen |= new
-                pending.extend(new)
-        return sorted(seen)
+
+def _by_target(assignments: Iterable[Assignment]) -> dict[Target, Assignment]:
+    return {a.target: a for a in assignments}

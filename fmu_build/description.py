@@ -1,27 +1,34 @@
 """Variables of the flat model to modelDescription.xml, FMI 2.0 or 3.0."""
 
 import xml.etree.ElementTree as ET
-from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 from fmu_build.dae import Dae
-from fmu_build.dependencies import Dependencies
+from fmu_build.dependencies import Graph
 from fmu_build.modelica import RealType
 from fmu_build.scalars import Scalar, scalars
 from fmu_build.units import add_unit_definitions
 from fmu_build.xml import xml_text
 
+LOG_CATEGORIES = {
+    "logStatusError": "Refused calls and failed steps, with the reason",
+    "logEvents": "Initialization, termination, reset, restored states",
+}
+"""What the C shell reports, in the order of its `log_categories`."""
+
 
 @dataclass(frozen=True)
 class Identity:
-    """What an FMU calls itself; `licence` is an SPDX expression, empty where none is granted."""
+    """What an FMU calls itself; `step` is its default communication step in s, `licence` an SPDX
+    expression, empty where none is granted."""
 
     identifier: str
     description: str
     token: str
     version: str
     sources: tuple[str, ...]
+    step: str
     licence: str = ""
 
 
@@ -39,13 +46,14 @@ def fmi2_description(dae: Dae, identity: Identity) -> str:
         canHandleVariableCommunicationStepSize="true",
         canGetAndSetFMUstate="true",
         canSerializeFMUstate="true",
+        providesDirectionalDerivative="true",
         canNotUseMemoryManagementFunctions="true",
     )
     files = ET.SubElement(simulation, "SourceFiles")
     for name in identity.sources:
         ET.SubElement(files, "File", name=name)
     listed = list(scalars(dae))
-    _common(root, listed, _add_simple_type)
+    _common(root, listed, identity.step, _add_simple_type)
     variables = ET.SubElement(root, "ModelVariables")
     for scalar in listed:
         _add_scalar_variable(variables, scalar)
@@ -54,7 +62,7 @@ def fmi2_description(dae: Dae, identity: Identity) -> str:
     parents = {kind: ET.SubElement(structure, name) for kind, name in kinds.items()}
     for kind, scalar, dependencies in _unknowns(dae, listed):
         # an index counts from 1, in the order of the variables
-        text = " ".join(str(d.reference + 1) for d in dependencies)
+        text = " ".join(str(reference + 1) for reference in dependencies)
         index = str(scalar.reference + 1)
         ET.SubElement(parents[kind], "Unknown", index=index, dependencies=text)
     return xml_text(root)
@@ -74,9 +82,13 @@ def fmi3_description(dae: Dae, identity: Identity) -> str:
         canHandleVariableCommunicationStepSize="true",
         canGetAndSetFMUState="true",
         canSerializeFMUState="true",
+        providesDirectionalDerivatives="true",
+        providesAdjointDerivatives="true",
+        providesIntermediateUpdate="true",
+        canReturnEarlyAfterIntermediateUpdate="true",
     )
     listed = list(scalars(dae))
-    _common(root, listed, _add_float64_type)
+    _common(root, listed, identity.step, _add_float64_type)
     variables = ET.SubElement(root, "ModelVariables")
     for scalar in listed:
         _add_typed_variable(variables, scalar)
@@ -92,9 +104,8 @@ def fmi3_description(dae: Dae, identity: Identity) -> str:
     )
     structure = ET.SubElement(root, "ModelStructure")
     for kind, scalar, dependencies in _unknowns(dae, listed):
-        text = " ".join(str(d.reference) for d in dependencies)
-        reference = str(scalar.reference)
-        ET.SubElement(structure, kind, valueReference=reference, dependencies=text)
+        text = " ".join(str(reference) for reference in dependencies)
+        ET.SubElement(structure, kind, valueReference=str(scalar.reference), dependencies=text)
     return xml_text(root)
 
 
@@ -112,7 +123,9 @@ def _root(fmi_version: str, identity: Identity, **token: str) -> ET.Element:
     return root
 
 
-def _common(root: ET.Element, listed: Sequence[Scalar], add_type: Callable[..., None]) -> None:
+def _common(
+    root: ET.Element, listed: Sequence[Scalar], step: str, add_type: Callable[..., None]
+) -> None:
     """Units, types, log categories and default experiment: alike in both standards."""
     shown = ((s.attributes.get("unit", ""), s.attributes.get("displayUnit", "")) for s in listed)
     add_unit_definitions(root, (pair for pair in shown if pair[0]))
@@ -126,8 +139,9 @@ def _common(root: ET.Element, listed: Sequence[Scalar], add_type: Callable[..., 
         }
         add_type(definitions, declared, {k: v for k, v in attributes.items() if v})
     categories = ET.SubElement(root, "LogCategories")
-    ET.SubElement(categories, "Category", name="logStatusError", description="Refused calls")
-    ET.SubElement(root, "DefaultExperiment", startTime="0", stopTime="10", stepSize="0.01")
+    for name, description in LOG_CATEGORIES.items():
+        ET.SubElement(categories, "Category", name=name, description=description)
+    ET.SubElement(root, "DefaultExperiment", startTime="0", stopTime="10", stepSize=step)
 
 
 def _add_simple_type(parent: ET.Element, declared: RealType, attributes: dict[str, str]) -> None:
@@ -172,20 +186,13 @@ def _typed(scalar: Scalar) -> dict[str, str]:
     return declared | scalar.attributes
 
 
-def _unknowns(dae: Dae, listed: Sequence[Scalar]) -> Iterator[tuple[str, Scalar, list[Scalar]]]:
-    """Kind, scalar and knowns that it depends on; ascending, as FMI 2.0 asks."""
-    graph = Dependencies(dae)
-    elements: dict[int, list[Scalar]] = defaultdict(list)
-    for scalar in listed:
-        if scalar.causality in ("parameter", "input"):
-            elements[scalar.variable].append(scalar)
-
-    def knowns(indices: Iterable[int]) -> list[Scalar]:
-        return [known for index in indices for known in elements[index]]
-
-    for scalar in listed:
+def _unknowns(dae: Dae, listed: Sequence[Scalar]) -> Iterator[tuple[str, Scalar, tuple[int, ...]]]:
+    """Kind, scalar and references of the knowns it depends on; ascending, as FMI 2.0 asks."""
+    graph = Graph(dae)
+    calculated = [s for s in listed if s.causality in ("output", "calculatedParameter")]
+    depends = {index: graph.of(index) for index in {s.variable for s in calculated}}
+    for scalar in calculated:
         if scalar.causality == "output":
-            yield "Output", scalar, knowns(graph.at_communication_points(scalar.variable))
-    for scalar in listed:
-        if scalar.causality in ("output", "calculatedParameter"):
-            yield "InitialUnknown", scalar, knowns(graph.at_initialization(scalar.variable))
+            yield "Output", scalar, depends[scalar.variable].stepping
+    for scalar in calculated:
+        yield "InitialUnknown", scalar, depends[scalar.variable].initial

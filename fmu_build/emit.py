@@ -26,6 +26,7 @@ _BUILTIN = {
     "cos": "m_cos",
     "atan2": "m_atan2",
     "log": "m_log",
+    "exp": "m_exp",
 }
 
 
@@ -82,6 +83,8 @@ class Emitter:
         if n.kind == "binder":
             return f"(double)i{n.value['domain']}"
         if n.kind == "builtin":
+            if n.value == "no_event":
+                return self.scalar(n.args[0])
             if n.value not in _BUILTIN:
                 raise ValueError(f"builtin {n.value} is not supported")
             return f"{_BUILTIN[n.value]}({', '.join(self.scalar(a) for a in n.args)})"

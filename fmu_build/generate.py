@@ -2,14 +2,18 @@
 
 import re
 from collections.abc import Iterable
+from itertools import groupby
 
 from fmu_build.dae import Dae
 from fmu_build.emit import Emitter, function_body
 from fmu_build.sorting import Assignment, Schedule, schedule
 
 
-def generate(dae: Dae) -> str:
+def generate(dae: Dae, integrator: str = "runge_kutta_4") -> str:
     """C source of a model: the functions that `model.h` declares.
+
+    Args:
+        integrator: header `c/INTEGRATOR.h` and the function in it that makes a step.
 
     Raises:
         ValueError: the model holds what the generator does not know.
@@ -24,29 +28,32 @@ def generate(dae: Dae) -> str:
         *_procedure("void model_parameters(double *v)", _stores(dae, plan.parameters)),
         *_procedure("void model_defaults(double *v)", _defaults(dae)),
         *_procedure("void model_start(double *v)", _stores(dae, plan.starts)),
-        *_procedure("static inline void held(double *v)", _stores(dae, plan.held)),
+        *_procedure("void model_held(double *v)", _stores(dae, plan.held)),
         *_derivatives(dae, plan),
-        *_step(dae),
-        *_procedure("void model_tick(double *v)", _tick(dae, plan)),
-        *_procedure("int model_is_finite(const double *v)", _finite(dae)),
-        *_procedure(
-            "void model_outputs(double *v)",
-            [*_states(dae), "held(v);", *_stores(dae, plan.outputs)],
-        ),
+        *_step(dae, integrator),
+        *_procedure("void model_tick(double *v, long long index)", _tick(dae, plan)),
+        *_procedure("int model_is_finite(const double *v)", _finite(dae, plan)),
+        *_procedure("void model_outputs(double *v)", _outputs(dae, plan)),
     ]
     return "\n".join(parts) + "\n"
 
 
 def header(dae: Dae) -> str:
     """The model's constants, included by `model.h`."""
-    period = dae.sample_period
     return "\n".join(
         [
             f"#define MODEL_VARIABLES {dae.scalar_count}",
-            f"#define MODEL_PERIOD ({period.numerator}.0 / {period.denominator}.0)",
+            f"#define MODEL_PERIOD(v) ({_period(dae)})",
             "",
         ]
     )
+
+
+def _period(dae: Dae) -> str:
+    for variable in dae.variables:
+        if variable.name == "samplePeriod" and variable.tunable:
+            return f"(v)[{variable.offset}]"
+    return f"{dae.sample_period.numerator}.0 / {dae.sample_period.denominator}.0"
 
 
 def _functions(dae: Dae) -> list[str]:
@@ -92,8 +99,10 @@ def _scalars(dae: Dae, role: str) -> list[int]:
     return [v.offset + e for v in dae.variables if v.role == role for e in range(v.count)]
 
 
-def _states(dae: Dae) -> list[str]:
-    return [f"const double x{i} = v[{i}];" for i in _scalars(dae, "state")]
+def _states(dae: Dae, lines: Iterable[str]) -> list[str]:
+    """C variables of the states that the lines read."""
+    used = set(re.findall(r"\bx\d+\b", "\n".join(lines)))
+    return [f"const double x{i} = v[{i}];" for i in _scalars(dae, "state") if f"x{i}" in used]
 
 
 def _derivatives(dae: Dae, plan: Schedule) -> list[str]:
@@ -106,6 +115,8 @@ def _derivatives(dae: Dae, plan: Schedule) -> list[str]:
         kind, index = assignment.target
         for element in range(dae.variables[index].count):
             text = emitter.scalar(assignment.expression, element)
+            lines += emitter.statements
+            emitter.statements.clear()
             if kind == "variable":
                 lines.append(f"const double {emitter.reference(kind, index, element)} = {text};")
             else:
@@ -115,28 +126,38 @@ def _derivatives(dae: Dae, plan: Schedule) -> list[str]:
     return [
         f"#define STATES {len(states)}",
         *_procedure(signature, lines),
-        '#include "runge_kutta.h"',
     ]
 
 
-def _step(dae: Dae) -> list[str]:
-    """Classical Runge-Kutta step of fourth order with inputs and commands held."""
+def _step(dae: Dae, integrator: str) -> list[str]:
+    """One step of the integrator with inputs and commands held."""
     states = _scalars(dae, "state")
     load = [f"x[{n}] = v[{i}];" for n, i in enumerate(states)]
     store = [f"v[{i}] = x[{n}];" for n, i in enumerate(states)]
-    return _procedure(
-        "void model_step(double *v, double h)",
-        ["double x[STATES];", *load, "held(v);", "runge_kutta_4(v, x, h);", *store],
-    )
+    lines = ["double x[STATES];", *load, f"{integrator}(v, x, h);", *store]
+    step = _procedure("void model_step(double *v, double h)", lines)
+    return [f'#include "{integrator}.h"', *step]
 
 
-def _finite(dae: Dae) -> list[str]:
-    return [f"return isfinite({' + '.join(f'0.0 * v[{i}]' for i in _scalars(dae, 'state'))});"]
+def _outputs(dae: Dae, plan: Schedule) -> list[str]:
+    stores = _stores(dae, plan.outputs)
+    return ["model_held(v);", *_states(dae, stores), *stores]
+
+
+def _finite(dae: Dae, plan: Schedule) -> list[str]:
+    """The states, and the samples that act on them until the next step."""
+    acting = "\n".join([*_stores(dae, plan.held), *_derivatives(dae, plan)])
+    used = {int(i) for i in re.findall(r"\bv\[(\d+)\]", acting)}
+    watched = [*_scalars(dae, "state"), *sorted(used & set(_scalars(dae, "discrete_real")))]
+    return [f"return isfinite({' + '.join(f'0.0 * v[{i}]' for i in watched)});"]
 
 
 def _tick(dae: Dae, plan: Schedule) -> list[str]:
     """One sample; `pre` values are read before anything is written."""
-    stores = _stores(dae, plan.tick)
+    stores = []
+    for every, assignments in groupby(plan.tick, key=lambda a: a.every):
+        block = _stores(dae, assignments)
+        stores += block if every == 1 else [f"if (index % {every} == 0) {{", *block, "}"]
     names = Emitter(dae)
     used = set(re.findall(r"\bp\d+\b", "\n".join(stores)))
     before = [
@@ -145,4 +166,4 @@ def _tick(dae: Dae, plan: Schedule) -> list[str]:
         for element in range(variable.count)
         if (name := names.reference("pre", index, element)) in used
     ]
-    return [*_states(dae), *before, *stores]
+    return ["(void)index;", *_states(dae, stores), *before, *stores]

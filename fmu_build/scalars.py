@@ -45,7 +45,7 @@ def scalars(dae: Dae) -> Iterator[Scalar]:
 def fmi_causality(dae: Dae, variable: Variable) -> str:
     """Causality in the sense of FMI."""
     if variable.role == "parameter":
-        settable = variable.tunable and dae.constant(variable.binding) is not None
+        settable = variable.tunable and dae.is_constant(variable.binding, variable.count)
         return "parameter" if settable else "calculatedParameter"
     return variable.causality if "." not in variable.name else "local"
 

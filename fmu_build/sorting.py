@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
-from fmu_build.dae import Dae
+from fmu_build.dae import Dae, Sample
 
 Target = tuple[str, int]
 """What an equation defines: ("variable" or "derivative", index of the variable)."""
@@ -11,10 +11,11 @@ Target = tuple[str, int]
 
 @dataclass(frozen=True)
 class Assignment:
-    """`target := expression`, a whole scalar or vector at a time."""
+    """`target := expression`, a whole scalar or vector at a time, at every so many-th tick."""
 
     target: Target
     expression: int
+    every: int = 1
 
 
 @dataclass(frozen=True)
@@ -23,11 +24,14 @@ class Schedule:
 
     dae: the model with every alias replaced by what it stands for.
     parameters: dependent parameters, once.
-    starts: start values of states and sampled variables, once parameters are known.
-    held: what the derivatives need that no state touches: constant between samples and inputs.
+    starts: start values of states and sampled variables, once parameters are known; outputs that
+        are sampled ones.
+    held: what derivatives and samples need that no state touches: constant between samples and
+        inputs.
     derivatives: what else the derivatives need, and the derivatives.
     outputs: all other continuous variables, aliases among them.
-    tick: everything that a sample computes; continuous variables where sampled ones need them.
+    tick: everything that a sample computes; what no state touches only as often as it may change,
+        other continuous variables where sampled ones need them; outputs that are sampled ones.
     """
 
     dae: Dae
@@ -46,22 +50,25 @@ def schedule(dae: Dae) -> Schedule:
         ValueError: an equation that defines no variable, or an algebraic loop.
     """
     continuous = _assign(dae, dae.continuous)
-    sampled = {_explicit_target(dae, e): _sampled(dae, e) for e in dae.sampled}
+    sampled = {_explicit_target(dae, s.equation): _sampled(dae, s) for s in dae.sampled}
     dae = _without_aliases(dae, continuous)
     state_free = _state_free(dae, continuous)
     derivatives = [t for t in continuous if t[0] == "derivative"]
     needed = _closure(dae, continuous, derivatives)
-    held = {t: continuous[t] for t in needed if t in state_free}
-    rest = {t: a for t, a in continuous.items() if t not in held and t[0] == "variable"}
-    tick = _closure(dae, continuous | sampled, sampled)
+    tick = _tick(dae, continuous | sampled, sampled)
+    held = {t: continuous[t] for t in continuous if t in state_free and (t in needed or t in tick)}
+    readings = _readings(dae, continuous, sampled)
+    tick = {t: a for t, a in tick.items() if t not in held} | readings
+    done = held | readings
+    rest = {t: a for t, a in continuous.items() if t not in done and t[0] == "variable"}
     return Schedule(
         dae=dae,
         parameters=_order(dae, _parameters(dae)),
-        starts=tuple(_starts(dae)),
+        starts=(*_starts(dae), *readings.values()),
         held=_order(dae, held),
         derivatives=_order(dae, {t: continuous[t] for t in needed if t not in state_free}),
         outputs=_order(dae, rest),
-        tick=_order(dae, {t: (continuous | sampled)[t] for t in tick}),
+        tick=_order(dae, tick | _changing(dae, held, sampled)),
     )
 
 
@@ -104,6 +111,32 @@ def _sides(dae: Dae, residual: int) -> tuple[int, int]:
     return node.args[0], node.args[1]
 
 
+def _changing(
+    dae: Dae, held: dict[Target, Assignment], sampled: dict[Target, Assignment]
+) -> dict[Target, Assignment]:
+    """Held variables that samples change, with the period of the most frequent of those samples."""
+    result = {}
+    for target, assignment in held.items():
+        sources = reached(dae, held, [target])
+        periods = [sampled[t].every for t in sources if t in sampled]
+        if periods:
+            result[target] = replace(assignment, every=min(periods))
+    return result
+
+
+def _readings(
+    dae: Dae, continuous: dict[Target, Assignment], sampled: dict[Target, Assignment]
+) -> dict[Target, Assignment]:
+    """Outputs of the model that are other names of sampled variables."""
+    result = {}
+    for target, assignment in continuous.items():
+        node = dae.nodes[assignment.expression]
+        source = sampled.get((node.kind, node.value))
+        if source and dae.variables[target[1]].causality == "output":
+            result[target] = replace(assignment, every=source.every)
+    return result
+
+
 def _explicit_target(dae: Dae, residual: int) -> Target:
     node = dae.nodes[_sides(dae, residual)[0]]
     if node.kind not in ("variable", "derivative"):
@@ -111,8 +144,22 @@ def _explicit_target(dae: Dae, residual: int) -> Target:
     return (node.kind, node.value)
 
 
-def _sampled(dae: Dae, residual: int) -> Assignment:
-    return Assignment(_explicit_target(dae, residual), _sides(dae, residual)[1])
+def _sampled(dae: Dae, sample: Sample) -> Assignment:
+    target = _explicit_target(dae, sample.equation)
+    return Assignment(target, _sides(dae, sample.equation)[1], sample.every)
+
+
+def _tick(
+    dae: Dae, assignments: dict[Target, Assignment], sampled: dict[Target, Assignment]
+) -> dict[Target, Assignment]:
+    """Sampled variables, and what they need as often as the most frequent of them."""
+    result: dict[Target, Assignment] = {}
+    for every in sorted({a.every for a in sampled.values()}):
+        roots = [t for t, a in sampled.items() if a.every == every]
+        for target in _closure(dae, assignments, roots):
+            own = sampled[target].every if target in sampled else every
+            result.setdefault(target, replace(assignments[target], every=own))
+    return result
 
 
 def _assign(dae: Dae, equations: Iterable[int]) -> dict[Target, Assignment]:
@@ -153,10 +200,10 @@ def _state_free(dae: Dae, continuous: dict[Target, Assignment]) -> set[Target]:
     """Continuous variables that depend on parameters, inputs and sampled variables alone."""
     states = {("variable", i) for i, v in enumerate(dae.variables) if v.role == "state"}
     states |= {t for t in continuous if t[0] == "derivative"}
-    return {t for t in continuous if not states & _reached(dae, continuous, [t])}
+    return {t for t in continuous if not states & reached(dae, continuous, [t])}
 
 
-def _reached(
+def reached(
     dae: Dae, assignments: dict[Target, Assignment], roots: Iterable[Target]
 ) -> set[Target]:
     """The roots and all that they depend on."""
@@ -175,15 +222,17 @@ def _closure(
     dae: Dae, assignments: dict[Target, Assignment], roots: Iterable[Target]
 ) -> list[Target]:
     """The roots and all assigned variables that they depend on, in the order of declaration."""
-    reached = _reached(dae, assignments, roots)
-    return [t for t in assignments if t in reached]
+    needed = reached(dae, assignments, roots)
+    return [t for t in assignments if t in needed]
 
 
 def _parameters(dae: Dae) -> dict[Target, Assignment]:
     return {
         ("variable", i): Assignment(("variable", i), v.binding)
         for i, v in enumerate(dae.variables)
-        if v.role == "parameter" and v.binding is not None and dae.constant(v.binding) is None
+        if v.role == "parameter"
+        and v.binding is not None
+        and not dae.is_constant(v.binding, v.count)
     }
 
 

@@ -14,12 +14,13 @@ class TranslationError(Exception):
     """The Modelica text, or what the compiler made of it, can't be translated."""
 
 
-def translate(library: Path, model: str) -> Dae:
+def translate(library: Path, model: str, source: str = "") -> Dae:
     """Flat equations of a model.
 
     Args:
         library: folder of the top-level package, with its `package.mo`.
         model: full name of the model, e.g. `HRG.Gyroscopes.HRG`.
+        source: Modelica text of the model, where it is not the library's own.
 
     Raises:
         TranslationError: another compiler than the pinned one, a Modelica error, or a construct
@@ -31,7 +32,7 @@ def translate(library: Path, model: str) -> Dae:
             "for which the generator is written"
         )
     try:
-        document = rumoca.Session().load(str(library / "package.mo"), model=model).to_dict("dae")
+        document = _loaded(library, model, source).to_dict("dae")
     except rumoca.RumocaError as error:
         raise TranslationError(f"{model}: {error}") from error
     if document["schema_version"] != SCHEMA_VERSION:
@@ -42,3 +43,9 @@ def translate(library: Path, model: str) -> Dae:
         return parse(model, document["storage"], document["source_map"])
     except ValueError as error:
         raise TranslationError(f"{model}: {error}") from error
+
+
+def _loaded(library: Path, model: str, source: str) -> rumoca.Model:
+    if source:
+        return rumoca.Session([str(library)]).loads(source, model=model)
+    return rumoca.Session().load(str(library / "package.mo"), model=model)

@@ -1,10 +1,12 @@
 """Shared: the FMU, built once."""
 
+import zipfile
 from pathlib import Path
 
 import pytest
 
 from fmu_build.bundle import built_fmu
+from fmu_build.platforms import PLATFORMS
 from pyhrg.fmu import GyroFmu
 
 
@@ -16,3 +18,31 @@ def fmu_path() -> Path:
 @pytest.fixture(scope="session")
 def fmu(fmu_path: Path) -> GyroFmu:
     return GyroFmu(fmu_path)
+
+
+@pytest.fixture(scope="session")
+def extracted(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Path]:
+    """By FMI version: the FMU for this machine, extracted."""
+    return {fmi: _extracted(built_fmu(fmi=fmi), tmp_path_factory) for fmi in (2, 3)}
+
+
+@pytest.fixture(params=[2, 3], ids=["fmi2", "fmi3"])
+def folder(request: pytest.FixtureRequest, extracted: dict[int, Path]) -> Path:
+    """The extracted FMU of each standard in turn."""
+    return extracted[request.param]
+
+
+@pytest.fixture(scope="session")
+def folders(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Path]:
+    """By FMI version: the FMU for every platform, extracted."""
+    platforms = list(PLATFORMS)
+    return {
+        fmi: _extracted(built_fmu(fmi=fmi, platforms=platforms), tmp_path_factory) for fmi in (2, 3)
+    }
+
+
+def _extracted(path: Path, factory: pytest.TempPathFactory) -> Path:
+    folder = factory.mktemp("fmu")
+    with zipfile.ZipFile(path) as archive:
+        archive.extractall(folder)
+    return folder

@@ -1,6 +1,6 @@
 /* Arithmetic that the generated equations call. The transcendental functions are our own, so that
    every platform computes the same bits; errors are below 2 units in the last place.
-   Sources: S. L. Moshier, Cephes Math Library (sin, cos, atan); Sun Microsystems, fdlibm (log). */
+   Sources: S. L. Moshier, Cephes Math Library (sin, cos, atan, exp); Sun Microsystems, fdlibm (log). */
 #ifndef ARITHMETIC_H
 #define ARITHMETIC_H
 
@@ -16,8 +16,13 @@ static inline double m_floor(double x) {
 
 static inline double m_square(double x) { return x * x; }
 
-/* x less the nearest multiple of pi/2, which is returned modulo 4; for |x| < 1e6. */
+/* x less the nearest multiple of pi/2, which is returned modulo 4; for |x| < 1e8, beyond which the
+   products with parts of pi/2 are no longer exact: no number then. */
 static inline int quarter_turns(double x, double *rest) {
+  if (!(fabs(x) < 1e8)) {
+    *rest = NAN;
+    return 0;
+  }
   double n = m_floor(x * 6.36619772367581343076e-1 + 0.5);
   *rest = ((x - n * 1.57079625129699707031) - n * 7.54978941586159635335e-8) -
           n * 5.39030252995776476554e-15;
@@ -54,6 +59,7 @@ static inline double cosine_kernel(double x) {
 }
 
 static inline double m_sin(double x) {
+  if (fabs(x) <= 0.78) return sine_kernel(x);
   double rest;
   int quarter = quarter_turns(x, &rest);
   double value = quarter & 1 ? cosine_kernel(rest) : sine_kernel(rest);
@@ -61,6 +67,7 @@ static inline double m_sin(double x) {
 }
 
 static inline double m_cos(double x) {
+  if (fabs(x) <= 0.78) return cosine_kernel(x);
   double rest;
   int quarter = quarter_turns(x, &rest);
   double value = quarter & 1 ? sine_kernel(rest) : cosine_kernel(rest);
@@ -128,6 +135,23 @@ static inline double m_log(double x) {
   double k = (double)exponent;
   return k * 6.93147180369123816490e-01 -
          ((half - (s * (half + r) + k * 1.90821492927058770002e-10)) - f);
+}
+
+/* For |x| < 700. */
+static inline double m_exp(double x) {
+  double n = m_floor(x * 1.4426950408889634073599 + 0.5);
+  x = (x - n * 6.93145751953125e-1) - n * 1.42860682030941723212e-6;
+  double z = x * x;
+  double p = x * ((1.26177193074810590878e-4 * z + 3.02994407707441961300e-2) * z +
+                  9.99999999999999999910e-1);
+  double q = ((3.00198505138664455042e-6 * z + 2.52448340349684104192e-3) * z +
+              2.27265548208155028766e-1) *
+                 z +
+             2.00000000000000000005e0;
+  unsigned long long bits = (unsigned long long)((long long)n + 1023) << 52;
+  double scale;
+  memcpy(&scale, &bits, sizeof scale);
+  return (1.0 + 2.0 * p / (q - p)) * scale;
 }
 
 #endif

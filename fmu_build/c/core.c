@@ -2,8 +2,11 @@
 
 #include <string.h>
 
-/* A communication point this close to a tick, in periods, is the tick. */
-static const double SAME_INSTANT = 1e-6;
+/* A communication point this close to a tick is the tick: a millionth of the period, and what a
+   double may lose of a time that was added up. In periods. */
+static double same_instant(double time, double period) {
+  return 1e-6 + 1e-15 * fabs(time) / period;
+}
 
 void core_reset(Core *core) {
   memset(core, 0, sizeof *core);
@@ -14,28 +17,39 @@ void core_reset(Core *core) {
 void core_settle(Core *core) {
   model_parameters(core->v);
   model_start(core->v);
-  core->outputs_fresh = 0;
+  core_touch(core);
+}
+
+void core_touch(Core *core) { core->held_fresh = core->outputs_fresh = 0; }
+
+static void refresh_held(Core *core) {
+  if (!core->held_fresh) model_held(core->v);
+  core->held_fresh = 1;
 }
 
 void core_initialize(Core *core, double start) {
   core->start = start;
   core->offset = 0.0;
   core->ticks = 1;
-  model_tick(core->v);
+  refresh_held(core);
+  model_tick(core->v, 0);
   core->outputs_fresh = 0;
 }
 
 void core_advance(Core *core, double time) {
+  refresh_held(core);
   /* Ticks are counted, never accumulated, so that no rounding builds up over hours. */
-  double target = (time - core->start) / MODEL_PERIOD;
-  while ((double)core->ticks <= target + SAME_INSTANT) {
-    model_step(core->v, MODEL_PERIOD - core->offset);
-    model_tick(core->v);
+  const double period = MODEL_PERIOD(core->v);
+  const double slack = same_instant(time, period);
+  double target = (time - core->start) / period;
+  while ((double)core->ticks <= target + slack) {
+    model_step(core->v, period - core->offset);
+    model_tick(core->v, core->ticks);
     core->offset = 0.0;
     core->ticks++;
   }
-  double rest = (target - (double)(core->ticks - 1)) * MODEL_PERIOD;
-  if (rest - core->offset > SAME_INSTANT * MODEL_PERIOD) {
+  double rest = (target - (double)(core->ticks - 1)) * period;
+  if (rest - core->offset > slack * period) {
     model_step(core->v, rest - core->offset);
     core->offset = rest;
   }
@@ -44,5 +58,21 @@ void core_advance(Core *core, double time) {
 
 void core_refresh(Core *core) {
   if (!core->outputs_fresh) model_outputs(core->v);
-  core->outputs_fresh = 1;
+  core->outputs_fresh = core->held_fresh = 1;
+}
+
+double core_next_tick(const Core *core) {
+  return core->start + (double)core->ticks * MODEL_PERIOD(core->v);
+}
+
+int core_ticks_before(const Core *core, double time) {
+  const double period = MODEL_PERIOD(core->v);
+  return (time - core->start) / period > (double)core->ticks + same_instant(time, period);
+}
+
+int core_is_at(const Core *core, double time) {
+  const double period = MODEL_PERIOD(core->v);
+  double now = core->start + (double)(core->ticks - 1) * period + core->offset;
+  return core->ticks >= 1 && core->offset >= 0.0 && core->offset < period &&
+         fabs(now - time) <= 2.0 * same_instant(time, period) * period;
 }

@@ -9,6 +9,7 @@ typedef struct {
   double start;      /* time of the first tick */
   double offset;     /* time since the last tick */
   long long ticks;   /* ticks executed */
+  int held_fresh;    /* what depends on inputs alone belongs to the present ones */
   int outputs_fresh; /* continuous outputs belong to the present state */
 } Core;
 
@@ -16,11 +17,18 @@ typedef struct {
 void core_reset(Core *core);
 /* What depends on parameters, before the first tick. */
 void core_settle(Core *core);
+/* To be called after an input was set. */
+void core_touch(Core *core);
 /* Execute the tick at the start time. */
 void core_initialize(Core *core, double start);
 /* Integrate to a time; a tick that falls on it is executed. */
 void core_advance(Core *core, double time);
 /* Bring continuous outputs up to date. */
 void core_refresh(Core *core);
+/* Time of the next tick, and whether it lies before a time, not on it. */
+double core_next_tick(const Core *core);
+int core_ticks_before(const Core *core, double time);
+/* Whether ticks and offset are those of a time after the first tick. */
+int core_is_at(const Core *core, double time);
 
 #endif

@@ -1,56 +1,55 @@
 /* FMI 3.0 co-simulation: translates calls, knows no physics. */
 #include "fmi3Functions.h"
+
+#include "derivative.h"
 #include "instance.h"
+#include "snapshot.h"
 
 #include <stdlib.h>
-#include <string.h>
 
-typedef struct {
-  fmi3InstanceEnvironment environment;
-  fmi3LogMessageCallback log;
-} Logger;
-
-/* The instance comes first, so that either pointer serves. */
 typedef struct {
   Instance instance;
-  Logger logger;
+  fmi3IntermediateUpdateCallback update;
+  fmi3Boolean may_return_early;
 } Component;
 
 static fmi3Status status(int success) { return success ? fmi3OK : fmi3Error; }
 
-static void report(void *context, const char *name, const char *message) {
-  const Logger *logger = context;
+static void tell(const Listener *listener, const char *name, Category category, const char *message) {
+  fmi3LogMessageCallback logger = (fmi3LogMessageCallback)listener->logger;
   (void)name;
-  if (logger && logger->log)
-    logger->log(logger->environment, fmi3Error, "logStatusError", message);
-}
-
-static fmi3Status refuse(fmi3Instance c, const char *what) {
-  return status(instance_refuse(c, "%s is not supported", what));
+  logger(listener->environment, category == LOG_ERROR ? fmi3Error : fmi3OK, log_categories[category],
+         message);
 }
 
 const char *fmi3GetVersion(void) { return fmi3Version; }
+
+static void *refuse_instance(const Listener *listener, const char *message) {
+  if (listener->logger) tell(listener, "", LOG_ERROR, message);
+  return NULL;
+}
+
+static int are_real(const fmi3ValueReference references[], size_t n) {
+  for (size_t i = 0; i < n; i++)
+    if (!references || !instance_knows(references[i], REAL)) return 0;
+  return 1;
+}
 
 fmi3Instance fmi3InstantiateCoSimulation(
     fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible, fmi3Boolean logging,
     fmi3Boolean events, fmi3Boolean early_return, const fmi3ValueReference intermediate[],
     size_t intermediates, fmi3InstanceEnvironment environment, fmi3LogMessageCallback log,
     fmi3IntermediateUpdateCallback update) {
-  (void)resources, (void)visible, (void)logging, (void)early_return, (void)intermediate, (void)update;
-  Logger logger = {environment, log};
-  if (events || intermediates) {
-    report(&logger, name, "event mode and intermediate variables are not supported");
-    return NULL;
-  }
-  Instance *checked = instance_create(name, token, report, &logger);
-  if (!checked) return NULL;
-  Component *component = calloc(1, sizeof *component);
-  if (component) {
-    component->instance = *checked;
-    component->logger = logger;
-    component->instance.context = &component->logger;
-  }
-  free(checked);
+  (void)resources, (void)visible;
+  Listener listener = {tell, environment, (void (*)(void))log};
+  if (events) return refuse_instance(&listener, "event mode is not supported");
+  if (!are_real(intermediate, intermediates))
+    return refuse_instance(&listener, "a required intermediate variable is no real variable");
+  Component *component = instance_create(sizeof *component, name, token, MODEL_VARIABLES + 1,
+                                         &listener, logging);
+  if (!component) return NULL;
+  component->update = update;
+  component->may_return_early = early_return;
   return component;
 }
 
@@ -58,10 +57,9 @@ fmi3Instance fmi3InstantiateModelExchange(fmi3String name, fmi3String token, fmi
                                           fmi3Boolean visible, fmi3Boolean logging,
                                           fmi3InstanceEnvironment environment,
                                           fmi3LogMessageCallback log) {
-  (void)token, (void)resources, (void)visible, (void)logging;
-  Logger logger = {environment, log};
-  report(&logger, name, "only co-simulation is supported");
-  return NULL;
+  (void)name, (void)token, (void)resources, (void)visible, (void)logging;
+  Listener listener = {tell, environment, (void (*)(void))log};
+  return refuse_instance(&listener, "only co-simulation is supported");
 }
 
 fmi3Instance fmi3InstantiateScheduledExecution(fmi3String name, fmi3String token, fmi3String resources,
@@ -71,20 +69,16 @@ fmi3Instance fmi3InstantiateScheduledExecution(fmi3String name, fmi3String token
                                                fmi3ClockUpdateCallback update,
                                                fmi3LockPreemptionCallback lock,
                                                fmi3UnlockPreemptionCallback unlock) {
-  (void)token, (void)resources, (void)visible, (void)logging, (void)update, (void)lock, (void)unlock;
-  Logger logger = {environment, log};
-  report(&logger, name, "only co-simulation is supported");
-  return NULL;
+  (void)name, (void)token, (void)resources, (void)visible, (void)logging;
+  (void)update, (void)lock, (void)unlock;
+  Listener listener = {tell, environment, (void (*)(void))log};
+  return refuse_instance(&listener, "only co-simulation is supported");
 }
 
 void fmi3FreeInstance(fmi3Instance c) { free(c); }
 
 fmi3Status fmi3SetDebugLogging(fmi3Instance c, fmi3Boolean on, size_t n, const fmi3String categories[]) {
-  (void)on;
-  for (size_t i = 0; i < n; i++)
-    if (strcmp(categories[i], "logStatusError") != 0)
-      return status(instance_refuse(c, "there is no log category %s", categories[i]));
-  return fmi3OK;
+  return status(instance_log(c, on, n, categories));
 }
 
 fmi3Status fmi3EnterInitializationMode(fmi3Instance c, fmi3Boolean tolerance_defined,
@@ -98,66 +92,51 @@ fmi3Status fmi3ExitInitializationMode(fmi3Instance c) {
   return status(instance_exit_initialization(c));
 }
 
-fmi3Status fmi3Terminate(fmi3Instance c) {
-  ((Instance *)c)->now.phase = TERMINATED;
-  return fmi3OK;
-}
+fmi3Status fmi3Terminate(fmi3Instance c) { return status(instance_terminate(c)); }
+fmi3Status fmi3Reset(fmi3Instance c) { return status(instance_reset(c)); }
 
-fmi3Status fmi3Reset(fmi3Instance c) {
-  instance_reset(c);
-  return fmi3OK;
-}
-
-static int same_size(fmi3Instance c, size_t references, size_t values) {
-  return references == values ||
-         instance_refuse(c, "%u values for %u scalar variables", (unsigned)values, (unsigned)references);
+static int same_size(fmi3Instance c, size_t expected, size_t given) {
+  return expected == given ||
+         instance_refuse(c, "%lu values were given, expected %lu", (unsigned long)given,
+                         (unsigned long)expected);
 }
 
 fmi3Status fmi3GetFloat64(fmi3Instance c, const fmi3ValueReference vr[], size_t n, fmi3Float64 value[],
                           size_t values) {
-  int success = same_size(c, n, values);
-  for (size_t i = 0; i < n && success; i++) success = instance_get(c, vr[i], 0, &value[i]);
-  return status(success);
+  return status(same_size(c, n, values) && instance_get(c, vr, n, REAL, value));
 }
 
 fmi3Status fmi3SetFloat64(fmi3Instance c, const fmi3ValueReference vr[], size_t n,
                           const fmi3Float64 value[], size_t values) {
-  int success = same_size(c, n, values);
-  for (size_t i = 0; i < n && success; i++) success = instance_set(c, vr[i], 0, value[i]);
-  instance_settle(c);
-  return status(success);
+  return status(same_size(c, n, values) && instance_set(c, vr, n, REAL, value));
 }
 
 fmi3Status fmi3GetInt32(fmi3Instance c, const fmi3ValueReference vr[], size_t n, fmi3Int32 value[],
                         size_t values) {
-  int success = same_size(c, n, values);
-  for (size_t i = 0; i < n && success; i++) {
-    double number = 0.0;
-    success = instance_get(c, vr[i], 1, &number);
-    if (success) value[i] = (fmi3Int32)number;
-  }
-  return status(success);
+  return status(same_size(c, n, values) && instance_get(c, vr, n, INTEGER, value));
 }
 
 fmi3Status fmi3SetInt32(fmi3Instance c, const fmi3ValueReference vr[], size_t n,
                         const fmi3Int32 value[], size_t values) {
-  int success = same_size(c, n, values);
-  for (size_t i = 0; i < n && success; i++) success = instance_set(c, vr[i], 1, value[i]);
-  instance_settle(c);
-  return status(success);
+  return status(same_size(c, n, values) && instance_set(c, vr, n, INTEGER, value));
 }
 
 /* Kinds of variables that the model does not have. */
+static fmi3Status none(fmi3Instance c, size_t n, unsigned phases, const char *call) {
+  if (!instance_may(c, phases, call)) return fmi3Error;
+  return n ? status(instance_refuse(c, "there are no variables for %s", call)) : fmi3OK;
+}
+
 #define NO_VARIABLES(Kind)                                                                            \
   fmi3Status fmi3Get##Kind(fmi3Instance c, const fmi3ValueReference vr[], size_t n,                  \
                            fmi3##Kind value[], size_t values) {                                      \
-    (void)vr, (void)value, (void)values;                                                             \
-    return n ? refuse(c, "a " #Kind " variable") : fmi3OK;                                           \
+    (void)vr, (void)value;                                                                           \
+    return none(c, n | values, READABLE, "fmi3Get" #Kind);                                           \
   }                                                                                                   \
   fmi3Status fmi3Set##Kind(fmi3Instance c, const fmi3ValueReference vr[], size_t n,                  \
                            const fmi3##Kind value[], size_t values) {                                \
-    (void)vr, (void)value, (void)values;                                                             \
-    return n ? refuse(c, "a " #Kind " variable") : fmi3OK;                                           \
+    (void)vr, (void)value;                                                                           \
+    return none(c, n | values, SETTABLE, "fmi3Set" #Kind);                                           \
   }
 
 NO_VARIABLES(Float32)
@@ -173,85 +152,101 @@ NO_VARIABLES(String)
 
 fmi3Status fmi3GetBinary(fmi3Instance c, const fmi3ValueReference vr[], size_t n, size_t sizes[],
                          fmi3Binary value[], size_t values) {
-  (void)vr, (void)sizes, (void)value, (void)values;
-  return n ? refuse(c, "a Binary variable") : fmi3OK;
+  (void)vr, (void)sizes, (void)value;
+  return none(c, n | values, READABLE, "fmi3GetBinary");
 }
 
 fmi3Status fmi3SetBinary(fmi3Instance c, const fmi3ValueReference vr[], size_t n, const size_t sizes[],
                          const fmi3Binary value[], size_t values) {
-  (void)vr, (void)sizes, (void)value, (void)values;
-  return n ? refuse(c, "a Binary variable") : fmi3OK;
+  (void)vr, (void)sizes, (void)value;
+  return none(c, n | values, SETTABLE, "fmi3SetBinary");
 }
 
 fmi3Status fmi3GetClock(fmi3Instance c, const fmi3ValueReference vr[], size_t n, fmi3Clock value[]) {
   (void)vr, (void)value;
-  return n ? refuse(c, "a Clock variable") : fmi3OK;
+  return none(c, n, READABLE, "fmi3GetClock");
 }
 
 fmi3Status fmi3SetClock(fmi3Instance c, const fmi3ValueReference vr[], size_t n,
                         const fmi3Clock value[]) {
   (void)vr, (void)value;
-  return n ? refuse(c, "a Clock variable") : fmi3OK;
+  return none(c, n, SETTABLE, "fmi3SetClock");
+}
+
+/* Every tick within a step is an intermediate update, at which variables can be read and the step
+   can be cut short: at the tick, or at a later time before the end. */
+static void between(Instance *instance, double *end) {
+  const Component *component = (const Component *)instance;
+  fmi3Boolean requested = fmi3False;
+  fmi3Float64 until = instance->now.time;
+  component->update(instance->listener.environment, instance->now.time, fmi3False, fmi3True, fmi3True,
+                    component->may_return_early, &requested, &until);
+  if (requested && component->may_return_early && until < *end)
+    *end = until > instance->now.time ? until : instance->now.time;
 }
 
 fmi3Status fmi3DoStep(fmi3Instance c, fmi3Float64 time, fmi3Float64 step, fmi3Boolean no_rollback,
                       fmi3Boolean *event_needed, fmi3Boolean *terminate, fmi3Boolean *early_return,
                       fmi3Float64 *last_time) {
   (void)no_rollback;
-  int success = instance_step(c, time, step);
-  *event_needed = *terminate = *early_return = fmi3False;
-  *last_time = ((Instance *)c)->now.time;
+  const Component *component = c;
+  if (!component) return fmi3Error;
+  if (!event_needed || !terminate || !early_return || !last_time)
+    return status(instance_refuse(c, "a null pointer for a result of a step"));
+  int success = instance_step(c, time, step, component->update ? between : NULL);
+  *event_needed = *terminate = fmi3False;
+  *last_time = component->instance.now.time;
+  *early_return = success && *last_time < time + step;
   return status(success);
 }
 
 fmi3Status fmi3GetFMUState(fmi3Instance c, fmi3FMUState *state) {
-  Snapshot *saved = instance_save(c, *state);
-  if (saved) *state = saved;
-  return status(saved != NULL);
+  return status(snapshot_save(c, state));
 }
 
 fmi3Status fmi3SetFMUState(fmi3Instance c, fmi3FMUState state) {
-  return status(instance_restore(c, state));
+  return status(snapshot_restore(c, state));
 }
 
 fmi3Status fmi3FreeFMUState(fmi3Instance c, fmi3FMUState *state) {
-  (void)c;
-  if (state) {
-    free(*state);
-    *state = NULL;
-  }
-  return fmi3OK;
+  return status(snapshot_free(c, state));
 }
 
 fmi3Status fmi3SerializedFMUStateSize(fmi3Instance c, fmi3FMUState state, size_t *size) {
-  (void)c, (void)state;
-  *size = sizeof(Snapshot);
-  return fmi3OK;
+  return status(snapshot_size(c, state, size));
 }
 
 fmi3Status fmi3SerializeFMUState(fmi3Instance c, fmi3FMUState state, fmi3Byte bytes[], size_t size) {
-  if (!state || size < sizeof(Snapshot))
-    return status(instance_refuse(c, "no state to serialize, or too little room for it"));
-  memcpy(bytes, state, sizeof(Snapshot));
-  return fmi3OK;
+  return status(snapshot_serialize(c, state, bytes, size));
 }
 
 fmi3Status fmi3DeserializeFMUState(fmi3Instance c, const fmi3Byte bytes[], size_t size,
                                    fmi3FMUState *state) {
-  if (size != sizeof(Snapshot))
-    return status(instance_refuse(c, "%u bytes are no state of this model", (unsigned)size));
-  Snapshot *saved = instance_save(c, *state);
-  if (!saved) return fmi3Error;
-  memcpy(saved, bytes, sizeof *saved);
-  *state = saved;
-  return fmi3OK;
+  return status(snapshot_deserialize(c, bytes, size, state));
 }
 
-/* What belongs to model exchange, clocks, events and derivatives. */
+fmi3Status fmi3GetDirectionalDerivative(fmi3Instance c, const fmi3ValueReference unknowns[], size_t nu,
+                                        const fmi3ValueReference knowns[], size_t nk,
+                                        const fmi3Float64 seed[], size_t seeds,
+                                        fmi3Float64 sensitivity[], size_t n) {
+  return status(same_size(c, nk, seeds) && same_size(c, nu, n) &&
+                derivative_directional(c, unknowns, nu, knowns, nk, seed, sensitivity));
+}
+
+fmi3Status fmi3GetAdjointDerivative(fmi3Instance c, const fmi3ValueReference unknowns[], size_t nu,
+                                    const fmi3ValueReference knowns[], size_t nk,
+                                    const fmi3Float64 seed[], size_t seeds, fmi3Float64 sensitivity[],
+                                    size_t n) {
+  return status(same_size(c, nu, seeds) && same_size(c, nk, n) &&
+                derivative_adjoint(c, unknowns, nu, knowns, nk, seed, sensitivity));
+}
+
+/* What belongs to model exchange, clocks, events, structural parameters and interpolation: legal in
+   no phase of this component. */
 #define UNSUPPORTED(name, ...)                                                                        \
-  fmi3Status name(fmi3Instance c, __VA_ARGS__) { return refuse(c, #name); }
+  fmi3Status name(fmi3Instance c, __VA_ARGS__) { return status(instance_may(c, 0, #name)); }
 #define UNSUPPORTED_PLAIN(name)                                                                       \
-  fmi3Status name(fmi3Instance c) { return refuse(c, #name); }
+  fmi3Status name(fmi3Instance c) { return status(instance_may(c, 0, #name)); }
 
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
@@ -265,12 +260,6 @@ UNSUPPORTED(fmi3GetNumberOfVariableDependencies, fmi3ValueReference vr, size_t *
 UNSUPPORTED(fmi3GetVariableDependencies, fmi3ValueReference vr, size_t elements[],
             fmi3ValueReference independents[], size_t independent_elements[],
             fmi3DependencyKind kinds[], size_t n)
-UNSUPPORTED(fmi3GetDirectionalDerivative, const fmi3ValueReference unknowns[], size_t nu,
-            const fmi3ValueReference knowns[], size_t nk, const fmi3Float64 seed[], size_t ns,
-            fmi3Float64 sensitivity[], size_t n)
-UNSUPPORTED(fmi3GetAdjointDerivative, const fmi3ValueReference unknowns[], size_t nu,
-            const fmi3ValueReference knowns[], size_t nk, const fmi3Float64 seed[], size_t ns,
-            fmi3Float64 sensitivity[], size_t n)
 UNSUPPORTED(fmi3GetIntervalDecimal, const fmi3ValueReference vr[], size_t n, fmi3Float64 intervals[],
             fmi3IntervalQualifier qualifiers[])
 UNSUPPORTED(fmi3GetIntervalFraction, const fmi3ValueReference vr[], size_t n, fmi3UInt64 counters[],

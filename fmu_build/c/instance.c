@@ -7,136 +7,250 @@
 #include <stdlib.h>
 #include <string.h>
 
+const char *const log_categories[LOG_CATEGORIES] = {"logStatusError", "logEvents"};
+
+static const char *const phase_names[] = {"before initialization", "during initialization",
+                                          "between steps",         "within a step",
+                                          "after a failed step",   "after termination"};
+
+static void tell(const Instance *instance, Category category, const char *message) {
+  const Listener *listener = &instance->listener;
+  if (instance->logged[category] && listener->logger)
+    listener->tell(listener, instance->name, category, message);
+}
+
 int instance_refuse(Instance *instance, const char *format, ...) {
+  if (!instance) return 0;
   char text[512];
   va_list arguments;
   va_start(arguments, format);
   vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  if (instance->report) instance->report(instance->context, instance->name, text);
+  tell(instance, LOG_ERROR, text);
   return 0;
 }
 
-Instance *instance_create(const char *name, const char *token, Report report, void *context) {
-  Instance *instance = calloc(1, sizeof *instance);
-  if (!instance) return NULL;
-  instance->report = report;
-  instance->context = context;
-  snprintf(instance->name, sizeof instance->name, "%s", name ? name : "");
-  if (!token || strcmp(token, model_token) != 0) {
-    instance_refuse(instance, "the token %s is not that of this model, %s", token ? token : "(none)",
-                    model_token);
-    free(instance);
-    return NULL;
-  }
-  instance_reset(instance);
-  return instance;
+void instance_note(Instance *instance, const char *event) {
+  char text[128];
+  if (!instance->logged[LOG_EVENT]) return;
+  snprintf(text, sizeof text, "%s at %.17g s", event, instance->now.time);
+  tell(instance, LOG_EVENT, text);
 }
 
-void instance_reset(Instance *instance) {
+int instance_may(Instance *instance, unsigned phases, const char *call) {
+  if (!instance) return 0;
+  if (phases & IN(instance->now.phase)) return 1;
+  return instance_refuse(instance, "%s is not legal %s", call, phase_names[instance->now.phase]);
+}
+
+int instance_log(Instance *instance, int on, size_t n, const char *const *categories) {
+  int chosen[LOG_CATEGORIES] = {0};
+  if (!instance_may(instance, ALWAYS, "logging")) return 0;
+  if (n && !categories) return instance_refuse(instance, "a null pointer to log categories");
+  for (size_t i = 0; i < n; i++) {
+    int k = 0;
+    while (k < LOG_CATEGORIES && categories[i] && strcmp(categories[i], log_categories[k]) != 0) k++;
+    if (k == LOG_CATEGORIES || !categories[i])
+      return instance_refuse(instance, "there is no log category %.100s",
+                             categories[i] ? categories[i] : "(null)");
+    chosen[k] = 1;
+  }
+  for (int k = 0; k < LOG_CATEGORIES; k++) instance->logged[k] = on && (chosen[k] || !n);
+  return 1;
+}
+
+static void start_over(Instance *instance) {
   memset(&instance->now, 0, sizeof instance->now);
   core_reset(&instance->now.core);
 }
 
+void *instance_create(size_t size, const char *name, const char *token, unsigned references,
+                      const Listener *listener, int logging) {
+  Instance *instance = calloc(1, size);
+  if (!instance) return NULL;
+  instance->listener = *listener;
+  instance->references = references;
+  instance->logged[LOG_ERROR] = 1;
+  instance->logged[LOG_EVENT] = logging;
+  snprintf(instance->name, sizeof instance->name, "%s", name ? name : "");
+  if (!token || strcmp(token, model_token) != 0) {
+    instance_refuse(instance, "the token %.100s is not that of this model, %s",
+                    token ? token : "(null)", model_token);
+    free(instance);
+    return NULL;
+  }
+  start_over(instance);
+  return instance;
+}
+
+int instance_reset(Instance *instance) {
+  if (!instance_may(instance, OUTSIDE_A_STEP, "a reset")) return 0;
+  start_over(instance);
+  instance_note(instance, "reset");
+  return 1;
+}
+
 int instance_setup(Instance *instance, double start, int stop_defined, double stop) {
-  Situation *now = &instance->now;
-  if (now->phase != INSTANTIATED)
-    return instance_refuse(instance, "the experiment is set up before initialization, not after");
-  if (!(start > -1e9 && start < 1e9))
-    return instance_refuse(instance, "the start time %g is outside its range from -1e9 to 1e9", start);
+  if (!instance_may(instance, IN(INSTANTIATED), "setting up the experiment")) return 0;
+  if (!(start >= EARLIEST_TIME && start <= LATEST_START))
+    return instance_refuse(instance, "the start time %g is outside its range from %g to %g", start,
+                           EARLIEST_TIME, LATEST_START);
   if (stop_defined && !(stop >= start))
     return instance_refuse(instance, "the stop time %g lies before the start time %g", stop, start);
+  Situation *now = &instance->now;
   now->start = now->time = start;
-  now->stop = stop;
-  now->stop_defined = stop_defined;
+  now->stop = stop_defined ? stop : 0.0;
+  now->stop_defined = stop_defined != 0;
   return 1;
 }
 
 int instance_enter_initialization(Instance *instance) {
-  if (instance->now.phase != INSTANTIATED)
-    return instance_refuse(instance, "initialization is entered once, after instantiation or reset");
+  if (!instance_may(instance, IN(INSTANTIATED), "entering initialization")) return 0;
   instance->now.phase = INITIALIZING;
   return 1;
 }
 
+/* The step or initialization that made it so is lost; the instance can be reset or restored. */
+static int fail(Instance *instance, const char *variable) {
+  instance->now.phase = FAILED;
+  return instance_refuse(instance, "%s is no longer finite at %.17g s", variable, instance->now.time);
+}
+
+static const char *first_not_finite(Core *core) {
+  core_refresh(core);
+  for (int i = 0; i < MODEL_VARIABLES; i++)
+    if (!isfinite(core->v[i])) return limits[i].name;
+  return NULL;
+}
+
 int instance_exit_initialization(Instance *instance) {
-  if (instance->now.phase != INITIALIZING)
-    return instance_refuse(instance, "initialization is not under way");
+  if (!instance_may(instance, IN(INITIALIZING), "leaving initialization")) return 0;
   core_initialize(&instance->now.core, instance->now.start);
-  instance->now.time = instance->now.start;
+  const char *bad = first_not_finite(&instance->now.core);
+  if (bad) return fail(instance, bad);
   instance->now.phase = STEPPING;
+  instance_note(instance, "initialized");
   return 1;
 }
 
-static int is_known(Instance *instance, unsigned reference, int integer) {
-  if (reference < MODEL_VARIABLES && limits[reference].integer == integer) return 1;
+int instance_terminate(Instance *instance) {
+  if (!instance_may(instance, IN(STEPPING) | IN(FAILED), "termination")) return 0;
+  instance->now.phase = TERMINATED;
+  instance_note(instance, "terminated");
+  return 1;
+}
+
+int instance_knows(unsigned reference, Kind kind) {
+  return reference < MODEL_VARIABLES && limits[reference].integer == (kind == INTEGER);
+}
+
+static int is_known(Instance *instance, unsigned reference, Kind kind) {
+  if (instance_knows(reference, kind)) return 1;
   return instance_refuse(instance, "no %s variable has the value reference %u",
-                         integer ? "integer" : "real", reference);
+                         kind == INTEGER ? "integer" : "real", reference);
 }
 
-int instance_get(Instance *instance, unsigned reference, int integer, double *value) {
-  if (reference == MODEL_VARIABLES && !integer) { /* the independent variable */
-    *value = instance->now.time;
-    return 1;
+static int are_given(Instance *instance, const void *references, size_t n, const void *values) {
+  return !n || (references && values) ||
+         instance_refuse(instance, "a null pointer for %lu variables", (unsigned long)n);
+}
+
+/* The reference after the model's own is that of the independent variable, where there is one. */
+static int is_time(const Instance *instance, unsigned reference, Kind kind) {
+  return reference == MODEL_VARIABLES && reference < instance->references && kind == REAL;
+}
+
+static int can_get(Instance *instance, unsigned reference, Kind kind) {
+  if (is_time(instance, reference, kind)) return 1;
+  if (!is_known(instance, reference, kind)) return 0;
+  if (limits[reference].continuous) core_refresh(&instance->now.core);
+  return isfinite(instance->now.core.v[reference]) ||
+         instance_refuse(instance, "%s is not finite at %.17g s", limits[reference].name,
+                         instance->now.time);
+}
+
+int instance_get(Instance *instance, const unsigned *references, size_t n, Kind kind, void *values) {
+  if (!instance_may(instance, READABLE, "reading") || !are_given(instance, references, n, values))
+    return 0;
+  const Situation *now = &instance->now;
+  for (size_t i = 0; i < n; i++)
+    if (!can_get(instance, references[i], kind)) return 0;
+  for (size_t i = 0; i < n; i++) {
+    double value = is_time(instance, references[i], kind) ? now->time : now->core.v[references[i]];
+    if (kind == INTEGER)
+      ((int *)values)[i] = (int)value;
+    else
+      ((double *)values)[i] = value;
   }
-  if (!is_known(instance, reference, integer)) return 0;
-  core_refresh(&instance->now.core);
-  *value = instance->now.core.v[reference];
   return 1;
 }
 
-int instance_set(Instance *instance, unsigned reference, int integer, double value) {
-  if (!is_known(instance, reference, integer)) return 0;
+static double given(const void *values, size_t i, Kind kind) {
+  return kind == INTEGER ? (double)((const int *)values)[i] : ((const double *)values)[i];
+}
+
+static int can_set(Instance *instance, unsigned reference, Kind kind, double value) {
+  if (!is_known(instance, reference, kind)) return 0;
   const Limits *limit = &limits[reference];
   if (limit->settable == SET_NEVER)
     return instance_refuse(instance, "%s can't be set at all", limit->name);
-  if (limit->settable == SET_PARAMETER && instance->now.phase >= STEPPING)
+  if (limit->settable == SET_PARAMETER && instance->now.phase == STEPPING)
     return instance_refuse(instance, "%s can't be set after initialization", limit->name);
   if (!(value >= limit->minimum && value <= limit->maximum)) /* catches NaN */
     return instance_refuse(instance, "%s = %.17g is outside its range from %g to %g", limit->name,
                            value, limit->minimum, limit->maximum);
-  instance->now.core.v[reference] = value;
-  instance->now.core.outputs_fresh = 0;
   return 1;
 }
 
-void instance_settle(Instance *instance) {
-  if (instance->now.phase < STEPPING) core_settle(&instance->now.core);
+int instance_set(Instance *instance, const unsigned *references, size_t n, Kind kind,
+                 const void *values) {
+  if (!instance_may(instance, SETTABLE, "setting variables") ||
+      !are_given(instance, references, n, values))
+    return 0;
+  for (size_t i = 0; i < n; i++)
+    if (!can_set(instance, references[i], kind, given(values, i, kind))) return 0;
+  Core *core = &instance->now.core;
+  for (size_t i = 0; i < n; i++) core->v[references[i]] = given(values, i, kind);
+  core_touch(core);
+  if (instance->now.phase != STEPPING) core_settle(core);
+  return 1;
 }
 
-int instance_step(Instance *instance, double time, double step) {
-  Situation *now = &instance->now;
-  if (now->phase != STEPPING) return instance_refuse(instance, "a step is legal only after initialization");
-  if (!(step > 0.0 && step < 1e9))
-    return instance_refuse(instance, "the step %g is outside its range from 0 to 1e9", step);
+static int is_step(Instance *instance, double time, double step) {
+  const Situation *now = &instance->now;
   double slack = 1e-9 * (1.0 + fabs(now->time));
+  if (!(step > 0.0 && now->time + step <= LATEST_TIME))
+    return instance_refuse(instance, "the step %g is outside its range from 0 to %g", step,
+                           LATEST_TIME - now->time);
   if (!(fabs(time - now->time) <= slack))
     return instance_refuse(instance, "the step begins at %.17g, expected %.17g", time, now->time);
   if (now->stop_defined && time + step > now->stop + slack)
     return instance_refuse(instance, "the step ends at %.17g, beyond the stop time %.17g", time + step,
                            now->stop);
-  core_advance(&now->core, time + step);
-  now->time = time + step;
-  if (!model_is_finite(now->core.v))
-    return instance_refuse(instance, "the state is no longer finite at %.17g", now->time);
   return 1;
 }
 
-Snapshot *instance_save(Instance *instance, Snapshot *into) {
-  if (!into) into = calloc(1, sizeof *into);
-  if (!into) {
-    instance_refuse(instance, "out of memory");
-    return NULL;
+/* Tick by tick, with the importer's word on each that lies within the step. */
+static double told_advance(Instance *instance, double end, Between between) {
+  Situation *now = &instance->now;
+  now->phase = UPDATING;
+  while (core_ticks_before(&now->core, end)) {
+    now->time = core_next_tick(&now->core);
+    core_advance(&now->core, now->time);
+    between(instance, &end);
   }
-  memset(into, 0, sizeof *into);
-  snprintf(into->model, sizeof into->model, "%s", model_token);
-  into->situation = instance->now;
-  return into;
+  now->phase = STEPPING;
+  return end;
 }
 
-int instance_restore(Instance *instance, const Snapshot *snapshot) {
-  if (!snapshot || strncmp(snapshot->model, model_token, sizeof snapshot->model) != 0)
-    return instance_refuse(instance, "the saved state is not one of this model");
-  instance->now = snapshot->situation;
-  return 1;
+int instance_step(Instance *instance, double time, double step, Between between) {
+  if (!instance_may(instance, IN(STEPPING), "a step") || !is_step(instance, time, step)) return 0;
+  Situation *now = &instance->now;
+  double end = time + step;
+  if (between) end = told_advance(instance, end, between);
+  core_advance(&now->core, end);
+  now->time = end;
+  if (model_is_finite(now->core.v)) return 1;
+  const char *bad = first_not_finite(&now->core);
+  return fail(instance, bad ? bad : "a state");
 }

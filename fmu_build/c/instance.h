@@ -1,4 +1,4 @@
-/* One gyro as an importer handles it: phases, checked access, steps, saved states.
+/* One gyro as an importer handles it: phases, checked access, steps, log.
    The FMI shells translate their calls into these; nothing here belongs to one FMI version. */
 #ifndef INSTANCE_H
 #define INSTANCE_H
@@ -7,10 +7,33 @@
 
 #include <stddef.h>
 
-typedef enum { INSTANTIATED, INITIALIZING, STEPPING, TERMINATED } Phase;
+/* UPDATING: within a step, while the importer is told of a tick. FAILED: a state is not finite. */
+typedef enum { INSTANTIATED, INITIALIZING, STEPPING, UPDATING, FAILED, TERMINATED } Phase;
 
-/* How a refused call is told to the importer. */
-typedef void (*Report)(void *context, const char *instance, const char *message);
+/* s; a double can tell ticks apart up to the last of them. */
+#define EARLIEST_TIME -1e6
+#define LATEST_START 1e6
+#define LATEST_TIME 1e7
+
+#define IN(phase) (1u << (phase))
+#define BEFORE_STEPS (IN(INSTANTIATED) | IN(INITIALIZING))
+#define SETTABLE (BEFORE_STEPS | IN(STEPPING))
+#define READABLE (IN(INITIALIZING) | IN(STEPPING) | IN(UPDATING) | IN(FAILED) | IN(TERMINATED))
+#define OUTSIDE_A_STEP (BEFORE_STEPS | IN(STEPPING) | IN(FAILED) | IN(TERMINATED))
+#define ALWAYS (OUTSIDE_A_STEP | IN(UPDATING))
+
+typedef enum { LOG_ERROR, LOG_EVENT, LOG_CATEGORIES } Category;
+extern const char *const log_categories[LOG_CATEGORIES];
+
+/* Who is told, and how; the logger is the importer's function in the type of its FMI version. */
+typedef struct Listener {
+  void (*tell)(const struct Listener *listener, const char *instance, Category category,
+               const char *message);
+  void *environment;
+  void (*logger)(void);
+} Listener;
+
+typedef enum { REAL, INTEGER } Kind;
 
 typedef struct {
   Core core;
@@ -19,37 +42,44 @@ typedef struct {
   int stop_defined;
 } Situation;
 
-typedef struct {
+typedef struct Instance {
   Situation now;
-  Report report;
-  void *context;
+  Listener listener;
+  unsigned references; /* value references that can be read */
+  int logged[LOG_CATEGORIES];
   char name[256];
 } Instance;
 
-/* A saved situation: no pointers, and a mark of the model that it belongs to. */
-typedef struct {
-  char model[64];
-  Situation situation;
-} Snapshot;
+/* Is told of each tick within a step; may bring the end of the step forward, to that tick at least. */
+typedef void (*Between)(Instance *instance, double *end);
 
-/* All functions that return int give 1 for success and 0 after a report. */
+/* All functions that return int give 1 for success, and 0 after a report with nothing changed
+   (except by a step whose states are no longer finite). A null instance gives 0. */
 
-Instance *instance_create(const char *name, const char *token, Report report, void *context);
-void instance_reset(Instance *instance);
+/* A shell's own structure of this size, which begins with an Instance; free() ends it. */
+void *instance_create(size_t size, const char *name, const char *token, unsigned references,
+                      const Listener *listener, int logging);
+int instance_reset(Instance *instance);
 int instance_setup(Instance *instance, double start, int stop_defined, double stop);
 int instance_enter_initialization(Instance *instance);
 int instance_exit_initialization(Instance *instance);
+int instance_terminate(Instance *instance);
 
-/* Values by reference; integer says which of the two kinds the call is for. */
-int instance_get(Instance *instance, unsigned reference, int integer, double *value);
-int instance_set(Instance *instance, unsigned reference, int integer, double value);
-/* To be called after a group of values was set. */
-void instance_settle(Instance *instance);
-int instance_step(Instance *instance, double time, double step);
+/* Whether the model has a variable of this kind. */
+int instance_knows(unsigned reference, Kind kind);
+/* Values are double or int, by kind. */
+int instance_get(Instance *instance, const unsigned *references, size_t n, Kind kind, void *values);
+int instance_set(Instance *instance, const unsigned *references, size_t n, Kind kind,
+                 const void *values);
+int instance_step(Instance *instance, double time, double step, Between between);
 
-Snapshot *instance_save(Instance *instance, Snapshot *into);
-int instance_restore(Instance *instance, const Snapshot *snapshot);
+/* Errors are told from the start, events if logging is on; this call then decides for all:
+   nothing when off, and when on the listed categories, or each if none is listed. */
+int instance_log(Instance *instance, int on, size_t n, const char *const *categories);
 
+/* Whether a call is legal in the present phase. */
+int instance_may(Instance *instance, unsigned phases, const char *call);
 int instance_refuse(Instance *instance, const char *format, ...);
+void instance_note(Instance *instance, const char *event);
 
 #endif

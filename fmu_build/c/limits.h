@@ -8,6 +8,7 @@ typedef struct {
   const char *name;
   Settable settable;
   int integer;
+  int continuous; /* algebraic: computed when it is asked for */
   double minimum, maximum;
 } Limits;
 

@@ -13,13 +13,16 @@ void model_defaults(double *v);
 void model_parameters(double *v);
 /* Start values of states and sampled variables, from the parameters. */
 void model_start(double *v);
+/* What depends on inputs and sampled variables, no state: after inputs were set. Samples keep up
+   what they change themselves. */
+void model_held(double *v);
 /* Continuous states over a step h, inputs and sampled variables held. */
 void model_step(double *v, double h);
-/* One sample of the control electronics. */
-void model_tick(double *v);
+/* One sample of the clocks that are due at this multiple of the base period MODEL_PERIOD(v). */
+void model_tick(double *v, long long index);
 /* Continuous variables at the present state. */
 void model_outputs(double *v);
-/* Whether every continuous state is a number. */
+/* Whether every continuous state, and every sample that acts on one, is a number. */
 int model_is_finite(const double *v);
 
 #endif

@@ -108,6 +108,6 @@ def test_seeds_give_unrelated_noise(fmu: GyroFmu) -> None:
     series = []
     for seed in (1, 2, 3):
         with fmu.power_on(device.fmu_parameters(), seed=seed, start_angle=0.2) as gyro:
-            series.append(np.diff(gyro.drive(np.zeros(4001), 1e-3)))
+            series.append(np.diff(gyro.drive(np.zeros(4001), 0.1)))
     correlation = np.corrcoef(series) - np.eye(3)
     assert np.max(np.abs(correlation)) < 4 / math.sqrt(4000)

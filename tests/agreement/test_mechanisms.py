@@ -204,12 +204,12 @@ def test_14_duffing_with_quadrature_is_a_constant_bias(fmu: GyroFmu) -> None:
 
     The catalogue prints -gamma a q/(8 k w): the size is the same, the sign is that of the wave."""
     delta, q = 0.05, 1e-3
-    got = at_rest(fmu, {"resonator.envelope.duffing": delta, "controller.quadratureSetpoint": q})
+    got = at_rest(fmu, {"resonator.material.duffing": delta, "controller.quadratureSetpoint": q})
     assert close(got["bias"]["0"], delta * q / (3 * K), delta * q / (3 * K), 0.02)
     assert close(got["frequencyOffset"]["0"], delta, delta)
     quarter = at_rest(
         fmu,
-        {"resonator.envelope.duffing": delta, "startAmplitude": 0.5},
+        {"resonator.material.duffing": delta, "startAmplitude": 0.5},
         {"amplitudeSetpoint": 0.5},
     )
     assert close(quarter["frequencyOffset"]["0"], delta / 4, delta / 4)

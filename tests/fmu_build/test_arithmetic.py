@@ -17,6 +17,7 @@ API double sine(double x) { return m_sin(x); }
 API double cosine(double x) { return m_cos(x); }
 API double arctangent(double y, double x) { return m_atan2(y, x); }
 API double logarithm(double x) { return m_log(x); }
+API double exponential(double x) { return m_exp(x); }
 API double floored(double x) { return m_floor(x); }
 """
 ULP = np.finfo(float).eps
@@ -46,7 +47,9 @@ def evaluate(kernel: ctypes.CDLL, name: str, *arguments: np.ndarray) -> np.ndarr
         ("sine", np.sin, lambda r: (r.uniform(-1e5, 1e5, 20_000),)),
         ("cosine", np.cos, lambda r: (r.uniform(-1e5, 1e5, 20_000),)),
         ("arctangent", np.arctan2, lambda r: (r.normal(size=20_000), r.normal(size=20_000))),
+        ("exponential", np.exp, lambda r: (r.uniform(-600, 0, 20_000),)),
         ("logarithm", np.log, lambda r: (np.exp(r.uniform(-30, 30, 20_000)),)),
+        ("exponential", np.exp, lambda r: (r.uniform(-600, 600, 20_000),)),
     ],
 )
 def test_function_is_accurate(
@@ -58,7 +61,8 @@ def test_function_is_accurate(
     arguments = sample(np.random.default_rng(1))
     expected = reference(*arguments)
     error = np.abs(evaluate(kernel, name, *arguments) - expected)
-    assert np.max(error / np.maximum(np.abs(expected), 0.1)) < 2 * ULP
+    floor = 0.0 if name == "exponential" else 0.1
+    assert np.max(error / np.maximum(np.abs(expected), floor)) < 2 * ULP
 
 
 def test_arctangent_on_the_axes(kernel: ctypes.CDLL) -> None:

@@ -14,6 +14,7 @@ import pytest
 
 from fmu_build import bundle
 from fmu_build.platforms import BuildError
+from tests.fmu_build import native
 
 
 @pytest.mark.parametrize("fmi", [2, 3])
@@ -27,6 +28,18 @@ def test_same_sources_same_bytes(tmp_path: Path, fmi: int) -> None:
     assert (tmp_path / "again.fmu").read_bytes() == bundle.built_fmu(fmi=fmi).read_bytes()
 
 
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_packed_sources_are_what_the_modelica_gives_now(tmp_path: Path, fmi: int) -> None:
+    """All of them, equations included; and the description that belongs to them."""
+    description = bundle.write_sources(native.flat(), tmp_path, fmi)
+    with zipfile.ZipFile(bundle.built_fmu(fmi=fmi)) as archive:
+        packed = {n: archive.read(n) for n in archive.namelist() if n.endswith((".c", ".h"))}
+        assert archive.read("modelDescription.xml").decode() == description
+    assert packed.keys() > {"sources/model.c", "sources/limits.c", "sources/model_constants.h"}
+    for name, content in packed.items():
+        assert content == (tmp_path / Path(name).name).read_bytes(), name
+
+
 def test_what_is_built_is_not_built_again(fmu_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*args: object, **kwargs: object) -> None:
         raise AssertionError("a compiler was called")
@@ -37,7 +50,7 @@ def test_what_is_built_is_not_built_again(fmu_path: Path, monkeypatch: pytest.Mo
 
 
 def test_failed_build_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(bundle, "generate", lambda dae: "this is no C")
+    monkeypatch.setattr(bundle, "generate", lambda dae, integrator: "this is no C")
     with pytest.raises(BuildError, match="this is no C"):
         bundle.build(tmp_path / "out" / "HRG.fmu")
     assert not (tmp_path / "out").exists()

@@ -151,7 +151,7 @@ def test_a_unit_given_by_hand_is_not_the_type_s(tmp_path: Path) -> None:
 
 
 def test_unknown_units_are_refused(tmp_path: Path) -> None:
-    identity = Identity("M", "", "", "1", ())
+    identity = Identity("M", "", "", "1", (), "0.01")
     body = SAMPLED.replace('Real a = 2 "a"', 'Real a(unit = "furlong") = 2 "a"')
     with pytest.raises(ValueError, match="unit furlong is not among"):
         fmi2_description(translated(tmp_path, body), identity)

@@ -1,5 +1,6 @@
 """The FMI shell: errors that explain themselves, state that restores, steps that don't matter."""
 
+import ctypes
 from collections.abc import Iterator
 
 import pytest
@@ -7,6 +8,9 @@ from fmpy.fmi2 import FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
 
 from pyhrg.fmu import GyroError, GyroFmu
 from pyhrg.parameters import TYPICAL
+
+FMI2_DISCARD = 2
+LAST_SUCCESSFUL_TIME, TERMINATED = 2, 3
 
 
 @pytest.mark.parametrize(
@@ -178,3 +182,19 @@ def test_step_from_the_wrong_time_is_refused(slave: FMU2Slave) -> None:
     slave.doStep(0.0, 0.5)
     with pytest.raises(Exception, match="fmi2DoStep"):
         slave.doStep(0.1, 0.5)
+
+
+def test_status_functions_tell_what_there_is(slave: FMU2Slave) -> None:
+    """The last time reached, and that the gyro never asks to end; all else is discarded."""
+    slave.doStep(0.0, 0.5)
+    kinds = {"Status": ctypes.c_int, "Integer": ctypes.c_int, "Boolean": ctypes.c_int}
+    kinds |= {"Real": ctypes.c_double, "String": ctypes.c_char_p}
+    answers = {}
+    for kind, value_type in kinds.items():
+        function = getattr(slave.dll, f"fmi2Get{kind.replace('Status', '')}Status")
+        function.argtypes = [ctypes.c_void_p, ctypes.c_int, ctypes.c_void_p]
+        for what in range(4):
+            value = value_type()
+            if function(slave.component, what, ctypes.byref(value)) != FMI2_DISCARD:
+                answers[kind, what] = value.value
+    assert answers == {("Real", LAST_SUCCESSFUL_TIME): 0.5, ("Boolean", TERMINATED): 0}

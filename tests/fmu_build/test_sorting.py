@@ -32,3 +32,9 @@ def test_algebraic_loop_is_named(tmp_path: Path) -> None:
     dae = translated(tmp_path, SAMPLED.replace("twice = 2*x", "twice = 2*x + y"))
     with pytest.raises(ValueError, match=r"algebraic loop: .*(twice|y)"):
         schedule(dae)
+
+
+def test_vector_parameter_depends_on_others_if_any_element_does(tmp_path: Path) -> None:
+    body = SAMPLED.replace("input Real u", 'parameter Real p[2] = {0, 2*a} "p";\n    input Real u')
+    dae = translated(tmp_path, body.replace("-x + u", "-x + p[2]*u"))
+    assert set(names(dae, schedule(dae).parameters)) == {"b", "p"}

@@ -4,22 +4,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pymoca.ast
-import pymoca.parser
 import pytest
 
 from fmu_build.bundle import modelica_library
+from tests.modelica.models import defined
 
 FILES = sorted(modelica_library().rglob("*.mo"))
-
-
-def defined(path: Path) -> pymoca.ast.Class:
-    """The class that a file defines, found by the file's place in the library."""
-    place = path.parent if path.name == "package.mo" else path.with_suffix("")
-    found = pymoca.parser.parse(path.read_text())
-    assert found is not None, "not Modelica"
-    for name in place.relative_to(modelica_library().parent).parts:
-        found = found.classes[name]
-    return found
 
 
 def nested(item: pymoca.ast.Class) -> Iterator[pymoca.ast.Class]:

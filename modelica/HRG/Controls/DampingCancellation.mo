@@ -1,18 +1,15 @@
 within HRG.Controls;
 block DampingCancellation "Pattern rate that cancels damping anisotropy by force"
-  parameter Units.Time samplePeriod "Control period";
   parameter Units.Rate dampingAnisotropy(min = 0, max = 1e-2) = 0 "D as calibrated";
   parameter Units.Angle dampingAxis(min = -1000, max = 1000) = 0 "Its axis of maximum damping";
   input Units.Ratio cosine "Of the modal angle 2 theta";
   input Units.Ratio sine "Of the modal angle 2 theta";
-  discrete output Units.AngularRate patternRate(start = 0, fixed = true) "Rate to be driven";
+  output Units.AngularRate patternRate "Rate to be driven";
 protected
   final parameter Units.Rate quarterCos = dampingAnisotropy/4*cos(4*dampingAxis) "D/4 cos 4 theta_tau";
   final parameter Units.Rate quarterSin = dampingAnisotropy/4*sin(4*dampingAxis) "D/4 sin 4 theta_tau";
 equation
-  when sample(0, samplePeriod) then
-    patternRate = quarterSin*(cosine*cosine - sine*sine) - quarterCos*2*cosine*sine;
-  end when;
+  patternRate = quarterSin*(cosine*cosine - sine*sine) - quarterCos*2*cosine*sine;
   annotation (Documentation(info="<html>
 <p>The paper's Eq. (7) with its factors mended: damping drives the pattern at (D/4) sin 4(theta - theta_tau), so
 that -(D/4) sin 4(theta - theta_tau) is driven against it and no dead zone is left.</p>

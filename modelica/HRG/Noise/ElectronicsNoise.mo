@@ -1,6 +1,7 @@
 within HRG.Noise;
 block ElectronicsNoise "White noise of the force and pick-off channels, slow noise of the rate, noise of the virtual rotation"
-  parameter Units.Time samplePeriod "Control period";
+  parameter Units.Time samplePeriod "Period of the noise";
+  parameter Units.Time pickOffPeriod = samplePeriod "Period over which pick-off noise is averaged";
   parameter Units.Ratio bryanFactor "Converts input rates into pattern rates";
   parameter Integer seed(min = 0, max = 2147483647) "Seed of the generators";
   parameter Units.AngleNoiseDensity angleRandomWalk(max = 1) = 0
@@ -18,19 +19,20 @@ protected
   final parameter Units.Ratio start[84] = seededState(seed) "Memory at time 0";
   final parameter Units.Force forceDeviation = 2*bryanFactor*sqrt(angleRandomWalk/samplePeriod)
     "Standard deviation of a force channel";
-  final parameter Units.Displacement pickOffDeviation = sqrt(pickOff/samplePeriod) "Standard deviation of a pick-off channel";
+  final parameter Units.Displacement pickOffDeviation = sqrt(pickOff/pickOffPeriod) "Standard deviation of a pick-off channel";
   final parameter Units.AngularRate walkDeviation = bryanFactor*sqrt(rateRandomWalk*samplePeriod)
     "Standard deviation of a step of the rate random walk";
   final parameter Units.AngularRate flickerScale = bryanFactor*biasInstability*2.0794415416798357/Constants.pi
     "Of the sum of lags, ln 8/pi";
   final parameter Units.Ratio rotationDeviation = sqrt(virtualRotation/samplePeriod) "Standard deviation of the rotation's noise";
+  final parameter Units.Ratio decays[16] = lagDecays(samplePeriod) "Of the lags over a period, and weights of their input";
   discrete Units.Ratio memory[84](start = start, each fixed = true) "States of the generators, and the last deviates";
   discrete Units.Ratio lags[8](each start = 0, each fixed = true) "Flicker noise";
   discrete Units.AngularRate walk(start = 0, fixed = true) "Rate random walk";
 equation
   when sample(0, samplePeriod) then
     memory = deviates(pre(memory));
-    lags = flicker(pre(lags), memory[81], samplePeriod);
+    lags = flicker(pre(lags), decays, memory[81]);
     walk = pre(walk) + walkDeviation*memory[82];
   end when;
   force = {

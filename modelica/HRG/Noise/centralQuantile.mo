@@ -1,12 +1,16 @@
 within HRG.Noise;
-function centralQuantile "Quantile of the normal distribution for probabilities within 0.425 of the median (AS 241)"
+function centralQuantile "Quantile of the normal distribution for probabilities within 0.49 of the median"
   input Real q "Probability less one half";
-  output Real quantile "Normal quantile, relative error below 1e-15";
+  output Real quantile "Normal quantile, relative error below 1e-9";
 protected
-  Real r "Argument of the rational approximation";
+  Real s "Square of q, brought to -1 to 1";
 algorithm
-  r := 0.180625 - q*q;
+  s := 8.329862557267806*q*q - 1;
   quantile := q
-    *(((((((2509.0809287301226727*r + 33430.575583588128105)*r + 67265.770927008700853)*r + 45921.953931549871457)*r + 13731.693765509461125)*r + 1971.5909503065514427)*r + 133.14166789178437745)*r + 3.387132872796366608)
-    /(((((((5226.495278852854561*r + 28729.085735721942674)*r + 39307.89580009271061)*r + 21213.794301586595867)*r + 5394.1960214247511077)*r + 687.1870074920579083)*r + 42.313330701600911252)*r + 1.0);
+    *((((((0.0054353253574168925*s - 0.24094814659690697)*s + 2.085867768156681)*s - 7.229920605988005)*s + 12.004639702300098)*s - 9.569279759886662)*s + 2.948094204210258)
+    /((((((0.00758311536957823*s - 0.16421354994318896)*s + 1.0762563110819825)*s - 3.171980919292821)*s + 4.7153814310954)*s - 3.462207353924893)*s + 1.0);
+  annotation (Documentation(info="<html>
+<p>Rational minimax approximation of degree 6 in the square of q, fitted to the relative error; a wide centre leaves
+2 % to <code>tailQuantile</code>, which costs a logarithm.</p>
+</html>"));
 end centralQuantile;

@@ -9,7 +9,7 @@ protected
   Real x "First component";
   Real y "Second component";
   Real difference "Of the components, modulo m1";
-  Real central[8] "Normal quantiles, right where the uniform deviate is within 0.425 of the median";
+  Real central[8] "Normal quantiles, right where the uniform deviate is within 0.49 of the median";
 algorithm
   for i in 1:12 loop
     x := 1403580*memory[12 + i] - 810728*memory[i];
@@ -29,15 +29,15 @@ algorithm
     central[i] := centralQuantile(result[72 + i] - 0.5);
   end for;
   for i in 1:8 loop
-    result[72 + i] := if abs(result[72 + i] - 0.5) <= 0.425 then central[i] else tailQuantile(result[72 + i]);
+    result[72 + i] := if abs(result[72 + i] - 0.5) <= 0.49 then central[i] else tailQuantile(result[72 + i]);
   end for;
   for i in 81:84 loop
     result[i] := 3.4641016151377544*(result[i] - 0.5);
   end for;
   annotation (Documentation(info="<html>
 <p>P. L'Ecuyer, Good parameters and implementations for combined multiple recursive random number generators,
-Operations Research 47 (1999). All products stay below 2^53, so that the arithmetic is exact; the deviates are
-quantiles of uniform ones within (0, 1) by Algorithm AS 241, PPND16: M. J. Wichura, The percentage points of the
-normal distribution, Applied Statistics 37 (1988). The uniform ones feed sums of many, which are normal. A generator for each deviate lets a processor advance them side by side.</p>
+Operations Research 47 (1999). All products stay below 2^53, so that the arithmetic is exact; the first eight deviates are
+normal quantiles of uniform ones within (0, 1), the others, of which many are summed, uniform. A generator for each deviate lets
+a processor advance them side by side.</p>
 </html>"));
 end deviates;

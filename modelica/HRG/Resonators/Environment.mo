@@ -1,6 +1,6 @@
 within HRG.Resonators;
 block Environment "Temperature of the resonator, rate of the case's temperature, and age, sampled"
-  parameter Units.Time samplePeriod "Control period";
+  parameter Units.Time samplePeriod "Sample period";
   parameter Units.Temperature referenceTemperature(min = 1, max = 1000) = 298.15 "Temperature that parameters hold at";
   parameter Units.Time thermalLag(min = 1, max = 1e6) = 600 "Lag of the resonator behind the case, typically 60 to 1800 s";
   input Units.Temperature caseTemperature "Temperature of the case";
@@ -9,7 +9,7 @@ block Environment "Temperature of the resonator, rate of the case's temperature,
   discrete output Real temperatureRate(unit = "K/s", start = 0, fixed = true) "Rate of the case's temperature";
   discrete output Units.Time age(start = 0, fixed = true) "Time since power-on";
 protected
-  final parameter Units.Ratio approach = samplePeriod/thermalLag "Share of the difference that a period takes away";
+  final parameter Units.Ratio approach = 1 - exp(-samplePeriod/thermalLag) "Share of the difference that a period takes away";
   discrete Units.TemperatureDifference case(start = 0, fixed = true) "Case above the reference temperature";
   discrete Units.Ratio started(start = 0, fixed = true) "1 from the first sample on";
 equation
@@ -22,6 +22,6 @@ equation
   end when;
   annotation (Documentation(info="<html>
 <p>The resonator starts at the reference temperature and follows the case with a first-order lag. Heat moves
-in minutes, so that the control period is a fine step for it.</p>
+in minutes, so that a hundredth of a second is a fine step for it.</p>
 </html>"));
 end Environment;

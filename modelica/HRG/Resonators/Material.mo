@@ -16,6 +16,8 @@ block Material "Damping, stiffness and coupling of the shell under its environme
   parameter Units.AngularFrequency frequencySplit(min = 0, max = 100) = 0
     "Difference of the modes' circular frequencies, trimmed below 1 mHz";
   parameter Units.Angle stiffnessAxis(min = -1000, max = 1000) = 0 "Pattern angle of the mode of lower frequency";
+  parameter Units.AngularFrequency duffing(min = -100, max = 100) = 0
+    "Frequency shift at unit amplitude by cubic stiffness, typically 1e-6 of the frequency";
   parameter Real splitPerAcceleration[3](each unit = "rad.s/m", each min = -10, each max = 10) = {0, 0, 0}
     "Frequency split along the x electrodes per specific force";
   parameter Units.AngularFrequency electrostaticShift(min = -1e3, max = 1e3) = 0
@@ -65,7 +67,7 @@ equation
   splitSin = ownSplitSin + trimSin*voltageChange;
   coupling = 2*bryanFactor*(1 + bryanFactorPerKelvin*temperature)*angularRate;
   annotation (Documentation(info="<html>
-<p>Mechanisms 1, 9, 16, 23 to 26, 28 and 31 of the catalogue: what slowly changes the coefficients of the
-envelope's equation. At the nominal bias voltage the electrostatic terms are part of the nominal values.</p>
+<p>Mechanisms 1, 9, 14, 16, 23 to 26, 28 and 31 of the catalogue: what slowly changes the coefficients of the
+motion. At the nominal bias voltage the electrostatic terms are part of the nominal values.</p>
 </html>"));
 end Material;

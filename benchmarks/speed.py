@@ -1,0 +1,160 @@
+"""What a tick costs, each way of running it, in one run.
+
+`python benchmarks/speed.py [SECONDS]` (default 7200: two hours of gyro time) prints the cost of a
+tick and the ratios that matter: kernel over a hand-written tick, FMI door over the kernel, three
+driven gyros over a bare C host, FMPy's own loop, and HRGSlow over HRG. Each figure is the least of
+several runs in turn.
+"""
+
+import contextlib
+import io
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import fmpy
+import numpy as np
+
+from fmu_build.bundle import built_fmu, modelica_library, write_sources
+from fmu_build.platforms import COMPILER, FLAGS
+from fmu_build.roots import ROOTS
+from fmu_build.translate import translate
+from pyhrg.fmu import GyroFmu
+from pyhrg.parameters import TYPICAL
+
+HERE = Path(__file__).parent
+REPEATS = 5
+STEP = 0.01
+START = 0.6
+TICKS = 400_000
+"""Of the plain loops."""
+
+
+def compiled(folder: Path, source: str, *others: str) -> Path:
+    """A program of this folder's, with the FMU's own flags."""
+    (folder / source).write_bytes((HERE / source).read_bytes())
+    program = folder / source.removesuffix(".c")
+    command = [*COMPILER, *FLAGS, "-D_POSIX_C_SOURCE=199309L", source, *others, "-lm"]
+    subprocess.run([*command, "-o", program.name], cwd=folder, check=True, capture_output=True)
+    return program
+
+
+def seconds_per_tick(*command: object) -> float:
+    """What a program prints first."""
+    run = subprocess.run([str(x) for x in command], capture_output=True, check=True, text=True)
+    return float(run.stdout.split()[0])
+
+
+class Speed:
+    """One model, its kernel in C and its FMU."""
+
+    def __init__(self, folder: Path, identifier: str, seconds: float) -> None:
+        root = ROOTS[identifier]
+        folder.mkdir()
+        self.folder = folder
+        write_sources(translate(modelica_library(), root.model), folder, 2, root)
+        self.bare = compiled(folder, "bare.c", "model.c", "core.c")
+        self.host = compiled(folder, "host.c", "model.c", "core.c")
+        self.fmu = GyroFmu(built_fmu(root=root))
+        self.rates = 0.3 * np.sin(np.arange(round(seconds / STEP)) * 1e-3)
+        self.parameters = [
+            {**TYPICAL.fmu_parameters(), "seed": seed, "startAngle": START} for seed in range(3)
+        ]
+
+    def kernel(self) -> float:
+        """The generated step and tick in a plain loop, with the typical gyro's parameters."""
+        return seconds_per_tick(self.bare, TICKS, *self._settings(self.parameters[0]))
+
+    def door(self) -> float:
+        """One FMI step of TICKS ticks."""
+        with self.fmu.power_on(TYPICAL.fmu_parameters(), 0, START) as gyro:
+            period = gyro.read("samplePeriod")
+            begin = time.perf_counter()
+            gyro.advance(0.0, TICKS * period)
+            return (time.perf_counter() - begin) / TICKS
+
+    def hosted(self) -> float:
+        """Three gyros at 100 Hz, in C; leaves their angles in `out`."""
+        rate, angle = (self.fmu.references[x] for x in ("angularRate", "gyroAngle"))
+        lines = [f"{rate} {angle}"]
+        for gyro, parameters in enumerate(self.parameters):
+            pairs = self._settings(parameters)
+            lines += [f"{gyro} {pairs[i]} {pairs[i + 1]}" for i in range(0, len(pairs), 2)]
+        (self.folder / "settings").write_text("\n".join(lines) + "\n")
+        self.rates.tofile(self.folder / "rates")
+        files = (self.folder / x for x in ("settings", "rates"))
+        return seconds_per_tick(self.host, *files, STEP, self.folder / "out")
+
+    def driven(self) -> float:
+        """The same through `pyhrg.fmu`; its angles must be those of the host, bit by bit."""
+        angles = []
+        elapsed = 0.0
+        for seed in range(3):
+            with self.fmu.power_on(TYPICAL.fmu_parameters(), seed, START) as gyro:
+                begin = time.perf_counter()
+                angles.append(gyro.drive(self.rates, STEP))
+                elapsed += time.perf_counter() - begin
+        assert np.array_equal(np.concatenate(angles), np.fromfile(self.folder / "out"))
+        return elapsed / (3 * len(self.rates) * STEP * 1000)
+
+    def importer(self) -> float:
+        """`fmpy.simulate_fmu` on a hundredth of the record of one gyro."""
+        count = max(len(self.rates) // 100, 100)
+        table = np.zeros(count, dtype=[("time", float), ("angularRate", float)])
+        table["time"], table["angularRate"] = np.arange(count) * STEP, self.rates[:count]
+        begin = time.perf_counter()
+        with contextlib.redirect_stdout(io.StringIO()):  # it lists the inputs that stay constant
+            fmpy.simulate_fmu(
+                str(self.fmu.folder),
+                stop_time=count * STEP,
+                output_interval=STEP,
+                start_values={**TYPICAL.fmu_parameters(), "startAngle": START},
+                input=table,
+                output=["gyroAngle"],
+            )
+        return (time.perf_counter() - begin) / (count * STEP * 1000)
+
+    def _settings(self, parameters: dict[str, float]) -> list[str]:
+        return [
+            text
+            for name, value in parameters.items()
+            for text in (str(self.fmu.references[name]), repr(float(value)))
+        ]
+
+
+def main(seconds: float) -> None:
+    """Measure and print."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        gyro, slow = (Speed(folder / x, x, seconds) for x in ("HRG", "HRGSlow"))
+        (folder / "arithmetic.h").write_bytes((gyro.folder / "arithmetic.h").read_bytes())
+        hand = compiled(folder, "handwritten.c")
+        ways: dict[str, Callable[[], float]] = {
+            "hand-written tick": lambda: seconds_per_tick(hand, TICKS),
+            "generated kernel": gyro.kernel,
+            "FMI door": gyro.door,
+            "bare C host, 3 gyros at 100 Hz": gyro.hosted,
+            "pyhrg.fmu, the same": gyro.driven,
+            "fmpy.simulate_fmu": gyro.importer,
+            "HRGSlow, a step of 0.1 s": slow.door,
+        }
+        best = dict.fromkeys(ways, float("inf"))
+        for _ in range(REPEATS):
+            for way, measure in ways.items():
+                best[way] = min(best[way], measure())
+    for way, cost in best.items():
+        print(f"{way:<32}{cost * 1e9:9.1f} ns a tick")
+    hand_cost, kernel, door, host, driven, importer, slow_step = best.values()
+    beyond = max(driven - host, 0.01 * host)
+    print(f"kernel over hand-written tick      {kernel / hand_cost:6.2f}  (at most 1.3)")
+    print(f"FMI door over kernel               {door / kernel:6.2f}  (at most 1.2)")
+    print(f"driven over bare C host            {driven / host:6.2f}  (at most 1.2; same bits)")
+    print(f"beyond the ticks: FMPy over driver {(importer - host) / beyond:6.0f}  (at least 50)")
+    print(f"HRG over HRGSlow, for 0.1 s        {100 * door / slow_step:6.0f}  (at least 50)")
+
+
+if __name__ == "__main__":
+    main(float(sys.argv[1]) if len(sys.argv) > 1 else 7200.0)

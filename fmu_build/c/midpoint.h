@@ -1,0 +1,8 @@
+/* Explicit midpoint step, second order; included where STATES and derivatives() are known. */
+static inline void midpoint(const double *v, double *x, double h) {
+  double k[STATES], y[STATES];
+  derivatives(v, x, k);
+  for (int i = 0; i < STATES; i++) y[i] = x[i] + 0.5 * h * k[i];
+  derivatives(v, y, k);
+  for (int i = 0; i < STATES; i++) x[i] += h * k[i];
+}

@@ -1,0 +1,25 @@
+within HRG.Controls;
+partial block PartialController "What all control electronics have: detection, start-up, compensation, read-out"
+  parameter Units.Time samplePeriod "Period of the output";
+  parameter Units.Angle startAngle "Pattern angle at time 0";
+  parameter Integer forceToRebalance(min = 0, max = 1) = 0 "0: whole-angle mode; 1: the pattern is held at the start angle";
+  parameter Units.Displacement quadratureSetpoint(min = -0.5, max = 0.5) = 0
+    "Quadrature that the loop leaves (residual), typically 1e-4 to 1e-3";
+  input Units.Displacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
+  input Units.Displacement amplitudeSetpoint "Antinode amplitude to hold";
+  input Units.Angle phaseOffset "Added to the detected phase";
+  input Units.Ratio driveOn "1 with amplitude, quadrature and rotation forces on, 0 off (ring-down)";
+  input Units.AngularRate virtualRotation "Commanded virtual rotation, as an input rate";
+  input Units.AngularRate rateNoise "Pattern rate by slow noise of the electronics";
+  input Units.Ratio gainNoise "Relative noise of the commanded rotation";
+  output Units.Rate growthRate "Amplitude-loop force over detected amplitude";
+  output Units.Force quadratureForce "Quadrature-loop force";
+  output Units.AngularFrequency reference "Reference frequency less the nominal one";
+  PatternDetector detector(samplePeriod = samplePeriod, startAngle = startAngle, reading = reading) "Orbit of the vibration";
+  StartUp startUp(
+    samplePeriod = samplePeriod,
+    setpoint = amplitudeSetpoint,
+    amplitude = detector.amplitude,
+    phase = detector.phase) "Amplitude to aim at";
+  BiasMap biasMap(samplePeriod = samplePeriod, cosine = detector.cosine, sine = detector.sine) "Compensation of the output";
+end PartialController;

@@ -1,0 +1,56 @@
+within HRG.Controls;
+block QuasisteadyController "Control electronics whose loops follow at once"
+  extends PartialController;
+  input Real freeRates[4] "Rates of the displacement without drive, {cx, sx, cy, sy}";
+  input Units.Displacement amplitude "True antinode amplitude";
+  input Units.Displacement quadrature "True quadrature";
+  input Units.Angle phase "True phase against the reference";
+  input Units.Angle modalAngle "True modal angle";
+  input Units.Ratio axes[4] "True {cosine and sine of the modal angle, cosine and sine of the phase}";
+  input Units.AngularRate coupling "Bryan coupling of the modes";
+  input Units.Displacement analogue[4] "Reading before noise and conversion";
+  input Units.Ratio driveGain[4] "Drives' force over command";
+  input Units.Force authority "A channel clips at this force; 0: never";
+  output Real rates[4] "Derivatives of modal angle, amplitude, quadrature and phase";
+  output Units.Force force[4] "Force in action {cos x, sin x, cos y, sin y}";
+  QuasisteadyLoops synthesis(
+    samplePeriod = samplePeriod,
+    freeRates = freeRates,
+    amplitude = amplitude,
+    quadrature = quadrature,
+    phase = phase,
+    modalAngle = modalAngle,
+    axes = axes,
+    coupling = coupling,
+    analogue = analogue,
+    driveGain = driveGain,
+    authority = authority,
+    driveOn = driveOn,
+    amplitudeAim = startUp.aim,
+    quadratureAim = quadratureSetpoint,
+    phaseAim = -phaseOffset,
+    modalAim = 2*startAngle,
+    rebalance = forceToRebalance,
+    patternRate = readout.patternRate) "Loops and forces";
+  DampingCancellation cancellation(cosine = synthesis.detection[4], sine = synthesis.detection[5])
+    "Force against damping anisotropy";
+  WholeAngleReadout readout(
+    samplePeriod = samplePeriod,
+    patternAngle = detector.patternAngle,
+    commandedAngle = commanded,
+    commandedRate = driveOn*readout.bryanFactor*virtualRotation,
+    unknownRate = cancellation.patternRate + rateNoise,
+    gainNoise = gainNoise,
+    correction = biasMap.correction) "Angle of the case";
+protected
+  Units.Angle commanded(start = startAngle, fixed = true) "Pattern angle at time 0 and all rotation counted since";
+  Units.AngularRate counted "Rotation that is counted in the force-to-rebalance mode";
+equation
+  counted = driveOn*(synthesis.drivenRate - readout.unknownRate)/(1 + readout.virtualRotationError + gainNoise);
+  der(commanded) = readout.countedRate + forceToRebalance*((1 + readout.clockError)*counted - readout.countedRate);
+  rates = {synthesis.motion[1], synthesis.motion[2], synthesis.motion[3], synthesis.motion[4]};
+  force = synthesis.force;
+  growthRate = synthesis.growthRate;
+  quadratureForce = synthesis.quadratureForce;
+  reference = synthesis.motion[8];
+end QuasisteadyController;

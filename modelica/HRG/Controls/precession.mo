@@ -1,0 +1,92 @@
+within HRG.Controls;
+function precession "Motion of the orbit under loops that are at rest, and the forces that keep them there"
+  input Real free[4] "Rates of the displacement without drive, {cx, sx, cy, sy}";
+  input Units.Displacement amplitude "True antinode amplitude a";
+  input Units.Displacement quadrature "True quadrature q";
+  input Units.Ratio axes[4] "True {cosine and sine of the modal angle, cosine and sine of the phase}";
+  input Units.Displacement detected "Detected amplitude, which forces are scaled with";
+  input Units.Ratio aim[2] "Cosine and sine of the modal angle that forces are resolved with";
+  input Units.Ratio gain[4] "Drives' force over command, {x by x, x by y, y by x, y by y}";
+  input Units.Force authority "A channel clips at this force; 0: never";
+  input Units.Ratio driveOn "1 with the drive on, 0 off";
+  input Real wanted[4] "Rates that loops ask for: of modal angle, amplitude, quadrature and phase";
+  input Units.AngularRate patternRate "Commanded rotation of the pattern, in the whole-angle mode";
+  input Real rebalance "1: the rate of the modal angle is what loops ask for; 0: the pattern is free";
+  output Real result[8] "{rates of modal angle, amplitude, quadrature and phase; forces on the antinode, on the node in quadrature, on the node; reference}";
+protected
+  Real turned[4] "Free rates less the phase";
+  Real h[4] "Free rates on the true axes: {antinode real, imaginary, node real, imaginary}";
+  Real along[2] "Unit force on the detected antinode, on the true antinode and node";
+  Real across[2] "Unit force on the detected node, likewise";
+  Real determinant "Of the loops' equations, its inverse";
+  Real base[2] "Forces on antinode and, in quadrature, on the node, that hold the orbit without rotation";
+  Real slope[2] "Their change per force that rotates";
+  Real spread "Inverse of a^2 - q^2";
+  Real drift "Rate of the modal angle without a force that rotates";
+  Real response "Rate of the modal angle per force that rotates";
+  Real on "1 with the drive on, 0 off";
+  Real antinode "Force on the antinode";
+  Real node "Force on the node that rotates";
+  Real square "Force on the node in quadrature";
+  Real bounded[4] "Command within the drives' authority";
+  Real force[4] "On the shell, less the phase";
+  Real total[4] "Rates on the true axes";
+algorithm
+  turned[1] := axes[3]*free[1] - axes[4]*free[2];
+  turned[2] := axes[3]*free[2] + axes[4]*free[1];
+  turned[3] := axes[3]*free[3] - axes[4]*free[4];
+  turned[4] := axes[3]*free[4] + axes[4]*free[3];
+  h[1] := axes[1]*turned[1] + axes[2]*turned[3];
+  h[2] := -axes[1]*turned[2] - axes[2]*turned[4];
+  h[3] := axes[1]*turned[3] - axes[2]*turned[1];
+  h[4] := -axes[1]*turned[4] + axes[2]*turned[2];
+  along[1] := axes[1]*(gain[1]*aim[1] + gain[2]*aim[2]) + axes[2]*(gain[3]*aim[1] + gain[4]*aim[2]);
+  along[2] := axes[1]*(gain[3]*aim[1] + gain[4]*aim[2]) - axes[2]*(gain[1]*aim[1] + gain[2]*aim[2]);
+  across[1] := axes[1]*(gain[2]*aim[1] - gain[1]*aim[2]) + axes[2]*(gain[4]*aim[1] - gain[3]*aim[2]);
+  across[2] := axes[1]*(gain[4]*aim[1] - gain[3]*aim[2]) - axes[2]*(gain[2]*aim[1] - gain[1]*aim[2]);
+  spread := 1/(amplitude*amplitude - quadrature*quadrature);
+  determinant := 1/(axes[3]*axes[3]*along[1]*across[2] + axes[4]*axes[4]*across[1]*along[2]);
+  base[1] := (axes[3]*across[2]*(wanted[2] - h[1]) + axes[4]*across[1]*(wanted[3] + h[4]))*determinant;
+  base[2] := (axes[3]*along[1]*(wanted[3] + h[4]) - axes[4]*along[2]*(wanted[2] - h[1]))*determinant;
+  slope[1] := -across[1]*across[2]*determinant;
+  slope[2] := axes[3]*axes[4]*(along[2]*across[1] - along[1]*across[2])*determinant;
+  drift := (amplitude*(h[3] + axes[3]*along[2]*base[1] - axes[4]*across[2]*base[2])
+    - quadrature*(h[2] - axes[4]*along[1]*base[1] - axes[3]*across[1]*base[2]))*spread;
+  response := (amplitude*(axes[3]*across[2] + axes[3]*along[2]*slope[1] - axes[4]*across[2]*slope[2])
+    + quadrature*(axes[4]*across[1] + axes[4]*along[1]*slope[1] + axes[3]*across[1]*slope[2]))*spread;
+  on := if driveOn > 0 then 1 else 0;
+  node := on*(if rebalance > 0 then (wanted[1] - drift)/response else driveOn*2*patternRate*detected);
+  antinode := on*(base[1] + slope[1]*node);
+  square := on*(base[2] + slope[2]*node);
+  bounded[1] := Electrodes.digitised(antinode*aim[1] - node*aim[2], 0, authority);
+  bounded[2] := Electrodes.digitised(-square*aim[2], 0, authority);
+  bounded[3] := Electrodes.digitised(antinode*aim[2] + node*aim[1], 0, authority);
+  bounded[4] := Electrodes.digitised(square*aim[1], 0, authority);
+  turned[1] := gain[1]*bounded[1] + gain[2]*bounded[3];
+  turned[2] := gain[1]*bounded[2] + gain[2]*bounded[4];
+  turned[3] := gain[3]*bounded[1] + gain[4]*bounded[3];
+  turned[4] := gain[3]*bounded[2] + gain[4]*bounded[4];
+  force[1] := axes[3]*turned[1] - axes[4]*turned[2];
+  force[2] := axes[3]*turned[2] + axes[4]*turned[1];
+  force[3] := axes[3]*turned[3] - axes[4]*turned[4];
+  force[4] := axes[3]*turned[4] + axes[4]*turned[3];
+  total[1] := h[1] + axes[1]*force[1] + axes[2]*force[3];
+  total[2] := h[2] - axes[1]*force[2] - axes[2]*force[4];
+  total[3] := h[3] + axes[1]*force[3] - axes[2]*force[1];
+  total[4] := h[4] - axes[1]*force[4] + axes[2]*force[2];
+  result[1] := (amplitude*total[3] - quadrature*total[2])*spread;
+  result[2] := total[1];
+  result[3] := -total[4];
+  result[4] := wanted[4];
+  result[5] := antinode;
+  result[6] := square;
+  result[7] := node;
+  result[8] := (amplitude*total[2] - quadrature*total[3])*spread - wanted[4];
+  annotation (Documentation(info="<html>
+<p>In the frame of the orbit, exp(-i phi) Z' has the antinode component a' + i (a psi + q alpha') and the node component
+(a alpha' + q psi) - i q', with psi = phi' + nu, nu the reference's frequency. The drive adds A, N and -i S along the
+detected axes, through the drives' gain. The amplitude and quadrature loops choose A and S so that a' and q' are what they want,
+the phase loop chooses nu, the force-to-rebalance loop N: linear equations, solved here exactly in all electrode errors.
+What is left is the motion of the pattern: the averaged equations of D. D. Lynch with the loops closed.</p>
+</html>"));
+end precession;

@@ -1,0 +1,59 @@
+within HRG.Electrodes;
+block CarrierPickOff "Displacement at its carrier, converted and demodulated"
+  extends PartialPickOff;
+  parameter Units.Time samplePeriod "Control period";
+  parameter Units.Time converterPeriod "Sample period of the converters";
+  parameter Units.Displacement converterResolution(min = 0, max = 1) = 0 "Least significant bit of a converter; 0: none";
+  parameter Units.Displacement converterRange(min = 0, max = 1e6) = 0 "A converter clips at this value; 0: never";
+  parameter Units.Angle startAngle "Pattern angle at time 0";
+  parameter Units.Displacement startAmplitude "Antinode amplitude at time 0";
+  input Units.Displacement position[2] "Displacement {x, y}";
+  input Units.Ratio carrier[2] "Cosine and sine of the reference oscillator's phase";
+  input Units.Force force[4] "Force in action";
+protected
+  final parameter Units.Ratio window = samplePeriod/converterPeriod "Samples of a control period";
+  discrete Units.Displacement y(start = 0, fixed = true) "y with the share of x";
+  discrete Units.Displacement signal[2](each start = 0, each fixed = true) "At the converters";
+  Units.Displacement received[4] "Demodulated with the phase errors {cx, sx, cy, sy}";
+  discrete Units.Force lastForce[4](each start = 0, each fixed = true) "Force at the last sample";
+  discrete Units.Displacement converted[2](each start = 0, each fixed = true) "Output of the converters";
+  discrete Real count(start = window - 1, fixed = true) "Samples in the window";
+  discrete Real sums[7](each start = 0, each fixed = true)
+    "Over the window: {x c, x s, y c, y s, c c, c s, s s}, c and s the carrier";
+  Real gathered[7] "Sums, as the control electronics read them";
+  discrete Units.Displacement demodulated[4](
+    start = {startAmplitude*cos(2*startAngle), 0, startAmplitude*sin(2*startAngle), 0},
+    each fixed = true) "{cx, sx, cy, sy}";
+equation
+  when sample(0, converterPeriod) then
+    y = position[2] + nonOrthogonality*position[1];
+    signal = {
+      gain[1]*position[1]*(1 + cubic*position[1]^2) + feedthrough*(pre(lastForce[1])*carrier[1] + pre(lastForce[2])*carrier[2]),
+      gain[2]*y*(1 + cubic*y^2) + feedthrough*(pre(lastForce[3])*carrier[1] + pre(lastForce[4])*carrier[2])};
+    converted = {
+      digitised(signal[1], converterResolution, converterRange),
+      digitised(signal[2], converterResolution, converterRange)};
+    count = if pre(count) > window - 0.5 then 1 else pre(count) + 1;
+    sums = accumulated(pre(sums), if pre(count) > window - 0.5 then 0 else 1, converted, carrier);
+    lastForce = force;
+  end when;
+  gathered = sums;
+  when sample(0, samplePeriod) then
+    demodulated = fitted(gathered, pre(demodulated));
+  end when;
+  received = {
+    phasor[1]*demodulated[1] + phasor[2]*demodulated[2],
+    phasor[1]*demodulated[2] - phasor[2]*demodulated[1],
+    phasor[3]*demodulated[3] + phasor[4]*demodulated[4],
+    phasor[3]*demodulated[4] - phasor[4]*demodulated[3]};
+  reading = {
+    digitised(received[1] + offset + noise[1], resolution, fullScale),
+    digitised(received[2] + noise[2], resolution, fullScale),
+    digitised(received[3] + noise[3], resolution, fullScale),
+    digitised(received[4] + noise[4], resolution, fullScale)};
+  annotation (Documentation(info="<html>
+<p>The demodulation is the least-squares fit of x = cx cos P + sx sin P to a control period's samples: exact for any ratio
+of carrier and sample rate, where a mean of products would leave a ripple of twice the carrier. The reading is
+the mean over the period, half a period old.</p>
+</html>"));
+end CarrierPickOff;

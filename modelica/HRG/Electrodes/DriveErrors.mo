@@ -1,0 +1,32 @@
+within HRG.Electrodes;
+block DriveErrors "Errors of the drives"
+  parameter Units.Angle frameRotation(min = -0.5, max = 0.5) = 0
+    "e: drive electrodes turned against the pick-offs, on the modal axes, typically 1e-4 to 2e-3 raw";
+  parameter Real rotationPerAcceleration[3](each unit = "rad.s2/m", each min = -0.01, each max = 0.01) = {0, 0, 0}
+    "Change of e with specific force; a bias of -1/(2 k tau) times it";
+  parameter Real rotationPerTemperatureRate(unit = "rad.s/K", min = -1e3, max = 1e3) = 0
+    "Change of e with the rate of the case's temperature (gradients), likewise";
+  parameter Units.Ratio nonOrthogonality(min = -0.5, max = 0.5) = 0 "nd: y drives fy + nd fx, typically 1e-4 to 2e-3 raw";
+  parameter Units.Ratio gainMismatch(min = -0.5, max = 0.5) = 0
+    "gd: x drives (1 + gd/2) fx, y drives (1 - gd/2) fy; raw 1e-3 to 1e-2, calibrated 1e-5 to 1e-4";
+  parameter Units.Force authority(min = 0, max = 1e6) = 0 "A channel clips at this force; 0: never";
+  input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
+  input Real temperatureRate(unit = "K/s") "Rate of the case's temperature";
+  output Units.Ratio gain[4] "Force over command, {x by x, x by y, y by x, y by y}";
+protected
+  Units.Angle rotation "e under specific force and gradients";
+  Units.Ratio turn[2] "Cosine and sine of e";
+equation
+  rotation = frameRotation + rotationPerTemperatureRate*temperatureRate
+    + rotationPerAcceleration[1]*acceleration[1] + rotationPerAcceleration[2]*acceleration[2]
+    + rotationPerAcceleration[3]*acceleration[3];
+  turn = {cos(rotation), sin(rotation)};
+  gain = {
+    (1 + gainMismatch/2)*turn[1],
+    -(1 + gainMismatch/2)*turn[2],
+    (1 - gainMismatch/2)*(turn[2] + nonOrthogonality*turn[1]),
+    (1 - gainMismatch/2)*(turn[1] - nonOrthogonality*turn[2])};
+  annotation (Documentation(info="<html>
+<p>Authority, frame rotation, non-orthogonality, then gain: mechanisms 3, 5, 6, 24, 28 and 30 of the catalogue.</p>
+</html>"));
+end DriveErrors;

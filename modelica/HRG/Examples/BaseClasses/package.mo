@@ -1,0 +1,3 @@
+within HRG.Examples;
+package BaseClasses "What examples share"
+end BaseClasses;

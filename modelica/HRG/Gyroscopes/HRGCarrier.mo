@@ -1,0 +1,63 @@
+within HRG.Gyroscopes;
+model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscillator, converters, demodulation, electronics at 1 kHz"
+  extends Interfaces.PartialGyro;
+  final parameter Units.Time samplePeriod = 1e-3 "Control period";
+  final parameter Units.Time converterPeriod = 5e-6 "Sample period of the converters";
+  Resonators.CarrierResonator resonator(
+    final thermalPeriod = 1e-2,
+    startAngle = startAngle,
+    startAmplitude = startAmplitude,
+    angularRate = angularRate,
+    acceleration = {accelerationX, accelerationY, accelerationZ},
+    caseTemperature = caseTemperature,
+    biasVoltage = biasVoltage,
+    vibration = vibration,
+    reference = controller.reference,
+    force = drive.force) "Vibrating shell";
+  Electrodes.CarrierPickOff pickOff(
+    samplePeriod = samplePeriod,
+    converterPeriod = converterPeriod,
+    startAngle = startAngle,
+    startAmplitude = startAmplitude,
+    position = resonator.oscillator.position,
+    carrier = resonator.oscillator.carrier,
+    force = controller.force,
+    temperature = resonator.environment.temperature,
+    acceleration = {accelerationX, accelerationY, accelerationZ},
+    noise = noise.displacement) "Pick-offs, converters and demodulation";
+  Electrodes.Drive drive(
+    command = controller.force,
+    acceleration = {accelerationX, accelerationY, accelerationZ},
+    temperatureRate = resonator.environment.temperatureRate,
+    noise = noise.force) "Drives";
+  Noise.ElectronicsNoise noise(
+    samplePeriod = samplePeriod,
+    bryanFactor = resonator.material.bryanFactor,
+    seed = seed) "Noise of drives, pick-offs and electronics";
+  Controls.Controller controller(
+    samplePeriod = samplePeriod,
+    startAngle = startAngle,
+    startGrowthRate = 1/resonator.material.decayTime,
+    reading = pickOff.reading,
+    amplitudeSetpoint = amplitudeSetpoint,
+    phaseOffset = phaseOffset,
+    driveOn = driveOn,
+    virtualRotation = virtualRotation,
+    rateNoise = noise.patternRate,
+    gainNoise = noise.rotation) "Control electronics";
+equation
+  gyroAngle = controller.readout.gyroAngle;
+  gyroRate = controller.readout.gyroRate;
+  patternAngle = controller.detector.patternAngle;
+  amplitude = controller.detector.amplitude;
+  quadrature = controller.detector.quadrature;
+  amplitudeForce = controller.growthRate;
+  quadratureForce = controller.quadratureForce;
+  frequencyOffset = controller.reference - controller.readout.clockError*resonator.material.frequency;
+  valid = controller.startUp.valid;
+  annotation (Documentation(info="<html>
+<p>For short checks of what the envelope leaves out: the same electronics, parameters and noise as
+<code>HRG</code>, whose demodulated readings are here half a control period older. That age adds to the hold's:
+the scale-factor error is -Ts/tau instead of -(Ts/2)/tau.</p>
+</html>"));
+end HRGCarrier;

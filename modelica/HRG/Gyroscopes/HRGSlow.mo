@@ -1,0 +1,66 @@
+within HRG.Gyroscopes;
+model HRGSlow "Whole-angle hemispherical resonator gyro with its loops quasi-steady, for hours and for thousands"
+  extends Interfaces.PartialGyro;
+  parameter Units.Time samplePeriod(min = 0.01, max = 1) = 0.1 "Period of output and noise; loops settle within a few";
+  Resonators.OrbitResonator resonator(
+    startAngle = startAngle,
+    startAmplitude = startAmplitude,
+    angularRate = angularRate,
+    acceleration = {accelerationX, accelerationY, accelerationZ},
+    caseTemperature = caseTemperature,
+    biasVoltage = biasVoltage,
+    vibration = vibration,
+    final thermalPeriod = samplePeriod,
+    rates = controller.rates) "Vibrating shell";
+  Electrodes.PickOff pickOff(
+    displacement = resonator.orbit.displacement,
+    force = controller.force,
+    temperature = resonator.environment.temperature,
+    acceleration = {accelerationX, accelerationY, accelerationZ},
+    noise = noise.displacement) "Pick-offs and demodulation";
+  Electrodes.DriveErrors drive(
+    acceleration = {accelerationX, accelerationY, accelerationZ},
+    temperatureRate = resonator.environment.temperatureRate) "Drives";
+  Noise.ElectronicsNoise noise(
+    samplePeriod = samplePeriod,
+    bryanFactor = resonator.material.bryanFactor,
+    pickOffPeriod = 1e-3,
+    seed = seed) "Noise of drives, pick-offs and electronics";
+  Controls.QuasisteadyController controller(
+    samplePeriod = samplePeriod,
+    startAngle = startAngle,
+    reading = pickOff.reading,
+    amplitudeSetpoint = amplitudeSetpoint,
+    phaseOffset = phaseOffset,
+    driveOn = driveOn,
+    virtualRotation = virtualRotation,
+    rateNoise = noise.patternRate,
+    gainNoise = noise.rotation,
+    freeRates = resonator.freeRates + noise.force,
+    amplitude = resonator.orbit.amplitude,
+    quadrature = resonator.orbit.quadrature,
+    phase = resonator.orbit.phase,
+    modalAngle = resonator.orbit.modalAngle,
+    axes = resonator.orbit.axes,
+    coupling = resonator.material.coupling,
+    analogue = pickOff.analogue,
+    driveGain = drive.gain,
+    authority = drive.authority) "Control electronics";
+equation
+  gyroAngle = controller.readout.gyroAngle;
+  gyroRate = controller.readout.gyroRate;
+  patternAngle = controller.detector.patternAngle;
+  amplitude = controller.detector.amplitude;
+  quadrature = controller.detector.quadrature;
+  amplitudeForce = controller.growthRate;
+  quadratureForce = controller.quadratureForce;
+  frequencyOffset = controller.reference - controller.readout.clockError*resonator.material.frequency;
+  valid = controller.startUp.valid;
+  annotation (Documentation(info="<html>
+<p>The same parts, parameters and closed forms as <code>HRG</code>, but forces follow from the condition that the loops are
+at rest, so that only the pattern moves, and a step may last a second. The state is the orbit, in which rotation is a
+straight line. Noise of pick-offs is that of one control period, read once per output.</p>
+<p>The loops of <code>HRG</code> follow a turning pattern with a lag that is not in here. It matters where the split is large:
+while the case turns at W it adds dw^2 W/(2 w^2) of rate, w the natural frequency of the quadrature loop, 1e-7 of W at 0.5 mHz.</p>
+</html>"));
+end HRGSlow;

@@ -1,0 +1,3 @@
+within HRG;
+package Interfaces "What a gyro shows to the outside"
+end Interfaces;

@@ -1,0 +1,14 @@
+within HRG.Noise;
+function lagDecays "Decay of the flicker noise's lags over a period, and the weights of their input"
+  input Real samplePeriod "Period";
+  output Real result[16] "Eight decays, of lags with time constants 0.01 s times 8^0 to 8^7, and eight weights";
+protected
+  Real timeConstant "Of a lag";
+algorithm
+  timeConstant := 0.01;
+  for i in 1:8 loop
+    result[i] := exp(-samplePeriod/timeConstant);
+    result[8 + i] := sqrt((1 - result[i]*result[i])/2);
+    timeConstant := 8*timeConstant;
+  end for;
+end lagDecays;

@@ -1,0 +1,20 @@
+within HRG.Resonators;
+model CarrierResonator "Vibrating shell at its carrier frequency"
+  extends PartialResonator;
+  input Units.AngularFrequency reference "Frequency of the reference oscillator above the nominal one";
+  input Units.Force force[4] "Drive forces {cos x, sin x, cos y, sin y}";
+  Oscillator oscillator(
+    frequency = material.frequency,
+    startAngle = startAngle,
+    startAmplitude = startAmplitude,
+    dampingX = material.dampingX,
+    dampingY = material.dampingY,
+    dampingSin = material.dampingSin,
+    shift = material.shift,
+    splitCos = material.splitCos,
+    splitSin = material.splitSin,
+    coupling = material.coupling,
+    duffing = material.duffing,
+    reference = reference,
+    force = force + shake) "Motion";
+end CarrierResonator;

@@ -1,0 +1,23 @@
+within HRG.Resonators;
+partial model PartialResonator "Vibrating shell: environment and material; the motion is left to who extends it"
+  parameter Units.Time thermalPeriod "Sample period of the environment";
+  parameter Units.Angle startAngle = 0 "Pattern angle at time 0";
+  parameter Units.Displacement startAmplitude(min = 1e-6, max = 10) = 1 "Antinode amplitude at time 0";
+  parameter Real imbalanceX(unit = "s/m", min = -1e3, max = 1e3) = 0
+    "Force on x over in-phase vibration of the case at the modal frequency (mass imbalance)";
+  parameter Real imbalanceY(unit = "s/m", min = -1e3, max = 1e3) = 0 "Force on y, likewise";
+  input Units.AngularRate angularRate "Inertial rate about the input axis";
+  input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
+  input Units.Temperature caseTemperature "Temperature of the case";
+  input Units.Ratio biasVoltage "Electrode bias voltage over the nominal one";
+  input Units.Acceleration vibration "Case vibration at the modal frequency, in phase with the reference";
+  Environment environment(samplePeriod = thermalPeriod, caseTemperature = caseTemperature) "Temperature and age";
+  Material material(
+    temperature = environment.temperature,
+    age = environment.age,
+    biasVoltage = biasVoltage,
+    acceleration = acceleration,
+    angularRate = angularRate) "Coefficients of the motion";
+protected
+  Units.Force shake[4] = {imbalanceX*vibration, 0, imbalanceY*vibration, 0} "Force by vibration of the case";
+end PartialResonator;

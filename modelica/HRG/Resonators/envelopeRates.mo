@@ -1,0 +1,44 @@
+within HRG.Resonators;
+function envelopeRates "Rates of the free envelope in a frame that rotates with the reference"
+  input Units.Displacement displacement[4] "{cx, sx, cy, sy}";
+  input Units.Rate dampingX "Damping of x";
+  input Units.Rate dampingY "Damping of y";
+  input Units.Rate dampingSin "Damping between x and y";
+  input Units.AngularFrequency detuning "Of the frame above the mean modal frequency";
+  input Units.AngularFrequency splitCos "Stiffness anisotropy, diagonal";
+  input Units.AngularFrequency splitSin "Stiffness anisotropy, off diagonal";
+  input Units.AngularRate coupling "Bryan coupling of the modes, n k Omega with n = 2";
+  input Units.AngularFrequency duffing "Frequency shift at unit amplitude by cubic stiffness";
+  output Real rates[4] "Derivatives of the displacement";
+protected
+  Real cx "Component of x in phase with the reference";
+  Real sx "Component of x in quadrature with the reference";
+  Real cy "Component of y in phase with the reference";
+  Real sy "Component of y in quadrature with the reference";
+  Real detuningX "Of the frame above x, its Duffing shift included";
+  Real detuningY "Of the frame above y, its Duffing shift included";
+  Real swing "Duffing shift by both modes' squared amplitude";
+  Real turn "Coupling, that of the orbit's area included";
+algorithm
+  cx := displacement[1];
+  sx := displacement[2];
+  cy := displacement[3];
+  sy := displacement[4];
+  swing := duffing*(cx*cx + sx*sx + cy*cy + sy*sy);
+  turn := coupling + 2/3*duffing*(cx*sy - cy*sx);
+  detuningX := detuning + splitCos - swing;
+  detuningY := detuning - splitCos - swing;
+  rates[1] := -dampingX*cx - dampingSin*cy - detuningX*sx - splitSin*sy + turn*cy;
+  rates[2] := -dampingX*sx - dampingSin*sy + detuningX*cx + splitSin*cy + turn*sy;
+  rates[3] := -dampingY*cy - dampingSin*cx - detuningY*sy - splitSin*sx - turn*cx;
+  rates[4] := -dampingY*sy - dampingSin*sx + detuningY*cy + splitSin*cx - turn*sx;
+  annotation (Documentation(info="<html>
+<p>With x = cx cos P + sx sin P, y alike, P the phase of the rotating frame, X = cx - i sx, Z = [X; Y]:</p>
+<pre>Z' = -i nu Z - Z/tau - (D/2) [[ct, st], [st, -ct]] Z - (i dw/2) [[cw, sw], [sw, -cw]] Z + 2 k Omega [[0, 1], [-1, 0]] Z</pre>
+<p>ct = cos 4 theta_tau, cw = cos 4 theta_w; nu is the frame's frequency above the mean modal one.
+The equation is the average over a carrier period of the two coupled oscillators (D. D. Lynch's form).</p>
+<p>A cubic stiffness, x'' + w^2 x + gamma (x^2 + y^2) x, averages to a frequency shift delta = 3 gamma/8w at unit
+amplitude, X' = i delta [(|X|^2 + |Y|^2) X] + (2/3) delta (cx sy - cy sx) Y, and Y alike with the other sign: an orbit
+of quadrature q precesses as if the case turned at delta a q/(3 k).</p>
+</html>"));
+end envelopeRates;

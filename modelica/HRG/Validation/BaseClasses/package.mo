@@ -1,0 +1,3 @@
+within HRG.Validation;
+package BaseClasses "What claims are made of"
+end BaseClasses;

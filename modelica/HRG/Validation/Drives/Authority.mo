@@ -1,0 +1,20 @@
+within HRG.Validation.Drives;
+model Authority "A drive that clips at f: beyond its range the rebalanced pattern slips at k W - (f/2)(|cos 2 theta| + |sin 2 theta|)"
+  extends BaseClasses.Claim(
+    redeclare final model Gyro = Gyroscopes.HRG,
+    redeclare type Quantity = Units.AngularRate,
+    tolerance = 0.01,
+    gyro(angularRate = rate, controller(forceToRebalance = 1), drive(authority = present*authority)));
+  parameter Units.Force authority = 0.02 "f, of a channel";
+  parameter Units.AngularRate rate = 0.2 "W";
+  BaseClasses.MeanRate slip(samplePeriod = gyro.samplePeriod, angle = gyro.patternAngle, begin = 1) "Rate of the pattern";
+equation
+  measured = slip.rate;
+  expected = authority/2*(abs(cos(2*theta)) + abs(sin(2*theta))) - k*rate;
+  scale = k*rate;
+  annotation (experiment(StopTime = 1.1), Documentation(info="<html>
+<p>A force of f on the node turns the pattern at f/2. Both channels clip once the loop has wound up, so that the
+rebalancing rate is (f/2)(|cos 2 theta| + |sin 2 theta|) at most, f/2 in the worst place: full range f/(2k). Mechanism 30.
+Of loops that wind up, and so of the gyro that has them.</p>
+</html>"));
+end Authority;

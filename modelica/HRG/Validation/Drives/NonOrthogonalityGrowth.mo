@@ -1,0 +1,11 @@
+within HRG.Validation.Drives;
+model NonOrthogonalityGrowth "Drive non-orthogonality: an amplitude force of -(d/2 tau) sin 4 theta"
+  extends BaseClasses.GrowthAtRest(gyro(drive(nonOrthogonality = present*skew)));
+  parameter Units.Ratio skew = 1e-3 "d";
+equation
+  expected = -skew/(2*tau)*sin(4*theta);
+  scale = skew/(2*tau);
+  annotation (experiment(StopTime = 20), Documentation(info="<html>
+<p>G = (1/tau)(1 - (d/2) sin 4 theta). Mechanism 5.</p>
+</html>"));
+end NonOrthogonalityGrowth;

@@ -1,0 +1,3 @@
+within HRG.Validation;
+package Drives "Errors of drive electrodes"
+end Drives;

@@ -1,0 +1,15 @@
+within HRG.Validation.Environment;
+model DecayTimeOverTemperature "The decay time follows the temperature: more force for the same amplitude"
+  extends BaseClasses.GrowthAtRest(
+    gyro(
+      caseTemperature = 298.15 + warming,
+      resonator(environment(thermalLag = 1), material(decayTimePerKelvin = present*coefficient))));
+  parameter Units.TemperatureDifference warming = 10 "Above the reference";
+  parameter Units.PerKelvin coefficient = -0.003 "Relative change per kelvin";
+equation
+  expected = 1/(tau*(1 + coefficient*warming)) - 1/tau;
+  scale = abs(coefficient*warming)/tau;
+  annotation (experiment(StopTime = 30), Documentation(info="<html>
+<p>G = 1/(tau (1 + c (T - T_0))): mechanism 24.</p>
+</html>"));
+end DecayTimeOverTemperature;

@@ -1,0 +1,3 @@
+within HRG.Validation;
+package Environment "Temperature, bias voltage, vibration, specific force, mounting angle and age"
+end Environment;

@@ -1,0 +1,3 @@
+within HRG.Validation;
+package Modes "Modes of operation and compensation"
+end Modes;

@@ -1,0 +1,3 @@
+within HRG.Validation;
+package PickOffs "Errors of pick-offs, demodulation and converter"
+end PickOffs;

@@ -1,0 +1,3 @@
+within HRG.Validation;
+package RandomErrors "Noise, by its Allan deviation"
+end RandomErrors;

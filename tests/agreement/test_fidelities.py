@@ -1,0 +1,177 @@
+"""The three fidelities agree, parameter by parameter.
+
+Each error parameter is set alone (with what it needs to show), and the change it makes to every
+channel is compared: HRG against HRGCarrier over 12 s, and against HRGSlow over 160 s: at rest,
+through a turn of 0.8 or 0.9 rad, and at rest again, where no fourth harmonic is zero.
+"""
+
+from collections.abc import Mapping
+
+import numpy as np
+import pytest
+
+from fmu_build.bundle import built_fmu
+from fmu_build.roots import ROOTS
+from pyhrg.fmu import GyroFmu
+
+Values = Mapping[str, float]
+Run = tuple[float, float]
+"""Length of a phase, s, and rate while turning, rad/s."""
+
+SPLIT = {"resonator.material.frequencySplit": 1.5e-3, "resonator.material.stiffnessAxis": 0.1}
+WARM = {"caseTemperature": 308.15}
+SOAK = {"resonator.environment.thermalLag": 1.0}
+PUSHED = {"accelerationX": 7.0, "accelerationY": 8.0, "accelerationZ": -9.0}
+
+CASES: dict[str, tuple[float, Values, Values]] = {
+    "resonator.material.decayTimePerKelvin": (-0.01, SOAK, WARM),
+    "resonator.material.decayTimeAgeing": (1e-4, {}, {}),
+    "resonator.material.dampingAnisotropy": (1e-4, {}, {}),
+    "resonator.material.dampingAnisotropyPerKelvin": (
+        0.01,
+        {**SOAK, "resonator.material.dampingAnisotropy": 1e-4},
+        WARM,
+    ),
+    "resonator.material.mountingDamping": (1e-3, {}, {}),
+    "resonator.material.frequencyPerKelvin": (85e-6, SOAK, WARM),
+    "resonator.material.frequencySplit": (1.5e-3, {}, {}),
+    "resonator.material.duffing": (0.5, {"controller.quadratureSetpoint": 0.01}, {}),
+    "resonator.material.splitPerAcceleration[1]": (1e-4, {}, PUSHED),
+    "resonator.material.splitPerAcceleration[2]": (1e-4, {}, PUSHED),
+    "resonator.material.splitPerAcceleration[3]": (1e-4, {}, PUSHED),
+    "resonator.material.electrostaticShift": (10.0, {}, {"biasVoltage": 1.1}),
+    "resonator.material.electrostaticSplit": (5e-3, {}, {"biasVoltage": 1.1}),
+    "resonator.material.bryanFactorPerKelvin": (1e-4, SOAK, WARM),
+    "resonator.imbalanceX": (1e-3, {}, {"vibration": 1.0}),
+    "resonator.imbalanceY": (1e-3, {}, {"vibration": 1.0}),
+    "pickOff.gainMismatch": (0.01, {}, {}),
+    "pickOff.gainPerKelvin": (1e-3, SOAK, WARM),
+    "pickOff.gainPerAcceleration[1]": (1e-3, {}, PUSHED),
+    "pickOff.gainPerAcceleration[2]": (1e-3, {}, PUSHED),
+    "pickOff.gainPerAcceleration[3]": (1e-3, {}, PUSHED),
+    "pickOff.gainPerAccelerationSquared[1]": (1e-4, {}, PUSHED),
+    "pickOff.gainPerAccelerationSquared[2]": (1e-4, {}, PUSHED),
+    "pickOff.gainPerAccelerationSquared[3]": (1e-4, {}, PUSHED),
+    "pickOff.nonOrthogonality": (0.01, {}, {}),
+    "pickOff.cubic": (0.01, {}, {}),
+    "pickOff.phaseError": (0.01, SPLIT, {}),
+    "pickOff.phasePerKelvin": (1e-3, {**SPLIT, **SOAK}, WARM),
+    "pickOff.differentialPhase": (0.01, SPLIT, {}),
+    "pickOff.offset": (0.01, {}, {}),
+    "pickOff.feedthrough": (0.01, {**SPLIT, "resonator.material.frequencySplit": 0.02}, {}),
+    "drive.frameRotation": (0.1, {}, {}),
+    "drive.rotationPerAcceleration[1]": (5e-3, {}, PUSHED),
+    "drive.rotationPerAcceleration[2]": (5e-3, {}, PUSHED),
+    "drive.rotationPerAcceleration[3]": (5e-3, {}, PUSHED),
+    "drive.rotationPerTemperatureRate": (1e-4, {}, WARM),
+    "drive.nonOrthogonality": (0.1, {}, {}),
+    "drive.gainMismatch": (0.1, {}, {}),
+    "controller.quadratureSetpoint": (0.01, SPLIT, {}),
+    "controller.synthesis.loopDelay": (0.01, {}, {}),
+    "controller.readout.clockError": (1e-3, {}, {"virtualRotation": 0.1}),
+    "controller.readout.virtualRotationError": (1e-2, {}, {"virtualRotation": 0.1}),
+    "controller.cancellation.dampingAnisotropy": (1e-3, {}, {}),
+    "controller.biasMap.mean": (1e-3, {}, {}),
+    "controller.biasMap.cos2": (1e-3, {}, {}),
+    "controller.biasMap.sin2": (1e-3, {}, {}),
+    "controller.biasMap.cos4": (1e-3, {}, {}),
+    "controller.biasMap.sin4": (1e-3, {}, {}),
+    "controller.biasMap.cos8": (1e-3, {}, {}),
+    "controller.biasMap.sin8": (1e-3, {}, {}),
+}
+"""Value, further parameters and inputs, sized so that the change stands far above rounding."""
+
+NOISE = {
+    "noise.angleRandomWalk": 1e-8,
+    "noise.pickOff": 1e-10,
+    "noise.rateRandomWalk": 1e-6,
+    "noise.biasInstability": 1e-3,
+    "noise.virtualRotation": 1e-4,
+}
+LOOPS = {
+    "pickOff.resolution": "limit cycles of the loops",
+    "pickOff.fullScale": "overload of the loops",
+    "drive.authority": "overload of the loops",
+}
+"""What HRGSlow leaves out by intent (`HRG.Controls.QuasisteadyLoops`), and why."""
+
+FLOORS = np.array([1e-8, 1e-7, 1e-7, 1e-7, 1e-6])
+"""Residual transients of the five channels: rad, rad, 1/s, 1/s, rad/s."""
+
+
+@pytest.fixture(scope="module")
+def gyros() -> dict[str, GyroFmu]:
+    return {name: GyroFmu(built_fmu(root=root)) for name, root in ROOTS.items()}
+
+
+def channels(gyro_fmu: GyroFmu, parameters: Values, inputs: Values, run: Run) -> np.ndarray:
+    """Angle gained at rest, and in all; growth rate; quadrature force; frequency."""
+    rest, rate = run
+    with gyro_fmu.power_on(parameters, seed=3, start_angle=0.2) as gyro:
+        begin = gyro.advance(0.0, rest)
+        for name, value in inputs.items():
+            gyro.command(name, value)
+        gyro.advance(rate, rest)
+        settled = gyro.advance(0.0, rest)
+        end = gyro.advance(0.0, rest)
+        forces = [gyro.read(x) for x in ("amplitudeForce", "quadratureForce", "frequencyOffset")]
+    return np.array([end - settled, end - begin, *forces])
+
+
+def assert_same_change(one: GyroFmu, other: GyroFmu, name: str, run: Run) -> None:
+    """What a parameter does to the channels, within 1 %."""
+    value, others, inputs = CASES[name]
+    changes = [
+        channels(g, {**others, name: value}, inputs, run) - channels(g, others, inputs, run)
+        for g in (one, other)
+    ]
+    scale = np.abs(changes[0])
+    assert np.all(np.abs(changes[0] - changes[1]) <= 0.01 * scale + FLOORS), changes
+    assert np.any(scale > 10 * FLOORS), changes
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_carrier_shows_the_same(gyros: dict[str, GyroFmu], name: str) -> None:
+    assert_same_change(gyros["HRG"], gyros["HRGCarrier"], name, (3.0, 0.3))
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_quasisteady_loops_show_the_same(gyros: dict[str, GyroFmu], name: str) -> None:
+    assert_same_change(gyros["HRG"], gyros["HRGSlow"], name, (40.0, 0.02))
+
+
+@pytest.mark.parametrize("name", NOISE)
+def test_carrier_draws_the_same_noise(gyros: dict[str, GyroFmu], name: str) -> None:
+    """The very same deviates, so that records agree, apart from a mean over half a period: 10 %."""
+    records = []
+    for fidelity in ("HRG", "HRGCarrier"):
+        with gyros[fidelity].power_on({name: NOISE[name]}, seed=5, start_angle=0.2) as gyro:
+            gyro.command("virtualRotation", 1.0)
+            records.append(gyro.drive(np.zeros(1000), 1e-3)[10:])
+    assert np.std(records[0] - records[1]) < 0.1 * np.std(records[0])
+    assert np.std(records[0]) > 0
+
+
+def test_every_error_parameter_is_compared(gyros: dict[str, GyroFmu]) -> None:
+    """Zero by default, and neither an axis nor of the start-up: an error parameter."""
+    description = gyros["HRG"].description
+    errors = {
+        v.name
+        for v in description.modelVariables
+        if v.causality == "parameter" and float(v.start) == 0
+        if not v.name.endswith(("Axis", ".startCommand"))
+    }
+    modes = {"seed", "startAngle", "controller.forceToRebalance"}
+    assert errors - modes == set(CASES) | set(NOISE) | set(LOOPS)
+
+
+def test_fidelities_have_the_same_parameters(gyros: dict[str, GyroFmu]) -> None:
+    """HRGSlow has no loops to be tuned; the carrier has converters."""
+
+    def settable(name: str) -> set[str]:
+        return {
+            v.name for v in gyros[name].description.modelVariables if v.causality == "parameter"
+        }
+
+    assert all("Loop." in x for x in settable("HRG") - settable("HRGSlow"))
+    assert settable("HRG") < settable("HRGCarrier")

@@ -1,0 +1,154 @@
+"""Models of the library as FMUs of this machine: found by package, built, run."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import fmpy
+import pymoca.ast
+import pymoca.parser
+from fmpy.fmi2 import FMU2Slave
+
+from fmu_build.bundle import SHELLS, SOURCES, modelica_library, write_sources
+from fmu_build.platforms import PLATFORMS, compile_library, host
+from fmu_build.roots import Root
+from fmu_build.translate import translate
+
+IDENTIFIER = "Model"
+
+
+@dataclass(frozen=True)
+class Model:
+    """A model that can be run.
+
+    name: in full.
+    stop_time: of its experiment, s.
+    info: its info page.
+    text: of its file.
+    is_own: whether that file is the library's.
+    """
+
+    name: str
+    stop_time: float
+    info: str
+    text: str
+    is_own: bool = True
+
+    def redeclared(self, name: str, redeclaration: str) -> "Model":
+        """This model with a class replaced, under a name of its own."""
+        text = f'model {name} "{name}" extends {self.name}({redeclaration}); end {name};'
+        return replace(self, name=name, text=text, is_own=False)
+
+
+def defined(path: Path) -> pymoca.ast.Class:
+    """The class that a file defines, found by the file's place in the library."""
+    place = path.parent if path.name == "package.mo" else path.with_suffix("")
+    found = pymoca.parser.parse(path.read_text())
+    assert found is not None, "not Modelica"
+    for name in place.relative_to(modelica_library().parent).parts:
+        found = found.classes[name]
+    return found
+
+
+def models(package: str) -> list[Model]:
+    """All models below a package of the library; its `BaseClasses` are none.
+
+    Raises:
+        ValueError: one states no experiment or has no info page.
+    """
+    files = sorted((modelica_library() / package).rglob("*.mo"))
+    return [
+        _model(path)
+        for path in files
+        if path.name != "package.mo" and path.parent.name != "BaseClasses"
+    ]
+
+
+def _model(path: Path) -> Model:
+    annotation = _modifiers(defined(path).annotation)
+    if not annotation.keys() >= {"experiment", "Documentation"}:
+        raise ValueError(f"{path.name}: expected annotation(experiment, Documentation)")
+    return Model(
+        name=".".join(path.with_suffix("").relative_to(modelica_library().parent).parts),
+        stop_time=float(_modifiers(annotation["experiment"])["StopTime"].value),
+        info=str(_modifiers(annotation["Documentation"])["info"].value),
+        text=path.read_text(),
+    )
+
+
+def _modifiers(clause: pymoca.ast.ClassModification | None) -> dict[str, pymoca.ast.Node]:
+    """First modification of each name."""
+    arguments = clause.arguments if clause else []
+    return {a.value.component.name: a.value.modifications[0] for a in arguments}
+
+
+class ModelFmu:
+    """A model's FMU, to be powered on again and again."""
+
+    def __init__(self, slave: FMU2Slave, description: fmpy.model_description.ModelDescription):
+        self._slave = slave
+        self._variables = {v.name: v for v in description.modelVariables}
+
+    def outputs(self) -> list[str]:
+        """Names of its outputs."""
+        return [v.name for v in self._variables.values() if v.causality == "output"]
+
+    def power_on(self, parameters: Mapping[str, float]) -> None:
+        """Initialize at time 0, after a reset."""
+        self._slave.reset()
+        self._slave.setupExperiment(startTime=0.0)
+        self._slave.enterInitializationMode()
+        for name, value in parameters.items():
+            variable = self._variables[name]
+            if variable.type == "Integer":
+                self._slave.setInteger([variable.valueReference], [int(value)])
+            else:
+                self._slave.setReal([variable.valueReference], [value])
+        self._slave.exitInitializationMode()
+
+    def advance(self, time: float, step: float) -> None:
+        """From a time on, s."""
+        self._slave.doStep(time, step)
+
+    def read(self, names: Sequence[str]) -> list[float]:
+        """Present values."""
+        return list(self._slave.getReal([self._variables[n].valueReference for n in names]))
+
+
+@contextmanager
+def built(model: Model) -> Iterator[ModelFmu]:
+    """Translate, compile and load a model.
+
+    Raises:
+        TranslationError, BuildError.
+    """
+    with TemporaryDirectory(prefix="hrg-model-") as name:
+        folder = Path(name)
+        _write(model, folder)
+        description = fmpy.read_model_description(name, validate=False)
+        slave = FMU2Slave(
+            guid=description.guid,
+            unzipDirectory=name,
+            modelIdentifier=IDENTIFIER,
+            instanceName=model.name,
+        )
+        slave.instantiate()
+        try:
+            yield ModelFmu(slave, description)
+        finally:
+            slave.freeInstance()
+
+
+def _write(model: Model, folder: Path) -> None:
+    """An FMU, extracted."""
+    platform = PLATFORMS[host()]
+    root = Root(IDENTIFIER, model.name, model.name, "runge_kutta_4", "0.01")
+    dae = translate(modelica_library(), model.name, "" if model.is_own else model.text)
+    description = write_sources(dae, folder, 2, root)
+    library = compile_library(folder, [*SOURCES, SHELLS[2]], IDENTIFIER, platform)
+    (folder / "modelDescription.xml").write_text(description)
+    binaries = folder / "binaries" / str(platform.fmi2_folder)
+    binaries.mkdir(parents=True)
+    (binaries / f"{IDENTIFIER}{platform.suffix}").write_bytes(library)

@@ -87,7 +87,7 @@ def build(
     if fmi == 3:
         build_text = build_description(root.identifier, sources, PORTABLE_FLAGS)
         content["sources/buildDescription.xml"] = build_text.encode()
-    content |= enclosures(dae, root.identifier, root.description, fmi, content)
+    content |= enclosures(dae, root, fmi, content)
     path.parent.mkdir(parents=True, exist_ok=True)
     write_whole(path, _zipped(content))
     progress(f"built {path}")

@@ -20,7 +20,8 @@ LOG_CATEGORIES = {
 
 @dataclass(frozen=True)
 class Identity:
-    """What an FMU calls itself; `licence` is an SPDX expression, empty where none is granted."""
+    """What an FMU calls itself; `step` is its default communication step in s, `licence` an SPDX
+    expression, empty where none is granted."""
 
     identifier: str
     description: str
@@ -61,7 +62,7 @@ def fmi2_description(dae: Dae, identity: Identity) -> str:
     parents = {kind: ET.SubElement(structure, name) for kind, name in kinds.items()}
     for kind, scalar, dependencies in _unknowns(dae, listed):
         # an index counts from 1, in the order of the variables
-        text = " ".join(str(known + 1) for known in dependencies)
+        text = " ".join(str(reference + 1) for reference in dependencies)
         index = str(scalar.reference + 1)
         ET.SubElement(parents[kind], "Unknown", index=index, dependencies=text)
     return xml_text(root)
@@ -103,9 +104,8 @@ def fmi3_description(dae: Dae, identity: Identity) -> str:
     )
     structure = ET.SubElement(root, "ModelStructure")
     for kind, scalar, dependencies in _unknowns(dae, listed):
-        text = " ".join(str(known) for known in dependencies)
-        reference = str(scalar.reference)
-        ET.SubElement(structure, kind, valueReference=reference, dependencies=text)
+        text = " ".join(str(reference) for reference in dependencies)
+        ET.SubElement(structure, kind, valueReference=str(scalar.reference), dependencies=text)
     return xml_text(root)
 
 
@@ -187,11 +187,12 @@ def _typed(scalar: Scalar) -> dict[str, str]:
 
 
 def _unknowns(dae: Dae, listed: Sequence[Scalar]) -> Iterator[tuple[str, Scalar, tuple[int, ...]]]:
-    """Kind, scalar, and value references that it depends on; ascending, as FMI 2.0 asks."""
+    """Kind, scalar and references of the knowns it depends on; ascending, as FMI 2.0 asks."""
     graph = Graph(dae)
-    for scalar in listed:
+    calculated = [s for s in listed if s.causality in ("output", "calculatedParameter")]
+    depends = {index: graph.of(index) for index in {s.variable for s in calculated}}
+    for scalar in calculated:
         if scalar.causality == "output":
-            yield "Output", scalar, graph.of(scalar.variable).stepping
-    for scalar in listed:
-        if scalar.causality in ("output", "calculatedParameter"):
-            yield "InitialUnknown", scalar, graph.of(scalar.variable).initial
+            yield "Output", scalar, depends[scalar.variable].stepping
+    for scalar in calculated:
+        yield "InitialUnknown", scalar, depends[scalar.variable].initial

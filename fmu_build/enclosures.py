@@ -9,30 +9,28 @@ from fmu_build.documentation import documentation
 from fmu_build.icon import icon_png
 from fmu_build.licences import licence_files
 from fmu_build.reference import reference
+from fmu_build.roots import Root
 from fmu_build.terminals import terminals_and_icons
 
 
-def enclosures(
-    dae: Dae, name: str, title: str, fmi: int, content: Mapping[str, bytes]
-) -> dict[str, bytes]:
+def enclosures(dae: Dae, root: Root, fmi: int, content: Mapping[str, bytes]) -> dict[str, bytes]:
     """Documentation, icon, terminals, licences, reference results and bill of materials, by path.
 
     Args:
         dae: the model.
-        name: the FMU's.
-        title: one line on what it is.
+        root: what is exported.
         fmi: version of the standard, 2 or 3.
         content: description, sources and binaries, by path.
     """
-    run = reference(name, content)
-    page = documentation(dae, title, version("hrg"), run)
+    run = reference(root.identifier, content)
+    page = documentation(dae, root.description, version("hrg"), run)
     found = {
         "documentation/index.html": page.encode(),
         "terminalsAndIcons/terminalsAndIcons.xml": terminals_and_icons(dae).encode(),
         "terminalsAndIcons/icon.png": icon_png(),
-        "extra/org.cyclonedx/bom.json": bill_of_materials(name, content).encode(),
+        "extra/org.cyclonedx/bom.json": bill_of_materials(root.identifier, content).encode(),
     }
-    found |= run.files(name)
+    found |= run.files(root.identifier)
     found |= {f"documentation/licenses/{n}": text for n, text in licence_files(fmi).items()}
     if fmi == 2:
         found["model.png"] = icon_png()

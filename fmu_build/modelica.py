@@ -36,7 +36,8 @@ class Page:
 def types_of(files: Iterable[str]) -> dict[str, RealType]:
     """Types of the library that Modelica files belong to, by full name."""
     found: dict[str, RealType] = {}
-    for root in sorted({_root(Path(file)) for file in files}):
+    present = (path for path in map(Path, set(files)) if path.exists())
+    for root in sorted({_root(path) for path in present}):
         for file in sorted(root.rglob("*.mo")):
             found |= _types(file)
     return found

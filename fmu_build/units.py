@@ -24,6 +24,7 @@ BASE_UNITS: dict[str, dict[str, str]] = {
     "rad.s2/m": {"rad": "1", "s": "2", "m": "-1"},
     "rad/s": {"rad": "1", "s": "-1"},
     "rad2/s": {"rad": "2", "s": "-1"},
+    "rad2/s2": {"rad": "2", "s": "-2"},
     "rad2/s3": {"rad": "2", "s": "-3"},
 }
 """Exponents of the SI base units of every unit that the library uses."""

@@ -16,6 +16,7 @@ from fmu_build.check.experiment import Experiment, experiment
 from fmu_build.check.importers import IMPORTERS
 from fmu_build.check.recording import FailedError
 from fmu_build.check.report import checks
+from fmu_build.roots import ROOTS
 from tests.fmu_build.tampering import description, removed, tampered
 
 
@@ -33,8 +34,9 @@ def planned(path: Path) -> Experiment:
 
 
 @pytest.mark.parametrize("fmi", [2, 3])
-def test_our_fmu_has_no_finding(fmi: int) -> None:
-    run = checked(built_fmu(fmi=fmi))
+@pytest.mark.parametrize("name", ROOTS)
+def test_our_fmus_have_no_finding(name: str, fmi: int) -> None:
+    run = checked(built_fmu(fmi=fmi, root=ROOTS[name]))
     assert run.returncode == 0, run.stdout + run.stderr
     for importer in IMPORTERS:
         assert f"ok    {importer.name} {importer.version()} runs it" in run.stdout

@@ -18,13 +18,15 @@ import pytest
 from fmu_build.bundle import built_fmu, modelica_library
 from fmu_build.description import Identity, fmi2_description
 from fmu_build.documentation import documentation
+from fmu_build.roots import ROOTS
 from fmu_build.scalars import scalars
 from tests.fmu_build.modelica import SAMPLED, translated
 
 
-@pytest.fixture(scope="module", params=[2, 3])
+@pytest.fixture(scope="module", params=[(n, f) for n in ROOTS for f in (2, 3)], ids=str)
 def path(request: pytest.FixtureRequest) -> Path:
-    return built_fmu(fmi=request.param)
+    name, fmi = request.param
+    return built_fmu(fmi=fmi, root=ROOTS[name])
 
 
 @pytest.fixture

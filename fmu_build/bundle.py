@@ -17,8 +17,9 @@ from fmu_build.description import Identity, fmi2_description, fmi3_description
 from fmu_build.enclosures import enclosures
 from fmu_build.files import write_whole
 from fmu_build.generate import generate, header
+from fmu_build.libraries import kept_library
 from fmu_build.licences import licence_expression
-from fmu_build.platforms import FLAGS, PLATFORMS, PORTABLE_FLAGS, compile_library, host, universal
+from fmu_build.platforms import FLAGS, PLATFORMS, PORTABLE_FLAGS, host, universal
 from fmu_build.roots import ROOTS, Root
 from fmu_build.scalars import fmi_causality
 from fmu_build.sorting import schedule
@@ -77,11 +78,10 @@ def build(
         description = write_sources(dae, folder, fmi, root)
         content = {"modelDescription.xml": description.encode()}
         content |= {f"sources/{f.name}": f.read_bytes() for f in _packed(folder, sources)}
-        libraries = {}
-        for platform in platforms or [host()]:
-            progress(f"compiling for {platform}")
-            target = PLATFORMS[platform]
-            libraries[platform] = compile_library(folder, sources, root.identifier, target)
+        libraries = {
+            platform: kept_library(folder, sources, root.identifier, PLATFORMS[platform], progress)
+            for platform in platforms or [host()]
+        }
     binaries = _fmi2_binaries if fmi == 2 else _fmi3_binaries
     content |= binaries(libraries, root.identifier)
     if fmi == 3:

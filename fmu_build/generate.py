@@ -145,10 +145,13 @@ def _outputs(dae: Dae, plan: Schedule) -> list[str]:
 
 
 def _finite(dae: Dae, plan: Schedule) -> list[str]:
-    """The states, and the samples that act on them until the next step."""
+    """The states, the samples that act on them until the next step, and the outputs sampled."""
     acting = "\n".join([*_stores(dae, plan.held), *_derivatives(dae, plan)])
     used = {int(i) for i in re.findall(r"\bv\[(\d+)\]", acting)}
-    watched = [*_scalars(dae, "state"), *sorted(used & set(_scalars(dae, "discrete_real")))]
+    sampled = (dae.variables[a.target[1]] for a in plan.tick)
+    outputs = {v.offset for v in sampled if v.causality == "output" and "." not in v.name}
+    samples = sorted(used & set(_scalars(dae, "discrete_real")) | outputs)
+    watched = [*_scalars(dae, "state"), *samples]
     return [f"return isfinite({' + '.join(f'0.0 * v[{i}]' for i in watched)});"]
 
 

@@ -4,6 +4,7 @@ import platform
 import struct
 import subprocess
 import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -54,7 +55,9 @@ def host() -> str:
     return name
 
 
-def compile_library(folder: Path, sources: list[str], identifier: str, target: Platform) -> bytes:
+def compile_library(
+    folder: Path, sources: Sequence[str], identifier: str, target: Platform
+) -> bytes:
     """Shared library of the C sources in a folder.
 
     Raises:

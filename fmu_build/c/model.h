@@ -22,7 +22,7 @@ void model_step(double *v, double h);
 void model_tick(double *v, long long index);
 /* Continuous variables at the present state. */
 void model_outputs(double *v);
-/* Whether every continuous state, and every sample that acts on one, is a number. */
+/* Whether the continuous states, the samples that act on them, and the sampled outputs are finite. */
 int model_is_finite(const double *v);
 
 #endif

@@ -8,23 +8,15 @@ from concurrent.futures import Future, ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 
+from fmu_build.roots import ROOTS
 from tests.modelica.models import Model, ModelFmu, built, models
 
 START_ANGLES = tuple(0.1 + i * math.pi / 7 for i in range(7))
 """Around the circumference, rad: seven, so that harmonics 2, 4 and 8 are told apart."""
 CLAIMS = models("Validation")
 _FIXED = "redeclare final model Gyro"
-
-
-def slow_claims() -> list[Model]:
-    """All claims that leave the kind of gyro open, made of HRGSlow."""
-    return [
-        claim.redeclared(
-            claim.name.replace(".", "_"), "redeclare model Gyro = HRG.Gyroscopes.HRGSlow"
-        )
-        for claim in CLAIMS
-        if _FIXED not in claim.text
-    ]
+SLOW_CLAIMS = [c.made_of(ROOTS["HRGSlow"]) for c in CLAIMS if _FIXED not in c.text]
+"""All claims that leave the kind of gyro open."""
 
 
 @dataclass(frozen=True)
@@ -49,12 +41,10 @@ class Demonstration:
 def demonstrate(claim: Model) -> Demonstration:
     """Build a model and run it from every start angle, the control from every third."""
     with built(claim) as fmu:
+        shown = [_run(fmu, claim, angle, present=1) for angle in START_ANGLES]
+        control = [_run(fmu, claim, angle, present=0) for angle in START_ANGLES[::3]]
         (tolerance,) = fmu.read(["tolerance"])
-        return Demonstration(
-            tolerance=tolerance,
-            shown=[_run(fmu, claim, angle, present=1) for angle in START_ANGLES],
-            control=[_run(fmu, claim, angle, present=0) for angle in START_ANGLES[::3]],
-        )
+    return Demonstration(tolerance, shown, control)
 
 
 def _run(fmu: ModelFmu, claim: Model, start_angle: float, present: int) -> Result:

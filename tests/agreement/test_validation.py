@@ -7,12 +7,12 @@ from collections.abc import Callable, Iterator
 import pytest
 
 from tests.agreement import reference_results
-from tests.agreement.claims import CLAIMS, Demonstration, Result, demonstrations, slow_claims
+from tests.agreement.claims import CLAIMS, SLOW_CLAIMS, Demonstration, Result, demonstrations
 from tests.modelica.models import Model
 
 Demonstrate = Callable[[Model], Demonstration]
 MECHANISMS = range(1, 32)
-ALL = [*CLAIMS, *slow_claims()]
+ALL = [*CLAIMS, *SLOW_CLAIMS]
 over_claims = pytest.mark.parametrize("claim", ALL, ids=lambda c: c.name)
 
 

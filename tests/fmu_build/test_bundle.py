@@ -10,6 +10,7 @@ from pathlib import Path
 import fmpy
 import fmpy.validation
 import numpy as np
+import platformdirs
 import pytest
 
 from fmu_build import bundle
@@ -19,11 +20,11 @@ from tests.fmu_build import native
 
 @pytest.mark.parametrize("fmi", [2, 3])
 def test_same_sources_same_bytes(tmp_path: Path, fmi: int) -> None:
-    """In another process, whose hashes fall differently."""
+    """In another process, whose hashes fall differently and which finds nothing compiled."""
     code = "import pathlib, sys, fmu_build.bundle as b; "
     code += f"b.build(pathlib.Path(sys.argv[1]), fmi={fmi})"
     command = [sys.executable, "-c", code, str(tmp_path / "again.fmu")]
-    environment = {**os.environ, "PYTHONHASHSEED": "12345"}
+    environment = {**os.environ, "PYTHONHASHSEED": "12345", "XDG_CACHE_HOME": str(tmp_path)}
     subprocess.run(command, check=True, env=environment)
     assert (tmp_path / "again.fmu").read_bytes() == bundle.built_fmu(fmi=fmi).read_bytes()
 
@@ -94,3 +95,13 @@ def test_every_variable_is_described_and_has_a_unit(fmu_path: Path) -> None:
         assert variable.description, variable.name
         if variable.type == "Real":
             assert variable.unit, variable.name
+
+
+def test_only_what_changed_is_compiled(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A second build compiles nothing; a second standard compiles anew, since its shell differs."""
+    monkeypatch.setattr(platformdirs, "user_cache_path", lambda name: tmp_path / name)
+    said: list[str] = []
+    for fmi in (2, 2, 3):
+        bundle.build(tmp_path / "HRG.fmu", said.append, fmi)
+    compiled = [line.split()[0] for line in said if " for " in line]
+    assert compiled == ["compiling", "unchanged", "compiling"]

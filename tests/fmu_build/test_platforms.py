@@ -4,12 +4,15 @@ Nothing here can run the binaries for macOS; `test_binaries.py` looks at what is
 """
 
 import os
+import zipfile
 from pathlib import Path
 
 import fmpy
 import pytest
 
+from fmu_build.bundle import built_fmu
 from fmu_build.platforms import COMPILER, PLATFORMS
+from fmu_build.roots import ROOTS
 from tests.fmu_build import native
 
 SETTINGS = {
@@ -29,16 +32,36 @@ STEPS = 300
 """Lines that the host prints: 100, and twice 100 from the middle on."""
 
 
-def _library(folders: dict[int, Path], fmi: int, name: str) -> Path:
-    platform = PLATFORMS[name]
-    inner = platform.fmi2_folder if fmi == 2 else name
-    return folders[fmi] / "binaries" / str(inner) / f"HRG{platform.suffix}"
+RUNNABLE = ["x86_64-linux", "x86_64-windows", "aarch64-linux"]
+CASES = [("x86_64-windows", 2, "HRG")]
+CASES += [(name, 3, root) for root in ROOTS for name in RUNNABLE[1:]]
+
+
+@pytest.fixture(scope="module")
+def prefix(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Wine's own folder, made by the first program that runs."""
+    return tmp_path_factory.mktemp("wine")
+
+
+@pytest.fixture(scope="module")
+def models(
+    folders: dict[int, Path], tmp_path_factory: pytest.TempPathFactory
+) -> dict[tuple[int, str], Path]:
+    """By FMI version and model: the FMU for all that can be run here, extracted."""
+    result = {(fmi, "HRG"): folder for fmi, folder in folders.items()}
+    for root in ROOTS.values():
+        if root.identifier != "HRG":
+            path = built_fmu(fmi=3, platforms=RUNNABLE, root=root)
+            result[3, root.identifier] = tmp_path_factory.mktemp(root.identifier)
+            with zipfile.ZipFile(path) as archive:
+                archive.extractall(result[3, root.identifier])
+    return result
 
 
 def _host(folder: Path, fmi: int, name: str) -> Path:
     """The host program for a platform."""
     platform = PLATFORMS[name]
-    program = folder / ("host.exe" if platform.suffix == ".dll" else "host")
+    program = folder / f"host-{name}.exe"
     flags = ["-target", platform.target, "-std=c99", "-O1", f"-DFMI={fmi}", f"-I{native.HEADERS}"]
     libraries = [] if platform.suffix == ".dll" else ["-ldl"]
     source = native.HERE / "host.c"
@@ -46,55 +69,76 @@ def _host(folder: Path, fmi: int, name: str) -> Path:
     return program
 
 
-def _arguments(folder: Path) -> list[str]:
+def _arguments(folder: Path, fmi: int, name: str) -> list[str]:
+    """Of the host: library, token, settings by reference."""
     description = fmpy.read_model_description(str(folder))
+    platform = PLATFORMS[name]
+    inner = str(platform.fmi2_folder if fmi == 2 else name)
+    library = folder / "binaries" / inner / f"{description.modelName}{platform.suffix}"
     references = {v.name: v.valueReference for v in description.modelVariables}
     settings = [
-        f"{kind}:{references[name]}:{value!r}"
+        f"{kind}:{references[variable]}:{value!r}"
         for kind, values in SETTINGS.items()
-        for name, value in values.items()
+        for variable, value in values.items()
     ]
-    return [description.guid or description.instantiationToken, *settings]
+    drive = "Z:" if platform.suffix == ".dll" else ""
+    return [f"{drive}{library}", description.guid or description.instantiationToken, *settings]
 
 
-def _native(folders: dict[int, Path], tmp_path: Path, fmi: int, *wrapper: str) -> list[str]:
-    program = _host(tmp_path, fmi, "x86_64-linux")
-    library = _library(folders, fmi, "x86_64-linux")
-    command = [*wrapper, program, library, *_arguments(folders[fmi])]
-    return native.run(command, seconds=300).splitlines()
+def _emulator(name: str) -> list[str]:
+    if name == "x86_64-windows":
+        return [native.tool("wine")]
+    if name == "aarch64-linux":
+        return [native.tool("qemu-aarch64-static"), "-L", "/usr/aarch64-linux-gnu"]
+    return []
+
+
+def _environment(prefix: Path) -> dict[str, str]:
+    """Wine without a display, its messages, and its questions about Mono and Gecko."""
+    environment = {k: v for k, v in os.environ.items() if k != "DISPLAY"}
+    wine = {"WINEPREFIX": str(prefix), "WINEDEBUG": "-all", "WINEDLLOVERRIDES": "mscoree,mshtml="}
+    return environment | wine
+
+
+@pytest.mark.parametrize(("name", "fmi", "root"), CASES)
+def test_other_platforms_give_the_same_bits(
+    models: dict[tuple[int, str], Path],
+    prefix: Path,
+    tmp_path: Path,
+    name: str,
+    fmi: int,
+    root: str,
+) -> None:
+    def lines(platform: str) -> list[str]:
+        program = _host(tmp_path, fmi, platform)
+        arguments = _arguments(models[fmi, root], fmi, platform)
+        command = [*_emulator(platform), program, *arguments]
+        return native.run(command, seconds=240, env=_environment(prefix)).splitlines()
+
+    expected = lines("x86_64-linux")
+    assert len(expected) == STEPS
+    assert lines(name) == expected
 
 
 def test_what_follows_a_restored_state_is_the_same_again(
     folders: dict[int, Path], tmp_path: Path
 ) -> None:
-    lines = _native(folders, tmp_path, 3)
-    assert len(lines) == STEPS
+    results = []
+    for fmi, folder in folders.items():
+        program = _host(tmp_path, fmi, "x86_64-linux")
+        text = native.run([program, *_arguments(folder, fmi, "x86_64-linux")])
+        results.append(text.splitlines())
+    lines = results[0]
     assert lines[100:200] == lines[200:]
-    assert len(set(lines)) == 200
-    assert lines == _native(folders, tmp_path, 2)
-
-
-@pytest.mark.parametrize("fmi", [2, 3])
-def test_windows_gives_the_same_bits(folders: dict[int, Path], tmp_path: Path, fmi: int) -> None:
-    program = _host(tmp_path, fmi, "x86_64-windows")
-    library = _library(folders, fmi, "x86_64-windows")
-    environment = {k: v for k, v in os.environ.items() if k != "DISPLAY"}
-    environment |= {"WINEPREFIX": str(tmp_path / "wine"), "WINEDEBUG": "-all"}
-    environment["WINEDLLOVERRIDES"] = "mscoree,mshtml="  # no questions about Mono and Gecko
-    command = [native.tool("wine"), program, f"Z:{library}", *_arguments(folders[fmi])]
-    lines = native.run(command, seconds=180, env=environment).splitlines()
-    assert lines == _native(folders, tmp_path, fmi)
-
-
-def test_arm_gives_the_same_bits(folders: dict[int, Path], tmp_path: Path) -> None:
-    emulator = [native.tool("qemu-aarch64-static"), "-L", "/usr/aarch64-linux-gnu"]
-    program = _host(tmp_path, 3, "aarch64-linux")
-    library = _library(folders, 3, "aarch64-linux")
-    lines = native.run([*emulator, program, library, *_arguments(folders[3])]).splitlines()
-    assert lines == _native(folders, tmp_path, 3)
+    assert len({line.split(" ", 1)[1] for line in lines}) == 200
+    assert results[1] == lines
 
 
 def test_memory_checker_finds_nothing(folders: dict[int, Path], tmp_path: Path) -> None:
     """No invalid access, no value that was never set, no leak."""
     checker = [native.tool("valgrind"), "--quiet", "--error-exitcode=9", "--leak-check=full"]
-    assert len(_native(folders, tmp_path, 3, *checker)) == STEPS
+    for fmi, folder in folders.items():
+        program = _host(tmp_path, fmi, "x86_64-linux")
+        arguments = _arguments(folder, fmi, "x86_64-linux")
+        said = native.run([*checker, program, *arguments], seconds=300)
+        assert len(said.splitlines()) == STEPS

@@ -13,7 +13,7 @@ from fmpy.fmi2 import FMU2Slave
 
 from fmu_build.bundle import SHELLS, SOURCES, modelica_library, write_sources
 from fmu_build.platforms import PLATFORMS, compile_library, host
-from fmu_build.roots import Root
+from fmu_build.roots import ROOTS, Root
 from fmu_build.translate import translate
 
 IDENTIFIER = "Model"
@@ -28,6 +28,7 @@ class Model:
     info: its info page.
     text: of its file.
     is_own: whether that file is the library's.
+    integrator: of the FMU (`fmu_build.roots`).
     """
 
     name: str
@@ -35,11 +36,14 @@ class Model:
     info: str
     text: str
     is_own: bool = True
+    integrator: str = ROOTS["HRG"].integrator
 
-    def redeclared(self, name: str, redeclaration: str) -> "Model":
-        """This model with a class replaced, under a name of its own."""
+    def made_of(self, gyro: Root) -> "Model":
+        """This model with its replaceable `Gyro` redeclared, under a name of its own."""
+        name = f"{self.name.replace('.', '_')}_{gyro.identifier}"
+        redeclaration = f"redeclare model Gyro = {gyro.model}"
         text = f'model {name} "{name}" extends {self.name}({redeclaration}); end {name};'
-        return replace(self, name=name, text=text, is_own=False)
+        return replace(self, name=name, text=text, is_own=False, integrator=gyro.integrator)
 
 
 def defined(path: Path) -> pymoca.ast.Class:
@@ -144,7 +148,7 @@ def built(model: Model) -> Iterator[ModelFmu]:
 def _write(model: Model, folder: Path) -> None:
     """An FMU, extracted."""
     platform = PLATFORMS[host()]
-    root = Root(IDENTIFIER, model.name, model.name, "runge_kutta_4", "0.01")
+    root = Root(IDENTIFIER, model.name, model.name, model.integrator, "0.01")
     dae = translate(modelica_library(), model.name, "" if model.is_own else model.text)
     description = write_sources(dae, folder, 2, root)
     library = compile_library(folder, [*SOURCES, SHELLS[2]], IDENTIFIER, platform)

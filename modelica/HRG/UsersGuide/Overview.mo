@@ -6,7 +6,7 @@ precesses by -k times the angle of the case, and the electronics read the angle 
 amplitude and its quadrature, keep in phase with it, and turn it on command.</p>
 <ul>
 <li><code>Gyroscopes</code>: complete gyros, the models to use.</li>
-<li><code>Resonators</code>, <code>Electrodes</code>, <code>Controls</code>, <code>Noise</code>: their parts.</li>
+<li><code>Resonators</code>, <code>Electrodes</code>, <code>Controls</code>, <code>Noise</code>, <code>Interfaces</code>: their parts.</li>
 <li><code>Examples</code>: small models to open first.</li>
 <li><code>Validation</code>: one claim a model, its closed form beside what the gyro shows.</li>
 </ul>

@@ -199,7 +199,7 @@ def function_name(function: Function) -> str:
     return "f_" + function.name.replace(".", "_")
 
 
-def function_signature(function: Function) -> str:
+def function_signature(function: Function, linkage: str) -> str:
     """C declaration of a Modelica function; a vector result is written through a last pointer."""
     parameters = [
         f"double a_{p.name}" if p.size is None else f"const double *a_{p.name}"
@@ -209,13 +209,13 @@ def function_signature(function: Function) -> str:
     if output.size is not None:
         parameters.append(f"double *restrict l_{output.name}")
     kind = "double" if output.size is None else "void"
-    return f"static inline {kind} {function_name(function)}({', '.join(parameters)})"
+    return f"{linkage} {kind} {function_name(function)}({', '.join(parameters)})"
 
 
-def function_body(dae: Dae, function: Function) -> list[str]:
+def function_body(dae: Dae, function: Function, linkage: str) -> list[str]:
     """C definition of a Modelica function, line by line."""
     output, *rest = function.values
-    lines = [f"{function_signature(function)} {{"]
+    lines = [f"{function_signature(function, linkage)} {{"]
     for local in rest if output.size is not None else function.values:
         lines.append(f"  double l_{local.name}{f'[{local.size}]' if local.size else ''};")
     for statement in _without_refills(dae, function.statements):
@@ -271,6 +271,8 @@ def _assignment(dae: Dae, function: Function, body: Json, indent: str, nested: b
     target = function.values[body["target"]]
     node = dae.nodes[body["rhs"]]
     name = f"l_{target.name}"
+    if node.kind == "conditional" and target.size is not None:
+        return _alternatives(dae, name, node, indent)
     if node.kind == "array_update":
         base, pick, value = node.args
         if dae.nodes[base].kind != "function_value" and nested:
@@ -287,9 +289,31 @@ def _assignment(dae: Dae, function: Function, body: Json, indent: str, nested: b
     elif target.size is None:
         text = f"{name} = {emitter.scalar(body['rhs'])};"
     else:
-        values = emitter.elements(body["rhs"])
-        text = " ".join(f"{name}[{e}] = {value};" for e, value in enumerate(values))
+        return _vector(dae, name, body["rhs"], indent)
     return [indent + line for line in (*emitter.statements, text)]
+
+
+def _vector(dae: Dae, name: str, expression: int, indent: str) -> list[str]:
+    emitter = Emitter(dae)
+    values = emitter.elements(expression)
+    text = " ".join(f"{name}[{e}] = {value};" for e, value in enumerate(values))
+    return [indent + line for line in (*emitter.statements, text)]
+
+
+def _alternatives(dae: Dae, name: str, node: Node, indent: str) -> list[str]:
+    """A vector that is one of several expressions: only the one that holds is computed."""
+    *pairs, fallback = node.args
+    lines: list[str] = []
+    for condition, branch in zip(pairs[::2], pairs[1::2], strict=True):
+        head = "} else if" if lines else "if"
+        lines.append(f"{indent}{head} ({Emitter(dae).scalar(condition)}) {{")
+        lines += _vector(dae, name, branch, indent + "  ")
+    return [
+        *lines,
+        f"{indent}}} else {{",
+        *_vector(dae, name, fallback, indent + "  "),
+        f"{indent}}}",
+    ]
 
 
 def _number(value: float | int | bool) -> str:

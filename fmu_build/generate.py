@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from itertools import groupby
 
 from fmu_build.dae import Dae
-from fmu_build.emit import Emitter, function_body
+from fmu_build.emit import Emitter, function_body, function_name
 from fmu_build.sorting import Assignment, Schedule, schedule
 
 
@@ -20,16 +20,17 @@ def generate(dae: Dae, integrator: str = "runge_kutta_4") -> str:
     """
     plan = schedule(dae)
     dae = plan.dae
+    derivatives = _derivatives(dae, plan)
     parts = [
         f"/* {dae.model}: generated from its Modelica source. */",
         '#include "arithmetic.h"',
         '#include "model.h"',
-        *_functions(dae),
+        *_functions(dae, "\n".join(derivatives)),
         *_procedure("void model_parameters(double *v)", _stores(dae, plan.parameters)),
         *_procedure("void model_defaults(double *v)", _defaults(dae)),
         *_procedure("void model_start(double *v)", _stores(dae, plan.starts)),
         *_procedure("void model_held(double *v)", _stores(dae, plan.held)),
-        *_derivatives(dae, plan),
+        *derivatives,
         *_step(dae, integrator),
         *_procedure("void model_tick(double *v, long long index)", _tick(dae, plan)),
         *_procedure("int model_is_finite(const double *v)", _finite(dae, plan)),
@@ -56,8 +57,13 @@ def _period(dae: Dae) -> str:
     return f"{dae.sample_period.numerator}.0 / {dae.sample_period.denominator}.0"
 
 
-def _functions(dae: Dae) -> list[str]:
-    return [line for function in dae.functions for line in function_body(dae, function)]
+def _functions(dae: Dae, derivatives: str) -> list[str]:
+    """Those that derivatives call become part of them, so that everything stays in registers."""
+    lines: list[str] = []
+    for function in dae.functions:
+        inner = f" {function_name(function)}(" in derivatives
+        lines += function_body(dae, function, "INLINE" if inner else "static inline")
+    return lines
 
 
 def _procedure(declaration: str, lines: Iterable[str]) -> list[str]:
@@ -122,7 +128,7 @@ def _derivatives(dae: Dae, plan: Schedule) -> list[str]:
             else:
                 position = states.index(dae.variables[index].offset + element)
                 lines.append(f"dx[{position}] = {text};")
-    signature = "static inline void derivatives(const double *v, const double *x, double *dx)"
+    signature = "INLINE void derivatives(const double *v, const double *x, double *dx)"
     return [
         f"#define STATES {len(states)}",
         *_procedure(signature, lines),

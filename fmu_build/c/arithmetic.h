@@ -7,6 +7,12 @@
 #include <math.h>
 #include <string.h>
 
+#ifdef __GNUC__
+#define INLINE static inline __attribute__((always_inline))
+#else
+#define INLINE static inline
+#endif
+
 /* Largest whole number not above x, for |x| < 2^51: adding 1.5 * 2^52 rounds to a whole number. */
 static inline double m_floor(double x) {
   const double shift = 6755399441055744.0;

@@ -28,9 +28,10 @@ protected
   Real antinode "Force on the antinode";
   Real node "Force on the node that rotates";
   Real square "Force on the node in quadrature";
-  Real bounded[4] "Command within the drives' authority";
-  Real force[4] "On the shell, less the phase";
-  Real total[4] "Rates on the true axes";
+  Real swing "Rate of the phase and the reference together, without a force that rotates";
+  Real reaction "The same per force that rotates";
+  Real forces[3] "All three";
+  Real motion[4] "{rates of modal angle, amplitude and quadrature, of the phase and the reference together}";
 algorithm
   turned[1] := axes[3]*free[1] - axes[4]*free[2];
   turned[2] := axes[3]*free[2] + axes[4]*free[1];
@@ -54,34 +55,28 @@ algorithm
     - quadrature*(h[2] - axes[4]*along[1]*base[1] - axes[3]*across[1]*base[2]))*spread;
   response := (amplitude*(axes[3]*across[2] + axes[3]*along[2]*slope[1] - axes[4]*across[2]*slope[2])
     + quadrature*(axes[4]*across[1] + axes[4]*along[1]*slope[1] + axes[3]*across[1]*slope[2]))*spread;
+  swing := (amplitude*(h[2] - axes[4]*along[1]*base[1] - axes[3]*across[1]*base[2])
+    - quadrature*(h[3] + axes[3]*along[2]*base[1] - axes[4]*across[2]*base[2]))*spread;
+  reaction := (-amplitude*(axes[4]*across[1] + axes[4]*along[1]*slope[1] + axes[3]*across[1]*slope[2])
+    - quadrature*(axes[3]*across[2] + axes[3]*along[2]*slope[1] - axes[4]*across[2]*slope[2]))*spread;
   on := if driveOn > 0 then 1 else 0;
   node := on*(if rebalance > 0 then (wanted[1] - drift)/response else driveOn*2*patternRate*detected);
   antinode := on*(base[1] + slope[1]*node);
   square := on*(base[2] + slope[2]*node);
-  bounded[1] := Electrodes.digitised(antinode*aim[1] - node*aim[2], 0, authority);
-  bounded[2] := Electrodes.digitised(-square*aim[2], 0, authority);
-  bounded[3] := Electrodes.digitised(antinode*aim[2] + node*aim[1], 0, authority);
-  bounded[4] := Electrodes.digitised(square*aim[1], 0, authority);
-  turned[1] := gain[1]*bounded[1] + gain[2]*bounded[3];
-  turned[2] := gain[1]*bounded[2] + gain[2]*bounded[4];
-  turned[3] := gain[3]*bounded[1] + gain[4]*bounded[3];
-  turned[4] := gain[3]*bounded[2] + gain[4]*bounded[4];
-  force[1] := axes[3]*turned[1] - axes[4]*turned[2];
-  force[2] := axes[3]*turned[2] + axes[4]*turned[1];
-  force[3] := axes[3]*turned[3] - axes[4]*turned[4];
-  force[4] := axes[3]*turned[4] + axes[4]*turned[3];
-  total[1] := h[1] + axes[1]*force[1] + axes[2]*force[3];
-  total[2] := h[2] - axes[1]*force[2] - axes[2]*force[4];
-  total[3] := h[3] + axes[1]*force[3] - axes[2]*force[1];
-  total[4] := h[4] - axes[1]*force[4] + axes[2]*force[2];
-  result[1] := (amplitude*total[3] - quadrature*total[2])*spread;
-  result[2] := total[1];
-  result[3] := -total[4];
+  forces[1] := antinode;
+  forces[2] := square;
+  forces[3] := node;
+  motion := if authority > 0 or driveOn <= 0
+    then boundedMotion(forces, h, amplitude, quadrature, axes, aim, gain, authority)
+    else {drift + response*node, wanted[2], wanted[3], swing + reaction*node};
+  result[1] := motion[1];
+  result[2] := motion[2];
+  result[3] := motion[3];
   result[4] := wanted[4];
   result[5] := antinode;
   result[6] := square;
   result[7] := node;
-  result[8] := (amplitude*total[2] - quadrature*total[3])*spread - wanted[4];
+  result[8] := motion[4] - wanted[4];
   annotation (Documentation(info="<html>
 <p>In the frame of the orbit, exp(-i phi) Z' has the antinode component a' + i (a psi + q alpha') and the node component
 (a alpha' + q psi) - i q', with psi = phi' + nu, nu the reference's frequency. The drive adds A, N and -i S along the

@@ -1,0 +1,40 @@
+within HRG.Controls;
+function boundedMotion "Motion of the orbit under forces that the drives' authority may clip"
+  input Units.Force forces[3] "Wanted on the antinode, on the node in quadrature, on the node that rotates";
+  input Real h[4] "Free rates on the true axes: {antinode real, imaginary, node real, imaginary}";
+  input Units.Displacement amplitude "True antinode amplitude a";
+  input Units.Displacement quadrature "True quadrature q";
+  input Units.Ratio axes[4] "True {cosine and sine of the modal angle, cosine and sine of the phase}";
+  input Units.Ratio aim[2] "Cosine and sine of the modal angle that forces are resolved with";
+  input Units.Ratio gain[4] "Drives' force over command, {x by x, x by y, y by x, y by y}";
+  input Units.Force authority "A channel clips at this force";
+  output Real result[4] "{rates of modal angle, amplitude and quadrature, of the phase and the reference together}";
+protected
+  Units.Force bounded[4] "Command within the drives' authority {cos x, sin x, cos y, sin y}";
+  Units.Force turned[4] "On the shell";
+  Units.Force force[4] "On the shell, less the phase";
+  Real total[4] "Rates on the true axes";
+  Real spread "Inverse of a^2 - q^2";
+algorithm
+  bounded[1] := Electrodes.digitised(forces[1]*aim[1] - forces[3]*aim[2], 0, authority);
+  bounded[2] := Electrodes.digitised(-forces[2]*aim[2], 0, authority);
+  bounded[3] := Electrodes.digitised(forces[1]*aim[2] + forces[3]*aim[1], 0, authority);
+  bounded[4] := Electrodes.digitised(forces[2]*aim[1], 0, authority);
+  turned[1] := gain[1]*bounded[1] + gain[2]*bounded[3];
+  turned[2] := gain[1]*bounded[2] + gain[2]*bounded[4];
+  turned[3] := gain[3]*bounded[1] + gain[4]*bounded[3];
+  turned[4] := gain[3]*bounded[2] + gain[4]*bounded[4];
+  force[1] := axes[3]*turned[1] - axes[4]*turned[2];
+  force[2] := axes[3]*turned[2] + axes[4]*turned[1];
+  force[3] := axes[3]*turned[3] - axes[4]*turned[4];
+  force[4] := axes[3]*turned[4] + axes[4]*turned[3];
+  total[1] := h[1] + axes[1]*force[1] + axes[2]*force[3];
+  total[2] := h[2] - axes[1]*force[2] - axes[2]*force[4];
+  total[3] := h[3] + axes[1]*force[3] - axes[2]*force[1];
+  total[4] := h[4] - axes[1]*force[4] + axes[2]*force[2];
+  spread := 1/(amplitude*amplitude - quadrature*quadrature);
+  result[1] := (amplitude*total[3] - quadrature*total[2])*spread;
+  result[2] := total[1];
+  result[3] := -total[4];
+  result[4] := (amplitude*total[2] - quadrature*total[3])*spread;
+end boundedMotion;

@@ -5,7 +5,8 @@ import re
 from fmu_build.check.archive import Fmu
 from fmu_build.check.rule import Findings, rule
 
-SUFFIXES = {"win": ".dll", "linux": ".so", "darwin": ".dylib"}
+SUFFIXES = {"darwin": ".dylib", "linux": ".so", "win": ".dll"}
+"""By part of a platform's name; darwin before win, which it holds."""
 
 ENTRY_POINTS = {"license.txt", "license.html", "license.spdx"}
 

@@ -7,8 +7,9 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
   ProportionalIntegral phaseLoop(
     samplePeriod = samplePeriod,
     naturalFrequency = 200,
-    startCommand(unit = "rad/s"),
+    final startCommand(unit = "rad/s") = 0,
     error(unit = "rad") = detector.phase + phaseOffset,
+    frozen = 0,
     command(unit = "rad/s"),
     integral(unit = "rad.s"))
     "Keeps the reference in phase with the antinode";
@@ -16,15 +17,19 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
     samplePeriod = samplePeriod,
     naturalFrequency = 6,
     startCommand = startGrowthRate,
-    error = driveOn*startUp.error) "Holds the antinode amplitude";
+    error = driveOn*startUp.error,
+    frozen = synthesis.wasOverloaded) "Holds the antinode amplitude";
   ProportionalIntegral quadratureLoop(
     samplePeriod = samplePeriod,
     naturalFrequency = 6,
-    error = driveOn*(quadratureSetpoint - detector.quadrature)) "Holds the quadrature";
+    final startCommand = 0,
+    error = driveOn*(quadratureSetpoint - detector.quadrature),
+    frozen = synthesis.wasOverloaded) "Holds the quadrature";
   ProportionalIntegral angleLoop(
     samplePeriod = samplePeriod,
     naturalFrequency = 100,
-    startCommand(unit = "rad/s"),
+    final startCommand(unit = "rad/s") = 0,
+    frozen = synthesis.wasOverloaded,
     error(unit = "rad") = driveOn*forceToRebalance*(startAngle - detector.patternAngle),
     command(unit = "rad/s"),
     integral(unit = "rad.s"))
@@ -34,7 +39,9 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
     samplePeriod = samplePeriod,
     patternAngle = detector.patternAngle,
     commandedAngle = commanded.angle,
-    commandedRate = driveOn*(readout.bryanFactor*virtualRotation + angleLoop.command),
+    commandedRate = readout.bryanFactor*virtualRotation + angleLoop.command,
+    lostRate = synthesis.lostRate,
+    driveOn = driveOn,
     unknownRate = cancellation.patternRate + rateNoise,
     gainNoise = gainNoise,
     correction = biasMap.correction) "Angle of the case";
@@ -47,13 +54,16 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
     cosine = detector.cosine,
     sine = detector.sine,
     amplitude = detector.amplitude,
-    growthRate = growthRate,
-    quadratureForce = quadratureForce,
+    growthRate = amplitudeLoop.command,
+    quadratureForce = quadratureLoop.command,
     patternRate = readout.patternRate,
-    driveOn = driveOn) "Forces on the electrodes";
+    driveOn = driveOn,
+    authority = authority) "Forces on the electrodes";
 equation
-  growthRate = amplitudeLoop.command;
-  quadratureForce = quadratureLoop.command;
+  expectedAngle = 2*detector.lastAngle;
+  overload = synthesis.overloaded;
+  growthRate = driveOn*amplitudeLoop.command;
+  quadratureForce = driveOn*quadratureLoop.command;
   force = synthesis.force;
   acting = synthesis.acting;
   reference = phaseLoop.command;

@@ -12,9 +12,14 @@ block ForceSynthesis "Loop commands, resolved from the pattern's axes into the e
   input Units.Force quadratureForce "Command of the quadrature loop";
   input Units.AngularRate patternRate "Commanded rotation of the pattern";
   input Units.Ratio driveOn "1 with the drive on, 0 off";
+  input Units.Force authority "A channel of the drives gives no more than this force; 0: no limit";
   discrete output Units.Force force[4](each start = 0, each fixed = true) "Force {cos x, sin x, cos y, sin y}";
   discrete output Units.Force acting[4](each start = 0, each fixed = true) "Force that was held up to the sample";
+  discrete output Units.Ratio overloaded(start = 0, fixed = true) "1 while a channel is at its limit";
+  discrete output Units.Ratio wasOverloaded(start = 0, fixed = true) "The same at the last sample";
+  discrete output Units.AngularRate lostRate(start = 0, fixed = true) "Pattern rate that the limit takes away";
 protected
+  discrete Units.Force wanted[4](each start = 0, each fixed = true) "Force without a limit {cos x, sin x, cos y, sin y}";
   discrete Units.Angle lastAngle(start = startAngle, fixed = true) "Pattern angle at the last sample";
   discrete Units.Angle lag(start = 0, fixed = true) "Modal angle by which the forces lag";
   discrete Units.Ratio lagCosine(start = 1, fixed = true) "Of the lag, to fourth order";
@@ -36,6 +41,15 @@ equation
     antinode = driveOn*growthRate*amplitude;
     node = driveOn*2*patternRate*amplitude;
     square = driveOn*quadratureForce;
-    force = {antinode*c - node*s, -square*s, antinode*s + node*c, square*c};
+    wanted = {antinode*c - node*s, -square*s, antinode*s + node*c, square*c};
+    force = {
+      Electrodes.digitised(wanted[1], 0, authority),
+      Electrodes.digitised(wanted[2], 0, authority),
+      Electrodes.digitised(wanted[3], 0, authority),
+      Electrodes.digitised(wanted[4], 0, authority)};
+    wasOverloaded = pre(overloaded);
+    overloaded = if abs(wanted[1] - force[1]) + abs(wanted[2] - force[2]) + abs(wanted[3] - force[3])
+      + abs(wanted[4] - force[4]) > 0 then 1 else 0;
+    lostRate = if overloaded > 0.5 then (node - force[3]*c + force[1]*s)/(driveOn*2*amplitude) else 0;
   end when;
 end ForceSynthesis;

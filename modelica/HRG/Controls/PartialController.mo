@@ -12,14 +12,25 @@ partial block PartialController "What all control electronics have: detection, s
   input Units.AngularRate virtualRotation "Commanded virtual rotation, as an input rate";
   input Units.AngularRate rateNoise "Pattern rate by slow noise of the electronics";
   input Units.Ratio gainNoise "Relative noise of the commanded rotation";
-  output Units.Rate growthRate "Amplitude-loop force over detected amplitude";
-  output Units.Force quadratureForce "Quadrature-loop force";
+  input Units.Force authority "A channel of the drives gives no more than this force; 0: no limit";
+  output Units.Rate growthRate "Force of the amplitude loop over detected amplitude";
+  output Units.Force quadratureForce "Force of the quadrature loop";
   output Units.AngularFrequency reference "Reference frequency less the nominal one";
-  PatternDetector detector(samplePeriod = samplePeriod, startAngle = startAngle, reading = reading) "Orbit of the vibration";
+  PatternDetector detector(
+    samplePeriod = samplePeriod,
+    startAngle = startAngle,
+    reading = reading,
+    expected = expectedAngle) "Orbit of the vibration";
   StartUp startUp(
     samplePeriod = samplePeriod,
     setpoint = amplitudeSetpoint,
     amplitude = detector.amplitude,
-    phase = detector.phase) "Amplitude to aim at";
+    phase = detector.phase + phaseOffset,
+    quadratureError = detector.quadrature - quadratureSetpoint,
+    rebalanceError = forceToRebalance*(detector.patternAngle - startAngle),
+    overload = overload) "Amplitude to aim at, and validity";
   BiasMap biasMap(samplePeriod = samplePeriod, cosine = detector.cosine, sine = detector.sine) "Compensation of the output";
+protected
+  Units.Angle expectedAngle "Modal angle to which the detected one is nearest";
+  Units.Ratio overload "1 while a drive is at its authority";
 end PartialController;

@@ -10,7 +10,6 @@ block QuasisteadyController "Control electronics whose loops follow at once"
   input Units.AngularRate coupling "Bryan coupling of the modes";
   input Units.Displacement analogue[4] "Reading before noise and conversion";
   input Units.Ratio driveGain[4] "Drives' force over command";
-  input Units.Force authority "A channel clips at this force; 0: never";
   output Real rates[4] "Derivatives of modal angle, amplitude, quadrature and phase";
   output Units.Force force[4] "Force in action {cos x, sin x, cos y, sin y}";
   QuasisteadyLoops synthesis(
@@ -27,6 +26,7 @@ block QuasisteadyController "Control electronics whose loops follow at once"
     authority = authority,
     driveOn = driveOn,
     amplitudeAim = startUp.aim,
+    amplitudeRate = startUp.aimRate,
     quadratureAim = quadratureSetpoint,
     phaseAim = -phaseOffset,
     modalAim = 2*startAngle,
@@ -38,7 +38,9 @@ block QuasisteadyController "Control electronics whose loops follow at once"
     samplePeriod = samplePeriod,
     patternAngle = detector.patternAngle,
     commandedAngle = commanded,
-    commandedRate = driveOn*readout.bryanFactor*virtualRotation,
+    commandedRate = readout.bryanFactor*virtualRotation,
+    lostRate = synthesis.lostRate,
+    driveOn = driveOn,
     unknownRate = cancellation.patternRate + rateNoise,
     gainNoise = gainNoise,
     correction = biasMap.correction) "Angle of the case";
@@ -46,7 +48,10 @@ protected
   Units.Angle commanded(start = startAngle, fixed = true) "Pattern angle at time 0 and all rotation counted since";
   Units.AngularRate counted "Rotation that is counted in the force-to-rebalance mode";
 equation
-  counted = driveOn*(synthesis.drivenRate - readout.unknownRate)/(1 + readout.virtualRotationError + gainNoise);
+  expectedAngle = modalAngle;
+  overload = 0;
+  counted = driveOn*(synthesis.drivenRate - readout.unknownRate)*(1 - gainNoise/(1 + readout.virtualRotationError))
+    /(1 + readout.virtualRotationError);
   der(commanded) = readout.countedRate + forceToRebalance*((1 + readout.clockError)*counted - readout.countedRate);
   rates = {synthesis.motion[1], synthesis.motion[2], synthesis.motion[3], synthesis.motion[4]};
   force = synthesis.force;

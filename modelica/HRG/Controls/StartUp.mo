@@ -7,21 +7,31 @@ block StartUp "Amplitude to aim at after power-on, and whether the output is val
   parameter Units.Time fullTime(min = 0.1, max = 1000) = 10 "Full amplitude is aimed at from here on";
   parameter Units.Ratio amplitudeTolerance(min = 0, max = 1) = 0.2 "Of valid output, relative to the aim";
   parameter Units.Angle phaseTolerance(min = 0, max = 1) = 0.05 "Of valid output";
+  parameter Units.Ratio quadratureTolerance(min = 0, max = 1) = 0.05 "Of valid output, relative to the aim";
+  parameter Units.Angle rebalanceTolerance(min = 0, max = 1) = 0.01 "Of valid output";
   input Units.Displacement setpoint "Amplitude to hold in the end";
   input Units.Displacement amplitude "Detected antinode amplitude";
   input Units.Angle phase "Detected phase";
+  input Units.Displacement quadratureError "Detected quadrature less its set point";
+  input Units.Angle rebalanceError "Detected pattern angle less the one to hold, in the force-to-rebalance mode";
+  input Units.Ratio overload "1 while a drive is at its authority";
   discrete output Units.Displacement aim(start = 1, fixed = true) "Amplitude to aim at now";
+  discrete output Units.Rate aimRate(start = 0, fixed = true) "Rate of the aim between the stages";
   discrete output Units.Displacement error(start = 0, fixed = true)
-    "Aim less amplitude, scaled up while the aim is small, so that the loop stays as fast";
-  discrete output Units.Ratio valid(start = 0, fixed = true) "1 while amplitude and phase are within tolerance";
+    "Aim less amplitude, scaled up while the aim is small, so that the loop stays as fast, and bounded";
+  discrete output Units.Ratio valid(start = 0, fixed = true) "1 while all loops are within tolerance and no drive is overloaded";
 protected
   discrete Units.Time clock(start = -samplePeriod, fixed = true) "Time since power-on";
 equation
   when sample(0, samplePeriod) then
     clock = pre(clock) + samplePeriod;
     aim = setpoint*rampedShare(clock, firstAmplitude, firstTime, fullTime);
-    error = (aim - amplitude)*setpoint/aim;
-    valid = if abs(amplitude - aim) <= amplitudeTolerance*aim and abs(phase) <= phaseTolerance then 1 else 0;
+    aimRate = if clock < firstTime or clock >= fullTime then 0
+      else setpoint*(1 - firstAmplitude)/(fullTime - firstTime);
+    error = setpoint*(if amplitude > 2*aim then -1 else (aim - amplitude)/aim);
+    valid = if abs(amplitude - aim) <= amplitudeTolerance*aim and abs(phase) <= phaseTolerance
+      and abs(quadratureError) <= quadratureTolerance*aim and abs(rebalanceError) <= rebalanceTolerance
+      and overload < 0.5 then 1 else 0;
   end when;
   annotation (Documentation(info="<html>
 <p>Two stages, after section 2.3 of the paper: a small vibration within a second, which already measures, then

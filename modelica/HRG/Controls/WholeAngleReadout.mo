@@ -8,20 +8,26 @@ block WholeAngleReadout "Angle of the case from the angle of the pattern"
     "True over commanded rotation, less one, typically 1e-5 to 1e-3";
   input Units.Angle patternAngle "Detected pattern angle";
   input Units.Angle commandedAngle "Pattern angle at time 0 and all rotation counted since";
-  input Units.AngularRate commandedRate "Pattern rate that is commanded and counted";
+  input Units.AngularRate commandedRate "Pattern rate that is commanded";
+  input Units.AngularRate lostRate "Share of it that drives could not give";
+  input Units.Ratio driveOn "Share of the command that is driven and counted";
   input Units.AngularRate unknownRate "Pattern rate that is driven and not counted";
   input Units.Ratio gainNoise "Relative noise of the commanded rotation";
   input Units.Angle correction "Integral of the calibrated bias";
-  output Units.AngularRate patternRate "Pattern rate that is driven";
+  output Units.AngularRate patternRate "Pattern rate to be driven";
   output Units.AngularRate countedRate "Commanded rate as the gyro's clock integrates it";
-  discrete output Units.Angle gyroAngle(start = 0, fixed = true) "Measured angle of the case since time 0";
+  discrete output Units.Angle gyroAngle(start = 0, fixed = true)
+    "Measured angle of the case since time 0; begins at the read-out's error";
   discrete output Units.AngularRate gyroRate(start = 0, fixed = true) "Measured rate of the case over the last period";
+protected
+  discrete Units.Ratio started(start = 0, fixed = true) "1 from the first sample on";
 equation
   patternRate = commandedRate*(1 + virtualRotationError + gainNoise) + unknownRate;
-  countedRate = (1 + clockError)*commandedRate;
+  countedRate = (1 + clockError)*driveOn*(commandedRate - lostRate);
   when sample(0, samplePeriod) then
     gyroAngle = (commandedAngle - patternAngle)/bryanFactor - correction;
-    gyroRate = (gyroAngle - pre(gyroAngle))/(samplePeriod*(1 + clockError));
+    gyroRate = pre(started)*(gyroAngle - pre(gyroAngle))/(samplePeriod*(1 + clockError));
+    started = 1;
   end when;
   annotation (Documentation(info="<html>
 <p>The pattern lags the case: d theta/dt = -k Omega. What was commanded is taken out again, be it a virtual

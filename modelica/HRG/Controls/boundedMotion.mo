@@ -8,7 +8,7 @@ function boundedMotion "Motion of the orbit under forces that the drives' author
   input Units.Ratio aim[2] "Cosine and sine of the modal angle that forces are resolved with";
   input Units.Ratio gain[4] "Drives' force over command, {x by x, x by y, y by x, y by y}";
   input Units.Force authority "A channel clips at this force";
-  output Real result[4] "{rates of modal angle, amplitude and quadrature, of the phase and the reference together}";
+  output Real result[7] "{rates of modal angle, amplitude and quadrature, of the phase and the reference together; forces given, as wanted}";
 protected
   Units.Force bounded[4] "Command within the drives' authority {cos x, sin x, cos y, sin y}";
   Units.Force turned[4] "On the shell";
@@ -37,4 +37,7 @@ algorithm
   result[2] := total[1];
   result[3] := -total[4];
   result[4] := (amplitude*total[2] - quadrature*total[3])*spread;
+  result[5] := bounded[1]*aim[1] + bounded[3]*aim[2];
+  result[6] := bounded[4]*aim[1] - bounded[2]*aim[2];
+  result[7] := bounded[3]*aim[1] - bounded[1]*aim[2];
 end boundedMotion;

@@ -1,7 +1,7 @@
 within HRG.Controls;
 function orbit "Orbit of the vibration, from the demodulated displacement"
   input Units.Displacement reading[4] "Demodulated displacement {cx, sx, cy, sy}";
-  input Units.Angle previous "Modal angle at the last sample: the result is the nearest of those that differ by pi";
+  input Units.Angle previous "Modal angle to which the result is the nearest, of those that differ by pi";
   output Real result[6] "{modal angle, its cosine and sine, antinode amplitude, quadrature amplitude, phase}";
 protected
   Real cx2 "cx squared";

@@ -12,7 +12,7 @@ function precession "Motion of the orbit under loops that are at rest, and the f
   input Real wanted[4] "Rates that loops ask for: of modal angle, amplitude, quadrature and phase";
   input Units.AngularRate patternRate "Commanded rotation of the pattern, in the whole-angle mode";
   input Real rebalance "1: the rate of the modal angle is what loops ask for; 0: the pattern is free";
-  output Real result[8] "{rates of modal angle, amplitude, quadrature and phase; forces on the antinode, on the node in quadrature, on the node; reference}";
+  output Real result[9] "{rates of modal angle, amplitude, quadrature and phase; forces given on the antinode, on the node in quadrature, on the node; reference; force on the node that the authority took away}";
 protected
   Real turned[4] "Free rates less the phase";
   Real h[4] "Free rates on the true axes: {antinode real, imaginary, node real, imaginary}";
@@ -31,7 +31,7 @@ protected
   Real swing "Rate of the phase and the reference together, without a force that rotates";
   Real reaction "The same per force that rotates";
   Real forces[3] "All three";
-  Real motion[4] "{rates of modal angle, amplitude and quadrature, of the phase and the reference together}";
+  Real motion[7] "As of boundedMotion()";
 algorithm
   turned[1] := axes[3]*free[1] - axes[4]*free[2];
   turned[2] := axes[3]*free[2] + axes[4]*free[1];
@@ -68,15 +68,16 @@ algorithm
   forces[3] := node;
   motion := if authority > 0 or driveOn <= 0
     then boundedMotion(forces, h, amplitude, quadrature, axes, aim, gain, authority)
-    else {drift + response*node, wanted[2], wanted[3], swing + reaction*node};
+    else {drift + response*node, wanted[2], wanted[3], swing + reaction*node, antinode, square, node};
   result[1] := motion[1];
   result[2] := motion[2];
   result[3] := motion[3];
   result[4] := wanted[4];
-  result[5] := antinode;
-  result[6] := square;
-  result[7] := node;
+  result[5] := motion[5];
+  result[6] := motion[6];
+  result[7] := motion[7];
   result[8] := motion[4] - wanted[4];
+  result[9] := node - motion[7];
   annotation (Documentation(info="<html>
 <p>In the frame of the orbit, exp(-i phi) Z' has the antinode component a' + i (a psi + q alpha') and the node component
 (a alpha' + q psi) - i q', with psi = phi' + nu, nu the reference's frequency. The drive adds A, N and -i S along the

@@ -27,6 +27,6 @@ equation
     (1 - gainMismatch/2)*(turn[2] + nonOrthogonality*turn[1]),
     (1 - gainMismatch/2)*(turn[1] - nonOrthogonality*turn[2])};
   annotation (Documentation(info="<html>
-<p>Authority, frame rotation, non-orthogonality, then gain: mechanisms 3, 5, 6, 24, 28 and 30 of the catalogue.</p>
+<p>Frame rotation, non-orthogonality, then gain; the electronics know the authority: mechanisms 3, 5, 6, 24, 28 and 30 of the catalogue.</p>
 </html>"));
 end DriveErrors;

@@ -8,15 +8,15 @@ partial block PartialPickOff "Errors of pick-offs, demodulation and converters"
   parameter Real gainPerAccelerationSquared[3](each unit = "s4/m2", each min = -0.01, each max = 0.01) = {0, 0, 0}
     "Change of g with the square of specific force";
   parameter Units.Ratio nonOrthogonality(min = -0.5, max = 0.5) = 0 "d: y reads y + d x, typically 1e-4 to 2e-3 raw";
-  parameter Real cubic(unit = "1", min = -1, max = 1) = 0
+  parameter Real cubic(unit = "1", min = -0.1, max = 0.1) = 0
     "b: x reads x (1 + 3/4 b |x|^2), typically 1e-5 to 1e-3";
   parameter Units.Angle phaseError(min = -1, max = 1) = 0
     "p: phase that the demodulation adds to both channels, typically 1e-4 to 1e-2";
   parameter Real phasePerKelvin(unit = "rad/K", min = -0.01, max = 0.01) = 0 "Change of p with temperature, typically 1e-5 to 1e-4";
   parameter Units.Angle differentialPhase(min = -1, max = 1) = 0 "x turned by +p/2, y by -p/2, typically 1e-4 to 1e-3";
-  parameter Units.Displacement offset(min = -1, max = 1) = 0 "Added to the in-phase x channel (ADC, demodulator), typically 1e-4";
-  parameter Units.Time feedthrough(min = -1, max = 1) = 0 "Reads this time the force as well, typically 1e-6 to 1e-4";
-  parameter Units.Displacement resolution(min = 0, max = 1) = 0 "Least significant bit of a channel; 0: none";
+  parameter Units.Displacement offset(min = -0.1, max = 0.1) = 0 "Added to the in-phase x channel (ADC, demodulator), typically 1e-4";
+  parameter Units.Time feedthrough(min = -0.01, max = 0.01) = 0 "Reads this time the force as well, typically 1e-6 to 1e-4";
+  parameter Units.Displacement resolution(min = 0, max = 0.1) = 0 "Least significant bit of a channel; 0: none";
   parameter Units.Displacement fullScale(min = 0, max = 1e6) = 0 "A channel clips at this value; 0: never";
   input Units.TemperatureDifference temperature "Above the reference";
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";

@@ -36,6 +36,7 @@ model HRG "Whole-angle hemispherical resonator gyro: complex envelope, electroni
     amplitudeSetpoint = amplitudeSetpoint,
     phaseOffset = phaseOffset,
     driveOn = driveOn,
+    authority = drive.authority,
     virtualRotation = virtualRotation,
     rateNoise = noise.patternRate,
     gainNoise = noise.rotation) "Control electronics";

@@ -5,6 +5,7 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
   final parameter Units.Time converterPeriod = 5e-6 "Sample period of the converters";
   Resonators.CarrierResonator resonator(
     final thermalPeriod = 1e-2,
+    material(frequency(max = 2.5e5)),
     startAngle = startAngle,
     startAmplitude = startAmplitude,
     angularRate = angularRate,
@@ -42,6 +43,7 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
     amplitudeSetpoint = amplitudeSetpoint,
     phaseOffset = phaseOffset,
     driveOn = driveOn,
+    authority = drive.authority,
     virtualRotation = virtualRotation,
     rateNoise = noise.patternRate,
     gainNoise = noise.rotation) "Control electronics";

@@ -24,7 +24,7 @@ model HRGSlow "Whole-angle hemispherical resonator gyro with its loops quasi-ste
   Noise.ElectronicsNoise noise(
     samplePeriod = samplePeriod,
     bryanFactor = resonator.material.bryanFactor,
-    pickOffPeriod = 1e-3,
+    final pickOffPeriod = 1e-3,
     seed = seed) "Noise of drives, pick-offs and electronics";
   Controls.QuasisteadyController controller(
     samplePeriod = samplePeriod,
@@ -61,6 +61,6 @@ equation
 at rest, so that only the pattern moves, and a step may last a second. The state is the orbit, in which rotation is a
 straight line. Noise of pick-offs is that of one control period, read once per output.</p>
 <p>The loops of <code>HRG</code> follow a turning pattern with a lag that is not in here. It matters where the split is large:
-while the case turns at W it adds dw^2 W/(2 w^2) of rate, w the natural frequency of the quadrature loop, 1e-7 of W at 0.5 mHz.</p>
+while the case turns at W the output loses dw^2 W/(2 w^2) of rate, w the natural frequency of the quadrature loop, 1e-7 of W at 0.5 mHz.</p>
 </html>"));
 end HRGSlow;

@@ -4,9 +4,9 @@ block ElectronicsNoise "White noise of the force and pick-off channels, slow noi
   parameter Units.Time pickOffPeriod = samplePeriod "Period over which pick-off noise is averaged";
   parameter Units.Ratio bryanFactor "Converts input rates into pattern rates";
   parameter Integer seed(min = 0, max = 2147483647) "Seed of the generators";
-  parameter Units.AngleNoiseDensity angleRandomWalk(max = 1) = 0
+  parameter Units.AngleNoiseDensity angleRandomWalk(max = 1e-4) = 0
     "White force noise, as the square of the angle random walk coefficient it causes at nominal amplitude; (1e-5 to 1e-3 deg/sqrt(h))^2";
-  parameter Units.DisplacementNoiseDensity pickOff(max = 1) = 0
+  parameter Units.DisplacementNoiseDensity pickOff(max = 1e-4) = 0
     "White noise of each demodulated channel, relative to the nominal amplitude";
   parameter Real rateRandomWalk(unit = "rad2/s3", min = 0, max = 1) = 0 "Square of the rate random walk coefficient K";
   parameter Units.AngularRate biasInstability(min = 0, max = 1) = 0 "Flicker coefficient B (IEEE Std 952)";

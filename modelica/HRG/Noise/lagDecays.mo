@@ -8,7 +8,7 @@ algorithm
   timeConstant := 0.01;
   for i in 1:8 loop
     result[i] := exp(-samplePeriod/timeConstant);
-    result[8 + i] := sqrt((1 - result[i]*result[i])/2);
+    result[8 + i] := (1 - result[i])*sqrt(timeConstant/samplePeriod);
     timeConstant := 8*timeConstant;
   end for;
 end lagDecays;

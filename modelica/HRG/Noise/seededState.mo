@@ -6,7 +6,10 @@ protected
   Real h "Hash, a whole number below the smaller modulus less one";
 algorithm
   h := scrambled(scrambled(scrambled(scrambled(seed + 1234567891))));
-  for i in 1:72 loop
+  for i in 1:12 loop
+    memory[i] := seed + 1;
+  end for;
+  for i in 13:72 loop
     h := scrambled(h + 40014*i);
     memory[i] := h + 1;
   end for;

@@ -53,7 +53,7 @@ protected
   Units.Ratio warmth "Factor of the damping anisotropy";
   Units.Ratio voltageChange "Change of the squared bias voltage";
 equation
-  damping = 1/(decayTime*(1 + decayTimePerKelvin*temperature)*(1 - decayTimeAgeing*age));
+  damping = exp(decayTimeAgeing*age - decayTimePerKelvin*temperature)/decayTime;
   warmth = 1 + dampingAnisotropyPerKelvin*temperature;
   dampingCos = ownCos*warmth + mountingCos;
   dampingSin = ownSin*warmth + mountingSin;

@@ -13,8 +13,7 @@ equation
   expected = authority/2*(abs(cos(2*theta)) + abs(sin(2*theta))) - k*rate;
   scale = k*rate;
   annotation (experiment(StopTime = 1.1), Documentation(info="<html>
-<p>A force of f on the node turns the pattern at f/2. Both channels clip once the loop has wound up, so that the
-rebalancing rate is (f/2)(|cos 2 theta| + |sin 2 theta|) at most, f/2 in the worst place: full range f/(2k). Mechanism 30.
-Of loops that wind up, and so of the gyro that has them.</p>
+<p>A force of f on the node turns the pattern at f/2. Both channels clip once the pattern has slipped far enough, so that the
+rebalancing rate is (f/2)(|cos 2 theta| + |sin 2 theta|) at most, f/2 in the worst place: full range f/(2k). Mechanism 30.</p>
 </html>"));
 end Authority;

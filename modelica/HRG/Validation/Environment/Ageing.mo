@@ -6,9 +6,9 @@ protected
   Units.Time clock(start = 0, fixed = true) "Time";
 equation
   der(clock) = 1;
-  expected = 1/(tau*(1 - loss*clock)) - 1/tau;
+  expected = (exp(loss*clock) - 1)/tau;
   scale = loss*clock/tau;
   annotation (experiment(StopTime = 200), Documentation(info="<html>
-<p>G = 1/(tau (1 - r t)): mechanism 31.</p>
+<p>The decay time shrinks as exp(-r t), G = exp(r t)/tau: mechanism 31.</p>
 </html>"));
 end Ageing;

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from fmu_build.dae import Dae
-from fmu_build.sorting import Assignment, Target, reached, schedule
+from fmu_build.sorting import CURRENT, Assignment, Target, reached, schedule
 
 
 @dataclass(frozen=True)
@@ -13,7 +13,8 @@ class Dependencies:
 
     stepping: inputs, while the simulation runs: through continuous equations alone, since samples
         hold between ticks.
-    initial: parameters and inputs, during initialization: through start values as well.
+    initial: parameters and inputs, during initialization: through the tick at the start time, whose
+        previous values are start values.
     """
 
     stepping: tuple[int, ...]
@@ -27,7 +28,10 @@ class Graph:
         plan = schedule(dae)
         self._dae = plan.dae
         self._continuous = _by_target((*plan.held, *plan.derivatives, *plan.outputs))
-        self._initial = _by_target((*plan.parameters, *plan.starts)) | self._continuous
+        ticked = _by_target(plan.tick)
+        before = {("pre", t[1]): a for t, a in _by_target(plan.starts).items() if t in ticked}
+        at_start = _by_target((*plan.parameters, *plan.starts)) | self._continuous | ticked
+        self._initial = at_start | before
 
     def of(self, variable: int) -> Dependencies:
         """Dependencies of the variable with this index."""
@@ -40,7 +44,7 @@ class Graph:
         self, variable: int, assignments: dict[Target, Assignment], roles: set[str]
     ) -> tuple[int, ...]:
         """Scalars at which the way back ends: of these roles, and computed from nothing."""
-        on_the_way = reached(self._dae, assignments, [("variable", variable)])
+        on_the_way = reached(self._dae, assignments, [("variable", variable)], (*CURRENT, "pre"))
         ends = (self._dae.variables[i] for kind, i in on_the_way if (kind, i) not in assignments)
         return tuple(
             sorted(

@@ -1,12 +1,16 @@
 """Flat equations to assignments in an order that can be executed."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from fmu_build.dae import Dae, Sample
 
 Target = tuple[str, int]
 """What an equation defines: ("variable" or "derivative", index of the variable)."""
+
+
+CURRENT = ("variable", "derivative")
+"""Kinds of nodes that read a variable's current value."""
 
 
 @dataclass(frozen=True)
@@ -94,12 +98,14 @@ def _without_aliases(dae: Dae, continuous: dict[Target, Assignment]) -> Dae:
     return replace(dae, nodes=tuple(nodes))
 
 
-def references(dae: Dae, expression: int) -> Iterator[Target]:
-    """Variables whose current value an expression reads."""
+def references(
+    dae: Dae, expression: int, kinds: Collection[str] = CURRENT
+) -> Iterator[Target]:
+    """Variables that an expression reads by nodes of these kinds."""
     pending = [expression]
     while pending:
         node = dae.nodes[pending.pop()]
-        if node.kind in ("variable", "derivative"):
+        if node.kind in kinds:
             yield (node.kind, node.value)
         pending.extend(node.args)
 
@@ -204,9 +210,12 @@ def _state_free(dae: Dae, continuous: dict[Target, Assignment]) -> set[Target]:
 
 
 def reached(
-    dae: Dae, assignments: dict[Target, Assignment], roots: Iterable[Target]
+    dae: Dae,
+    assignments: dict[Target, Assignment],
+    roots: Iterable[Target],
+    kinds: Collection[str] = CURRENT,
 ) -> set[Target]:
-    """The roots and all that they depend on."""
+    """The roots and all that they depend on by nodes of these kinds."""
     seen: set[Target] = set()
     pending = list(roots)
     while pending:
@@ -214,7 +223,7 @@ def reached(
         if target not in seen:
             seen.add(target)
             if target in assignments:
-                pending.extend(references(dae, assignments[target].expression))
+                pending.extend(references(dae, assignments[target].expression, kinds))
     return seen
 
 

@@ -23,7 +23,10 @@ static void stretch(const Instance *instance, unsigned known, Stencil *stencil) 
     *core = instance->now.core;
     core->v[known] += steps[i] * stencil->step;
     core_touch(core);
-    if (instance->now.phase == INITIALIZING) core_settle(core);
+    if (instance->now.phase == INITIALIZING) {
+      core_settle(core);
+      core_initialize(core, instance->now.start);
+    }
     core_refresh(core);
   }
 }

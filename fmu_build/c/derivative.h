@@ -4,7 +4,7 @@
 
 #include "instance.h"
 
-/* Before the first step: of everything that follows from parameters and inputs; from then on: of
+/* During initialization: of what the start time will have by parameters and inputs; from then on: of
    continuous variables by inputs (sampled ones do not change between ticks: exactly zero).
 
    Central differences of fourth order on copies of the core, a thousandth of the known's scale

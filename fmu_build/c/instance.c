@@ -62,6 +62,7 @@ int instance_log(Instance *instance, int on, size_t n, const char *const *catego
 static void start_over(Instance *instance) {
   memset(&instance->now, 0, sizeof instance->now);
   core_reset(&instance->now.core);
+  instance_touch(instance);
 }
 
 void *instance_create(size_t size, const char *name, const char *token, unsigned references,
@@ -133,6 +134,20 @@ int instance_exit_initialization(Instance *instance) {
   return 1;
 }
 
+void instance_touch(Instance *instance) { instance->first_fresh = 0; }
+
+/* What is read: during initialization, what the start time will have. */
+static Core *readable(Instance *instance) {
+  Situation *now = &instance->now;
+  if (now->phase != INITIALIZING) return &now->core;
+  if (!instance->first_fresh) {
+    instance->first = now->core;
+    core_initialize(&instance->first, now->start);
+    instance->first_fresh = 1;
+  }
+  return &instance->first;
+}
+
 int instance_terminate(Instance *instance) {
   if (!instance_may(instance, IN(STEPPING) | IN(FAILED), "termination")) return 0;
   instance->now.phase = TERMINATED;
@@ -163,8 +178,9 @@ static int is_time(const Instance *instance, unsigned reference, Kind kind) {
 static int can_get(Instance *instance, unsigned reference, Kind kind) {
   if (is_time(instance, reference, kind)) return 1;
   if (!is_known(instance, reference, kind)) return 0;
-  if (limits[reference].continuous) core_refresh(&instance->now.core);
-  return isfinite(instance->now.core.v[reference]) ||
+  Core *core = readable(instance);
+  if (limits[reference].continuous) core_refresh(core);
+  return isfinite(core->v[reference]) ||
          instance_refuse(instance, "%s is not finite at %.17g s", limits[reference].name,
                          instance->now.time);
 }
@@ -172,11 +188,11 @@ static int can_get(Instance *instance, unsigned reference, Kind kind) {
 int instance_get(Instance *instance, const unsigned *references, size_t n, Kind kind, void *values) {
   if (!instance_may(instance, READABLE, "reading") || !are_given(instance, references, n, values))
     return 0;
-  const Situation *now = &instance->now;
   for (size_t i = 0; i < n; i++)
     if (!can_get(instance, references[i], kind)) return 0;
+  const double *v = readable(instance)->v;
   for (size_t i = 0; i < n; i++) {
-    double value = is_time(instance, references[i], kind) ? now->time : now->core.v[references[i]];
+    double value = is_time(instance, references[i], kind) ? instance->now.time : v[references[i]];
     if (kind == INTEGER)
       ((int *)values)[i] = (int)value;
     else
@@ -213,6 +229,7 @@ int instance_set(Instance *instance, const unsigned *references, size_t n, Kind 
   for (size_t i = 0; i < n; i++) core->v[references[i]] = given(values, i, kind);
   core_touch(core);
   if (instance->now.phase != STEPPING) core_settle(core);
+  instance_touch(instance);
   return 1;
 }
 

@@ -44,6 +44,8 @@ typedef struct {
 
 typedef struct Instance {
   Situation now;
+  Core first;      /* during initialization: as it will be at the start time, after the first tick */
+  int first_fresh; /* first belongs to what is set at present */
   Listener listener;
   unsigned references; /* value references that can be read */
   int logged[LOG_CATEGORIES];
@@ -64,6 +66,9 @@ int instance_setup(Instance *instance, double start, int stop_defined, double st
 int instance_enter_initialization(Instance *instance);
 int instance_exit_initialization(Instance *instance);
 int instance_terminate(Instance *instance);
+
+/* To be called after the situation was changed during initialization, by whatever it was. */
+void instance_touch(Instance *instance);
 
 /* Whether the model has a variable of this kind. */
 int instance_knows(unsigned reference, Kind kind);

@@ -118,6 +118,7 @@ int snapshot_restore(Instance *instance, const void *snapshot) {
       !are_given(instance, snapshot, snapshot))
     return 0;
   instance->now = *(const Situation *)snapshot;
+  instance_touch(instance);
   instance_note(instance, "state restored");
   return 1;
 }

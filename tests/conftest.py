@@ -7,6 +7,7 @@ import pytest
 
 from fmu_build.bundle import built_fmu
 from fmu_build.platforms import PLATFORMS
+from fmu_build.roots import ROOTS
 from pyhrg.fmu import GyroFmu
 
 
@@ -30,6 +31,19 @@ def extracted(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Path]:
 def folder(request: pytest.FixtureRequest, extracted: dict[int, Path]) -> Path:
     """The extracted FMU of each standard in turn."""
     return extracted[request.param]
+
+
+@pytest.fixture(
+    scope="session",
+    params=[(fmi, name) for name in ROOTS for fmi in (2, 3)],
+    ids=lambda param: f"{param[1]}-fmi{param[0]}",
+)
+def model_folder(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> Path:
+    """The extracted FMU of each model and standard in turn."""
+    fmi, name = request.param
+    return _extracted(built_fmu(fmi=fmi, root=ROOTS[name]), tmp_path_factory)
 
 
 @pytest.fixture(scope="session")

@@ -28,7 +28,7 @@ class Importer:
         self.slave = {2: FMU2Slave, 3: FMU3Slave}[self.fmi](
             guid=self.description.guid or self.description.instantiationToken,
             unzipDirectory=str(folder),
-            modelIdentifier="HRG",
+            modelIdentifier=self.description.modelName,
             instanceName="tested",
         )
         if self.fmi == 2:

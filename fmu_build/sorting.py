@@ -98,9 +98,7 @@ def _without_aliases(dae: Dae, continuous: dict[Target, Assignment]) -> Dae:
     return replace(dae, nodes=tuple(nodes))
 
 
-def references(
-    dae: Dae, expression: int, kinds: Collection[str] = CURRENT
-) -> Iterator[Target]:
+def references(dae: Dae, expression: int, kinds: Collection[str] = CURRENT) -> Iterator[Target]:
     """Variables that an expression reads by nodes of these kinds."""
     pending = [expression]
     while pending:

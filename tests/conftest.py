@@ -38,9 +38,7 @@ def folder(request: pytest.FixtureRequest, extracted: dict[int, Path]) -> Path:
     params=[(fmi, name) for name in ROOTS for fmi in (2, 3)],
     ids=lambda param: f"{param[1]}-fmi{param[0]}",
 )
-def model_folder(
-    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
-) -> Path:
+def model_folder(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The extracted FMU of each model and standard in turn."""
     fmi, name = request.param
     return _extracted(built_fmu(fmi=fmi, root=ROOTS[name]), tmp_path_factory)

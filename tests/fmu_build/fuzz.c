@@ -171,13 +171,32 @@ static int may_fail(const char *call, int legal, int success) {
   return judged(call, legal, success);
 }
 
-static void try_exit(void) {
-  int legal = known.phase == INITIALIZING;
-  prepare(legal);
-  if (may_fail("end of initialization", legal, door_exit(handle))) {
-    known.phase = RUNNING;
-    known.on_tick = 1;
+/* Every value, zero where there is none. */
+static void all_values(double *values) {
+  for (Reference r = 0; r < MODEL_VARIABLES; r++) {
+    values[r] = 0.0;
+    if (!limits[r].integer) door_get(handle, &r, 1, 0, &values[r]);
   }
+}
+
+static void same_values(const double *one, const double *other, const char *first, const char *second) {
+  for (int i = 0; i < MODEL_VARIABLES; i++)
+    if (memcmp(&one[i], &other[i], 8) != 0)
+      finding("%s = %.17g %s, %.17g %s", limits[i].name, one[i], first, other[i], second);
+}
+
+/* What is read during initialization is what the start time has. */
+static void try_exit(void) {
+  static double during[MODEL_VARIABLES], at_start[MODEL_VARIABLES];
+  int legal = known.phase == INITIALIZING, compared = legal && chance(2);
+  if (compared) all_values(during);
+  prepare(legal);
+  if (!may_fail("end of initialization", legal, door_exit(handle))) return;
+  known.phase = RUNNING;
+  known.on_tick = 1;
+  if (!compared) return;
+  all_values(at_start);
+  same_values(during, at_start, "during initialization", "at its end");
 }
 
 static void try_step(void) {
@@ -200,11 +219,14 @@ static void try_step(void) {
   }
 }
 
-/* What is computed from states that grow beyond all bounds overflows before they do, by a step. */
+/* What can't be read during initialization is what its end fails by; and what is computed from
+   states that grow beyond all bounds overflows before they do, by a step. */
 static void must_fail(void) {
+  double period = tick();
   prepare(1);
-  if (may_fail("a step", 1, door_step(handle, known.time, tick())))
-    finding("a step was taken from a state that could not be read");
+  if (may_fail("what follows", 1, known.phase == INITIALIZING ? door_exit(handle)
+                                                              : door_step(handle, known.time, period)))
+    finding("a state that could not be read was taken");
 }
 
 static void try_get(void) {
@@ -218,13 +240,16 @@ static void try_get(void) {
   }
   if (known.phase == FAILED) return; /* each value may or may not be finite */
   int null = n && chance(30);
+  size_t bytes = known.phase == FRESH ? 0 : state_of(before);
   prepare(legal && !null);
   int success = door_get(handle, n ? references : NULL, (size_t)n, whole, null || !n ? NULL : values);
   if (legal && !null && is_excused(success, "is not finite at")) {
-    if (known.phase == RUNNING) must_fail();
+    if (known.phase == RUNNING || known.phase == INITIALIZING) must_fail();
     return;
   }
   judged("reading", legal && !null, success);
+  if (success && (state_of(after) != bytes || memcmp(before, after, bytes) != 0))
+    finding("reading changed the state");
   for (int i = 0; success && !whole && i < n; i++)
     if (!isfinite(values[i])) finding("%s was read as %g", limits[references[i]].name, values[i]);
 }
@@ -331,13 +356,6 @@ static void try_corrupt(void) {
   if (state_of(after) != n || memcmp(good, after, n) != 0) finding("a state comes back changed");
 }
 
-static void all_values(double *values) {
-  for (Reference r = 0; r < MODEL_VARIABLES; r++) {
-    values[r] = 0.0;
-    if (!limits[r].integer) door_get(handle, &r, 1, 0, &values[r]);
-  }
-}
-
 /* From one state over the same ticks in steps of two kinds. */
 static void try_partition(void) {
   static double whole[MODEL_VARIABLES], parts[MODEL_VARIABLES];
@@ -358,9 +376,7 @@ static void try_partition(void) {
       time = time + (end - time);
     }
     all_values(parts);
-    for (int i = 0; i < MODEL_VARIABLES; i++)
-      if (memcmp(&whole[i], &parts[i], 8) != 0)
-        finding("%s = %.17g in one step, %.17g in several", limits[i].name, whole[i], parts[i]);
+    same_values(whole, parts, "in one step", "in several");
   }
   if (!door_restore(handle, state) || !door_drop(handle, &state)) finding("the state is lost");
 }

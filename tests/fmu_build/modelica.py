@@ -31,3 +31,20 @@ SAMPLED = """
     end when;
   end M;
 """
+
+COUNTING = """
+  model M
+    parameter Real c = 2 "start";
+    parameter Real idle = 1 "used nowhere";
+    input Real u(start = 0) "u";
+    output Real y "y";
+    discrete Real n(start = c, fixed = true) "n";
+    Real x(start = 0, fixed = true) "x";
+  equation
+    y = n;
+    der(x) = 0*n;
+    when sample(0, 0.01) then
+      n = pre(n) + u;
+    end when;
+  end M;
+"""

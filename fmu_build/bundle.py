@@ -19,7 +19,7 @@ from fmu_build.files import write_whole
 from fmu_build.generate import generate, header
 from fmu_build.libraries import kept_library
 from fmu_build.licences import licence_expression
-from fmu_build.platforms import FLAGS, PLATFORMS, PORTABLE_FLAGS, host, universal
+from fmu_build.platforms import FLAGS, PLATFORMS, PORTABLE_FLAGS, chosen, universal
 from fmu_build.roots import ROOTS, Root
 from fmu_build.scalars import fmi_causality
 from fmu_build.sorting import schedule
@@ -49,11 +49,16 @@ def built_fmu(
         fmi: version of the standard, 2 or 3.
         platforms: names from `PLATFORMS`; this machine's if none is given.
         root: the model.
+
+    Raises:
+        TranslationError, BuildError, OSError.
     """
-    platforms = sorted(platforms) or [host()]
+    platforms = chosen(platforms, fmi)
     folder = f"{sources_digest()[:16]}-fmi{fmi}-{'+'.join(platforms)}"
     path = platformdirs.user_cache_path("hrg") / folder / f"{root.identifier}.fmu"
-    if not path.exists():
+    if path.exists():
+        progress("unchanged, from cache")
+    else:
         build(path, progress, fmi, platforms, root)
     return path
 
@@ -70,6 +75,7 @@ def build(
     Raises:
         TranslationError, BuildError, OSError.
     """
+    platforms = chosen(platforms, fmi)
     progress(f"translating {root.model}")
     dae = translate(modelica_library(), root.model)
     sources = [*SOURCES, SHELLS[fmi]]
@@ -80,7 +86,7 @@ def build(
         content |= {f"sources/{f.name}": f.read_bytes() for f in _packed(folder, sources)}
         libraries = {
             platform: kept_library(folder, sources, root.identifier, PLATFORMS[platform], progress)
-            for platform in platforms or [host()]
+            for platform in platforms
         }
     binaries = _fmi2_binaries if fmi == 2 else _fmi3_binaries
     content |= binaries(libraries, root.identifier)
@@ -144,9 +150,8 @@ def _fmi2_binaries(libraries: dict[str, bytes], identifier: str) -> dict[str, by
     folders: dict[str, list[bytes]] = {}
     for name, library in libraries.items():
         platform = PLATFORMS[name]
-        if platform.fmi2_folder:
-            path = f"binaries/{platform.fmi2_folder}/{identifier}{platform.suffix}"
-            folders.setdefault(path, []).append(library)
+        path = f"binaries/{platform.fmi2_folder}/{identifier}{platform.suffix}"
+        folders.setdefault(path, []).append(library)
     return {path: x[0] if len(x) == 1 else universal(x) for path, x in folders.items()}
 
 

@@ -1,6 +1,7 @@
 """The command `hrg`: each package brings its own subcommands as entry points."""
 
 import argparse
+import os
 import signal
 import sys
 from collections.abc import Callable, Sequence
@@ -29,7 +30,16 @@ class _Parser(argparse.ArgumentParser):
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run `hrg`; returns the exit status: 0, 2 for a user's error, 130 when interrupted."""
+    """Run `hrg`; returns the exit status: 0, 2 for a user's error, 130 when interrupted, 141 when
+    nobody reads the output to its end."""
+    try:
+        return _reported(arguments)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 141
+
+
+def _reported(arguments: Sequence[str] | None) -> int:
     try:
         return _dispatch(arguments)
     except UserError as error:
@@ -38,6 +48,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         print("hrg: interrupted; nothing was written", file=sys.stderr)
         return 130
+    finally:
+        sys.stdout.flush()
 
 
 def _dispatch(arguments: Sequence[str] | None) -> int:

@@ -4,10 +4,10 @@ import argparse
 import sys
 from pathlib import Path
 
-from fmu_build.bundle import built_fmu
+from fmu_build.bundle import Progress, built_fmu
 from fmu_build.cli import Command, UserError
 from fmu_build.files import write_whole
-from fmu_build.platforms import PLATFORMS, BuildError
+from fmu_build.platforms import PLATFORMS, BuildError, known_to
 from fmu_build.roots import ROOTS
 from fmu_build.translate import TranslationError
 
@@ -32,12 +32,27 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def _say(text: str) -> None:
+    print(text, file=sys.stderr)
+
+
+def _platforms(named: list[str], fmi: int, progress: Progress) -> list[str]:
+    """Those to build for; `all` are those that the standard knows."""
+    if "all" not in named:
+        return named
+    for name in sorted(PLATFORMS.keys() - known_to(fmi)):
+        progress(f"{name} is left out: FMI {fmi}.0 has no folder for it")
+    return known_to(fmi)
+
+
 def _run(options: argparse.Namespace) -> None:
-    platforms = list(PLATFORMS) if "all" in options.platform else options.platform
     root = ROOTS[options.model]
     out = options.out or Path(f"{root.identifier}.fmu")
+    if out.is_dir():
+        raise UserError(f"can't write {out}: it is a folder; expected the name of a file")
+    platforms = _platforms(options.platform, options.fmi, _say)
     try:
-        built = built_fmu(lambda text: print(text, file=sys.stderr), options.fmi, platforms, root)
+        built = built_fmu(_say, options.fmi, platforms, root)
     except (TranslationError, BuildError) as error:
         raise UserError(str(error)) from error
     except OSError as error:

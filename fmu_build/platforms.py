@@ -55,6 +55,24 @@ def host() -> str:
     return name
 
 
+def known_to(fmi: int) -> list[str]:
+    """Platforms that archives of a version of the standard have a folder for."""
+    return [p.name for p in PLATFORMS.values() if fmi == 3 or p.fmi2_folder]
+
+
+def chosen(names: Sequence[str], fmi: int) -> list[str]:
+    """Platforms to build for: this machine's if none is named.
+
+    Raises:
+        BuildError: the standard's archive has no folder for one.
+    """
+    platforms = sorted(set(names)) or [host()]
+    for name in platforms:
+        if name not in known_to(fmi):
+            raise BuildError(f"FMI {fmi}.0 has no folder for {name}; use --fmi 3")
+    return platforms
+
+
 def compile_library(
     folder: Path, sources: Sequence[str], identifier: str, target: Platform
 ) -> bytes:

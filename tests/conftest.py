@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from fmu_build.bundle import built_fmu
-from fmu_build.platforms import PLATFORMS
+from fmu_build.platforms import known_to
 from fmu_build.roots import ROOTS
 from pyhrg.fmu import GyroFmu
 
@@ -47,9 +47,9 @@ def model_folder(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPa
 @pytest.fixture(scope="session")
 def folders(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Path]:
     """By FMI version: the FMU for every platform, extracted."""
-    platforms = list(PLATFORMS)
     return {
-        fmi: _extracted(built_fmu(fmi=fmi, platforms=platforms), tmp_path_factory) for fmi in (2, 3)
+        fmi: _extracted(built_fmu(fmi=fmi, platforms=known_to(fmi)), tmp_path_factory)
+        for fmi in (2, 3)
     }
 
 

@@ -25,7 +25,15 @@ from fmu_build.scalars import fmi_causality
 from fmu_build.sorting import schedule
 from fmu_build.translate import COMPILER_VERSION, translate
 
-SOURCES = ("model.c", "core.c", "limits.c", "instance.c", "snapshot.c", "derivative.c")
+SOURCES = (
+    "model.c",
+    "core.c",
+    "limits.c",
+    "number.c",
+    "instance.c",
+    "snapshot.c",
+    "derivative.c",
+)
 SHELLS = {2: "fmi2.c", 3: "fmi3.c"}
 
 Progress = Callable[[str], None]
@@ -175,9 +183,10 @@ def _limits(dae: Dae, token: str) -> str:
         for element in range(variable.count):
             low = dae.constant(variable.minimum, element)
             high = dae.constant(variable.maximum, element)
-            bounds = f"{-1e300 if low is None else low!r}, {1e300 if high is None else high!r}"
+            least = "-UNLIMITED" if low is None else repr(low)
+            most = "UNLIMITED" if high is None else repr(high)
             name = variable.element_name(element)
-            lines.append(f'  {{"{name}", {kind}, {whole}, {continuous}, {bounds}}},')
+            lines.append(f'  {{"{name}", {kind}, {whole}, {continuous}, {least}, {most}}},')
     return "\n".join([*lines, "};", ""])
 
 

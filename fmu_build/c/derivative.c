@@ -12,7 +12,7 @@ typedef struct {
 static double scale_of(const Limits *limit, double value) {
   double range = limit->maximum - limit->minimum;
   if (limit->minimum >= 0.0 && value > 0.0) return value;
-  return fmax(fabs(value), range < 1e200 ? 1e-3 * range : 1.0);
+  return fmax(fabs(value), range < UNLIMITED ? 1e-3 * range : 1.0);
 }
 
 static void stretch(const Instance *instance, unsigned known, Stencil *stencil) {

@@ -1,6 +1,7 @@
 #include "instance.h"
 
 #include "limits.h"
+#include "number.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -33,7 +34,7 @@ int instance_refuse(Instance *instance, const char *format, ...) {
 void instance_note(Instance *instance, const char *event) {
   char text[128];
   if (!instance->logged[LOG_EVENT]) return;
-  snprintf(text, sizeof text, "%s at %.17g s", event, instance->now.time);
+  snprintf(text, sizeof text, "%s at %s s", event, NUMBER(instance->now.time));
   tell(instance, LOG_EVENT, text);
 }
 
@@ -94,10 +95,11 @@ int instance_reset(Instance *instance) {
 int instance_setup(Instance *instance, double start, int stop_defined, double stop) {
   if (!instance_may(instance, IN(INSTANTIATED), "setting up the experiment")) return 0;
   if (!(start >= EARLIEST_TIME && start <= LATEST_START))
-    return instance_refuse(instance, "the start time %g is outside its range from %g to %g", start,
-                           EARLIEST_TIME, LATEST_START);
+    return instance_refuse(instance, "the start time %s is outside its range%s", NUMBER(start),
+                           RANGE(EARLIEST_TIME, LATEST_START));
   if (stop_defined && !(stop >= start))
-    return instance_refuse(instance, "the stop time %g lies before the start time %g", stop, start);
+    return instance_refuse(instance, "the stop time %s lies before the start time %s", NUMBER(stop),
+                           NUMBER(start));
   Situation *now = &instance->now;
   now->start = now->time = start;
   now->stop = stop_defined ? stop : 0.0;
@@ -114,7 +116,8 @@ int instance_enter_initialization(Instance *instance) {
 /* The step or initialization that made it so is lost; the instance can be reset or restored. */
 static int fail(Instance *instance, const char *variable) {
   instance->now.phase = FAILED;
-  return instance_refuse(instance, "%s is no longer finite at %.17g s", variable, instance->now.time);
+  return instance_refuse(instance, "%s is no longer finite at %s s", variable,
+                         NUMBER(instance->now.time));
 }
 
 static const char *first_not_finite(Core *core) {
@@ -181,8 +184,8 @@ static int can_get(Instance *instance, unsigned reference, Kind kind) {
   Core *core = readable(instance);
   if (limits[reference].continuous) core_refresh(core);
   return isfinite(core->v[reference]) ||
-         instance_refuse(instance, "%s is not finite at %.17g s", limits[reference].name,
-                         instance->now.time);
+         instance_refuse(instance, "%s is not finite at %s s", limits[reference].name,
+                         NUMBER(instance->now.time));
 }
 
 int instance_get(Instance *instance, const unsigned *references, size_t n, Kind kind, void *values) {
@@ -213,8 +216,8 @@ static int can_set(Instance *instance, unsigned reference, Kind kind, double val
   if (limit->settable == SET_PARAMETER && instance->now.phase == STEPPING)
     return instance_refuse(instance, "%s can't be set after initialization", limit->name);
   if (!(value >= limit->minimum && value <= limit->maximum)) /* catches NaN */
-    return instance_refuse(instance, "%s = %.17g is outside its range from %g to %g", limit->name,
-                           value, limit->minimum, limit->maximum);
+    return instance_refuse(instance, "%s = %s is outside its range%s", limit->name, NUMBER(value),
+                           RANGE(limit->minimum, limit->maximum));
   return 1;
 }
 
@@ -237,13 +240,14 @@ static int is_step(Instance *instance, double time, double step) {
   const Situation *now = &instance->now;
   double slack = 1e-9 * (1.0 + fabs(now->time));
   if (!(step > 0.0 && now->time + step <= LATEST_TIME))
-    return instance_refuse(instance, "the step %g is outside its range from 0 to %g", step,
-                           LATEST_TIME - now->time);
+    return instance_refuse(instance, "the step %s is outside its range: above 0, up to %s",
+                           NUMBER(step), NUMBER(LATEST_TIME - now->time));
   if (!(fabs(time - now->time) <= slack))
-    return instance_refuse(instance, "the step begins at %.17g, expected %.17g", time, now->time);
+    return instance_refuse(instance, "the step begins at %s, expected %s", NUMBER(time),
+                           NUMBER(now->time));
   if (now->stop_defined && time + step > now->stop + slack)
-    return instance_refuse(instance, "the step ends at %.17g, beyond the stop time %.17g", time + step,
-                           now->stop);
+    return instance_refuse(instance, "the step ends at %s, beyond the stop time %s",
+                           NUMBER(time + step), NUMBER(now->stop));
   return 1;
 }
 

@@ -2,6 +2,9 @@
 #ifndef LIMITS_H
 #define LIMITS_H
 
+/* In place of a bound that is not given. */
+#define UNLIMITED 1e300
+
 typedef enum { SET_NEVER, SET_PARAMETER, SET_INPUT } Settable;
 
 typedef struct {

@@ -1,6 +1,7 @@
 #include "snapshot.h"
 
 #include "limits.h"
+#include "number.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -91,8 +92,8 @@ static int is_intact(Instance *instance, const Record *record) {
 static int is_possible(Instance *instance, const Situation *s) {
   for (int i = 0; i < MODEL_VARIABLES; i++)
     if (!is_possible_value(i, s->core.v[i]))
-      return instance_refuse(instance, "the saved state has %s = %.17g, which is outside its range",
-                             limits[i].name, s->core.v[i]);
+      return instance_refuse(instance, "the saved state has %s = %s, which is outside its range",
+                             limits[i].name, NUMBER(s->core.v[i]));
   return has_possible_times(s) || instance_refuse(instance, "the saved state has impossible times");
 }
 

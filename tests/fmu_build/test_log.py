@@ -68,3 +68,33 @@ def test_description_lists_what_is_told(gyro: Importer) -> None:
     text = (Path(gyro.slave.unzipDirectory) / "modelDescription.xml").read_text()
     assert 'Category name="logStatusError"' in text
     assert 'Category name="logEvents"' in text
+
+
+NAN = float("nan")
+LOOP_START = "controller.phaseLoop.startCommand"
+
+
+@pytest.mark.parametrize(
+    ("values", "text"),
+    [
+        ({"seed": -1}, "seed = -1 is outside its range from 0 to 2147483647"),
+        ({"startAmplitude": 10.1}, "startAmplitude = 10.1 is outside its range from 1e-06 to 10"),
+        ({"startAngle": NAN}, "startAngle = nan is outside its range from -1000 to 1000"),
+        ({LOOP_START: NAN}, f"{LOOP_START} = nan is outside its range: any number"),
+    ],
+)
+def test_numbers_read_as_they_are_written(
+    gyro: Importer, values: dict[str, float], text: str
+) -> None:
+    assert gyro.refused(lambda: gyro.set(values)) == text
+
+
+def test_steps_are_refused_with_their_range(gyro: Importer) -> None:
+    gyro.begin({})
+    text = gyro.refused(lambda: gyro.slave.doStep(0.0, 0.0))
+    assert text == "the step 0 is outside its range: above 0, up to 10000000"
+    text = gyro.refused(lambda: gyro.slave.doStep(0.005, 0.1))
+    assert text == "the step begins at 0.005, expected 0"
+    gyro.slave.doStep(0.0, 0.1 + 0.2)
+    text = gyro.refused(lambda: gyro.slave.doStep(0.0, 0.1))
+    assert text == "the step begins at 0, expected 0.30000000000000004"

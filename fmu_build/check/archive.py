@@ -2,6 +2,7 @@
 
 import xml.etree.ElementTree as ET
 import zipfile
+import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -130,8 +131,8 @@ def opened(path: Path) -> Fmu:
             text = archive.read("modelDescription.xml")
     except OSError as error:
         raise UnusableError(f"can't read {path}: {error.strerror}") from error
-    except zipfile.BadZipFile as error:
-        raise UnusableError(f"{path} is no ZIP file: {error}") from error
+    except (zipfile.BadZipFile, zlib.error, EOFError) as error:
+        raise UnusableError(f"{path} is no intact ZIP file: {error}") from error
     except KeyError as error:
         raise UnusableError(f"{path} holds no modelDescription.xml") from error
     try:

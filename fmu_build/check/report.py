@@ -7,6 +7,7 @@ from xml.etree.ElementTree import ParseError
 from fmu_build.check import (  # noqa: F401 (modules of rules register themselves)
     rules_archive,
     rules_capabilities,
+    rules_integrity,
     rules_sources,
     rules_structure,
     rules_terminals,
@@ -15,10 +16,12 @@ from fmu_build.check import (  # noqa: F401 (modules of rules register themselve
 )
 from fmu_build.check.agreement import disagreements
 from fmu_build.check.archive import Fmu
+from fmu_build.check.binary import missing_binary
 from fmu_build.check.experiment import Experiment, experiment
 from fmu_build.check.importers import IMPORTERS, Importer, MissingError
 from fmu_build.check.recording import FailedError, Trace
 from fmu_build.check.rule import RULES, Rule
+from fmu_build.check.rules_integrity import INTACT
 
 
 @dataclass(frozen=True)
@@ -31,13 +34,29 @@ class Check:
 
 
 def checks(fmu: Fmu) -> Iterator[Check]:
-    """Our own rules, FMPy's validation, and a short run in every importer with equal numbers."""
+    """Our own rules, FMPy's validation, and a short run in every importer with equal numbers.
+
+    A damaged archive is one finding an entry, and nothing else is asked of it.
+    """
+    damaged = _held(RULES[INTACT], fmu)
+    if damaged:
+        yield Check(INTACT, damaged, "nothing else was checked")
+        return
     for name, rule in RULES.items():
         yield Check(name, _held(rule, fmu))
     yield Check("FMPy validates it", _fmpy_findings(fmu))
+    yield from _runs(fmu)
+
+
+def _runs(fmu: Fmu) -> Iterator[Check]:
+    """In importers, where one of them can load it."""
     planned = experiment(fmu)
     if planned is None:
         yield Check("importers run it", remark="it offers no co-simulation: no importer was run")
+        return
+    missing = list(missing_binary(fmu, planned))
+    if missing:
+        yield Check("importers run it", missing)
         return
     traces: dict[str, Trace] = {}
     for importer in IMPORTERS:

@@ -7,6 +7,9 @@ from pathlib import Path
 
 Content = dict[str, bytes]
 
+LOCAL_HEADER = 30
+"""Bytes before an entry's name (ZIP, 4.3.7)."""
+
 
 def tampered(original: Path, folder: Path, change: Callable[[Content], None]) -> Path:
     """A copy of an FMU whose content was changed in place."""
@@ -19,6 +22,18 @@ def tampered(original: Path, folder: Path, change: Callable[[Content], None]) ->
             entry = zipfile.ZipInfo(name)
             entry.filename = name  # ZipInfo would mend a bad one
             archive.writestr(entry, data, zipfile.ZIP_DEFLATED)
+    return copy
+
+
+def damaged(original: Path, folder: Path, name: str) -> Path:
+    """A copy of an FMU with one bit flipped in the packed bytes of an entry."""
+    data = bytearray(original.read_bytes())
+    with zipfile.ZipFile(original) as archive:
+        entry = archive.getinfo(name)
+    begin = entry.header_offset + LOCAL_HEADER + len(entry.filename)
+    data[begin + entry.compress_size // 2] ^= 1
+    copy = folder / original.name
+    copy.write_bytes(data)
     return copy
 
 

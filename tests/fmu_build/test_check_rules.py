@@ -13,6 +13,7 @@ from fmu_build.check.rule import RULES
 from tests.fmu_build.tampering import (
     Content,
     added,
+    damaged,
     description,
     removed,
     renamed,
@@ -259,9 +260,15 @@ def test_compression_that_importers_need_not_know_is_found(tmp_path: Path) -> No
     assert finding == "resources/table.bin is compressed by method 14"
 
 
+@pytest.mark.parametrize("name", ["documentation/index.html", "sources/core.c"])
+def test_an_entry_that_is_damaged_is_found(tmp_path: Path, name: str) -> None:
+    (finding,) = RULES[named("every entry")](opened(damaged(built_fmu(), tmp_path, name)))
+    assert finding.startswith(f"{name} is damaged: ")
+
+
 def test_every_rule_is_tested() -> None:
-    tested = {named(case[0]) for case in CASES} | {named("files are stored or deflated")}
-    assert tested == set(RULES)
+    others = {named("files are stored or deflated"), named("every entry")}
+    assert {named(case[0]) for case in CASES} | others == set(RULES)
 
 
 @pytest.mark.parametrize(
@@ -282,5 +289,5 @@ def test_unusable_input_is_an_error(
 def test_what_is_no_archive_is_an_error(tmp_path: Path) -> None:
     path = tmp_path / "text.fmu"
     path.write_text("no ZIP file")
-    with pytest.raises(UnusableError, match="is no ZIP file"):
+    with pytest.raises(UnusableError, match="is no intact ZIP file"):
         opened(path)

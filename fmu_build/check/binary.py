@@ -1,0 +1,19 @@
+"""The binary that importers on this machine load."""
+
+from collections.abc import Iterator
+
+from fmu_build.check.archive import Fmu
+from fmu_build.check.experiment import Experiment
+from fmu_build.platforms import PLATFORMS, BuildError, host
+
+
+def missing_binary(fmu: Fmu, planned: Experiment) -> Iterator[str]:
+    """Says so where there is none; nothing on a machine whose folder we don't know."""
+    try:
+        platform = PLATFORMS[host()]
+    except BuildError:
+        return
+    folder = (platform.fmi2_folder if fmu.major == 2 else None) or platform.name
+    library = f"binaries/{folder}/{planned.identifier}{platform.suffix}"
+    if library not in fmu.names:
+        yield f"no binary for this machine: {library} is missing"

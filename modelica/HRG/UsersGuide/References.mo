@@ -9,6 +9,6 @@ Technology and Navigation (1995): the averaged equations of amplitude, quadratur
 <li>R. Adler, A study of locking phenomena in oscillators, Proc. IRE 34 (1946): lock-in.</li>
 <li>IEEE Std 952: Allan deviation and its noise terms.</li>
 </ul>
-<p>Error mechanisms are numbered as in the catalogue <code>docs/mechanisms.md</code> of this distribution.</p>
+<p>Error mechanisms are numbered as in Mechanisms, the catalogue.</p>
 </html>"));
 end References;

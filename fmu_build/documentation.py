@@ -98,9 +98,10 @@ def _periods(dae: Dae) -> list[str]:
     lengths = [f"{1e3 * float(dae.sample_period * multiple):g} ms" for multiple in multiples]
     if dae.settable_period is None:
         return lengths
+    name = f"<code>{escape(dae.settable_period.name)}</code>"
     return [
-        f"{multiple} <code>{escape(dae.settable_period.name)}</code> (by default {length})"
-        for multiple, length in zip(multiples, lengths, strict=True)
+        f"{name if m == 1 else f'{m} {name}'} (default {length})"
+        for m, length in zip(multiples, lengths, strict=True)
     ]
 
 

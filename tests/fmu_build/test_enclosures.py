@@ -75,7 +75,7 @@ METHODS = {
     "HRGCarrier": "Dormand and Prince of eighth order, at fixed steps from sample to sample, "
     "in steps of 0.005 ms",
     "HRGSlow": "midpoint method of second order from sample to sample, in steps of "
-    "1 samplePeriod (by default 100 ms)",
+    "samplePeriod (default 100 ms)",
 }
 
 

@@ -27,6 +27,9 @@ equation
     (1 - gainMismatch/2)*(turn[2] + nonOrthogonality*turn[1]),
     (1 - gainMismatch/2)*(turn[1] - nonOrthogonality*turn[2])};
   annotation (Documentation(info="<html>
-<p>Frame rotation, non-orthogonality, then gain; the electronics know the authority: mechanisms 3, 5, 6, 24, 28 and 30 of the catalogue.</p>
+<p>Of the command {x, y}, which the electronics keep within the authority,</p>
+<pre>force = [[1 + gd/2, 0], [0, 1 - gd/2]] [[1, 0], [nd, 1]] [[cos e, -sin e], [sin e, cos e]] {x, y}
+e = frameRotation + rotationPerTemperatureRate dT/dt + rotationPerAcceleration f</pre>
+<p>f the specific force, T the case's temperature. Mechanisms 3, 5, 6, 24, 28 and 30 of the catalogue.</p>
 </html>"));
 end DriveErrors;

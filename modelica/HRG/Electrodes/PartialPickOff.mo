@@ -46,6 +46,10 @@ equation
     axes[3]*turn[1] - axes[4]*turn[2],
     axes[4]*turn[1] + axes[3]*turn[2]};
   annotation (Documentation(info="<html>
+<p>With T the temperature above the reference and f the specific force,</p>
+<pre>g = gainMismatch + gainPerKelvin T + gainPerAcceleration f + gainPerAccelerationSquared f^2 (each axis by itself)
+gain of x, y = 1 + g/2, 1 - g/2
+phase of x, y = phaseError + phasePerKelvin T + differentialPhase/2, - differentialPhase/2</pre>
 <p>Mechanisms 2, 4, 7, 10 to 13, 24, 28 and 30 of the catalogue. Non-orthogonality comes first, then the cubic
 nonlinearity and the gain, the phase (the complex envelope cx - i sx times exp(i p)), and offset, feedthrough, noise and
 the converter.</p>

@@ -58,7 +58,8 @@ equation
   valid = controller.startUp.valid;
   annotation (Documentation(info="<html>
 <p>With h = exp(-i phi) (Z' of the free envelope + U) on the antinode (a) and the node (n), the orbit of pattern angle theta, amplitude
-a, quadrature q and phase phi moves by</p>
+a, quadrature q and phase phi moves by (Z' the rate of <code>Resonators.envelopeRates</code>, U the force of the drives, nu the frequency
+of the reference)</p>
 <pre>a' = Re h_a
 q' = -Im h_n
 2 theta' = (a Re h_n - q Im h_a)/(a^2 - q^2)

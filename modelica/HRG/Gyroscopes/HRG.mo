@@ -56,7 +56,8 @@ equation
 U = [[c, -s], [s, c]] [A; N - i S]
 angle = (commanded angle - theta)/k - integral of the bias map</pre>
 <p>ct = cos 4 theta_tau, cw = cos 4 theta_w, c and s those of the detected modal angle 2 theta; A, N and S are the forces on antinode, node, and
-node in quadrature. In the elements of the orbit, amplitude a and quadrature q, this gives the averaged equation of the pattern (D. D. Lynch;
+node in quadrature. In the elements of the orbit, amplitude a and quadrature q, this gives, without errors of the
+electrodes and without Duffing stiffness, the averaged equation of the pattern (D. D. Lynch;
 Eq. (1) of Xu et al. 2024, with its axes, factors and signs mended):</p>
 <pre>theta' = -k Omega + (D/4) sin 4(theta - theta_tau) (a^2 + q^2)/(a^2 - q^2) + (dw/2) cos 4(theta - theta_w) a q/(a^2 - q^2) + a N/(2 (a^2 - q^2))</pre>
 <p>The resonator runs in continuous time; the control electronics detect the orbit once per control period

@@ -89,8 +89,7 @@ class Sample:
 class Dae:
     """A flat model whose periodic clocks tick at whole multiples of one base period.
 
-    sample_period: the base period, s; where the root model has a settable parameter
-        `samplePeriod`, that parameter's value at run time is the period and this its default.
+    sample_period: the base period, s; the default of `settable_period`, where there is one.
     """
 
     model: str
@@ -106,6 +105,12 @@ class Dae:
     def scalar_count(self) -> int:
         """Number of scalars in all variables."""
         return sum(variable.count for variable in self.variables)
+
+    @property
+    def settable_period(self) -> Variable | None:
+        """The parameter that is the base period, where it can be set."""
+        found = (v for v in self.variables if v.name == "samplePeriod" and v.tunable)
+        return next(found, None)
 
     def constant(self, node: int | None, element: int = 0) -> float | None:
         """Value of a constant expression, or of one element of a constant vector; None where it

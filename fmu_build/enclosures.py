@@ -23,7 +23,7 @@ def enclosures(dae: Dae, root: Root, fmi: int, content: Mapping[str, bytes]) -> 
         content: description, sources and binaries, by path.
     """
     run = reference(root.identifier, content)
-    page = documentation(dae, root.description, version("hrg"), run)
+    page = documentation(dae, root, version("hrg"), run)
     found = {
         "documentation/index.html": page.encode(),
         "terminalsAndIcons/terminalsAndIcons.xml": terminals_and_icons(dae).encode(),

@@ -51,9 +51,8 @@ def header(dae: Dae) -> str:
 
 
 def _period(dae: Dae) -> str:
-    for variable in dae.variables:
-        if variable.name == "samplePeriod" and variable.tunable:
-            return f"(v)[{variable.offset}]"
+    if dae.settable_period is not None:
+        return f"(v)[{dae.settable_period.offset}]"
     return f"{dae.sample_period.numerator}.0 / {dae.sample_period.denominator}.0"
 
 

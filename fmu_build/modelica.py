@@ -37,7 +37,7 @@ def types_of(files: Iterable[str]) -> dict[str, RealType]:
     """Types of the library that Modelica files belong to, by full name."""
     found: dict[str, RealType] = {}
     present = (path for path in map(Path, set(files)) if path.exists())
-    for root in sorted({_root(path) for path in present}):
+    for root in sorted({library(path) for path in present}):
         for file in sorted(root.rglob("*.mo")):
             found |= _types(file)
     return found
@@ -56,6 +56,15 @@ def page(file: Path) -> Page:
     )
 
 
+@cache
+def library(file: Path) -> Path:
+    """Folder of the top-level package that a file belongs to."""
+    folder = file.parent
+    while (folder.parent / "package.mo").exists():
+        folder = folder.parent
+    return folder
+
+
 def _types(file: Path) -> dict[str, RealType]:
     text = file.read_text(encoding="utf-8")
     scope = f"{_package(text)}{file.parent.name}" if file.name == "package.mo" else ""
@@ -71,15 +80,6 @@ def _types(file: Path) -> dict[str, RealType]:
             display_unit=given.get("displayUnit", ""),
         )
     return found
-
-
-@cache
-def _root(file: Path) -> Path:
-    """Folder of the top-level package."""
-    folder = file.parent
-    while (folder.parent / "package.mo").exists():
-        folder = folder.parent
-    return folder
 
 
 def _package(text: str) -> str:

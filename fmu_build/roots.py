@@ -2,13 +2,20 @@
 
 from dataclasses import dataclass
 
+METHODS = {
+    "runge_kutta_4": "the classical Runge-Kutta method of fourth order",
+    "dormand_prince_8": "the method of Dormand and Prince of eighth order, at fixed steps",
+    "midpoint": "the explicit midpoint method of second order",
+}
+"""Integrators: the header `c/NAME.h` and the function in it that makes a step; in words."""
+
 
 @dataclass(frozen=True)
 class Root:
     """A Modelica model to be exported.
 
     identifier: name of the FMU and of its libraries.
-    integrator: header `c/INTEGRATOR.h` and the function in it that makes a step.
+    integrator: one of `METHODS`.
     step: default communication step, s.
     """
 
@@ -17,6 +24,11 @@ class Root:
     description: str
     integrator: str
     step: str
+
+    @property
+    def method(self) -> str:
+        """The integrator, in words."""
+        return METHODS[self.integrator]
 
 
 ROOTS = {

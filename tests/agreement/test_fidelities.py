@@ -5,6 +5,7 @@ channel is compared: HRG against HRGCarrier over 12 s, and against HRGSlow over 
 through a turn of 0.8 or 0.9 rad, and at rest again, where no fourth harmonic is zero.
 """
 
+import re
 from collections.abc import Mapping
 
 import numpy as np
@@ -152,17 +153,29 @@ def test_carrier_draws_the_same_noise(gyros: dict[str, GyroFmu], name: str) -> N
     assert np.std(records[0]) > 0
 
 
-def test_every_error_parameter_is_compared(gyros: dict[str, GyroFmu]) -> None:
-    """Zero by default, and neither an axis nor of the start-up: an error parameter."""
-    description = gyros["HRG"].description
-    errors = {
-        v.name
-        for v in description.modelVariables
-        if v.causality == "parameter" and float(v.start) == 0
+MODES = {"seed", "startAngle", "controller.forceToRebalance"}
+
+
+def error_parameters(gyro: GyroFmu) -> dict[str, str]:
+    """What can be set, is zero by default, and neither a mode nor an axis: with its description."""
+    return {
+        v.name: v.description
+        for v in gyro.description.modelVariables
+        if v.causality == "parameter" and float(v.start) == 0 and v.name not in MODES
         if not v.name.endswith(("Axis", ".startCommand"))
     }
-    modes = {"seed", "startAngle", "controller.forceToRebalance"}
-    assert errors - modes == set(CASES) | set(NOISE) | set(LOOPS)
+
+
+def test_every_error_parameter_is_compared(gyros: dict[str, GyroFmu]) -> None:
+    assert set(error_parameters(gyros["HRG"])) == set(CASES) | set(NOISE) | set(LOOPS)
+
+
+@pytest.mark.parametrize("fidelity", ROOTS)
+def test_every_error_parameter_tells_its_typical_size(
+    gyros: dict[str, GyroFmu], fidelity: str
+) -> None:
+    told = error_parameters(gyros[fidelity])
+    assert [name for name, text in told.items() if not re.search(r"typically .*\d", text)] == []
 
 
 def test_fidelities_have_the_same_parameters(gyros: dict[str, GyroFmu]) -> None:

@@ -1,8 +1,8 @@
 """Every mechanism of the gyro alone, against its closed form: harmonic, channel, dependence.
 
-Numbers are those of the catalogue of error mechanisms (docs/mechanisms.md). c4, s4 are cos and sin
-of four pattern angles; D, g, ... as in docs/conventions.md. One parameter is set at a time, at rest
-or turning, and each channel is fitted by harmonics of the pattern angle.
+Numbers are those of the catalogue of error mechanisms (`HRG.UsersGuide.Mechanisms`). c4, s4 are
+cos and sin of four pattern angles; D, g, ... as in docs/conventions.md. One parameter is set at a
+time, at rest or turning, and each channel is fitted by harmonics of the pattern angle.
 """
 
 import math

@@ -205,7 +205,7 @@ CASES: list[tuple[str, int, Callable[[Content], None], str]] = [
     (
         "start values lie between",
         2,
-        description('max="500.0" start="298.15"', 'max="200.0" start="298.15"'),
+        description('max="500.0" nominal="300.0"', 'max="200.0" nominal="300.0"'),
         "caseTemperature starts at 298.15, above its max 200.0",
     ),
     (
@@ -218,7 +218,7 @@ CASES: list[tuple[str, int, Callable[[Content], None], str]] = [
     (
         "nominal values are above",
         2,
-        description('min="100.0"', 'nominal="0" min="100.0"'),
+        description('nominal="300.0"', 'nominal="0"'),
         "nominal value 0",
     ),
     (

@@ -15,11 +15,13 @@ import fmpy
 import numpy as np
 import pytest
 
-from fmu_build.bundle import built_fmu, modelica_library
+from fmu_build.bundle import built_fmu
 from fmu_build.description import Identity, fmi2_description
 from fmu_build.documentation import documentation
-from fmu_build.roots import ROOTS
+from fmu_build.info_pages import model_pages
+from fmu_build.roots import ROOTS, Root
 from fmu_build.scalars import scalars
+from tests.fmu_build import native
 from tests.fmu_build.modelica import SAMPLED, translated
 
 
@@ -51,24 +53,83 @@ def test_the_page_tells_every_input_output_and_parameter(
 ) -> None:
     text = archive.read("documentation/index.html").decode()
     page = ET.fromstring(text.removeprefix("<!DOCTYPE html>"))
-    first = ["".join(row[0].itertext()) for row in page.iter("tr") if row[0].tag == "td"]
+    rows = page.findall(".//div[@class='wide']//tr")
+    first = ["".join(row[0].itertext()) for row in rows if row[0].tag == "td"]
     described = fmpy.read_model_description(str(path)).modelVariables
     told = ("input", "output", "parameter")
     expected = [v.name.rpartition(".")[2] for v in described if v.causality in told]
     assert Counter(first) == Counter(expected)
 
 
-def test_the_page_has_the_equations_of_the_library(archive: zipfile.ZipFile) -> None:
+EQUATIONS = {
+    "HRG": ("Z' = -i nu Z - Z/tau - (D/2) [[ct, st], [st, -ct]] Z",),
+    "HRGCarrier": ("x'' - 2 kappa W y' - kappa W' y + (2/tau) x' + D (x' ct + y' st) + w^2 x",),
+    "HRGSlow": (
+        "theta' = -k Omega + (D/4) sin 4(theta - theta_tau)",
+        "2 theta' = (a Re h_n - q Im h_a)/(a^2 - q^2)",
+        "Z = exp(i phi) (a [cos alpha; sin alpha] - i q [-sin alpha; cos alpha])",
+    ),
+}
+METHODS = {
+    "HRG": "classical Runge-Kutta method of fourth order from sample to sample, in steps of 1 ms",
+    "HRGCarrier": "Dormand and Prince of eighth order, at fixed steps from sample to sample, "
+    "in steps of 0.005 ms",
+    "HRGSlow": "midpoint method of second order from sample to sample, in steps of "
+    "samplePeriod (default 100 ms)",
+}
+
+
+def read_page(archive: zipfile.ZipFile) -> str:
+    """What a reader sees."""
     text = archive.read("documentation/index.html").decode()
-    source = (modelica_library() / "Resonators" / "Envelope.mo").read_text()
-    for equation in re.findall(r"<pre>.*?</pre>", source, re.DOTALL):
+    return "".join(ET.fromstring(text.removeprefix("<!DOCTYPE html>")).itertext())
+
+
+def test_the_page_has_the_model_s_equations_and_their_sources(
+    archive: zipfile.ZipFile, path: Path
+) -> None:
+    text = read_page(archive)
+    for equation in EQUATIONS[path.stem]:
         assert equation in text
+    for told in ("Xu et al. (2024)", "D. D. Lynch", "Bryan factor: d theta/dt = -k Omega"):
+        assert told in text
+
+
+def test_the_page_has_the_catalogue_of_mechanisms(archive: zipfile.ZipFile) -> None:
+    text = archive.read("documentation/index.html").decode()
+    page = ET.fromstring(text.removeprefix("<!DOCTYPE html>"))
+    first = {"".join(row[0].itertext()) for row in page.iter("tr")}
+    assert {str(number) for number in range(1, 32)} <= first
+
+
+def test_the_page_names_the_integrator_and_its_step(archive: zipfile.ZipFile, path: Path) -> None:
+    text = read_page(archive)
+    assert METHODS[path.stem] in text
+    assert not any(METHODS[name] in text for name in ROOTS if name != path.stem)
+
+
+@pytest.mark.parametrize("root", ROOTS)
+def test_every_class_and_function_of_a_model_has_its_page(root: str) -> None:
+    dae = native.flat(root)
+    pages = model_pages(dae)
+    for file in {variable.file for variable in dae.variables}:
+        assert f".{Path(file).stem}</code></p>" in pages
+    for function in dae.functions:
+        assert f".{function.name.split('.')[-1]}</code></p>" in pages
 
 
 def test_an_info_text_that_is_no_html_is_refused(tmp_path: Path) -> None:
     body = SAMPLED.replace("  end M;", '  annotation(Documentation(info="<p>open"));\n  end M;')
+    root = Root("M", "P.M", "title", "midpoint", "0.01")
     with pytest.raises(ValueError, match=r"info text of .* is no HTML"):
-        documentation(translated(tmp_path, body), "title", "1")
+        documentation(translated(tmp_path, body), root, "1")
+
+
+def test_every_input_and_output_has_a_nominal_value(path: Path) -> None:
+    for variable in fmpy.read_model_description(str(path)).modelVariables:
+        nominal = variable.nominal or getattr(variable.declaredType, "nominal", None)
+        if variable.causality in ("input", "output") and variable.type != "Integer":
+            assert nominal is not None, variable.name
 
 
 def test_every_input_and_output_is_in_one_terminal(archive: zipfile.ZipFile, path: Path) -> None:

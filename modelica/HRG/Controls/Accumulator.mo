@@ -11,4 +11,7 @@ equation
     angle = pre(angle) + samplePeriod*pre(held);
     held = rate;
   end when;
+  annotation (Documentation(info="<html>
+<p>angle(n) = angle(n - 1) + T rate(n - 1): exact for a rate that is held from sample to sample.</p>
+</html>"));
 end Accumulator;

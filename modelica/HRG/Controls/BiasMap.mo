@@ -1,13 +1,13 @@
 within HRG.Controls;
 block BiasMap "Bias against pattern angle as calibrated, and its integral to take out of the output"
   parameter Units.Time samplePeriod "Control period";
-  parameter Units.AngularRate mean(min = -1, max = 1) = 0 "Mean over the circumference";
-  parameter Units.AngularRate cos2(min = -1, max = 1) = 0 "Coefficient of cos 2 theta";
-  parameter Units.AngularRate sin2(min = -1, max = 1) = 0 "Coefficient of sin 2 theta";
-  parameter Units.AngularRate cos4(min = -1, max = 1) = 0 "Coefficient of cos 4 theta";
-  parameter Units.AngularRate sin4(min = -1, max = 1) = 0 "Coefficient of sin 4 theta";
-  parameter Units.AngularRate cos8(min = -1, max = 1) = 0 "Coefficient of cos 8 theta";
-  parameter Units.AngularRate sin8(min = -1, max = 1) = 0 "Coefficient of sin 8 theta";
+  parameter Units.AngularRate mean(min = -1, max = 1) = 0 "Mean over the circumference, typically up to 0.2 deg/h";
+  parameter Units.AngularRate cos2(min = -1, max = 1) = 0 "Coefficient of cos 2 theta, typically up to 0.1 deg/h";
+  parameter Units.AngularRate sin2(min = -1, max = 1) = 0 "Coefficient of sin 2 theta, typically up to 0.1 deg/h";
+  parameter Units.AngularRate cos4(min = -1, max = 1) = 0 "Coefficient of cos 4 theta, typically 0.4 to 8 deg/h with damping left as it is";
+  parameter Units.AngularRate sin4(min = -1, max = 1) = 0 "Coefficient of sin 4 theta, typically 0.4 to 8 deg/h with damping left as it is";
+  parameter Units.AngularRate cos8(min = -1, max = 1) = 0 "Coefficient of cos 8 theta, typically up to 0.3 deg/h";
+  parameter Units.AngularRate sin8(min = -1, max = 1) = 0 "Coefficient of sin 8 theta, typically up to 0.3 deg/h";
   input Units.Ratio cosine "Of the modal angle 2 theta";
   input Units.Ratio sine "Of the modal angle 2 theta";
   discrete output Units.Angle correction(start = 0, fixed = true) "Integral of the bias since power-on";

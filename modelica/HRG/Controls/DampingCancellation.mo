@@ -1,6 +1,6 @@
 within HRG.Controls;
 block DampingCancellation "Pattern rate that cancels damping anisotropy by force"
-  parameter Units.Rate dampingAnisotropy(min = 0, max = 1e-2) = 0 "D as calibrated";
+  parameter Units.Rate dampingAnisotropy(min = 0, max = 1e-2) = 0 "D as calibrated, typically 0.1 to 2 % of 1/tau";
   parameter Units.Angle dampingAxis(min = -1000, max = 1000) = 0 "Its axis of maximum damping";
   input Units.Ratio cosine "Of the modal angle 2 theta";
   input Units.Ratio sine "Of the modal angle 2 theta";

@@ -52,4 +52,11 @@ equation
       + abs(wanted[4] - force[4]) > 0 then 1 else 0;
     lostRate = if overloaded > 0.5 then (node - force[3]*c + force[1]*s)/(driveOn*2*amplitude) else 0;
   end when;
+  annotation (Documentation(info="<html>
+<p>With A on the antinode, N on the node and S on the node in quadrature, c and s of the modal angle,</p>
+<pre>force = {A c - N s, -S s, A s + N c, S c}</pre>
+<p>{cos x, sin x, cos y, sin y}, as growths of the envelope. For an orbit without quadrature a' = A, q' = S and theta' = N/(2 a), so that
+A = growth rate times a, and N = 2 a times the commanded rate of the pattern. Forces are held for a control period; the loop delay turns
+their axes back by the pattern's way in it (mechanism 15). Control by antinode and node forces: D. D. Lynch.</p>
+</html>"));
 end ForceSynthesis;

@@ -33,4 +33,8 @@ partial block PartialController "What all control electronics have: detection, s
 protected
   Units.Angle expectedAngle "Modal angle to which the detected one is nearest";
   Units.Ratio overload "1 while a drive is at its authority";
+  annotation (Documentation(info="<html>
+<p>The orbit is detected from the reading, the amplitude to hold follows from the start-up, and the calibrated
+bias map is integrated for the read-out. How forces follow from the orbit is left to who extends it.</p>
+</html>"));
 end PartialController;

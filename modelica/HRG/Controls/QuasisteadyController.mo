@@ -58,4 +58,9 @@ equation
   growthRate = synthesis.growthRate;
   quadratureForce = synthesis.quadratureForce;
   reference = synthesis.motion[8];
+  annotation (Documentation(info="<html>
+<p>The parts of <code>Controller</code> around <code>QuasisteadyLoops</code>: forces are those that hold amplitude, quadrature and phase,
+and the rotation that they command is counted continuously. In the force-to-rebalance mode the counted rotation is the one that
+holds the pattern, less what is driven uncounted.</p>
+</html>"));
 end QuasisteadyController;

@@ -9,4 +9,7 @@ algorithm
   share := if clock >= fullTime then 1
     elseif clock <= firstTime then firstShare
     else firstShare + (1 - firstShare)*(clock - firstTime)/(fullTime - firstTime);
+  annotation (Documentation(info="<html>
+<p>The first share until the first time, 1 from the full time on, linear between.</p>
+</html>"));
 end rampedShare;

@@ -3,8 +3,8 @@ block CarrierPickOff "Displacement at its carrier, converted and demodulated"
   extends PartialPickOff;
   parameter Units.Time samplePeriod "Control period";
   parameter Units.Time converterPeriod "Sample period of the converters";
-  parameter Units.Displacement converterResolution(min = 0, max = 1) = 0 "Least significant bit of a converter; 0: none";
-  parameter Units.Displacement converterRange(min = 0, max = 1e6) = 0 "A converter clips at this value; 0: never";
+  parameter Units.Displacement converterResolution(min = 0, max = 1) = 0 "Least significant bit of a converter, typically 2e-5 to 1e-3: 18 to 12 bits over a range of 2 (estimate); 0: none";
+  parameter Units.Displacement converterRange(min = 0, max = 1e6) = 0 "A converter clips at this value, typically 1.2 to 2, the headroom over the nominal amplitude (estimate); 0: never";
   parameter Units.Angle startAngle "Pattern angle at time 0";
   parameter Units.Displacement startAmplitude "Antinode amplitude at time 0";
   input Units.Displacement position[2] "Displacement {x, y}";

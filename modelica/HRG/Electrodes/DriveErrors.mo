@@ -3,13 +3,13 @@ block DriveErrors "Errors of the drives"
   parameter Units.Angle frameRotation(min = -0.5, max = 0.5) = 0
     "e: drive electrodes turned against the pick-offs, on the modal axes, typically 1e-4 to 2e-3 raw";
   parameter Real rotationPerAcceleration[3](each unit = "rad.s2/m", each min = -0.01, each max = 0.01) = {0, 0, 0}
-    "Change of e with specific force; a bias of -1/(2 k tau) times it";
+    "Change of e with specific force, typically 1e-7 to 2e-6: a bias of 1e-3 to 2e-2 deg/h/g, -1/(2 k tau) times it at tau = 450 s";
   parameter Real rotationPerTemperatureRate(unit = "rad.s/K", min = -1e3, max = 1e3) = 0
-    "Change of e with the rate of the case's temperature (gradients), likewise";
+    "Change of e with the rate of the case's temperature (gradients), typically 7e-4 to 1.5e-2: a bias of 1e-3 to 2e-2 deg/h/K times the 10 K that a lag of 600 s leaves at 1 K/min";
   parameter Units.Ratio nonOrthogonality(min = -0.5, max = 0.5) = 0 "nd: y drives fy + nd fx, typically 1e-4 to 2e-3 raw";
   parameter Units.Ratio gainMismatch(min = -0.5, max = 0.5) = 0
-    "gd: x drives (1 + gd/2) fx, y drives (1 - gd/2) fy; raw 1e-3 to 1e-2, calibrated 1e-5 to 1e-4";
-  parameter Units.Force authority(min = 0, max = 1e6) = 0 "A channel clips at this force; 0: never";
+    "gd: x drives (1 + gd/2) fx, y drives (1 - gd/2) fy; typically 1e-3 to 1e-2 raw, 1e-5 to 1e-4 calibrated";
+  parameter Units.Force authority(min = 0, max = 1e6) = 0 "A channel clips at this force, typically 0.01 to 0.2: a virtual rotation of 1 to 20 deg/s takes as much; 0: never";
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
   input Real temperatureRate(unit = "K/s") "Rate of the case's temperature";
   output Units.Ratio gain[4] "Force over command, {x by x, x by y, y by x, y by y}";
@@ -27,6 +27,9 @@ equation
     (1 - gainMismatch/2)*(turn[2] + nonOrthogonality*turn[1]),
     (1 - gainMismatch/2)*(turn[1] - nonOrthogonality*turn[2])};
   annotation (Documentation(info="<html>
-<p>Frame rotation, non-orthogonality, then gain; the electronics know the authority: mechanisms 3, 5, 6, 24, 28 and 30 of the catalogue.</p>
+<p>Of the command {x, y}, which the electronics keep within the authority,</p>
+<pre>force = [[1 + gd/2, 0], [0, 1 - gd/2]] [[1, 0], [nd, 1]] [[cos e, -sin e], [sin e, cos e]] {x, y}
+e = frameRotation + rotationPerTemperatureRate dT/dt + rotationPerAcceleration f</pre>
+<p>f the specific force, T the case's temperature. Mechanisms 3, 5, 6, 24, 28 and 30 of the catalogue.</p>
 </html>"));
 end DriveErrors;

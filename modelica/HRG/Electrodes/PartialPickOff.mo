@@ -1,12 +1,12 @@
 within HRG.Electrodes;
 partial block PartialPickOff "Errors of pick-offs, demodulation and converters"
   parameter Units.Ratio gainMismatch(min = -0.5, max = 0.5) = 0
-    "g: x reads (1 + g/2) x, y reads (1 - g/2) y; raw 1e-3 to 1e-2, calibrated 1e-5 to 1e-4";
+    "g: x reads (1 + g/2) x, y reads (1 - g/2) y; typically 1e-3 to 1e-2 raw, 1e-5 to 1e-4 calibrated";
   parameter Units.PerKelvin gainPerKelvin(min = -0.01, max = 0.01) = 0 "Change of g with temperature, typically 1e-6 to 1e-5";
   parameter Units.PerAcceleration gainPerAcceleration[3](each min = -0.01, each max = 0.01) = {0, 0, 0}
     "Change of g with specific force (gap change), typically up to 1e-5";
   parameter Real gainPerAccelerationSquared[3](each unit = "s4/m2", each min = -0.01, each max = 0.01) = {0, 0, 0}
-    "Change of g with the square of specific force";
+    "Change of g with the square of specific force, typically 2e-8 to 5e-7: 1e-3 to 2e-2 deg/h at 1 g and a decay time of 450 s";
   parameter Units.Ratio nonOrthogonality(min = -0.5, max = 0.5) = 0 "d: y reads y + d x, typically 1e-4 to 2e-3 raw";
   parameter Real cubic(unit = "1", min = -0.1, max = 0.1) = 0
     "b: x reads x (1 + 3/4 b |x|^2), typically 1e-5 to 1e-3";
@@ -16,8 +16,8 @@ partial block PartialPickOff "Errors of pick-offs, demodulation and converters"
   parameter Units.Angle differentialPhase(min = -1, max = 1) = 0 "x turned by +p/2, y by -p/2, typically 1e-4 to 1e-3";
   parameter Units.Displacement offset(min = -0.1, max = 0.1) = 0 "Added to the in-phase x channel (ADC, demodulator), typically 1e-4";
   parameter Units.Time feedthrough(min = -0.01, max = 0.01) = 0 "Reads this time the force as well, typically 1e-6 to 1e-4";
-  parameter Units.Displacement resolution(min = 0, max = 0.1) = 0 "Least significant bit of a channel; 0: none";
-  parameter Units.Displacement fullScale(min = 0, max = 1e6) = 0 "A channel clips at this value; 0: never";
+  parameter Units.Displacement resolution(min = 0, max = 0.1) = 0 "Least significant bit of a channel, typically 2e-7 to 6e-5: 24 to 16 bits over a full scale of 2 (estimate); 0: none";
+  parameter Units.Displacement fullScale(min = 0, max = 1e6) = 0 "A channel clips at this value, typically 1.2 to 2, the headroom over the nominal amplitude (estimate); 0: never";
   input Units.TemperatureDifference temperature "Above the reference";
   input Units.Acceleration acceleration[3] "Specific force, z along the input axis";
   input Units.Displacement noise[4] "Noise of the demodulated channels";
@@ -46,6 +46,10 @@ equation
     axes[3]*turn[1] - axes[4]*turn[2],
     axes[4]*turn[1] + axes[3]*turn[2]};
   annotation (Documentation(info="<html>
+<p>With T the temperature above the reference and f the specific force,</p>
+<pre>g = gainMismatch + gainPerKelvin T + gainPerAcceleration f + gainPerAccelerationSquared f^2 (each axis by itself)
+gain of x, y = 1 + g/2, 1 - g/2
+phase of x, y = phaseError + phasePerKelvin T + differentialPhase/2, - differentialPhase/2</pre>
 <p>Mechanisms 2, 4, 7, 10 to 13, 24, 28 and 30 of the catalogue. Non-orthogonality comes first, then the cubic
 nonlinearity and the gain, the phase (the complex envelope cx - i sx times exp(i p)), and offset, feedthrough, noise and
 the converter.</p>

@@ -22,4 +22,8 @@ equation
     digitised(analogue[2] + noise[2], resolution, fullScale),
     digitised(analogue[3] + noise[3], resolution, fullScale),
     digitised(analogue[4] + noise[4], resolution, fullScale)};
+  annotation (Documentation(info="<html>
+<p>With X = cx - i sx the envelope of x, F that of the force in action on it, reading = Q(gain (1 + 3/4 b |X|^2) X exp(i p) + offset +
+feedthrough F + noise), y alike after y + d x: a cubic b x^3 gives 3/4 b |X|^2 X at the carrier. Q is <code>digitised</code>.</p>
+</html>"));
 end PickOff;

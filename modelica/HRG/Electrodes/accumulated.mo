@@ -13,4 +13,7 @@ algorithm
   result[5] := keep*sums[5] + carrier[1]*carrier[1];
   result[6] := keep*sums[6] + carrier[1]*carrier[2];
   result[7] := keep*sums[7] + carrier[2]*carrier[2];
+  annotation (Documentation(info="<html>
+<p>The entries of the normal equations: sums of x c, x s, y c, y s, c c, c s and s s over the samples of a window.</p>
+</html>"));
 end accumulated;

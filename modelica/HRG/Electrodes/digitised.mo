@@ -9,4 +9,7 @@ protected
 algorithm
   clipped := if fullScale <= 0 then value elseif value > fullScale then fullScale elseif value < -fullScale then -fullScale else value;
   result := if resolution <= 0 then clipped else resolution*floor(clipped/resolution + 0.5);
+  annotation (Documentation(info="<html>
+<p>Clipped at the full scale, then rounded to the nearest multiple of the resolution.</p>
+</html>"));
 end digitised;

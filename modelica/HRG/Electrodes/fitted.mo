@@ -11,4 +11,7 @@ algorithm
   result[2] := if determinant > 1 then (sums[5]*sums[2] - sums[6]*sums[1])/determinant else previous[2];
   result[3] := if determinant > 1 then (sums[7]*sums[3] - sums[6]*sums[4])/determinant else previous[3];
   result[4] := if determinant > 1 then (sums[5]*sums[4] - sums[6]*sums[3])/determinant else previous[4];
+  annotation (Documentation(info="<html>
+<p>Solution of the normal equations [[cc, cs], [cs, ss]] [cx; sx] = [x c; x s], y alike, by Cramer's rule.</p>
+</html>"));
 end fitted;

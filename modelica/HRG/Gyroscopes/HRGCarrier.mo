@@ -58,6 +58,8 @@ equation
   frequencyOffset = controller.reference - controller.readout.clockError*resonator.material.frequency;
   valid = controller.startUp.valid;
   annotation (Documentation(info="<html>
+<p>The coupled oscillators x and y of <code>Resonators.Oscillator</code>, before averaging (D. D. Lynch), and the electronics of
+<code>HRG</code> after converters and demodulation.</p>
 <p>For short checks of what the envelope leaves out: the same electronics, parameters and noise as
 <code>HRG</code>, whose demodulated readings are here half a control period older. That age adds to the hold's:
 the scale-factor error is -Ts/tau instead of -(Ts/2)/tau.</p>

@@ -57,6 +57,15 @@ equation
   frequencyOffset = controller.reference - controller.readout.clockError*resonator.material.frequency;
   valid = controller.startUp.valid;
   annotation (Documentation(info="<html>
+<p>With h = exp(-i phi) (Z' of the free envelope + U) on the antinode (a) and the node (n), the orbit of pattern angle theta, amplitude
+a, quadrature q and phase phi moves by (Z' the rate of <code>Resonators.envelopeRates</code>, U the force of the drives, nu the frequency
+of the reference)</p>
+<pre>a' = Re h_a
+q' = -Im h_n
+2 theta' = (a Re h_n - q Im h_a)/(a^2 - q^2)
+phi' + nu = (a Im h_a - q Re h_n)/(a^2 - q^2)</pre>
+<p>with a force N on the node and without errors of the electrodes and Duffing stiffness (D. D. Lynch; Eq. (1) of Xu et al. 2024, with its axes, factors and signs mended)</p>
+<pre>theta' = -k Omega + (D/4) sin 4(theta - theta_tau) (a^2 + q^2)/(a^2 - q^2) + (dw/2) cos 4(theta - theta_w) a q/(a^2 - q^2) + a N/(2 (a^2 - q^2))</pre>
 <p>The same parts, parameters and closed forms as <code>HRG</code>, but forces follow from the condition that the loops are
 at rest, so that only the pattern moves, and a step may last a second. The state is the orbit, in which rotation is a
 straight line. Noise of pick-offs is that of one control period, read once per output.</p>

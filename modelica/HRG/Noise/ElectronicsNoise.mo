@@ -5,12 +5,12 @@ block ElectronicsNoise "White noise of the force and pick-off channels, slow noi
   parameter Units.Ratio bryanFactor "Converts input rates into pattern rates";
   parameter Integer seed(min = 0, max = 2147483647) "Seed of the generators";
   parameter Units.AngleNoiseDensity angleRandomWalk(max = 1e-4) = 0
-    "White force noise, as the square of the angle random walk coefficient it causes at nominal amplitude; (1e-5 to 1e-3 deg/sqrt(h))^2";
+    "White force noise, as the square of the angle random walk coefficient it causes at nominal amplitude, typically (1e-5 to 1e-3 deg/sqrt(h))^2";
   parameter Units.DisplacementNoiseDensity pickOff(max = 1e-4) = 0
-    "White noise of each demodulated channel, relative to the nominal amplitude";
-  parameter Real rateRandomWalk(unit = "rad2/s3", min = 0, max = 1) = 0 "Square of the rate random walk coefficient K";
-  parameter Units.AngularRate biasInstability(min = 0, max = 1) = 0 "Flicker coefficient B (IEEE Std 952)";
-  parameter Units.DisplacementNoiseDensity virtualRotation(max = 1) = 0 "Density of the relative noise of a commanded rotation";
+    "White noise of each demodulated channel, relative to the nominal amplitude, typically 1e-17 to 1e-15: 0.01 to 0.1 arcsec of pattern angle in 1 ms";
+  parameter Real rateRandomWalk(unit = "rad2/s3", min = 0, max = 1) = 0 "Square of the rate random walk coefficient K, typically 2e-21 to 2e-19: 5e-4 to 5e-3 deg/h in an hour";
+  parameter Units.AngularRate biasInstability(min = 0, max = 1) = 0 "Flicker coefficient B (IEEE Std 952), typically 5e-4 to 5e-3 deg/h, the bias stability at a fixed pattern angle";
+  parameter Units.DisplacementNoiseDensity virtualRotation(max = 1) = 0 "Density of the relative noise of a commanded rotation, typically 1e-11 to 3e-10: at 10 deg/s ten times an angle random walk of 2e-4 to 1e-3 deg/sqrt(h)";
   output Units.Force force[4] "Force noise {cos x, sin x, cos y, sin y}";
   output Units.Displacement displacement[4] "Pick-off noise {cx, sx, cy, sy}";
   output Units.AngularRate patternRate "Slow noise, as a pattern rate";
@@ -47,4 +47,10 @@ equation
     pickOffDeviation*memory[80]};
   patternRate = walk + flickerScale*(lags[1] + lags[2] + lags[3] + lags[4] + lags[5] + lags[6] + lags[7] + lags[8]);
   rotation = rotationDeviation*memory[83];
+  annotation (Documentation(info="<html>
+<p>Standard deviations of a sample of period T: force channels 2 k N/sqrt(T), since a force n on the node turns the
+pattern at n/(2 a), so that the output has the angle random walk N at nominal amplitude; pick-off channels sqrt(S/T);
+rate random walk k K sqrt(T) a step; commanded rotation sqrt(S/T), relative. Flicker noise of coefficient B is the sum of
+<code>flicker</code>, scaled by k B. Coefficients N, K and B are those of IEEE Std 952. Mechanisms 18 and 20 to 22.</p>
+</html>"));
 end ElectronicsNoise;

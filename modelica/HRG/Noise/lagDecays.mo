@@ -11,4 +11,7 @@ algorithm
     result[8 + i] := (1 - result[i])*sqrt(timeConstant/samplePeriod);
     timeConstant := 8*timeConstant;
   end for;
+  annotation (Documentation(info="<html>
+<p>A lag of time constant T keeps d = exp(-period/T) of its value; the weight sqrt((1 - d^2)/2) gives it the variance 1/2.</p>
+</html>"));
 end lagDecays;

@@ -10,4 +10,7 @@ algorithm
   low := number - 67108864*floor(number/67108864);
   sum := low*low + number;
   hash := sum - m*floor(sum/m);
+  annotation (Documentation(info="<html>
+<p>With n the number and l its lowest 26 bits, (l^2 + n) modulo m: every step stays below 2^53, exact in a Real.</p>
+</html>"));
 end scrambled;

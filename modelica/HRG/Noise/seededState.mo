@@ -16,4 +16,8 @@ algorithm
   for i in 73:84 loop
     memory[i] := 0;
   end for;
+  annotation (Documentation(info="<html>
+<p>A chain of <code>scrambled</code>, begun with the seed; states are from 1 to the smaller modulus less one, so that no generator
+starts at zero.</p>
+</html>"));
 end seededState;

@@ -17,4 +17,7 @@ model CarrierResonator "Vibrating shell at its carrier frequency"
     duffing = material.duffing,
     reference = reference,
     force = force + shake) "Motion";
+  annotation (Documentation(info="<html>
+<p>Material and environment give the coefficients, <code>Oscillator</code> the motion.</p>
+</html>"));
 end CarrierResonator;

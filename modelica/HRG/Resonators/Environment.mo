@@ -21,7 +21,9 @@ equation
     started = 1;
   end when;
   annotation (Documentation(info="<html>
-<p>The resonator starts at the reference temperature and follows the case with a first-order lag. Heat moves
-in minutes, so that a hundredth of a second is a fine step for it.</p>
+<p>The resonator starts at the reference temperature and follows the case with a first-order lag,</p>
+<pre>thermalLag dT/dt = caseTemperature - T</pre>
+<p>exact for a case temperature that is held from sample to sample. Heat moves in minutes, so that samples up to a second apart
+are fine for it.</p>
 </html>"));
 end Environment;

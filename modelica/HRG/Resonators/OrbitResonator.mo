@@ -8,4 +8,8 @@ equation
   freeRates = envelopeRates(
     orbit.displacement, material.dampingX, material.dampingY, material.dampingSin, -material.shift,
     material.splitCos, material.splitSin, material.coupling, material.duffing) + shake;
+  annotation (Documentation(info="<html>
+<p>Material and environment give the coefficients, <code>envelopeRates</code> the rates of the free displacement; what becomes of the
+orbit follows from the loops, which give the rates of its elements.</p>
+</html>"));
 end OrbitResonator;

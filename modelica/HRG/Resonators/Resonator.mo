@@ -19,4 +19,7 @@ model Resonator "Vibrating shell, its motion as a slowly varying envelope"
     force = force + shake) "Motion";
 equation
   displacement = envelope.displacement;
+  annotation (Documentation(info="<html>
+<p>Material and environment give the coefficients, <code>Envelope</code> the motion.</p>
+</html>"));
 end Resonator;

@@ -1,0 +1,54 @@
+within HRG.UsersGuide;
+class Mechanisms "Catalogue of error mechanisms and modes: where each is a parameter, and its closed form"
+  annotation (DocumentationClass = true, Documentation(info="<html>
+<p>Zero by default. Closed forms hold at rest with the loops closed unless they say otherwise, to first order; th is
+the pattern angle, c4 = cos 4 th, s4 = sin 4 th, ' counted from th_tau, '' from th_w. B: output bias; G: growth
+rate (<code>amplitudeForce</code>); N: <code>quadratureForce</code>; P: <code>frequencyOffset</code>. The other symbols are
+those of Conventions. Each line is demonstrated by models of <code>HRG.Validation</code>, which name its number.</p>
+<table border=\"1\">
+<tr><th>#</th><th>mechanism</th><th>parameter or input</th><th>closed form</th></tr>
+<tr><td>1</td><td>damping anisotropy</td><td><code>resonator.material.dampingAnisotropy</code>, <code>dampingAxis</code></td><td>B = -(D/4k) s4', G = 1/tau + (D/2) c4'</td></tr>
+<tr><td>2</td><td>pick-off gain mismatch</td><td><code>pickOff.gainMismatch</code></td><td>angle +(g/4k) s4; B = +(g/4k tau) s4, G -(g/2 tau) c4</td></tr>
+<tr><td>3</td><td>drive gain mismatch</td><td><code>drive.gainMismatch</code></td><td>B and G as 2, nothing in the angle</td></tr>
+<tr><td>4</td><td>pick-off non-orthogonality</td><td><code>pickOff.nonOrthogonality</code></td><td>angle -(d/4k)(1 + c4); B = -(d/4k tau)(1 + c4), G -(d/2 tau) s4</td></tr>
+<tr><td>5</td><td>drive non-orthogonality</td><td><code>drive.nonOrthogonality</code></td><td>B and G as 4, nothing in the angle</td></tr>
+<tr><td>6</td><td>drive frame rotation</td><td><code>drive.frameRotation</code></td><td>B = -e/(2k tau)</td></tr>
+<tr><td>7</td><td>frequency split with phase error</td><td><code>resonator.material.frequencySplit</code>, <code>stiffnessAxis</code>; <code>pickOff.phaseError</code>, input <code>phaseOffset</code></td><td>B = -(dw p/4k) s4'', N = (dw/2) s4'', P = -(dw/2) c4''</td></tr>
+<tr><td>8</td><td>residual quadrature</td><td><code>controller.quadratureSetpoint</code></td><td>B = -(dw/2k) q0 c4'', N + q0/tau</td></tr>
+<tr><td>9</td><td>split alone</td><td>as 7</td><td>B = 0</td></tr>
+<tr><td>10</td><td>differential phase</td><td><code>pickOff.differentialPhase</code></td><td>with a split: 8th harmonic, dw p/16k</td></tr>
+<tr><td>11</td><td>feedthrough</td><td><code>pickOff.feedthrough</code></td><td>with a split: B = (c dw^2/8k) s8''</td></tr>
+<tr><td>12</td><td>demodulation offset</td><td><code>pickOff.offset</code></td><td>2nd harmonic: angle x0/2k, B x0/(2k tau)</td></tr>
+<tr><td>13</td><td>pick-off cubic</td><td><code>pickOff.cubic</code></td><td>angle: 8th harmonic, 0.75 b a^2/(8k)</td></tr>
+<tr><td>14</td><td>Duffing stiffness</td><td><code>resonator.material.duffing</code></td><td>P + delta a^2; with quadrature B = +delta a q/(3k) (the sign is that of this output; the wave's is opposite)</td></tr>
+<tr><td>15</td><td>loop delay and hold</td><td><code>controller.synthesis.loopDelay</code></td><td>scale factor -(Ts/2 + td)/tau</td></tr>
+<tr><td>16</td><td>Bryan factor</td><td><code>resonator.material.bryanFactor</code> against <code>controller.readout.bryanFactor</code>; <code>bryanFactorPerKelvin</code></td><td>scale factor</td></tr>
+<tr><td>17</td><td>clock</td><td><code>controller.readout.clockError</code></td><td><code>gyroRate</code> -e, angle 0, P -e w</td></tr>
+<tr><td>18</td><td>virtual rotation gain, noise</td><td><code>controller.readout.virtualRotationError</code>, <code>noise.virtualRotation</code></td><td>B = -e V; N = V sqrt(density)</td></tr>
+<tr><td>19</td><td>lock-in</td><td>from 1</td><td>stops at sin 4(th - th_tau) = W/W_L for W &lt; W_L = D/4k; else mean rate sqrt(W^2 - W_L^2)</td></tr>
+<tr><td>20</td><td>force noise</td><td><code>noise.angleRandomWalk</code></td><td>N^2, over amplitude</td></tr>
+<tr><td>21</td><td>pick-off noise</td><td><code>noise.pickOff</code></td><td>white angle</td></tr>
+<tr><td>22</td><td>rate random walk, flicker</td><td><code>noise.rateRandomWalk</code>, <code>noise.biasInstability</code></td><td>K^2; Allan deviation 0.664 B</td></tr>
+<tr><td>23</td><td>frequency over temperature</td><td><code>resonator.material.frequencyPerKelvin</code>, <code>resonator.environment.thermalLag</code></td><td>P</td></tr>
+<tr><td>24</td><td>tau, D, g, p over temperature; its rate</td><td><code>...PerKelvin</code>; <code>drive.rotationPerTemperatureRate</code></td><td>as 1, 2, 7 scaled; B = -(e' dT/dt)/(2k tau)</td></tr>
+<tr><td>25</td><td>bias voltage, charge</td><td>input <code>biasVoltage</code>; <code>electrostaticShift</code>, <code>electrostaticSplit</code>, <code>electrostaticAxis</code></td><td>P and N with V^2 - 1, at constant temperature</td></tr>
+<tr><td>26</td><td>mounting</td><td><code>resonator.material.mountingDamping</code>, <code>mountingAxis</code></td><td>adds to 1 as a vector</td></tr>
+<tr><td>27</td><td>imbalance, vibration at the modal frequency</td><td><code>resonator.imbalanceX</code>, <code>imbalanceY</code>, input <code>vibration</code></td><td>B = (f/2k) s2</td></tr>
+<tr><td>28</td><td>specific force</td><td><code>pickOff.gainPerAcceleration</code>, <code>gainPerAccelerationSquared</code>, <code>drive.rotationPerAcceleration</code>, <code>resonator.material.splitPerAcceleration</code></td><td>as 2, 6, 7</td></tr>
+<tr><td>29</td><td>input-axis misalignment</td><td>of the mounting: by the input <code>angularRate</code></td><td>H sin delta once a turn of the table</td></tr>
+<tr><td>30</td><td>resolution, full scale, drive authority</td><td><code>pickOff.resolution</code>, <code>fullScale</code>, <code>drive.authority</code></td><td>steps, clipping; full range of rebalance f/(2k)</td></tr>
+<tr><td>31</td><td>ageing</td><td><code>resonator.material.decayTimeAgeing</code></td><td>G</td></tr>
+</table>
+<p>The same gyro in its modes:</p>
+<table border=\"1\">
+<tr><th>mode</th><th>how</th></tr>
+<tr><td>whole-angle</td><td>default</td></tr>
+<tr><td>force-to-rebalance</td><td><code>controller.forceToRebalance = 1</code>: the pattern is held at the start angle</td></tr>
+<tr><td>virtual rotation</td><td>input <code>virtualRotation</code>, an input rate: constant, reversing or swept as it is driven</td></tr>
+<tr><td>ring-down</td><td>input <code>driveOn = 0</code>: amplitude, quadrature and rotation forces off, phase tracking on</td></tr>
+<tr><td>start-up</td><td><code>startAmplitude</code>, <code>controller.startUp.*</code>: a small vibration within 1 s, full amplitude at 10 s, output <code>valid</code></td></tr>
+<tr><td>compensation of the output (the paper's Eq. 5)</td><td><code>controller.biasMap.*</code></td></tr>
+<tr><td>cancellation by force (Eq. 7, factors mended)</td><td><code>controller.cancellation.*</code></td></tr>
+</table>
+</html>"));
+end Mechanisms;

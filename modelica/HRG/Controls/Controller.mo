@@ -71,6 +71,7 @@ equation
 <p>Four sampled loops on the detected orbit, as D. D. Lynch's control of the averaged equations: the phase loop turns the
 reference frequency until phase + offset is zero; the amplitude loop sets the force on the antinode, A = growth rate times a; the quadrature
 loop the force on the node in quadrature, S; in the force-to-rebalance mode the angle loop commands the rotation that holds the pattern. Each is a
-<code>ProportionalIntegral</code>. What is commanded to turn is counted and taken out of the output.</p>
+<code>ProportionalIntegral</code>. While a drive is at its authority, their integrals stand still, except that of the phase loop. What the drives can give
+of the commanded rotation is counted and taken out of the output.</p>
 </html>"));
 end Controller;

@@ -57,6 +57,7 @@ equation
 <pre>force = {A c - N s, -S s, A s + N c, S c}</pre>
 <p>{cos x, sin x, cos y, sin y}, as growths of the envelope. For an orbit without quadrature a' = A, q' = S and theta' = N/(2 a), so that
 A = growth rate times a, and N = 2 a times the commanded rate of the pattern. Forces are held for a control period; the loop delay turns
-their axes back by the pattern's way in it (mechanism 15). Control by antinode and node forces: D. D. Lynch.</p>
+their axes back by the pattern's way in it (mechanism 15). A channel is clipped at the drives' authority (mechanism 30); the rotation that this
+takes away, (N - force along the node)/(2 a), is told to the read-out. Control by antinode and node forces: D. D. Lynch.</p>
 </html>"));
 end ForceSynthesis;

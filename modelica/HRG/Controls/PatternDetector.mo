@@ -26,7 +26,7 @@ equation
   end when;
   annotation (Documentation(info="<html>
 <p>The elements of the orbit by <code>orbit</code>, once a sample (D. D. Lynch): alpha = atan2(S, R)/2 is the modal angle, the pattern angle
-is half of it. Of the angles that differ by pi, the sign of the wave, the nearest to the last sample's is taken, so that the
-pattern angle is continuous while it turns less than 45 degrees a sample.</p>
+is half of it. Of the angles that differ by pi, the sign of the wave, the nearest to the expected one is taken, so that the
+pattern angle is continuous while it stays within 45 degrees of what is expected.</p>
 </html>"));
 end PatternDetector;

@@ -43,7 +43,7 @@ algorithm
   annotation (Documentation(info="<html>
 <p>As <code>precession</code>, with h the rates of the envelope on the true axes, forces included, antinode (a) and node (n):</p>
 <pre>a' = Re h_a    q' = -Im h_n    alpha' = (a Re h_n - q Im h_a)/(a^2 - q^2)    psi = (a Im h_a - q Re h_n)/(a^2 - q^2)</pre>
-<p>alpha is the modal angle, psi the rate of the phase and the reference together. No loop is taken as closed: a clipped force
+<p>alpha is the modal angle, psi the rate of the phase and the reference together. The last three elements are the clipped forces. No loop is taken as closed: a clipped force
 leaves what it can't hold to the motion.</p>
 </html>"));
 end boundedMotion;

@@ -11,7 +11,7 @@ equation
     gain[3]*command[1] + gain[4]*command[3] + noise[3],
     gain[3]*command[2] + gain[4]*command[4] + noise[4]};
   annotation (Documentation(info="<html>
-<p>{fx, fy} = G {bounded command} + noise, for the parts in phase and in quadrature alike; G is the gain of
-<code>DriveErrors</code>, and each channel is bounded by the authority first.</p>
+<p>{fx, fy} = G {command} + noise, for the parts in phase and in quadrature alike; G is the gain of
+<code>DriveErrors</code>. The electronics keep the command of each channel within the authority.</p>
 </html>"));
 end Drive;

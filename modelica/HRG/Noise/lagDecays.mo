@@ -12,6 +12,6 @@ algorithm
     timeConstant := 8*timeConstant;
   end for;
   annotation (Documentation(info="<html>
-<p>A lag of time constant T keeps d = exp(-period/T) of its value; the weight sqrt((1 - d^2)/2) gives it the variance 1/2.</p>
+<p>A lag of time constant t keeps d = exp(-period/t) of its value and takes (1 - d) sqrt(t/period) of its input, for <code>flicker</code>.</p>
 </html>"));
 end lagDecays;

@@ -17,7 +17,7 @@ algorithm
     memory[i] := 0;
   end for;
   annotation (Documentation(info="<html>
-<p>A chain of <code>scrambled</code>, begun with the seed; states are from 1 to the smaller modulus less one, so that no generator
+<p>Twelve states hold the seed itself, so that no two seeds give the same; the others are a chain of <code>scrambled</code>, from 1 to the smaller modulus less one. No generator
 starts at zero.</p>
 </html>"));
 end seededState;

@@ -69,7 +69,7 @@ equation
   annotation (Documentation(info="<html>
 <p>With T the temperature above the reference, V the bias voltage over the nominal one, f the specific force and {c, s} = {cos, sin} of four
 times an axis,</p>
-<pre>1/tau = 1/(decayTime (1 + decayTimePerKelvin T)(1 - decayTimeAgeing age))
+<pre>1/tau = exp(decayTimeAgeing age - decayTimePerKelvin T)/decayTime
 (D/2) {ct, st} = (dampingAnisotropy/2)(1 + dampingAnisotropyPerKelvin T) {c, s} + (mountingDamping/2) {c, s}
 (dw/2) {cw, sw} = (frequencySplit/2) {c, s} + (electrostaticSplit/2)(V^2 - 1) {c, s} + (splitPerAcceleration f/2) {1, 0}
 mean frequency = frequency (1 + frequencyPerKelvin T) - electrostaticShift (V^2 - 1)

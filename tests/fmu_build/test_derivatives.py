@@ -38,7 +38,7 @@ RESTING = {
     "controller.startUp.firstTime",
     "controller.startUp.fullTime",
 }
-"""At the start time warming, forces and the ramp are zero: a factor in equations that hold these."""
+"""At the start time warming, forces and the ramp are zero, and these are multiplied by them."""
 
 SWITCHES = {"valid"}
 """Outputs that jump at thresholds."""
@@ -162,7 +162,7 @@ def test_nothing_moves_undeclared(model_folder: Path, coarse: bool) -> None:
     gyro.enter()
     declared = _declared(gyro)
     knowns = {n: _generic(gyro, n) for n in _names(gyro, "parameter", "input")}
-    knowns |= {n: 0.5 * coarse for n in CONVERTER & knowns.keys()}
+    knowns |= dict.fromkeys(CONVERTER & knowns.keys(), 0.5 * coarse)
     gyro.set(knowns | {"seed": 4})
     moved = {n: _moved(gyro, n, x, 0.5 * x) for n, x in knowns.items()}
     moved |= {"seed": _moved(gyro, "seed", 4, 5)}

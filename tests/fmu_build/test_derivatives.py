@@ -25,8 +25,10 @@ in what the equations subtract, which is up to 1e-10 of their result: 1e-6 each.
 
 
 CONVERTER = {
-    f"pickOff.{name}"
-    for name in ("resolution", "fullScale", "converterResolution", "converterRange")
+    "pickOff.resolution": 1e-3,
+    "pickOff.fullScale": 1.0,
+    "pickOff.converterResolution": 1e-3,
+    "pickOff.converterRange": 1.0,
 }
 """Zero turns them off: else readings are steps or clipped, and move with nothing."""
 
@@ -162,7 +164,7 @@ def test_nothing_moves_undeclared(model_folder: Path, coarse: bool) -> None:
     gyro.enter()
     declared = _declared(gyro)
     knowns = {n: _generic(gyro, n) for n in _names(gyro, "parameter", "input")}
-    knowns |= dict.fromkeys(CONVERTER & knowns.keys(), 0.1 * coarse)
+    knowns |= {n: CONVERTER[n] * coarse for n in CONVERTER.keys() & knowns.keys()}
     gyro.set(knowns | {"seed": 4})
     moved = {n: _moved(gyro, n, x, 0.5 * x) for n, x in knowns.items()}
     moved |= {"seed": _moved(gyro, "seed", 4, 5)}

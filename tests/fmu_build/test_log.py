@@ -71,7 +71,6 @@ def test_description_lists_what_is_told(gyro: Importer) -> None:
 
 
 NAN = float("nan")
-LOOP_START = "controller.phaseLoop.startCommand"
 
 
 @pytest.mark.parametrize(
@@ -80,7 +79,6 @@ LOOP_START = "controller.phaseLoop.startCommand"
         ({"seed": -1}, "seed = -1 is outside its range from 0 to 2147483647"),
         ({"startAmplitude": 10.1}, "startAmplitude = 10.1 is outside its range from 1e-06 to 10"),
         ({"startAngle": NAN}, "startAngle = nan is outside its range from -1000 to 1000"),
-        ({LOOP_START: NAN}, f"{LOOP_START} = nan is outside its range: any number"),
     ],
 )
 def test_numbers_read_as_they_are_written(

@@ -62,8 +62,8 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
 equation
   expectedAngle = 2*detector.lastAngle;
   overload = synthesis.overloaded;
-  growthRate = driveOn*amplitudeLoop.command;
-  quadratureForce = driveOn*quadratureLoop.command;
+  growthRate = synthesis.drivenGrowth;
+  quadratureForce = synthesis.square;
   force = synthesis.force;
   acting = synthesis.acting;
   reference = phaseLoop.command;

@@ -15,6 +15,8 @@ block ForceSynthesis "Loop commands, resolved from the pattern's axes into the e
   input Units.Force authority "A channel of the drives gives no more than this force; 0: no limit";
   discrete output Units.Force force[4](each start = 0, each fixed = true) "Force {cos x, sin x, cos y, sin y}";
   discrete output Units.Force acting[4](each start = 0, each fixed = true) "Force that was held up to the sample";
+  discrete output Units.Rate drivenGrowth(start = 0, fixed = true) "Force on the antinode over its amplitude";
+  discrete output Units.Force square(start = 0, fixed = true) "Force on the node, in phase with the displacement";
   discrete output Units.Ratio overloaded(start = 0, fixed = true) "1 while a channel is at its limit";
   discrete output Units.Ratio wasOverloaded(start = 0, fixed = true) "The same at the last sample";
   discrete output Units.AngularRate lostRate(start = 0, fixed = true) "Pattern rate that the limit takes away";
@@ -28,7 +30,6 @@ protected
   discrete Units.Ratio s(start = 0, fixed = true) "Of the modal angle of the forces";
   discrete Units.Force antinode(start = 0, fixed = true) "Force on the antinode, in phase with the velocity";
   discrete Units.Force node(start = 0, fixed = true) "Force on the node, in phase with the velocity";
-  discrete Units.Force square(start = 0, fixed = true) "Force on the node, in phase with the displacement";
 equation
   when sample(0, samplePeriod) then
     acting = pre(force);
@@ -38,7 +39,8 @@ equation
     lagSine = lag - lag*lag*lag/6;
     c = cosine*lagCosine + sine*lagSine;
     s = sine*lagCosine - cosine*lagSine;
-    antinode = driveOn*growthRate*amplitude;
+    drivenGrowth = driveOn*growthRate;
+    antinode = drivenGrowth*amplitude;
     node = driveOn*2*patternRate*amplitude;
     square = driveOn*quadratureForce;
     wanted = {antinode*c - node*s, -square*s, antinode*s + node*c, square*c};

@@ -31,6 +31,8 @@ CASES: list[tuple[str, int, Callable[[Content], None], str]] = [
     ("there are sources or binaries", 2, removed("^(sources|binaries)/"), "neither"),
     ("every platform's folder", 2, renamed("/HRG.so", "/Other.so"), "HRG.so is missing"),
     ("every platform's folder", 3, added("binaries/x86_64-windows/a.txt"), "HRG.dll is missing"),
+    ("every platform's folder", 3, added("binaries/aarch64-darwin/a.txt"), "HRG.dylib is missing"),
+    ("every platform's folder", 2, added("binaries/darwin64/a.txt"), "HRG.dylib is missing"),
     ("a documentation folder", 3, removed("index.html"), "index.html is missing"),
     ("a licenses folder", 3, removed("license.txt"), "has none of"),
     ("folders in extra", 2, renamed("org.cyclonedx", "bill"), "extra/bill"),

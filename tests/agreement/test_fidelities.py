@@ -89,12 +89,11 @@ NOISE = {
     "noise.biasInstability": 1e-3,
     "noise.virtualRotation": 1e-4,
 }
-LOOPS = {
-    "pickOff.resolution": "limit cycles of the loops",
-    "pickOff.fullScale": "overload of the loops",
-    "drive.authority": "overload of the loops",
-}
-"""What HRGSlow leaves out by intent (`HRG.Controls.QuasisteadyLoops`), and why."""
+LIMIT_CYCLES: dict[str, tuple[float, Values, Values]] = {"pickOff.resolution": (1e-4, {}, {})}
+"""Of loops that follow a stair: HRGSlow has none (`HRG.Controls.QuasisteadyLoops`)."""
+OVERLOAD = {"pickOff.fullScale", "drive.authority"}
+"""Loops that lose the vibration: no two records are alike. The law of the slip is a claim of
+`HRG.Validation.Drives`, the recovery is held in test_rates.py."""
 
 FLOORS = np.array([1e-8, 1e-7, 1e-7, 1e-7, 1e-6])
 """Residual transients of the five channels: rad, rad, 1/s, 1/s, rad/s."""
@@ -121,7 +120,7 @@ def channels(gyro_fmu: GyroFmu, parameters: Values, inputs: Values, run: Run) ->
 
 def assert_same_change(one: GyroFmu, other: GyroFmu, name: str, run: Run) -> None:
     """What a parameter does to the channels, within 1 %."""
-    value, others, inputs = CASES[name]
+    value, others, inputs = (CASES | LIMIT_CYCLES)[name]
     changes = [
         channels(g, {**others, name: value}, inputs, run) - channels(g, others, inputs, run)
         for g in (one, other)
@@ -131,7 +130,7 @@ def assert_same_change(one: GyroFmu, other: GyroFmu, name: str, run: Run) -> Non
     assert np.any(scale > 10 * FLOORS), changes
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", CASES | LIMIT_CYCLES)
 def test_carrier_shows_the_same(gyros: dict[str, GyroFmu], name: str) -> None:
     assert_same_change(gyros["HRG"], gyros["HRGCarrier"], name, (3.0, 0.3))
 
@@ -167,7 +166,8 @@ def error_parameters(gyro: GyroFmu) -> dict[str, str]:
 
 
 def test_every_error_parameter_is_compared(gyros: dict[str, GyroFmu]) -> None:
-    assert set(error_parameters(gyros["HRG"])) == set(CASES) | set(NOISE) | set(LOOPS)
+    compared = set(CASES) | set(NOISE) | set(LIMIT_CYCLES) | OVERLOAD
+    assert set(error_parameters(gyros["HRG"])) == compared
 
 
 @pytest.mark.parametrize("fidelity", ROOTS)

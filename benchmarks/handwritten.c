@@ -1,6 +1,7 @@
 /* The gyro's tick as one would write it by hand: the yardstick of the generated kernel. The same
-   arithmetic, generator and features as HRG.Gyroscopes.HRG with constant environment; main()
-   prints ns per tick and the angle after them, with an anisotropic, noisy gyro. */
+   arithmetic, generator and features as HRG.Gyroscopes.HRG with constant environment and drives that
+   are never overloaded. handwritten [TICKS [D [DENSITY]]] prints ns per tick and the angle after them,
+   of a gyro with damping anisotropy D and force noise of this density. */
 #include "arithmetic.h"
 
 #include <stdio.h>
@@ -43,13 +44,14 @@ static double scrambled(double number) {
 static void seed_noise(Noise *n, double seed) {
   double h = seed + 1234567891.0, memory[72];
   for (int i = 0; i < 4; i++) h = scrambled(h);
-  for (int i = 0; i < 72; i++) memory[i] = (h = scrambled(h + 40014.0 * (i + 1))) + 1.0;
+  for (int i = 0; i < LANES; i++) memory[i] = seed + 1.0;
+  for (int i = LANES; i < 72; i++) memory[i] = (h = scrambled(h + 40014.0 * (i + 1))) + 1.0;
   memcpy(n->x, memory, sizeof n->x);
   memcpy(n->y, memory + 36, sizeof n->y);
   double constant = 0.01;
   for (int i = 0; i < 8; i++, constant *= 8.0) {
     n->decay[i] = m_exp(-TS / constant);
-    n->weight[i] = sqrt((1.0 - n->decay[i] * n->decay[i]) / 2.0);
+    n->weight[i] = (1.0 - n->decay[i]) * sqrt(constant / TS);
   }
 }
 

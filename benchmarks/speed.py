@@ -48,6 +48,19 @@ def seconds_per_tick(*command: object) -> float:
     return float(run.stdout.split()[0])
 
 
+def check_yardstick(hand: Path, fmu: GyroFmu) -> None:
+    """The hand-written tick is a yardstick only while it computes what the FMU does: same bits."""
+    anisotropy, density, ticks = 1e-6, 1e-12, 10_000
+    command = [str(x) for x in (hand, ticks, anisotropy, density)]
+    run = subprocess.run(command, capture_output=True, check=True, text=True)
+    parameters = {
+        "resonator.material.dampingAnisotropy": anisotropy,
+        "noise.angleRandomWalk": density,
+    }
+    with fmu.power_on(parameters, 1, START) as gyro:
+        assert float(run.stdout.split()[1]) == gyro.advance(0.0, ticks / 1000)
+
+
 class Speed:
     """One model, its kernel in C and its FMU."""
 
@@ -132,6 +145,7 @@ def main(seconds: float) -> None:
         gyro, slow = (Speed(folder / x, x, seconds) for x in ("HRG", "HRGSlow"))
         (folder / "arithmetic.h").write_bytes((gyro.folder / "arithmetic.h").read_bytes())
         hand = compiled(folder, "handwritten.c")
+        check_yardstick(hand, gyro.fmu)
         ways: dict[str, Callable[[], float]] = {
             "hand-written tick": lambda: seconds_per_tick(hand, TICKS),
             "generated kernel": gyro.kernel,

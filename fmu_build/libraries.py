@@ -16,7 +16,7 @@ def kept_library(
     sources: Sequence[str],
     identifier: str,
     target: Platform,
-    progress: Callable[[str], None],
+    progress: Callable[[str], None] = lambda text: None,
 ) -> bytes:
     """Shared library of the C sources in a folder, from the user's cache or compiled.
 

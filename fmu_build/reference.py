@@ -13,7 +13,8 @@ import numpy as np
 from fmpy.model_description import ModelVariable
 from numpy.typing import NDArray
 
-from fmu_build.platforms import PLATFORMS, compile_library, host
+from fmu_build.libraries import kept_library
+from fmu_build.platforms import PLATFORMS, host
 from fmu_build.xml import xml_text
 
 FOLDER = "extra/org.fmi-standard.fmi-ls-ref"
@@ -86,7 +87,7 @@ def _complete(root: Path, name: str, fmi_version: str) -> None:
         sources = root / "sources"
         listed = sorted(file.name for file in sources.glob("*.c"))
         library.parent.mkdir(parents=True, exist_ok=True)
-        library.write_bytes(compile_library(sources, listed, name, platform))
+        library.write_bytes(kept_library(sources, listed, name, platform))
 
 
 def _inputs(stop: float, variables: Sequence[ModelVariable]) -> NDArray[np.void]:

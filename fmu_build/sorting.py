@@ -59,10 +59,12 @@ def schedule(dae: Dae) -> Schedule:
     state_free = _state_free(dae, continuous)
     derivatives = [t for t in continuous if t[0] == "derivative"]
     needed = _closure(dae, continuous, derivatives)
-    tick = _tick(dae, continuous | sampled, sampled)
-    held = {t: continuous[t] for t in continuous if t in state_free and (t in needed or t in tick)}
+    sampling = _sampling(dae, continuous | sampled, sampled)
+    used = {*needed, *sampling}
+    held = {t: continuous[t] for t in continuous if t in state_free and t in used}
     readings = _readings(dae, continuous, sampled)
-    tick = {t: a for t, a in tick.items() if t not in held} | readings
+    tick = {t: a for t, a in sampling.items() if t not in held} | readings
+    tick |= _changing(dae, held, sampled)
     done = held | readings
     rest = {t: a for t, a in continuous.items() if t not in done and t[0] == "variable"}
     return Schedule(
@@ -72,7 +74,7 @@ def schedule(dae: Dae) -> Schedule:
         held=_order(dae, held),
         derivatives=_order(dae, {t: continuous[t] for t in needed if t not in state_free}),
         outputs=_order(dae, rest),
-        tick=_order(dae, tick | _changing(dae, held, sampled)),
+        tick=_order(dae, tick),
     )
 
 
@@ -153,7 +155,7 @@ def _sampled(dae: Dae, sample: Sample) -> Assignment:
     return Assignment(target, _sides(dae, sample.equation)[1], sample.every)
 
 
-def _tick(
+def _sampling(
     dae: Dae, assignments: dict[Target, Assignment], sampled: dict[Target, Assignment]
 ) -> dict[Target, Assignment]:
     """Sampled variables, and what they need as often as the most frequent of them."""

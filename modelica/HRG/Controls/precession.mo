@@ -22,6 +22,8 @@ protected
   Real base[2] "Forces on antinode and, in quadrature, on the node, that hold the orbit without rotation";
   Real slope[2] "Their change per force that rotates";
   Real spread "Inverse of a^2 - q^2";
+  Real still[2] "Antinode's imaginary and node's real rate without a force that rotates";
+  Real push[2] "Their change per force that rotates";
   Real drift "Rate of the modal angle without a force that rotates";
   Real response "Rate of the modal angle per force that rotates";
   Real on "1 with the drive on, 0 off";
@@ -51,14 +53,14 @@ algorithm
   base[2] := (axes[3]*along[1]*(wanted[3] + h[4]) - axes[4]*along[2]*(wanted[2] - h[1]))*determinant;
   slope[1] := -across[1]*across[2]*determinant;
   slope[2] := axes[3]*axes[4]*(along[2]*across[1] - along[1]*across[2])*determinant;
-  drift := (amplitude*(h[3] + axes[3]*along[2]*base[1] - axes[4]*across[2]*base[2])
-    - quadrature*(h[2] - axes[4]*along[1]*base[1] - axes[3]*across[1]*base[2]))*spread;
-  response := (amplitude*(axes[3]*across[2] + axes[3]*along[2]*slope[1] - axes[4]*across[2]*slope[2])
-    + quadrature*(axes[4]*across[1] + axes[4]*along[1]*slope[1] + axes[3]*across[1]*slope[2]))*spread;
-  swing := (amplitude*(h[2] - axes[4]*along[1]*base[1] - axes[3]*across[1]*base[2])
-    - quadrature*(h[3] + axes[3]*along[2]*base[1] - axes[4]*across[2]*base[2]))*spread;
-  reaction := (-amplitude*(axes[4]*across[1] + axes[4]*along[1]*slope[1] + axes[3]*across[1]*slope[2])
-    - quadrature*(axes[3]*across[2] + axes[3]*along[2]*slope[1] - axes[4]*across[2]*slope[2]))*spread;
+  still[1] := h[2] - axes[4]*along[1]*base[1] - axes[3]*across[1]*base[2];
+  still[2] := h[3] + axes[3]*along[2]*base[1] - axes[4]*across[2]*base[2];
+  push[1] := -(axes[4]*across[1] + axes[4]*along[1]*slope[1] + axes[3]*across[1]*slope[2]);
+  push[2] := axes[3]*across[2] + axes[3]*along[2]*slope[1] - axes[4]*across[2]*slope[2];
+  drift := (amplitude*still[2] - quadrature*still[1])*spread;
+  response := (amplitude*push[2] - quadrature*push[1])*spread;
+  swing := (amplitude*still[1] - quadrature*still[2])*spread;
+  reaction := (amplitude*push[1] - quadrature*push[2])*spread;
   on := if driveOn > 0 then 1 else 0;
   node := on*(if rebalance > 0 then (wanted[1] - drift)/response else driveOn*2*patternRate*detected);
   antinode := on*(base[1] + slope[1]*node);

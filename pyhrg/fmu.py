@@ -6,11 +6,11 @@ import hashlib
 import shutil
 import tempfile
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import Any, NamedTuple
 
 import fmpy
 import numba
@@ -23,7 +23,15 @@ from fmpy.fmi2 import (
 )
 from numpy.typing import NDArray
 
-Drive = Callable[..., int]
+Array = NDArray[np.float64]
+Loop = Callable[..., int]
+
+
+class Loops(NamedTuple):
+    """Compiled loops over one library's functions."""
+
+    drive: Loop
+    record: Loop
 
 
 class GyroError(Exception):
@@ -70,8 +78,8 @@ class GyroFmu:
                 modelIdentifier=self.description.coSimulation.modelIdentifier,
                 instanceName="gyro",
             )
-            drive = _driver(slave.dll._name)
-        return Gyro(self, slave, drive, {**parameters, "startAngle": start_angle}, seed)
+            loops = _compiled(slave.dll._name)
+        return Gyro(self, slave, loops, {**parameters, "startAngle": start_angle}, seed)
 
     def set_value(self, slave: FMU2Slave, name: str, value: float) -> None:
         """Set one variable by name."""
@@ -90,13 +98,13 @@ class Gyro:
         self,
         fmu: GyroFmu,
         slave: FMU2Slave,
-        drive: Drive,
+        loops: Loops,
         parameters: Mapping[str, float],
         seed: int,
     ) -> None:
         self._fmu = fmu
         self._slave = slave
-        self._drive = drive
+        self._loops = loops
         self._messages: list[str] = []
         self._callbacks = self._logging_callbacks()
         self.time = 0.0
@@ -150,22 +158,58 @@ class Gyro:
         """
         rates = np.ascontiguousarray(rates, dtype=np.float64)
         angles = np.empty_like(rates)
-        references = np.array(
-            [self._fmu.references["angularRate"], self._fmu.references["gyroAngle"]],
-            dtype=np.uint32,
-        )
+        references = self._references(["angularRate", "gyroAngle"])
         for first in range(0, len(rates), CHUNK):
-            if self._fmu.stop is not None and self._fmu.stop.is_set():
-                raise GyroError("the drive was stopped")
+            self._check_stop()
             part = slice(first, first + CHUNK)
             begin = self.time + first * step
-            done = self._drive(
+            done = self._loops.drive(
                 self._slave.component, begin, step, references, rates[part], angles[part]
             )
             if done != len(rates[part]):
                 raise GyroError(self._explain(f"step {first + done} of {len(rates)} failed"))
         self.time += step * len(rates)
         return angles
+
+    def record(
+        self,
+        moving: Mapping[str, Array],
+        held: Mapping[str, Array],
+        step: float,
+        ends: Sequence[str] = (),
+        means: Sequence[str] = (),
+    ) -> tuple[Array, Array]:
+        """Read outputs row by row, each row several communication steps.
+
+        Args:
+            moving: (n, m) values of inputs by name, SI, in each of a row's m steps.
+            held: (n,) values of other inputs by name, SI, each held for a row.
+            step: communication step, s.
+            ends: outputs to be read at the end of each row.
+            means: outputs to be averaged over the ends of each row's steps.
+
+        Returns:
+            (n, len(ends)) and (n, len(means)), SI.
+
+        Raises:
+            GyroError: an unknown name, a value that the FMU refuses, or `GyroFmu.stop`.
+        """
+        moved = np.ascontiguousarray(np.stack(list(moving.values()), axis=-1))
+        rows, steps, _ = moved.shape
+        fixed = np.column_stack([*held.values(), np.empty((rows, 0))])
+        at_end, averaged = (np.zeros((rows, len(names))) for names in (ends, means))
+        references = [self._references(names) for names in (moving, held, ends, means)]
+        chunk = max(1, CHUNK // steps)
+        for first in range(0, rows, chunk):
+            self._check_stop()
+            part = slice(first, first + chunk)
+            begin = self.time + first * steps * step
+            arrays = (moved[part], fixed[part], at_end[part], averaged[part])
+            done = self._loops.record(self._slave.component, begin, step, *references, *arrays)
+            if done != len(moved[part]):
+                raise GyroError(self._explain(f"row {first + done} of {rows} failed"))
+        self.time += step * steps * rows
+        return at_end, averaged
 
     def read(self, name: str) -> float:
         """Present value of a variable, SI."""
@@ -174,6 +218,16 @@ class Gyro:
     def command(self, name: str, value: float) -> None:
         """Set an input, SI."""
         self._call(self._fmu.set_value, self._slave, name, value)
+
+    def _references(self, names: Iterable[str]) -> NDArray[np.uint32]:
+        for name in names:
+            if name not in self._fmu.references:
+                raise GyroError(f"the FMU has no variable {name}")
+        return np.array([self._fmu.references[name] for name in names], dtype=np.uint32)
+
+    def _check_stop(self) -> None:
+        if self._fmu.stop is not None and self._fmu.stop.is_set():
+            raise GyroError("the drive was stopped")
 
     def _call(self, function: Callable[..., Any], *args: Any, **kwargs: Any) -> None:
         try:
@@ -214,8 +268,8 @@ def _extracted(path: Path) -> Path:
 
 
 @lru_cache(maxsize=4)
-def _driver(library: str) -> Drive:
-    """Compiled loop over the FMU's own functions; all instances of a library share it."""
+def _compiled(library: str) -> Loops:
+    """Loops over the FMU's own functions; all instances of a library share them."""
     dll = ctypes.CDLL(library)
     status, handle, real = ctypes.c_int, ctypes.c_void_p, ctypes.c_double
 
@@ -241,4 +295,36 @@ def _driver(library: str) -> Drive:
                 return i
         return len(rates)
 
-    return drive
+    @numba.njit(nogil=True)
+    def record(
+        component: Any,
+        start: Any,
+        step: Any,
+        moving: Any,
+        held: Any,
+        end: Any,
+        mean: Any,
+        moved: Any,
+        fixed: Any,
+        ends: Any,
+        means: Any,
+    ) -> int:
+        rows, steps = moved.shape[:2]
+        now = np.empty(len(mean))
+        for i in range(rows):
+            if set_real(component, held.ctypes, len(held), fixed[i].ctypes) != ok:
+                return i
+            for j in range(steps):
+                time = start + (i * steps + j) * step
+                if (
+                    set_real(component, moving.ctypes, len(moving), moved[i, j].ctypes) != ok
+                    or do_step(component, time, step, 1) != ok
+                    or get_real(component, mean.ctypes, len(mean), now.ctypes) != ok
+                ):
+                    return i
+                means[i] += now / steps
+            if get_real(component, end.ctypes, len(end), ends[i].ctypes) != ok:
+                return i
+        return rows
+
+    return Loops(drive, record)

@@ -46,6 +46,16 @@ class Device:
     power_on_scatter: float = 0.0
     """Standard deviation of that angle from one power-on to the next, rad."""
 
+    name: str = "gyro"
+    misalignment: float = 0.0
+    """Tilt of the input axis from the table's axis, rad."""
+    misalignment_direction: float = 0.0
+    """Table angle at which the tilted axis leans north, rad."""
+
+    def nominal(self) -> dict[str, float]:
+        """What is believed of the gyro, by the keys of a campaign."""
+        return {"coriolis_factor": self.bryan_factor, "decay_time_s": self.decay_time}
+
     def fmu_parameters(self) -> dict[str, float]:
         """Values of the FMU's parameters, by name; the start angle is set at power-on."""
         control_period = 1e-3

@@ -1,21 +1,19 @@
-"""What bias tests have in common: 100 s means, runs, stability and repeatability."""
+"""What bias tests have in common: runs, stability and repeatability, findings."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.fmu import Gyro, GyroFmu
-from pyhrg.parameters import Device
+from pyhrg.bench.outcome import Finding, Table, deviation_finding, mean_finding
+from pyhrg.bench.segments import Segments
+from pyhrg.units import DEG_PER_H
 
-SEGMENT = 100.0
-"""Averaging time of one data point, s (paper 4.1, item 3)."""
 RUNS = 7
 """Power-ons of a test (paper 4.1, item 4)."""
 WARM_UP = 30.0
 """Time from power-on to the first data point, s: the loops' transient lasts about one."""
-EARTH_RATE = 7.292115e-5
-"""Earth's rotation rate, rad/s (WGS-84)."""
 
 
 @dataclass(frozen=True)
@@ -56,27 +54,23 @@ class BiasTest:
         """Bias repeatability, rad/s: standard deviation over runs of the runs' means, n - 1."""
         return float(np.std([run.mean for run in self.runs], ddof=1))
 
+    def findings(self) -> tuple[Finding, ...]:
+        """Bias, stability and repeatability with intervals over runs."""
+        return (
+            mean_finding("bias", [run.mean for run in self.runs], "deg/h"),
+            mean_finding("bias stability", [run.deviation for run in self.runs], "deg/h"),
+            deviation_finding("bias repeatability", [run.mean for run in self.runs], "deg/h"),
+        )
 
-def power_on(fmu: GyroFmu, device: Device, generator: np.random.Generator) -> Gyro:
-    """Switch a gyro on: new noise, and its power-on angle as well as it repeats."""
-    return fmu.power_on(
-        device.fmu_parameters(),
-        seed=int(generator.integers(2**31)),
-        start_angle=generator.normal(device.power_on_angle, device.power_on_scatter),
-    )
+    def table(self) -> Table:
+        """Runs in the layout of the paper's Table 2."""
+        rows = [
+            (str(number), f"{run.mean / DEG_PER_H:.5f}", f"{run.deviation / DEG_PER_H:.5f}")
+            for number, run in enumerate(self.runs, 1)
+        ]
+        return Table("Runs, deg/h", ("run", "mean", "std. dev."), tuple(rows))
 
 
-def segment_means(gyro: Gyro, rate: float, count: int) -> NDArray[np.float64]:
-    """Mean output rate of consecutive segments with the table at rest.
-
-    Args:
-        gyro: switched on and settled.
-        rate: component of Earth's rate on the input axis, rad/s; taken out of the result.
-        count: number of segments.
-
-    Returns:
-        (count,) rad/s.
-    """
-    before = gyro.read("gyroAngle")
-    angles = gyro.drive(np.full(count, rate), SEGMENT)
-    return np.diff(angles, prepend=before) / SEGMENT - rate
+def bias_test(runs: Sequence[Segments]) -> BiasTest:
+    """Of the segments of each run."""
+    return BiasTest(tuple(BiasRun(segments.rate) for segments in runs))

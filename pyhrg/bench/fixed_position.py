@@ -4,27 +4,63 @@ Procedure of the fibre-optic gyro standards, as the paper's sections 1.2 and 4.1
 input axis is level and points east, so that no Earth rate moves the pattern during the hour.
 """
 
-import numpy as np
-
-from pyhrg.bench.bias_test import WARM_UP, BiasRun, power_on, segment_means
-from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import Device
+from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.bias_test import RUNS, WARM_UP, BiasTest, bias_test
+from pyhrg.bench.outcome import Outcome
+from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.programme import Programme
+from pyhrg.bench.segments import SEGMENT, segment_means
+from pyhrg.campaign import Campaign, Test
+from pyhrg.units import DEG, DEG_PER_H
 
 SEGMENTS = 36
 """Data points of a run: one hour."""
+KIND = "static"
 
 
-def run(fmu: GyroFmu, device: Device, generator: np.random.Generator) -> BiasRun:
-    """One power-on of the test.
+def programme(bench: Bench, segments: int = SEGMENTS) -> Programme:
+    """One power-on: at rest, input axis east."""
+    return bench.programme().attitude(0.0).rest(WARM_UP + segments * SEGMENT)
 
-    Args:
-        fmu: the gyro's model.
-        device: its parameters.
-        generator: of noise seed and power-on angle.
 
-    Returns:
-        The run's data points, in order.
-    """
-    with power_on(fmu, device, generator) as gyro:
-        gyro.advance(0.0, WARM_UP)
-        return BiasRun(segment_means(gyro, 0.0, SEGMENTS))
+def record(bench: Bench, runs: int = RUNS, segments: int = SEGMENTS) -> list[Test]:
+    """Seven power-ons of an hour each."""
+    tasks = [PowerOn(f"fixed_{n + 1}", KIND, programme(bench, segments)) for n in range(runs)]
+    return bench.run(tasks)
+
+
+def measured(campaign: Campaign) -> BiasTest:
+    """Means, stability and repeatability of the campaign's static tests."""
+    latitude = campaign.site.latitude
+    logs = [test.log for test in tests_of(campaign, KIND)]
+    return bias_test([segment_means(log, latitude, 0.0, warm_up=WARM_UP) for log in logs])
+
+
+def evaluate(campaign: Campaign) -> Outcome:
+    """The old figure, and over how little of the circumference it was taken."""
+    test = measured(campaign)
+    logs = [test.log for test in tests_of(campaign, KIND)]
+    swept = max(float(log.wave_angle.max() - log.wave_angle.min()) for log in logs)
+    return Outcome(
+        procedure=PROCEDURE.name,
+        findings=test.findings(),
+        verdict=(
+            f"Bias stability {test.stability / DEG_PER_H:.2g} deg/h at a fixed position: the "
+            f"pattern moved over {swept / DEG:.2g} of the 90 deg of a period of the bias map, so "
+            "that this figure says nothing of the rest."
+        ),
+        tables=(test.table(),),
+        exclusions=tuple(text for log in logs for text in log.exclusions),
+    )
+
+
+PROCEDURE = Procedure(
+    name="fixed-position",
+    group="bias",
+    title="Bias at a fixed position (old method)",
+    rows=("bias stability, room temperature", "bias repeatability, room temperature"),
+    source="paper 4.1 (original method, Table 2); GJB 2426A, fibre-optic gyros",
+    kinds=(KIND,),
+    record=record,
+    evaluate=evaluate,
+)

@@ -1,62 +1,217 @@
 """The paper's bias test (section 4.1): 8N positions of the pattern, moved by the table.
 
-The paper spaces its 8 positions over 360 deg of pattern: 45 deg, half a period of the second pair
-of harmonics, where the fourth harmonic aliases into its own mean. Here they lie 22.5 deg of
-pattern apart (81.23 deg of table), a quarter of the fourth harmonic's period: its standard
-deviation over the positions does not depend on where they begin.
+One power-on goes through all positions; 100 s means at each; seven power-ons. The standard
+deviation of a run's points is its bias stability, that of the runs' means the repeatability. A fit
+of harmonics and tilt tells what the bias depends on, as far as the positions can tell.
 """
 
-import math
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
+from matplotlib.figure import Figure
 
-from pyhrg.bench.bias_test import (
-    EARTH_RATE,
-    WARM_UP,
-    BiasRun,
-    power_on,
-    segment_means,
-)
-from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import Device
-from pyhrg.units import DEG
+from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.bias_test import RUNS, WARM_UP, BiasTest, bias_test
+from pyhrg.bench.harmonics import MEAN, TILT, Fit, design, fit, harmonic
+from pyhrg.bench.outcome import BenchError, Finding, Outcome, mean_finding
+from pyhrg.bench.positions import HARMONICS, Plan, chosen, visible
+from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.programme import Programme
+from pyhrg.bench.segments import SEGMENT, Segments, segment_means
+from pyhrg.campaign import Campaign, Test
+from pyhrg.units import DEG, DEG_PER_H
 
-POSITIONS = 8
-PATTERN_STEP = 22.5 * DEG
+POSITIONS = 24
+SEGMENTS = 3
 TABLE_RATE = 10 * DEG
 SETTLE = 20.0
 """Time at rest before a position's first data point, s."""
-LATITUDE = 39.9 * DEG
-"""Of the paper's laboratory; the input axis points up."""
+KIND = "positions"
 
 
-def run(
-    fmu: GyroFmu,
-    device: Device,
-    generator: np.random.Generator,
-    positions: int = POSITIONS,
-    segments: int = 3,
-) -> BiasRun:
-    """One power-on of the test.
+@dataclass(frozen=True)
+class Map:
+    """Bias against pattern angle: terms of the fit, one fit a run, and what can't be seen."""
 
-    Args:
-        fmu: the gyro's model.
-        device: its parameters.
-        generator: of noise seed and power-on angle.
-        positions: 8N.
-        segments: 100 s means at each position.
+    harmonics: tuple[int, ...]
+    tilt: bool
+    fits: tuple[Fit, ...]
+    refused: tuple[str, ...]
 
-    Returns:
-        The run's positions * segments data points, in order.
+    def value(self, name: str) -> float:
+        """Of a term, mean over runs, rad/s."""
+        return float(np.mean([fitted.value(name) for fitted in self.fits]))
+
+    def finding(self, name: str) -> Finding:
+        """A term with its interval: over runs where there are three, else the fit's own."""
+        label = f"bias {name.replace('_', ' ')}"
+        if len(self.fits) > 2:
+            return mean_finding(label, [fitted.value(name) for fitted in self.fits], "deg/h")
+        fitted = self.fits[0]
+        low, high = fitted.interval(name)
+        n = len(fitted.residual)
+        return Finding(label, fitted.value(name), "deg/h", low, high, n, "of the first run")
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Terms of the fit."""
+        return self.fits[0].names
+
+
+def programme(bench: Bench, plan: Plan, segments: int = SEGMENTS) -> Programme:
+    """One power-on: input axis up, the table turns from position to position."""
+    course = bench.programme().rest(WARM_UP)
+    for position in range(plan.positions):
+        if position:
+            course.turn(plan.table_step, TABLE_RATE)
+        course.rest(SETTLE + segments * SEGMENT)
+    return course
+
+
+def record(
+    bench: Bench, plan: Plan | None = None, runs: int = RUNS, segments: int = SEGMENTS
+) -> list[Test]:
+    """Seven power-ons through all positions; the plan is chosen to tell all terms apart."""
+    plan = plan or chosen(POSITIONS, bench.device.bryan_factor)
+    course = programme(bench, plan, segments)
+    return bench.run([PowerOn(f"positions_{n + 1}", KIND, course) for n in range(runs)])
+
+
+def runs_of(campaign: Campaign) -> list[Segments]:
+    """Data points of each power-on, equally many at each position.
+
+    Raises:
+        BenchError: fewer than 8 positions.
     """
-    earth = EARTH_RATE * math.sin(LATITUDE)
-    move = PATTERN_STEP / device.bryan_factor / TABLE_RATE
-    points = []
-    with power_on(fmu, device, generator) as gyro:
-        gyro.advance(earth, WARM_UP)
-        for position in range(positions):
-            if position:
-                gyro.advance(earth + TABLE_RATE, move)
-            gyro.advance(earth, SETTLE)
-            points.append(segment_means(gyro, earth, segments))
-    return BiasRun(np.concatenate(points))
+    runs = []
+    for test in tests_of(campaign, KIND):
+        points = segment_means(test.log, campaign.site.latitude, SETTLE, warm_up=WARM_UP)
+        if points.dwells < 8:
+            raise BenchError(
+                f"{test.log.source}: {points.dwells} positions hold a segment of {SEGMENT:g} s "
+                "after settling; the test needs at least 8"
+            )
+        runs.append(_balanced(points))
+    return runs
+
+
+def _balanced(points: Segments) -> Segments:
+    """The same number of data points at each position, so that each counts alike."""
+    dwells, counts = np.unique(points.dwell, return_counts=True)
+    fewest = counts.min()
+    keep = np.concatenate([np.flatnonzero(points.dwell == d)[:fewest] for d in dwells])
+    return Segments(*(getattr(points, name)[keep] for name in points.__dataclass_fields__))
+
+
+def fitted_map(
+    runs: Sequence[Segments], wanted: Sequence[int] = HARMONICS, tilt: bool = True
+) -> Map:
+    """Fit each run by what its positions can tell apart."""
+    pattern, table = (
+        np.array([np.mean(getattr(runs[0], name)[runs[0].dwell == d]) for d in dwells(runs[0])])
+        for name in ("pattern_angle", "table_angle")
+    )
+    seen, with_tilt, refused = visible(pattern, table, wanted, tilt)
+    fits = tuple(
+        fit(design(run.pattern_angle, run.table_angle, seen, with_tilt), run.rate) for run in runs
+    )
+    return Map(tuple(seen), with_tilt, fits, tuple(refused))
+
+
+def dwells(run: Segments) -> list[int]:
+    """Numbers of the rests that hold points, in order."""
+    return sorted(set(run.dwell.tolist()))
+
+
+def variances(runs: Sequence[Segments]) -> tuple[float, float]:
+    """Within and between positions, (rad/s)^2, as an analysis of variance splits them.
+
+    Within: mean over positions and runs of the variance (n - 1) of a position's points; NaN with
+    one point a position. Between: variance of the positions' means less what within explains.
+    """
+    within, between = [], []
+    for run in runs:
+        groups = [run.rate[run.dwell == d] for d in dwells(run)]
+        count = len(groups[0])
+        inside = np.mean([np.var(g, ddof=1) for g in groups]) if count > 1 else np.nan
+        within.append(inside)
+        spread = np.var([np.mean(g) for g in groups], ddof=1)
+        between.append(spread - (inside / count if count > 1 else 0.0))
+    return float(np.mean(within)), float(np.mean(between))
+
+
+def evaluate(campaign: Campaign) -> Outcome:
+    """Stability, repeatability, variances, harmonics and tilt."""
+    runs = runs_of(campaign)
+    test, fitted = bias_test(runs), fitted_map(runs)
+    within, between = (np.sqrt(max(v, 0.0)) for v in variances(runs))
+    spread = (
+        Finding("within positions", float(within), "deg/h", note="standard deviation"),
+        Finding("between positions", float(between), "deg/h", note="standard deviation"),
+    )
+    maps = tuple(fitted.finding(name) for name in fitted.names if name != MEAN)
+    return Outcome(
+        procedure=PROCEDURE.name,
+        findings=(*test.findings(), *spread, *_amplitude(fitted), *maps),
+        verdict=_verdict(test, float(within), float(between)),
+        tables=(test.table(),),
+        warnings=fitted.refused,
+        exclusions=tuple(text for t in tests_of(campaign, KIND) for text in t.log.exclusions),
+        draw=lambda figure: draw(figure, runs, fitted),
+        values={"bias_map": {name: fitted.value(name) for name in fitted.names}},
+    )
+
+
+def _amplitude(fitted: Map) -> tuple[Finding, ...]:
+    if 4 not in fitted.harmonics:
+        return ()
+    cosine, sine = harmonic(4)
+    sizes = [float(np.hypot(f.value(cosine), f.value(sine))) for f in fitted.fits]
+    return (mean_finding("fourth harmonic", sizes, "deg/h", "amplitude"),)
+
+
+def _verdict(test: BiasTest, within: float, between: float) -> str:
+    share = f"{between / within:.3g} times" if within > 0 else "infinitely"
+    return (
+        f"Bias stability {test.stability / DEG_PER_H:.2g} deg/h over the circumference; "
+        f"positions differ {share} as much as a position's points do."
+    )
+
+
+def draw(figure: Figure, runs: Sequence[Segments], fitted: Map) -> None:
+    """Data points and fitted map against the pattern angle."""
+    axes = figure.add_subplot()
+    grid = np.linspace(0.0, np.pi, 361)
+    columns = design(grid, grid, fitted.harmonics, tilt=False)
+    curve = sum(fitted.value(name) * column for name, column in columns.items())
+    for number, run in enumerate(runs):
+        lean = sum(
+            fitted.value(name) * trig(run.table_angle)
+            for name, trig in zip(TILT, (np.cos, np.sin), strict=True)
+            if fitted.tilt
+        )
+        label = f"100 s means, {len(runs)} runs" if number == 0 else None
+        axes.plot(
+            run.pattern_angle % np.pi / DEG, (run.rate - lean) / DEG_PER_H, ".", label=label, ms=4
+        )
+    names = ", ".join(str(order) for order in fitted.harmonics) or "none"
+    axes.plot(grid / DEG, curve / DEG_PER_H, "k-", lw=1.2, label=f"fit, harmonics {names}")
+    axes.set_xlabel("pattern angle, deg")
+    axes.set_ylabel("bias, deg/h")
+    axes.set_xlim(0, 180)
+    axes.set_title("Bias over the circumference" + (", tilt removed" if fitted.tilt else ""))
+    axes.grid(alpha=0.3)
+    axes.legend()
+
+
+PROCEDURE = Procedure(
+    name="full-circumference",
+    group="bias",
+    title="Bias over the full circumference (8N positions)",
+    rows=("bias stability, room temperature", "bias repeatability, room temperature"),
+    source="paper 4.1, items 1 to 5; harmonics and tilt: docs/paper.md",
+    kinds=(KIND,),
+    record=record,
+    evaluate=evaluate,
+)

@@ -1,0 +1,162 @@
+"""The virtual bench: runs a programme on the gyro's FMU and logs it as a real bench would."""
+
+import math
+import threading
+import zlib
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.bench.programme import Programme
+from pyhrg.campaign import Campaign, Site, Test
+from pyhrg.fmu import GyroFmu
+from pyhrg.parameters import Device
+from pyhrg.records import Log
+from pyhrg.units import DEG, EARTH_RATE
+
+Array = NDArray[np.float64]
+
+LABORATORY = Site(latitude=39.9 * DEG, gravity=9.8015)
+"""The paper's (Beijing)."""
+INPUTS = {
+    "acceleration_x": "accelerationX",
+    "acceleration_y": "accelerationY",
+    "acceleration_z": "accelerationZ",
+    "virtual_rotation": "virtualRotation",
+    "amplitude_setpoint": "amplitudeSetpoint",
+    "phase_offset": "phaseOffset",
+    "drive_on": "driveOn",
+    "vibration": "vibration",
+    "bias_voltage": "biasVoltage",
+}
+"""Inputs of the FMU that hold over a row, by their name in a programme."""
+ENDS = {"gyro_angle": "gyroAngle", "wave_angle": "patternAngle", "amplitude": "amplitude"}
+MEANS = {
+    "amplitude_force": "amplitudeForce",
+    "quadrature_force": "quadratureForce",
+    "frequency_offset": "frequencyOffset",
+    "valid": "valid",
+}
+"""Outputs of the FMU by their field of a log: at a row's end, and averaged over the row."""
+
+
+@dataclass(frozen=True)
+class PowerOn:
+    """One power-on to be made: its identity within the campaign, and what is done.
+
+    id: of the test; also decides the seed, so that a procedure gives the same alone and among all.
+    kind: as in the campaign format.
+    """
+
+    id: str
+    kind: str
+    programme: Programme
+
+
+@dataclass(frozen=True)
+class Bench:
+    """A gyro on a turntable.
+
+    step: communication step, s; rows of a programme are multiples of it.
+    done: told the gyro time, s, of each power-on when it is over.
+    """
+
+    fmu: GyroFmu
+    device: Device
+    seed: int = 1
+    site: Site = LABORATORY
+    step: float = 0.01
+    workers: int = 1
+    done: Callable[[float], None] = field(default=lambda seconds: None, compare=False)
+
+    def programme(self, interval: float = 1.0) -> Programme:
+        """A programme for this site, to be filled."""
+        return Programme(interval, self.site.gravity)
+
+    def run(self, power_ons: Sequence[PowerOn]) -> list[Test]:
+        """Make power-ons, in parallel where there are workers; same numbers on any number."""
+        stop = threading.Event()
+        self.fmu.stop = stop
+        with ThreadPoolExecutor(self.workers) as pool:
+            try:
+                return list(pool.map(self.log, power_ons))
+            except BaseException:
+                stop.set()
+                raise
+            finally:
+                self.fmu.stop = None
+
+    def log(self, power_on: PowerOn) -> Test:
+        """Make one power-on: new noise, and the power-on angle as well as it repeats."""
+        generator = self.generator(power_on.id)
+        programme = power_on.programme
+        device = self.device
+        with self.fmu.power_on(
+            device.fmu_parameters(),
+            seed=int(generator.integers(2**31)),
+            start_angle=generator.normal(device.power_on_angle, device.power_on_scatter),
+        ) as gyro:
+            ends, means = gyro.record(
+                self._moving(programme),
+                {INPUTS[name]: programme.held(name) for name in INPUTS},
+                self.step,
+                list(ENDS.values()),
+                list(MEANS.values()),
+            )
+        outputs = dict(zip((*ENDS, *MEANS), [*ends.T, *means.T], strict=True))
+        self.done(programme.time)
+        log = Log(
+            source=power_on.id,
+            interval=programme.interval,
+            time=np.arange(1, len(programme) + 1) * programme.interval,
+            table_angle=programme.table_angle,
+            temperature=programme.temperature[1:],
+            **{name: programme.held(name) for name in LOGGED},
+            **outputs,
+        )
+        return Test(id=power_on.id, kind=power_on.kind, role="fit", log=log)
+
+    def campaign(self, tests: Sequence[Test]) -> Campaign:
+        """The tests with what is believed of the gyro, as a test engineer would bring them home."""
+        return Campaign(self.device.name, self.site, self.device.nominal(), tuple(tests))
+
+    def generator(self, identity: str) -> np.random.Generator:
+        """Randomness of one power-on."""
+        key = zlib.crc32(identity.encode())
+        return np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(key,)))
+
+    def _moving(self, programme: Programme) -> dict[str, Array]:
+        """(n, m) inputs that change within a row, in each communication step, SI."""
+        steps = round(programme.interval / self.step)
+        if steps < 1 or abs(steps * self.step - programme.interval) > 1e-9:
+            raise ValueError(
+                f"rows of {programme.interval:g} s are no multiple of the step {self.step:g} s"
+            )
+        share = (np.arange(steps) + 0.5) / steps
+        rate = between(programme.table_rate, share)
+        begun = np.concatenate(([0.0], programme.table_angle[:-1]))[:, None]
+        swept = programme.interval * share * between(programme.table_rate, share / 2)
+        earth = self.earth_rate(programme.held("axis_up")[:, None], begun + swept)
+        return {
+            "angularRate": rate + earth,
+            "caseTemperature": between(programme.temperature, share),
+        }
+
+    def earth_rate(self, axis_up: Array, table_angle: Array) -> Array:
+        """Earth's rate on the input axis, rad/s; a misaligned axis leans north once a turn."""
+        latitude, device = self.site.latitude, self.device
+        lean = device.misalignment * np.cos(table_angle - device.misalignment_direction)
+        up = axis_up * math.sin(latitude) * np.cos(device.misalignment)
+        return np.asarray(EARTH_RATE * (up + math.cos(latitude) * np.sin(lean)))
+
+
+LOGGED = tuple(name for name in ("axis_up", *INPUTS) if name not in ("vibration", "bias_voltage"))
+"""What a programme holds and a log shows."""
+
+
+def between(bounds: Array, share: Array) -> Array:
+    """(n, m) values at shares (m,) of the way between neighbours of (n + 1,)."""
+    return np.asarray(bounds[:-1, None] + np.diff(bounds)[:, None] * share)

@@ -1,0 +1,51 @@
+"""What a test procedure is: it records on the FMU, and evaluates records from anywhere."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from pyhrg.bench.bench import Bench
+from pyhrg.bench.outcome import BenchError, Outcome
+from pyhrg.campaign import Campaign, Test
+
+
+@dataclass(frozen=True)
+class Procedure:
+    """One test.
+
+    name: on the command line.
+    group: of the report.
+    title: what it measures.
+    rows: of the paper's Table 1 that it gives, in their English terms.
+    source: where the method and its formulas are from.
+    kinds: of tests that it evaluates (campaign format).
+    record: makes the test's power-ons on the virtual bench.
+    evaluate: gives the outcome of a campaign that holds tests of these kinds.
+    """
+
+    name: str
+    group: str
+    title: str
+    rows: tuple[str, ...]
+    source: str
+    kinds: tuple[str, ...]
+    record: Callable[[Bench], list[Test]]
+    evaluate: Callable[[Campaign], Outcome]
+
+    def run(self, bench: Bench) -> Outcome:
+        """Record on the virtual bench and evaluate."""
+        return self.evaluate(bench.campaign(self.record(bench)))
+
+
+def tests_of(campaign: Campaign, *kinds: str) -> list[Test]:
+    """The campaign's tests of these kinds.
+
+    Raises:
+        BenchError: there are none.
+    """
+    found = [test for test in campaign.tests if test.kind in kinds]
+    if not found:
+        there = ", ".join(sorted({test.kind for test in campaign.tests})) or "no tests"
+        raise BenchError(
+            f"{campaign.device}: no test of kind {' or '.join(kinds)}; the campaign has {there}"
+        )
+    return found

@@ -1,0 +1,106 @@
+"""Means over segments of a log while the table rests: the data points of every bias test."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.bench.outcome import BenchError
+from pyhrg.records import Log
+from pyhrg.units import DEG, EARTH_RATE
+
+Array = NDArray[np.float64]
+
+SEGMENT = 100.0
+"""Averaging time of one data point, s (paper 4.1, item 3)."""
+AT_REST = 1e-3 * DEG
+"""The table rests while it turns less than this in a row, rad."""
+
+
+@dataclass(frozen=True)
+class Segments:
+    """Data points of one power-on, each (n,).
+
+    rate: output rate less Earth's rate on the input axis, rad/s.
+    pattern_angle, table_angle: means over the segment, rad.
+    dwell: number of the rest of the table that the segment lies in.
+    time: middle of the segment, s.
+    """
+
+    rate: Array
+    pattern_angle: Array
+    table_angle: Array
+    dwell: NDArray[np.int64]
+    time: Array
+
+    def __len__(self) -> int:
+        return len(self.rate)
+
+    @property
+    def dwells(self) -> int:
+        """How many rests hold a segment."""
+        return len(np.unique(self.dwell))
+
+
+def rests(log: Log, settle: float) -> list[slice]:
+    """Rows of each stretch with the table at rest, drive on, no virtual rotation and no gap, from
+    `settle` seconds after it began."""
+    turned = np.abs(np.diff(log.table_angle, prepend=log.table_angle[:1]))
+    quiet = (turned < AT_REST) & (log.virtual_rotation == 0.0) & (log.drive_on > 0.5)
+    found = []
+    for stretch in log.stretches("gyro_angle", "wave_angle"):
+        rows = np.arange(len(quiet))[stretch]
+        broken = np.flatnonzero(~quiet[rows])
+        bounds = [-1, *broken.tolist(), len(rows)]
+        for before, after in zip(bounds, bounds[1:], strict=False):
+            first = before + 1 + math.ceil(settle / log.interval - 1e-9)
+            if after > first:
+                found.append(slice(int(rows[first]), int(rows[after - 1]) + 1))
+    return found
+
+
+def segment_means(
+    log: Log, latitude: float, settle: float, length: float = SEGMENT, warm_up: float = 0.0
+) -> Segments:
+    """Means of whole segments within the rests of a log.
+
+    Args:
+        log: one power-on.
+        latitude: of the site, rad.
+        settle: left out at the beginning of each rest, s.
+        length: of a segment, s.
+        warm_up: left out after power-on, s.
+
+    Raises:
+        BenchError: no rest is as long as a segment.
+    """
+    log.require("table_angle", "axis_up", "gyro_angle", "wave_angle")
+    rows = round(length / log.interval)
+    points: list[tuple[float, ...]] = []
+    longest = 0.0
+    for number, rest in enumerate(rests(log, settle)):
+        late = int(np.searchsorted(log.time, log.time[0] + warm_up - 1e-9))
+        first = max(rest.start, late)
+        longest = max(longest, (rest.stop - first - 1) * log.interval)
+        for begin in range(first, rest.stop - rows, rows):
+            points.append((*_mean(log, latitude, begin, begin + rows), number))
+    if not points:
+        raise BenchError(
+            f"{log.source}: no rest of the table holds a segment of {length:g} s after {settle:g} s"
+            f" of settling; the longest has {longest:g} s"
+        )
+    rate, pattern, table, time, dwell = np.array(points).T
+    return Segments(rate, pattern, table, dwell.astype(np.int64), time)
+
+
+def _mean(log: Log, latitude: float, begin: int, end: int) -> tuple[float, ...]:
+    """Rate, pattern angle, table angle and time of the rows after `begin` up to `end`."""
+    span = log.time[end] - log.time[begin]
+    earth = EARTH_RATE * math.sin(latitude) * np.mean(log.axis_up[begin + 1 : end + 1])
+    rate = (log.gyro_angle[end] - log.gyro_angle[begin]) / span - earth
+    part = slice(begin, end + 1)
+    pattern, table, time = (
+        float(np.mean(values[part])) for values in (log.wave_angle, log.table_angle, log.time)
+    )
+    return float(rate), pattern, table, time

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from pyhrg.bench.programme import Programme
 from pyhrg.campaign import Campaign, Site, Test
-from pyhrg.fmu import GyroFmu
+from pyhrg.fmu import Gyro, GyroFmu
 from pyhrg.parameters import Device
 from pyhrg.records import Log
 from pyhrg.units import DEG, EARTH_RATE
@@ -89,16 +89,25 @@ class Bench:
             finally:
                 self.fmu.stop = None
 
-    def log(self, power_on: PowerOn) -> Test:
-        """Make one power-on: new noise, and the power-on angle as well as it repeats."""
-        generator = self.generator(power_on.id)
-        programme = power_on.programme
+    def power_on(self, identity: str) -> Gyro:
+        """Switch the gyro on: new noise, and its power-on angle as well as it repeats.
+
+        Args:
+            identity: of the power-on; the same one has the same noise and angle.
+        """
+        key = zlib.crc32(identity.encode())
+        generator = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(key,)))
         device = self.device
-        with self.fmu.power_on(
+        return self.fmu.power_on(
             device.fmu_parameters(),
             seed=int(generator.integers(2**31)),
             start_angle=generator.normal(device.power_on_angle, device.power_on_scatter),
-        ) as gyro:
+        )
+
+    def log(self, power_on: PowerOn) -> Test:
+        """Make one power-on and log it."""
+        programme = power_on.programme
+        with self.power_on(power_on.id) as gyro:
             ends, means = gyro.record(
                 self._moving(programme),
                 {INPUTS[name]: programme.held(name) for name in INPUTS},
@@ -122,11 +131,6 @@ class Bench:
     def campaign(self, tests: Sequence[Test]) -> Campaign:
         """The tests with what is believed of the gyro, as a test engineer would bring them home."""
         return Campaign(self.device.name, self.site, self.device.nominal(), tuple(tests))
-
-    def generator(self, identity: str) -> np.random.Generator:
-        """Randomness of one power-on."""
-        key = zlib.crc32(identity.encode())
-        return np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(key,)))
 
     def _moving(self, programme: Programme) -> dict[str, Array]:
         """(n, m) inputs that change within a row, in each communication step, SI."""

@@ -28,6 +28,9 @@ TABLE_RATE = 10 * DEG
 SETTLE = 20.0
 """Time at rest before a position's first data point, s."""
 KIND = "positions"
+SHORTEST = Plan(positions=8, pattern_step=22.5 * DEG)
+"""The paper's simplest case with its spacing mended: the standard deviation of a fourth harmonic
+does not depend on where the pattern begins."""
 
 
 @dataclass(frozen=True)
@@ -69,13 +72,28 @@ def programme(bench: Bench, plan: Plan, segments: int = SEGMENTS) -> Programme:
     return course
 
 
-def record(
+def power_ons(
     bench: Bench, plan: Plan | None = None, runs: int = RUNS, segments: int = SEGMENTS
-) -> list[Test]:
-    """Seven power-ons through all positions; the plan is chosen to tell all terms apart."""
+) -> list[PowerOn]:
+    """Seven through all positions; the plan is chosen to tell all terms apart."""
     plan = plan or chosen(POSITIONS, bench.device.bryan_factor)
     course = programme(bench, plan, segments)
-    return bench.run([PowerOn(f"positions_{n + 1}", KIND, course) for n in range(runs)])
+    return [PowerOn(f"positions_{n + 1}", KIND, course) for n in range(runs)]
+
+
+def record(bench: Bench) -> list[Test]:
+    """Run them."""
+    return bench.run(power_ons(bench))
+
+
+def measured(campaign: Campaign) -> BiasTest:
+    """Means, stability and repeatability of the campaign's position tests (paper 4.1)."""
+    return bias_test(runs_of(campaign))
+
+
+def mean_bias(campaign: Campaign) -> float:
+    """Bias averaged over the circumference, rad/s: the mean of the fitted fourth harmonic's map."""
+    return fitted_map(runs_of(campaign), wanted=(4,), tilt=False).value(MEAN)
 
 
 def runs_of(campaign: Campaign) -> list[Segments]:

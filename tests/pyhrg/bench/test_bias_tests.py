@@ -8,7 +8,7 @@ import pytest
 from pyhrg import theory
 from pyhrg.bench import fixed_position, full_circumference
 from pyhrg.bench.bias_test import BiasRun, BiasTest
-from pyhrg.bench.report import bias_table
+from pyhrg.bench.comparison import bias_table
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL
 from pyhrg.units import DEG, DEG_PER_H

@@ -1,4 +1,4 @@
-"""Bench results as text."""
+"""The two bias tests side by side, in the layout of the paper's Table 2."""
 
 from pyhrg.bench.bias_test import BiasTest
 from pyhrg.units import DEG_PER_H

@@ -1,0 +1,151 @@
+"""The file of a log as numbers: CSV, gzipped or not, every field checked."""
+
+import csv
+import gzip
+import io
+import math
+import zlib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.records.columns import BY_FIELD, COLUMNS, Column, LogError, mislabelled
+
+Array = NDArray[np.float64]
+
+SHOWN = 8
+"""Stretches of rows that a message lists before it only counts."""
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows of a log while they are being checked."""
+
+    source: str
+    rows: NDArray[np.int64]
+    """(n,) row in the file; the header is row 1."""
+    columns: dict[str, Array]
+    """(n,) by field, SI; NaN where there is no value."""
+    notes: tuple[str, ...] = ()
+
+    def error(self, row: int, field: str, trouble: str) -> LogError:
+        """What is wrong at an index of the table."""
+        return LogError(f"{self.source}: row {self.rows[row]}, {BY_FIELD[field].name}: {trouble}")
+
+    def noted(self, chosen: NDArray[np.bool_], trouble: str) -> "Table":
+        """With a sentence on the chosen rows; the same where none is chosen."""
+        if not chosen.any():
+            return self
+        note = f"{spans(self.rows[chosen])}: {trouble}"
+        return Table(self.source, self.rows, self.columns, (*self.notes, note))
+
+    def kept(self, chosen: NDArray[np.bool_]) -> "Table":
+        """Only the chosen rows."""
+        columns = {field: values[chosen] for field, values in self.columns.items()}
+        return Table(self.source, self.rows[chosen], columns, self.notes)
+
+    def emptied(self, field: str, chosen: NDArray[np.bool_]) -> "Table":
+        """Without a column's values in the chosen rows."""
+        columns = self.columns | {field: np.where(chosen, np.nan, self.columns[field])}
+        return Table(self.source, self.rows, columns, self.notes)
+
+
+def spans(rows: NDArray[np.int64]) -> str:
+    """Rows in words: `rows 17, 203-210`."""
+    pieces = np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1)
+    texts = [f"{p[0]}-{p[-1]}" if len(p) > 1 else f"{p[0]}" for p in pieces[:SHOWN]]
+    more = f" and more, {len(rows)} rows in all" if len(pieces) > SHOWN else ""
+    return f"row{'s' if len(rows) > 1 else ''} {', '.join(texts)}{more}"
+
+
+def read_table(path: Path) -> Table:
+    """Read numbers and turn them into SI.
+
+    Raises:
+        LogError: an unreadable file, a column that stands there twice or under a wrong unit, no
+            time, no rows, a row with too few or too many fields, a field that is no number or is
+            out of range.
+    """
+    header, numbers, fields = _split(path)
+    _check_header(path, header)
+    columns = {column.field: np.full(len(numbers), np.nan) for column in COLUMNS}
+    for column in COLUMNS:
+        if column.name in header:
+            values = _values(path, column, numbers, fields[header.index(column.name)])
+            columns[column.field] = column.factor * values + column.offset
+    names = [column.name for column in COLUMNS]
+    notes = [f"no column {name}" for name in names if name not in header]
+    notes += [f"column {name}: not known, ignored" for name in header if name not in names]
+    return Table(path.name, np.array(numbers), columns, tuple(notes))
+
+
+def _split(path: Path) -> tuple[list[str], list[int], list[Sequence[str]]]:
+    """Header, the rows' numbers, and the fields column by column."""
+    reader = csv.reader(io.StringIO(_text(path)))
+    try:
+        header = [name.strip() for name in next(reader, [])]
+        rows = list(reader)
+    except csv.Error as error:
+        raise LogError(f"{path.name}: row {reader.line_num}: {error}") from error
+    numbers = [number for number, row in enumerate(rows, 2) if row]
+    rows = [row for row in rows if row]
+    for number, row in zip(numbers, rows, strict=True):
+        if len(row) != len(header):
+            raise LogError(
+                f"{path.name}: row {number}: {len(row)} fields; expected {len(header)} as in row 1"
+            )
+    if len(rows) < 2:
+        raise LogError(f"{path.name}: {len(rows)} rows of values; expected at least 2")
+    return header, numbers, list(zip(*rows, strict=True))
+
+
+def _text(path: Path) -> str:
+    try:
+        data = path.read_bytes()
+        return (gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data).decode("utf-8-sig")
+    except (OSError, EOFError, zlib.error, UnicodeDecodeError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise LogError(f"{path}: can't be read: {reason}") from error
+
+
+def _check_header(path: Path, header: list[str]) -> None:
+    names = [column.name for column in COLUMNS]
+    for name in header:
+        meant = mislabelled(name)
+        if name in names and header.count(name) > 1:
+            raise LogError(f"{path.name}: column {name} stands there more than once")
+        if name not in names and meant and meant.name not in header:
+            raise LogError(f"{path.name}: column {name}; expected {meant.name}")
+    if names[0] not in header:
+        raise LogError(f"{path.name}: column {names[0]} is missing; found {', '.join(header)}")
+
+
+def _values(path: Path, column: Column, numbers: list[int], texts: Sequence[str]) -> Array:
+    """A column in the file's unit; NaN where the field is empty or says so."""
+    try:
+        values = np.array([float(text or "nan") for text in texts])
+    except ValueError:
+        values = np.array(
+            [_number(path, column, *pair) for pair in zip(numbers, texts, strict=True)]
+        )
+    wrong = np.isinf(values) | (values < column.lowest) | (values > column.highest)
+    if wrong.any():
+        row = int(np.argmax(wrong))
+        limits = math.isfinite(column.lowest) or math.isfinite(column.highest)
+        expected = f"{column.lowest:g} to {column.highest:g}" if limits else "a finite number"
+        raise LogError(
+            f"{path.name}: row {numbers[row]}, {column.name}: {texts[row]}; expected {expected}"
+        )
+    return values
+
+
+def _number(path: Path, column: Column, row: int, text: str) -> float:
+    try:
+        return float(text.strip() or "nan")
+    except ValueError:
+        raise LogError(
+            f"{path.name}: row {row}, {column.name}: {text!r}; expected a number"
+        ) from None

@@ -14,8 +14,6 @@ RUNS = 7
 """Power-ons of a test (paper 4.1, item 4)."""
 WARM_UP = 30.0
 """Time from power-on to the first data point, s: the loops' transient lasts about one."""
-EARTH_RATE = 7.292115e-5
-"""Earth's rotation rate, rad/s (WGS-84)."""
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,6 @@ import math
 import numpy as np
 
 from pyhrg.bench.bias_test import (
-    EARTH_RATE,
     WARM_UP,
     BiasRun,
     power_on,
@@ -19,6 +18,7 @@ from pyhrg.bench.bias_test import (
 )
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import Device
+from pyhrg.site import EARTH_RATE
 from pyhrg.units import DEG
 
 POSITIONS = 8

@@ -1,6 +1,5 @@
 """The virtual bench: runs a programme on the gyro's FMU and logs it as a real bench would."""
 
-import math
 import threading
 import zlib
 from collections.abc import Callable, Sequence
@@ -11,16 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.bench.programme import Programme
-from pyhrg.campaign import Campaign, Site, Test
+from pyhrg.campaign import Campaign, Test
+from pyhrg.device import Device
+from pyhrg.device_file import nominal
 from pyhrg.fmu import Gyro, GyroFmu
-from pyhrg.parameters import Device
 from pyhrg.records import Log
-from pyhrg.units import DEG, EARTH_RATE
 
 Array = NDArray[np.float64]
 
-LABORATORY = Site(latitude=39.9 * DEG, gravity=9.8015)
-"""The paper's (Beijing)."""
 INPUTS = {
     "acceleration_x": "accelerationX",
     "acceleration_y": "accelerationY",
@@ -67,14 +64,15 @@ class Bench:
     fmu: GyroFmu
     device: Device
     seed: int = 1
-    site: Site = LABORATORY
     step: float = 0.01
     workers: int = 1
     done: Callable[[float], None] = field(default=lambda seconds: None, compare=False)
 
     def programme(self, interval: float = 1.0) -> Programme:
-        """A programme for this site, to be filled."""
-        return Programme(interval, self.site.gravity)
+        """A programme for this gyro and site, to be filled."""
+        device = self.device
+        course = Programme(interval, device.site.gravity, device.reference_temperature)
+        return course.command(amplitude_setpoint=device.amplitude)
 
     def run(self, power_ons: Sequence[PowerOn]) -> list[Test]:
         """Make power-ons, in parallel where there are workers; same numbers on any number."""
@@ -130,7 +128,7 @@ class Bench:
 
     def campaign(self, tests: Sequence[Test]) -> Campaign:
         """The tests with what is believed of the gyro, as a test engineer would bring them home."""
-        return Campaign(self.device.name, self.site, self.device.nominal(), tuple(tests))
+        return Campaign(self.device.name, self.device.site, nominal(self.device), tuple(tests))
 
     def _moving(self, programme: Programme) -> dict[str, Array]:
         """(n, m) inputs that change within a row, in each communication step, SI."""
@@ -151,10 +149,11 @@ class Bench:
 
     def earth_rate(self, axis_up: Array, table_angle: Array) -> Array:
         """Earth's rate on the input axis, rad/s; a misaligned axis leans north once a turn."""
-        latitude, device = self.site.latitude, self.device
-        lean = device.misalignment * np.cos(table_angle - device.misalignment_direction)
-        up = axis_up * math.sin(latitude) * np.cos(device.misalignment)
-        return np.asarray(EARTH_RATE * (up + math.cos(latitude) * np.sin(lean)))
+        site, device = self.device.site, self.device
+        north = np.cos(table_angle + device.misalignment_direction)
+        up = axis_up * np.cos(device.misalignment)
+        lean = np.sin(device.misalignment) * north
+        return np.asarray(site.vertical_rate * up + site.horizontal_rate * lean)
 
 
 LOGGED = tuple(name for name in ("axis_up", *INPUTS) if name not in ("vibration", "bias_voltage"))

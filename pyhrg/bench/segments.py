@@ -2,13 +2,15 @@
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
 from pyhrg.records import Log
-from pyhrg.units import DEG, EARTH_RATE
+from pyhrg.site import EARTH_RATE
+from pyhrg.units import DEG
 
 Array = NDArray[np.float64]
 
@@ -53,7 +55,7 @@ def rests(log: Log, settle: float) -> list[slice]:
         rows = np.arange(len(quiet))[stretch]
         broken = np.flatnonzero(~quiet[rows])
         bounds = [-1, *broken.tolist(), len(rows)]
-        for before, after in zip(bounds, bounds[1:], strict=False):
+        for before, after in pairwise(bounds):
             first = max(before, 0) + math.ceil(settle / log.interval - 1e-9)
             if after > first + 1:
                 found.append(slice(int(rows[first]), int(rows[after - 1]) + 1))

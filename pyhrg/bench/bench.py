@@ -115,16 +115,15 @@ class Bench:
             )
         outputs = dict(zip((*ENDS, *MEANS), [*ends.T, *means.T], strict=True))
         self.done(programme.time)
-        log = Log(
-            source=power_on.id,
-            interval=programme.interval,
-            time=np.arange(1, len(programme) + 1) * programme.interval,
-            table_angle=programme.table_angle,
-            temperature=programme.temperature[1:],
+        columns = {
+            "time": np.arange(1, len(programme) + 1) * programme.interval,
+            "table_angle": programme.table_angle,
+            "temperature": programme.temperature[1:],
             **{name: programme.held(name) for name in LOGGED},
             **outputs,
-        )
-        return Test(id=power_on.id, kind=power_on.kind, role="fit", log=log)
+        }
+        log = Log(source=power_on.id, interval=programme.interval, exclusions=(), **columns)
+        return Test(id=power_on.id, kind=power_on.kind, role="fit", recording=log)
 
     def campaign(self, tests: Sequence[Test]) -> Campaign:
         """The tests with what is believed of the gyro, as a test engineer would bring them home."""

@@ -35,6 +35,8 @@ class Column:
     highest: float = math.inf
     digits: int = 12
     """Significant digits that are written: well below the noise of any gyro."""
+    optional: bool = False
+    """Beyond the campaign format: nothing is said where it isn't there."""
 
     @property
     def name(self) -> str:
@@ -118,6 +120,13 @@ COLUMNS = (
         *("frequency_offset", "frequency_offset", "Hz", "response"),
         "phase-loop frequency less the nominal one",
         factor=2 * math.pi,
+    ),
+    Column(
+        *("valid", "valid", "", "response"),
+        "share of the interval in which the output was valid",
+        lowest=0.0,
+        highest=1.0,
+        optional=True,
     ),
 )
 """In the order in which they are written."""

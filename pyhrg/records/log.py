@@ -56,6 +56,8 @@ class Log:
     """Amplitude units per second, 1/s."""
     frequency_offset: Array
     """Loop frequency less the nominal one, rad/s."""
+    valid: Array
+    """Share of the interval in which the output was valid."""
     exclusions: tuple[str, ...] = ()
     """What was left out on reading, a sentence each; rows are the file's, its header is row 1."""
 
@@ -135,7 +137,7 @@ def _with_missing_noted(table: Table) -> Table:
     for column in COLUMNS:
         missing = np.isnan(table.columns[column.field])
         if missing.all():
-            if f"no column {column.name}" not in table.notes:
+            if not column.optional and f"no column {column.name}" not in table.notes:
                 table = table.noted(missing, f"{column.name} missing")
         else:
             table = table.noted(missing, f"{column.name} missing")

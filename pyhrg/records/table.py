@@ -77,7 +77,8 @@ def read_table(path: Path) -> Table:
             values = _values(path, column, numbers, fields[header.index(column.name)])
             columns[column.field] = column.factor * values + column.offset
     names = [column.name for column in COLUMNS]
-    notes = [f"no column {name}" for name in names if name not in header]
+    expected = [column.name for column in COLUMNS if not column.optional]
+    notes = [f"no column {name}" for name in expected if name not in header]
     notes += [f"column {name}: not known, ignored" for name in header if name not in names]
     return Table(path.name, np.array(numbers), columns, tuple(notes))
 

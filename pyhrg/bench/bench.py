@@ -4,12 +4,13 @@ import threading
 import zlib
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.bench.programme import Programme
+from pyhrg.bench.store import Store, key_of
 from pyhrg.campaign import Campaign, Test
 from pyhrg.device import Device
 from pyhrg.device_file import nominal
@@ -58,6 +59,7 @@ class Bench:
     """A gyro on a turntable.
 
     step: communication step, s; rows of a programme are multiples of it.
+    store: where logs are kept to resume from; None keeps none.
     done: told the gyro time, s, of each power-on when it is over.
     """
 
@@ -66,6 +68,7 @@ class Bench:
     seed: int = 1
     step: float = 0.01
     workers: int = 1
+    store: Store | None = None
     done: Callable[[float], None] = field(default=lambda seconds: None, compare=False)
 
     def programme(self, interval: float = 1.0) -> Programme:
@@ -103,7 +106,22 @@ class Bench:
         )
 
     def log(self, power_on: PowerOn) -> Test:
-        """Make one power-on and log it."""
+        """Make one power-on and log it, or take the log that an earlier attempt kept."""
+        key = key_of(
+            power_on.programme,
+            **{"id": power_on.id, "seed": self.seed, "step": self.step},
+            **{"fmu": self.fmu.folder.name, "device": self.device},
+        )
+        log = self.store.load(key) if self.store else None
+        if log is None:
+            log = self._recorded(power_on)
+            if self.store:
+                self.store.keep(key, log)
+        self.done(power_on.programme.time)
+        recording = replace(log, source=power_on.id)
+        return Test(id=power_on.id, kind=power_on.kind, role="fit", recording=recording)
+
+    def _recorded(self, power_on: PowerOn) -> Log:
         programme = power_on.programme
         with self.power_on(power_on.id) as gyro:
             ends, means = gyro.record(
@@ -114,7 +132,6 @@ class Bench:
                 list(MEANS.values()),
             )
         outputs = dict(zip((*ENDS, *MEANS), [*ends.T, *means.T], strict=True))
-        self.done(programme.time)
         columns = {
             "time": np.arange(1, len(programme) + 1) * programme.interval,
             "table_angle": programme.table_angle,
@@ -122,8 +139,7 @@ class Bench:
             **{name: programme.held(name) for name in LOGGED},
             **outputs,
         }
-        log = Log(source=power_on.id, interval=programme.interval, exclusions=(), **columns)
-        return Test(id=power_on.id, kind=power_on.kind, role="fit", recording=log)
+        return Log(source=power_on.id, interval=programme.interval, exclusions=(), **columns)
 
     def campaign(self, tests: Sequence[Test]) -> Campaign:
         """The tests with what is believed of the gyro, as a test engineer would bring them home."""

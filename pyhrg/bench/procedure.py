@@ -20,6 +20,8 @@ class Procedure:
     kinds: of tests that it evaluates (campaign format).
     record: makes the test's power-ons on the virtual bench.
     evaluate: gives the outcome of a campaign that holds tests of these kinds.
+    model: the gyro that the virtual bench takes (`fmu_build.roots.ROOTS`), step: its communication
+        step, s.
     """
 
     name: str
@@ -30,6 +32,8 @@ class Procedure:
     kinds: tuple[str, ...]
     record: Callable[[Bench], list[Test]]
     evaluate: Callable[[Campaign], Outcome]
+    model: str = "HRG"
+    step: float = 0.01
 
     def run(self, bench: Bench) -> Outcome:
         """Record on the virtual bench and evaluate."""

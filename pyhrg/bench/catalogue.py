@@ -1,0 +1,10 @@
+"""All test procedures, in the order of a full bench."""
+
+from pyhrg.bench import fixed_position, full_circumference
+from pyhrg.bench.procedure import Procedure
+
+PROCEDURES: tuple[Procedure, ...] = (
+    fixed_position.PROCEDURE,
+    full_circumference.PROCEDURE,
+)
+BY_NAME = {procedure.name: procedure for procedure in PROCEDURES}

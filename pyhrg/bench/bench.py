@@ -47,11 +47,13 @@ class PowerOn:
 
     id: of the test; also decides the seed, so that a procedure gives the same alone and among all.
     kind: as in the campaign format.
+    start_angle: of the pattern, rad; the device's own, with its scatter, if None.
     """
 
     id: str
     kind: str
     programme: Programme
+    start_angle: float | None = None
 
 
 @dataclass(frozen=True)
@@ -90,20 +92,19 @@ class Bench:
             finally:
                 self.fmu.stop = None
 
-    def power_on(self, identity: str) -> Gyro:
+    def power_on(self, identity: str, start_angle: float | None = None) -> Gyro:
         """Switch the gyro on: new noise, and its power-on angle as well as it repeats.
 
         Args:
             identity: of the power-on; the same one has the same noise and angle.
+            start_angle: of the pattern, rad, instead of the device's own.
         """
         key = zlib.crc32(identity.encode())
         generator = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(key,)))
-        device = self.device
-        return self.fmu.power_on(
-            device.fmu_parameters(),
-            seed=int(generator.integers(2**31)),
-            start_angle=generator.normal(device.power_on_angle, device.power_on_scatter),
-        )
+        seed = int(generator.integers(2**31))
+        own = generator.normal(self.device.power_on_angle, self.device.power_on_scatter)
+        angle = own if start_angle is None else start_angle
+        return self.fmu.power_on(self.device.fmu_parameters(), seed, angle)
 
     def log(self, power_on: PowerOn) -> Test:
         """Make one power-on and log it, or take the log that an earlier attempt kept."""
@@ -111,6 +112,7 @@ class Bench:
             power_on.programme,
             **{"id": power_on.id, "seed": self.seed, "step": self.step},
             **{"fmu": self.fmu.folder.name, "device": self.device},
+            **{"start_angle": power_on.start_angle},
         )
         log = self.store.load(key) if self.store else None
         if log is None:
@@ -123,7 +125,7 @@ class Bench:
 
     def _recorded(self, power_on: PowerOn) -> Log:
         programme = power_on.programme
-        with self.power_on(power_on.id) as gyro:
+        with self.power_on(power_on.id, power_on.start_angle) as gyro:
             ends, means = gyro.record(
                 self._moving(programme),
                 {INPUTS[name]: programme.held(name) for name in INPUTS},

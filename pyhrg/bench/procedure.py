@@ -41,12 +41,12 @@ class Procedure:
 
 
 def tests_of(campaign: Campaign, *kinds: str) -> list[Test]:
-    """The campaign's tests of these kinds.
+    """The campaign's tests of these kinds that may be used; not those held out.
 
     Raises:
         BenchError: there are none.
     """
-    found = [test for test in campaign.tests if test.kind in kinds]
+    found = [test for test in campaign.of_kind(*kinds) if not test.is_holdout]
     if not found:
         there = ", ".join(sorted({test.kind for test in campaign.tests})) or "no tests"
         raise BenchError(

@@ -50,7 +50,6 @@ def check_earth_rate(table: Table, interval: float, latitude: float) -> None:
     turned = np.diff(columns["gyro_angle"])
     rest = (
         (np.diff(columns["table_angle"]) == 0)
-        & (columns["virtual_rotation"][1:] == 0)
         & (columns["drive_on"][1:] == 1)
         & (np.abs(rate) > LEAST_EARTH_RATE)
         & np.isfinite(turned)

@@ -5,7 +5,7 @@ import gzip
 import io
 import math
 import zlib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -41,17 +41,17 @@ class Table:
         if not chosen.any():
             return self
         note = f"{spans(self.rows[chosen])}: {trouble}"
-        return Table(self.source, self.rows, self.columns, (*self.notes, note))
+        return replace(self, notes=(*self.notes, note))
 
     def kept(self, chosen: NDArray[np.bool_]) -> "Table":
         """Only the chosen rows."""
         columns = {field: values[chosen] for field, values in self.columns.items()}
-        return Table(self.source, self.rows[chosen], columns, self.notes)
+        return replace(self, rows=self.rows[chosen], columns=columns)
 
     def emptied(self, field: str, chosen: NDArray[np.bool_]) -> "Table":
         """Without a column's values in the chosen rows."""
-        columns = self.columns | {field: np.where(chosen, np.nan, self.columns[field])}
-        return Table(self.source, self.rows, columns, self.notes)
+        values = np.where(chosen, np.nan, self.columns[field])
+        return replace(self, columns=self.columns | {field: values})
 
 
 def spans(rows: NDArray[np.int64]) -> str:

@@ -73,14 +73,19 @@ def test_gyro_is_held_to_the_table(tmp_path: Path, rate: float, field: str, fact
 @pytest.mark.parametrize("make", [made_up_log, virtually_rotated, ringing_down])
 @pytest.mark.parametrize("field", ["gyro_angle", "wave_angle"])
 def test_wave_is_held_to_the_gyro(tmp_path: Path, make: Callable[[], Log], field: str) -> None:
+    """Where it rotates virtually, it is that rotation which the wave follows."""
     if make is virtually_rotated and field == "gyro_angle":
         field = "virtual_rotation"
     with pytest.raises(LogError, match=r"log.csv: column wave_angle_deg: turns .*Bryan factor"):
         read_back(scaled(make(), DEG, field), tmp_path)
 
 
-def test_earths_rate_tells_where_all_angles_are_in_radians(tmp_path: Path) -> None:
-    log = scaled(made_up_log(), DEG, "table_angle", "gyro_angle", "wave_angle")
+@pytest.mark.parametrize("make", [made_up_log, virtually_rotated])
+def test_earths_rate_tells_where_all_angles_are_in_radians(
+    tmp_path: Path, make: Callable[[], Log]
+) -> None:
+    angles = "table_angle", "gyro_angle", "wave_angle", "virtual_rotation"
+    log = scaled(make(), DEG, *angles)
     with pytest.raises(LogError, match=r"turns 0\.017\d times as far as Earth's rate asks for"):
         read_back(log, tmp_path)
 

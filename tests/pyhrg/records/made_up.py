@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 
 from pyhrg.records import COLUMNS, Log, write
-from pyhrg.units import ARCSEC, DEG, EARTH_RATE
+from pyhrg.site import EARTH_RATE
+from pyhrg.units import ARCSEC, DEG
 
 LATITUDE = 40 * DEG
 K = 0.277
@@ -45,6 +46,7 @@ def made_up_log(n: int = 600, table_rate: float = 0.0, noise: float = 1.0, seed:
         amplitude_force=1 / 450 + 1e-8 * white[3],
         quadrature_force=-1e-3 + 1e-6 * white[4],
         frequency_offset=2e-4 + 1e-4 * white[5],
+        valid=np.full(n, np.nan),
     )
 
 

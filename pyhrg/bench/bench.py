@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.store import Store, key_of
 from pyhrg.campaign import Campaign, Test
-from pyhrg.device import Device
+from pyhrg.device import LOOPS, Device
 from pyhrg.device_file import nominal
 from pyhrg.fmu import Gyro, GyroFmu
 from pyhrg.records import Log
@@ -104,7 +104,10 @@ class Bench:
         seed = int(generator.integers(2**31))
         own = generator.normal(self.device.power_on_angle, self.device.power_on_scatter)
         angle = own if start_angle is None else start_angle
-        return self.fmu.power_on(self.device.fmu_parameters(), seed, angle)
+        missing = LOOPS - self.fmu.references.keys()
+        values = self.device.fmu_parameters().items()
+        parameters = {name: value for name, value in values if name not in missing}
+        return self.fmu.power_on(parameters, seed, angle)
 
     def log(self, power_on: PowerOn) -> Test:
         """Make one power-on and log it, or take the log that an earlier attempt kept."""

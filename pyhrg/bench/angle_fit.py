@@ -101,13 +101,19 @@ def _eigenvalues(count: int) -> Array:
 def _variances(matrix: Array, steps: Array, differences: Array) -> tuple[float, float]:
     """Rate noise, rad^2/s, and angle noise, rad^2, by restricted maximum likelihood."""
     step, freedom = float(np.mean(steps)), len(matrix) - matrix.shape[1] + 1
+    terms = matrix[:, :-1]
+    left = matrix[:, -1] - terms @ np.linalg.lstsq(terms, matrix[:, -1], rcond=None)[0]
+    size = float(np.linalg.norm(left))
+    if size == 0.0:
+        return np.finfo(float).tiny, 0.0
+    whole = np.column_stack([terms, left / size])
 
     def reduced(logarithm: float) -> tuple[float, float]:
         weight = steps / step + np.exp(logarithm) * differences
-        diagonal = np.diag(np.linalg.qr(matrix / np.sqrt(weight)[:, None], mode="r"))
-        variance = diagonal[-1] ** 2 / freedom + 1e-60
-        spread = np.sum(np.log(weight)) + 2 * np.sum(np.log(np.abs(diagonal[:-1])))
-        return float(freedom * np.log(variance) + spread), float(variance)
+        diagonal = np.diag(np.linalg.cholesky(whole.T @ (whole / weight[:, None])))
+        variance = float((size * diagonal[-1]) ** 2 / freedom)
+        spread = np.sum(np.log(weight)) + 2 * np.sum(np.log(diagonal[:-1]))
+        return float(freedom * np.log(variance) + spread), variance
 
     best = optimize.minimize_scalar(
         lambda x: reduced(x)[0], bounds=RATIOS, method="bounded", options={"xatol": 0.01}

@@ -137,10 +137,11 @@ def evaluate(campaign: Campaign) -> Outcome:
     """Scale factor, nonlinearity, symmetry, repeatability."""
     found = lines(campaign)
     factors = [one.fit()[0] for one in found]
+    nonlinearity, asymmetry = _nonlinearity(found), _asymmetry(found)
     findings = (
         mean_finding("scale factor error", np.array(factors) - 1, "ppm"),
-        _nonlinearity(found),
-        _asymmetry(found),
+        nonlinearity,
+        asymmetry,
         deviation_finding(
             "scale factor repeatability", np.array(factors) / np.mean(factors), "ppm"
         ),
@@ -151,8 +152,8 @@ def evaluate(campaign: Campaign) -> Outcome:
         procedure=PROCEDURE.name,
         findings=findings,
         verdict=(
-            f"Up to {top:.0f} deg/s the output departs from a line by {findings[1].shown:.2g} ppm "
-            f"of the largest; both ways differ by {findings[2].shown:.2g} ppm."
+            f"Up to {top:.0f} deg/s the output departs from a line by {nonlinearity.shown:.2g} ppm "
+            f"of the largest; both ways differ by {asymmetry.shown:.2g} ppm."
         ),
         tables=(_table(found),),
         exclusions=exclusions(campaign, KIND),
@@ -216,7 +217,7 @@ PROCEDURE = Procedure(
         "scale factor symmetry",
         "scale factor repeatability, room temperature",
     ),
-    source="GJB 2426A and IEEE Std 952, formulas as in physics notes; whole periods: paper 1.2",
+    source="GJB 2426A and IEEE Std 952 (formulas); whole periods of the pattern: paper 1.2",
     kinds=(KIND,),
     record=record,
     evaluate=evaluate,

@@ -2,7 +2,7 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import optimize, stats
+from scipy import optimize, special, stats
 
 Array = NDArray[np.float64]
 
@@ -34,7 +34,7 @@ def magnitude_interval(
 
     def bound(probability: float) -> float:
         def excess(noncentrality: float) -> float:
-            return float(stats.ncx2.cdf(square / scale, freedom, noncentrality)) - probability
+            return float(special.chndtr(square / scale, freedom, noncentrality)) - probability
 
         if square / scale > 1e4:
             # far from zero the length is normal

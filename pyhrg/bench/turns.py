@@ -19,6 +19,8 @@ PERIOD = 90 * DEG
 ENCODER = 5 * ARCSEC
 """A row's turn may differ from the row's before by this, and by `UNSTEADY` of itself, rad."""
 UNSTEADY = 0.005
+FIELDS = ("table_angle", "axis_up", "virtual_rotation", "drive_on", "gyro_angle", "wave_angle")
+"""Of a log, needed."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +78,7 @@ def turns(log: Log, latitude: float) -> list[Turn]:
     Raises:
         BenchError: there is none.
     """
-    log.require("table_angle", "axis_up", "gyro_angle", "wave_angle")
+    log.require(*FIELDS)
     found = [_turn(log, latitude, rows) for rows in _steady(log)]
     whole = [turn for turn in found if turn.periods > 1 - 1e-6]
     if not whole:
@@ -92,12 +94,10 @@ def _steady(log: Log) -> list[slice]:
     """Rows of stretches without gap, with drive on, no virtual rotation and a steady rate."""
     turned = np.diff(log.table_angle, prepend=log.table_angle[:1])
     moving = (np.abs(turned) > ENCODER) & (log.virtual_rotation == 0.0) & (log.drive_on > 0.5)
-    if log.valid is not None:
-        moving &= log.valid > 0.999
     unlike = np.abs(np.diff(turned, prepend=0.0)) > ENCODER + UNSTEADY * np.abs(turned)
     settle = math.ceil(SETTLE / log.interval)
     found = []
-    for stretch in log.stretches("table_angle", "gyro_angle", "wave_angle"):
+    for stretch in log.stretches(*FIELDS):
         rows = np.arange(len(turned))[stretch]
         broken = np.flatnonzero(~moving[rows] | unlike[rows])
         for first, after in zip([0, *broken], [*broken, len(rows)], strict=True):
@@ -111,8 +111,9 @@ def _turn(log: Log, latitude: float, rows: slice) -> Turn:
         np.asarray(values[rows])
         for values in (log.time, log.table_angle, log.wave_angle, log.gyro_angle, log.axis_up)
     )
-    earth = EARTH_RATE * math.sin(latitude) * float(np.mean(axis_up))
-    angle = table - table[0] + earth * (time - time[0])
+    # a row's attitude holds from the row's before to its own time
+    earth = EARTH_RATE * math.sin(latitude) * np.cumsum(axis_up) * log.interval
+    angle = table - table[0] + earth - earth[0]
     excess = gyro - gyro[0] - angle
     return Turn(log.source, log.interval, time, table, pattern, angle, excess)
 

@@ -1,0 +1,77 @@
+"""Stretches of steady turning."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pyhrg.bench.bench import LABORATORY, Bench, PowerOn
+from pyhrg.bench.outcome import BenchError
+from pyhrg.bench.programme import Programme
+from pyhrg.bench.turns import turns
+from pyhrg.fmu import GyroFmu
+from pyhrg.parameters import Device
+from pyhrg.records import Log
+from pyhrg.units import DEG, EARTH_RATE
+
+LATITUDE = LABORATORY.latitude
+
+
+def course(bench: Bench) -> Programme:
+    return bench.programme(0.1).rest(5.0).spin(20 * DEG, 40.0).spin(-50 * DEG, 15.0).rest(3.0)
+
+
+@pytest.fixture(scope="module")
+def log(slow_fmu: GyroFmu) -> Log:
+    bench = Bench(slow_fmu, Device(), step=0.1)
+    return bench.log(PowerOn("turning", "rate", course(bench))).log
+
+
+def test_each_rate_is_one_turn(log: Log) -> None:
+    found = turns(log, LATITUDE)
+    assert [turn.table_rate / DEG for turn in found] == pytest.approx([20.0, -50.0])
+    assert found[0].time[0] > 7.0
+    assert found[0].periods == pytest.approx(
+        0.277 * 20 / 90 * (found[0].time[-1] - found[0].time[0]), rel=1e-3
+    )
+
+
+def test_earth_belongs_to_the_input(log: Log) -> None:
+    earth = EARTH_RATE * np.sin(LATITUDE)
+    for turn in turns(log, LATITUDE):
+        assert turn.input_rate - turn.table_rate == pytest.approx(earth, rel=1e-9)
+
+
+def test_whole_periods_end_where_the_pattern_is_again(log: Log) -> None:
+    turn = turns(log, LATITUDE)[1]
+    time, angle, _ = turn.whole_periods(each=1)
+    assert len(time) == int(turn.periods) + 1
+    assert np.diff(angle) == pytest.approx(-90 * DEG / 0.277, rel=1e-5)
+
+
+def test_a_gap_parts_a_turn(log: Log) -> None:
+    """Rows 200 to 203 are lost: neither part spans them."""
+    gap = np.where((np.arange(len(log.time)) >= 200) & (np.arange(len(log.time)) < 204))
+    output = log.gyro_angle.copy()
+    output[gap] = np.nan
+
+    class Gapped(Log):
+        def stretches(self, *names: str) -> list[slice]:
+            return [slice(0, 200), slice(204, len(self.time))]
+
+    gapped = Gapped(**{**log.__dict__, "gyro_angle": output})
+    found = turns(gapped, LATITUDE)
+    assert all(np.isfinite(turn.excess).all() for turn in found)
+    assert len(found) < 3 or found[0].time[-1] < found[1].time[0]
+
+
+def test_too_little_turning_is_refused(log: Log) -> None:
+    still = replace(log, table_angle=np.zeros_like(log.table_angle))
+    with pytest.raises(BenchError, match=r"turning: no stretch .* 90 deg.* the longest .* 0 deg"):
+        turns(still, LATITUDE)
+
+
+def test_an_unsteady_table_is_refused(log: Log) -> None:
+    swinging = replace(log, table_angle=np.sin(3 * log.time))
+    with pytest.raises(BenchError, match="no stretch at a steady rate"):
+        turns(swinging, LATITUDE)

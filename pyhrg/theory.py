@@ -86,6 +86,17 @@ def late_ripple(loop: complex, lag: float, bryan_factor: float, rate: float) -> 
     return 2 * bryan_factor * abs(rate) * lag * loop
 
 
+def misaimed_ripple_scale_factor(
+    gain_mismatch: float, nonorthogonality: float, loop: complex
+) -> float:
+    """Scale-factor error of second order of a gyro whose pick-off errors ripple its amplitude.
+
+    The force that makes the ripple (`late_ripple`) is misaimed by the same errors, e.g.
+    -(g/4) sin 4th: -(g^2/2) W sin^2 4th of the output rate, -(g^2 + d^2)/4 Re H of it on average.
+    """
+    return -(gain_mismatch**2 + nonorthogonality**2) / 4 * loop.real
+
+
 def angle_random_walk_bias_stability(angle_random_walk: float, average: float) -> float:
     """Standard deviation of rate means over `average` seconds, rad/s, from N (rad/sqrt(s))."""
     return angle_random_walk / math.sqrt(average)

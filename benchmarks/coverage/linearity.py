@@ -1,4 +1,4 @@
-"""Coverage of the intervals of the linearity test: four power-ons, all rates.
+"""Coverage of the intervals of the linearity test: three power-ons, all rates.
 
 The damping anisotropy reaches values at which the lowest rates show it (the pattern lingers where
 it is slow), so that the nonlinearity is anything from none to plain. What the same gyro shows
@@ -20,7 +20,7 @@ from pyhrg.parameters import Device
 from pyhrg.units import DEG
 
 MODEL = "HRGSlow"
-RUNS = 4
+RUNS = 3
 RATES = tuple(rate * DEG for rate in (2, 5, 10, 20, 30, 40, 50, 60, 80, 100, 120))
 """Not as slow as the test's, so that a repeat is short."""
 

@@ -22,7 +22,7 @@ from pyhrg.bench.harmonics import LARGEST_INFLATION, TILT, harmonic
 from pyhrg.bench.magnitude import magnitude_interval
 from pyhrg.bench.outcome import BenchError, Finding, Table
 from pyhrg.bench.procedure import tests_of
-from pyhrg.bench.turns import PERIOD, Turn, turns
+from pyhrg.bench.turns import PERIOD, Turn, left_out, turns
 from pyhrg.campaign import Campaign, Test
 from pyhrg.units import DEG
 
@@ -184,8 +184,10 @@ def turns_of(campaign: Campaign, test: Test) -> list[Turn]:
 
 
 def exclusions(campaign: Campaign, *kinds: str) -> tuple[str, ...]:
-    """What the logs of these kinds leave out."""
-    return tuple(text for test in tests_of(campaign, *kinds) for text in test.log.exclusions)
+    """What was left out of the logs of these kinds, on reading and here."""
+    logs = [test.log for test in tests_of(campaign, *kinds)]
+    latitude = campaign.site.latitude
+    return tuple(text for log in logs for text in (*log.exclusions, *left_out(log, latitude)))
 
 
 def record_turns(bench: Bench, rate: float, periods: int, runs: int = RUNS) -> list[Test]:

@@ -19,6 +19,8 @@ PERIOD = 90 * DEG
 ENCODER = 5 * ARCSEC
 """A row's turn may differ from the row's before by this, and by `UNSTEADY` of itself, rad."""
 UNSTEADY = 0.005
+WHOLE = 1 - 1e-6
+"""Of a period, to rounding."""
 FIELDS = ("table_angle", "axis_up", "virtual_rotation", "drive_on", "gyro_angle", "wave_angle")
 """Of a log, needed."""
 
@@ -78,9 +80,8 @@ def turns(log: Log, latitude: float) -> list[Turn]:
     Raises:
         BenchError: there is none.
     """
-    log.require(*FIELDS)
-    found = [_turn(log, latitude, rows) for rows in _steady(log)]
-    whole = [turn for turn in found if turn.periods > 1 - 1e-6]
+    found = _all_turns(log, latitude)
+    whole = [turn for turn in found if turn.periods >= WHOLE]
     if not whole:
         most = max((turn.periods for turn in found), default=0.0) * PERIOD / DEG
         raise BenchError(
@@ -88,6 +89,22 @@ def turns(log: Log, latitude: float) -> list[Turn]:
             f"a period of the scale-factor map; the longest turns it by {most:.3g} deg"
         )
     return whole
+
+
+def left_out(log: Log, latitude: float) -> list[str]:
+    """A sentence on each steady stretch that is shorter than a period."""
+    return [
+        f"{log.source}: {turn.time[0]:.6g} to {turn.time[-1]:.6g} s at {turn.table_rate / DEG:.3g} "
+        f"deg/s left out: the pattern turned by {turn.periods * PERIOD / DEG:.3g} deg, less than "
+        f"the {PERIOD / DEG:g} deg of a period"
+        for turn in _all_turns(log, latitude)
+        if turn.periods < WHOLE
+    ]
+
+
+def _all_turns(log: Log, latitude: float) -> list[Turn]:
+    log.require(*FIELDS)
+    return [_turn(log, latitude, rows) for rows in _steady(log)]
 
 
 def _steady(log: Log) -> list[slice]:

@@ -92,6 +92,10 @@ def test_late_ripple(fmu: GyroFmu) -> None:
     assert bias == pytest.approx(1e-4 * scale_factor_rate.RATE * ripple.real, rel=0.01)
     gain = found.finding("pick-off gain mismatch").value
     assert gain / 1e-4 - 1 == pytest.approx(ripple.imag, rel=0.1)
+    error = found.finding("scale factor error").value
+    hold = theory.hold_scale_factor_error(1e-3, 0.0, 450.0)
+    misaimed = theory.misaimed_ripple_scale_factor(1e-4, 0.0, response)
+    assert error - hold == pytest.approx(misaimed, rel=0.02)
 
 
 @METHODS

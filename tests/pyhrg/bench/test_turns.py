@@ -8,7 +8,7 @@ import pytest
 from pyhrg.bench.bench import LABORATORY, Bench, PowerOn
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.turns import turns
+from pyhrg.bench.turns import left_out, turns
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import Device
 from pyhrg.records import Log
@@ -18,7 +18,7 @@ LATITUDE = LABORATORY.latitude
 
 
 def course(bench: Bench) -> Programme:
-    return bench.programme(0.1).rest(5.0).spin(20 * DEG, 40.0).spin(-50 * DEG, 15.0).rest(3.0)
+    return bench.programme(0.1).rest(5.0).spin(20 * DEG, 50.0).spin(-50 * DEG, 15.0).rest(3.0)
 
 
 @pytest.fixture(scope="module")
@@ -49,20 +49,28 @@ def test_whole_periods_end_where_the_pattern_is_again(log: Log) -> None:
     assert np.diff(angle) == pytest.approx(-90 * DEG / 0.277, rel=1e-5)
 
 
-def test_a_gap_parts_a_turn(log: Log) -> None:
-    """Rows 200 to 203 are lost: neither part spans them."""
-    gap = np.where((np.arange(len(log.time)) >= 200) & (np.arange(len(log.time)) < 204))
+def test_a_gap_parts_a_turn(log: Log, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Rows 270 to 273 are lost: no turn spans them, and each part settles anew."""
     output = log.gyro_angle.copy()
-    output[gap] = np.nan
-
-    class Gapped(Log):
-        def stretches(self, *names: str) -> list[slice]:
-            return [slice(0, 200), slice(204, len(self.time))]
-
-    gapped = Gapped(**{**log.__dict__, "gyro_angle": output})
-    found = turns(gapped, LATITUDE)
+    output[270:274] = np.nan
+    parts = [slice(0, 270), slice(274, len(log.time))]
+    monkeypatch.setattr(Log, "stretches", lambda self, *fields: parts)
+    found = turns(replace(log, gyro_angle=output), LATITUDE)
     assert all(np.isfinite(turn.excess).all() for turn in found)
-    assert len(found) < 3 or found[0].time[-1] < found[1].time[0]
+    assert len(found) == 3
+    assert found[0].time[-1] == pytest.approx(27.0)
+    assert found[1].time[0] == pytest.approx(29.5)
+
+
+def test_what_is_too_short_is_said(log: Log) -> None:
+    """Drive off from 20 s on: the first turn has 13 s left, 72 deg of pattern."""
+    off = np.where((log.time > 20.0) & (log.time < 55.0), 0.0, 1.0)
+    cut = replace(log, drive_on=off)
+    assert len(turns(cut, LATITUDE)) == 1
+    (text,) = left_out(cut, LATITUDE)
+    assert text.startswith("turning: 7.")
+    assert "at 20 deg/s left out" in text
+    assert not left_out(log, LATITUDE)
 
 
 def test_too_little_turning_is_refused(log: Log) -> None:

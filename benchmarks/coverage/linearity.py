@@ -10,10 +10,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from benchmarks.coverage.scale_factor import Intervals, gyro, noiseless
+from benchmarks.coverage._scale_factor import Intervals, gyro, noiseless
 from pyhrg.bench import linearity
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.linearity import Line
+from pyhrg.bench.line import Line
 from pyhrg.bench.turns import PERIOD
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import Device

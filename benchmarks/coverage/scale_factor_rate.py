@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 
-from benchmarks.coverage.scale_factor import Intervals, compared, gyro
+from benchmarks.coverage._scale_factor import Intervals, compared, gyro
 from pyhrg.bench import scale_factor_rate
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.scale_factor import INTERVAL
+from pyhrg.bench.rate_tests import INTERVAL
 from pyhrg.bench.scale_factor_rate import RATE
 from pyhrg.bench.turns import PERIOD
 from pyhrg.fmu import GyroFmu

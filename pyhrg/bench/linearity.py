@@ -7,7 +7,6 @@ K over power-ons.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -15,6 +14,7 @@ from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.largest import largest_interval
+from pyhrg.bench.line import Line
 from pyhrg.bench.outcome import (
     BenchError,
     Finding,
@@ -25,7 +25,7 @@ from pyhrg.bench.outcome import (
 )
 from pyhrg.bench.procedure import Procedure, tests_of
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.scale_factor import INTERVAL, RUNS, WARM_UP, exclusions, turns_of
+from pyhrg.bench.rate_tests import INTERVAL, RUNS, WARM_UP, exclusions, turns_of
 from pyhrg.bench.turns import PERIOD, SETTLE, Turn
 from pyhrg.campaign import Campaign, Test
 from pyhrg.units import DEG, EARTH_RATE
@@ -40,35 +40,6 @@ SHORTEST = 30.0
 """Of the average at a rate, s."""
 ALIKE = 0.01
 """Rates that differ less than this, relatively, are one rate."""
-
-
-@dataclass(frozen=True)
-class Line:
-    """Least squares of one power-on: output (n,) = K input + F0, rad/s; K of the nominal one."""
-
-    input: Array
-    output: Array
-
-    def fit(self, rows: NDArray[np.bool_] | None = None) -> tuple[float, float]:
-        """K and F0, rad/s, of some of the rates."""
-        # of the error, so that rounding is of the error's size
-        chosen = np.ones(len(self.input), dtype=bool) if rows is None else rows
-        error = (self.output - self.input)[chosen]
-        slope, offset = np.polyfit(self.input[chosen], error, 1)
-        return 1.0 + float(slope), float(offset)
-
-    @property
-    def residual(self) -> Array:
-        """(n,) output less line, over the largest output."""
-        factor, offset = self.fit()
-        left = (self.output - self.input) - (factor - 1.0) * self.input - offset
-        return np.asarray(left / np.max(np.abs(self.output)))
-
-    @property
-    def asymmetry(self) -> float:
-        """(K+ - K-) / K."""
-        ways = [self.fit(self.input > 0)[0], self.fit(self.input < 0)[0]]
-        return (ways[0] - ways[1]) / self.fit()[0]
 
 
 def programme(bench: Bench, rates: Sequence[float] = RATES) -> Programme:

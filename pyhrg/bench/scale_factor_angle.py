@@ -13,17 +13,8 @@ from pyhrg.bench.bench import Bench
 from pyhrg.bench.both_ways import draw_both_ways
 from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.procedure import Procedure
-from pyhrg.bench.scale_factor import (
-    BIAS,
-    KIND,
-    RUNS,
-    ScaleFactorMap,
-    exclusions,
-    fitted,
-    period_table,
-    rate_turns,
-    record_turns,
-)
+from pyhrg.bench.rate_tests import KIND, RUNS, exclusions, rate_turns, record_turns
+from pyhrg.bench.scale_factor import BIAS, ScaleFactorMap, fitted, period_table
 from pyhrg.bench.turns import Turn
 from pyhrg.campaign import Campaign, Test
 from pyhrg.units import ARCSEC, DEG

@@ -10,7 +10,7 @@ from benchmarks.coverage.linearity import RATES, repeat
 from pyhrg import theory
 from pyhrg.bench import linearity
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.linearity import Line
+from pyhrg.bench.line import Line
 from pyhrg.bench.outcome import BenchError
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL, Device

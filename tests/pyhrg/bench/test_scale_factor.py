@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from benchmarks.coverage.scale_factor import gyro, noiseless, truths
+from benchmarks.coverage._scale_factor import gyro, noiseless, truths
 from pyhrg import theory
 from pyhrg.bench import scale_factor_angle, scale_factor_rate
 from pyhrg.bench.bench import Bench

@@ -1,15 +1,9 @@
 """Stub, replaced."""
-
 from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
-
 Array = NDArray[np.float64]
-
-
 class LogError(Exception): ...
-
-
 @dataclass(frozen=True)
 class Log:
     source: str
@@ -33,7 +27,6 @@ class Log:
     frequency_offset: Array
     valid: Array | None = None
     exclusions: tuple[str, ...] = ()
-
     def require(self, *names: str) -> None: ...
     def stretches(self, *names: str) -> list[slice]:
         return [slice(0, len(self.time))]

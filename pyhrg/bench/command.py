@@ -2,6 +2,7 @@
 
 import argparse
 import os
+import sys
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -90,8 +91,12 @@ def _source(options: argparse.Namespace, chosen: Sequence[Procedure]) -> session
     if options.campaign:
         return session.recorded(campaign.read(options.campaign), chosen)
     device = device_file.read(options.device) if options.device else parameters.TYPICAL
+    fmus = session.fmus(chosen, lambda text: print(text, file=sys.stderr))
+    if options.device:
+        names = {name for fmu in fmus.values() for name in fmu.references}
+        device = device_file.read(options.device, names)
     workers = options.workers or len(os.sched_getaffinity(0))
-    return session.simulated(device, options.seed, workers, chosen, options.out)
+    return session.simulated(chosen, fmus, device, options.seed, workers, options.out)
 
 
 def _check_places(out: Path, chosen: Sequence[Procedure]) -> None:

@@ -4,7 +4,7 @@ import shutil
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
-from functools import cache
+from functools import partial
 from pathlib import Path
 
 from fmu_build.bundle import built_fmu
@@ -50,19 +50,36 @@ class Source:
     kept: AbstractContextManager[object] = field(default_factory=nullcontext)
 
 
+def fmus(procedures: Sequence[Procedure], say: Callable[[str], None]) -> dict[str, GyroFmu]:
+    """The procedures' FMUs by model, built where they aren't yet.
+
+    Raises:
+        TranslationError, BuildError, OSError.
+    """
+    models = sorted({procedure.model for procedure in procedures})
+    return {
+        model: GyroFmu(built_fmu(partial(_tell, say, model), root=ROOTS[model])) for model in models
+    }
+
+
+def _tell(say: Callable[[str], None], model: str, text: str) -> None:
+    say(f"FMU {model}: {text}")
+
+
 def simulated(
-    device: Device, seed: int, workers: int, procedures: Sequence[Procedure], out: Path
+    procedures: Sequence[Procedure],
+    gyros: Mapping[str, GyroFmu],
+    device: Device,
+    seed: int,
+    workers: int,
+    out: Path,
 ) -> Source:
     """A gyro on the virtual bench; a log once made is kept until all is done."""
     store = Store(out / KEPT)
 
-    @cache
-    def fmu(model: str, say: Callable[[str], None]) -> GyroFmu:
-        return GyroFmu(built_fmu(lambda text: say(f"FMU {model}: {text}"), root=ROOTS[model]))
-
     def records(procedure: Procedure, progress: Progress) -> Campaign:
-        gyro = fmu(procedure.model, progress.say)
-        bench = Bench(gyro, device, seed, procedure.step, workers, store, progress.power_on)
+        fmu = gyros[procedure.model]
+        bench = Bench(fmu, device, seed, procedure.step, workers, store, progress.power_on)
         return bench.campaign(procedure.record(bench))
 
     subject = f"{device.name or 'gyro without a name'}, simulated with seed {seed}"
@@ -79,7 +96,7 @@ def recorded(campaign: Campaign, procedures: Sequence[Procedure]) -> Source:
     able = [p for p in procedures if campaign.of_kind(*p.kinds)]
     if len(procedures) > 1 and not able:
         kinds = ", ".join(sorted({test.kind for test in campaign.tests})) or "no tests"
-        raise BenchError(f"{campaign.device}: no test evaluates what the campaign has, {kinds}")
+        raise BenchError(f"{campaign.device}: no test evaluates a campaign that has {kinds}")
     subject = f"{campaign.device}, recorded"
     resumes = "the same command begins again"
     chosen = able if len(procedures) > 1 else procedures

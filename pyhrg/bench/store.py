@@ -46,7 +46,7 @@ class Store:
     def load(self, key: str) -> Log | None:
         """The log that was kept under a key; None where there is none that can be read."""
         try:
-            with np.load(self._path(key)) as kept:
+            with np.load(io.BytesIO(self._path(key).read_bytes())) as kept:
                 columns = {name: kept[name] for name in kept.files if name != "interval"}
                 return Log(source="", interval=float(kept["interval"]), **columns)
         except (OSError, EOFError, ValueError, KeyError, BadZipFile):

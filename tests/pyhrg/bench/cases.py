@@ -6,12 +6,16 @@ import pytest
 
 from fmu_build.bundle import built_fmu
 from fmu_build.roots import ROOTS
+from pyhrg.bench import full_circumference
 from pyhrg.bench.bench import Bench
 from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL
 
 QUIET = replace(TYPICAL, angle_random_walk=0.0, pickoff_noise=0.0, power_on_scatter=0.0)
+
+QUICK_PLAN = full_circumference.SHORTEST
+"""Eight positions."""
 
 
 @pytest.fixture(scope="session")

@@ -1,5 +1,6 @@
 """What a procedure returns: findings with intervals, a verdict, what was left out, a figure."""
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
@@ -43,6 +44,7 @@ class Finding:
     unit: to be shown in, one of `UNITS`.
     low, high: its 95 % interval, SI; NaN where there is none, `note` says why.
     n: sample size of the interval.
+    at_least: a specification limits it from below, as a range or a bandwidth.
     """
 
     name: str
@@ -52,6 +54,7 @@ class Finding:
     high: float = np.nan
     n: int = 0
     note: str = ""
+    at_least: bool = False
 
     @property
     def shown(self) -> float:
@@ -68,7 +71,7 @@ class Finding:
         """Name with unit, as in a specification: bias_stability_deg_per_h."""
         unit = self.unit.replace("/sqrt(h)", "_sqrt_h").replace("/", "_per_")
         suffix = "" if self.unit == "1" else f"_{unit.replace('1_per_', 'per_')}"
-        return self.name.replace(" ", "_").replace("-", "_") + suffix
+        return re.sub(r"\W+", "_", self.name) + suffix
 
 
 @dataclass(frozen=True)
@@ -99,6 +102,12 @@ class Outcome:
     exclusions: tuple[str, ...] = ()
     draw: Callable[[Figure], None] | None = None
     values: dict[str, object] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        keys = [finding.key for finding in self.findings]
+        twice = sorted({key for key in keys if keys.count(key) > 1})
+        if twice:
+            raise ValueError(f"{self.procedure}: findings of one name: {', '.join(twice)}")
 
     def finding(self, name: str) -> Finding:
         """By name."""

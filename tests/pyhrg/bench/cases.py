@@ -2,12 +2,16 @@
 
 from dataclasses import replace
 
+from pyhrg.bench import full_circumference
 from pyhrg.bench.bench import Bench
 from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL
 
 QUIET = replace(TYPICAL, angle_random_walk=0.0, pickoff_noise=0.0, power_on_scatter=0.0)
+
+QUICK_PLAN = full_circumference.SHORTEST
+"""Eight positions."""
 
 
 def slow_bench(fmu: GyroFmu, device: Device, seed: int = 1) -> Bench:

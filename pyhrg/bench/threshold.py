@@ -189,12 +189,12 @@ def _table(found: Sequence[Response]) -> Table:
 def draw(figure: Figure, found: Sequence[Response]) -> None:
     """Response against rate, either way."""
     axes = figure.add_subplot()
-    for sign, name, mark in ((1, "positive", "o"), (-1, "negative", "s")):
+    for sign, name, mark in ((1, "positive", "+"), (-1, "negative", "s")):
         side = [r for r in found if sign * r.rate > 0]
-        rate = [abs(r.rate) / DEG * (1 + 0.02 * sign) for r in side]
+        rate = [abs(r.rate) / DEG for r in side]
         axes.errorbar(
             rate, [r.value for r in side], [r.reach for r in side],
-            fmt=mark, mfc="none", ms=5, capsize=3, label=name,
+            fmt=mark, mfc="none", ms=7, capsize=3, label=name,
         )  # fmt: skip
     axes.axhline(NEEDED, color="k", ls="--", lw=1, label="half of what is expected")
     axes.set_xscale("log")

@@ -28,7 +28,7 @@ def times(fmu: GyroFmu, seed: int, runs: int) -> tuple[Finding, Finding]:
     """Mean times of a number of power-ons."""
     bench = Bench(fmu, TYPICAL, seed)
     tests = start_up.record(bench, runs, DURATION)
-    found = [start_up.start_up(test.log, bench.site.latitude) for test in tests]
+    found = [start_up.start_up(test.log, bench.device.site.latitude) for test in tests]
     return (
         start_up.times("time to valid output", [run.valid for run in found], bench.step)[0],
         start_up.times("time to specification", [run.within for run in found], bench.step)[0],

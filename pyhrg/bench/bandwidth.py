@@ -190,4 +190,5 @@ PROCEDURE = Procedure(
     kinds=(KIND,),
     record=record,
     evaluate=evaluate,
+    step=INTERVAL,
 )

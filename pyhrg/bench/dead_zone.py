@@ -11,20 +11,19 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-import numpy as np
-
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.dead_zone_figure import draw
+from pyhrg.bench.free_runs import adler_findings, remedy_findings, table
 from pyhrg.bench.harmonics import MEAN, Fit
 from pyhrg.bench.lock import Run, run_of
 from pyhrg.bench.magnitude import magnitude_finding
-from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table, mean_finding
+from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.turning import FOURTH, fitted_turning, turning
 from pyhrg.campaign import Campaign, Test
-from pyhrg.theory import adler_lock_angle, adler_mean_rate
-from pyhrg.units import DEG, DEG_PER_H, HOUR
+from pyhrg.device import AngleMap, Device
+from pyhrg.units import DEG, HOUR
 
 MAP, PLAIN = "dead_zone_map", "dead_zone"
 COMPENSATED, CANCELLED = "dead_zone_compensated", "dead_zone_cancelled"
@@ -38,7 +37,7 @@ ROTATION = 10.0
 CAPTURES = 30.0
 """Length of a run over the capture time 1/(4 k W_L)."""
 ROWS = 1000
-LONGEST = 48 * HOUR
+LONGEST = 21 * 24 * HOUR
 
 
 def spin(
@@ -61,21 +60,21 @@ def map_runs(bench: Bench) -> list[PowerOn]:
 def record(bench: Bench, longest: float = LONGEST) -> list[Test]:
     """The map; then, where the pattern is captured in reasonable time, free runs at rates around
     W_L: plain, under virtual rotation, with Eq. (5) and with Eq. (7), both of the measured map."""
+    bench = replace(bench, device=replace(bench.device, bias_map=AngleMap()))
     tests = bench.run(map_runs(bench))
-    fitted, _ = fitted_turning([test.log for test in tests], bench.site.latitude)
+    fitted, _ = fitted_turning([test.log for test in tests], bench.device.site.latitude)
     lock = math.hypot(*map(fitted.value, FOURTH))
     duration = CAPTURES / (4 * bench.device.bryan_factor * lock) if lock > 0 else math.inf
     if duration > longest:
         return tests
     interval = max(1, math.ceil(duration / ROWS / bench.step)) * bench.step
-    calibrations = {
-        (PLAIN, 0.0, NET_RATES): {},
-        (PLAIN, ROTATION, FEWER): {},
-        (COMPENSATED, 0.0, FEWER): bias_map(fitted),
-        (CANCELLED, 0.0, FEWER): cancellation(fitted, bench.device.bryan_factor),
-    }
-    for (kind, turn, rates), model in calibrations.items():
-        device = replace(bench.device, model={**bench.device.model, **model})
+    series = (
+        (PLAIN, 0.0, NET_RATES, bench.device),
+        (PLAIN, ROTATION, FEWER, bench.device),
+        (COMPENSATED, 0.0, FEWER, compensated(bench.device, fitted)),
+        (CANCELLED, 0.0, FEWER, cancelled(bench.device, fitted)),
+    )
+    for kind, turn, rates, device in series:
         courses = {
             r: spin(bench, interval, (r + turn) * lock, duration, turn * lock) for r in rates
         }
@@ -85,32 +84,36 @@ def record(bench: Bench, longest: float = LONGEST) -> list[Test]:
     return tests
 
 
-def bias_map(fitted: Fit) -> dict[str, float]:
-    """Parameters of the FMU's compensation of the output (paper, Eq. 5)."""
-    return {f"controller.biasMap.{name}": fitted.value(name) for name in (MEAN, *FOURTH)}
-
-
-def cancellation(fitted: Fit, bryan_factor: float) -> dict[str, float]:
-    """Parameters of the FMU's cancellation by force (paper, Eq. 7, factors mended); the mean bias
-    is no damping's and is taken out of the output."""
+def compensated(device: Device, fitted: Fit) -> Device:
+    """With the map taken out of the output (paper, Eq. 5)."""
     cosine, sine = map(fitted.value, FOURTH)
-    return {
-        "controller.cancellation.dampingAnisotropy": 4 * bryan_factor * math.hypot(cosine, sine),
+    return replace(device, bias_map=AngleMap(mean=fitted.value(MEAN), cos4=cosine, sin4=sine))
+
+
+def cancelled(device: Device, fitted: Fit) -> Device:
+    """With the map's fourth harmonic cancelled by force (paper, Eq. 7, factors mended); the mean
+    is taken out of the output."""
+    cosine, sine = map(fitted.value, FOURTH)
+    model = {
+        "controller.cancellation.dampingAnisotropy": 4
+        * device.bryan_factor
+        * math.hypot(cosine, sine),
         "controller.cancellation.dampingAxis": math.atan2(cosine, -sine) / 4,
-        "controller.biasMap.mean": fitted.value(MEAN),
     }
+    return replace(
+        device, bias_map=AngleMap(mean=fitted.value(MEAN)), model={**device.model, **model}
+    )
 
 
 def runs(campaign: Campaign, kind: str) -> tuple[list[Run], list[str]]:
     """Free runs of a kind, and a sentence on each that is left out."""
     found, excluded = [], []
-    for test in campaign.tests:
-        if test.kind == kind:
-            try:
-                latitude, factor = campaign.site.latitude, campaign.nominal["coriolis_factor"]
-                found.append(run_of(test.log, latitude, factor))
-            except BenchError as error:
-                excluded.append(str(error))
+    for test in campaign.of_kind(kind):
+        try:
+            latitude, factor = campaign.site.latitude, campaign.nominal["coriolis_factor"]
+            found.append(run_of(test.log, latitude, factor))
+        except BenchError as error:
+            excluded.append(str(error))
     return found, excluded
 
 
@@ -122,22 +125,22 @@ def evaluate(campaign: Campaign) -> Outcome:
     fitted, refused = fitted_turning(maps, campaign.site.latitude)
     lock = magnitude_finding("lock rate", fitted, FOURTH, "deg/h")
     plain, excluded = runs(campaign, PLAIN)
-    compensated, more = runs(campaign, COMPENSATED)
-    cancelled, most = runs(campaign, CANCELLED)
-    everything = [*plain, *compensated, *cancelled]
+    by_output, more = runs(campaign, COMPENSATED)
+    by_force, most = runs(campaign, CANCELLED)
+    everything = [*plain, *by_output, *by_force]
     capture = 1 / (4 * campaign.nominal["coriolis_factor"] * lock.value)
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(
             lock,
             *adler_findings(plain, fitted, lock.value),
-            *remedy_findings(compensated, cancelled),
+            *remedy_findings(by_output, by_force),
         ),
         verdict=_verdict(plain, lock, capture),
-        tables=(_table(everything, fitted, lock.value),) if everything else (),
+        tables=(table(everything, fitted, lock.value),) if everything else (),
         warnings=tuple(refused),
         exclusions=(*excluded, *more, *most, *(x for log in maps for x in log.exclusions)),
-        draw=lambda figure: draw(figure, plain, cancelled, fitted, lock.value),
+        draw=lambda figure: draw(figure, plain, by_force, fitted, lock.value),
         values={"capture_time": capture},
     )
 
@@ -152,62 +155,6 @@ def _verdict(plain: Sequence[Run], lock: Finding, capture: float) -> str:
     return f"{text}; {len(caught)} of {len(plain)} free runs are locked."
 
 
-def adler_findings(plain: Sequence[Run], fitted: Fit, lock: float) -> tuple[Finding, ...]:
-    """Free runs against Adler's closed form with the map's terms."""
-    mean = fitted.value(MEAN)
-    free = [run for run in plain if not run.locked and run.rotation == 0.0]
-    held = [run for run in plain if run.locked and run.rotation == 0.0]
-    moved = [run for run in plain if not run.locked and run.rotation != 0.0]
-    return (
-        _mean(
-            "lock rate from mean rates",
-            [math.sqrt(max(0.0, (r.net + mean) ** 2 - r.pattern_rate**2)) for r in free],
-            "deg/h",
-        ),
-        _mean("lock angle error", [_lock_angle_error(r, fitted, lock) for r in held], "deg"),
-        _mean(
-            "dead zone shift error",
-            [r.net + mean - math.copysign(math.hypot(r.pattern_rate, lock), r.net) for r in moved],
-            "deg/h",
-        ),
-    )
-
-
-def _lock_angle_error(run: Run, fitted: Fit, lock: float) -> float:
-    """Angle at which the pattern rests less Adler's, within +-45 deg, rad."""
-    axis = math.atan2(fitted.value(FOURTH[0]), -fitted.value(FOURTH[1])) / 4
-    share = min(1.0, max(-1.0, (run.net + fitted.value(MEAN)) / lock))
-    error = run.angle - adler_lock_angle(share, 1.0, axis)
-    return math.remainder(error, math.pi / 2)
-
-
-def remedy_findings(compensated: Sequence[Run], cancelled: Sequence[Run]) -> tuple[Finding, ...]:
-    """What Eqs. (5) and (7) leave of the dead zone: output less input."""
-    held = [run.output - run.rate for run in compensated if run.locked]
-    turned = [run.output - run.rate for run in cancelled if not run.locked]
-    return (
-        _mean("rate error by compensation while locked", held, "deg/h"),
-        _mean("rate error under cancellation", turned, "deg/h"),
-    )
-
-
-def _mean(name: str, samples: Sequence[float], unit: str) -> Finding:
-    if not samples:
-        return Finding(name, np.nan, unit, note="no such run in the records")
-    return mean_finding(name, samples, unit)
-
-
-def _table(everything: Sequence[Run], fitted: Fit, lock: float) -> Table:
-    header = ("run", "W - V, deg/h", "V, deg/h", "pattern, deg/h", "Adler, deg/h", "output, deg/h")
-    mean = fitted.value(MEAN)
-    rows = []
-    for run in everything:
-        adler = float(adler_mean_rate(run.net + mean, lock))
-        values = (run.net, run.rotation, run.pattern_rate, adler, run.output)
-        rows.append((run.name, *(f"{value / DEG_PER_H:.5g}" for value in values)))
-    return Table("Free runs", header, tuple(rows))
-
-
 PROCEDURE = Procedure(
     name="dead-zone",
     group="dead zone",
@@ -217,4 +164,6 @@ PROCEDURE = Procedure(
     kinds=(MAP, PLAIN, COMPENSATED, CANCELLED, "rate"),
     record=record,
     evaluate=evaluate,
+    model="HRGSlow",
+    step=0.1,
 )

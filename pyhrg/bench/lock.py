@@ -7,7 +7,8 @@ import numpy as np
 
 from pyhrg.bench.outcome import BenchError
 from pyhrg.records import Log
-from pyhrg.units import DEG, EARTH_RATE
+from pyhrg.site import EARTH_RATE
+from pyhrg.units import DEG
 
 PERIOD = math.pi / 2
 """Of the dead zone in the pattern angle, rad."""

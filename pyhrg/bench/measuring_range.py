@@ -18,7 +18,8 @@ from pyhrg.bench.procedure import Procedure, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.campaign import Campaign, Test
 from pyhrg.records import Log
-from pyhrg.units import DEG, EARTH_RATE
+from pyhrg.site import EARTH_RATE
+from pyhrg.units import DEG
 
 KIND = "range"
 LIMIT = 100e-6
@@ -97,8 +98,8 @@ def _steps(log: Log, latitude: float) -> list[Step]:
         rows = slice(settled.first, settled.last + 1)
         earth = EARTH_RATE * np.sin(latitude) * np.mean(log.axis_up[rows])
         error = (settled.mean_rate(log, log.gyro_angle) - earth) / plateau.rate - 1
-        valid = log.valid is None or bool(np.all(log.valid[rows] > 1 - 1e-9))
-        steps.append(Step(plateau.rate, float(error), valid))
+        valid = not np.any(log.valid[rows] < 1 - 1e-9)
+        steps.append(Step(plateau.rate, float(error), bool(valid)))
     return steps
 
 
@@ -139,7 +140,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             )
     findings = [finding(f"measuring range {name}", steps) for name, steps in both.items()]
     worst = min(findings, key=lambda f: (0.0 if np.isnan(f.value) else f.value, f.high))
-    unseen = any(test.log.valid is None for test in tests)
+    unseen = any(np.isnan(test.log.valid).any() for test in tests)
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(replace(worst, name="measuring range"), *findings),
@@ -148,7 +149,9 @@ def evaluate(campaign: Campaign) -> Outcome:
             f"{worst.shown:.5g} deg/s either way; {worst.note}."
         ),
         tables=tuple(_table(name, steps) for name, steps in both.items()),
-        warnings=("no column valid: judged by linearity alone",) if unseen else (),
+        warnings=("valid is missing from rows of the log: judged by linearity alone there",)
+        if unseen
+        else (),
         exclusions=tuple(text for test in tests for text in test.log.exclusions),
         draw=lambda figure: draw(figure, both),
     )

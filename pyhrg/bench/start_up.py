@@ -18,7 +18,8 @@ from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table, mean_findin
 from pyhrg.bench.procedure import Procedure, tests_of
 from pyhrg.campaign import Campaign, Test
 from pyhrg.records import Log
-from pyhrg.units import DEG_PER_H, EARTH_RATE
+from pyhrg.site import EARTH_RATE
+from pyhrg.units import DEG_PER_H
 
 Array = NDArray[np.float64]
 
@@ -94,7 +95,7 @@ def start_up(log: Log, latitude: float) -> StartUp:
 
 
 def _valid(log: Log) -> NDArray[np.bool_]:
-    if log.valid is not None:
+    if not np.isnan(log.valid).any():
         return np.asarray(log.valid > 1 - 1e-9)
     off = np.abs(log.amplitude - log.amplitude_setpoint)
     return np.asarray(off <= AMPLITUDE_TOLERANCE * log.amplitude_setpoint)
@@ -145,8 +146,8 @@ def times(name: str, samples: Sequence[float], interval: float) -> tuple[Finding
 
 def _warnings(tests: Sequence[Test], runs: Sequence[StartUp]) -> tuple[str, ...]:
     found = []
-    if any(test.log.valid is None for test in tests):
-        found.append("no column valid: taken from the amplitude, within 20 % of its set point")
+    if any(np.isnan(test.log.valid).any() for test in tests):
+        found.append("valid is missing: taken from the amplitude, within 20 % of its set point")
     noise = max(run.noise for run in runs)
     if 4 * noise > SPECIFICATION:
         found.append(

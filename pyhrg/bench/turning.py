@@ -15,7 +15,8 @@ from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.plateaus import plateaus
 from pyhrg.bench.segments import SEGMENT
 from pyhrg.records import Log
-from pyhrg.units import DEG, EARTH_RATE
+from pyhrg.site import EARTH_RATE
+from pyhrg.units import DEG
 
 Array = NDArray[np.float64]
 

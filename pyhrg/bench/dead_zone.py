@@ -37,7 +37,7 @@ ROTATION = 10.0
 CAPTURES = 30.0
 """Length of a run over the capture time 1/(4 k W_L)."""
 ROWS = 1000
-LONGEST = 21 * 24 * HOUR
+LONGEST = 48 * HOUR
 
 
 def spin(

@@ -91,10 +91,12 @@ def _segments(log: Log, latitude: float) -> list[tuple[float, ...]]:
             axis_up = np.mean(log.axis_up[begin + 1 : begin + rows + 1])
             earth = EARTH_RATE * np.sin(latitude) * axis_up
             angle = log.wave_angle[begin : begin + rows + 1]
-            means = (
-                float(np.trapezoid(trig(order * angle)) / rows)
-                for order in (2, 4, 8)
-                for trig in (np.cos, np.sin)
-            )
+            means = (_mean(trig, order * angle) for order in (2, 4, 8) for trig in (np.cos, np.sin))
             found.append((float(output - rate - earth), float(rate), span, *means))
     return found
+
+
+def _mean(trig: np.ufunc, phase: Array) -> float:
+    """Of cosine or sine over a phase (n,) that is linear between its values."""
+    middle, half = (phase[1:] + phase[:-1]) / 2, np.diff(phase) / 2
+    return float(np.mean(trig(middle) * np.sinc(half / np.pi)))

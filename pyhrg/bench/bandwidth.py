@@ -89,14 +89,15 @@ def response(log: Log) -> Response:
     log.require("table_angle", "gyro_angle")
     rows = round(PERIOD / log.interval)
     ratios, lines = [], np.zeros(0, dtype=np.int64)
-    for stretch in log.stretches("table_angle", "gyro_angle"):
+    stretches = log.stretches("table_angle", "gyro_angle") if rows > 2 else []
+    for stretch in stretches:
         table, gyro = (np.diff(a[stretch]) for a in (log.table_angle, log.gyro_angle))
         for begin in range(len(table) % rows, len(table) - rows + 1, rows):
             part = slice(begin, begin + rows)
             given, seen = np.fft.rfft(table[part]), np.fft.rfft(gyro[part])
             strong = np.abs(given[1:]) > DRIVEN * np.max(np.abs(given[1:]))
             if np.max(np.abs(given[1:])) < 1e-9 * rows or begin < rows:
-                continue
+                continue  # at rest, or the first second, in which the table starts
             lines = lines if len(lines) else 1 + np.flatnonzero(strong)
             ratios.append(seen[lines] / given[lines])
     if len(ratios) < 3 or len(lines) < 3:

@@ -35,7 +35,7 @@ def test_long_dwells_do(slow_fmu: GyroFmu) -> None:
     """Adler: half of the input comes out at 2/sqrt 3 W_L; less than W_L gives nothing."""
     lock = theory.lock_rate(CAPTURED)
     bench = slow_bench(slow_fmu, CAPTURED)
-    rates = tuple(np.array([0.5, 0.8, 1.05, 1.3, 2.0]) * lock)
+    rates = tuple(np.array([0.5, 1.05, 1.3]) * lock)
     tests = threshold.record(bench, rates, repeats=2, dwell=10000.0)
     found = threshold.responses([test.log for test in tests])
     outcome = threshold.evaluate(bench.campaign(tests))
@@ -59,7 +59,7 @@ def test_responses_are_covered(slow_fmu: GyroFmu) -> None:
 
 def test_noise_is_no_response(slow_fmu: GyroFmu) -> None:
     """At a rate far below the noise the threshold's interval says that nothing is certain."""
-    noisy = replace(TYPICAL, angle_random_walk=1000 * TYPICAL.angle_random_walk)
+    noisy = replace(TYPICAL, angle_random_walk=10000 * TYPICAL.angle_random_walk)
     bench = slow_bench(slow_fmu, noisy)
     outcome = threshold.evaluate(bench.campaign(threshold.record(bench, repeats=2)))
     assert outcome.finding("threshold").high == np.inf

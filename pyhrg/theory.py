@@ -100,3 +100,31 @@ def misaimed_ripple_scale_factor(
 def angle_random_walk_bias_stability(angle_random_walk: float, average: float) -> float:
     """Standard deviation of rate means over `average` seconds, rad/s, from N (rad/sqrt(s))."""
     return angle_random_walk / math.sqrt(average)
+
+
+def lock_rate(device: Device) -> float:
+    """Input rate below which a free pattern locks in, rad/s: amplitude of the bias map.
+
+    With damping anisotropy alone W_L = D/(4k). (R. Adler, A study of locking phenomena in
+    oscillators, 1946: th' = -k (W - mean bias) + (D/4) sin 4(th - th_tau) is his equation.)
+    """
+    return abs(static_bias_phasor(device))
+
+
+def adler_mean_rate(rate: ArrayLike, lock: float) -> NDArray[np.float64]:
+    """Mean output rate at an input rate, rad/s: 0 within +-lock, else sqrt(W^2 - W_L^2)."""
+    given = np.asarray(rate, dtype=float)
+    return np.asarray(np.sign(given) * np.sqrt(np.maximum(given**2 - lock**2, 0.0)))
+
+
+def adler_period(rate: float, lock: float, bryan_factor: float) -> float:
+    """Time in which the pattern turns by 90 deg, s: 2 pi/(4 k sqrt(W^2 - W_L^2))."""
+    return 2 * math.pi / (4 * bryan_factor * math.sqrt(rate**2 - lock**2))
+
+
+def adler_lock_angle(rate: float, lock: float, damping_axis: float) -> float:
+    """Pattern angle at which it locks, rad, one every 90 deg: sin 4(th_L - th_tau) = W/W_L.
+
+    Of the two angles the one with cos 4(th_L - th_tau) < 0 is stable.
+    """
+    return damping_axis + (math.pi - math.asin(rate / lock)) / 4

@@ -18,7 +18,13 @@ UNITS = {
     "deg/sqrt(h)": units.DEG_PER_SQRT_H,
     "deg/h/sqrt(h)": units.DEG_PER_H / np.sqrt(units.HOUR),
     "deg/h/g": units.DEG_PER_H / units.STANDARD_GRAVITY,
+    "deg/h/g^2": units.DEG_PER_H / units.STANDARD_GRAVITY**2,
     "deg/h/K": units.DEG_PER_H,
+    "deg/h/(K/min)": units.DEG_PER_H * units.MINUTE,
+    "deg/h/year": units.DEG_PER_H / units.YEAR,
+    "ppm/K": 1e-6,
+    "ppm/year": 1e-6 / units.YEAR,
+    "Hz/K": 2 * np.pi,
     "ppm": 1e-6,
     "mHz": 2e-3 * np.pi,
     "Hz": 2 * np.pi,
@@ -67,6 +73,7 @@ class Finding:
     def key(self) -> str:
         """Name with unit, as in a specification: bias_stability_deg_per_h."""
         unit = self.unit.replace("/sqrt(h)", "_sqrt_h").replace("/", "_per_")
+        unit = unit.translate(str.maketrans("", "", "()^"))
         suffix = "" if self.unit == "1" else f"_{unit.replace('1_per_', 'per_')}"
         return self.name.replace(" ", "_").replace("-", "_") + suffix
 

@@ -1,6 +1,6 @@
 """What a procedure returns: findings with intervals, a verdict, what was left out, a figure."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -135,3 +135,20 @@ def deviation_finding(name: str, samples: ArrayLike, unit: str, note: str = "") 
     high, low = stats.chi2.ppf([0.025, 0.975], n - 1)
     factors = np.sqrt((n - 1) / np.array([low, high]))
     return Finding(name, value, unit, value * factors[0], value * factors[1], n, note)
+
+
+def pooled_deviation_finding(
+    name: str, groups: Sequence[ArrayLike], unit: str, note: str = ""
+) -> Finding:
+    """Standard deviation within groups of independent normal samples, chi-square 95 % interval;
+    groups of one sample show none."""
+    values = [np.asarray(group, dtype=float) for group in groups]
+    values = [group for group in values if len(group) > 1]
+    n = sum(len(group) for group in values)
+    freedom = n - len(values)
+    if not freedom:
+        return Finding(name, np.nan, unit, note=note or "no group of at least 2 samples")
+    squares = sum(float(np.sum((group - np.mean(group)) ** 2)) for group in values)
+    high, low = (float(q) for q in stats.chi2.ppf([0.025, 0.975], freedom))
+    least, value, most = (float(np.sqrt(squares / divisor)) for divisor in (low, freedom, high))
+    return Finding(name, value, unit, least, most, n, note)

@@ -13,6 +13,9 @@ Array = NDArray[np.float64]
 
 SCATTER = 2
 """Data points beyond the terms, at least, to show the scatter."""
+INSEPARABLE = 1000.0
+"""A term whose variance the others inflate by more than this is not fitted. Less than that only
+makes intervals wide; leaving the term out would make those of the others false."""
 CURVED = 3 * DEG
 """A pattern that moves by more than this shows the curvature of its bias map, else the slope alone:
 what is left out is less than 0.06 % of the map."""
@@ -68,7 +71,7 @@ def distinguishable(columns: Mapping[str, Array]) -> tuple[dict[str, Array], dic
             refused[name] = f"{len(column)} data points are too few to fit {name} as well"
             continue
         worst = max(_inflations(trial).values())
-        if np.isfinite(worst) and worst <= LARGEST_INFLATION:
+        if np.isfinite(worst) and worst <= INSEPARABLE:
             kept[name] = column
         elif np.ptp(column) == 0.0:
             refused[name] = f"{name} can't be had: the records don't vary what it depends on"
@@ -76,7 +79,7 @@ def distinguishable(columns: Mapping[str, Array]) -> tuple[dict[str, Array], dic
             factor = f"{worst:.3g} times" if np.isfinite(worst) else "infinitely"
             refused[name] = (
                 f"the records can't tell {name} from the other terms: variance inflated {factor}, "
-                f"at most {LARGEST_INFLATION:g} is accepted"
+                f"at most {INSEPARABLE:g} is accepted"
             )
     return kept, refused
 

@@ -1,0 +1,132 @@
+"""Bias against the resonator's temperature, the rate of the case's, and the pattern angle."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.bench.bias_test import WARM_UP
+from pyhrg.bench.dwells import Points, joined, points
+from pyhrg.bench.harmonics import MEAN, Fit, fit
+from pyhrg.bench.outcome import BenchError
+from pyhrg.bench.procedure import tests_of
+from pyhrg.bench.terms import PatternBasis, distinguishable, pattern_basis
+from pyhrg.bench.thermal_programme import SETTLE
+from pyhrg.bench.thermometer import Thermometer, thermometer
+from pyhrg.campaign import Campaign
+from pyhrg.records import Log
+from pyhrg.units import MINUTE, ZERO_CELSIUS
+
+Array = NDArray[np.float64]
+
+KIND = "thermal"
+STEADY = 0.05 / MINUTE
+"""Soak: the case's temperature changes by less, K/s, and the resonator's is within `NEAR` of it."""
+NEAR = 1.0
+SAME = 3.0
+"""Soaks closer than this are one temperature, K."""
+LEAST_RANGE = 10.0
+"""K."""
+PER_KELVIN, PER_RATE = "bias per kelvin", "temperature-rate bias"
+
+
+@dataclass(frozen=True)
+class Thermal:
+    """Data points of all power-ons, and the fit.
+
+    temperature: (n,) of the resonator above the reference, K.
+    rate: (n,) of the case's temperature, K/s.
+    soak: (n,) temperature of the soak that the point belongs to, degC; NaN on a ramp.
+    run: (n,) number of the power-on.
+    """
+
+    points: Points
+    temperature: Array
+    rate: Array
+    soak: Array
+    run: NDArray[np.int64]
+    thermometers: tuple[Thermometer, ...]
+    basis: PatternBasis
+    fitted: Fit
+    refused: dict[str, str]
+
+    @property
+    def noise(self) -> float:
+        """Standard deviation of a data point's noise, rad/s: of the fit's residual."""
+        residual = self.fitted.residual
+        return float(np.sqrt(residual @ residual / self.fitted.freedom))
+
+    def map_columns(self) -> dict[str, Array]:
+        """Columns of the fit that depend on the pattern angle, (n,) each."""
+        columns = _columns(self.basis, self.temperature, self.rate)
+        return {name: columns[name] for name in self.fitted.names if name in self.basis.columns}
+
+    def soak_means(self, run: int | None = None) -> dict[float, tuple[float, int]]:
+        """Mean bias and number of points of each soak, of one power-on or all."""
+        mine = np.isfinite(self.soak) if run is None else (self.run == run)
+        levels = np.unique(self.soak[mine & np.isfinite(self.soak)])
+        chosen = {float(t): self.points.rate[mine & (self.soak == t)] for t in levels}
+        return {t: (float(np.mean(v)), len(v)) for t, v in chosen.items()}
+
+
+def measured(campaign: Campaign) -> Thermal:
+    """Fit all thermal tests together.
+
+    Raises:
+        BenchError: the resonator's temperature changes by less than 10 K.
+    """
+    believed = campaign.nominal.get("thermal_lag_s")
+    reference = campaign.nominal.get("reference_temperature_degC", 25.0) + ZERO_CELSIUS
+    logs = [test.log for test in tests_of(campaign, KIND)]
+    parts = [points(log, campaign.site.latitude, SETTLE, warm_up=WARM_UP) for log in logs]
+    meters = tuple(thermometer(log, believed) for log in logs)
+    warm, rates, case = (
+        np.concatenate(c) for c in zip(*map(_heat, logs, meters, parts), strict=True)
+    )
+    if np.ptp(warm) < LEAST_RANGE:
+        names = ", ".join(log.source for log in logs)
+        raise BenchError(
+            f"{names}: the resonator's temperature changes by {np.ptp(warm):.3g} K; "
+            f"the test needs at least {LEAST_RANGE:g} K"
+        )
+    found = joined(parts)
+    steady = (np.abs(rates) < STEADY) & (np.abs(warm - case) < NEAR)
+    basis = pattern_basis(found.pattern_angle)
+    wanted = _columns(basis, warm - reference, rates)
+    columns, refused = distinguishable(wanted)
+    run = np.repeat(np.arange(len(parts)), [len(p) for p in parts])
+    soak = _soaks(case - ZERO_CELSIUS, steady)
+    fitted = fit(columns, found.rate)
+    return Thermal(found, warm - reference, rates, soak, run, meters, basis, fitted, refused)
+
+
+def _heat(log: Log, meter: Thermometer, part: Points) -> tuple[Array, Array, Array]:
+    """Resonator's and case's mean temperature, and the case's rate, of each point."""
+    case = log.temperature
+    rows = list(zip(part.first, part.last, strict=True))
+    warm, mean = (
+        np.array([np.nanmean(values[a : b + 1]) for a, b in rows])
+        for values in (meter.temperature, case)
+    )
+    return warm, np.asarray((case[part.last] - case[part.first]) / part.duration), mean
+
+
+def _columns(basis: PatternBasis, warm: Array, rate: Array) -> dict[str, Array]:
+    """Terms of the fit: map, temperature, its rate, and how the map changes with temperature."""
+    columns = {MEAN: np.ones_like(warm), **basis.columns, PER_KELVIN: warm, PER_RATE: rate}
+    columns |= {f"{PER_KELVIN} {name}": warm * c for name, c in basis.columns.items()}
+    columns["bias per kelvin squared"] = warm**2
+    columns[f"{PER_RATE} per kelvin"] = rate * warm
+    return columns | {f"per kelvin squared {n}": warm**2 * c for n, c in basis.columns.items()}
+
+
+def _soaks(case: Array, steady: NDArray[np.bool_]) -> Array:
+    """(n,) mean temperature of the points' soak, NaN where there is none."""
+    order = np.argsort(case[steady])
+    jumps = np.diff(case[steady][order], prepend=-np.inf) > SAME
+    group = np.empty(len(order), dtype=int)
+    group[order] = np.cumsum(jumps)
+    soak = np.full(len(case), np.nan)
+    means = {g: round(float(np.mean(case[steady][group == g])), 1) for g in np.unique(group)}
+    soak[steady] = [means[g] for g in group]
+    return soak

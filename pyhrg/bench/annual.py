@@ -18,7 +18,7 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias_test import WARM_UP
 from pyhrg.bench.circumference import circumference
 from pyhrg.bench.harmonics import MEAN, Fit, fit
-from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table
+from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table, pooled_deviation_finding
 from pyhrg.bench.procedure import Procedure, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.spins import pair_scale_factor, pairs, spins
@@ -35,6 +35,7 @@ MONTHS = 12
 LEAST = 4
 """Months from which a drift and its scatter can be told apart."""
 MONTH = YEAR / 12
+STRAIGHT = "straight line, scatter about it independent"
 AGEING = "resonator.material.decayTimeAgeing"
 SEGMENTS = 2
 PAIRS = 3
@@ -54,7 +55,7 @@ class Months:
     @property
     def age(self) -> Array:
         """(n,) s."""
-        return np.asarray(np.arange(len(self.values)) * MONTH, dtype=float)
+        return np.asarray(np.arange(len(self.values)) * MONTH, dtype=np.float64)
 
     @property
     def drift(self) -> Fit:
@@ -128,29 +129,20 @@ def _scale_factor_error(campaign: Campaign, tests: Sequence[Test]) -> Months:
         [pair_scale_factor(pair) for pair in pairs(spins(test.log, rate), test.log.source)]
         for test in tests
     ]
-    freedom = sum(len(month) - 1 for month in months)
-    squares = sum(float(np.sum((m - np.mean(m)) ** 2)) for m in months)
-    each = len(months) / sum(len(month) for month in months)
-    noise = math.sqrt(squares / freedom * each) if freedom else math.nan
+    each = pooled_deviation_finding("", months, "ppm").value
+    noise = each * math.sqrt(len(months) / sum(len(month) for month in months))
     return Months(np.array([np.mean(month) for month in months]), noise)
 
 
 def _findings(name: str, months: Months, unit: str) -> tuple[Finding, ...]:
     values, line, n = months.values, months.drift, len(months.values)
-    stability = f"{name} annual stability"
+    stability, (low, high) = f"{name} annual stability", line.interval("drift")
     return (
         spread_finding(stability, values, months.noise, unit, "standard deviation of the months"),
         Finding(
             f"{name} annual range", float(np.ptp(values)), unit, n=n, note="of these, no interval"
         ),
-        Finding(
-            f"{name} drift",
-            line.value("drift"),
-            f"{unit}/year",
-            *line.interval("drift"),
-            n=n,
-            note="straight line, scatter about it independent",
-        ),
+        Finding(f"{name} drift", line.value("drift"), f"{unit}/year", low, high, n, STRAIGHT),
     )
 
 
@@ -178,7 +170,7 @@ def draw(figure: Figure, bias: Months, scale: Months) -> None:
         (scale, PPM, "scale-factor error, ppm", "#D55E00"),
     )
     for panel, (months, unit, label, colour) in zip(panels, series, strict=True):
-        age, line = months.age / MONTH, months.values - months.drift.residual
+        age, line = months.age / MONTH, np.asarray(months.values - months.drift.residual)
         panel.plot(age, months.values / unit, "o", color=colour, ms=5, label="month")
         panel.plot(age, line / unit, "k-", lw=1, label="drift")
         panel.set_ylabel(label)

@@ -11,7 +11,7 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.outcome import Finding, Outcome, Table, pooled_deviation_finding
 from pyhrg.bench.procedure import Procedure, tests_of
 from pyhrg.bench.spread import spread_finding
-from pyhrg.bench.thermal_fit import KIND, PER_KELVIN, PER_RATE, Thermal, measured
+from pyhrg.bench.thermal_fit import KIND, PER_KELVIN, PER_RATE, STEADY, Thermal, measured
 from pyhrg.bench.thermal_programme import programme
 from pyhrg.bench.thermal_scale_factor import scale_factor_findings
 from pyhrg.campaign import Campaign, Test
@@ -46,23 +46,23 @@ def evaluate(campaign: Campaign) -> Outcome:
 def _spreads(result: Thermal) -> tuple[Finding, ...]:
     """Stability: of all data points. Over temperature: of the soaks' means. Repeatability: over
     power-ons, of a soak's means."""
-    noise, soaks = result.noise, result.soak_means()
-    counts = [count for _, count in soaks.values()]
-    mean_noise = noise * float(np.sqrt(np.mean(1 / np.array(counts)))) if counts else np.nan
+    soaks = list(result.soaks().values())
+    each = float(np.sqrt(np.mean([soak.deviation**2 for soak in soaks]))) if soaks else np.nan
+    whole = "over the circumference" if all(s.whole for s in soaks) else "where the pattern was"
     return (
         spread_finding(
             "bias stability over temperature",
             result.points.rate,
-            noise,
+            result.noise,
             "deg/h",
             "standard deviation of all 100 s means, soaks and ramps",
         ),
         spread_finding(
             "bias over temperature",
-            [mean for mean, _ in soaks.values()],
-            mean_noise,
+            [soak.mean for soak in soaks],
+            each,
             "deg/h",
-            f"standard deviation of the means of {len(soaks)} soaks",
+            f"standard deviation of the means of {len(soaks)} soaks, {whole}",
         ),
         repeatability(result),
     )
@@ -73,11 +73,11 @@ def repeatability(result: Thermal) -> Finding:
     name, runs = "bias repeatability over temperature", int(result.run.max()) + 1
     if runs < 2:
         return Finding(name, np.nan, "deg/h", note="one power-on: at least 2 are needed")
-    means = [result.soak_means(run) for run in range(runs)]
+    means = [result.soaks(run) for run in range(runs)]
     common = [t for t in means[0] if all(t in other for other in means)]
     if not common:
         return Finding(name, np.nan, "deg/h", note="no soak that all power-ons have")
-    groups = [[run[t][0] for run in means] for t in common]
+    groups = [[run[t].mean for run in means] for t in common]
     note = f"{runs} power-ons at {len(common)} soaks, each soak by itself"
     return pooled_deviation_finding(name, groups, "deg/h", note)
 
@@ -127,16 +127,16 @@ def _warnings(result: Thermal) -> tuple[str, ...]:
             f"{np.degrees(np.ptp(result.points.pattern_angle)):.3g} deg only, and the deviations "
             "hold what it moved over"
         )
-    if len(result.soak_means()) < 3:
-        told.append(f"{len(result.soak_means())} soaks: their deviation says little")
+    if len(result.soaks()) < 3:
+        told.append(f"{len(result.soaks())} soaks: their deviation says little")
     told += [f"thermal lag {m.note}" for m in result.thermometers if np.isnan(m.lag)]
     return tuple(dict.fromkeys(told))
 
 
 def _table(result: Thermal) -> Table:
     rows = tuple(
-        (f"{soak:.1f}", f"{mean / DEG_PER_H:.5f}", str(count))
-        for soak, (mean, count) in result.soak_means().items()
+        (f"{level:.1f}", f"{soak.mean / DEG_PER_H:.5f}", str(soak.n))
+        for level, soak in result.soaks().items()
     )
     return Table("Soaks", ("temperature, degC", "mean bias, deg/h", "100 s means"), rows)
 
@@ -144,14 +144,10 @@ def _table(result: Thermal) -> Table:
 def draw(figure: Figure, result: Thermal) -> None:
     """Bias against the resonator's temperature: soaks, ramps up and down."""
     axes = figure.add_subplot()
-    map_part = sum(
-        (result.fitted.value(name) * column for name, column in result.map_columns().items()),
-        np.zeros(len(result.points)),
-    )
-    bias = (result.points.rate - map_part) / DEG_PER_H
-    resting, up = np.isfinite(result.soak), result.rate > 0
+    bias = (result.points.rate - result.of_pattern()) / DEG_PER_H
+    resting, up = np.abs(result.rate) < STEADY, result.rate > 0
     groups = (
-        ("soak", resting, "#000000", "o"),
+        ("case steady", resting, "#000000", "o"),
         ("ramp up", ~resting & up, "#D55E00", "^"),
         ("ramp down", ~resting & ~up, "#0072B2", "v"),
     )

@@ -22,12 +22,27 @@ Array = NDArray[np.float64]
 KIND = "thermal"
 STEADY = 0.05 / MINUTE
 """Soak: the case's temperature changes by less, K/s, and the resonator's is within `NEAR` of it."""
-NEAR = 1.0
+NEAR = 0.3
 SAME = 3.0
 """Soaks closer than this are one temperature, K."""
 LEAST_RANGE = 10.0
 """K."""
 PER_KELVIN, PER_RATE = "bias per kelvin", "temperature-rate bias"
+
+
+@dataclass(frozen=True)
+class Soak:
+    """Bias at one temperature, rad/s.
+
+    mean: over the circumference where `whole`, else over where the pattern was.
+    deviation: of the mean, by noise.
+    n: data points.
+    """
+
+    mean: float
+    deviation: float
+    n: int
+    whole: bool
 
 
 @dataclass(frozen=True)
@@ -56,17 +71,27 @@ class Thermal:
         residual = self.fitted.residual
         return float(np.sqrt(residual @ residual / self.fitted.freedom))
 
-    def map_columns(self) -> dict[str, Array]:
-        """Columns of the fit that depend on the pattern angle, (n,) each."""
+    def of_pattern(self) -> Array:
+        """(n,) part of the fit that depends on the pattern angle, rad/s."""
         columns = _columns(self.basis, self.temperature, self.rate)
-        return {name: columns[name] for name in self.fitted.names if name in self.basis.columns}
+        turning = [n for n in self.fitted.names if n.endswith(tuple(self.basis.columns))]
+        parts = [self.fitted.value(name) * columns[name] for name in turning]
+        return np.asarray(np.sum(parts, axis=0) + np.zeros(len(self.points)))
 
-    def soak_means(self, run: int | None = None) -> dict[float, tuple[float, int]]:
-        """Mean bias and number of points of each soak, of one power-on or all."""
-        mine = np.isfinite(self.soak) if run is None else (self.run == run)
-        levels = np.unique(self.soak[mine & np.isfinite(self.soak)])
-        chosen = {float(t): self.points.rate[mine & (self.soak == t)] for t in levels}
-        return {t: (float(np.mean(v)), len(v)) for t, v in chosen.items()}
+    def soaks(self, run: int | None = None) -> dict[float, Soak]:
+        """By temperature, degC, of one power-on or all."""
+        mine = np.isfinite(self.soak) & ((self.run == run) | (run is None))
+        levels = np.unique(self.soak[mine])
+        return {float(t): _soak(self.points.part(mine & (self.soak == t))) for t in levels}
+
+
+def _soak(found: Points) -> Soak:
+    basis = pattern_basis(found.pattern_angle)
+    if basis.angle is not None or len(found) < 6:
+        deviation = np.std(found.rate, ddof=1) / np.sqrt(len(found)) if len(found) > 1 else np.nan
+        return Soak(float(np.mean(found.rate)), float(deviation), len(found), False)
+    fitted = fit({MEAN: np.ones(len(found)), **basis.columns}, found.rate)
+    return Soak(fitted.value(MEAN), fitted.deviation(MEAN), len(found), True)
 
 
 def measured(campaign: Campaign) -> Thermal:

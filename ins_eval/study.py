@@ -23,6 +23,7 @@ from pyhrg.parameters import TYPICAL, Device
 Array = NDArray[np.float64]
 Done = Callable[[int], None]
 
+
 @dataclass(frozen=True)
 class Validation:
     """What was benched, promised and flown."""

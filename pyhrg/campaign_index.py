@@ -1,10 +1,12 @@
 """The index of a campaign, key by key: what is there is checked as it is taken out."""
 
 import json
-import math
 import reprlib
+import sys
 from pathlib import Path
 from typing import Any
+
+LARGEST = sys.float_info.max
 
 
 class CampaignError(Exception):
@@ -38,13 +40,12 @@ class Entry:
             raise self.error(key, "expected a text")
         return value
 
-    def number(self, key: str, low: float = -math.inf, high: float = math.inf) -> float:
+    def number(self, key: str, low: float = -LARGEST, high: float = LARGEST) -> float:
         value = self.values.get(key)
         if isinstance(value, bool) or not isinstance(value, int | float):
             raise self.error(key, "expected a number")
-        if not (math.isfinite(value) and low <= value <= high):
-            limits = math.isfinite(low) or math.isfinite(high)
-            raise self.error(key, f"expected {low:g} to {high:g}" if limits else "expected finite")
+        if not low <= value <= high:
+            raise self.error(key, f"expected {low:g} to {high:g}")
         return float(value)
 
     def entry(self, key: str) -> "Entry":

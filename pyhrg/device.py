@@ -226,6 +226,10 @@ FMU_FIELDS = {
 """Parameters and inputs of the FMU that are fields of a device as they stand."""
 
 
+LOOPS = frozenset(name for name in FMU_FIELDS if name.endswith("Loop.naturalFrequency"))
+"""Those that a gyro with quasi-steady loops (`HRGSlow`) does not have."""
+
+
 def fmu_values(device: Device) -> dict[str, float]:
     """All parameters of the FMU that a device states, by name; the rest is `Device.model`."""
     return {

@@ -4,14 +4,15 @@ import threading
 import zlib
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.bench.programme import Programme
+from pyhrg.bench.store import Store, key_of
 from pyhrg.campaign import Campaign, Test
-from pyhrg.device import Device
+from pyhrg.device import LOOPS, Device
 from pyhrg.device_file import nominal
 from pyhrg.fmu import Gyro, GyroFmu
 from pyhrg.records import Log
@@ -46,11 +47,13 @@ class PowerOn:
 
     id: of the test; also decides the seed, so that a procedure gives the same alone and among all.
     kind: as in the campaign format.
+    start_angle: of the pattern, rad; the device's own, with its scatter, if None.
     """
 
     id: str
     kind: str
     programme: Programme
+    start_angle: float | None = None
 
 
 @dataclass(frozen=True)
@@ -58,6 +61,7 @@ class Bench:
     """A gyro on a turntable.
 
     step: communication step, s; rows of a programme are multiples of it.
+    store: where logs are kept to resume from; None keeps none.
     done: told the gyro time, s, of each power-on when it is over.
     """
 
@@ -66,6 +70,7 @@ class Bench:
     seed: int = 1
     step: float = 0.01
     workers: int = 1
+    store: Store | None = None
     done: Callable[[float], None] = field(default=lambda seconds: None, compare=False)
 
     def programme(self, interval: float = 1.0) -> Programme:
@@ -87,25 +92,43 @@ class Bench:
             finally:
                 self.fmu.stop = None
 
-    def power_on(self, identity: str) -> Gyro:
+    def power_on(self, identity: str, start_angle: float | None = None) -> Gyro:
         """Switch the gyro on: new noise, and its power-on angle as well as it repeats.
 
         Args:
             identity: of the power-on; the same one has the same noise and angle.
+            start_angle: of the pattern, rad, instead of the device's own.
         """
         key = zlib.crc32(identity.encode())
         generator = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(key,)))
-        device = self.device
-        return self.fmu.power_on(
-            device.fmu_parameters(),
-            seed=int(generator.integers(2**31)),
-            start_angle=generator.normal(device.power_on_angle, device.power_on_scatter),
-        )
+        seed = int(generator.integers(2**31))
+        own = generator.normal(self.device.power_on_angle, self.device.power_on_scatter)
+        angle = own if start_angle is None else start_angle
+        missing = LOOPS - self.fmu.references.keys()
+        values = self.device.fmu_parameters().items()
+        parameters = {name: value for name, value in values if name not in missing}
+        return self.fmu.power_on(parameters, seed, angle)
 
     def log(self, power_on: PowerOn) -> Test:
-        """Make one power-on and log it."""
+        """Make one power-on and log it, or take the log that an earlier attempt kept."""
+        key = key_of(
+            power_on.programme,
+            **{"id": power_on.id, "seed": self.seed, "step": self.step},
+            **{"fmu": self.fmu.folder.name, "device": self.device},
+            **{"start_angle": power_on.start_angle},
+        )
+        log = self.store.load(key) if self.store else None
+        if log is None:
+            log = self._recorded(power_on)
+            if self.store:
+                self.store.keep(key, log)
+        self.done(power_on.programme.time)
+        recording = replace(log, source=power_on.id)
+        return Test(id=power_on.id, kind=power_on.kind, role="fit", recording=recording)
+
+    def _recorded(self, power_on: PowerOn) -> Log:
         programme = power_on.programme
-        with self.power_on(power_on.id) as gyro:
+        with self.power_on(power_on.id, power_on.start_angle) as gyro:
             ends, means = gyro.record(
                 self._moving(programme),
                 {INPUTS[name]: programme.held(name) for name in INPUTS},
@@ -114,7 +137,6 @@ class Bench:
                 list(MEANS.values()),
             )
         outputs = dict(zip((*ENDS, *MEANS), [*ends.T, *means.T], strict=True))
-        self.done(programme.time)
         columns = {
             "time": np.arange(1, len(programme) + 1) * programme.interval,
             "table_angle": programme.table_angle,
@@ -122,8 +144,7 @@ class Bench:
             **{name: programme.held(name) for name in LOGGED},
             **outputs,
         }
-        log = Log(source=power_on.id, interval=programme.interval, exclusions=(), **columns)
-        return Test(id=power_on.id, kind=power_on.kind, role="fit", recording=log)
+        return Log(source=power_on.id, interval=programme.interval, exclusions=(), **columns)
 
     def campaign(self, tests: Sequence[Test]) -> Campaign:
         """The tests with what is believed of the gyro, as a test engineer would bring them home."""

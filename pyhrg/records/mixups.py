@@ -15,7 +15,7 @@ NEAR = 1.2
 """Factor within which a ratio is a known mix-up."""
 BRYAN_FACTORS = (0.1, 0.6)
 """Wave over gyro angle of any shell or ring; twice the most a hemisphere has."""
-LEAST_TURN = 0.01 * DEG
+LEAST_TURN = 1e-3 * DEG
 """Turn that two columns must show before they are compared, rad."""
 LEAST_REST = 100.0
 """Time at rest over which Earth's rate is looked for, s."""
@@ -51,7 +51,6 @@ def check_earth_rate(table: Table, interval: float, latitude: float) -> None:
     turned = np.diff(columns["gyro_angle"])
     rest = (
         (np.diff(columns["table_angle"]) == 0)
-        & (columns["virtual_rotation"][1:] == 0)
         & (columns["drive_on"][1:] == 1)
         & (np.abs(rate) > LEAST_EARTH_RATE)
         & np.isfinite(turned)

@@ -22,9 +22,9 @@ def without_saturation(table: Table, interval: float) -> Table:
 
     An angle is saturated where it repeats while the table turns. Any channel is, where it repeats
     for longer than the rest of the log under the same commands makes credible: its steps repeat
-    with a share p, so that r repeats in a row out of n come about n p^r times by chance. A channel
-    that stands still most of the time (a gyro without noise, a force that is off) is left alone,
-    and so is one that merely waits for its next quantum: it enters and leaves by the least step.
+    with a share p, so that r repeats in a row out of n come about n p^r times by chance. A value
+    that a channel has most of the time (a gyro without noise, a force that is off) is left alone,
+    and so is one that merely waits for its next quantum: it enters and leaves by one or two.
     """
     turning = np.append(False, np.abs(np.diff(table.columns["table_angle"])) > FAST * interval)
     state = _states(table, turning)
@@ -44,12 +44,17 @@ def without_saturation(table: Table, interval: float) -> Table:
 
 def _states(table: Table, turning: NDArray[np.bool_]) -> NDArray[np.int64]:
     """(n,) number of the commanded state that each row is in."""
-    commands = [table.columns[column.field] for column in COLUMNS if column.role == "command"]
     state = turning.astype(np.int64)
-    for values in commands:
-        codes = np.unique(values, return_inverse=True)[1]
-        state = np.unique(state * (codes.max() + 1) + codes, return_inverse=True)[1]
+    for column in COLUMNS:
+        if column.role == "command":
+            state = _coded(state, table.columns[column.field])
     return state
+
+
+def _coded(state: NDArray[np.int64], values: Array) -> NDArray[np.int64]:
+    """(n,) number of the pair of state and value that each row has."""
+    codes = np.unique(values, return_inverse=True)[1]
+    return np.unique(state * (codes.max() + 1) + codes, return_inverse=True)[1]
 
 
 def _runs(same: NDArray[np.bool_]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
@@ -73,22 +78,29 @@ def _still(values: Array, turning: NDArray[np.bool_]) -> NDArray[np.bool_]:
 
 
 def _improbable(values: Array, state: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Repeats of one value are held to how often the other values of the same state repeat."""
     inside = state[1:] == state[:-1]
-    size = np.nan_to_num(np.abs(np.diff(values)))
     same = (np.diff(values) == 0) & inside
     first, last = _runs(same)
     if not len(first):
         return np.zeros(len(values), dtype=bool)
-    repeats = last - first
-    others = np.bincount(state[1:][inside])[state[first]] - repeats
-    share = (np.bincount(state[1:][same])[state[first]] - repeats + 1) / (others + 2)
-    edges = np.concatenate([[0.0], size, [0.0]])
-    jump = np.maximum(edges[first], edges[last + 1])
-    quantum = np.min(size[size > 0], initial=np.inf)
+    level = _coded(state, values)
+    here = np.bincount(level[1:][same])[level[first]]
+    repeats = np.bincount(state[1:][same])[state[first]] - here
+    others = np.bincount(state[1:][inside])[state[first]] - here
+    share = (repeats + 1) / (others + 2)
     stuck = (
-        (repeats + 1 >= SHORTEST)
-        & (others >= repeats)
-        & ((others + repeats) * share**repeats < FALSE_ALARMS)
-        & (jump > 2 * quantum)
+        (last - first + 1 >= SHORTEST)
+        & (others >= here)
+        & (others * share ** (last - first) < FALSE_ALARMS)
+        & _jumps(values, first, last)
     )
     return _marked(len(values), first, last, stuck)
+
+
+def _jumps(values: Array, first: NDArray[np.int64], last: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Whether each run is entered or left by more than two quanta of the channel."""
+    size = np.nan_to_num(np.abs(np.diff(values)))
+    quantum = np.min(np.diff(np.unique(values[np.isfinite(values)])), initial=np.inf)
+    edges = np.concatenate([[0.0], size, [0.0]])
+    return np.maximum(edges[first], edges[last + 1]) > 2 * quantum

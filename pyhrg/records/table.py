@@ -5,8 +5,7 @@ import gzip
 import io
 import math
 import zlib
-from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +14,8 @@ from numpy.typing import NDArray
 from pyhrg.records.columns import BY_FIELD, COLUMNS, Column, LogError, mislabelled
 
 Array = NDArray[np.float64]
+Numbers = tuple[NDArray[np.int64], dict[str, Array]]
+"""Rows' numbers, and columns by their name in the file."""
 
 SHOWN = 8
 """Stretches of rows that a message lists before it only counts."""
@@ -40,17 +41,17 @@ class Table:
         if not chosen.any():
             return self
         note = f"{spans(self.rows[chosen])}: {trouble}"
-        return Table(self.source, self.rows, self.columns, (*self.notes, note))
+        return replace(self, notes=(*self.notes, note))
 
     def kept(self, chosen: NDArray[np.bool_]) -> "Table":
         """Only the chosen rows."""
         columns = {field: values[chosen] for field, values in self.columns.items()}
-        return Table(self.source, self.rows[chosen], columns, self.notes)
+        return replace(self, rows=self.rows[chosen], columns=columns)
 
     def emptied(self, field: str, chosen: NDArray[np.bool_]) -> "Table":
         """Without a column's values in the chosen rows."""
-        columns = self.columns | {field: np.where(chosen, np.nan, self.columns[field])}
-        return Table(self.source, self.rows, columns, self.notes)
+        values = np.where(chosen, np.nan, self.columns[field])
+        return replace(self, columns=self.columns | {field: values})
 
 
 def spans(rows: NDArray[np.int64]) -> str:
@@ -69,38 +70,22 @@ def read_table(path: Path) -> Table:
             time, no rows, a row with too few or too many fields, a field that is no number or is
             out of range.
     """
-    header, numbers, fields = _split(path)
+    text = _text(path)
+    header = [name.strip() for name in next(csv.reader(text.splitlines()[:1]), [])]
     _check_header(path, header)
-    columns = {column.field: np.full(len(numbers), np.nan) for column in COLUMNS}
+    rows, values = _quickly(text, header) or _carefully(path, text, header)
+    if len(rows) < 2:
+        raise LogError(f"{path.name}: {len(rows)} rows of values; expected at least 2")
+    columns = {column.field: np.full(len(rows), np.nan) for column in COLUMNS}
     for column in COLUMNS:
         if column.name in header:
-            values = _values(path, column, numbers, fields[header.index(column.name)])
-            columns[column.field] = column.factor * values + column.offset
+            _check_range(path, column, rows, values[column.name])
+            columns[column.field] = column.factor * values[column.name] + column.offset
     names = [column.name for column in COLUMNS]
     expected = [column.name for column in COLUMNS if not column.optional]
     notes = [f"no column {name}" for name in expected if name not in header]
     notes += [f"column {name}: not known, ignored" for name in header if name not in names]
-    return Table(path.name, np.array(numbers), columns, tuple(notes))
-
-
-def _split(path: Path) -> tuple[list[str], list[int], list[Sequence[str]]]:
-    """Header, the rows' numbers, and the fields column by column."""
-    reader = csv.reader(io.StringIO(_text(path)))
-    try:
-        header = [name.strip() for name in next(reader, [])]
-        rows = list(reader)
-    except csv.Error as error:
-        raise LogError(f"{path.name}: row {reader.line_num}: {error}") from error
-    numbers = [number for number, row in enumerate(rows, 2) if row]
-    rows = [row for row in rows if row]
-    for number, row in zip(numbers, rows, strict=True):
-        if len(row) != len(header):
-            raise LogError(
-                f"{path.name}: row {number}: {len(row)} fields; expected {len(header)} as in row 1"
-            )
-    if len(rows) < 2:
-        raise LogError(f"{path.name}: {len(rows)} rows of values; expected at least 2")
-    return header, numbers, list(zip(*rows, strict=True))
+    return Table(path.name, rows, columns, tuple(notes))
 
 
 def _text(path: Path) -> str:
@@ -124,29 +109,51 @@ def _check_header(path: Path, header: list[str]) -> None:
         raise LogError(f"{path.name}: column {names[0]} is missing; found {', '.join(header)}")
 
 
-def _values(path: Path, column: Column, numbers: list[int], texts: Sequence[str]) -> Array:
-    """A column in the file's unit; NaN where the field is empty or says so."""
+def _quickly(text: str, header: list[str]) -> Numbers | None:
+    """Rows and columns of a file in which every field is a number; None for any other."""
+    if "\n\n" in text or "\n\r" in text or not text.partition("\n")[2].strip():
+        return None
     try:
-        values = np.array([float(text or "nan") for text in texts])
+        table = np.loadtxt(io.StringIO(text), delimiter=",", comments=None, skiprows=1, ndmin=2)
     except ValueError:
-        values = np.array(
-            [_number(path, column, *pair) for pair in zip(numbers, texts, strict=True)]
-        )
-    wrong = np.isinf(values) | (values < column.lowest) | (values > column.highest)
-    if wrong.any():
-        row = int(np.argmax(wrong))
-        limits = math.isfinite(column.lowest) or math.isfinite(column.highest)
-        expected = f"{column.lowest:g} to {column.highest:g}" if limits else "a finite number"
-        raise LogError(
-            f"{path.name}: row {numbers[row]}, {column.name}: {texts[row]}; expected {expected}"
-        )
-    return values
+        return None
+    if table.shape[1] != len(header) or not len(table):
+        return None
+    return np.arange(2, len(table) + 2), dict(zip(header, table.T, strict=True))
 
 
-def _number(path: Path, column: Column, row: int, text: str) -> float:
+def _carefully(path: Path, text: str, header: list[str]) -> Numbers:
+    """The same of a file with empty fields or rows, or with text in columns that aren't ours."""
+    reader = csv.reader(io.StringIO(text))
+    try:
+        lines = [(number, row) for number, row in enumerate(reader, 1) if row][1:]
+    except csv.Error as error:
+        raise LogError(f"{path.name}: row {reader.line_num}: {error}") from error
+    for number, row in lines:
+        if len(row) != len(header):
+            raise LogError(
+                f"{path.name}: row {number}: {len(row)} fields; expected {len(header)} as in row 1"
+            )
+    return np.array([number for number, _ in lines], dtype=np.int64), {
+        name: np.array([_number(path, name, number, row[place]) for number, row in lines])
+        for place, name in enumerate(header)
+        if any(name == column.name for column in COLUMNS)
+    }
+
+
+def _number(path: Path, name: str, row: int, text: str) -> float:
     try:
         return float(text.strip() or "nan")
     except ValueError:
+        raise LogError(f"{path.name}: row {row}, {name}: {text!r}; expected a number") from None
+
+
+def _check_range(path: Path, column: Column, rows: NDArray[np.int64], values: Array) -> None:
+    wrong = np.isinf(values) | (values < column.lowest) | (values > column.highest)
+    if wrong.any():
+        i = int(np.argmax(wrong))
+        limits = math.isfinite(column.lowest) or math.isfinite(column.highest)
+        expected = f"{column.lowest:g} to {column.highest:g}" if limits else "a finite number"
         raise LogError(
-            f"{path.name}: row {row}, {column.name}: {text!r}; expected a number"
-        ) from None
+            f"{path.name}: row {rows[i]}, {column.name}: {values[i]:.9g}; expected {expected}"
+        )

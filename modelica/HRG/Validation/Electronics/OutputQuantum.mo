@@ -8,7 +8,7 @@ protected
 equation
   measured = angleError;
   expected = quantum*floor(turned/quantum + 0.5) - turned;
-  scale = quantum;
+  scale = quantum/2;
   annotation (experiment(StopTime = 50), Documentation(info="<html>
 <p>Mechanism 30: the output is the nearest multiple of q, after any turn.</p>
 </html>"));

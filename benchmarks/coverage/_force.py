@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from benchmarks.coverage._environment import FAST
 from pyhrg import theory
 from pyhrg.device import Device
 from pyhrg.parameters import TYPICAL
@@ -18,6 +19,7 @@ def feeling(generator: np.random.Generator, gain: float, square: float) -> Devic
     bias, gains = unit * generator.standard_normal(3), gain * generator.standard_normal(3)
     squares = square * generator.standard_normal(3)
     model = {f"drive.rotationPerAcceleration[{i + 1}]": -turn * bias[i] for i in range(2)}
+    model |= FAST
     model |= {f"pickOff.gainPerAcceleration[{i + 1}]": gains[i] for i in (1, 2)}
     model |= {f"pickOff.gainPerAccelerationSquared[{i + 1}]": squares[i] for i in range(3)}
     return replace(
@@ -36,7 +38,9 @@ def linear(device: Device) -> dict[str, float]:
         device.pickoff_gain_per_acceleration,
         *(device.model[f"pickOff.gainPerAcceleration[{i + 1}]"] for i in (1, 2)),
     ]
-    means = dict(zip("xyz", [-e / turn for e in rotation] + [device.bias_per_acceleration]))
+    means = dict(
+        zip("xyz", [-e / turn for e in rotation] + [device.bias_per_acceleration], strict=True)
+    )
     return {
         "bias": theory.mean_bias(device),
         **{f"g bias {axis}": value for axis, value in means.items()},

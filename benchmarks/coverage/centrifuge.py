@@ -16,7 +16,7 @@ LEVELS = (-20.0, -10.0, 10.0, 20.0)
 def repeat(fmu: GyroFmu, seed: int) -> Intervals:
     """One power-on, one data point a level."""
     device = feeling(np.random.default_rng(seed), gain=1e-7, square=1e-9)
-    bench = Bench(fmu, device, seed, step=0.1)
+    bench = Bench(fmu, device, seed, step=1.0)
     course = centrifuge.programme(bench, LEVELS)
     tests = bench.run([PowerOn("centrifuge", centrifuge.KIND, course)])
     return against(centrifuge.evaluate(bench.campaign(tests)), truths(device))

@@ -16,7 +16,7 @@ MODEL = "HRGSlow"
 def repeat(fmu: GyroFmu, seed: int) -> Intervals:
     """One power-on, one data point a position."""
     device = feeling(np.random.default_rng(seed), gain=1e-6, square=1e-7)
-    bench = Bench(fmu, device, seed, step=0.1)
+    bench = Bench(fmu, device, seed, step=1.0)
     course = tumble.programme(bench, tumble.EIGHT, segments=1)
     tests = bench.run([PowerOn("tumble", tumble.KIND, course)])
     return against(tumble.evaluate(bench.campaign(tests)), truths(device))

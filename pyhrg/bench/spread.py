@@ -6,6 +6,9 @@ from scipy import optimize, stats
 
 from pyhrg.bench.outcome import Finding
 
+NORMAL = 1e6
+"""Sum of squares over noise^2 beyond which its distribution is normal to a thousandth."""
+
 
 def spread_finding(
     name: str, samples: ArrayLike, noise: float, unit: str, note: str = ""
@@ -47,5 +50,8 @@ def _noncentrality(total: float, freedom: int, probability: float) -> float:
 
     if stats.chi2.cdf(total, freedom) < probability:
         return 0.0
+    if total > NORMAL:
+        reach = float(stats.norm.ppf(probability)) * 2 * np.sqrt(total)
+        return float(max(total - freedom - reach, 0.0))
     top = total + 10 * np.sqrt(total + freedom) + 40
     return float(optimize.brentq(excess, 1e-9, top))

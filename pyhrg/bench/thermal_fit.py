@@ -12,7 +12,7 @@ from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import tests_of
 from pyhrg.bench.terms import PatternBasis, distinguishable, pattern_basis
 from pyhrg.bench.thermal_programme import SETTLE
-from pyhrg.bench.thermometer import Thermometer, thermometer
+from pyhrg.bench.thermometer import Thermometer, filled, thermometer
 from pyhrg.campaign import Campaign
 from pyhrg.records import Log
 from pyhrg.units import MINUTE, ZERO_CELSIUS
@@ -50,7 +50,7 @@ class Thermal:
     """Data points of all power-ons, and the fit.
 
     temperature: (n,) of the resonator above the reference, K.
-    rate: (n,) of the case's temperature, K/s.
+    rate, warming: (n,) rate of the case's temperature, and of the resonator's, K/s.
     soak: (n,) temperature of the soak that the point belongs to, degC; NaN on a ramp.
     run: (n,) number of the power-on.
     """
@@ -58,6 +58,7 @@ class Thermal:
     points: Points
     temperature: Array
     rate: Array
+    warming: Array
     soak: Array
     run: NDArray[np.int64]
     thermometers: tuple[Thermometer, ...]
@@ -73,7 +74,7 @@ class Thermal:
 
     def of_pattern(self) -> Array:
         """(n,) part of the fit that depends on the pattern angle, rad/s."""
-        columns = _columns(self.basis, self.temperature, self.rate)
+        columns = _columns(self.basis, self.temperature, self.rate, self.warming)
         turning = [n for n in self.fitted.names if n.endswith(tuple(self.basis.columns))]
         parts = [self.fitted.value(name) * columns[name] for name in turning]
         return np.asarray(np.sum(parts, axis=0) + np.zeros(len(self.points)))
@@ -105,7 +106,7 @@ def measured(campaign: Campaign) -> Thermal:
     logs = [test.log for test in tests_of(campaign, KIND)]
     parts = [points(log, campaign.site.latitude, SETTLE, warm_up=WARM_UP) for log in logs]
     meters = tuple(thermometer(log, believed) for log in logs)
-    warm, rates, case = (
+    warm, rates, warming, case = (
         np.concatenate(c) for c in zip(*map(_heat, logs, meters, parts), strict=True)
     )
     if np.ptp(warm) < LEAST_RANGE:
@@ -117,31 +118,43 @@ def measured(campaign: Campaign) -> Thermal:
     found = joined(parts)
     steady = (np.abs(rates) < STEADY) & (np.abs(warm - case) < NEAR)
     basis = pattern_basis(found.pattern_angle)
-    wanted = _columns(basis, warm - reference, rates)
+    wanted = _columns(basis, warm - reference, rates, warming)
     columns, refused = distinguishable(wanted)
     run = np.repeat(np.arange(len(parts)), [len(p) for p in parts])
     soak = _soaks(case - ZERO_CELSIUS, steady)
     fitted = fit(columns, found.rate)
-    return Thermal(found, warm - reference, rates, soak, run, meters, basis, fitted, refused)
+    return Thermal(
+        found, warm - reference, rates, warming, soak, run, meters, basis, fitted, refused
+    )
 
 
-def _heat(log: Log, meter: Thermometer, part: Points) -> tuple[Array, Array, Array]:
-    """Resonator's and case's mean temperature, and the case's rate, of each point."""
-    case = log.temperature
+def _heat(log: Log, meter: Thermometer, part: Points) -> tuple[Array, ...]:
+    """Of each point: resonator's temperature, case's rate, resonator's rate, case's temperature."""
+    case = filled(log.temperature)
     rows = list(zip(part.first, part.last, strict=True))
     warm, mean = (
-        np.array([np.nanmean(values[a : b + 1]) for a, b in rows])
+        np.array([np.mean(values[a : b + 1]) for a, b in rows])
         for values in (meter.temperature, case)
     )
-    return warm, np.asarray((case[part.last] - case[part.first]) / part.duration), mean
+    rate, warming = (
+        np.asarray((values[part.last] - values[part.first]) / part.duration)
+        for values in (case, meter.temperature)
+    )
+    return warm, rate, warming, mean
 
 
-def _columns(basis: PatternBasis, warm: Array, rate: Array) -> dict[str, Array]:
-    """Terms of the fit: map, temperature, its rate, and how the map changes with temperature."""
+def _columns(basis: PatternBasis, warm: Array, rate: Array, warming: Array) -> dict[str, Array]:
+    """Terms of the fit: map, temperature, its rate, and how the map changes with temperature.
+
+    Pick-off gains that change while the resonator warms turn the detected angle: a bias that goes
+    with the resonator's rate and a fourth harmonic, at one pattern angle a constant.
+    """
     columns = {MEAN: np.ones_like(warm), **basis.columns, PER_KELVIN: warm, PER_RATE: rate}
     columns |= {f"{PER_KELVIN} {name}": warm * c for name, c in basis.columns.items()}
     columns["bias per kelvin squared"] = warm**2
     columns[f"{PER_RATE} per kelvin"] = rate * warm
+    local = {} if basis.angle is None else {"at rest": np.ones_like(warm)}
+    columns |= {f"warming {name}": warming * c for name, c in (local | basis.columns).items()}
     return columns | {f"per kelvin squared {n}": warm**2 * c for n, c in basis.columns.items()}
 
 

@@ -1,4 +1,8 @@
-"""Course of a temperature test: soaks with positions and spins, ramps between them."""
+"""Course of a temperature test: soaks with positions and spins, ramps between them.
+
+Each ramp finds the pattern 22.5 deg further on: a gain that drifts with temperature turns the
+detected angle, in proportion to sin 4th, and only so is it told from a bias of the ramp itself.
+"""
 
 from collections.abc import Sequence
 
@@ -42,6 +46,7 @@ def programme(
         for _ in range(pairs):
             for rate in (SPIN_RATE, -SPIN_RATE):
                 course.spin(rate, _whole(SPIN, interval)).rest(interval)
+        course.turn(PATTERN_STEP / bench.device.bryan_factor, TABLE_RATE)
     _ramp(course, now, soaks[0] + ZERO_CELSIUS)
     return course
 

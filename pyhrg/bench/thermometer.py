@@ -53,12 +53,12 @@ def thermometer(log: Log, believed_lag: float | None = None) -> Thermometer:
         note = "believed: the loop frequency doesn't follow the temperature"
         return Thermometer(lagged(log, believed_lag), np.nan, np.nan, note)
     note = "not known: the case's temperature is taken for the resonator's"
-    return Thermometer(np.asarray(log.temperature), np.nan, np.nan, note)
+    return Thermometer(filled(log.temperature), np.nan, np.nan, note)
 
 
 def lagged(log: Log, lag: float) -> Array:
     """(n,) temperature of a body that follows the case, linear within a row, with a lag, K."""
-    case = np.where(np.isfinite(log.temperature), log.temperature, _filled(log.temperature))
+    case = filled(log.temperature)
     step = log.interval
     decay = np.exp(-step / lag)
     old, new = (1 - decay) * lag / step - decay, 1 - (1 - decay) * lag / step
@@ -80,7 +80,7 @@ def _fit(log: Log, lag: float) -> tuple[float, float]:
     return slope, float(np.sum((y - slope * x) ** 2) / np.sum(y**2))
 
 
-def _filled(values: Array) -> Array:
+def filled(values: Array) -> Array:
     """Linear through gaps."""
     known = np.isfinite(values)
     rows = np.arange(len(values))

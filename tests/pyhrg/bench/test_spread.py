@@ -8,7 +8,7 @@ from pyhrg.bench.spread import spread_finding
 
 @pytest.mark.parametrize("difference", [0.0, 0.5, 3.0, 1e4])
 def test_interval_holds_the_deviation_in_the_mean_square(difference: float) -> None:
-    """200 repeats within four sigma of the binomial; without difference the lower bound never fails."""
+    """200 repeats, four sigma of the binomial; without difference the low end never fails."""
     generator, means = np.random.default_rng(1), difference * np.arange(6)
     truth = np.sqrt(1 + np.var(means, ddof=1))
     found = [spread_finding("", means + generator.standard_normal(6), 1.0, "1") for _ in range(200)]

@@ -65,6 +65,7 @@ def inflations(parts: Sequence[Part], names: Sequence[str]) -> dict[str, float]:
     their span or is zero (variance inflation factor, uncentred)."""
     matrix = np.vstack([_matrix(part, names) for part in parts])
     norms = np.linalg.norm(matrix, axis=0)
+    matrix = np.linalg.qr(matrix, mode="r")
     result = {}
     for i, name in enumerate(names):
         if norms[i] == 0.0:

@@ -1,7 +1,8 @@
 """A gyro's parameters, as its maker would list them."""
 
 import math
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -51,6 +52,8 @@ class Device:
     """Tilt of the input axis from the table's axis, rad."""
     misalignment_direction: float = 0.0
     """Table angle at which the tilted axis leans north, rad."""
+    model: Mapping[str, float] = field(default_factory=dict)
+    """Further parameters of the FMU by their own names, SI."""
 
     def nominal(self) -> dict[str, float]:
         """What is believed of the gyro, by the keys of a campaign."""
@@ -75,6 +78,7 @@ class Device:
             "pickOff.phaseError": self.phase_error,
             "noise.angleRandomWalk": self.angle_random_walk**2,
             "noise.pickOff": displacement_noise**2 * control_period,
+            **self.model,
         }
 
     def without_anisotropy(self) -> "Device":

@@ -18,11 +18,13 @@ from pyhrg.bench.output_rows import Array, Rows, Terms, fitted, useful
 from pyhrg.bench.phasor import anisotropy, component_findings
 from pyhrg.bench.procedure import Procedure, tests_of
 from pyhrg.bench.row_fit import Part
-from pyhrg.bench.virtual_rotation import RATE, programme
+from pyhrg.bench.virtual_rotation import programme
 from pyhrg.campaign import Campaign, Test
 from pyhrg.units import DEG
 
 KIND = "force_map"
+RATE = 0.5 * DEG
+"""Of the virtual rotation: slow, for the loops to follow."""
 KINDS = (KIND, "positions", "virtual_rotation")
 MEAN = "mean"
 VECTOR = ("cosine", "sine")

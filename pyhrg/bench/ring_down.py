@@ -203,17 +203,17 @@ def _nearby(found: Sequence[Decay], gyro: Gyro, start: Array) -> Array:
 def _parts(decay: Decay, gyro: Gyro, terms: Array) -> list[Part]:
     """Increments of angle and of the amplitude's logarithm, less what the terms explain."""
     seen = (decay.angle, np.log(decay.amplitude))
-    weights = (1.0, decay.amplitude[1:])  # noise of the amplitude, over the amplitude, grows
+    weight = decay.amplitude[1:]  # noises of drives and pick-offs count over the amplitude
     up, down = (
         [gyro.orbit(decay, terms + sign * step) for step in np.diag(SCALES)] for sign in (1.0, -1.0)
     )
     parts = []
     for i, expected in enumerate(gyro.orbit(decay, terms)):
         columns = {
-            name: weights[i] * np.diff(up[j][i] - down[j][i]) / (2 * SCALES[j])
+            name: weight * np.diff(up[j][i] - down[j][i]) / (2 * SCALES[j])
             for j, name in enumerate(TERMS)
         }
-        left = weights[i] * np.diff(seen[i] - expected)
+        left = weight * np.diff(seen[i] - expected)
         parts.append(Part(columns, left, decay.interval, CHANNELS[i]))
     return parts
 

@@ -45,8 +45,8 @@ def _reported(arguments: Sequence[str] | None) -> int:
     except UserError as error:
         print(f"hrg: {error}", file=sys.stderr)
         return 2
-    except KeyboardInterrupt:
-        print("hrg: interrupted; nothing was written", file=sys.stderr)
+    except KeyboardInterrupt as interruption:
+        print(f"hrg: {interruption or 'interrupted; nothing was written'}", file=sys.stderr)
         return 130
     finally:
         sys.stdout.flush()

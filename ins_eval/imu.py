@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from ins_eval.increments import Increments
 from pyhrg.bench import full_circumference
-from pyhrg.bench.bias_test import power_on
+from pyhrg.bench.bench import Bench
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import Device
 from pyhrg.units import MICRO_G
@@ -43,8 +43,8 @@ def measured_rotation(
 ) -> Array:
     """Rotation increments of one gyro, its mean bias calibrated.
 
-    The maker's calibration is a bench run of its own, power-on apart: the mean over eight
-    positions of the circumference, 100 s each.
+    The maker's calibration is a bench run of its own, power-on apart: eight positions of the
+    circumference, 100 s each; the mean of the fitted map.
 
     Args:
         fmu: the gyro's model.
@@ -56,8 +56,11 @@ def measured_rotation(
     Returns:
         (n,) rad.
     """
-    mean_bias = full_circumference.run(fmu, device, generator, segments=1).mean
-    with power_on(fmu, device, generator) as gyro:
+    bench = Bench(fmu, device, seed=int(generator.integers(2**63)))
+    power_ons = full_circumference.power_ons(bench, full_circumference.SHORTEST, 1, segments=1)
+    calibration = bench.campaign([bench.log(power_on) for power_on in power_ons])
+    mean_bias = full_circumference.mean_bias(calibration)
+    with bench.power_on("flight") as gyro:
         angles = gyro.drive(rotation / interval, interval)
     return np.diff(angles, prepend=0.0) - mean_bias * interval
 

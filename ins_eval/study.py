@@ -14,16 +14,14 @@ from ins_eval.imu import TYPICAL_ACCELEROMETERS, Accelerometers, measure
 from ins_eval.mission import Mission
 from ins_eval.prediction import bias_sensitivity, predicted_radial_error
 from pyhrg.bench import fixed_position, full_circumference
-from pyhrg.bench.bias_test import RUNS, BiasRun, BiasTest
-from pyhrg.bench.report import bias_table
+from pyhrg.bench.bench import Bench
+from pyhrg.bench.bias_test import BiasTest
+from pyhrg.bench.comparison import bias_table
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL, Device
 
 Array = NDArray[np.float64]
 Done = Callable[[int], None]
-
-BENCH_MINUTES = (60, 45)
-"""Gyro time of one run of each bench test, roughly, for the progress."""
 
 
 @dataclass(frozen=True)
@@ -51,8 +49,11 @@ class Validation:
 
 
 def work(triads: int, mission: Mission) -> int:
-    """Gyro time that `validate` simulates, minutes: the sum of what it reports as done."""
-    return RUNS * sum(BENCH_MINUTES) + triads * 3 * len(mission.time)
+    """Gyro time that `validate` simulates, minutes: the sum of what it reports as done.
+
+    Seven hours at the fixed position, seven times 44 min over the circumference.
+    """
+    return 7 * (60 + 44) + triads * 3 * len(mission.time)
 
 
 def validate(
@@ -79,15 +80,13 @@ def validate(
         done: told the gyro time, minutes, of each piece of work that is done.
     """
     fmu = GyroFmu(fmu_path)
-    bench_seeds, flight_seeds = np.random.SeedSequence(seed).spawn(2)
-    generators = [np.random.default_rng(s) for s in bench_seeds.spawn(2 * RUNS)]
+    bench_seed, flight_seed = np.random.SeedSequence(seed).spawn(2)
+    bench = Bench(fmu, device, seed=int(bench_seed.generate_state(1, np.uint64)[0]))
+    power_ons = fixed_position.power_ons(bench)
+    power_ons += full_circumference.power_ons(bench, full_circumference.SHORTEST)
     sensitivity = bias_sensitivity(mission)
     stop = threading.Event()
     fmu.stop = stop
-
-    def bench(task: tuple[Callable[..., BiasRun], np.random.Generator]) -> BiasRun:
-        procedure, generator = task
-        return procedure(fmu, device, generator)
 
     def fly(seeds: np.random.SeedSequence) -> Array:
         generator = np.random.default_rng(seeds)
@@ -95,24 +94,22 @@ def validate(
         error = mission.fly(measure(fmu, devices, accelerometers, mission.truth, generator))
         return np.asarray(np.hypot(error[:, 0], error[:, 1]))
 
-    runs, flown = [], []
+    logs, flown = [], []
     with ThreadPoolExecutor(workers or len(os.sched_getaffinity(0))) as pool:
         try:
-            tasks = [(fixed_position.run, g) for g in generators[:RUNS]]
-            tasks += [(full_circumference.run, g) for g in generators[RUNS:]]
-            benched = pool.map(bench, tasks)
-            flights = pool.map(fly, flight_seeds.spawn(triads))
-            for number, run in enumerate(benched):
-                runs.append(run)
-                done(BENCH_MINUTES[number // RUNS])
+            benched = pool.map(bench.log, power_ons)
+            flights = pool.map(fly, flight_seed.spawn(triads))
+            for test in benched:
+                logs.append(test)
+                done(round(test.log.time[-1] / 60))
             for radial in flights:
                 flown.append(radial)
                 done(3 * len(mission.time))
         except BaseException:
             stop.set()
             raise
-    old = BiasTest(tuple(runs[:RUNS]))
-    new = BiasTest(tuple(runs[RUNS:]))
+    campaign = bench.campaign(logs)
+    old, new = fixed_position.measured(campaign), full_circumference.measured(campaign)
 
     def promised(test: BiasTest) -> Array:
         return predicted_radial_error(sensitivity, test.stability, accelerometers.bias)

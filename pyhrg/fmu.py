@@ -86,6 +86,8 @@ class GyroFmu:
         if name not in self.references:
             raise GyroError(f"the FMU has no variable {name}")
         if self.kinds[name] == "Integer":
+            if value != int(value):
+                raise GyroError(f"{name}: {value:g} is no integer")
             slave.setInteger([self.references[name]], [int(value)])
         else:
             slave.setReal([self.references[name]], [value])

@@ -10,7 +10,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pyhrg.parameters import Device
+from pyhrg.device import Device
 
 
 def static_bias_phasor(device: Device) -> complex:

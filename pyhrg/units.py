@@ -4,12 +4,13 @@ import math
 
 DEG = math.pi / 180
 ARCSEC = DEG / 3600
+MINUTE = 60.0
 HOUR = 3600.0
 DEG_PER_H = DEG / HOUR
 DEG_PER_SQRT_H = DEG / math.sqrt(HOUR)
+HZ = 2 * math.pi
+PPM = 1e-6
+ZERO_CELSIUS = 273.15
 NAUTICAL_MILE = 1852.0
+STANDARD_GRAVITY = 9.80665
 MICRO_G = 9.80665e-6
-GRAVITY = 9.80665
-"""Standard gravity, m/s2."""
-EARTH_RATE = 7.292115e-5
-"""Earth's rotation rate, rad/s (WGS-84)."""

@@ -1,26 +1,24 @@
 """The virtual bench: runs a programme on the gyro's FMU and logs it as a real bench would."""
 
-import math
 import threading
 import zlib
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.bench.programme import Programme
-from pyhrg.campaign import Campaign, Site, Test
-from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import Device
+from pyhrg.bench.store import Store, key_of
+from pyhrg.campaign import Campaign, Test
+from pyhrg.device import LOOPS, Device
+from pyhrg.device_file import nominal
+from pyhrg.fmu import Gyro, GyroFmu
 from pyhrg.records import Log
-from pyhrg.units import DEG, EARTH_RATE
 
 Array = NDArray[np.float64]
 
-LABORATORY = Site(latitude=39.9 * DEG, gravity=9.8015)
-"""The paper's (Beijing)."""
 INPUTS = {
     "acceleration_x": "accelerationX",
     "acceleration_y": "accelerationY",
@@ -49,11 +47,13 @@ class PowerOn:
 
     id: of the test; also decides the seed, so that a procedure gives the same alone and among all.
     kind: as in the campaign format.
+    start_angle: of the pattern, rad; the device's own, with its scatter, if None.
     """
 
     id: str
     kind: str
     programme: Programme
+    start_angle: float | None = None
 
 
 @dataclass(frozen=True)
@@ -61,20 +61,23 @@ class Bench:
     """A gyro on a turntable.
 
     step: communication step, s; rows of a programme are multiples of it.
+    store: where logs are kept to resume from; None keeps none.
     done: told the gyro time, s, of each power-on when it is over.
     """
 
     fmu: GyroFmu
     device: Device
     seed: int = 1
-    site: Site = LABORATORY
     step: float = 0.01
     workers: int = 1
+    store: Store | None = None
     done: Callable[[float], None] = field(default=lambda seconds: None, compare=False)
 
     def programme(self, interval: float = 1.0) -> Programme:
-        """A programme for this site, to be filled."""
-        return Programme(interval, self.site.gravity)
+        """A programme for this gyro and site, to be filled."""
+        device = self.device
+        course = Programme(interval, device.site.gravity, device.reference_temperature)
+        return course.command(amplitude_setpoint=device.amplitude)
 
     def run(self, power_ons: Sequence[PowerOn]) -> list[Test]:
         """Make power-ons, in parallel where there are workers; same numbers on any number."""
@@ -89,16 +92,43 @@ class Bench:
             finally:
                 self.fmu.stop = None
 
+    def power_on(self, identity: str, start_angle: float | None = None) -> Gyro:
+        """Switch the gyro on: new noise, and its power-on angle as well as it repeats.
+
+        Args:
+            identity: of the power-on; the same one has the same noise and angle.
+            start_angle: of the pattern, rad, instead of the device's own.
+        """
+        key = zlib.crc32(identity.encode())
+        generator = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(key,)))
+        seed = int(generator.integers(2**31))
+        own = generator.normal(self.device.power_on_angle, self.device.power_on_scatter)
+        angle = own if start_angle is None else start_angle
+        missing = LOOPS - self.fmu.references.keys()
+        values = self.device.fmu_parameters().items()
+        parameters = {name: value for name, value in values if name not in missing}
+        return self.fmu.power_on(parameters, seed, angle)
+
     def log(self, power_on: PowerOn) -> Test:
-        """Make one power-on: new noise, and the power-on angle as well as it repeats."""
-        generator = self.generator(power_on.id)
+        """Make one power-on and log it, or take the log that an earlier attempt kept."""
+        key = key_of(
+            power_on.programme,
+            **{"id": power_on.id, "seed": self.seed, "step": self.step},
+            **{"fmu": self.fmu.folder.name, "device": self.device},
+            **{"start_angle": power_on.start_angle},
+        )
+        log = self.store.load(key) if self.store else None
+        if log is None:
+            log = self._recorded(power_on)
+            if self.store:
+                self.store.keep(key, log)
+        self.done(power_on.programme.time)
+        recording = replace(log, source=power_on.id)
+        return Test(id=power_on.id, kind=power_on.kind, role="fit", recording=recording)
+
+    def _recorded(self, power_on: PowerOn) -> Log:
         programme = power_on.programme
-        device = self.device
-        with self.fmu.power_on(
-            device.fmu_parameters(),
-            seed=int(generator.integers(2**31)),
-            start_angle=generator.normal(device.power_on_angle, device.power_on_scatter),
-        ) as gyro:
+        with self.power_on(power_on.id, power_on.start_angle) as gyro:
             ends, means = gyro.record(
                 self._moving(programme),
                 {INPUTS[name]: programme.held(name) for name in INPUTS},
@@ -107,26 +137,18 @@ class Bench:
                 list(MEANS.values()),
             )
         outputs = dict(zip((*ENDS, *MEANS), [*ends.T, *means.T], strict=True))
-        self.done(programme.time)
-        log = Log(
-            source=power_on.id,
-            interval=programme.interval,
-            time=np.arange(1, len(programme) + 1) * programme.interval,
-            table_angle=programme.table_angle,
-            temperature=programme.temperature[1:],
+        columns = {
+            "time": np.arange(1, len(programme) + 1) * programme.interval,
+            "table_angle": programme.table_angle,
+            "temperature": programme.temperature[1:],
             **{name: programme.held(name) for name in LOGGED},
             **outputs,
-        )
-        return Test(id=power_on.id, kind=power_on.kind, role="fit", log=log)
+        }
+        return Log(source=power_on.id, interval=programme.interval, exclusions=(), **columns)
 
     def campaign(self, tests: Sequence[Test]) -> Campaign:
         """The tests with what is believed of the gyro, as a test engineer would bring them home."""
-        return Campaign(self.device.name, self.site, self.device.nominal(), tuple(tests))
-
-    def generator(self, identity: str) -> np.random.Generator:
-        """Randomness of one power-on."""
-        key = zlib.crc32(identity.encode())
-        return np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(key,)))
+        return Campaign(self.device.name, self.device.site, nominal(self.device), tuple(tests))
 
     def _moving(self, programme: Programme) -> dict[str, Array]:
         """(n, m) inputs that change within a row, in each communication step, SI."""
@@ -147,10 +169,11 @@ class Bench:
 
     def earth_rate(self, axis_up: Array, table_angle: Array) -> Array:
         """Earth's rate on the input axis, rad/s; a misaligned axis leans north once a turn."""
-        latitude, device = self.site.latitude, self.device
-        lean = device.misalignment * np.cos(table_angle - device.misalignment_direction)
-        up = axis_up * math.sin(latitude) * np.cos(device.misalignment)
-        return np.asarray(EARTH_RATE * (up + math.cos(latitude) * np.sin(lean)))
+        site, device = self.device.site, self.device
+        north = np.cos(table_angle + device.misalignment_direction)
+        up = axis_up * np.cos(device.misalignment)
+        lean = np.sin(device.misalignment) * north
+        return np.asarray(site.vertical_rate * up + site.horizontal_rate * lean)
 
 
 LOGGED = tuple(name for name in ("axis_up", *INPUTS) if name not in ("vibration", "bias_voltage"))

@@ -23,10 +23,15 @@ def programme(bench: Bench, segments: int = SEGMENTS) -> Programme:
     return bench.programme().attitude(0.0).rest(WARM_UP + segments * SEGMENT)
 
 
-def record(bench: Bench, runs: int = RUNS, segments: int = SEGMENTS) -> list[Test]:
-    """Seven power-ons of an hour each."""
-    tasks = [PowerOn(f"fixed_{n + 1}", KIND, programme(bench, segments)) for n in range(runs)]
-    return bench.run(tasks)
+def power_ons(bench: Bench, runs: int = RUNS, segments: int = SEGMENTS) -> list[PowerOn]:
+    """Seven of an hour each."""
+    course = programme(bench, segments)
+    return [PowerOn(f"fixed_{n + 1}", KIND, course) for n in range(runs)]
+
+
+def record(bench: Bench) -> list[Test]:
+    """Run them."""
+    return bench.run(power_ons(bench))
 
 
 def measured(campaign: Campaign) -> BiasTest:

@@ -17,7 +17,7 @@ UNITS = {
     "arcsec": units.ARCSEC,
     "deg/sqrt(h)": units.DEG_PER_SQRT_H,
     "deg/h/sqrt(h)": units.DEG_PER_H / np.sqrt(units.HOUR),
-    "deg/h/g": units.DEG_PER_H / units.GRAVITY,
+    "deg/h/g": units.DEG_PER_H / units.STANDARD_GRAVITY,
     "deg/h/K": units.DEG_PER_H,
     "ppm": 1e-6,
     "mHz": 2e-3 * np.pi,

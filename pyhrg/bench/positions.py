@@ -46,7 +46,7 @@ class Plan:
 
     def angles(self, start: float = 0.0) -> tuple[Array, Array]:
         """Pattern and table angles (n,), rad, from a power-on angle of the pattern."""
-        number = np.arange(self.positions)
+        number = np.arange(self.positions, dtype=np.float64)
         return start - number * self.pattern_step, number * self.table_step
 
     def inflation(self, harmonics: Sequence[int] = HARMONICS, tilt: bool = True) -> float:

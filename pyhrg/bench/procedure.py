@@ -20,6 +20,8 @@ class Procedure:
     kinds: of tests that it evaluates (campaign format).
     record: makes the test's power-ons on the virtual bench.
     evaluate: gives the outcome of a campaign that holds tests of these kinds.
+    model: the gyro that the virtual bench takes (`fmu_build.roots.ROOTS`), step: its communication
+        step, s.
     """
 
     name: str
@@ -30,6 +32,8 @@ class Procedure:
     kinds: tuple[str, ...]
     record: Callable[[Bench], list[Test]]
     evaluate: Callable[[Campaign], Outcome]
+    model: str = "HRG"
+    step: float = 0.01
 
     def run(self, bench: Bench) -> Outcome:
         """Record on the virtual bench and evaluate."""
@@ -37,12 +41,12 @@ class Procedure:
 
 
 def tests_of(campaign: Campaign, *kinds: str) -> list[Test]:
-    """The campaign's tests of these kinds.
+    """The campaign's tests of these kinds that may be used; not those held out.
 
     Raises:
         BenchError: there are none.
     """
-    found = [test for test in campaign.tests if test.kind in kinds]
+    found = [test for test in campaign.of_kind(*kinds) if not test.is_holdout]
     if not found:
         there = ", ".join(sorted({test.kind for test in campaign.tests})) or "no tests"
         raise BenchError(

@@ -2,13 +2,15 @@
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
 from pyhrg.records import Log
-from pyhrg.units import DEG, EARTH_RATE
+from pyhrg.site import EARTH_RATE
+from pyhrg.units import DEG
 
 Array = NDArray[np.float64]
 
@@ -45,7 +47,7 @@ class Segments:
 
 def rests(log: Log, settle: float) -> list[slice]:
     """Rows of each stretch with the table at rest, drive on, no virtual rotation and no gap, from
-    `settle` seconds after it began."""
+    `settle` seconds after it began; the first row is the reading at which it begins."""
     turned = np.abs(np.diff(log.table_angle, prepend=log.table_angle[:1]))
     quiet = (turned < AT_REST) & (log.virtual_rotation == 0.0) & (log.drive_on > 0.5)
     found = []
@@ -53,9 +55,9 @@ def rests(log: Log, settle: float) -> list[slice]:
         rows = np.arange(len(quiet))[stretch]
         broken = np.flatnonzero(~quiet[rows])
         bounds = [-1, *broken.tolist(), len(rows)]
-        for before, after in zip(bounds, bounds[1:], strict=False):
-            first = before + 1 + math.ceil(settle / log.interval - 1e-9)
-            if after > first:
+        for before, after in pairwise(bounds):
+            first = max(before, 0) + math.ceil(settle / log.interval - 1e-9)
+            if after > first + 1:
                 found.append(slice(int(rows[first]), int(rows[after - 1]) + 1))
     return found
 
@@ -80,7 +82,7 @@ def segment_means(
     points: list[tuple[float, ...]] = []
     longest = 0.0
     for number, rest in enumerate(rests(log, settle)):
-        late = int(np.searchsorted(log.time, log.time[0] + warm_up - 1e-9))
+        late = int(np.searchsorted(log.time, warm_up - 1e-9))
         first = max(rest.start, late)
         longest = max(longest, (rest.stop - first - 1) * log.interval)
         for begin in range(first, rest.stop - rows, rows):

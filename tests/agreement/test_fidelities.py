@@ -71,6 +71,7 @@ CASES: dict[str, tuple[float, Values, Values]] = {
     "controller.synthesis.loopDelay": (0.01, {}, {}),
     "controller.readout.clockError": (1e-3, {}, {"virtualRotation": 0.1}),
     "controller.readout.virtualRotationError": (1e-2, {}, {"virtualRotation": 0.1}),
+    "controller.readout.quantum": (0.07, {}, {}),
     "controller.cancellation.dampingAnisotropy": (1e-3, {}, {}),
     "controller.biasMap.mean": (1e-3, {}, {}),
     "controller.biasMap.cos2": (1e-3, {}, {}),

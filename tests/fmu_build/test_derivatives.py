@@ -25,12 +25,13 @@ in what the equations subtract, which is up to 1e-10 of their result: 1e-6 each.
 
 
 CONVERTER = {
+    "controller.readout.quantum": 1e-3,
     "pickOff.resolution": 1e-3,
     "pickOff.fullScale": 1.0,
     "pickOff.converterResolution": 1e-3,
     "pickOff.converterRange": 1.0,
 }
-"""Zero turns them off: else readings are steps or clipped, and move with nothing."""
+"""Zero turns them off: else readings or outputs are steps or clipped, and move with nothing."""
 
 RESTING = {
     "resonator.environment.thermalLag",

@@ -6,6 +6,8 @@ block WholeAngleReadout "Angle of the case from the angle of the pattern"
     "Relative excess of the electronics' clock, typically 1e-7 to 2e-5";
   parameter Units.Ratio virtualRotationError(min = -0.1, max = 0.1) = 0
     "True over commanded rotation, less one, typically 1e-5 to 1e-3";
+  parameter Units.Angle quantum(min = 0, max = 0.1) = 0
+    "Least significant bit of the output angle, typically 5e-8 to 5e-6: 0.01 to 1 arcsec (estimate); 0: none";
   input Units.Angle patternAngle "Detected pattern angle";
   input Units.Angle commandedAngle "Pattern angle at time 0 and all rotation counted since";
   input Units.AngularRate commandedRate "Pattern rate that is commanded";
@@ -25,7 +27,7 @@ equation
   patternRate = commandedRate*(1 + virtualRotationError + gainNoise) + unknownRate;
   countedRate = (1 + clockError)*driveOn*(commandedRate - lostRate);
   when sample(0, samplePeriod) then
-    gyroAngle = (commandedAngle - patternAngle)/bryanFactor - correction;
+    gyroAngle = Electrodes.digitised((commandedAngle - patternAngle)/bryanFactor - correction, quantum, 0);
     gyroRate = pre(started)*(gyroAngle - pre(gyroAngle))/(samplePeriod*(1 + clockError));
     started = 1;
   end when;

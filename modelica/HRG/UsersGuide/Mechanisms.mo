@@ -36,7 +36,7 @@ those of Conventions. Each line is demonstrated by models of <code>HRG.Validatio
 <tr><td>27</td><td>imbalance, vibration at the modal frequency</td><td><code>resonator.imbalanceX</code>, <code>imbalanceY</code>, input <code>vibration</code></td><td>B = (f/2k) s2</td></tr>
 <tr><td>28</td><td>specific force</td><td><code>pickOff.gainPerAcceleration</code>, <code>gainPerAccelerationSquared</code>, <code>drive.rotationPerAcceleration</code>, <code>resonator.material.splitPerAcceleration</code></td><td>as 2, 6, 7</td></tr>
 <tr><td>29</td><td>input-axis misalignment</td><td>of the mounting: by the input <code>angularRate</code></td><td>H sin delta once a turn of the table</td></tr>
-<tr><td>30</td><td>resolution, full scale, drive authority</td><td><code>pickOff.resolution</code>, <code>fullScale</code>, <code>drive.authority</code></td><td>steps, clipping; full range of rebalance f/(2k)</td></tr>
+<tr><td>30</td><td>resolution, quantum of the output, full scale, drive authority</td><td><code>pickOff.resolution</code>, <code>controller.readout.quantum</code>, <code>pickOff.fullScale</code>, <code>drive.authority</code></td><td>steps, clipping; full range of rebalance f/(2k)</td></tr>
 <tr><td>31</td><td>ageing</td><td><code>resonator.material.decayTimeAgeing</code></td><td>G</td></tr>
 </table>
 <p>The same gyro in its modes:</p>

@@ -1,0 +1,159 @@
+"""The file of a log as numbers: CSV, gzipped or not, every field checked."""
+
+import csv
+import gzip
+import io
+import math
+import zlib
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.records.columns import BY_FIELD, COLUMNS, Column, LogError, mislabelled
+
+Array = NDArray[np.float64]
+Numbers = tuple[NDArray[np.int64], dict[str, Array]]
+"""Rows' numbers, and columns by their name in the file."""
+
+SHOWN = 8
+"""Stretches of rows that a message lists before it only counts."""
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows of a log while they are being checked."""
+
+    source: str
+    rows: NDArray[np.int64]
+    """(n,) row in the file; the header is row 1."""
+    columns: dict[str, Array]
+    """(n,) by field, SI; NaN where there is no value."""
+    notes: tuple[str, ...] = ()
+
+    def error(self, row: int, field: str, trouble: str) -> LogError:
+        """What is wrong at an index of the table."""
+        return LogError(f"{self.source}: row {self.rows[row]}, {BY_FIELD[field].name}: {trouble}")
+
+    def noted(self, chosen: NDArray[np.bool_], trouble: str) -> "Table":
+        """With a sentence on the chosen rows; the same where none is chosen."""
+        if not chosen.any():
+            return self
+        note = f"{spans(self.rows[chosen])}: {trouble}"
+        return replace(self, notes=(*self.notes, note))
+
+    def kept(self, chosen: NDArray[np.bool_]) -> "Table":
+        """Only the chosen rows."""
+        columns = {field: values[chosen] for field, values in self.columns.items()}
+        return replace(self, rows=self.rows[chosen], columns=columns)
+
+    def emptied(self, field: str, chosen: NDArray[np.bool_]) -> "Table":
+        """Without a column's values in the chosen rows."""
+        values = np.where(chosen, np.nan, self.columns[field])
+        return replace(self, columns=self.columns | {field: values})
+
+
+def spans(rows: NDArray[np.int64]) -> str:
+    """Rows in words: `rows 17, 203-210`."""
+    pieces = np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1)
+    texts = [f"{p[0]}-{p[-1]}" if len(p) > 1 else f"{p[0]}" for p in pieces[:SHOWN]]
+    more = f" and more, {len(rows)} rows in all" if len(pieces) > SHOWN else ""
+    return f"row{'s' if len(rows) > 1 else ''} {', '.join(texts)}{more}"
+
+
+def read_table(path: Path) -> Table:
+    """Read numbers and turn them into SI.
+
+    Raises:
+        LogError: an unreadable file, a column that stands there twice or under a wrong unit, no
+            time, no rows, a row with too few or too many fields, a field that is no number or is
+            out of range.
+    """
+    text = _text(path)
+    header = [name.strip() for name in next(csv.reader(text.splitlines()[:1]), [])]
+    _check_header(path, header)
+    rows, values = _quickly(text, header) or _carefully(path, text, header)
+    if len(rows) < 2:
+        raise LogError(f"{path.name}: {len(rows)} rows of values; expected at least 2")
+    columns = {column.field: np.full(len(rows), np.nan) for column in COLUMNS}
+    for column in COLUMNS:
+        if column.name in header:
+            _check_range(path, column, rows, values[column.name])
+            columns[column.field] = column.factor * values[column.name] + column.offset
+    names = [column.name for column in COLUMNS]
+    expected = [column.name for column in COLUMNS if not column.optional]
+    notes = [f"no column {name}" for name in expected if name not in header]
+    notes += [f"column {name}: not known, ignored" for name in header if name not in names]
+    return Table(path.name, rows, columns, tuple(notes))
+
+
+def _text(path: Path) -> str:
+    try:
+        data = path.read_bytes()
+        return (gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data).decode("utf-8-sig")
+    except (OSError, EOFError, zlib.error, UnicodeDecodeError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise LogError(f"{path}: can't be read: {reason}") from error
+
+
+def _check_header(path: Path, header: list[str]) -> None:
+    names = [column.name for column in COLUMNS]
+    for name in header:
+        meant = mislabelled(name)
+        if name in names and header.count(name) > 1:
+            raise LogError(f"{path.name}: column {name} stands there more than once")
+        if name not in names and meant and meant.name not in header:
+            raise LogError(f"{path.name}: column {name}; expected {meant.name}")
+    if names[0] not in header:
+        raise LogError(f"{path.name}: column {names[0]} is missing; found {', '.join(header)}")
+
+
+def _quickly(text: str, header: list[str]) -> Numbers | None:
+    """Rows and columns of a file in which every field is a number; None for any other."""
+    if "\n\n" in text or "\n\r" in text or not text.partition("\n")[2].strip():
+        return None
+    try:
+        table = np.loadtxt(io.StringIO(text), delimiter=",", comments=None, skiprows=1, ndmin=2)
+    except ValueError:
+        return None
+    if table.shape[1] != len(header) or not len(table):
+        return None
+    return np.arange(2, len(table) + 2), dict(zip(header, table.T, strict=True))
+
+
+def _carefully(path: Path, text: str, header: list[str]) -> Numbers:
+    """The same of a file with empty fields or rows, or with text in columns that aren't ours."""
+    reader = csv.reader(io.StringIO(text))
+    try:
+        lines = [(number, row) for number, row in enumerate(reader, 1) if row][1:]
+    except csv.Error as error:
+        raise LogError(f"{path.name}: row {reader.line_num}: {error}") from error
+    for number, row in lines:
+        if len(row) != len(header):
+            raise LogError(
+                f"{path.name}: row {number}: {len(row)} fields; expected {len(header)} as in row 1"
+            )
+    return np.array([number for number, _ in lines], dtype=np.int64), {
+        name: np.array([_number(path, name, number, row[place]) for number, row in lines])
+        for place, name in enumerate(header)
+        if any(name == column.name for column in COLUMNS)
+    }
+
+
+def _number(path: Path, name: str, row: int, text: str) -> float:
+    try:
+        return float(text.strip() or "nan")
+    except ValueError:
+        raise LogError(f"{path.name}: row {row}, {name}: {text!r}; expected a number") from None
+
+
+def _check_range(path: Path, column: Column, rows: NDArray[np.int64], values: Array) -> None:
+    wrong = np.isinf(values) | (values < column.lowest) | (values > column.highest)
+    if wrong.any():
+        i = int(np.argmax(wrong))
+        limits = math.isfinite(column.lowest) or math.isfinite(column.highest)
+        expected = f"{column.lowest:g} to {column.highest:g}" if limits else "a finite number"
+        raise LogError(
+            f"{path.name}: row {rows[i]}, {column.name}: {values[i]:.9g}; expected {expected}"
+        )

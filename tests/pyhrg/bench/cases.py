@@ -1,0 +1,24 @@
+"""Gyros and benches that tests share."""
+
+from dataclasses import replace
+
+import pytest
+
+from fmu_build.bundle import built_fmu
+from fmu_build.roots import ROOTS
+from pyhrg.bench.bench import Bench
+from pyhrg.device import Device
+from pyhrg.fmu import GyroFmu
+from pyhrg.parameters import TYPICAL
+
+QUIET = replace(TYPICAL, angle_random_walk=0.0, pickoff_noise=0.0, power_on_scatter=0.0)
+
+
+@pytest.fixture(scope="session")
+def slow_fmu() -> GyroFmu:
+    return GyroFmu(built_fmu(root=ROOTS["HRGSlow"]))
+
+
+def slow_bench(fmu: GyroFmu, device: Device, seed: int = 1) -> Bench:
+    """A bench of hours: quasi-steady loops, 0.1 s steps."""
+    return Bench(fmu, device, seed, step=0.1, workers=2)

@@ -10,7 +10,7 @@ from pyhrg.bench.bench import Bench
 from pyhrg.bench.outcome import Outcome
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import Device
-from pyhrg.units import ARCSEC, DEG_PER_SQRT_H, EARTH_RATE
+from pyhrg.units import ARCSEC, DEG_PER_SQRT_H
 
 STEP = 0.1
 CONTROL_PERIOD = 1e-3
@@ -46,7 +46,7 @@ def bench(fmu: GyroFmu, seed: int) -> Bench:
 
 def earth_rate(on: Bench) -> float:
     """On the input axis that points up, rad/s."""
-    return EARTH_RATE * math.sin(on.site.latitude)
+    return on.device.site.vertical_rate
 
 
 def hold_error(device: Device) -> float:

@@ -16,8 +16,7 @@ def repeat(fmu: GyroFmu, seed: int) -> Intervals:
     on = bench(fmu, seed)
     generator = np.random.default_rng([seed, 1])
     stiffness, cubic = generator.normal(0.0, 1e-4), generator.normal(0.0, 1e-5)
-    effects = {"resonator.material.duffing": stiffness, "pickOff.cubic": cubic}
-    on = replace(on, device=replace(on.device, model=effects))
+    on = replace(on, device=replace(on.device, duffing=stiffness, pickoff_cubic=cubic))
     return intervals(
         amplitude_sweep.evaluate(on.campaign(amplitude_sweep.record(on, dwell=40.0))),
         {"Duffing shift": stiffness, "pick-off cubic": cubic},

@@ -57,7 +57,7 @@ def stretches_of(campaign: Campaign) -> list[Rows]:
         BenchError: a single amplitude.
     """
     logs = [test.log for test in tests_of(campaign, KIND)]
-    stretches = useful(logs, "table_angle", "frequency_offset")
+    stretches = useful(logs, "frequency_offset")
     found = {float(rows.held("amplitude_setpoint")[0]) for rows in stretches}
     if len(found) < 2:
         raise BenchError(f"{logs[0].source}: {len(found)} amplitude; the test needs 2")
@@ -66,7 +66,7 @@ def stretches_of(campaign: Campaign) -> list[Rows]:
 
 def cubic(campaign: Campaign, stretches: Sequence[Rows]) -> Terms:
     """Cubic of the pick-offs from the output angle; bias and scale factor may be one."""
-    k, latitude = bryan_factor(campaign), campaign.site.latitude
+    k = bryan_factor(campaign)
     parts = []
     for rows in stretches:
         excess = float(rows.held("amplitude_setpoint")[0]) ** 2 - 1
@@ -76,7 +76,7 @@ def cubic(campaign: Campaign, stretches: Sequence[Rows]) -> Terms:
             **pickoff_columns(rows, k),
             CUBIC: 3 / (32 * k) * excess * turned,
         }
-        parts.append(Part(columns, output_error(rows, latitude), rows.log.interval))
+        parts.append(Part(columns, output_error(rows, campaign.site), rows.log.interval))
     return fitted(parts, [*BIAS, *EIGHTH, CUBIC, SCALE, GAIN, SKEW], REASON)
 
 

@@ -16,7 +16,7 @@ from pyhrg.bench.row_fit import Part, inflations, row_fit
 from pyhrg.bench.segments import AT_REST
 from pyhrg.campaign import Campaign
 from pyhrg.records import Log
-from pyhrg.units import EARTH_RATE
+from pyhrg.site import Site
 
 Array = NDArray[np.float64]
 
@@ -61,13 +61,13 @@ class Rows:
         middle, swept = (angle[1:] + angle[:-1]) / 2, np.diff(angle)
         return trig(order * middle) * np.sinc(order * swept / (2 * np.pi))
 
-    def earth_rate(self, latitude: float) -> Array:
+    def earth_rate(self, site: Site) -> Array:
         """(n,) Earth's rate on the input axis, rad/s."""
-        return EARTH_RATE * np.sin(latitude) * self.held("axis_up")
+        return site.vertical_rate * self.held("axis_up")
 
 
 COMMANDS = ("axis_up", "virtual_rotation", "amplitude_setpoint", "phase_offset", "drive_on")
-USED = ("gyro_angle", "wave_angle")
+USED = ("gyro_angle", "wave_angle", "table_angle")
 
 
 def steady(log: Log, *names: str, at_rest: bool = False) -> list[Rows]:
@@ -75,7 +75,7 @@ def steady(log: Log, *names: str, at_rest: bool = False) -> list[Rows]:
 
     Args:
         log: one power-on.
-        names: columns beside the angles that must be there.
+        names: further columns that must be there.
         at_rest: of the table alone.
     """
     log.require(*USED, *COMMANDS, *names)
@@ -122,9 +122,9 @@ def bias_columns(rows: Rows) -> dict[str, Array]:
     }
 
 
-def output_error(rows: Rows, latitude: float) -> Array:
+def output_error(rows: Rows, site: Site) -> Array:
     """(n,) increments of the output less table and Earth, rad."""
-    earth = rows.earth_rate(latitude) * rows.log.interval
+    earth = rows.earth_rate(site) * rows.log.interval
     return rows.increments("gyro_angle") - rows.increments("table_angle") - earth
 
 

@@ -50,7 +50,7 @@ def measured(campaign: Campaign) -> tuple[Terms, list[Rows]]:
     """Response over the expected one, with the bias and its creep at each position."""
     logs = [test.log for test in tests_of(campaign, KIND)]
     stretches = useful(logs, "quadrature_force", at_rest=True)
-    k, latitude = bryan_factor(campaign), campaign.site.latitude
+    k = bryan_factor(campaign)
     places: dict[tuple[str, int], list[Rows]] = {}
     for rows in stretches:
         place = (rows.log.source, round(float(rows.held("table_angle")[0]) / (0.1 * DEG)))
@@ -67,7 +67,7 @@ def measured(campaign: Campaign) -> tuple[Terms, list[Rows]]:
                 f"creep {number}": h * turned,
                 RESPONSE: -h * rows.held("phase_offset") * _force(rows) / (2 * k),
             }
-            parts.append(Part(columns, output_error(rows, latitude), h))
+            parts.append(Part(columns, output_error(rows, campaign.site), h))
             ordered.append(rows)
     offsets = {float(offset) for rows in stretches for offset in rows.held("phase_offset")[:1]}
     if len(offsets) < 2:

@@ -69,12 +69,12 @@ def pickoff_columns(rows: Rows, k: float) -> dict[str, Array]:
 
 def measured(campaign: Campaign) -> Terms:
     """Bias map, scale factor and pick-off errors from all rates together."""
-    stretches = useful([test.log for test in tests_of(campaign, KIND)], "table_angle")
-    k, latitude = bryan_factor(campaign), campaign.site.latitude
+    stretches = useful([test.log for test in tests_of(campaign, KIND)])
+    k = bryan_factor(campaign)
     parts = [
         Part(
             {**bias_columns(rows), **pickoff_columns(rows, k)},
-            output_error(rows, latitude),
+            output_error(rows, campaign.site),
             rows.log.interval,
         )
         for rows in stretches
@@ -108,7 +108,7 @@ def evaluate(campaign: Campaign) -> Outcome:
 
 def draw(figure: Figure, campaign: Campaign, terms: Terms) -> None:
     """Output rate error over the pattern angle at each rate, with the fit."""
-    stretches = useful([test.log for test in tests_of(campaign, KIND)], "table_angle")
+    stretches = useful([test.log for test in tests_of(campaign, KIND)])
     rates = [np.mean(r.increments("table_angle")) / r.log.interval / DEG for r in stretches]
     draw_terms(figure, stretches, terms, [f"{rate:+.3g} deg/s" for rate in rates])
     figure.axes[0].set_title("Output less table and Earth's rate")

@@ -30,7 +30,8 @@ from pyhrg.bench.segments import AT_REST
 from pyhrg.campaign import Campaign, Test
 from pyhrg.free_orbit import Array, FreeShell
 from pyhrg.records import Log
-from pyhrg.units import ARCSEC, DEG, EARTH_RATE
+from pyhrg.site import Site
+from pyhrg.units import ARCSEC, DEG
 
 KIND = "ring_down"
 POSITIONS = 4
@@ -88,7 +89,7 @@ def record(bench: Bench, positions: int = POSITIONS, decay: float = DECAY) -> li
     return [*bench.run([PowerOn("ring_down", KIND, course)]), *rate_reversal.record(bench)]
 
 
-def decays(log: Log, latitude: float, k: float) -> list[Decay]:
+def decays(log: Log, site: Site, k: float) -> list[Decay]:
     """Ring-downs of a log that begin within a stretch without gap, the table at rest.
 
     The gyro's output shows how the pattern turns, with more digits than its angle is logged with.
@@ -103,11 +104,11 @@ def decays(log: Log, latitude: float, k: float) -> list[Decay]:
             stop = edges[edges > edge]
             last = int(stop[0]) + 1 if len(stop) else len(rows)
             if last - edge > FEWEST:
-                found.append(_decay(log, int(rows[edge]), int(rows[last - 1]) + 1, latitude, k))
+                found.append(_decay(log, int(rows[edge]), int(rows[last - 1]) + 1, site, k))
     return found
 
 
-def _decay(log: Log, before: int, last: int, latitude: float, k: float) -> Decay:
+def _decay(log: Log, before: int, last: int, site: Site, k: float) -> Decay:
     """Of the rows after `before`, the last one with the drive on."""
     free = slice(before + 1, last)
     if np.ptp(log.table_angle[before:last]) > AT_REST:
@@ -124,7 +125,7 @@ def _decay(log: Log, before: int, last: int, latitude: float, k: float) -> Decay
         turned=-k * (log.gyro_angle[free] - log.gyro_angle[before]),
         amplitude=log.amplitude[free],
         angle_at_start=_angle(log, slice(before, last), k),
-        rotation=EARTH_RATE * float(np.sin(latitude) * np.mean(log.axis_up[free])),
+        rotation=site.vertical_rate * float(np.mean(log.axis_up[free])),
     )
 
 
@@ -233,8 +234,8 @@ def measured(campaign: Campaign) -> tuple[Fit, list[Decay], Gyro]:
         BenchError: the drive is never switched off for long enough.
     """
     logs = [test.log for test in tests_of(campaign, KIND)]
-    k, latitude = bryan_factor(campaign), campaign.site.latitude
-    found = [decay for log in logs for decay in decays(log, latitude, k)]
+    k, site = bryan_factor(campaign), campaign.site
+    found = [decay for log in logs for decay in decays(log, site, k)]
     if not found:
         raise BenchError(
             f"{', '.join(log.source for log in logs)}: the drive is nowhere off for more than "

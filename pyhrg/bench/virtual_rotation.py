@@ -64,9 +64,8 @@ def columns(rows: Rows) -> dict[str, Array]:
 def measured(campaign: Campaign) -> Terms:
     """Bias map and the error of the virtual rotation over the circumference."""
     stretches = useful([test.log for test in tests_of(campaign, KIND)])
-    latitude = campaign.site.latitude
     parts = [
-        Part(columns(rows), output_error(rows, latitude), rows.log.interval) for rows in stretches
+        Part(columns(rows), output_error(rows, campaign.site), rows.log.interval) for rows in stretches
     ]
     return fitted(parts, [*BIAS, GAIN, COSINE, SINE], REASON)
 

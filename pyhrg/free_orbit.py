@@ -48,9 +48,7 @@ class FreeShell:
         antinode = np.log((energy + np.abs(stokes)) / 2) / 2
         return np.asarray(turns), np.asarray(antinode - self.decay * time)
 
-    def _envelope(
-        self, time: Array, angle: float, pattern_rate: float
-    ) -> tuple[Complex, Complex]:
+    def _envelope(self, time: Array, angle: float, pattern_rate: float) -> tuple[Complex, Complex]:
         """(n,) envelopes X = cx - i sx and Y, the common decay taken out: exp(B t) = cosh(m t) +
         B sinh(m t)/m with m^2 = -det B, for a matrix B without trace."""
         diagonal = -(self.damping.real + 1j * self.split.real) / 2

@@ -28,7 +28,7 @@ def repeat(fmu: GyroFmu, seed: int) -> Intervals:
     skew = device.pickoff_nonorthogonality / 4
     lifted = 2 * (device.bryan_factor * force_map.RATE) ** 2 * CONTROL_PERIOD
     outcome = force_map.evaluate(on.campaign(force_map.record(on, pattern_turn=90 * DEG)))
-    found = intervals(
+    return intervals(
         outcome,
         {
             "frequency split": device.frequency_split,
@@ -37,4 +37,3 @@ def repeat(fmu: GyroFmu, seed: int) -> Intervals:
             "decay time": 1 / (1 / device.decay_time - lifted),
         },
     )
-    return found

@@ -102,15 +102,14 @@ def evaluate(campaign: Campaign) -> Outcome:
     amplitude = loop_map(campaign, "amplitude_force", damping_in_force)
     logs = [test.log for test in tests_of(campaign, *KINDS)]
     names = ("frequency split", "stiffness axis")
+    again = ("frequency split from loop frequency", "stiffness axis from loop frequency")
     apparent = ("apparent damping anisotropy", "apparent damping axis")
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(
             *anisotropy(force.fit, VECTOR, *names, "mHz"),
             *component_findings(force.fit, VECTOR, names[0], "mHz"),
-            *anisotropy(
-                frequency.fit, VECTOR, *(f"{n} from loop frequency" for n in names), "mHz"
-            ),
+            *anisotropy(frequency.fit, VECTOR, *again, "mHz"),
             _decay_time(amplitude),
             *anisotropy(amplitude.fit, VECTOR, *apparent, "1/s"),
         ),
@@ -145,7 +144,9 @@ def draw(figure: Figure, maps: Sequence[Terms]) -> None:
             count = len(shown) // size * size
             mean = shown[:count].reshape(-1, size).mean(axis=1)
             middle = angle[size // 2 : count : size]
-            axes.plot(middle / DEG, mean, ".", ms=4, color=colour, label=label if not number else None)
+            axes.plot(
+                middle / DEG, mean, ".", ms=4, color=colour, label=label if not number else None
+            )
     axes.set_xlabel("pattern angle modulo 90 deg, deg")
     axes.set_ylabel("2 x loop's reaction to the split, mHz")
     axes.set_title("Frequency split in the loops")

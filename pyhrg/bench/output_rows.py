@@ -6,12 +6,13 @@ angle error of th, so that they need no rate; drives and damping are rates (`the
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.outcome import BenchError, Finding
 from pyhrg.bench.harmonics import LARGEST_INFLATION, Fit
+from pyhrg.bench.outcome import BenchError, Finding
 from pyhrg.bench.row_fit import Part, inflations, row_fit
 from pyhrg.bench.segments import AT_REST
 from pyhrg.campaign import Campaign
@@ -91,7 +92,7 @@ def steady(log: Log, *names: str, at_rest: bool = False) -> list[Rows]:
             table = log.table_angle[stretch]
             changed |= np.abs(np.diff(table, prepend=table[:1])) > AT_REST
         bounds = [0, *np.flatnonzero(changed).tolist(), len(rows)]
-        for begin, end in zip(bounds, bounds[1:], strict=False):
+        for begin, end in pairwise(bounds):
             if end - begin - wait >= FEWEST and log.drive_on[rows[begin]] > 0.5:
                 found.append(Rows(log, int(rows[begin]) + max(wait, 1), int(rows[end - 1]) + 1))
     return found
@@ -141,7 +142,7 @@ def bryan_factor(campaign: Campaign) -> float:
 
 @dataclass(frozen=True)
 class Terms:
-    """A fit of the terms that the records can tell apart, and a sentence on each that they can't."""
+    """A fit of the terms that the records can tell apart, and a sentence on each other one."""
 
     fit: Fit
     refused: dict[str, str]

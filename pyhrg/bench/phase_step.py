@@ -121,18 +121,20 @@ def _apparent_phase(terms: Terms, stretches: list[Rows], k: float) -> Finding:
 
 
 def draw(figure: Figure, terms: Terms, stretches: list[Rows]) -> None:
-    """Mean output rate of each step over the offset, a line per position."""
+    """Mean output rate of each step over the offset, less the creep, a line per position."""
     axes = figure.add_subplot()
     groups: dict[str, list[tuple[float, float, float]]] = {}
     for part, rows in zip(terms.parts, stretches, strict=True):
         span = len(part) * part.interval
         place = next(name for name in part.columns if name.startswith("bias"))
-        rate = float(np.sum(part.values)) / span
-        model = sum(
-            terms.fit.value(n) * float(np.sum(part.columns[n]))
+        sums = {
+            n: terms.fit.value(n) * float(np.sum(part.columns[n]))
             for n in terms.fit.names
             if n in part.columns
-        )
+        }
+        creep = sum(value for name, value in sums.items() if name.startswith("creep"))
+        rate = (float(np.sum(part.values)) - creep) / span
+        model = sum(sums.values()) - creep
         groups.setdefault(place, []).append((rows.held("phase_offset")[0], rate, model / span))
     for (place, points), colour in zip(groups.items(), COLOURS, strict=False):
         offset, rate, model = np.array(sorted(points)).T

@@ -39,9 +39,7 @@ EIGHTH = ("pick-off cos8", "pick-off sin8")
 REASON = "the table must turn both ways, each over most of 90 deg of pattern"
 
 
-def record(
-    bench: Bench, rates: Sequence[float] = RATES, duration: float = DURATION
-) -> list[Test]:
+def record(bench: Bench, rates: Sequence[float] = RATES, duration: float = DURATION) -> list[Test]:
     """One power-on a rate."""
     return bench.run(
         [
@@ -96,8 +94,8 @@ def evaluate(campaign: Campaign) -> Outcome:
             *(terms.finding(name, "deg/h") for name in BIAS),
         ),
         verdict=(
-            "What reverses with the rate is the pick-offs'; what does not is the bias map, of which "
-            "this test can't say whether damping, drives or pick-offs make it."
+            "What reverses with the rate is the pick-offs'; what does not is the bias map, of "
+            "which this test can't say whether damping, drives or pick-offs make it."
         ),
         warnings=tuple(terms.refused.values()),
         exclusions=tuple(text for log in logs for text in log.exclusions),

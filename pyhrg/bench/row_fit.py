@@ -57,7 +57,8 @@ class Part:
         """(n,) variances in sines for unit rate noise and unit angle noise."""
         n = len(self)
         share = np.pi * np.arange(1, n + 1) / (n + 1)
-        return np.full(n, self.interval), np.asarray(2 - 2 * np.cos(share))
+        unit_angle: Array = 2 - 2 * np.cos(share)
+        return np.full(n, self.interval), unit_angle
 
 
 @dataclass(frozen=True)
@@ -119,7 +120,8 @@ class _Problem:
         inverse = np.linalg.inv(r)
         white = self.values * weight
         shares = q.T @ white
-        return inverse @ shares, inverse @ inverse.T, white - q @ shares
+        residual = np.asarray(white - q @ shares)
+        return np.asarray(inverse @ shares), np.asarray(inverse @ inverse.T), residual
 
     def likely(self) -> Array:
         """(c,) densities of greatest restricted likelihood, none negative."""
@@ -127,7 +129,9 @@ class _Problem:
         # floor: rounding of the values, where there is no noise
         tiny = (1e-16 * float(np.sqrt(np.mean(self.values**2))) + 1e-150) ** 2
         own = self.components > 0
-        means = np.array([np.mean(left[o] ** 2 / c[o]) for o, c in zip(own, self.components, strict=True)])
+        means = np.array(
+            [np.mean(left[o] ** 2 / c[o]) for o, c in zip(own, self.components, strict=True)]
+        )
         floor = np.maximum(1e-12 * means, tiny)
         densities = np.maximum(means / 2, floor)
         for _ in range(ROUNDS):
@@ -147,7 +151,9 @@ class _Problem:
         q = np.linalg.qr(self.matrix / np.sqrt(variance)[:, None])[0]
         inner = [(q * part[:, None]).T @ q for part in relative]
         count = range(len(relative))
-        both = [[_trace(q, relative[i], relative[j], inner[i], inner[j]) for j in count] for i in count]
+        both = [
+            [_trace(q, relative[i], relative[j], inner[i], inner[j]) for j in count] for i in count
+        ]
         return np.array(both)
 
     def positive(self, densities: Array) -> tuple[Array, Array]:
@@ -158,7 +164,8 @@ class _Problem:
         edge = -densities / deviation
         mean, variance = stats.truncnorm.stats(edge, np.inf, moments="mv")
         shrunk = np.sqrt(variance)
-        return densities + deviation * mean, covariance * np.outer(shrunk, shrunk)
+        spread: Array = covariance * np.outer(shrunk, shrunk)
+        return np.asarray(densities + deviation * mean), spread
 
     def freedoms(self, densities: Array, spread: Array) -> Array:
         """(m,) of the terms: 2 v^2 over the variance of v, their variance."""
@@ -199,7 +206,7 @@ def inflations(parts: Sequence[Part], names: Sequence[str]) -> dict[str, float]:
     their span or is zero (variance inflation factor, uncentred)."""
     matrix = np.vstack([part.matrix(names) for part in parts])
     norms = np.linalg.norm(matrix, axis=0)
-    matrix = np.linalg.qr(matrix, mode="r")
+    matrix = np.asarray(np.linalg.qr(matrix, mode="r"))
     result = {}
     for i, name in enumerate(names):
         if norms[i] == 0.0:

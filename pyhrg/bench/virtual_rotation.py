@@ -65,7 +65,8 @@ def measured(campaign: Campaign) -> Terms:
     """Bias map and the error of the virtual rotation over the circumference."""
     stretches = useful([test.log for test in tests_of(campaign, KIND)])
     parts = [
-        Part(columns(rows), output_error(rows, campaign.site), rows.log.interval) for rows in stretches
+        Part(columns(rows), output_error(rows, campaign.site), rows.log.interval)
+        for rows in stretches
     ]
     return fitted(parts, [*BIAS, GAIN, COSINE, SINE], REASON)
 

@@ -164,7 +164,7 @@ class _Problem:
         edge = -densities / deviation
         mean, variance = stats.truncnorm.stats(edge, np.inf, moments="mv")
         shrunk = np.sqrt(variance)
-        spread: Array = covariance * np.outer(shrunk, shrunk)
+        spread = np.asarray(covariance * np.outer(shrunk, shrunk), dtype=np.float64)
         return np.asarray(densities + deviation * mean), spread
 
     def freedoms(self, densities: Array, spread: Array) -> Array:

@@ -1,14 +1,28 @@
 """All test procedures, in the order of a full bench."""
 
 from pyhrg.bench import (
+    amplitude_sweep,
+    annual,
     bandwidth,
+    centrifuge,
     dead_zone,
     fixed_position,
+    force_map,
     full_circumference,
+    full_temperature,
+    linearity,
     measuring_range,
+    phase_step,
     position_plans,
+    rate_reversal,
+    ring_down,
+    scale_factor_angle,
+    scale_factor_rate,
     start_up,
     threshold,
+    tumble,
+    vibration_shock,
+    virtual_rotation,
 )
 from pyhrg.bench.procedure import Procedure
 
@@ -16,10 +30,24 @@ PROCEDURES: tuple[Procedure, ...] = (
     fixed_position.PROCEDURE,
     full_circumference.PROCEDURE,
     position_plans.PROCEDURE,
+    full_temperature.PROCEDURE,
+    tumble.PROCEDURE,
+    centrifuge.PROCEDURE,
+    vibration_shock.PROCEDURE,
+    annual.PROCEDURE,
+    scale_factor_angle.PROCEDURE,
+    scale_factor_rate.PROCEDURE,
+    linearity.PROCEDURE,
     measuring_range.PROCEDURE,
     threshold.PROCEDURE,
     start_up.PROCEDURE,
     bandwidth.PROCEDURE,
     dead_zone.PROCEDURE,
+    ring_down.PROCEDURE,
+    rate_reversal.PROCEDURE,
+    virtual_rotation.PROCEDURE,
+    force_map.PROCEDURE,
+    phase_step.PROCEDURE,
+    amplitude_sweep.PROCEDURE,
 )
 BY_NAME = {procedure.name: procedure for procedure in PROCEDURES}

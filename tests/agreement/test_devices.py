@@ -291,8 +291,9 @@ def test_temperature_rate_bias(fmu: GyroFmu) -> None:
 
 @pytest.mark.parametrize("loop", ["amplitude_loop_rad_s", "quadrature_loop_rad_s"])
 def test_loops_are_critically_damped_at_their_frequency(fmu_path: Path, loop: str) -> None:
-    """In HRG; the loops of HRGSlow are at rest. A step of the set point of 1e-3 leaves (1 - w t) exp(-w t) of it as error (PI, critically
-    damped: the zero overshoots once, at t = 1/w it crosses), to 2 % of the step."""
+    """In HRG; the loops of HRGSlow are at rest. A step of the set point of 1e-3 leaves
+    (1 - w t) exp(-w t) of it as error (PI, critically damped: the zero overshoots once, at
+    t = 1/w it crosses), to 2 % of the step."""
     w = 3.0
     keys = {loop: w} | ({"residual_quadrature": 1e-3} if loop.startswith("quad") else {})
     output = "quadrature" if loop.startswith("quad") else "amplitude"

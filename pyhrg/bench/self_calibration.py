@@ -128,13 +128,17 @@ def _rotating_fit(found: list[Sweep]) -> tuple[AngleFit, list[Record]]:
 
 
 def _resting_fit(found: list[Sweep]) -> tuple[AngleFit, list[Record]]:
-    """Each stretch has a bias of its own."""
+    """Each stretch has its own bias, which drifts as Earth carries the pattern over the map."""
     if not found:
         raise BenchError("no stretch at rest without virtual rotation to compare with")
     records = []
     for number, sweep in enumerate(found):
-        time = sweep.time - sweep.time[0]
-        columns = {str(i): time * (i == number) for i in range(len(found))}
+        time = (sweep.time - sweep.time[0]) / (sweep.time[-1] - sweep.time[0])
+        columns = {
+            f"{i}, {power}": time**power * (i == number)
+            for i in range(len(found))
+            for power in (1, 2, 3)
+        }
         records.append(Record(sweep.interval, sweep.excess, columns))
     return fit_angles(records), records
 

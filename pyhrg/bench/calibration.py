@@ -26,7 +26,6 @@ from pyhrg.bench.outcome import Finding, Outcome, mean_finding
 from pyhrg.bench.positions import Plan
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.scale_factor import SCALE, exclusions, record_turns
-from pyhrg.bench.scale_factor_angle import RATE
 from pyhrg.bench.segments import Segments
 from pyhrg.bench.stages import of_stage, stage_bench, staged
 from pyhrg.campaign import Campaign, Test
@@ -34,10 +33,12 @@ from pyhrg.device import Device
 from pyhrg.units import DEG
 
 AFTER = "calibrated"
-CONTROL = "wrongly_calibrated"
+CONTROL = "wrong_map"
 STAGES = {AFTER: "after", CONTROL: "with a wrong map"}
 AWAY = 45 * DEG
 """Pattern axes of the gyro whose maps the control applies, from those of this one, rad."""
+RATE = 15 * DEG
+"""Of the turns, rad/s: fast enough that the random walk hardly disturbs the angle."""
 PERIODS = 8
 """Of a turn each way: seven turns of the table tell its tilt from the bias."""
 KINDS = (full_circumference.KIND, scale_factor.KIND)
@@ -74,7 +75,10 @@ def evaluate(campaign: Campaign) -> Outcome:
     found = calibration(campaign)
     stages = [(name, of_stage(campaign, stage)) for stage, name in STAGES.items()]
     measured = {"before": campaign, **{name: tests for name, tests in stages if tests}}
-    results = {name: (calibration(tests), runs_of(tests)) for name, tests in measured.items()}
+    results = {
+        name: (found if tests is campaign else calibration(tests), runs_of(tests))
+        for name, tests in measured.items()
+    }
     missing = () if "after" in results else (_not_applied(),)
     findings = [left(name, *result) for name, result in results.items()]
     return Outcome(
@@ -103,7 +107,12 @@ def left(stage: str, found: Calibration, runs: Sequence[Segments]) -> tuple[Find
     within, _ = variances(runs)
     variation = found.rates.variation()
     return (
-        mean_finding(f"bias stability {stage}", [run.deviation for run in test.runs], "deg/h"),
+        mean_finding(
+            f"bias stability {stage}",
+            [run.deviation for run in test.runs],
+            "deg/h",
+            "with the tilt of the input axis, which is none of the map's",
+        ),
         Finding(f"within positions {stage}", within**0.5, "deg/h", note="noise alone"),
         Finding(
             f"scale factor variation {stage}",

@@ -112,6 +112,7 @@ def _steady(log: Log) -> list[slice]:
     """Rows of stretches without gap, with drive on, no virtual rotation and a steady rate."""
     turned = np.diff(log.table_angle, prepend=log.table_angle[:1])
     moving = (np.abs(turned) > ENCODER) & (log.virtual_rotation == 0.0) & (log.drive_on > 0.5)
+    moving &= ~(log.valid < 0.999)
     unlike = np.abs(np.diff(turned, prepend=0.0)) > ENCODER + UNSTEADY * np.abs(turned)
     settle = math.ceil(SETTLE / log.interval)
     found = []

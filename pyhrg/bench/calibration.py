@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from matplotlib.figure import Figure
 
-from pyhrg.bench import full_circumference, scale_factor
+from pyhrg.bench import full_circumference, rate_tests
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias_test import RUNS, bias_test
 from pyhrg.bench.calibration_figure import draw
@@ -25,7 +25,8 @@ from pyhrg.bench.full_circumference import SEGMENTS, power_ons, runs_of, varianc
 from pyhrg.bench.outcome import Finding, Outcome, mean_finding
 from pyhrg.bench.positions import Plan
 from pyhrg.bench.procedure import Procedure
-from pyhrg.bench.scale_factor import SCALE, exclusions, record_turns
+from pyhrg.bench.rate_tests import exclusions, record_turns
+from pyhrg.bench.scale_factor import SCALE
 from pyhrg.bench.segments import Segments
 from pyhrg.bench.stages import of_stage, stage_bench, staged
 from pyhrg.campaign import Campaign, Test
@@ -41,7 +42,7 @@ RATE = 15 * DEG
 """Of the turns, rad/s: fast enough that the random walk hardly disturbs the angle."""
 PERIODS = 8
 """Of a turn each way: seven turns of the table tell its tilt from the bias."""
-KINDS = (full_circumference.KIND, scale_factor.KIND)
+KINDS = (full_circumference.KIND, rate_tests.KIND)
 
 
 def record(

@@ -20,7 +20,8 @@ from pyhrg.bench.full_circumference import Map, fitted_map, runs_of
 from pyhrg.bench.harmonics import MEAN, harmonic
 from pyhrg.bench.outcome import Finding
 from pyhrg.bench.procedure import tests_of
-from pyhrg.bench.scale_factor import SCALE, ScaleFactorMap, fitted, rate_turns
+from pyhrg.bench.rate_tests import rate_turns
+from pyhrg.bench.scale_factor import SCALE, ScaleFactorMap, fitted
 from pyhrg.campaign import Campaign
 from pyhrg.device import AngleMap, Device
 

@@ -13,11 +13,12 @@ from pyhrg.bench.angle_fit import AngleFit, Record, fit_angles
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias_test import RUNS
 from pyhrg.bench.cycles import Cycle, averaging, pooled
+from pyhrg.bench.fitted_walk import ratio_finding, walk, walk_finding
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, deviation_finding, mean_finding
 from pyhrg.bench.procedure import Procedure, tests_of
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.random_walk import ratio_finding, walk, walk_finding
-from pyhrg.bench.scale_factor import fitted, turns_of
+from pyhrg.bench.rate_tests import turns_of
+from pyhrg.bench.scale_factor import fitted
 from pyhrg.bench.self_calibration_figure import draw
 from pyhrg.bench.sweeps import BIAS, GAIN, SCALE, Sweep, separable, sweeps
 from pyhrg.campaign import Campaign, Test

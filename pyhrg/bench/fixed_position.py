@@ -9,7 +9,7 @@ import numpy as np
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias_test import RUNS, WARM_UP, BiasTest, bias_test
 from pyhrg.bench.outcome import BenchError, Outcome
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.segments import SEGMENT, segment_means
 from pyhrg.campaign import Campaign, Test
@@ -67,7 +67,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             "that this figure says nothing of the rest."
         ),
         tables=(test.table(),),
-        exclusions=tuple(text for log in logs for text in log.exclusions),
+        exclusions=exclusions_of(tests_of(campaign, KIND)),
     )
 
 

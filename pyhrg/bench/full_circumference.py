@@ -17,7 +17,7 @@ from pyhrg.bench.harmonics import MEAN, TILT, Fit, design, fit, harmonic
 from pyhrg.bench.outcome import Finding, Outcome, mean_finding
 from pyhrg.bench.position_runs import complete_runs
 from pyhrg.bench.positions import HARMONICS, Plan, chosen, visible
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.segments import SEGMENT, Segments
 from pyhrg.campaign import Campaign, Test
@@ -168,7 +168,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         verdict=_verdict(test, float(within), float(between)),
         tables=(test.table(),),
         warnings=fitted.refused,
-        exclusions=(*(text for t in tests for text in t.log.exclusions), *left_out),
+        exclusions=(*exclusions_of(tests), *left_out),
         draw=lambda figure: draw(figure, runs, fitted),
         values={"bias_map": {name: fitted.value(name) for name in fitted.names}},
     )

@@ -45,7 +45,8 @@ class Progress:
     def end(self) -> None:
         """The test is over."""
         self._bar.update()
-        self.say(f"{self._test}: {self._work}, {time.monotonic() - self._begun:.0f} s")
+        work = f"{self._work}, " if self._times else ""
+        self.say(f"{self._test}: {work}{time.monotonic() - self._begun:.0f} s")
 
     def say(self, text: str) -> None:
         """A line that stays."""

@@ -24,7 +24,7 @@ def _circumference(bench: Bench) -> list[Test]:
 
 
 def _long(bench: Bench) -> list[Test]:
-    return bench.run(fixed_position.power_ons(bench, LONG, segments=36))
+    return bench.run(fixed_position.power_ons(bench, LONG, segments=18))
 
 
 PROCEDURES: tuple[Procedure, ...] = (

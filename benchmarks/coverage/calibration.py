@@ -10,7 +10,7 @@ from pyhrg.bench.calibration import PERIODS
 from pyhrg.bench.calibration_maps import calibration
 from pyhrg.bench.full_circumference import power_ons
 from pyhrg.bench.positions import Plan
-from pyhrg.bench.scale_factor import record_turns
+from pyhrg.bench.rate_tests import record_turns
 from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL

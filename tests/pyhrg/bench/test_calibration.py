@@ -12,7 +12,7 @@ from pyhrg.bench.calibration import AFTER, CONTROL, PERIODS, RATE, applied, eval
 from pyhrg.bench.calibration_maps import calibrated, calibration, turned
 from pyhrg.bench.full_circumference import power_ons
 from pyhrg.bench.outcome import BenchError, Outcome
-from pyhrg.bench.scale_factor import record_turns
+from pyhrg.bench.rate_tests import record_turns
 from pyhrg.bench.stages import of_stage, stage_bench
 from pyhrg.campaign import Campaign
 from pyhrg.device import AngleMap, Device

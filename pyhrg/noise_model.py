@@ -85,7 +85,7 @@ def coefficients(records: Sequence[Spectrum], interval: float) -> NoiseCoefficie
     R. Cousins, Phys. Rev. D 57 (1998)), so that one rule gives a bound where a noise isn't seen and
     two ends where it is. The signed root of the ratio is normal about minus a sixth of the
     estimator's skewness, which matters where a few slow frequencies show a noise
-    (O. Barndorff-Nielsen, Biometrika 73 (1986)). `benchmarks/coverage/noise.py` measures what
+    (O. Barndorff-Nielsen, Biometrika 73 (1986)). `benchmarks/intervals/noise.py` measures what
     they cover.
 
     Args:

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from benchmarks.coverage._environment import FAST
-from benchmarks.coverage.annual import truths
+from benchmarks.intervals._environment import FAST
+from benchmarks.intervals.annual import truths
 from pyhrg.bench import annual
 from pyhrg.bench.annual import AGEING, MONTH, aged
 from pyhrg.bench.bench import Bench

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from benchmarks.coverage.calibration import PLAN, drawn, repeat, truth
+from benchmarks.intervals.calibration import PLAN, drawn, repeat, truth
 from pyhrg import device_file, theory
 from pyhrg.bench.calibration import AFTER, CONTROL, PERIODS, RATE, applied, evaluate, record
 from pyhrg.bench.calibration_maps import calibrated, calibration, turned
@@ -177,7 +177,7 @@ def test_a_perfect_gyro_has_maps_of_zero(slow_fmu: GyroFmu) -> None:
 
 
 def test_intervals_hold_what_was_put_in(slow_fmu: GyroFmu) -> None:
-    """As above, of gyros drawn at random; `benchmarks.coverage` has the thousand."""
+    """As above, of gyros drawn at random; `benchmarks.intervals` has the thousand."""
     inside = [
         low <= value <= high for s in range(8) for value, low, high in repeat(slow_fmu, s).values()
     ]

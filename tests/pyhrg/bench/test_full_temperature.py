@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from benchmarks.coverage.full_temperature import SOAKS, truths, warm
+from benchmarks.intervals.full_temperature import SOAKS, truths, warm
 from pyhrg import campaign
 from pyhrg.bench import full_temperature
 from pyhrg.bench.bench import Bench, PowerOn

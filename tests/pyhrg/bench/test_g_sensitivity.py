@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from benchmarks.coverage import centrifuge as centrifuge_coverage
-from benchmarks.coverage import tumble as tumble_coverage
+from benchmarks.intervals import centrifuge as centrifuge_coverage
+from benchmarks.intervals import tumble as tumble_coverage
 from pyhrg import campaign
 from pyhrg.bench import centrifuge, tumble
 from pyhrg.bench.bench import PowerOn

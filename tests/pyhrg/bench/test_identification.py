@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from scipy.stats import binom
 
-from benchmarks.coverage import amplitude_sweep as amplitude_case
-from benchmarks.coverage import phase_step as phase_case
-from benchmarks.coverage import rate_reversal as rate_case
-from benchmarks.coverage import virtual_rotation as rotation_case
-from benchmarks.coverage._identified import Intervals
+from benchmarks.intervals import amplitude_sweep as amplitude_case
+from benchmarks.intervals import phase_step as phase_case
+from benchmarks.intervals import rate_reversal as rate_case
+from benchmarks.intervals import virtual_rotation as rotation_case
+from benchmarks.intervals._identified import Intervals
 from pyhrg.bench import (
     amplitude_sweep,
     force_map,

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from benchmarks.coverage.linearity import RATES, repeat
+from benchmarks.intervals.linearity import RATES, repeat
 from pyhrg import theory
 from pyhrg.bench import linearity
 from pyhrg.bench.bench import Bench

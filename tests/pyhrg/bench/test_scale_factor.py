@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from benchmarks.coverage._scale_factor import gyro, noiseless, truths
+from benchmarks.intervals._scale_factor import gyro, noiseless, truths
 from pyhrg import theory
 from pyhrg.bench import scale_factor_angle, scale_factor_rate
 from pyhrg.bench.bench import Bench
@@ -59,7 +59,7 @@ def test_a_perfect_gyro_has_no_map(slow_fmu: GyroFmu, method: ModuleType) -> Non
 @METHODS
 def test_intervals_hold_the_truth(slow_fmu: GyroFmu, method: ModuleType) -> None:
     """40 repeats, 38 +- 1.4 expected: 32 are 4 sigma less."""
-    repeat = import_module(f"benchmarks.coverage.{method.__name__.rpartition('.')[2]}").repeat
+    repeat = import_module(f"benchmarks.intervals.{method.__name__.rpartition('.')[2]}").repeat
     results = [repeat(slow_fmu, seed) for seed in range(40)]
     for name in results[0]:
         inside = sum(low <= truth <= high for truth, low, high in (r[name] for r in results))

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from benchmarks.coverage.self_calibration import repeat
+from benchmarks.intervals.self_calibration import repeat
 from pyhrg import theory
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.self_calibration import ROTATION, evaluate, record

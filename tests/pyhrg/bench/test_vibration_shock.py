@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from benchmarks.coverage import vibration_shock as coverage
+from benchmarks.intervals import vibration_shock as coverage
 from pyhrg.bench import vibration_shock
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.outcome import BenchError

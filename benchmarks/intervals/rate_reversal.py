@@ -1,6 +1,6 @@
 """Coverage of the table rate both ways."""
 
-from benchmarks.coverage._identified import Intervals, bench, bias_terms, hold_error, intervals
+from benchmarks.intervals._identified import Intervals, bench, bias_terms, hold_error, intervals
 from pyhrg.bench import rate_reversal
 from pyhrg.fmu import GyroFmu
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from benchmarks.coverage._identified import Intervals, bench, intervals
+from benchmarks.intervals._identified import Intervals, bench, intervals
 from pyhrg.bench import amplitude_sweep
 from pyhrg.fmu import GyroFmu
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from benchmarks.coverage._environment import Intervals, against
-from benchmarks.coverage._force import feeling, linear, squares
+from benchmarks.intervals._environment import Intervals, against
+from benchmarks.intervals._force import feeling, linear, squares
 from pyhrg.bench import centrifuge
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.device import Device

@@ -1,6 +1,6 @@
 """Coverage of steps of the demodulation phase."""
 
-from benchmarks.coverage._identified import Intervals, bench, intervals
+from benchmarks.intervals._identified import Intervals, bench, intervals
 from pyhrg.bench import phase_step
 from pyhrg.fmu import GyroFmu
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from benchmarks.coverage._environment import FAST, Intervals, against
+from benchmarks.intervals._environment import FAST, Intervals, against
 from pyhrg.bench import vibration_shock
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.vibration_shock import BEFORE, SHAKE, STEADY, power_ons

@@ -1,6 +1,6 @@
 """Coverage of virtual rotation both ways."""
 
-from benchmarks.coverage._identified import (
+from benchmarks.intervals._identified import (
     Intervals,
     bench,
     bias_terms,

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from benchmarks.coverage._environment import FAST, Intervals, against, rate_noise
+from benchmarks.intervals._environment import FAST, Intervals, against, rate_noise
 from pyhrg import theory
 from pyhrg.bench import annual
 from pyhrg.bench.annual import AGEING, MONTH, MONTHS, Months, aged

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from benchmarks.coverage._identified import Intervals, bench, intervals
+from benchmarks.intervals._identified import Intervals, bench, intervals
 from pyhrg.bench import rate_reversal, ring_down
 from pyhrg.bench.bench import PowerOn
 from pyhrg.fmu import GyroFmu

@@ -1,6 +1,6 @@
 """Coverage of the force map."""
 
-from benchmarks.coverage._identified import (
+from benchmarks.intervals._identified import (
     CONTROL_PERIOD,
     STEP,
     Intervals,

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from benchmarks.coverage._environment import FAST
+from benchmarks.intervals._environment import FAST
 from pyhrg import theory
 from pyhrg.device import Device
 from pyhrg.parameters import TYPICAL

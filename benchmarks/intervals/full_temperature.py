@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from benchmarks.coverage._environment import FAST, Intervals, against
+from benchmarks.intervals._environment import FAST, Intervals, against
 from pyhrg import theory
 from pyhrg.bench import full_temperature
 from pyhrg.bench.bench import Bench, PowerOn

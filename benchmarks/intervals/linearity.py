@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from benchmarks.coverage._scale_factor import Intervals, gyro, noiseless
+from benchmarks.intervals._scale_factor import Intervals, gyro, noiseless
 from pyhrg.bench import linearity
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.line import Line

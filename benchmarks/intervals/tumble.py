@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from benchmarks.coverage._environment import Intervals, against
-from benchmarks.coverage._force import feeling, linear, squares
+from benchmarks.intervals._environment import Intervals, against
+from benchmarks.intervals._force import feeling, linear, squares
 from pyhrg import theory
 from pyhrg.bench import tumble
 from pyhrg.bench.bench import Bench, PowerOn

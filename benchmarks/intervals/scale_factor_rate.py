@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from benchmarks.coverage._scale_factor import Intervals, compared, gyro
+from benchmarks.intervals._scale_factor import Intervals, compared, gyro
 from pyhrg.bench import scale_factor_rate
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.rate_tests import INTERVAL

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from benchmarks.coverage._scale_factor import Intervals, compared, gyro
+from benchmarks.intervals._scale_factor import Intervals, compared, gyro
 from pyhrg.bench import scale_factor_angle
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.scale_factor_angle import RATE

@@ -20,7 +20,7 @@ STYLE = (
 def page(results: Results) -> str:
     """All results."""
     title = html.escape(f"HRG bench: {results.subject}")
-    parts = []
+    parts = [_table(results.overview)] if results.overview else []
     for result in results.done:
         parts.append(f"<h2>{html.escape(result.procedure.title)}</h2>")
         if result.outcome:

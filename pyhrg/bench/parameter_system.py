@@ -1,9 +1,10 @@
 """The paper's parameter system (Table 1): each row's figure, or why simulation can't give it."""
 
-from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from pyhrg.bench.outcome import Finding, Outcome
+from pyhrg.bench.outcome import Outcome, Table
+from pyhrg.bench.report import shown
 
 
 @dataclass(frozen=True)
@@ -49,23 +50,23 @@ TABLE_1 = (
     ),
     Row(
         *("static", f"bias stability, {FULL}", "全温零偏稳定性"),
-        *("full-temperature", "bias stability"),
+        *("full-temperature", "bias stability over temperature"),
     ),
     Row(
         *("static", f"bias repeatability, {FULL}", "全温零偏重复性"),
-        *("full-temperature", "bias repeatability"),
+        *("full-temperature", "bias repeatability over temperature"),
     ),
     Row("static", "random walk", "随机游走", "random-walk", "angle random walk"),
-    Row("static", "g-dependent bias", "与 g (加速度)相关零偏", "tumble", "bias z"),
+    Row("static", "g-dependent bias", "与 g (加速度)相关零偏", "tumble", "g bias z"),
     Row(
         *("static", "bias change before, during and after vibration", "振动前、中、后零偏变化"),
-        *("vibration-shock", "bias change"),
+        *("vibration-shock", "bias change during vibration along the input axis"),
     ),
     Row(
         *("static", "bias change before and after shock", "冲击前后零偏变化"),
-        *("vibration-shock", "bias change"),
+        *("vibration-shock", "bias change after shock"),
     ),
-    Row("static", "annual bias stability", "零偏年稳定性", "annual", "bias stability"),
+    Row("static", "annual bias stability", "零偏年稳定性", "annual", "bias annual stability"),
     Row(
         *("dynamic", f"scale factor stability, {ROOM}", "常温标度因数稳定性"),
         *("scale-factor-angle", "scale factor variation"),
@@ -76,11 +77,11 @@ TABLE_1 = (
     ),
     Row(
         *("dynamic", f"scale factor stability, {FULL}", "全温标度因数稳定性"),
-        *("full-temperature", "scale factor stability"),
+        *("full-temperature", "scale factor stability over temperature"),
     ),
     Row(
         *("dynamic", f"scale factor repeatability, {FULL}", "全温标度因数重复性"),
-        *("full-temperature", "scale factor repeatability"),
+        *("full-temperature", "scale factor repeatability over temperature"),
     ),
     Row(
         *("dynamic", "scale factor nonlinearity", "标度因数非线性"),
@@ -88,19 +89,29 @@ TABLE_1 = (
     ),
     Row(
         *("dynamic", "scale factor symmetry", "标度因数对称性"),
-        *("linearity", "scale factor symmetry"),
+        *("linearity", "scale factor asymmetry"),
     ),
     Row("dynamic", "measuring range", "测量范围", "range", "measuring range"),
     Row("dynamic", "threshold", "阈值", "threshold", "threshold"),
     Row(
         *("dynamic", "annual scale factor stability", "标度因数年稳定性"),
-        *("annual", "scale factor stability"),
+        *("annual", "scale factor annual stability"),
     ),
-    Row("added", "start-up time", "启动时间", "start-up", "time to valid"),
+    Row("added", "start-up time", "启动时间", "start-up", "time to specification"),
 )
 
 
-def figure_of(row: Row, outcomes: Mapping[str, Outcome]) -> Finding | None:
-    """The row's finding among the outcomes by procedure; None where it wasn't run."""
-    outcome = outcomes.get(row.procedure)
-    return outcome.finding(row.finding) if outcome else None
+def table(outcomes: Sequence[Outcome]) -> Table:
+    """Every row with its figure, the test that it is from, or why it has none."""
+    by_procedure = {outcome.procedure: outcome for outcome in outcomes}
+    cells = (_cells(row, by_procedure.get(row.procedure)) for row in TABLE_1)
+    header = ("", "value", "95 % interval", "unit", "test, or why there is no figure")
+    return Table("Parameter system (Xu et al. 2024, Table 1)", header, tuple(cells))
+
+
+def _cells(row: Row, outcome: Outcome | None) -> tuple[str, ...]:
+    name = f"{row.term} ({row.printed})"
+    if outcome is None:
+        return (name, "-", "-", "", row.reason or f"hrg bench {row.procedure}")
+    finding = outcome.finding(row.finding)
+    return (name, *shown(finding), f"{row.procedure}: {row.finding}")

@@ -30,11 +30,13 @@ class Result:
 
 @dataclass(frozen=True)
 class Results:
-    """What was tested and how, the results, and the specification's limits by finding."""
+    """What was tested and how, the results, the specification's limits by finding, and, of several
+    tests, the table that sums them up."""
 
     subject: str
     done: Sequence[Result]
     limits: Mapping[str, float]
+    overview: Table | None = None
 
     @property
     def outcomes(self) -> list[Outcome]:
@@ -54,6 +56,8 @@ def text(results: Results) -> str:
         title = result.procedure.title
         body = _text(result.outcome, results.limits) if result.outcome else result.reason
         sections.append(f"{title}\n{'-' * len(title)}\n{body}")
+    if results.overview:
+        sections.append(table_text(results.overview))
     sections += [f"Specification: {sentence}" for sentence in results.unmatched]
     return "\n\n".join(sections)
 
@@ -75,11 +79,14 @@ def notes(outcome: Outcome, limits: Mapping[str, float]) -> list[str]:
 
 def findings_table(findings: Sequence[Finding]) -> Table:
     """Findings with intervals, in their units."""
-    rows = tuple(
-        (f.name, _value(f), _interval(f), f.unit if f.unit != "1" else "", _count(f), f.note)
-        for f in findings
-    )
+    rows = tuple((f.name, *shown(f), _count(f), f.note) for f in findings)
     return Table("Findings", ("", "value", "95 % interval", "unit", "n", ""), rows)
+
+
+def shown(finding: Finding) -> tuple[str, str, str]:
+    """Value, interval and unit, to be read."""
+    unit = finding.unit if finding.unit != "1" else ""
+    return _number(finding.shown, _decimals(finding)), _interval(finding), unit
 
 
 def table_text(table: Table) -> str:
@@ -131,10 +138,6 @@ def write(
         figure = Figure(figsize=(8, 5), layout="constrained")
         outcome.draw(figure)
         figure.savefig(folder / PICTURE, dpi=120, metadata={"Software": None})
-
-
-def _value(finding: Finding) -> str:
-    return _number(finding.shown, _decimals(finding))
 
 
 def _interval(finding: Finding) -> str:

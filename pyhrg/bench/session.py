@@ -11,7 +11,7 @@ from fmu_build.bundle import built_fmu
 from fmu_build.files import replaced_folder, write_whole
 from fmu_build.roots import ROOTS
 from pyhrg import campaign as campaigns
-from pyhrg.bench import report
+from pyhrg.bench import parameter_system, report
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.page import PAGE, page
@@ -118,7 +118,9 @@ def perform(source: Source, out: Path, progress: Progress) -> Results:
     if not any(result.outcome for result in results):
         reasons = "; ".join(f"{r.procedure.name}: {r.reason}" for r in results)
         raise BenchError(f"no test gave figures; {reasons}")
-    done = Results(source.subject, tuple(results), source.limits)
+    outcomes = [result.outcome for result in results if result.outcome]
+    overview = parameter_system.table(outcomes) if len(results) > 1 else None
+    done = Results(source.subject, tuple(results), source.limits, overview)
     write_whole(out / PAGE, page(done).encode())
     return done
 

@@ -181,16 +181,17 @@ def _verdict(off: Noise | None, on: Noise | None, ratio: Finding) -> str:
 
 
 def _drawn(states: dict[str, Noise | None]) -> list[Shown]:
-    """One curve a state: the Allan deviation of its longest record."""
-    return [
-        Shown(
-            f"{name} virtual rotation",
-            allan_deviation(found.longest.spectrum.rest, found.longest.interval),
-            found.coefficients,
-        )
-        for name, found in states.items()
-        if found
-    ]
+    """One curve a state: the Allan deviation of its longest record, without its trends, as far as
+    two clusters a trend leave it what it was."""
+    return [_shown(f"{name} virtual rotation", found) for name, found in states.items() if found]
+
+
+def _shown(label: str, found: Noise) -> Shown:
+    longest = found.longest
+    measured = allan_deviation(longest.spectrum.rest, longest.interval)
+    trends = 1 + len(longest.spectrum.products)
+    most = longest.n * longest.interval / (2 * trends)
+    return Shown(label, measured.up_to(most), found.coefficients)
 
 
 PROCEDURE = Procedure(

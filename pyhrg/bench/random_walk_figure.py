@@ -1,6 +1,6 @@
 """Figure of the random walk: Allan deviations, what the coefficients promise, slopes."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,12 +8,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyhrg.allan import AllanDeviation, expected_deviation
+from pyhrg.noise_likelihood import Array
 from pyhrg.noise_model import NoiseCoefficients
 from pyhrg.units import DEG_PER_H
 
 COLOURS = ("#0072b2", "#d55e00")
 MARKERS = ("o", "s")
-SLOPES = {
+SLOPES: dict[str, tuple[str, Callable[[float, Array], Array]]] = {
     "white_angle": ("Q, slope -1", lambda q, t: np.sqrt(3) * q / t),
     "angle_random_walk": ("N, slope -1/2", lambda n, t: n / np.sqrt(t)),
     "bias_instability": ("B, slope 0", lambda b, t: np.sqrt(2 * np.log(2) / np.pi) * b + 0 * t),

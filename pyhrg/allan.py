@@ -1,6 +1,6 @@
 """Allan deviation of an angle record, with intervals."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -29,6 +29,12 @@ class AllanDeviation:
     """(m,) equivalent degrees of freedom."""
     n: int
     """Number of angles."""
+
+    def up_to(self, tau: float) -> "AllanDeviation":
+        """Its cluster times up to one, s."""
+        kept = self.tau <= tau
+        names = ("tau", "deviation", "low", "high", "freedom")
+        return replace(self, **{name: getattr(self, name)[kept] for name in names})
 
 
 def allan_deviation(angle: Array, interval: float, per_octave: int = 4) -> AllanDeviation:

@@ -135,7 +135,8 @@ def _misfit(record: Spectrum, strengths: Array) -> Misfit:
     root = np.linalg.cholesky(np.sum(record.squares / density, axis=-1))
     inverse = np.linalg.inv(root)
     # trends that the density's inverse makes orthonormal
-    squares = np.kron(inverse, inverse) @ record.squares.reshape(trends**2, -1)
+    both = np.einsum("ij,kl->ikjl", inverse, inverse).reshape(trends**2, trends**2)
+    squares = both @ record.squares.reshape(trends**2, -1)
     products = inverse @ record.products
     size = np.sum(products / density, axis=1)
     value = np.sum(record.count * np.log(density) + record.power / density)
@@ -144,7 +145,7 @@ def _misfit(record: Spectrum, strengths: Array) -> Misfit:
     taken = np.sum(squares[:: trends + 1], axis=0) / density
     lost = (scaled / density) @ squares.T
     information = (scaled * (record.count - 2 * taken)) @ scaled.T + lost @ lost.T
-    detrended = record.power - 2 * size @ products + np.kron(size, size) @ squares
+    detrended = record.power - 2 * size @ products + np.outer(size, size).ravel() @ squares
     slope = scaled @ (record.count - taken - detrended / density)
     return Misfit(float(value), information, information @ strengths - slope)
 

@@ -84,9 +84,9 @@ def coefficients(records: Sequence[Spectrum], interval: float) -> NoiseCoefficie
     Intervals are ordered by the likelihood ratio to strengths that can't be negative (G. Feldman,
     R. Cousins, Phys. Rev. D 57 (1998)), so that one rule gives a bound where a noise isn't seen and
     two ends where it is. The signed root of the ratio is normal about minus a sixth of the
-    estimator's skewness, which matters where a few slow frequencies show a noise
-    (O. Barndorff-Nielsen, Biometrika 73 (1986)). `benchmarks/intervals/noise.py` measures what
-    they cover.
+    estimator's skewness (O. Barndorff-Nielsen, Biometrika 73 (1986)), which matters where a few
+    slow frequencies show a noise; it is heeded at the end that it moves outwards.
+    `benchmarks/coverage/noise.py` measures what they cover.
 
     Args:
         records: that share their noises, each without what is no noise.
@@ -190,8 +190,8 @@ def _strength(records: Sequence[Spectrum], best: Array, index: int) -> tuple[flo
         here = misfit(records, point)
         deviation, skewness = estimator(records, here, point, index)
         reach = math.sqrt(critical_ratio(root**2 / deviation))
-        reach += math.copysign(skewness / 6, root - value) if root != value else 0.0
-        return here.value - least - max(reach, 0.0) ** 2
+        reach += max(0.0, math.copysign(skewness / 6, root - value))
+        return here.value - least - reach**2
 
     spread = QUANTILE * estimator(records, misfit(records, best), best, index)[0]
     step = math.sqrt(best[index] + spread) - value

@@ -1,7 +1,8 @@
-"""Noise coefficients of records that show them clearly; the noise is NumPy's.
+"""Noise coefficients of records that show each of them clearly; the noise is NumPy's.
 
-What only a few slow frequencies show, beside noises of neighbouring slopes that are not there, is
-held less often: see `FAINT`.
+A noise that is nowhere the largest, or that only a few slow frequencies show, is held less often
+where a noise of a neighbouring slope is not there: `identify` knows that strengths are not
+negative, so that the neighbour takes some of it half of the time.
 """
 
 import numpy as np
@@ -20,7 +21,7 @@ LETTERS = {
 }
 MIXTURES: dict[str, Mixture] = {
     "Q and N": (1, 1, 0, 0, 0),
-    "Q, N and B": (1, 0.3, 0.3, 0, 0),
+    "Q, N and B": (1, 1, 0.3, 0, 0),
     "Q, N and K": (1, 0.3, 0, 0.02, 0),
     "Q, N, K and ramp": (1, 0.3, 0, 0.02, 1e-2),
 }

@@ -1,20 +1,19 @@
 """Random walk: the gyro's noises with the pattern at rest and with virtual rotation."""
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
 from pyhrg.allan import allan_deviation
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias_test import WARM_UP
-from pyhrg.bench.noise_records import NoiseRecord, alike, noise_records
-from pyhrg.bench.outcome import BenchError, Finding, Outcome
+from pyhrg.bench.noise_of_tests import Noise, noise
+from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.procedure import Procedure, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.random_walk_figure import Shown, draw
 from pyhrg.campaign import Campaign, Test
-from pyhrg.noise_model import Coefficient, NoiseCoefficients, coefficients
+from pyhrg.noise_model import Coefficient
 from pyhrg.units import DEG, HOUR
 
 OFF, ON = KINDS = ("static", "virtual_rotation")
@@ -31,28 +30,6 @@ TERMS = {
 RATIO = "random walk ratio"
 CREEP = 0.1 * DEG
 """Arc over which the bias map begins to look like slow noise, rad."""
-
-
-@dataclass(frozen=True)
-class Noise:
-    """What one state of the gyro has shown.
-
-    records: that share the coefficients, at one interval.
-    """
-
-    records: tuple[NoiseRecord, ...]
-    coefficients: NoiseCoefficients
-    exclusions: tuple[str, ...]
-
-    @property
-    def n(self) -> int:
-        """Number of angles."""
-        return sum(record.n for record in self.records)
-
-    @property
-    def longest(self) -> NoiseRecord:
-        """The record that shows most."""
-        return max(self.records, key=lambda record: record.n)
 
 
 def programme(bench: Bench, rotation: float, duration: float = DURATION) -> Programme:
@@ -74,31 +51,10 @@ def record(bench: Bench) -> list[Test]:
     return bench.run(power_ons(bench))
 
 
-def noise(campaign: Campaign, kind: str) -> Noise | None:
-    """Coefficients of the tests of one kind together; None where there are none.
-
-    Raises:
-        BenchError: no test has a stretch that is long enough, or one has no noise.
-    """
-    tests = [test for test in campaign.of_kind(kind) if not test.is_holdout]
-    found = [record for test in tests for record in noise_records(test.log)]
-    if not tests:
-        return None
-    turning = [record for record in found if (record.rotation != 0) == (kind == ON)]
-    if not turning:
-        state = "with" if kind == ON else "without"
-        raise BenchError(
-            f"{tests[0].log.source}: no stretch that is long enough is {state} virtual rotation"
-        )
-    records, exclusions = alike(turning)
-    best = coefficients([record.spectrum for record in records], records[0].interval)
-    return Noise(tuple(records), best, exclusions)
-
-
 def evaluate(campaign: Campaign) -> Outcome:
     """Coefficients without and with virtual rotation, and how much worse it makes the walk."""
     tests = tests_of(campaign, *KINDS)
-    off, on = (noise(campaign, kind) for kind in KINDS)
+    off, on = (noise(campaign, kind, kind == ON) for kind in KINDS)
     ratio = _ratio(off, on)
     states = {"without": off, "with": on}
     return Outcome(
@@ -181,16 +137,17 @@ def _verdict(off: Noise | None, on: Noise | None, ratio: Finding) -> str:
 
 
 def _drawn(states: dict[str, Noise | None]) -> list[Shown]:
-    """One curve a state: the Allan deviation of its longest record."""
-    return [
-        Shown(
-            f"{name} virtual rotation",
-            allan_deviation(found.longest.spectrum.rest, found.longest.interval),
-            found.coefficients,
-        )
-        for name, found in states.items()
-        if found
-    ]
+    """One curve a state: the Allan deviation of its longest record, without its trends, as far as
+    two clusters a trend leave it what it was."""
+    return [_shown(f"{name} virtual rotation", found) for name, found in states.items() if found]
+
+
+def _shown(label: str, found: Noise) -> Shown:
+    longest = found.longest
+    measured = allan_deviation(longest.spectrum.rest, longest.interval)
+    trends = 1 + len(longest.spectrum.products)
+    most = longest.n * longest.interval / (2 * trends)
+    return Shown(label, measured.up_to(most), found.coefficients)
 
 
 PROCEDURE = Procedure(

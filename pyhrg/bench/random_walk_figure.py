@@ -1,6 +1,7 @@
 """Figure of the random walk: Allan deviations, what the coefficients promise, slopes."""
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,12 +9,25 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyhrg.allan import AllanDeviation, expected_deviation
+from pyhrg.noise_likelihood import Array
 from pyhrg.noise_model import NoiseCoefficients
 from pyhrg.units import DEG_PER_H
 
-COLOURS = ("#0072b2", "#d55e00")
-MARKERS = ("o", "s")
-SLOPES = {
+LARGEST = math.sqrt(0.5)
+"""Share of the deviation from which a noise is the largest."""
+
+
+@dataclass(frozen=True)
+class Style:
+    """Of a curve, told apart without colour too; where the slopes' names stand, points."""
+
+    colour: str
+    marker: str
+    offset: tuple[float, float]
+
+
+STYLES = (Style("#0072b2", "o", (0, -30)), Style("#d55e00", "s", (8, 16)))
+SLOPES: dict[str, tuple[str, Callable[[float, Array], Array]]] = {
     "white_angle": ("Q, slope -1", lambda q, t: np.sqrt(3) * q / t),
     "angle_random_walk": ("N, slope -1/2", lambda n, t: n / np.sqrt(t)),
     "bias_instability": ("B, slope 0", lambda b, t: np.sqrt(2 * np.log(2) / np.pi) * b + 0 * t),
@@ -35,8 +49,8 @@ def draw(figure: Figure, curves: Sequence[Shown]) -> None:
     """Allan deviations with 95 % bands, fitted model, and the slope of each noise that is seen."""
     axes = figure.add_subplot(xscale="log", yscale="log")
     axes.set_ylim(*_limits(curves))
-    for curve, colour, marker in zip(curves, COLOURS, MARKERS, strict=False):
-        _draw_curve(axes, curve, colour, marker)
+    for curve, style in zip(curves, STYLES, strict=False):
+        _draw_curve(axes, curve, style)
     axes.set_xlabel("cluster time, s")
     axes.set_ylabel("Allan deviation, deg/h")
     axes.set_title("Random walk: Allan deviation with 95 % bands, fitted noises, slopes")
@@ -44,27 +58,39 @@ def draw(figure: Figure, curves: Sequence[Shown]) -> None:
     axes.legend()
 
 
-def _draw_curve(axes: Axes, curve: Shown, colour: str, marker: str) -> None:
+def _draw_curve(axes: Axes, curve: Shown, style: Style) -> None:
     found, tau = curve.measured, curve.measured.tau
     axes.fill_between(
-        tau, found.low / DEG_PER_H, found.high / DEG_PER_H, color=colour, alpha=0.2, lw=0
+        tau, found.low / DEG_PER_H, found.high / DEG_PER_H, color=style.colour, alpha=0.2, lw=0
     )
-    axes.plot(tau, found.deviation / DEG_PER_H, marker, color=colour, ms=4, label=curve.label)
+    axes.plot(
+        tau, found.deviation / DEG_PER_H, style.marker, color=style.colour, ms=4, label=curve.label
+    )
     promised = expected_deviation(tau, curve.coefficients) / DEG_PER_H
-    axes.plot(tau, promised, color=colour, lw=1.5, label="fitted noises")
+    axes.plot(tau, promised, color=style.colour, lw=1.5, label="fitted noises")
+    _draw_slopes(axes, curve.coefficients, tau, promised, style)
+
+
+def _draw_slopes(
+    axes: Axes, coefficients: NoiseCoefficients, tau: Array, promised: Array, style: Style
+) -> None:
+    """A line for each noise that is seen, with its name where it is the largest."""
     for name, (label, alone) in SLOPES.items():
-        coefficient = getattr(curve.coefficients, name)
-        if coefficient.present:
-            line = alone(coefficient.value, tau) / DEG_PER_H
-            axes.plot(tau, line, ":", color=colour, lw=1)
-            at = np.argmax(line / promised)
+        coefficient = getattr(coefficients, name)
+        if not coefficient.present:
+            continue
+        line = alone(coefficient.value, tau) / DEG_PER_H
+        axes.plot(tau, line, ":", color=style.colour, lw=1)
+        at = int(np.argmax(line / promised))
+        if line[at] > LARGEST * promised[at]:
+            side = "right" if at > len(tau) / 2 else "left"
             axes.annotate(
                 label,
                 (tau[at], line[at]),
-                (4, 6),
+                style.offset,
                 textcoords="offset points",
-                color=colour,
-                ha="right" if at == len(tau) - 1 else "left",
+                color=style.colour,
+                ha=side,
             )
 
 

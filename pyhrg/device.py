@@ -140,6 +140,10 @@ class Device:
     power_on_scatter: float = 0.0
     """Standard deviation of that angle from one power-on to the next, rad."""
 
+    turn_on_scatter: Mapping[str, float] = field(default_factory=dict, hash=False)
+    """Standard deviations of the FMU's parameters, by its names, from one power-on to the next; SI,
+    normal, independent."""
+
     model: Mapping[str, float] = field(default_factory=dict, hash=False)
     """Whatever else the FMU has: values by its names, SI."""
     site: Site = field(default_factory=Site)
@@ -153,6 +157,15 @@ class Device:
         ideal = fmu_values(Device())
         values = {name: v for name, v in fmu_values(self).items() if v != ideal[name]}
         return {**values, **self.model}
+
+    def turned_on(self, generator: np.random.Generator) -> dict[str, float]:
+        """Parameters as `fmu_parameters`, those of `turn_on_scatter` as this power-on has them."""
+        stated = {**fmu_values(self), **self.model}
+        drawn = {
+            name: stated[name] + generator.normal(0.0, deviation)
+            for name, deviation in self.turn_on_scatter.items()
+        }
+        return {**self.fmu_parameters(), **drawn}
 
     def without_anisotropy(self) -> "Device":
         """The same gyro with every anisotropy of resonator and electrodes zero; noise stays."""

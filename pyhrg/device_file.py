@@ -15,6 +15,8 @@ from pyhrg.device import FMU_NAMES, AngleMap, Device
 from pyhrg.device_keys import KEYS, MAPS, SITE_KEYS, Key
 from pyhrg.site import Site
 
+SCATTERED = FMU_NAMES - {"seed", "startAngle"}
+"""Parameters of the FMU that may differ from power-on to power-on, beside those of `[model]`."""
 FEW = 4
 """Keys that a message proposes where none is close."""
 
@@ -46,7 +48,9 @@ def read(path: Path, fmu_names: Collection[str] | None = None) -> Device:
     Args:
         path: TOML. At the top `name` and the keys of `device_keys.KEYS`; tables `[bias_map]`
             (deg/h), `[scale_factor_map]` (arcsec of pattern angle), `[site]`, `[specification]`
-            (limits by finding) and `[model]` (anything else of the FMU, by its names, SI).
+            (limits by finding), `[model]` (anything else of the FMU, by its names, SI) and
+            `[turn_on_scatter]` (standard deviations of parameters of the FMU from power-on to
+            power-on, by its names, SI).
         fmu_names: names that `[model]` may use (`GyroFmu.references`); None leaves them to the FMU.
 
     Raises:
@@ -88,6 +92,7 @@ def write(device: Device, path: Path) -> None:
         document[table] = _written(coefficients, getattr(device, table), AngleMap())
     document["site"] = _written(SITE_KEYS, device.site, ideal.site)
     document["specification"] = dict(device.specification)
+    document["turn_on_scatter"] = dict(device.turn_on_scatter)
     document["model"] = dict(device.model)
     kept = {key: value for key, value in document.items() if value != {}}
     write_whole(path, tomli_w.dumps(kept).encode())
@@ -115,18 +120,21 @@ class _Reader:
     source: str
 
     def device(self, document: Mapping[str, Any], fmu_names: Collection[str] | None) -> Device:
-        tables = ("name", *MAPS, "site", "specification", "model")
+        tables = ("name", *MAPS, "site", "specification", "model", "turn_on_scatter")
         self._known(document, [key.name for key in KEYS] + list(tables))
         top = {key: value for key, value in document.items() if key not in tables}
         model = self._table(document, "model")
         self._check_model(model, fmu_names)
+        scatter = self._table(document, "turn_on_scatter")
+        self._known(scatter, sorted({*SCATTERED, *model}), "turn_on_scatter.")
         device = Device(
             name=self._name(document.get("name", "")),
             **self._values(top, KEYS),
             **self._maps(document),
             site=Site(**self._values(self._table(document, "site"), SITE_KEYS, "site.")),
-            specification=self._limits(self._table(document, "specification")),
+            specification=self._positive("specification", self._table(document, "specification")),
             model={key: self._number(f"model.{key}", value) for key, value in model.items()},
+            turn_on_scatter=self._positive("turn_on_scatter", scatter),
         )
         self._check_damping(device)
         return device
@@ -184,12 +192,13 @@ class _Reader:
             for name, keys in MAPS.items()
         }
 
-    def _limits(self, table: Mapping[str, Any]) -> dict[str, float]:
-        limits = {key: self._number(f"specification.{key}", v) for key, v in table.items()}
-        for key, limit in limits.items():
-            if limit <= 0:
-                raise self.error(f"specification.{key}", limit, "a limit above 0")
-        return limits
+    def _positive(self, name: str, table: Mapping[str, Any]) -> dict[str, float]:
+        """Numbers of a table that must be above 0."""
+        values = {key: self._number(f"{name}.{key}", value) for key, value in table.items()}
+        for key, value in values.items():
+            if value <= 0:
+                raise self.error(f"{name}.{key}", value, "a number above 0")
+        return values
 
     def _check_model(self, model: Iterable[str], fmu_names: Collection[str] | None) -> None:
         for key in model:

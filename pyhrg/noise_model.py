@@ -86,7 +86,7 @@ def coefficients(records: Sequence[Spectrum], interval: float) -> NoiseCoefficie
     two ends where it is. The signed root of the ratio is normal about minus a sixth of the
     estimator's skewness (O. Barndorff-Nielsen, Biometrika 73 (1986)), which matters where a few
     slow frequencies show a noise; it is heeded at the end that it moves outwards.
-    `benchmarks/coverage/noise.py` measures what they cover.
+    `benchmarks/intervals/noise.py` measures what they cover.
 
     Args:
         records: that share their noises, each without what is no noise.

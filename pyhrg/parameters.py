@@ -5,7 +5,10 @@ from pathlib import Path
 from pyhrg import device_file
 from pyhrg.device import Device
 
-__all__ = ["TYPICAL", "Device"]
+__all__ = ["TABLE2", "TYPICAL", "Device"]
 
-TYPICAL = device_file.read(Path(__file__).with_name("devices") / "typical.toml")
+_FOLDER = Path(__file__).with_name("devices")
+TYPICAL = device_file.read(_FOLDER / "typical.toml")
 """A 20 mm gyro whose damping anisotropy is trimmed; the file says what it stands for."""
+TABLE2 = device_file.read(_FOLDER / "table2.toml")
+"""The gyro of the paper's Table 2; the file says what it stands for."""

@@ -94,10 +94,10 @@ class Bench:
                 self.fmu.stop = None
 
     def power_on(self, identity: str, start_angle: float | None = None) -> Gyro:
-        """Switch the gyro on: new noise, and its power-on angle as well as it repeats.
+        """Switch the gyro on: new noise; power-on angle and parameters as well as they repeat.
 
         Args:
-            identity: of the power-on; the same one has the same noise and angle.
+            identity: of the power-on; the same one has the same noise, angle and parameters.
             start_angle: of the pattern, rad, instead of the device's own.
         """
         key = zlib.crc32(identity.encode())
@@ -106,7 +106,7 @@ class Bench:
         own = generator.normal(self.device.power_on_angle, self.device.power_on_scatter)
         angle = own if start_angle is None else start_angle
         missing = LOOPS - self.fmu.references.keys()
-        values = self.device.fmu_parameters().items()
+        values = self.device.turned_on(generator).items()
         parameters = {name: value for name, value in values if name not in missing}
         return self.fmu.power_on(parameters, seed, angle)
 

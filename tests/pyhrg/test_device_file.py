@@ -13,7 +13,7 @@ from pyhrg.device import FMU_NAMES, AngleMap, Device, fmu_values
 from pyhrg.device_file import DeviceError
 from pyhrg.device_keys import KEYS, Key
 from pyhrg.fmu import GyroError, GyroFmu
-from pyhrg.parameters import TYPICAL
+from pyhrg.parameters import TABLE2, TYPICAL
 from pyhrg.site import Site
 from pyhrg.units import DEG, DEG_PER_H
 
@@ -123,6 +123,10 @@ def test_a_campaigns_nominal_is_a_device() -> None:
         ("[bias_map]\ncos4 = 'x'", r"bias_map\.cos4: found 'x', expected a number"),
         ("[site]\nlatitude_deg = 91", r"site\.latitude_deg: found 91.*, expected -90 to 90"),
         ("[site]\ngravity = 9.8", r"site\.gravity: .* expected site\.gravity_m_s2"),
+        ("[turn_on_scatter]\n'drive.gainMismatch' = -1e-6", r"turn_on_scatter\.drive.*above 0"),
+        ("[turn_on_scatter]\n'drive.gain' = 1e-6",
+         r"turn_on_scatter\.drive\.gain: found an unknown key, expected turn_on_scatter\.drive"),
+        ("[turn_on_scatter]\nstartAngle = 0.1", r"turn_on_scatter\.startAngle: found an unknown"),
         ("[specification]\nbias_stability_deg_per_h = 0", r"specification\.bias_.*above 0"),
         ("[model]\n'pickOff.gainMismatch' = 1e-4", "model: found 'pickOff.gainMismatch', expec"),
         ("[model]\nseed = 1", "model: found 'seed', expected"),
@@ -160,7 +164,8 @@ def test_tables_of_a_device(tmp_path: Path) -> None:
     device = read(
         tmp_path,
         'name = "no. 7"\n[bias_map]\nmean = 0.02\nsin4 = -0.1\n[site]\nlatitude_deg = -30\n'
-        "[specification]\nbias_stability_deg_per_h = 0.01\n[model]\n'drive.authority' = 1\n",
+        "[specification]\nbias_stability_deg_per_h = 0.01\n[model]\n'drive.authority' = 1\n"
+        "[turn_on_scatter]\n'drive.gainMismatch' = 9e-6\n'drive.authority' = 0.01\n",
     )
     assert device == Device(
         name="no. 7",
@@ -168,6 +173,7 @@ def test_tables_of_a_device(tmp_path: Path) -> None:
         site=Site(latitude=-30 * DEG),
         specification={"bias_stability_deg_per_h": 0.01},
         model={"drive.authority": 1.0},
+        turn_on_scatter={"drive.gainMismatch": 9e-6, "drive.authority": 0.01},
     )
     written = tmp_path / "written.toml"
     device_file.write(device, written)
@@ -192,8 +198,9 @@ def test_what_was_read_is_written_to_the_same_bits(tmp_path: Path) -> None:
         device = read(tmp_path, "\n".join(text))
         device_file.write(device, path)
         assert device_file.read(path) == device
-    device_file.write(TYPICAL, path)
-    assert device_file.read(path) == TYPICAL
+    for known in (TABLE2, TYPICAL):
+        device_file.write(known, path)
+        assert device_file.read(path) == known
     assert "damping_axis_deg = 85.0\n" in path.read_text()
     assert "decay_time_s" not in path.read_text()
 

@@ -27,7 +27,7 @@ SAMPLES = 1000
 def test_intervals_hold_what_was_put_in(mixture: Mixture) -> None:
     """In 95 % of 100 records less 3 sigma of the binomial (6.5 %), each of those that are there.
 
-    The seed is fixed; `benchmarks/coverage/noise.py` has the thousands.
+    The seed is fixed; `benchmarks/intervals/noise.py` has the thousands.
     """
     there = [(name, x) for name, x in zip(NAMES, mixture, strict=False) if x]
     held = dict.fromkeys((name for name, _ in there), 0)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from benchmarks.coverage import random_walk as coverage
+from benchmarks.intervals import random_walk as coverage
 from pyhrg import campaign
 from pyhrg.bench import random_walk
 from pyhrg.bench.bench import PowerOn
@@ -48,7 +48,7 @@ def test_quiet_rotation_has_the_ratio_one(slow_fmu: GyroFmu) -> None:
 
 
 def test_intervals_hold_the_devices_noises(slow_fmu: GyroFmu) -> None:
-    """95 % of 30 devices less 3.5 sigma: 24; `benchmarks.coverage` has the thousand."""
+    """95 % of 30 devices less 3.5 sigma: 24; `benchmarks.intervals` has the thousand."""
     held: dict[str, list[bool]] = {}
     for seed in range(30):
         for name, (truth, low, high) in coverage.repeat(slow_fmu, seed).items():

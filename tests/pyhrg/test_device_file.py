@@ -11,7 +11,7 @@ import pytest
 from pyhrg import device_file
 from pyhrg.device import FMU_NAMES, AngleMap, Device, fmu_values
 from pyhrg.device_file import DeviceError
-from pyhrg.device_keys import KEYS, Key
+from pyhrg.device_keys import KEYS, SITE_KEYS, Key
 from pyhrg.fmu import GyroError, GyroFmu
 from pyhrg.parameters import TABLE2, TYPICAL
 from pyhrg.site import Site
@@ -222,3 +222,9 @@ def test_names_are_any_text(tmp_path: Path) -> None:
     device = Device(name='HRG "№ 7"\n\\ 半球\x7f')
     device_file.write(device, tmp_path / "device.toml")
     assert device_file.read(tmp_path / "device.toml") == device
+
+
+def test_every_key_is_in_the_docs() -> None:
+    text = (Path(__file__).parents[2] / "docs" / "devices.md").read_text()
+    for key in (*KEYS, *SITE_KEYS):
+        assert f"| `{key.name}` | {key.low:g} to {key.high:g} |" in text, key.name

@@ -24,7 +24,7 @@ typedef struct {
   double gx, gy, skew, cubic, cx, sx, cy, sy, offset, feedthrough; /* pick-offs */
   double drive[4];
   double force_noise, pickoff_noise, walk_noise, flicker_noise, rotation_noise;
-  double map[7], cancel_cos, cancel_sin, loop_delay, vr_error, quadrature_aim, start;
+  double map[7], angle_map[6], cancel_cos, cancel_sin, loop_delay, vr_error, quadrature_aim, start;
 } Parameters;
 
 typedef struct {
@@ -161,7 +161,10 @@ static void tick(Gyro *g, double rotation, double setpoint) {
   n->walk += p->walk_noise * n->deviate[9];
   double rate = g->counted * (1.0 + p->vr_error + p->rotation_noise * n->deviate[10]) +
                 p->cancel_sin * c4 - p->cancel_cos * s4 + n->walk + p->flicker_noise * slow;
-  double angle = (g->commanded - g->modal / 2.0) / K - g->correction;
+  const double *m = p->angle_map;
+  double error = m[0] * cs + m[1] * sn + m[2] * c4 + m[3] * s4 + m[4] * (c4 * c4 - s4 * s4) +
+                 m[5] * 2.0 * c4 * s4;
+  double angle = (g->commanded - (g->modal / 2.0 - error)) / K - g->correction;
   g->gyro_rate = (angle - g->gyro_angle) / TS;
   g->gyro_angle = angle;
   double lag = p->loop_delay * (g->modal - before) / TS, lc = 1.0 - lag * lag / 2.0;

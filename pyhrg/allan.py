@@ -48,7 +48,7 @@ def allan_deviation(angle: Array, interval: float, per_octave: int = 4) -> Allan
         NoiseError: a record that `identify` would refuse.
     """
     check_record(angle, interval)
-    strengths = fit(spectrum(angle))
+    strengths = fit([spectrum(angle)])
     clusters = _clusters(len(angle) // 3, per_octave)
     deviation = np.array([_deviation(angle, m) for m in clusters]) / (clusters * interval)
     freedom = np.array([_freedom(strengths, len(angle) - 2 * m, m) for m in clusters])
@@ -71,7 +71,6 @@ def expected_deviation(tau: ArrayLike, noises: NoiseCoefficients) -> Array:
         + noises.angle_random_walk.value**2 / t
         + 2 * np.log(2) / np.pi * noises.bias_instability.value**2
         + noises.rate_random_walk.value**2 * t / 3
-        + (noises.rate_ramp.value * t) ** 2 / 2
     )
 
 

@@ -114,6 +114,9 @@ class Device:
     """True over commanded virtual rotation, less one."""
     bias_map: AngleMap = field(default_factory=AngleMap)
     """Calibrated output bias that the electronics take out, rad/s."""
+    scale_factor_map: AngleMap = field(default_factory=AngleMap)
+    """Calibrated error of the detected pattern angle that the electronics take out, rad; its mean
+    is none."""
 
     angle_random_walk: float = 0.0
     """White force noise, as the input-referred angle random walk [N], rad/sqrt(s)."""
@@ -249,6 +252,11 @@ def fmu_values(device: Device) -> dict[str, float]:
         **{name: getattr(device, stated) for name, stated in FMU_FIELDS.items()},
         **_derived_values(device),
         **{f"controller.biasMap.{name}": v for name, v in vars(device.bias_map).items()},
+        **{
+            f"controller.scaleFactorMap.{name}": v
+            for name, v in vars(device.scale_factor_map).items()
+            if name != "mean"
+        },
     }
 
 

@@ -47,9 +47,10 @@ def read(path: Path, fmu_names: Collection[str] | None = None) -> Device:
 
     Args:
         path: TOML. At the top `name` and the keys of `device_keys.KEYS`; tables `[bias_map]`
-            (deg/h), `[site]`, `[specification]` (limits by finding), `[model]` (anything else of
-            the FMU, by its names, SI) and `[turn_on_scatter]` (standard deviations of parameters of
-            the FMU from power-on to power-on, by its names, SI).
+            (deg/h), `[scale_factor_map]` (arcsec of pattern angle), `[site]`, `[specification]`
+            (limits by finding), `[model]` (anything else of the FMU, by its names, SI) and
+            `[turn_on_scatter]` (standard deviations of the FMU's parameters from power-on to
+            power-on, by its names, SI).
         fmu_names: names that `[model]` may use (`GyroFmu.references`); None leaves them to the FMU.
 
     Raises:

@@ -108,5 +108,8 @@ SITE_KEYS = (
 
 MAPS = {
     "bias_map": tuple(Key(f.name, f.name, DEG_PER_H, -1e4, 1e4) for f in fields(AngleMap)),
+    "scale_factor_map": tuple(
+        Key(f.name, f.name, ARCSEC, -2e4, 2e4) for f in fields(AngleMap) if f.name != "mean"
+    ),
 }
 """Tables of coefficients over the pattern angle, by the device's field."""

@@ -57,6 +57,7 @@ class GyroFmu:
         self.folder = _extracted(path)
         self.references = {v.name: v.valueReference for v in self.description.modelVariables}
         self.kinds = {v.name: v.type for v in self.description.modelVariables}
+        self._prepared = False
         self.stop: threading.Event | None = None
         """Set from another thread, it ends every drive under way with `GyroError`."""
 
@@ -80,6 +81,14 @@ class GyroFmu:
             )
             loops = _compiled(slave.dll._name)
         return Gyro(self, slave, loops, {**parameters, "startAngle": start_angle}, seed)
+
+    def prepare(self) -> None:
+        """Compile the loops now: in the main thread, that an interruption ends at once."""
+        if not self._prepared:
+            with self.power_on({}, seed=0, start_angle=0.0) as gyro:
+                rest, on = np.zeros((1, 1)), np.ones(1)
+                gyro.record({"angularRate": rest}, {"driveOn": on}, 0.01, ["gyroAngle"], ["valid"])
+            self._prepared = True
 
     def set_value(self, slave: FMU2Slave, name: str, value: float) -> None:
         """Set one variable by name."""

@@ -4,12 +4,14 @@ The angle is white noise plus the integral of rates whose two-sided densities ar
 and K^2/(2 pi f)^2 (IEEE Std 952, annex C). In the cosine transform (DCT-II) of the record the
 coefficients of such noises are independent but for a straight line and a parabola: exactly for
 white noise and for both random walks, since the transform diagonalizes the second difference with
-free ends and a walk of rate is a bridge plus the line between its ends; nearly for flicker. Line
-and parabola are estimated along (restricted likelihood), so that neither a constant rate nor a rate
-ramp touches the noises. Unlike points of an Allan curve, the coefficients are not correlated, and
-none of the record's information is lost. Everything here is in units of rad and samples.
+free ends and a walk of rate is a bridge plus the line between its ends; nearly for flicker. Line,
+parabola and whatever else is no noise are estimated along (restricted likelihood, H. D. Patterson,
+R. Thompson, Biometrika 58 (1971)), so that none of it touches the noises. Unlike points of an Allan
+curve, the coefficients are not correlated, and none of the record's information is lost. Everything
+here is in units of rad and samples.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,43 +25,44 @@ POWERS = (0, 2, 3, 4)
 """Density of the angle falls as frequency to this: white angle noise, N, B, K."""
 SINGLE = 32
 """Coefficients that are bands of their own; above, a band is a thirty-second of an octave or so."""
-FLICKER_TREND = 1.9
-"""Variance of the flicker's ramp that the transform leaves to the parabola, times (n/B)^2."""
+SAME = 1e-9
+"""A trend of which less than this is left beside the earlier ones is one of them."""
 
 
 @dataclass(frozen=True)
 class Spectrum:
-    """Sufficient statistics of a record: its cosine transform, summed over b narrow bands."""
+    """Sufficient statistics of a record: its cosine transform, summed over b narrow bands.
 
-    samples: int
-    """Number of angles."""
-    ramp: float
-    """Second derivative of the parabola that was taken out, rad per square of a sample."""
+    Its m trends are orthonormal: line, parabola, and what is left of the others beside them.
+    """
+
+    rest: Array
+    """(n,) angles without their trends (least squares), rad."""
     count: Array
     """(b,) coefficients in each band."""
     power: Array
     """(b,) sum of their squares, rad^2."""
-    trends: Array
-    """(2, b) sum of squares of the transformed line and parabola."""
+    squares: Array
+    """(m, m, b) sum of products of the transformed trends."""
     products: Array
-    """(2, b) sum of their products with the record, rad."""
+    """(m, b) sum of their products with the record, rad."""
     shapes: Array
     """(4, b) density of each noise at unit strength, in the order of `POWERS`."""
 
 
-def spectrum(angle: Array) -> Spectrum:
+def spectrum(angle: Array, trends: Sequence[Array] = ()) -> Spectrum:
     """Transform a record.
 
     Args:
         angle: (n,) rad.
+        trends: (n,) each: what may be in the angles, in any size, beside an offset, a constant rate
+            and a rate ramp.
     """
     n = len(angle)
-    time = np.arange(n) - (n - 1) / 2
-    polynomial = np.polynomial.Polynomial.fit(time, angle, 2)
-    rest = angle - polynomial(time)
-    record, line, parabola = (dct(x, norm="ortho")[1:] for x in (rest, time, time**2 / 2))
+    basis = _orthonormal(n, trends)
+    rest = angle - basis @ (basis.T @ angle)
+    record, columns = (dct(x, norm="ortho")[..., 1:] for x in (rest, basis.T[1:]))
     edges = _band_edges(n - 1)
-    trends = np.array([line, parabola])
 
     def summed(values: Array) -> Array:
         return np.asarray(np.add.reduceat(values, edges, axis=-1))
@@ -67,14 +70,22 @@ def spectrum(angle: Array) -> Spectrum:
     count = summed(np.ones(n - 1))
     centre = np.exp(summed(np.log(np.arange(1, n))) / count) / (2 * n)
     return Spectrum(
-        samples=n,
-        ramp=float(polynomial.deriv(2)(0.0)),
+        rest=rest,
         count=count,
         power=summed(record**2),
-        trends=summed(trends**2),
-        products=summed(trends * record),
+        squares=summed(columns[:, np.newaxis] * columns),
+        products=summed(columns * record),
         shapes=_shapes(centre),
     )
+
+
+def _orthonormal(n: int, trends: Sequence[Array]) -> Array:
+    """(n, 1 + m) constant, line, parabola, and the others as far as they are not among these."""
+    time = np.linspace(-1.0, 1.0, n)
+    columns = np.column_stack([np.ones(n), time, time**2, *trends])
+    columns = columns / np.linalg.norm(columns, axis=0).clip(np.finfo(float).tiny)
+    basis, share = np.linalg.qr(columns)
+    return np.asarray(basis[:, np.abs(np.diag(share)) > SAME])
 
 
 def _band_edges(coefficients: int) -> NDArray[np.int64]:
@@ -103,52 +114,52 @@ class Misfit:
     """(4,) the model is least where information @ strengths = pull."""
 
 
-def misfit(record: Spectrum, strengths: Array) -> Misfit:
-    """Judge strengths by a record.
+def misfit(records: Sequence[Spectrum], strengths: Array) -> Misfit:
+    """Judge strengths by records that share them.
 
     Args:
-        record: of the angles.
+        records: of the angles.
         strengths: (4,) variance of each noise, rad^2, in the order of `POWERS`; not all zero.
     """
+    parts = [_misfit(record, strengths) for record in records]
+    return Misfit(
+        value=sum(part.value for part in parts),
+        information=np.sum([part.information for part in parts], axis=0),
+        pull=np.sum([part.pull for part in parts], axis=0),
+    )
+
+
+def _misfit(record: Spectrum, strengths: Array) -> Misfit:
     density = strengths @ record.shapes
-    weight = (record.trends / density).sum(axis=1)
-    trend = (record.products / density).sum(axis=1) / weight
+    trends = len(record.products)
+    root = np.linalg.cholesky(np.sum(record.squares / density, axis=-1))
+    inverse = np.linalg.inv(root)
+    # trends that the density's inverse makes orthonormal
+    squares = np.kron(inverse, inverse) @ record.squares.reshape(trends**2, -1)
+    products = inverse @ record.products
+    size = np.sum(products / density, axis=1)
     value = np.sum(record.count * np.log(density) + record.power / density)
-    value += np.sum(np.log(weight) - trend**2 * weight)
-    detrended = record.power - 2 * trend @ record.products
-    detrended += (trend**2 + 1 / weight) @ record.trends
+    value += 2 * np.sum(np.log(np.diag(root))) - size @ size
     scaled = record.shapes / density
-    share = record.trends / density / weight[:, np.newaxis]
-    lost = scaled @ share.T
-    information = (scaled * (record.count - 2 * share.sum(axis=0))) @ scaled.T + lost @ lost.T
-    slope = scaled @ (record.count - detrended / density)
+    taken = np.sum(squares[:: trends + 1], axis=0) / density
+    lost = (scaled / density) @ squares.T
+    information = (scaled * (record.count - 2 * taken)) @ scaled.T + lost @ lost.T
+    detrended = record.power - 2 * size @ products + np.kron(size, size) @ squares
+    slope = scaled @ (record.count - taken - detrended / density)
     return Misfit(float(value), information, information @ strengths - slope)
 
 
-def ramp_misfit(record: Spectrum, strengths: Array, ramp: float) -> float:
-    """Minus twice the log likelihood of strengths and a rate ramp.
+def estimator(
+    records: Sequence[Spectrum], model: Misfit, strengths: Array, index: int
+) -> tuple[float, float]:
+    """Standard deviation, rad^2, and skewness of one strength while the others are fitted.
 
-    The parabola of the record is the ramp and what the slow noises add to it: the ends of a rate
-    random walk differ by a variance of K^2 times the record's length.
-
-    Args:
-        record: of the angles less their parabola.
-        strengths: (4,) as for `misfit`.
-        ramp: rad per square of a sample, less that of the parabola taken out.
+    Both at given strengths, whose misfit is the model; the skewness as if there were no trends.
     """
-    centre, deviation = ramp_estimate(record, strengths)
-    off = (ramp - centre) / deviation
-    return misfit(record, strengths).value + 2 * float(np.log(deviation)) + off**2
-
-
-def ramp_estimate(record: Spectrum, strengths: Array) -> tuple[float, float]:
-    """Rate ramp beyond that of the record's parabola, and its standard deviation.
-
-    Args:
-        record: of the angles.
-        strengths: (4,) as for `misfit`.
-    """
-    density = strengths @ record.shapes
-    weight = np.sum(record.trends[1] / density)
-    ends = strengths[3] / record.samples + FLICKER_TREND * strengths[2] / record.samples**2
-    return float(np.sum(record.products[1] / density) / weight), float(np.sqrt(1 / weight + ends))
+    inverse = np.linalg.inv(model.information)[index]
+    cubes = squares = 0.0
+    for record in records:
+        influence = inverse @ (record.shapes / (strengths @ record.shapes))
+        squares += float(record.count @ influence**2)
+        cubes += float(record.count @ influence**3)
+    return float(np.sqrt(2 * inverse[index])), float(np.sqrt(8) * cubes / squares**1.5)

@@ -1,11 +1,11 @@
 """Noise coefficients of an angle record, with intervals."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import brentq, minimize, nnls
+from scipy.optimize import brentq, nnls
 from scipy.stats import norm
 
 from pyhrg.noise_likelihood import (
@@ -13,9 +13,8 @@ from pyhrg.noise_likelihood import (
     Array,
     Misfit,
     Spectrum,
+    estimator,
     misfit,
-    ramp_estimate,
-    ramp_misfit,
     spectrum,
 )
 
@@ -53,7 +52,7 @@ class Coefficient:
 
 @dataclass(frozen=True)
 class NoiseCoefficients:
-    """The five coefficients of IEEE Std 952, annex C; SI."""
+    """Four coefficients of IEEE Std 952, annex C; SI. Its fifth, a rate ramp, is no noise."""
 
     white_angle: Coefficient
     """White noise of one angle reading; of quantisation it is the step over sqrt(12) [Q], rad."""
@@ -63,39 +62,52 @@ class NoiseCoefficients:
     """Flicker [B], rad/s; the Allan deviation's floor is sqrt(2 ln 2/pi) = 0.664 of it."""
     rate_random_walk: Coefficient
     """[K], rad/s/sqrt(s)."""
-    rate_ramp: Coefficient
-    """[R], rad/s^2, with its sign."""
 
 
 def identify(angle: Array, interval: float) -> NoiseCoefficients:
+    """Noise coefficients of one record; a constant rate and a rate ramp do not touch them.
+
+    Args:
+        angle: (n,) rad, evenly spaced, without gaps; anything else that is no noise taken out.
+        interval: between angles, s.
+
+    Raises:
+        NoiseError: as `check_record`, or the record bounds a coefficient nowhere.
+    """
+    check_record(angle, interval)
+    return coefficients([spectrum(np.asarray(angle, dtype=np.float64))], interval)
+
+
+def coefficients(records: Sequence[Spectrum], interval: float) -> NoiseCoefficients:
     """Noise coefficients by restricted maximum likelihood, intervals by its profile.
 
     Intervals are ordered by the likelihood ratio to strengths that can't be negative (G. Feldman,
     R. Cousins, Phys. Rev. D 57 (1998)), so that one rule gives a bound where a noise isn't seen and
-    two ends where it is. `benchmarks/allan_coverage.py` measures what they cover: a noise that only
-    a few low frequencies show, and a ramp beside such a noise, are covered less often than 95 %.
+    two ends where it is. The signed root of the ratio is normal about minus a sixth of the
+    estimator's skewness, which matters where a few slow frequencies show a noise
+    (O. Barndorff-Nielsen, Biometrika 73 (1986)). `benchmarks/intervals/noise.py` measures what
+    they cover.
 
     Args:
-        angle: (n,) rad, evenly spaced, without gaps; anything that is no noise taken out, but
-            for a constant rate.
+        records: that share their noises, each without what is no noise.
         interval: between angles, s.
+
+    Raises:
+        NoiseError: the records bound a coefficient nowhere.
+    """
+    best = fit(records)
+    units = [interval ** ((1 - max(power, 1)) / 2) for power in POWERS]
+    noises = [_scaled(_strength(records, best, i), unit) for i, unit in enumerate(units)]
+    return NoiseCoefficients(*noises)
+
+
+def check_record(angle: Array, interval: float) -> None:
+    """Refuse a record that has no noise to be identified.
 
     Raises:
         NoiseError: fewer than 256 angles, one that is not finite, no noise at all, or an interval
             that is not positive.
     """
-    check_record(angle, interval)
-    record = spectrum(np.asarray(angle, dtype=np.float64))
-    best = fit(record)
-    units = [interval ** ((1 - max(power, 1)) / 2) for power in POWERS]
-    noises = [_scaled(_strength(record, best, i), unit) for i, unit in enumerate(units)]
-    white, walk, flicker, rate_walk = noises
-    ramp = _scaled(_ramp(record, best), interval**-2)
-    return NoiseCoefficients(white, walk, flicker, rate_walk, ramp)
-
-
-def check_record(angle: Array, interval: float) -> None:
-    """Raise `NoiseError` for a record that `identify` or `allan_deviation` can't use."""
     if not (math.isfinite(interval) and interval > 0):
         raise NoiseError(f"interval is {interval} s, expected more than 0")
     if np.ndim(angle) != 1 or len(angle) < LEAST_SAMPLES:
@@ -112,12 +124,15 @@ def check_record(angle: Array, interval: float) -> None:
 
 
 def fit(
-    record: Spectrum, held: int | None = None, strength: float = 0.0, start: Array | None = None
+    records: Sequence[Spectrum],
+    held: int | None = None,
+    strength: float = 0.0,
+    start: Array | None = None,
 ) -> Array:
     """Strengths of greatest restricted likelihood, none of them negative.
 
     Args:
-        record: of the angles.
+        records: of the angles.
         held: index of a noise whose strength is given.
         strength: that strength, rad^2.
         start: (4,) strengths to begin at; otherwise the largest that nowhere exceed the record.
@@ -129,23 +144,28 @@ def fit(
         NoiseError: the angles have no noise that could be told from rounding.
     """
     free = [i for i in range(len(POWERS)) if i != held]
-    largest = np.min(record.power / record.count / record.shapes, axis=1)
-    point = np.array(largest if start is None else start)
+    point = largest(records) if start is None else np.array(start)
     if held is not None:
         point[held] = strength
-    here = misfit(record, point)
+    here = misfit(records, point)
     for _ in range(ITERATIONS):
         goal = _least(here, free, point)
-        there = misfit(record, goal)
+        there = misfit(records, goal)
         for _ in range(HALVINGS):
             if there.value <= here.value:
                 break
             goal = (point + goal) / 2
-            there = misfit(record, goal)
+            there = misfit(records, goal)
         if here.value - there.value < SETTLED:
             return point
         point, here = goal, there
     raise NoiseError(f"the noise model has not settled in {ITERATIONS} iterations")
+
+
+def largest(records: Sequence[Spectrum]) -> Array:
+    """(4,) greatest strengths that nowhere exceed a record, rad^2."""
+    each = [np.min(r.power / r.count / r.shapes, axis=1) for r in records]
+    return np.asarray(np.min(each, axis=0))
 
 
 def _least(model: Misfit, free: list[int], point: Array) -> Array:
@@ -159,26 +179,24 @@ def _least(model: Misfit, free: list[int], point: Array) -> Array:
     return goal
 
 
-def _strength(record: Spectrum, best: Array, index: int) -> tuple[float, float, float]:
+def _strength(records: Sequence[Spectrum], best: Array, index: int) -> tuple[float, float, float]:
     """Square root of one strength, and its interval, rad."""
-    least = misfit(record, best).value
-    tiny = 1e-6 * np.min(record.power / record.count / record.shapes, axis=1)
+    least = misfit(records, best).value
+    value = math.sqrt(best[index])
+    tiny = 1e-6 * largest(records)
 
     def excess(root: float) -> float:
-        point = fit(record, index, root**2, best + tiny)
-        here = misfit(record, point)
-        return here.value - least - critical_ratio(root**2 / _deviation(here, index))
+        point = fit(records, index, root**2, best + tiny)
+        here = misfit(records, point)
+        deviation, skewness = estimator(records, here, point, index)
+        reach = math.sqrt(critical_ratio(root**2 / deviation))
+        reach += math.copysign(skewness / 6, root - value) if root != value else 0.0
+        return here.value - least - max(reach, 0.0) ** 2
 
-    value = math.sqrt(best[index])
-    spread = QUANTILE * _deviation(misfit(record, best), index)
+    spread = QUANTILE * estimator(records, misfit(records, best), best, index)[0]
     step = math.sqrt(best[index] + spread) - value
-    low = 0.0 if excess(0.0) <= 0 else _crossing(excess, 0.0, value)
+    low = 0.0 if value == 0 or excess(0.0) <= 0 else _crossing(excess, 0.0, value)
     return value, low, _crossing(excess, value, _beyond(excess, value, step))
-
-
-def _deviation(model: Misfit, index: int) -> float:
-    """Standard deviation of a strength while the others are fitted, rad^2."""
-    return float(math.sqrt(2 * np.linalg.inv(model.information)[index, index]))
 
 
 def critical_ratio(distance: float) -> float:
@@ -197,31 +215,6 @@ def critical_ratio(distance: float) -> float:
         return float(norm.sf(math.sqrt(ratio)) + below - (1 - CONFIDENCE))
 
     return float(brentq(uncovered, distance**2, QUANTILE**2))
-
-
-def _ramp(record: Spectrum, best: Array) -> tuple[float, float, float]:
-    """Rate ramp and its interval, rad per square of a sample."""
-    here = misfit(record, best)
-    unit = np.array([_deviation(here, i) for i in range(len(POWERS))])
-    centre, deviation = ramp_estimate(record, best)
-
-    def profile(ramp: float) -> float:
-        def value(scaled: Array) -> float:
-            return ramp_misfit(record, scaled * unit, ramp)
-
-        start = np.maximum(best / unit, 0.01)
-        return float(minimize(value, start, bounds=[(0, None)] * len(POWERS)).fun)
-
-    least = profile(centre)
-
-    def excess(ramp: float) -> float:
-        return profile(ramp) - least - QUANTILE**2
-
-    ends = [
-        _crossing(excess, centre, _beyond(excess, centre, sign * QUANTILE * deviation))
-        for sign in (-1, 1)
-    ]
-    return tuple(record.ramp + x for x in (centre, *ends))  # type: ignore[return-value]
 
 
 def _beyond(excess: Callable[[float], float], inside: float, step: float) -> float:

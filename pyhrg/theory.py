@@ -55,6 +55,76 @@ def hold_scale_factor_error(control_period: float, delay: float, decay_time: flo
     return -(control_period / 2 + delay) / decay_time
 
 
+def quadrature_lag_scale_factor(
+    frequency_split: float, natural_frequency: float, bryan_factor: float, rate: float
+) -> float:
+    """Scale-factor error of a gyro with a frequency split whose quadrature loop lags.
+
+    While the pattern turns, the split drives the quadrature by (dw/2) sin 4(th - th_w), a sine of
+    circular frequency v = 4 k W. A critically damped loop (w) leaves i v / (w + i v)^2 of it; the
+    part in phase with cos 4(th - th_w) precesses the pattern with its own turning:
+    -(dw^2/2) (w^2 - v^2)/(w^2 + v^2)^2 on average, and as much as the amplitude of
+    cos 8(th - th_w). From Lynch's equations (module's head); slow turning: -dw^2/(2 w^2).
+    """
+    turning = 4 * bryan_factor * rate
+    share = (natural_frequency**2 - turning**2) / (natural_frequency**2 + turning**2) ** 2
+    return -(frequency_split**2) / 2 * share
+
+
+def late_ripple(loop: complex, lag: float, bryan_factor: float, rate: float) -> complex:
+    """What a pick-off error's ripple of the amplitude adds to its own scale-factor map.
+
+    A gain mismatch g makes the amplitude loop drive the true amplitude by -(g/2) cos 4th; while
+    the pattern turns this takes a force, aimed at where the pattern was Ts/2 + delay ago (`lag`).
+    The map's harmonic (cosine c, sine s) of order h turns into
+
+        c (1 + Im z) and s (1 + Im z), and a bias of W Re z (s, -c),  z = 2 k W lag H(i h k |W|)
+
+    with the amplitude loop's response H (`loop`) to its set point; the offset's second and the
+    cubic's eighth harmonic alike.
+    """
+    return 2 * bryan_factor * abs(rate) * lag * loop
+
+
+def misaimed_ripple_scale_factor(
+    gain_mismatch: float, nonorthogonality: float, loop: complex
+) -> float:
+    """Scale-factor error of second order of a gyro whose pick-off errors ripple its amplitude.
+
+    The force that makes the ripple (`late_ripple`) is misaimed by the same errors, e.g.
+    -(g/4) sin 4th: -(g^2/2) W sin^2 4th of the output rate, -(g^2 + d^2)/4 Re H of it on average.
+    """
+    return -(gain_mismatch**2 + nonorthogonality**2) / 4 * loop.real
+
+
 def angle_random_walk_bias_stability(angle_random_walk: float, average: float) -> float:
     """Standard deviation of rate means over `average` seconds, rad/s, from N (rad/sqrt(s))."""
     return angle_random_walk / math.sqrt(average)
+
+
+def lock_rate(device: Device) -> float:
+    """Input rate below which a free pattern locks in, rad/s: amplitude of the bias map.
+
+    With damping anisotropy alone W_L = D/(4k). (R. Adler, A study of locking phenomena in
+    oscillators, 1946: th' = -k (W - mean bias) + (D/4) sin 4(th - th_tau) is his equation.)
+    """
+    return abs(static_bias_phasor(device))
+
+
+def adler_mean_rate(rate: ArrayLike, lock: float) -> NDArray[np.float64]:
+    """Mean output rate at an input rate, rad/s: 0 within +-lock, else sqrt(W^2 - W_L^2)."""
+    given = np.asarray(rate, dtype=float)
+    return np.asarray(np.sign(given) * np.sqrt(np.maximum(given**2 - lock**2, 0.0)))
+
+
+def adler_period(rate: float, lock: float, bryan_factor: float) -> float:
+    """Time in which the pattern turns by 90 deg, s: 2 pi/(4 k sqrt(W^2 - W_L^2))."""
+    return 2 * math.pi / (4 * bryan_factor * math.sqrt(rate**2 - lock**2))
+
+
+def adler_lock_angle(rate: float, lock: float, damping_axis: float) -> float:
+    """Pattern angle at which it locks, rad, one every 90 deg: sin 4(th_L - th_tau) = W/W_L.
+
+    Of the two angles the one with cos 4(th_L - th_tau) < 0 is stable.
+    """
+    return damping_axis + (math.pi - math.asin(rate / lock)) / 4

@@ -6,6 +6,7 @@ DEG = math.pi / 180
 ARCSEC = DEG / 3600
 MINUTE = 60.0
 HOUR = 3600.0
+YEAR = 8766 * HOUR
 DEG_PER_H = DEG / HOUR
 DEG_PER_SQRT_H = DEG / math.sqrt(HOUR)
 HZ = 2 * math.pi

@@ -22,6 +22,12 @@ def fmu(fmu_path: Path) -> GyroFmu:
 
 
 @pytest.fixture(scope="session")
+def slow_fmu() -> GyroFmu:
+    """The gyro whose loops follow at once, at steps of 0.1 s."""
+    return GyroFmu(built_fmu(root=ROOTS["HRGSlow"]))
+
+
+@pytest.fixture(scope="session")
 def extracted(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Path]:
     """By FMI version: the FMU for this machine, extracted."""
     return {fmi: _extracted(built_fmu(fmi=fmi), tmp_path_factory) for fmi in (2, 3)}

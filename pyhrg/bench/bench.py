@@ -81,6 +81,7 @@ class Bench:
 
     def run(self, power_ons: Sequence[PowerOn]) -> list[Test]:
         """Make power-ons, in parallel where there are workers; same numbers on any number."""
+        self.fmu.prepare()
         stop = threading.Event()
         self.fmu.stop = stop
         with ThreadPoolExecutor(self.workers) as pool:

@@ -4,10 +4,12 @@ Procedure of the fibre-optic gyro standards, as the paper's sections 1.2 and 4.1
 input axis is level and points east, so that no Earth rate moves the pattern during the hour.
 """
 
+import numpy as np
+
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias_test import RUNS, WARM_UP, BiasTest, bias_test
-from pyhrg.bench.outcome import Outcome
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.outcome import BenchError, Outcome
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.segments import SEGMENT, segment_means
 from pyhrg.campaign import Campaign, Test
@@ -35,17 +37,27 @@ def record(bench: Bench) -> list[Test]:
 
 
 def measured(campaign: Campaign) -> BiasTest:
-    """Means, stability and repeatability of the campaign's static tests."""
+    """Means, stability and repeatability of the campaign's static tests.
+
+    Raises:
+        BenchError: there are none, or one has too few data points.
+    """
     latitude = campaign.site.latitude
     logs = [test.log for test in tests_of(campaign, KIND)]
-    return bias_test([segment_means(log, latitude, 0.0, warm_up=WARM_UP) for log in logs])
+    runs = [segment_means(log, latitude, 0.0, warm_up=WARM_UP) for log in logs]
+    for log, run in zip(logs, runs, strict=True):
+        if len(run) < 2:
+            raise BenchError(
+                f"{log.source}: {len(run)} segment of {SEGMENT:g} s; expected 2 or more"
+            )
+    return bias_test(runs)
 
 
 def evaluate(campaign: Campaign) -> Outcome:
     """The old figure, and over how little of the circumference it was taken."""
     test = measured(campaign)
     logs = [test.log for test in tests_of(campaign, KIND)]
-    swept = max(float(log.wave_angle.max() - log.wave_angle.min()) for log in logs)
+    swept = max(float(np.nanmax(log.wave_angle) - np.nanmin(log.wave_angle)) for log in logs)
     return Outcome(
         procedure=PROCEDURE.name,
         findings=test.findings(),
@@ -55,7 +67,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             "that this figure says nothing of the rest."
         ),
         tables=(test.table(),),
-        exclusions=tuple(text for log in logs for text in log.exclusions),
+        exclusions=exclusions_of(tests_of(campaign, KIND)),
     )
 
 

@@ -14,11 +14,12 @@ from matplotlib.figure import Figure
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias_test import RUNS, WARM_UP, BiasTest, bias_test
 from pyhrg.bench.harmonics import MEAN, TILT, Fit, design, fit, harmonic
-from pyhrg.bench.outcome import BenchError, Finding, Outcome, mean_finding
+from pyhrg.bench.outcome import Finding, Outcome, mean_finding
+from pyhrg.bench.position_runs import complete_runs
 from pyhrg.bench.positions import HARMONICS, Plan, chosen, visible
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.segments import SEGMENT, Segments, segment_means
+from pyhrg.bench.segments import SEGMENT, Segments
 from pyhrg.campaign import Campaign, Test
 from pyhrg.units import DEG, DEG_PER_H
 
@@ -107,26 +108,9 @@ def runs_of(campaign: Campaign) -> list[Segments]:
     """Data points of each power-on, equally many at each position.
 
     Raises:
-        BenchError: fewer than 8 positions.
+        BenchError: no power-on has 8N positions, evenly spaced.
     """
-    runs = []
-    for test in tests_of(campaign, KIND):
-        points = segment_means(test.log, campaign.site.latitude, SETTLE, warm_up=WARM_UP)
-        if points.dwells < 8:
-            raise BenchError(
-                f"{test.log.source}: {points.dwells} positions hold a segment of {SEGMENT:g} s "
-                "after settling; the test needs at least 8"
-            )
-        runs.append(_balanced(points))
-    return runs
-
-
-def _balanced(points: Segments) -> Segments:
-    """The same number of data points at each position, so that each counts alike."""
-    dwells, counts = np.unique(points.dwell, return_counts=True)
-    fewest = counts.min()
-    keep = np.concatenate([np.flatnonzero(points.dwell == d)[:fewest] for d in dwells])
-    return Segments(*(getattr(points, name)[keep] for name in points.__dataclass_fields__))
+    return complete_runs(tests_of(campaign, KIND), campaign.site.latitude, SETTLE)[0]
 
 
 def fitted_map(
@@ -168,12 +152,14 @@ def variances(runs: Sequence[Segments]) -> tuple[float, float]:
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Stability, repeatability, variances, harmonics and tilt."""
-    runs = runs_of(campaign)
+    tests = tests_of(campaign, KIND)
+    runs, left_out = complete_runs(tests, campaign.site.latitude, SETTLE)
     test, fitted = bias_test(runs), fitted_map(runs)
     within, between = (np.sqrt(max(v, 0.0)) for v in variances(runs))
+    note = "standard deviation" if within >= 0 else "one point a position: can't be told apart"
     spread = (
-        Finding("within positions", float(within), "deg/h", note="standard deviation"),
-        Finding("between positions", float(between), "deg/h", note="standard deviation"),
+        Finding("within positions", float(within), "deg/h", note=note),
+        Finding("between positions", float(between), "deg/h", note=note),
     )
     maps = tuple(fitted.finding(name) for name in fitted.names)
     return Outcome(
@@ -182,7 +168,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         verdict=_verdict(test, float(within), float(between)),
         tables=(test.table(),),
         warnings=fitted.refused,
-        exclusions=tuple(text for t in tests_of(campaign, KIND) for text in t.log.exclusions),
+        exclusions=(*exclusions_of(tests), *left_out),
         draw=lambda figure: draw(figure, runs, fitted),
         values={"bias_map": {name: fitted.value(name) for name in fitted.names}},
     )
@@ -197,11 +183,11 @@ def _amplitude(fitted: Map) -> tuple[Finding, ...]:
 
 
 def _verdict(test: BiasTest, within: float, between: float) -> str:
-    share = f"{between / within:.3g} times" if within > 0 else "infinitely"
-    return (
-        f"Bias stability {test.stability / DEG_PER_H:.2g} deg/h over the circumference; "
-        f"positions differ {share} as much as a position's points do."
-    )
+    stability = f"Bias stability {test.stability / DEG_PER_H:.2g} deg/h over the circumference"
+    if not within > 0:
+        return f"{stability}."
+    share = f"{between / within:.3g} times as much as a position's points do"
+    return f"{stability}; positions differ {share}."
 
 
 def draw(figure: Figure, runs: Sequence[Segments], fitted: Map) -> None:

@@ -1,6 +1,7 @@
 """What a procedure returns: findings with intervals, a verdict, what was left out, a figure."""
 
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -18,7 +19,13 @@ UNITS = {
     "deg/sqrt(h)": units.DEG_PER_SQRT_H,
     "deg/h/sqrt(h)": units.DEG_PER_H / np.sqrt(units.HOUR),
     "deg/h/g": units.DEG_PER_H / units.STANDARD_GRAVITY,
+    "deg/h/g^2": units.DEG_PER_H / units.STANDARD_GRAVITY**2,
     "deg/h/K": units.DEG_PER_H,
+    "deg/h/(K/min)": units.DEG_PER_H * units.MINUTE,
+    "deg/h/year": units.DEG_PER_H / units.YEAR,
+    "ppm/K": 1e-6,
+    "ppm/year": 1e-6 / units.YEAR,
+    "Hz/K": 2 * np.pi,
     "ppm": 1e-6,
     "mHz": 2e-3 * np.pi,
     "Hz": 2 * np.pi,
@@ -43,6 +50,7 @@ class Finding:
     unit: to be shown in, one of `UNITS`.
     low, high: its 95 % interval, SI; NaN where there is none, `note` says why.
     n: sample size of the interval.
+    at_least: a specification limits it from below, as a range or a bandwidth.
     """
 
     name: str
@@ -52,6 +60,7 @@ class Finding:
     high: float = np.nan
     n: int = 0
     note: str = ""
+    at_least: bool = False
 
     @property
     def shown(self) -> float:
@@ -67,8 +76,9 @@ class Finding:
     def key(self) -> str:
         """Name with unit, as in a specification: bias_stability_deg_per_h."""
         unit = self.unit.replace("/sqrt(h)", "_sqrt_h").replace("/", "_per_")
+        unit = unit.translate(str.maketrans("", "", "()^"))
         suffix = "" if self.unit == "1" else f"_{unit.replace('1_per_', 'per_')}"
-        return self.name.replace(" ", "_").replace("-", "_") + suffix
+        return re.sub(r"\W+", "_", self.name) + suffix
 
 
 @dataclass(frozen=True)
@@ -100,6 +110,12 @@ class Outcome:
     draw: Callable[[Figure], None] | None = None
     values: dict[str, object] = field(default_factory=dict)
 
+    def __post_init__(self) -> None:
+        keys = [finding.key for finding in self.findings]
+        twice = sorted({key for key in keys if keys.count(key) > 1})
+        if twice:
+            raise ValueError(f"{self.procedure}: findings of one name: {', '.join(twice)}")
+
     def finding(self, name: str) -> Finding:
         """By name."""
         for finding in self.findings:
@@ -128,3 +144,20 @@ def deviation_finding(name: str, samples: ArrayLike, unit: str, note: str = "") 
     high, low = stats.chi2.ppf([0.025, 0.975], n - 1)
     factors = np.sqrt((n - 1) / np.array([low, high]))
     return Finding(name, value, unit, value * factors[0], value * factors[1], n, note)
+
+
+def pooled_deviation_finding(
+    name: str, groups: Sequence[ArrayLike], unit: str, note: str = ""
+) -> Finding:
+    """Standard deviation within groups of independent normal samples, chi-square 95 % interval;
+    groups of one sample show none."""
+    values = [np.asarray(group, dtype=float) for group in groups]
+    values = [group for group in values if len(group) > 1]
+    n = sum(len(group) for group in values)
+    freedom = n - len(values)
+    if not freedom:
+        return Finding(name, np.nan, unit, note=note or "no group of at least 2 samples")
+    squares = sum(float(np.sum((group - np.mean(group)) ** 2)) for group in values)
+    high, low = (float(q) for q in stats.chi2.ppf([0.025, 0.975], freedom))
+    least, value, most = (float(np.sqrt(squares / divisor)) for divisor in (low, freedom, high))
+    return Finding(name, value, unit, least, most, n, note)

@@ -1,6 +1,6 @@
 """What a test procedure is: it records on the FMU, and evaluates records from anywhere."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from pyhrg.bench.bench import Bench
@@ -53,3 +53,8 @@ def tests_of(campaign: Campaign, *kinds: str) -> list[Test]:
             f"{campaign.device}: no test of kind {' or '.join(kinds)}; the campaign has {there}"
         )
     return found
+
+
+def exclusions_of(tests: Sequence[Test]) -> tuple[str, ...]:
+    """What was left out on reading their logs, each with its file."""
+    return tuple(f"{test.log.source}: {text}" for test in tests for text in test.log.exclusions)

@@ -58,6 +58,19 @@ class Programme:
         self._held.update(values)
         return self
 
+    def override(self, **values: Array) -> "Programme":
+        """Set what held over each row so far (`HELD`), (n,) each, SI."""
+        for name, series in values.items():
+            if name not in self._held or len(series) != len(self):
+                raise ValueError(f"{name}: expected a command and {len(self)} values")
+            for row, value in zip(self._rows, series.tolist(), strict=True):
+                row[name] = value
+        return self
+
+    def holds(self, name: str) -> float:
+        """What is commanded now, SI."""
+        return self._held[name]
+
     def attitude(self, axis_up: float, across: float = 0.0) -> "Programme":
         """Tilt the input axis towards east, so that Earth's rate on it is axis_up W_E sin L.
 

@@ -1,33 +1,76 @@
-"""Outcomes as text, JSON and HTML, with their figures and logs."""
+"""Outcomes as text and JSON, with their figures."""
 
-import html
 import json
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from matplotlib.figure import Figure
 
-from pyhrg.bench.judgement import Judgement, judged
+from pyhrg.bench.judgement import Judgement, judged, unmatched
 from pyhrg.bench.outcome import Finding, Outcome, Table
 from pyhrg.bench.procedure import Procedure
 
 SCHEMA = "hrg-bench/1"
-RESULT, PICTURE, PAGE = "result.json", "figure.png", "report.html"
+RESULT, PICTURE = "result.json", "figure.png"
 
 
-def text(procedure: Procedure, outcome: Outcome, limits: Mapping[str, float]) -> str:
-    """What a person wants to read of one test."""
-    lines = [procedure.title, "-" * len(procedure.title)]
-    lines += [table_text(table) + "\n" for table in outcome.tables]
-    lines.append(table_text(findings_table(outcome.findings)))
-    lines += ["", outcome.verdict]
-    lines += [f"Specification: {j}" for j in judged(outcome, limits)]
-    lines += [f"Can't be seen: {warning}" for warning in outcome.warnings]
-    lines += [f"Left out: {exclusion}" for exclusion in outcome.exclusions]
-    return "\n".join(lines)
+@dataclass(frozen=True)
+class Result:
+    """A procedure with its outcome, or why there is none."""
+
+    procedure: Procedure
+    outcome: Outcome | None
+    reason: str = ""
+
+
+@dataclass(frozen=True)
+class Results:
+    """What was tested and how, the results, and the specification's limits by finding."""
+
+    subject: str
+    done: Sequence[Result]
+    limits: Mapping[str, float]
+
+    @property
+    def outcomes(self) -> list[Outcome]:
+        """Of the tests that gave figures."""
+        return [result.outcome for result in self.done if result.outcome]
+
+    @property
+    def unmatched(self) -> list[str]:
+        """On limits that nothing was held to; a single test leaves those of others alone."""
+        return unmatched(self.outcomes, self.limits) if len(self.done) > 1 else []
+
+
+def text(results: Results) -> str:
+    """What a person wants to read."""
+    sections = [f"HRG bench: {results.subject}"]
+    for result in results.done:
+        title = result.procedure.title
+        body = _text(result.outcome, results.limits) if result.outcome else result.reason
+        sections.append(f"{title}\n{'-' * len(title)}\n{body}")
+    sections += [f"Specification: {sentence}" for sentence in results.unmatched]
+    return "\n\n".join(sections)
+
+
+def _text(outcome: Outcome, limits: Mapping[str, float]) -> str:
+    tables = [*outcome.tables, findings_table(outcome.findings)]
+    lines = [table_text(table) + "\n" for table in tables]
+    return "\n".join([*lines, outcome.verdict, *notes(outcome, limits)])
+
+
+def notes(outcome: Outcome, limits: Mapping[str, float]) -> list[str]:
+    """The specification, what can't be seen, what was left out; a sentence each."""
+    return [
+        *(f"Specification: {judgement}" for judgement in judged(outcome, limits)),
+        *(f"Can't be seen: {warning}" for warning in outcome.warnings),
+        *(f"Left out: {exclusion}" for exclusion in outcome.exclusions),
+    ]
 
 
 def findings_table(findings: Sequence[Finding]) -> Table:
@@ -55,7 +98,9 @@ def table_text(table: Table) -> str:
     return "\n".join([table.title, *map(line, cells)])
 
 
-def document(procedure: Procedure, outcome: Outcome, seed: int | None) -> dict[str, Any]:
+def document(
+    procedure: Procedure, outcome: Outcome, seed: int | None, limits: Mapping[str, float]
+) -> dict[str, Any]:
     """Content of result.json: findings in the units that their keys name."""
     return {
         "schema": SCHEMA,
@@ -63,64 +108,29 @@ def document(procedure: Procedure, outcome: Outcome, seed: int | None) -> dict[s
         "procedure": procedure.name,
         "source": procedure.source,
         "seed": seed,
-        "findings": {f.key: _listed(f) for f in outcome.findings},
+        "findings": {f.key: _finding(f) for f in outcome.findings},
         "verdict": outcome.verdict,
+        "specification": {j.finding.key: _judgement(j) for j in judged(outcome, limits)},
         "warnings": list(outcome.warnings),
         "exclusions": list(outcome.exclusions),
-        "values_si": outcome.values,
+        "values_si": _plain(outcome.values),
     }
 
 
-def write(procedure: Procedure, outcome: Outcome, seed: int | None, folder: Path) -> None:
+def write(
+    procedure: Procedure,
+    outcome: Outcome,
+    seed: int | None,
+    limits: Mapping[str, float],
+    folder: Path,
+) -> None:
     """Write result.json and figure.png into an existing folder."""
-    content = json.dumps(document(procedure, outcome, seed), indent=2, allow_nan=False)
-    (folder / RESULT).write_text(content + "\n")
+    content = document(procedure, outcome, seed, limits)
+    (folder / RESULT).write_text(json.dumps(content, indent=2, allow_nan=False) + "\n")
     if outcome.draw:
         figure = Figure(figsize=(8, 5), layout="constrained")
         outcome.draw(figure)
         figure.savefig(folder / PICTURE, dpi=120, metadata={"Software": None})
-
-
-def page(title: str, parts: Sequence[str]) -> str:
-    """An HTML page of parts."""
-    style = (
-        "body{font:16px/1.5 sans-serif;max-width:60em;margin:2em auto;padding:0 1em}"
-        "table{border-collapse:collapse;margin:1em 0}td,th{padding:.15em .7em;text-align:right;"
-        "border-bottom:1px solid #ddd}td:first-child,th:first-child,td:last-child{text-align:left}"
-        "img{max-width:100%}.weak{color:#555}"
-    )
-    head = f"<!doctype html><html lang=en><meta charset=utf-8><title>{html.escape(title)}</title>"
-    return f"{head}<style>{style}</style><h1>{html.escape(title)}</h1>{''.join(parts)}</html>\n"
-
-
-def section(procedure: Procedure, outcome: Outcome, limits: Mapping[str, float]) -> str:
-    """One test as HTML; its figure lies in the folder of its name."""
-    parts = [f"<h2>{html.escape(procedure.title)}</h2><p>{html.escape(outcome.verdict)}</p>"]
-    parts += [table_html(t) for t in (findings_table(outcome.findings), *outcome.tables)]
-    if outcome.draw:
-        alt = html.escape(procedure.title)
-        parts.append(f'<img src="{procedure.name}/{PICTURE}" alt="{alt}">')
-    notes: list[Judgement | str] = list(judged(outcome, limits))
-    notes += [f"Can't be seen: {text}" for text in outcome.warnings]
-    notes += [f"Left out: {text}" for text in outcome.exclusions]
-    parts += [f"<p class=weak>{html.escape(str(note))}</p>" for note in notes]
-    parts.append(f"<p class=weak>Method: {html.escape(procedure.source)}.</p>")
-    return "".join(parts)
-
-
-def missing(procedure: Procedure, reason: str) -> str:
-    """A test that gave no figures, as HTML."""
-    return f"<h2>{html.escape(procedure.title)}</h2><p>{html.escape(reason)}</p>"
-
-
-def table_html(table: Table) -> str:
-    """A table as HTML."""
-
-    def row(cells: Sequence[str], tag: str) -> str:
-        return "<tr>" + "".join(f"<{tag}>{html.escape(c)}</{tag}>" for c in cells) + "</tr>"
-
-    rows = [row(table.header, "th"), *(row(cells, "td") for cells in table.rows)]
-    return f"<table><caption>{html.escape(table.title)}</caption>{''.join(rows)}</table>"
 
 
 def _value(finding: Finding) -> str:
@@ -154,14 +164,26 @@ def _count(finding: Finding) -> str:
     return str(finding.n) if finding.n else ""
 
 
-def _listed(finding: Finding) -> dict[str, Any]:
-    def known(value: float) -> float | None:
-        return float(value) if math.isfinite(value) else None
-
-    low, high = finding.interval_shown
+def _finding(finding: Finding) -> dict[str, Any]:
     return {
-        "value": known(finding.shown),
-        "interval_95": [known(low), known(high)],
+        "value": _plain(finding.shown),
+        "interval_95": _plain(finding.interval_shown),
         "n": finding.n,
         "note": finding.note,
     }
+
+
+def _judgement(judgement: Judgement) -> dict[str, Any]:
+    side = "at_least" if judgement.finding.at_least else "at_most"
+    return {side: judgement.limit, "verdict": judgement.word}
+
+
+def _plain(value: Any) -> Any:
+    """As JSON has it: no arrays, and null for what is no finite number."""
+    if isinstance(value, Mapping):
+        return {str(key): _plain(item) for key, item in value.items()}
+    if isinstance(value, np.ndarray | np.generic):
+        return _plain(value.tolist())
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -1,6 +1,7 @@
 """Means over segments of a log while the table rests: the data points of every bias test."""
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -16,6 +17,10 @@ Array = NDArray[np.float64]
 
 SEGMENT = 100.0
 """Averaging time of one data point, s (paper 4.1, item 3)."""
+SAME_POSITION = 1 * DEG
+"""A pattern that was moved by less, Earth's rate during a gap included, is where it was, rad."""
+COLUMNS = ("table_angle", "axis_up", "virtual_rotation", "drive_on", "gyro_angle", "wave_angle")
+"""Of a log, that a segment needs."""
 AT_REST = 1e-3 * DEG
 """The table rests while it turns less than this in a row, rad."""
 
@@ -26,7 +31,7 @@ class Segments:
 
     rate: output rate less Earth's rate on the input axis, rad/s.
     pattern_angle, table_angle: means over the segment, rad.
-    dwell: number of the rest of the table that the segment lies in.
+    dwell: number of the position that the segment lies in; a gap doesn't make two of one.
     time: middle of the segment, s.
     """
 
@@ -41,7 +46,7 @@ class Segments:
 
     @property
     def dwells(self) -> int:
-        """How many rests hold a segment."""
+        """How many positions hold a segment."""
         return len(np.unique(self.dwell))
 
 
@@ -51,7 +56,7 @@ def rests(log: Log, settle: float) -> list[slice]:
     turned = np.abs(np.diff(log.table_angle, prepend=log.table_angle[:1]))
     quiet = (turned < AT_REST) & (log.virtual_rotation == 0.0) & (log.drive_on > 0.5)
     found = []
-    for stretch in log.stretches("gyro_angle", "wave_angle"):
+    for stretch in log.stretches(*COLUMNS):
         rows = np.arange(len(quiet))[stretch]
         broken = np.flatnonzero(~quiet[rows])
         bounds = [-1, *broken.tolist(), len(rows)]
@@ -76,13 +81,13 @@ def segment_means(
 
     Raises:
         BenchError: no rest is as long as a segment.
+        LogError: a column that it needs has no value.
     """
-    log.require("table_angle", "axis_up", "gyro_angle", "wave_angle")
     rows = round(length / log.interval)
     points: list[tuple[float, ...]] = []
     longest = 0.0
-    for number, rest in enumerate(rests(log, settle)):
-        late = int(np.searchsorted(log.time, warm_up - 1e-9))
+    late = int(np.searchsorted(log.time, warm_up - 1e-9))
+    for number, rest in _numbered(rests(log, settle), log.wave_angle):
         first = max(rest.start, late)
         longest = max(longest, (rest.stop - first - 1) * log.interval)
         for begin in range(first, rest.stop - rows, rows):
@@ -94,6 +99,15 @@ def segment_means(
         )
     rate, pattern, table, time, dwell = np.array(points).T
     return Segments(rate, pattern, table, dwell.astype(np.int64), time)
+
+
+def _numbered(found: list[slice], wave_angle: Array) -> Iterator[tuple[int, slice]]:
+    """Rests with the number of the position that each is at."""
+    number, left_at = -1, math.inf
+    for rest in found:
+        number += abs(wave_angle[rest.start] - left_at) > SAME_POSITION
+        left_at = wave_angle[rest.stop - 1]
+        yield number, rest
 
 
 def _mean(log: Log, latitude: float, begin: int, end: int) -> tuple[float, ...]:

@@ -80,6 +80,12 @@ CASES: dict[str, tuple[float, Values, Values]] = {
     "controller.biasMap.sin4": (1e-3, {}, {}),
     "controller.biasMap.cos8": (1e-3, {}, {}),
     "controller.biasMap.sin8": (1e-3, {}, {}),
+    "controller.scaleFactorMap.cos2": (1e-3, {}, {}),
+    "controller.scaleFactorMap.sin2": (1e-3, {}, {}),
+    "controller.scaleFactorMap.cos4": (1e-3, {}, {}),
+    "controller.scaleFactorMap.sin4": (1e-3, {}, {}),
+    "controller.scaleFactorMap.cos8": (1e-3, {}, {}),
+    "controller.scaleFactorMap.sin8": (1e-3, {}, {}),
 }
 """Value, further parameters and inputs, sized so that the change stands far above rounding."""
 

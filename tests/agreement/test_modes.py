@@ -119,3 +119,29 @@ def test_full_turn_mean_is_zero_for_imposed_rotation_only(fmu: GyroFmu) -> None:
             before = gyro.advance(0.0, 5.0)
             imposed.append((gyro.advance(0.0, 1.0) - before) / 1.0)
     assert abs(np.mean(imposed)) < 0.02 * short + 1e-5 * DEG_PER_H
+
+
+def test_scale_factor_map_takes_out_the_angle_error(fmu: GyroFmu) -> None:
+    """Eqs. (2) and (3): calibrated pick-off errors leave what is of second order in them."""
+    g, d, offset = 1e-3, -7e-4, 5e-4
+    errors = {
+        "pickOff.gainMismatch": g,
+        "pickOff.nonOrthogonality": d,
+        "pickOff.offset": offset,
+    }
+    calibration = {
+        "controller.scaleFactorMap.sin4": -g / 4,
+        "controller.scaleFactorMap.cos4": d / 4,
+        "controller.scaleFactorMap.sin2": -offset / 2,
+    }
+    wrong = {name: -value for name, value in calibration.items()}
+    turned = 2.0 * 0.1 * np.arange(1, 101)
+    spread = []
+    for parameters in (errors, {**errors, **calibration}, {**errors, **wrong}):
+        with fmu.power_on(parameters, seed=0, start_angle=0.1) as gyro:
+            angle = gyro.drive(np.full(100, 2.0), 0.1)[20:]
+        straight = np.polyval(np.polyfit(turned[20:], angle, 1), turned[20:])
+        spread.append(float(np.std(angle - straight)))
+    assert spread[0] > 1e-4
+    assert spread[1] < 0.01 * spread[0]
+    assert spread[2] == pytest.approx(2 * spread[0], rel=0.02)

@@ -10,14 +10,18 @@ BEFORE = 2
 """Lengths of the record that the flicker has run when it begins."""
 
 
+Mixture = tuple[float, float, float, float, float]
+"""Q (rad), N (rad/sqrt(s)), B (rad/s), K (rad/s/sqrt(s)), rate ramp R (rad/s^2)."""
+
+
 def noisy_angle(
-    n: int, coefficients: tuple[float, float, float, float, float], generator: np.random.Generator
+    n: int, coefficients: Mixture, generator: np.random.Generator
 ) -> NDArray[np.float64]:
     """A record at intervals of 1 s.
 
     Args:
         n: angles.
-        coefficients: Q (rad), N (rad/sqrt(s)), B (rad/s), K (rad/s/sqrt(s)), R (rad/s^2).
+        coefficients: strengths.
         generator: of the noises.
 
     Returns:

@@ -44,6 +44,7 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
     driveOn = driveOn,
     unknownRate = cancellation.patternRate + rateNoise,
     gainNoise = gainNoise,
+    angleError = scaleFactorMap.error,
     correction = biasMap.correction) "Angle of the case";
   Accumulator commanded(samplePeriod = samplePeriod, startAngle = startAngle, rate = readout.countedRate)
     "All rotation commanded";

@@ -30,11 +30,13 @@ partial block PartialController "What all control electronics have: detection, s
     rebalanceError = forceToRebalance*(detector.patternAngle - startAngle),
     overload = overload) "Amplitude to aim at, and validity";
   BiasMap biasMap(samplePeriod = samplePeriod, cosine = detector.cosine, sine = detector.sine) "Compensation of the output";
+  ScaleFactorMap scaleFactorMap(samplePeriod = samplePeriod, cosine = detector.cosine, sine = detector.sine)
+    "Compensation of the detected angle";
 protected
   Units.Angle expectedAngle "Modal angle to which the detected one is nearest";
   Units.Ratio overload "1 while a drive is at its authority";
   annotation (Documentation(info="<html>
 <p>The orbit is detected from the reading, the amplitude to hold follows from the start-up, and the calibrated
-bias map is integrated for the read-out. How forces follow from the orbit is left to who extends it.</p>
+bias map is integrated for the read-out, the calibrated error of the angle told to it. How forces follow from the orbit is left to who extends it.</p>
 </html>"));
 end PartialController;

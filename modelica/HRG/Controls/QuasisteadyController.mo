@@ -43,6 +43,7 @@ block QuasisteadyController "Control electronics whose loops follow at once"
     driveOn = driveOn,
     unknownRate = cancellation.patternRate + rateNoise,
     gainNoise = gainNoise,
+    angleError = scaleFactorMap.error,
     correction = biasMap.correction) "Angle of the case";
 protected
   Units.Angle commanded(start = startAngle, fixed = true) "Pattern angle at time 0 and all rotation counted since";

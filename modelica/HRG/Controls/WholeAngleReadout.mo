@@ -15,6 +15,7 @@ block WholeAngleReadout "Angle of the case from the angle of the pattern"
   input Units.Ratio driveOn "Share of the command that is driven and counted";
   input Units.AngularRate unknownRate "Pattern rate that is driven and not counted";
   input Units.Ratio gainNoise "Relative noise of the commanded rotation";
+  input Units.Angle angleError "Calibrated error of the detected pattern angle";
   input Units.Angle correction "Integral of the calibrated bias";
   output Units.AngularRate patternRate "Pattern rate to be driven";
   output Units.AngularRate countedRate "Commanded rate as the gyro's clock integrates it";
@@ -27,7 +28,7 @@ equation
   patternRate = commandedRate*(1 + virtualRotationError + gainNoise) + unknownRate;
   countedRate = (1 + clockError)*driveOn*(commandedRate - lostRate);
   when sample(0, samplePeriod) then
-    gyroAngle = Electrodes.digitised((commandedAngle - patternAngle)/bryanFactor - correction, quantum, 0);
+    gyroAngle = Electrodes.digitised((commandedAngle - (patternAngle - angleError))/bryanFactor - correction, quantum, 0);
     gyroRate = pre(started)*(gyroAngle - pre(gyroAngle))/(samplePeriod*(1 + clockError));
     started = 1;
   end when;

@@ -48,6 +48,7 @@ those of Conventions. Each line is demonstrated by models of <code>HRG.Validatio
 <tr><td>ring-down</td><td>input <code>driveOn = 0</code>: amplitude, quadrature and rotation forces off, phase tracking on</td></tr>
 <tr><td>start-up</td><td><code>startAmplitude</code>, <code>controller.startUp.*</code>: a small vibration within 1 s, full amplitude at 10 s, output <code>valid</code></td></tr>
 <tr><td>compensation of the output (the paper's Eq. 5)</td><td><code>controller.biasMap.*</code></td></tr>
+<tr><td>compensation of the detected angle (Eqs. 2 and 3)</td><td><code>controller.scaleFactorMap.*</code></td></tr>
 <tr><td>cancellation by force (Eq. 7, factors mended)</td><td><code>controller.cancellation.*</code></td></tr>
 </table>
 </html>"));

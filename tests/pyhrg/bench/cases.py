@@ -2,10 +2,7 @@
 
 from dataclasses import replace
 
-import pytest
-
-from fmu_build.bundle import built_fmu
-from fmu_build.roots import ROOTS
+from pyhrg.bench import full_circumference
 from pyhrg.bench.bench import Bench
 from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
@@ -13,10 +10,8 @@ from pyhrg.parameters import TYPICAL
 
 QUIET = replace(TYPICAL, angle_random_walk=0.0, pickoff_noise=0.0, power_on_scatter=0.0)
 
-
-@pytest.fixture(scope="session")
-def slow_fmu() -> GyroFmu:
-    return GyroFmu(built_fmu(root=ROOTS["HRGSlow"]))
+QUICK_PLAN = full_circumference.SHORTEST
+"""Eight positions."""
 
 
 def slow_bench(fmu: GyroFmu, device: Device, seed: int = 1) -> Bench:

@@ -1,4 +1,4 @@
-"""How often 95 % intervals hold what was put into the device: `python -m benchmarks.coverage`.
+"""How often 95 % intervals hold what was put into the device: `python -m benchmarks.intervals`.
 
 Each module here repeats one procedure: `repeat(fmu, seed)` draws a device, runs the procedure, and
 returns (truth, low, high) by finding; `MODEL` names the gyro. An interval is honest when it holds
@@ -17,7 +17,7 @@ from functools import cache, partial
 
 from scipy.stats import binomtest
 
-import benchmarks.coverage
+import benchmarks.intervals
 from fmu_build.bundle import built_fmu
 from fmu_build.roots import ROOTS
 from pyhrg.fmu import GyroFmu
@@ -25,7 +25,7 @@ from pyhrg.fmu import GyroFmu
 HONEST = (0.93, 0.97)
 NAMES = sorted(
     module.name
-    for module in pkgutil.iter_modules(benchmarks.coverage.__path__)
+    for module in pkgutil.iter_modules(benchmarks.intervals.__path__)
     if not module.name.startswith("_")
 )
 
@@ -38,7 +38,7 @@ def gyro(model: str) -> GyroFmu:
 
 def held(name: str, seed: int) -> dict[str, bool]:
     """By finding, whether the interval of one repeat holds the truth."""
-    case = importlib.import_module(f"benchmarks.coverage.{name}")
+    case = importlib.import_module(f"benchmarks.intervals.{name}")
     found = case.repeat(gyro(case.MODEL), seed)
     return {
         finding: low <= truth <= high
@@ -49,7 +49,7 @@ def held(name: str, seed: int) -> dict[str, bool]:
 
 def measure(name: str, repeats: int, workers: int) -> bool:
     """Print the coverage of one procedure's findings; True when all are honest."""
-    gyro(importlib.import_module(f"benchmarks.coverage.{name}").MODEL)
+    gyro(importlib.import_module(f"benchmarks.intervals.{name}").MODEL)
     inside: Counter[str] = Counter()
     total: Counter[str] = Counter()
     begin = time.perf_counter()
@@ -73,7 +73,7 @@ def measure(name: str, repeats: int, workers: int) -> bool:
 
 def main() -> None:
     """Measure all procedures, or those named."""
-    parser = argparse.ArgumentParser(description=__doc__, prog="python -m benchmarks.coverage")
+    parser = argparse.ArgumentParser(description=__doc__, prog="python -m benchmarks.intervals")
     parser.add_argument("procedures", nargs="*", metavar="PROCEDURE", help="default: all")
     parser.add_argument("--repeats", type=int, default=1000)
     parser.add_argument("--workers", type=int, default=len(os.sched_getaffinity(0)))

@@ -1,0 +1,22 @@
+"""Delay and gain of a gyro without anisotropy: none, and 1 less the pull of held forces."""
+
+from pyhrg import theory
+from pyhrg.bench import bandwidth
+from pyhrg.bench.bench import Bench
+from pyhrg.fmu import GyroFmu
+from pyhrg.parameters import TYPICAL
+
+MODEL = "HRG"
+
+
+def repeat(fmu: GyroFmu, seed: int) -> dict[str, tuple[float, float, float]]:
+    """Truth and interval of the delay, and of the gain at both ends."""
+    bench = Bench(fmu, TYPICAL.without_anisotropy(), seed)
+    outcome = bandwidth.evaluate(bench.campaign(bandwidth.record(bench, periods=8)))
+    _, delay, low, high = outcome.findings
+    gain = 1 + theory.hold_scale_factor_error(bandwidth.INTERVAL, 0.0, TYPICAL.decay_time)
+    return {
+        "delay": (0.0, delay.low, delay.high),
+        low.name: (gain, low.low, low.high),
+        high.name: (gain, high.low, high.high),
+    }

@@ -1,0 +1,28 @@
+"""Lock rate of random gyros, with and without anisotropy, from the map that the table turns."""
+
+import numpy as np
+
+from pyhrg import theory
+from pyhrg.bench import dead_zone
+from pyhrg.bench.bench import Bench
+from pyhrg.bench.harmonic_amplitude import magnitude_finding
+from pyhrg.bench.harmonics import MEAN
+from pyhrg.bench.turning import FOURTH, fitted_turning
+from pyhrg.fmu import GyroFmu
+from pyhrg.parameters import TYPICAL
+
+MODEL = "HRGSlow"
+
+
+def repeat(fmu: GyroFmu, seed: int) -> dict[str, tuple[float, float, float]]:
+    """Truth and interval of the lock rate and of the mean bias; zero without anisotropy."""
+    result = {}
+    device = TYPICAL.another(np.random.default_rng(seed))
+    for name, gyro in (("", device), (", no anisotropy", device.without_anisotropy())):
+        bench = Bench(fmu, gyro, seed, step=0.5)
+        logs = [test.log for test in bench.run(dead_zone.map_runs(bench))]
+        fitted, _ = fitted_turning(logs, bench.device.site.latitude)
+        lock = magnitude_finding("lock rate", fitted, FOURTH, "deg/h")
+        result[f"lock rate{name}"] = (theory.lock_rate(gyro), lock.low, lock.high)
+        result[f"mean bias{name}"] = (theory.mean_bias(gyro), *fitted.interval(MEAN))
+    return result

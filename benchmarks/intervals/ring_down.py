@@ -1,0 +1,34 @@
+"""Coverage of the ring-down: four angles, all terms of the free shell."""
+
+import numpy as np
+
+from benchmarks.intervals._identified import Intervals, bench, intervals
+from pyhrg.bench import rate_reversal, ring_down
+from pyhrg.bench.bench import PowerOn
+from pyhrg.fmu import GyroFmu
+
+MODEL = "HRGSlow"
+DECAY = 120.0
+
+
+def repeat(fmu: GyroFmu, seed: int) -> Intervals:
+    """One gyro: ring-downs at four angles, and its pick-offs by table rate."""
+    on = bench(fmu, seed)
+    device = on.device
+    course = ring_down.programme(on, decay=DECAY)
+    tests = on.run([PowerOn("ring_down", ring_down.KIND, course)])
+    campaign = on.campaign([*tests, *rate_reversal.record(on, duration=70.0)])
+    damping = device.damping_anisotropy * np.exp(4j * device.damping_axis)
+    split = device.frequency_split * np.exp(4j * device.stiffness_axis)
+    return intervals(
+        ring_down.evaluate(campaign),
+        {
+            "decay time": device.decay_time,
+            "damping anisotropy": abs(damping),
+            "damping anisotropy cos4": damping.real,
+            "damping anisotropy sin4": damping.imag,
+            "frequency split": abs(split),
+            "frequency split cos4": split.real,
+            "frequency split sin4": split.imag,
+        },
+    )

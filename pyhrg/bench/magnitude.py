@@ -1,0 +1,49 @@
+"""How large a vector is that was measured with noise: never below zero, unbiased by the noise."""
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import optimize, special, stats
+
+Array = NDArray[np.float64]
+
+
+def magnitude_interval(
+    values: Array, covariance: Array, confidence: float = 0.95
+) -> tuple[float, float, float]:
+    """Length of the true vector: estimate and interval.
+
+    The squared length of the measured one is taken as a scaled noncentral chi-square with the mean
+    and variance it has (exact where the covariance is a multiple of a projection), inverted for
+    its noncentrality.
+
+    Args:
+        values: (n,) normal, unbiased.
+        covariance: (n, n).
+
+    Returns:
+        Estimate with the noise's share taken off, at least 0, and bounds, in the unit of values.
+    """
+    square = float(values @ values)
+    trace = float(np.trace(covariance))
+    if trace <= 0.0:
+        return (float(np.sqrt(square)),) * 3
+    scale = float(np.trace(covariance @ covariance)) / trace
+    along = float(values @ covariance @ values) / square if square > trace else scale
+    scale = scale if square <= 9 * trace else along
+    freedom = trace / scale
+
+    def bound(probability: float) -> float:
+        def excess(noncentrality: float) -> float:
+            return float(special.chndtr(square / scale, freedom, noncentrality)) - probability
+
+        if square / scale > 1e4:
+            # far from zero the length is normal
+            reach = float(stats.norm.ppf(probability)) * np.sqrt(scale)
+            return float(np.sqrt(square) - reach)
+        if excess(0.0) <= 0.0:
+            return 0.0
+        upper = (np.sqrt(square / scale) + 6.0) ** 2
+        return float(np.sqrt(scale * optimize.brentq(excess, 0.0, upper)))
+
+    tail = (1 - confidence) / 2
+    return float(np.sqrt(max(square - trace, 0.0))), bound(1 - tail), bound(tail)

@@ -1,0 +1,75 @@
+"""Figure of the random walk: Allan deviations, what the coefficients promise, slopes."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from pyhrg.allan import AllanDeviation, expected_deviation
+from pyhrg.noise_model import NoiseCoefficients
+from pyhrg.units import DEG_PER_H
+
+COLOURS = ("#0072b2", "#d55e00")
+MARKERS = ("o", "s")
+SLOPES = {
+    "white_angle": ("Q, slope -1", lambda q, t: np.sqrt(3) * q / t),
+    "angle_random_walk": ("N, slope -1/2", lambda n, t: n / np.sqrt(t)),
+    "bias_instability": ("B, slope 0", lambda b, t: np.sqrt(2 * np.log(2) / np.pi) * b + 0 * t),
+    "rate_random_walk": ("K, slope +1/2", lambda k, t: k * np.sqrt(t / 3)),
+}
+"""Of each coefficient alone (IEEE Std 952, annex C)."""
+
+
+@dataclass(frozen=True)
+class Shown:
+    """One curve."""
+
+    label: str
+    measured: AllanDeviation
+    coefficients: NoiseCoefficients
+
+
+def draw(figure: Figure, curves: Sequence[Shown]) -> None:
+    """Allan deviations with 95 % bands, fitted model, and the slope of each noise that is seen."""
+    axes = figure.add_subplot(xscale="log", yscale="log")
+    axes.set_ylim(*_limits(curves))
+    for curve, colour, marker in zip(curves, COLOURS, MARKERS, strict=False):
+        _draw_curve(axes, curve, colour, marker)
+    axes.set_xlabel("cluster time, s")
+    axes.set_ylabel("Allan deviation, deg/h")
+    axes.set_title("Random walk: Allan deviation with 95 % bands, fitted noises, slopes")
+    axes.grid(which="both", alpha=0.2)
+    axes.legend()
+
+
+def _draw_curve(axes: Axes, curve: Shown, colour: str, marker: str) -> None:
+    found, tau = curve.measured, curve.measured.tau
+    axes.fill_between(
+        tau, found.low / DEG_PER_H, found.high / DEG_PER_H, color=colour, alpha=0.2, lw=0
+    )
+    axes.plot(tau, found.deviation / DEG_PER_H, marker, color=colour, ms=4, label=curve.label)
+    promised = expected_deviation(tau, curve.coefficients) / DEG_PER_H
+    axes.plot(tau, promised, color=colour, lw=1.5, label="fitted noises")
+    for name, (label, alone) in SLOPES.items():
+        coefficient = getattr(curve.coefficients, name)
+        if coefficient.present:
+            line = alone(coefficient.value, tau) / DEG_PER_H
+            axes.plot(tau, line, ":", color=colour, lw=1)
+            at = np.argmax(line / promised)
+            axes.annotate(
+                label,
+                (tau[at], line[at]),
+                (4, 6),
+                textcoords="offset points",
+                color=colour,
+                ha="right" if at == len(tau) - 1 else "left",
+            )
+
+
+def _limits(curves: Sequence[Shown]) -> tuple[float, float]:
+    """Half an octave and more around the bands, deg/h."""
+    lows = [np.min(curve.measured.low) for curve in curves]
+    highs = [np.max(curve.measured.high) for curve in curves]
+    return float(min(lows) / DEG_PER_H / 1.5), float(max(highs) / DEG_PER_H * 2)

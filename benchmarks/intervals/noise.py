@@ -26,8 +26,6 @@ MIXTURES: dict[str, Mixture] = {
     "Q, N, K and ramp": (1, 0.3, 0, 0.02, 1e-2),
 }
 """Q, N, B, K and rate ramp in units of rad and s."""
-FAINT: Mixture = (1, 0.1, 0, 0.001, 1e-4)
-"""In 4000 samples K is told from zero in half of the records, and held in 92 %."""
 
 
 def repeat(fmu: GyroFmu, seed: int) -> dict[str, tuple[float, float, float]]:

@@ -97,4 +97,4 @@ def compared(outcome: Outcome, device: Device, rate: float) -> Intervals:
 
 def noiseless(device: Device) -> Device:
     """The same gyro without noise."""
-    return replace(device, angle_random_walk=0.0, pickoff_noise=0.0)
+    return device.without_noise()

@@ -23,7 +23,7 @@ from tests.pyhrg.bench.cases import QUIET, slow_bench
 
 RICH = replace(TYPICAL, demodulation_offset=2e-5, pickoff_cubic=3e-5, misalignment=5e-5)
 """Errors in every harmonic, and a tilted input axis."""
-NOISELESS = replace(RICH, angle_random_walk=0.0, pickoff_noise=0.0, power_on_scatter=0.0)
+NOISELESS = replace(RICH.without_noise(), power_on_scatter=0.0)
 
 
 def measured(fmu: GyroFmu, device: Device, seed: int = 1) -> Campaign:

@@ -35,8 +35,10 @@ def outcome(campaign: Campaign) -> Outcome:
 
 
 def test_lock_rate_is_a_quarter_of_the_damping_over_the_bryan_factor(outcome: Outcome) -> None:
+    """To 5e-6: the bias bends the turning pattern's path between rows, which falls as the square
+    of the damping (3.6e-6 here, 0.9e-6 at half of it)."""
     expected = 1e-3 / (4 * CAPTURING.bryan_factor)
-    assert outcome.finding("lock rate").value == pytest.approx(expected, rel=2e-6)
+    assert outcome.finding("lock rate").value == pytest.approx(expected, rel=5e-6)
     assert outcome.finding("lock rate from mean rates").value == pytest.approx(expected, rel=2e-4)
 
 

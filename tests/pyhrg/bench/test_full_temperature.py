@@ -22,7 +22,7 @@ SCALE = {"bias per kelvin": 1e-4, "temperature-rate bias": 3e-3 * 60, "scale fac
 @pytest.fixture(scope="module")
 def device() -> Device:
     noisy = warm(np.random.default_rng(5))
-    return replace(noisy, angle_random_walk=0.0, pickoff_noise=0.0, power_on_scatter=0.0)
+    return replace(noisy.without_noise(), power_on_scatter=0.0)
 
 
 @pytest.fixture(scope="module")

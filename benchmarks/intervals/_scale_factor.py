@@ -1,7 +1,6 @@
 """Gyros with random imperfections and what the scale-factor tests should find of them."""
 
 import math
-from dataclasses import replace
 
 import numpy as np
 

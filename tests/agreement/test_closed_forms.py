@@ -1,7 +1,6 @@
 """The FMU against closed forms: drift against pattern angle, hold error, noise."""
 
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest

@@ -10,12 +10,13 @@ from fmu_build.cli import Command, UserError
 from fmu_build.platforms import BuildError
 from fmu_build.translate import TranslationError
 from pyhrg import campaign, device_file, parameters
-from pyhrg.bench import report, session
+from pyhrg.bench import session
 from pyhrg.bench.catalogue import BY_NAME, PROCEDURES
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.page import PAGE
 from pyhrg.bench.procedure import Procedure
-from pyhrg.bench.progress import Progress
+from pyhrg.bench.reporting import report
+from pyhrg.bench.reporting.page import PAGE
+from pyhrg.bench.reporting.progress import Progress
 from pyhrg.fmu import GyroError
 from pyhrg.records import LogError
 

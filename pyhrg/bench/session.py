@@ -11,13 +11,13 @@ from fmu_build.bundle import built_fmu
 from fmu_build.files import replaced_folder, write_whole
 from fmu_build.roots import ROOTS
 from pyhrg import campaign as campaigns
-from pyhrg.bench import parameter_system, report
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.page import PAGE, page
 from pyhrg.bench.procedure import Procedure
-from pyhrg.bench.progress import Progress
-from pyhrg.bench.report import Result, Results
+from pyhrg.bench.reporting import parameter_system, report
+from pyhrg.bench.reporting.page import PAGE, page
+from pyhrg.bench.reporting.progress import Progress
+from pyhrg.bench.reporting.report import Result, Results
 from pyhrg.bench.store import Store
 from pyhrg.campaign import Campaign
 from pyhrg.device import Device

@@ -2,8 +2,8 @@
 
 from dataclasses import replace
 
-from pyhrg.bench import full_circumference
 from pyhrg.bench.bench import Bench
+from pyhrg.bench.bias import full_circumference
 from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL

@@ -1,0 +1,83 @@
+"""The old bias test: the gyro rests, and the pattern stays where it is.
+
+Procedure of the fibre-optic gyro standards, as the paper's sections 1.2 and 4.1 describe it. The
+input axis is level and points east, so that no Earth rate moves the pattern during the hour.
+"""
+
+import numpy as np
+
+from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.bias.bias_test import RUNS, WARM_UP, BiasTest, bias_test
+from pyhrg.bench.outcome import BenchError, Outcome
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.programme import Programme
+from pyhrg.bench.readings.segments import SEGMENT, segment_means
+from pyhrg.campaign import Campaign, Test
+from pyhrg.units import DEG, DEG_PER_H
+
+SEGMENTS = 36
+"""Data points of a run: one hour."""
+KIND = "static"
+
+
+def programme(bench: Bench, segments: int = SEGMENTS) -> Programme:
+    """One power-on: at rest, input axis east."""
+    return bench.programme().attitude(0.0).rest(WARM_UP + segments * SEGMENT)
+
+
+def power_ons(bench: Bench, runs: int = RUNS, segments: int = SEGMENTS) -> list[PowerOn]:
+    """Seven of an hour each."""
+    course = programme(bench, segments)
+    return [PowerOn(f"fixed_{n + 1}", KIND, course) for n in range(runs)]
+
+
+def record(bench: Bench) -> list[Test]:
+    """Run them."""
+    return bench.run(power_ons(bench))
+
+
+def measured(campaign: Campaign) -> BiasTest:
+    """Means, stability and repeatability of the campaign's static tests.
+
+    Raises:
+        BenchError: there are none, or one has too few data points.
+    """
+    latitude = campaign.site.latitude
+    logs = [test.log for test in tests_of(campaign, KIND)]
+    runs = [segment_means(log, latitude, 0.0, warm_up=WARM_UP) for log in logs]
+    for log, run in zip(logs, runs, strict=True):
+        if len(run) < 2:
+            raise BenchError(
+                f"{log.source}: {len(run)} segment of {SEGMENT:g} s; expected 2 or more"
+            )
+    return bias_test(runs)
+
+
+def evaluate(campaign: Campaign) -> Outcome:
+    """The old figure, and over how little of the circumference it was taken."""
+    test = measured(campaign)
+    logs = [test.log for test in tests_of(campaign, KIND)]
+    swept = max(float(np.nanmax(log.wave_angle) - np.nanmin(log.wave_angle)) for log in logs)
+    return Outcome(
+        procedure=PROCEDURE.name,
+        findings=test.findings(),
+        verdict=(
+            f"Bias stability {test.stability / DEG_PER_H:.2g} deg/h at a fixed position: the "
+            f"pattern moved over {swept / DEG:.2g} of the 90 deg of a period of the bias map, so "
+            "that this figure says nothing of the rest."
+        ),
+        tables=(test.table(),),
+        exclusions=exclusions_of(tests_of(campaign, KIND)),
+    )
+
+
+PROCEDURE = Procedure(
+    name="fixed-position",
+    group="bias",
+    title="Bias at a fixed position (old method)",
+    rows=("bias stability, room temperature", "bias repeatability, room temperature"),
+    source="paper 4.1 (original method, Table 2); GJB 2426A, fibre-optic gyros",
+    kinds=(KIND,),
+    record=record,
+    evaluate=evaluate,
+)

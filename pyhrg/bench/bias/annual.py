@@ -15,7 +15,6 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias.bias_test import WARM_UP
 from pyhrg.bench.bias.circumference import circumference
 from pyhrg.bench.bias.thermal_programme import SPIN, SPIN_RATE, positions
 from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
@@ -23,6 +22,7 @@ from pyhrg.bench.estimation.spread import spread_finding
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table, pooled_deviation_finding
 from pyhrg.bench.procedure import Procedure, tests_of
 from pyhrg.bench.programme import Programme
+from pyhrg.bench.readings.segments import WARM_UP
 from pyhrg.bench.readings.spins import pair_scale_factor, pairs, spins
 from pyhrg.campaign import Campaign, Test
 from pyhrg.device import Device

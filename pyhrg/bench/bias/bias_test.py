@@ -12,8 +12,6 @@ from pyhrg.units import DEG_PER_H
 
 RUNS = 7
 """Power-ons of a test (paper 4.1, item 4)."""
-WARM_UP = 30.0
-"""Time from power-on to the first data point, s: the loops' transient lasts about one."""
 
 
 @dataclass(frozen=True)

@@ -8,13 +8,12 @@ import numpy as np
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias import g_sensitivity
-from pyhrg.bench.bias.bias_test import WARM_UP
 from pyhrg.bench.bias.g_sensitivity import AXES, SETTLE
 from pyhrg.bench.bias.tumble import PATTERN_ANGLES, turn_pattern
 from pyhrg.bench.outcome import Outcome
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.segments import SEGMENT
+from pyhrg.bench.readings.segments import SEGMENT, WARM_UP
 from pyhrg.campaign import Campaign, Test
 from pyhrg.units import DEG_PER_H, STANDARD_GRAVITY
 

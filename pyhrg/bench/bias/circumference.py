@@ -8,12 +8,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pyhrg.bench.bias.bias_test import WARM_UP
 from pyhrg.bench.bias.thermal_programme import SETTLE
 from pyhrg.bench.estimation.harmonics import MEAN, Fit, design, fit, inflation
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.dwells import Points, points
-from pyhrg.bench.readings.segments import SEGMENT
+from pyhrg.bench.readings.segments import SEGMENT, WARM_UP
 from pyhrg.campaign import Test
 from pyhrg.site import Site
 

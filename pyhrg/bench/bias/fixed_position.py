@@ -7,11 +7,11 @@ input axis is level and points east, so that no Earth rate moves the pattern dur
 import numpy as np
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias.bias_test import RUNS, WARM_UP, BiasTest, bias_test
+from pyhrg.bench.bias.bias_test import RUNS, BiasTest, bias_test
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.segments import SEGMENT, segment_means
+from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, segment_means
 from pyhrg.campaign import Campaign, Test
 from pyhrg.units import DEG, DEG_PER_H
 

@@ -12,14 +12,14 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias.bias_test import RUNS, WARM_UP, BiasTest, bias_test
+from pyhrg.bench.bias.bias_test import RUNS, BiasTest, bias_test
 from pyhrg.bench.bias.position_runs import complete_runs
 from pyhrg.bench.bias.positions import HARMONICS, Plan, chosen, visible
 from pyhrg.bench.estimation.harmonics import MEAN, TILT, Fit, design, fit, harmonic
 from pyhrg.bench.outcome import Finding, Outcome, mean_finding
 from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.segments import SEGMENT, Segments
+from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Segments
 from pyhrg.campaign import Campaign, Test
 from pyhrg.units import DEG, DEG_PER_H
 

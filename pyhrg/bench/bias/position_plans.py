@@ -16,13 +16,12 @@ from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias import full_circumference
-from pyhrg.bench.bias.bias_test import WARM_UP
 from pyhrg.bench.bias.full_circumference import SETTLE, dwells, programme
 from pyhrg.bench.bias.positions import Plan
 from pyhrg.bench.estimation.harmonics import design, fit, harmonic
 from pyhrg.bench.outcome import Finding, Outcome, Table
 from pyhrg.bench.procedure import Procedure, tests_of
-from pyhrg.bench.readings.segments import Segments, segment_means
+from pyhrg.bench.readings.segments import WARM_UP, Segments, segment_means
 from pyhrg.campaign import Campaign, Test
 from pyhrg.units import DEG, DEG_PER_H
 

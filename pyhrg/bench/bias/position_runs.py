@@ -8,9 +8,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pyhrg.bench.bias.bias_test import WARM_UP
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.readings.segments import SEGMENT, Segments, segment_means
+from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Segments, segment_means
 from pyhrg.campaign import Test
 from pyhrg.units import DEG
 

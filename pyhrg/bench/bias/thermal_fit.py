@@ -5,7 +5,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.bias.bias_test import WARM_UP
 from pyhrg.bench.bias.thermal_programme import SETTLE
 from pyhrg.bench.bias.thermometer import Thermometer, filled, thermometer
 from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
@@ -13,6 +12,7 @@ from pyhrg.bench.estimation.terms import PatternBasis, distinguishable, pattern_
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import tests_of
 from pyhrg.bench.readings.dwells import Points, joined, points
+from pyhrg.bench.readings.segments import WARM_UP
 from pyhrg.campaign import Campaign
 from pyhrg.records import Log
 from pyhrg.units import MINUTE, ZERO_CELSIUS

@@ -7,9 +7,8 @@ detected angle, in proportion to sin 4th, and only so is it told from a bias of 
 from collections.abc import Sequence
 
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.bias.bias_test import WARM_UP
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.segments import SEGMENT
+from pyhrg.bench.readings.segments import SEGMENT, WARM_UP
 from pyhrg.units import DEG, MINUTE, ZERO_CELSIUS
 
 SOAKS = (-40.0, -20.0, 0.0, 20.0, 40.0, 60.0)

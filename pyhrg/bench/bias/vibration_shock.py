@@ -14,15 +14,15 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias.bias_test import WARM_UP
 from pyhrg.bench.bias.circumference import Circumference, circumference
+from pyhrg.bench.bias.compare import change_finding, noise_ratio_finding
 from pyhrg.bench.bias.shock import found_pulses, pulses
 from pyhrg.bench.bias.thermal_programme import positions
-from pyhrg.bench.estimation.compare import change_finding, noise_ratio_finding
 from pyhrg.bench.estimation.harmonics import MEAN, harmonic
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, mean_finding
 from pyhrg.bench.procedure import Procedure, tests_of
 from pyhrg.bench.programme import Programme
+from pyhrg.bench.readings.segments import WARM_UP
 from pyhrg.campaign import Campaign, Test
 from pyhrg.device import Device
 from pyhrg.units import DEG_PER_H, STANDARD_GRAVITY

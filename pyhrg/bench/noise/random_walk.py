@@ -6,12 +6,12 @@ import numpy as np
 
 from pyhrg.allan import allan_deviation
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias.bias_test import WARM_UP
 from pyhrg.bench.noise.noise_of_tests import Noise, noise
 from pyhrg.bench.noise.random_walk_figure import Shown, draw
 from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.procedure import Procedure, tests_of
 from pyhrg.bench.programme import Programme
+from pyhrg.bench.readings.segments import WARM_UP
 from pyhrg.campaign import Campaign, Test
 from pyhrg.noise_model import Coefficient
 from pyhrg.units import DEG, HOUR

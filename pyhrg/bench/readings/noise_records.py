@@ -7,9 +7,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.bias.bias_test import WARM_UP
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.readings.segments import AT_REST
+from pyhrg.bench.readings.segments import AT_REST, WARM_UP
 from pyhrg.noise_likelihood import Spectrum, spectrum
 from pyhrg.noise_model import LEAST_SAMPLES, NoiseError, check_record
 from pyhrg.records import Log

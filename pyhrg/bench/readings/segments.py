@@ -21,6 +21,8 @@ SAME_POSITION = 1 * DEG
 """A pattern that was moved by less, Earth's rate during a gap included, is where it was, rad."""
 COLUMNS = ("table_angle", "axis_up", "virtual_rotation", "drive_on", "gyro_angle", "wave_angle")
 """Of a log, that a segment needs."""
+WARM_UP = 30.0
+"""Time from power-on to the first data point, s: the loops' transient lasts about one."""
 AT_REST = 1e-3 * DEG
 """The table rests while it turns less than this in a row, rad."""
 

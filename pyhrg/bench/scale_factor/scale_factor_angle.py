@@ -10,10 +10,10 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.estimation.both_ways import draw_both_ways
 from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.readings.turns import Turn
+from pyhrg.bench.scale_factor.both_ways import draw_both_ways
 from pyhrg.bench.scale_factor.rate_tests import KIND, RUNS, exclusions, rate_turns, record_turns
 from pyhrg.bench.scale_factor.scale_factor import BIAS, ScaleFactorMap, fitted, period_table
 from pyhrg.campaign import Campaign, Test

@@ -16,8 +16,8 @@ from pyhrg.bench.bias.bias_test import RUNS, BiasTest, bias_test
 from pyhrg.bench.bias.position_runs import complete_runs
 from pyhrg.bench.bias.positions import HARMONICS, Plan, chosen, visible
 from pyhrg.bench.estimation.harmonics import MEAN, TILT, Fit, design, fit, harmonic
-from pyhrg.bench.outcome import Finding, Outcome, mean_finding
-from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.outcome import BenchError, Finding, Outcome, mean_finding
+from pyhrg.bench.procedure import Option, Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Segments
 from pyhrg.campaign import Campaign, Test
@@ -89,9 +89,33 @@ def power_ons(
     return [PowerOn(f"positions_{n + 1}", KIND, course) for n in range(runs)]
 
 
-def record(bench: Bench) -> list[Test]:
-    """Run them."""
-    return bench.run(power_ons(bench))
+def record(
+    bench: Bench,
+    positions: int = POSITIONS,
+    spacing_deg: float | None = None,
+    dwell_s: float = SEGMENTS * SEGMENT,
+    runs: int = RUNS,
+) -> list[Test]:
+    """Run them; the options of the plan are those of the command line.
+
+    Raises:
+        BenchError: a plan that can't be had.
+    """
+    segments = round(dwell_s / SEGMENT)
+    if segments < 1 or abs(segments * SEGMENT - dwell_s) > 1e-6:
+        raise BenchError(f"a dwell of {dwell_s:g} s: expected whole segments of {SEGMENT:g} s")
+    if runs < 1 or positions < 8 or positions % 8:
+        raise BenchError(
+            f"{positions} positions in {runs} runs: expected 8, 16, 24, ... and at least one run"
+        )
+    if spacing_deg is not None and not 1 <= spacing_deg <= 720:
+        raise BenchError(f"{spacing_deg:g} deg between positions: expected 1 to 720")
+    factor = bench.device.bryan_factor
+    if spacing_deg is None:
+        plan = chosen(positions, factor)
+    else:
+        plan = Plan(positions, spacing_deg * DEG, factor)
+    return bench.run(power_ons(bench, plan, runs, segments))
 
 
 def measured(campaign: Campaign) -> BiasTest:
@@ -225,4 +249,12 @@ PROCEDURE = Procedure(
     kinds=(KIND,),
     record=record,
     evaluate=evaluate,
+    options=(
+        Option("positions", int, f"8, 16, 24, ... (default {POSITIONS})"),
+        Option(
+            "spacing_deg", float, "of pattern from one to the next (default: chosen to see most)"
+        ),
+        Option("dwell_s", float, f"means at each, whole 100 s (default {SEGMENTS * SEGMENT:g})"),
+        Option("runs", int, f"power-ons (default {RUNS})"),
+    ),
 )

@@ -66,7 +66,8 @@ def visible(
     """What positions can tell apart.
 
     The fourth harmonic comes first, then tilt, then the others, as long as every term stays
-    within `LARGEST_INFLATION` and two positions are left to show the scatter.
+    within `LARGEST_INFLATION` and two positions are left to show the scatter. Where the fourth, the
+    largest of a whole-angle gyro, is not seen, nothing else is either: it would look like it.
 
     Args:
         pattern_angle, table_angle: (n,) positions, rad; all power-ons together.
@@ -103,6 +104,10 @@ def visible(
             with_tilt = True
         else:
             seen.append(term)
+    if 4 in wanted and 4 not in seen:
+        refused = [text for text in refused if "harmonic 4" in text]
+        hidden = "nothing else is fitted, for harmonic 4 would show as tilt or as another harmonic"
+        return [], False, [*refused, hidden]
     return sorted(seen), with_tilt, refused
 
 

@@ -72,6 +72,11 @@ def applied(device: Device, found: Calibration, angle: float = 0.0) -> Device:
     return calibrated(device, maps[0], maps[1], found.scale_factor)
 
 
+def exported(campaign: Campaign, device: Device) -> Device:
+    """The gyro with the maps that its tests give."""
+    return applied(device, calibration(campaign))
+
+
 def evaluate(campaign: Campaign) -> Outcome:
     """Maps with intervals; stability over the circumference before and after."""
     found = calibration(campaign)
@@ -161,4 +166,5 @@ PROCEDURE = Procedure(
     evaluate=evaluate,
     model="HRGSlow",
     step=0.1,
+    exported=exported,
 )

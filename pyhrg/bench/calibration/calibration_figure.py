@@ -32,7 +32,6 @@ def draw(figure: Figure, stages: Mapping[str, tuple[Calibration, Sequence[Segmen
         axes.set_xlim(0, 180)
         axes.grid(alpha=0.3)
         axes.legend(loc="upper right")
-    figure.tight_layout()
 
 
 def _level(found: Calibration, run: Segments) -> np.ndarray:

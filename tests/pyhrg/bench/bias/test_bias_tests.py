@@ -122,3 +122,29 @@ def test_table_holds_every_run() -> None:
     assert len(lines) == 6
     assert lines[2].split() == ["1", "2.00000", "1.41421", "2.00000", "1.41421"]
     assert lines[4].split() == ["bias", "stability", "1.41421", "1.41421"]
+
+
+def test_positions_45_degrees_apart_show_no_harmonic_at_all(slow_fmu: GyroFmu) -> None:
+    """The fourth would pass for a tilt of 0.15 deg/h: neither is reported."""
+    bench = slow_bench(slow_fmu, QUIET)
+    tests = full_circumference.record(bench, positions=8, spacing_deg=45.0, dwell_s=100.0, runs=1)
+    outcome = full_circumference.evaluate(bench.campaign(tests))
+    names = [finding.name for finding in outcome.findings]
+    assert not [name for name in names if "tilt" in name or "cos" in name or "sin" in name]
+    assert any("harmonic 4" in warning for warning in outcome.warnings)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"positions": 12}, "12 positions in 7 runs: expected 8, 16, 24"),
+        ({"dwell_s": 150.0}, "150 s: expected whole segments of 100 s"),
+        ({"runs": 0}, "0 runs"),
+        ({"spacing_deg": 0.0}, "0 deg between positions: expected 1 to 720"),
+    ],
+)
+def test_plans_that_can_not_be_had_are_refused(
+    slow_fmu: GyroFmu, options: dict[str, float], message: str
+) -> None:
+    with pytest.raises(BenchError, match=message):
+        full_circumference.record(slow_bench(slow_fmu, QUIET), **options)

@@ -19,7 +19,7 @@ from pyhrg.bench.bias_test import WARM_UP
 from pyhrg.bench.circumference import circumference
 from pyhrg.bench.harmonics import MEAN, Fit, fit
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table, pooled_deviation_finding
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.spins import pair_scale_factor, pairs, spins
 from pyhrg.bench.spread import spread_finding
@@ -110,7 +110,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             f"tests are taken as a month apart, in order: {tests[0].id} to {tests[-1].id}",
             "of what ages, the model has the decay time alone",
         ),
-        exclusions=tuple(text for test in tests for text in test.log.exclusions),
+        exclusions=exclusions_of(tests),
         draw=lambda figure: draw(figure, bias, scale),
     )
 

@@ -14,7 +14,7 @@ from scipy import stats
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table, mean_finding
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.campaign import Campaign, Test
 from pyhrg.records import Log
@@ -153,7 +153,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             f"sees {half / 1e-3:g} ms more on average."
         ),
         tables=(_table(found),),
-        exclusions=tuple(text for test in tests for text in test.log.exclusions),
+        exclusions=exclusions_of(tests),
         draw=lambda figure: draw(figure, found),
     )
 

@@ -24,7 +24,7 @@ from pyhrg.bench.calibration_maps import (
 from pyhrg.bench.full_circumference import SEGMENTS, power_ons, runs_of, variances
 from pyhrg.bench.outcome import Finding, Outcome, mean_finding
 from pyhrg.bench.positions import Plan
-from pyhrg.bench.procedure import Procedure
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.rate_tests import exclusions, record_turns
 from pyhrg.bench.scale_factor import SCALE
 from pyhrg.bench.segments import Segments
@@ -92,7 +92,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         ),
         verdict=_verdict({f.name: f for group in findings for f in group}),
         warnings=(*found.refused, *missing),
-        exclusions=tuple(text for tests in measured.values() for text in exclusions(tests, *KINDS)),
+        exclusions=tuple(text for tests in measured.values() for text in _exclusions(tests)),
         draw=lambda figure: draw_stages(figure, results),
         values={
             "bias_map": plain(angle_map(found.bias_map)),
@@ -100,6 +100,12 @@ def evaluate(campaign: Campaign) -> Outcome:
             "scale_factor": found.scale_factor,
         },
     )
+
+
+def _exclusions(tests: Campaign) -> tuple[str, ...]:
+    """Only a rate test is asked for whole periods: between positions the table turns less."""
+    positions = tests_of(tests, full_circumference.KIND)
+    return (*exclusions_of(positions), *exclusions(tests, rate_tests.KIND))
 
 
 def left(stage: str, found: Calibration, runs: Sequence[Segments]) -> tuple[Finding, ...]:

@@ -16,7 +16,7 @@ from pyhrg.bench.identification_figure import COLOURS
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.output_rows import Array, Rows, Terms, fitted, useful
 from pyhrg.bench.phasor import anisotropy, component_findings
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.row_fit import Part
 from pyhrg.bench.virtual_rotation import programme
 from pyhrg.campaign import Campaign, Test
@@ -100,7 +100,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     force = loop_map(campaign, "quadrature_force", split_in_force)
     frequency = loop_map(campaign, "frequency_offset", split_in_frequency)
     amplitude = loop_map(campaign, "amplitude_force", damping_in_force)
-    logs = [test.log for test in tests_of(campaign, *KINDS)]
     names = ("frequency split", "stiffness axis")
     again = ("frequency split from loop frequency", "stiffness axis from loop frequency")
     apparent = ("apparent damping anisotropy", "apparent damping axis")
@@ -117,7 +116,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             "Quadrature force and loop frequency give the split and its axis (against the "
             "pick-offs' axes); the amplitude force gives the sum of damping and electrodes alone."
         ),
-        exclusions=tuple(text for log in logs for text in log.exclusions),
+        exclusions=exclusions_of(tests_of(campaign, *KINDS)),
         draw=lambda figure: draw(figure, [force, frequency]),
         values={"terms": {name: force.fit.value(name) for name in force.fit.names}},
     )

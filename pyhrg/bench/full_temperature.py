@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.outcome import Finding, Outcome, Table, pooled_deviation_finding
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.spread import spread_finding
 from pyhrg.bench.thermal_fit import KIND, PER_KELVIN, PER_RATE, STEADY, Thermal, measured
 from pyhrg.bench.thermal_programme import programme
@@ -37,7 +37,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         verdict=_verdict(result),
         tables=(_table(result),),
         warnings=(*_warnings(result), *told),
-        exclusions=tuple(text for log in logs for text in log.exclusions),
+        exclusions=exclusions_of(tests_of(campaign, KIND)),
         draw=lambda figure: draw(figure, result),
         values={"terms": dict(zip(result.fitted.names, result.fitted.values, strict=True))},
     )

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table
 from pyhrg.bench.plateaus import plateaus
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.campaign import Campaign, Test
 from pyhrg.records import Log
@@ -152,7 +152,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         warnings=("valid is missing from rows of the log: judged by linearity alone there",)
         if unseen
         else (),
-        exclusions=tuple(text for test in tests for text in test.log.exclusions),
+        exclusions=exclusions_of(tests),
         draw=lambda figure: draw(figure, both),
     )
 

@@ -13,7 +13,7 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.identification_figure import COLOURS
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.output_rows import Rows, Terms, bryan_factor, fitted, output_error, useful
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.row_fit import Part
 from pyhrg.campaign import Campaign, Test
@@ -85,7 +85,6 @@ def _force(rows: Rows) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
 def evaluate(campaign: Campaign) -> Outcome:
     """Response, the split that it sees, and the phase at which the bias would vanish."""
     terms, stretches = measured(campaign)
-    logs = [test.log for test in tests_of(campaign, KIND)]
     strongest = max(stretches, key=lambda rows: abs(float(_force(rows)[0])))
     force = 2 * float(_force(strongest)[0])
     seen = terms.finding(RESPONSE, "mHz", "frequency split in the bias, times sin 4th", force)
@@ -102,7 +101,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             "is 1. How large the phase error is, no test at rest can say by itself."
         ),
         warnings=tuple(terms.refused.values()),
-        exclusions=tuple(text for log in logs for text in log.exclusions),
+        exclusions=exclusions_of(tests_of(campaign, KIND)),
         draw=lambda figure: draw(figure, terms, stretches),
     )
 

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.identification_figure import draw_terms
-from pyhrg.bench.outcome import Outcome
+from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.output_rows import (
     BIAS,
     Array,
@@ -25,7 +25,7 @@ from pyhrg.bench.output_rows import (
     output_error,
     useful,
 )
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.row_fit import Part
 from pyhrg.campaign import Campaign, Test
 from pyhrg.units import DEG
@@ -81,9 +81,15 @@ def measured(campaign: Campaign) -> Terms:
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Pick-off errors, the scale factor and the bias map that they are told from."""
+    """Pick-off errors, the scale factor and the bias map that they are told from.
+
+    Raises:
+        BenchError: one way only.
+    """
     terms = measured(campaign)
-    logs = [test.log for test in tests_of(campaign, KIND)]
+    if SCALE in terms.refused:
+        names = ", ".join(test.log.source for test in tests_of(campaign, KIND))
+        raise BenchError(f"{names}: {terms.refused[SCALE]}; else it is taken for a bias")
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(
@@ -98,7 +104,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             "which this test can't say whether damping, drives or pick-offs make it."
         ),
         warnings=tuple(terms.refused.values()),
-        exclusions=tuple(text for log in logs for text in log.exclusions),
+        exclusions=exclusions_of(tests_of(campaign, KIND)),
         draw=lambda figure: draw(figure, campaign, terms),
         values={"terms": {name: terms.fit.value(name) for name in terms.fit.names}},
     )

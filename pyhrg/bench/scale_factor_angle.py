@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.both_ways import draw_both_ways
 from pyhrg.bench.outcome import Finding, Outcome
+from pyhrg.bench.output_rows import bryan_factor
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.rate_tests import KIND, RUNS, exclusions, rate_turns, record_turns
 from pyhrg.bench.scale_factor import BIAS, ScaleFactorMap, fitted, period_table
@@ -32,15 +33,20 @@ def record(
     return record_turns(bench, rate, periods, runs)
 
 
-def residual(turn: Turn, bryan_factor: float) -> Array:
-    """(n,) error of the pattern angle, rad: less a line against the encoder, at whole periods."""
+def residual(turn: Turn, k: float) -> Array:
+    """(n,) error of the pattern angle, rad: less a line against the encoder, at whole periods.
+
+    Args:
+        turn: of the table at one rate.
+        k: Bryan factor.
+    """
     rows = np.abs(turn.pattern_angle - turn.pattern_angle[0]) <= _whole(turn)
     excess, table = turn.excess[rows], turn.table_angle[rows]
     # both ways, the line that joins whole periods has the slope of the mean scale factor
     _, angle, error = turn.whole_periods()
     slope = (error[-1] - error[0]) / (angle[-1] - angle[0])
     left = excess - slope * (table - table[0])
-    return np.asarray(-bryan_factor * (left - left.mean()))
+    return np.asarray(-k * (left - left.mean()))
 
 
 def _whole(turn: Turn) -> float:
@@ -49,9 +55,9 @@ def _whole(turn: Turn) -> float:
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Scale factor, its map over the circumference, and the bias that only both ways separate."""
-    bryan_factor = campaign.nominal["coriolis_factor"]
-    found = fitted(rate_turns(campaign, slow=True), bryan_factor)
-    left = [residual(turn, bryan_factor) for turn in found.turns]
+    k = bryan_factor(campaign)
+    found = fitted(rate_turns(campaign, slow=True), k)
+    left = [residual(turn, k) for turn in found.turns]
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(*found.findings(), *_residuals(left)),

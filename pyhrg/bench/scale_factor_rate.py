@@ -14,6 +14,7 @@ from scipy import stats
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.both_ways import draw_both_ways
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
+from pyhrg.bench.output_rows import bryan_factor
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.rate_tests import KIND, RUNS, exclusions, rate_turns, record_turns
 from pyhrg.bench.scale_factor import ScaleFactorMap, fitted, period_table
@@ -55,10 +56,10 @@ def rate_error(turn: Turn) -> tuple[Array, Array]:
     return pattern, np.asarray(error)
 
 
-def smoothing_loss(turn: Turn, bryan_factor: float) -> float:
+def smoothing_loss(turn: Turn, k: float) -> float:
     """Share that remains of the fourth harmonic."""
     duration = round(SMOOTHING / turn.interval) * turn.interval
-    return float(np.sinc(4 * bryan_factor * turn.input_rate * duration / (2 * np.pi)))
+    return float(np.sinc(4 * k * turn.input_rate * duration / (2 * np.pi)))
 
 
 def stability(found: ScaleFactorMap) -> Finding:
@@ -82,10 +83,10 @@ def stability(found: ScaleFactorMap) -> Finding:
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Scale factor, its map over the circumference, its stability within a run."""
-    bryan_factor = campaign.nominal["coriolis_factor"]
-    found = fitted(rate_turns(campaign, slow=False), bryan_factor)
+    k = bryan_factor(campaign)
+    found = fitted(rate_turns(campaign, slow=False), k)
     errors = [rate_error(turn) for turn in found.turns]
-    losses = [smoothing_loss(turn, bryan_factor) for turn in found.turns]
+    losses = [smoothing_loss(turn, k) for turn in found.turns]
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(*found.findings(), *_smoothed(errors, losses), stability(found)),

@@ -15,7 +15,8 @@ from pyhrg.bench.bias_test import RUNS
 from pyhrg.bench.cycles import Cycle, averaging, pooled
 from pyhrg.bench.fitted_walk import ratio_finding, walk, walk_finding
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, deviation_finding, mean_finding
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.output_rows import bryan_factor
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.rate_tests import turns_of
 from pyhrg.bench.scale_factor import fitted
@@ -99,7 +100,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         findings=findings,
         verdict=_verdict({finding.name: finding for finding in findings}),
         warnings=cycles.warnings(on),
-        exclusions=tuple(text for test in tests for text in test.log.exclusions),
+        exclusions=exclusions_of(tests),
         draw=lambda figure: draw(figure, on, off),
         values={"bias_on": bias.value, "virtual_rotation_gain_error": gain.value},
     )
@@ -153,7 +154,7 @@ def _scale_factors(campaign: Campaign, turning: AngleFit) -> tuple[Finding, ...]
     logs = [t for t in tests_of(campaign, KIND) if not np.any(t.log.virtual_rotation)]
     off = fitted(
         [turn for test in logs for turn in turns_of(campaign, test)],
-        campaign.nominal["coriolis_factor"],
+        bryan_factor(campaign),
     )
     return (
         Finding("scale factor error on", turning.value(SCALE), "ppm", low, high, n),

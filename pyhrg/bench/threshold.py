@@ -16,7 +16,7 @@ from scipy import stats
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table
 from pyhrg.bench.plateaus import Plateau, plateaus
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.campaign import Campaign, Test
 from pyhrg.records import Log
@@ -169,7 +169,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             f"dwells last {longest:.4g} s: a dead zone by damping anisotropy captures the pattern "
             "within 1/D, so that one with 1/D longer than that is not seen here",
         ),
-        exclusions=tuple(text for test in tests for text in test.log.exclusions),
+        exclusions=exclusions_of(tests),
         draw=lambda figure: draw(figure, found),
     )
 

@@ -85,14 +85,12 @@ def _residuals(left: list[Array]) -> tuple[Finding, ...]:
 
 
 def _verdict(found: ScaleFactorMap) -> str:
-    variation = found.variation()
     rate = float(np.mean([abs(turn.table_rate) for turn in found.turns]))
     harmonics = [found.fit.value(name) for name in found.harmonics(BIAS)]
     share = float(np.linalg.norm(harmonics)) / np.sqrt(2) / rate
     return (
-        f"The scale factor varies by {variation.shown:.3g} ppm (standard deviation, at most "
-        f"{found.largest() * 1e6:.3g} ppm) over the circumference; one way alone the bias would "
-        f"have added {share * 1e6:.3g} ppm at {rate / DEG:.3g} deg/s."
+        f"{found.verdict()}; one way alone the bias would have added {share * 1e6:.3g} ppm at "
+        f"{rate / DEG:.3g} deg/s."
     )
 
 

@@ -91,15 +91,23 @@ def evaluate(campaign: Campaign) -> Outcome:
         procedure=PROCEDURE.name,
         findings=(*found.findings(), *_smoothed(errors, losses), stability(found)),
         verdict=(
-            f"The scale factor varies by {found.variation().shown:.3g} ppm (standard deviation, at "
-            f"most {found.largest() * 1e6:.3g} ppm) over the circumference; averages of at most "
-            f"{SMOOTHING:g} s keep {min(losses):.1%} of the fourth harmonic."
+            f"{found.verdict()}; averages of at most {SMOOTHING:g} s keep {min(losses):.1%} of "
+            "the fourth harmonic."
         ),
         tables=(period_table(found.turns),),
-        warnings=found.refused,
+        warnings=(*found.refused, _lag(found, k)),
         exclusions=exclusions(campaign, KIND),
         draw=lambda figure: draw(figure, found, errors),
         values={"scale_factor_map": dict(zip(found.fit.names, found.fit.values, strict=True))},
+    )
+
+
+def _lag(found: ScaleFactorMap, k: float) -> str:
+    rate = max(abs(turn.table_rate) for turn in found.turns)
+    return (
+        f"at {rate / DEG:.3g} deg/s the fourth harmonic passes at {4 * k * rate:.2g} rad/s: what "
+        "loops that lag behind it add to bias, pick-off errors and the eighth harmonic can't be "
+        "told from these; method A shows them slow"
     )
 
 

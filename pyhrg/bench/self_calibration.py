@@ -165,7 +165,11 @@ def _scale_factors(campaign: Campaign, turning: AngleFit) -> tuple[Finding, ...]
 def _verdict(found: dict[str, Finding]) -> str:
     on, off = found["bias repeatability on"], found["bias repeatability off"]
     ratio = found["random walk on over off"]
-    text = f"Virtual rotation multiplies the angle random walk by {ratio.shown:.2g}"
+    low, high = ratio.interval_shown
+    text = (
+        f"Virtual rotation multiplies the angle random walk by {ratio.shown:.3g} "
+        f"({low:.3g} to {high:.3g})"
+    )
     if np.isnan(on.value) or np.isnan(off.value):
         return f"{text}; one power-on can't show what it gains in repeatability."
     gained = f"{off.value / DEG_PER_H:.2g} to {on.value / DEG_PER_H:.2g} deg/h"

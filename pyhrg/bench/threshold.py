@@ -163,7 +163,7 @@ def evaluate(campaign: Campaign) -> Outcome:
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(replace(worst, name="threshold"), *findings, *map(_finding, found)),
-        verdict=f"Threshold {worst.shown:.3g} deg/s, the worse of both signs. {worst.note}".strip(),
+        verdict=_verdict(worst),
         tables=(_table(found),),
         warnings=(
             f"dwells last {longest:.4g} s: a dead zone by damping anisotropy captures the pattern "
@@ -172,6 +172,11 @@ def evaluate(campaign: Campaign) -> Outcome:
         exclusions=exclusions_of(tests),
         draw=lambda figure: draw(figure, found),
     )
+
+
+def _verdict(worst: Finding) -> str:
+    note = f" ({worst.note})" if worst.note else ""
+    return f"Threshold {worst.shown:.3g} deg/s{note}, the worse of both signs."
 
 
 def _finding(response: Response) -> Finding:

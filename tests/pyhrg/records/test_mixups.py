@@ -98,7 +98,7 @@ def test_g_is_told_from_metres(tmp_path: Path) -> None:
 def test_a_reversed_sign_is_refused(tmp_path: Path) -> None:
     log = made_up_log(table_rate=5 * DEG)
     reversed_log = scaled(log, -1.0, "gyro_angle", "wave_angle")
-    with pytest.raises(LogError, match="gyro_angle_deg.*is a sign reversed"):
+    with pytest.raises(LogError, match=r"gyro_angle_deg.*is a sign reversed"):
         read_back(reversed_log, tmp_path)
 
 

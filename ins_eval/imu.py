@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.increments import Increments
-from pyhrg.bench import full_circumference
 from pyhrg.bench.bench import Bench
+from pyhrg.bench.bias import full_circumference
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import Device
 from pyhrg.units import MICRO_G

@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 from ins_eval.imu import TYPICAL_ACCELEROMETERS, Accelerometers, measure
 from ins_eval.mission import Mission
 from ins_eval.prediction import bias_sensitivity, predicted_radial_error
-from pyhrg.bench import fixed_position, full_circumference
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.bias_test import BiasTest
-from pyhrg.bench.comparison import bias_table
+from pyhrg.bench.bias import fixed_position, full_circumference
+from pyhrg.bench.bias.bias_test import BiasTest
+from pyhrg.bench.bias.comparison import bias_table
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL, Device
 

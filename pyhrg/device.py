@@ -179,6 +179,17 @@ class Device:
             drive_nonorthogonality=0.0,
         )
 
+    def without_noise(self) -> "Device":
+        """The same gyro without noise of any kind; what varies from power-on to power-on stays."""
+        return replace(
+            self,
+            angle_random_walk=0.0,
+            rate_random_walk=0.0,
+            bias_instability=0.0,
+            pickoff_noise=0.0,
+            model={name: v for name, v in self.model.items() if not name.startswith("noise.")},
+        )
+
     def another(self, generator: np.random.Generator) -> "Device":
         """A gyro of the same kind: same magnitudes, own axes and own power-on angle.
 

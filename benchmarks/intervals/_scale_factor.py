@@ -1,7 +1,6 @@
 """Gyros with random imperfections and what the scale-factor tests should find of them."""
 
 import math
-from dataclasses import replace
 
 import numpy as np
 
@@ -97,4 +96,4 @@ def compared(outcome: Outcome, device: Device, rate: float) -> Intervals:
 
 def noiseless(device: Device) -> Device:
     """The same gyro without noise."""
-    return replace(device, angle_random_walk=0.0, pickoff_noise=0.0)
+    return device.without_noise()

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from benchmarks.intervals._identified import Intervals, bench, intervals
-from pyhrg.bench import amplitude_sweep
+from pyhrg.bench.identification import amplitude_sweep
 from pyhrg.fmu import GyroFmu
 
 MODEL = "HRGSlow"

@@ -6,11 +6,11 @@ import numpy as np
 
 from benchmarks.intervals._environment import FAST, Intervals, against, rate_noise
 from pyhrg import theory
-from pyhrg.bench import annual
-from pyhrg.bench.annual import AGEING, MONTH, MONTHS, Months, aged
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.segments import SEGMENT
-from pyhrg.bench.thermal_programme import POSITIONS
+from pyhrg.bench.bias import annual
+from pyhrg.bench.bias.annual import AGEING, MONTH, MONTHS, Months, aged
+from pyhrg.bench.bias.thermal_programme import POSITIONS
+from pyhrg.bench.readings.segments import SEGMENT
 from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL

@@ -1,8 +1,8 @@
 """Delay and gain of a gyro without anisotropy: none, and 1 less the pull of held forces."""
 
 from pyhrg import theory
-from pyhrg.bench import bandwidth
 from pyhrg.bench.bench import Bench
+from pyhrg.bench.dynamic import bandwidth
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL
 

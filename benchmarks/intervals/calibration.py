@@ -6,11 +6,11 @@ import numpy as np
 
 from pyhrg import theory
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.calibration import PERIODS
-from pyhrg.bench.calibration_maps import calibration
-from pyhrg.bench.full_circumference import power_ons
-from pyhrg.bench.positions import Plan
-from pyhrg.bench.rate_tests import record_turns
+from pyhrg.bench.bias.full_circumference import power_ons
+from pyhrg.bench.bias.positions import Plan
+from pyhrg.bench.calibration.calibration import PERIODS
+from pyhrg.bench.calibration.calibration_maps import calibration
+from pyhrg.bench.scale_factor.rate_tests import record_turns
 from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL

@@ -4,8 +4,8 @@ import numpy as np
 
 from benchmarks.intervals._environment import Intervals, against
 from benchmarks.intervals._force import feeling, linear, squares
-from pyhrg.bench import centrifuge
 from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.bias import centrifuge
 from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
 

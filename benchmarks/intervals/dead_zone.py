@@ -3,11 +3,11 @@
 import numpy as np
 
 from pyhrg import theory
-from pyhrg.bench import dead_zone
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.harmonic_amplitude import magnitude_finding
-from pyhrg.bench.harmonics import MEAN
-from pyhrg.bench.turning import FOURTH, fitted_turning
+from pyhrg.bench.dead_zone import dead_zone
+from pyhrg.bench.dead_zone.turning import FOURTH, fitted_turning
+from pyhrg.bench.estimation.harmonic_amplitude import magnitude_finding
+from pyhrg.bench.estimation.harmonics import MEAN
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL
 

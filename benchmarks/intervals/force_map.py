@@ -8,7 +8,7 @@ from benchmarks.intervals._identified import (
     earth_rate,
     intervals,
 )
-from pyhrg.bench import force_map
+from pyhrg.bench.identification import force_map
 from pyhrg.fmu import GyroFmu
 from pyhrg.units import DEG
 

@@ -6,9 +6,9 @@ from dataclasses import replace
 import numpy as np
 
 from pyhrg import theory
-from pyhrg.bench import full_circumference
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.positions import Plan
+from pyhrg.bench.bias import full_circumference
+from pyhrg.bench.bias.positions import Plan
 from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL

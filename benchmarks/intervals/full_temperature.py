@@ -6,9 +6,9 @@ import numpy as np
 
 from benchmarks.intervals._environment import FAST, Intervals, against
 from pyhrg import theory
-from pyhrg.bench import full_temperature
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.thermal_programme import programme
+from pyhrg.bench.bias import full_temperature
+from pyhrg.bench.bias.thermal_programme import programme
 from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL

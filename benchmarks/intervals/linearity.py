@@ -11,10 +11,10 @@ from dataclasses import replace
 import numpy as np
 
 from benchmarks.intervals._scale_factor import Intervals, gyro, noiseless
-from pyhrg.bench import linearity
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.line import Line
-from pyhrg.bench.turns import PERIOD
+from pyhrg.bench.estimation.line import Line
+from pyhrg.bench.readings.turns import PERIOD
+from pyhrg.bench.scale_factor import linearity
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import Device
 from pyhrg.units import DEG

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from pyhrg.bench import measuring_range
 from pyhrg.bench.bench import Bench
+from pyhrg.bench.dynamic import measuring_range
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL
 from pyhrg.units import DEG

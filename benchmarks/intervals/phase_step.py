@@ -1,7 +1,7 @@
 """Coverage of steps of the demodulation phase."""
 
 from benchmarks.intervals._identified import Intervals, bench, intervals
-from pyhrg.bench import phase_step
+from pyhrg.bench.identification import phase_step
 from pyhrg.fmu import GyroFmu
 
 MODEL = "HRGSlow"

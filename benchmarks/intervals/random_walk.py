@@ -5,8 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from pyhrg.bench import random_walk
 from pyhrg.bench.bench import Bench
+from pyhrg.bench.noise import random_walk
 from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL

@@ -1,7 +1,7 @@
 """Coverage of the table rate both ways."""
 
 from benchmarks.intervals._identified import Intervals, bench, bias_terms, hold_error, intervals
-from pyhrg.bench import rate_reversal
+from pyhrg.bench.identification import rate_reversal
 from pyhrg.fmu import GyroFmu
 
 MODEL = "HRGSlow"

@@ -3,8 +3,8 @@
 import numpy as np
 
 from benchmarks.intervals._identified import Intervals, bench, intervals
-from pyhrg.bench import rate_reversal, ring_down
 from pyhrg.bench.bench import PowerOn
+from pyhrg.bench.identification import rate_reversal, ring_down
 from pyhrg.fmu import GyroFmu
 
 MODEL = "HRGSlow"

@@ -3,9 +3,9 @@
 import numpy as np
 
 from benchmarks.intervals._scale_factor import Intervals, compared, gyro
-from pyhrg.bench import scale_factor_angle
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.scale_factor_angle import RATE
+from pyhrg.bench.scale_factor import scale_factor_angle
+from pyhrg.bench.scale_factor.scale_factor_angle import RATE
 from pyhrg.fmu import GyroFmu
 
 MODEL = "HRGSlow"

@@ -5,11 +5,11 @@ import math
 import numpy as np
 
 from benchmarks.intervals._scale_factor import Intervals, compared, gyro
-from pyhrg.bench import scale_factor_rate
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.rate_tests import INTERVAL
-from pyhrg.bench.scale_factor_rate import RATE
-from pyhrg.bench.turns import PERIOD
+from pyhrg.bench.readings.turns import PERIOD
+from pyhrg.bench.scale_factor import scale_factor_rate
+from pyhrg.bench.scale_factor.rate_tests import INTERVAL
+from pyhrg.bench.scale_factor.scale_factor_rate import RATE
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import Device
 

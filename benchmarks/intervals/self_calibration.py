@@ -6,7 +6,7 @@ import numpy as np
 
 from pyhrg import theory
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.self_calibration import ROTATION, evaluate, record
+from pyhrg.bench.self_calibration.self_calibration import ROTATION, evaluate, record
 from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL

@@ -4,8 +4,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from pyhrg.bench import start_up
 from pyhrg.bench.bench import Bench
+from pyhrg.bench.dynamic import start_up
 from pyhrg.bench.outcome import Finding
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL

@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 
 from benchmarks.intervals._environment import FAST, Intervals, against
-from pyhrg.bench import vibration_shock
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.vibration_shock import BEFORE, SHAKE, STEADY, power_ons
+from pyhrg.bench.bias import vibration_shock
+from pyhrg.bench.bias.vibration_shock import BEFORE, SHAKE, STEADY, power_ons
 from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL

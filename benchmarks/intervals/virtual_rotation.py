@@ -8,7 +8,7 @@ from benchmarks.intervals._identified import (
     hold_error,
     intervals,
 )
-from pyhrg.bench import virtual_rotation
+from pyhrg.bench.identification import virtual_rotation
 from pyhrg.fmu import GyroFmu
 from pyhrg.units import DEG
 

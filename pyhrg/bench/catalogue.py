@@ -1,33 +1,30 @@
 """All test procedures, in the order of a full bench."""
 
-from pyhrg.bench import (
-    amplitude_sweep,
+from pyhrg.bench.bias import (
     annual,
-    bandwidth,
-    calibration,
     centrifuge,
-    dead_zone,
     fixed_position,
-    force_map,
     full_circumference,
     full_temperature,
-    linearity,
-    measuring_range,
-    phase_step,
     position_plans,
-    random_walk,
-    rate_reversal,
-    ring_down,
-    scale_factor_angle,
-    scale_factor_rate,
-    self_calibration,
-    start_up,
-    threshold,
     tumble,
     vibration_shock,
+)
+from pyhrg.bench.calibration import calibration
+from pyhrg.bench.dead_zone import dead_zone
+from pyhrg.bench.dynamic import bandwidth, measuring_range, start_up, threshold
+from pyhrg.bench.identification import (
+    amplitude_sweep,
+    force_map,
+    phase_step,
+    rate_reversal,
+    ring_down,
     virtual_rotation,
 )
+from pyhrg.bench.noise import random_walk
 from pyhrg.bench.procedure import Procedure
+from pyhrg.bench.scale_factor import linearity, scale_factor_angle, scale_factor_rate
+from pyhrg.bench.self_calibration import self_calibration
 
 PROCEDURES: tuple[Procedure, ...] = (
     fixed_position.PROCEDURE,

@@ -3,19 +3,20 @@
 import argparse
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from fmu_build.cli import Command, UserError
 from fmu_build.platforms import BuildError
 from fmu_build.translate import TranslationError
 from pyhrg import campaign, device_file, parameters
-from pyhrg.bench import report, session
+from pyhrg.bench import session
 from pyhrg.bench.catalogue import BY_NAME, PROCEDURES
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.page import PAGE
 from pyhrg.bench.procedure import Procedure
-from pyhrg.bench.progress import Progress
+from pyhrg.bench.reporting import report
+from pyhrg.bench.reporting.page import PAGE
+from pyhrg.bench.reporting.progress import Progress
 from pyhrg.fmu import GyroError
 from pyhrg.records import LogError
 
@@ -65,6 +66,11 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         metavar="DIR",
         help="output folder (default hrg-bench): report.html, and a folder for each test",
     )
+    for procedure in PROCEDURES:
+        if procedure.options:
+            plan = parser.add_argument_group(f"plan of {procedure.name}")
+            for option in procedure.options:
+                plan.add_argument(option.flag, type=option.kind, metavar="N", help=option.help)
 
 
 def _run(options: argparse.Namespace) -> None:
@@ -73,9 +79,10 @@ def _run(options: argparse.Namespace) -> None:
         raise UserError(f"--seed {options.seed}: expected a whole number from 0 to 2^63 - 1")
     if options.workers is not None and options.workers < 1:
         raise UserError(f"--workers {options.workers}: expected a whole number from 1")
+    plan = _plan(options)
     _check_places(options.out, chosen)
     try:
-        source = _source(options, chosen)
+        source = _source(options, chosen, plan)
         with Progress(len(source.procedures)) as progress:
             results = session.perform(source, options.out, progress)
     except REFUSALS as error:
@@ -87,7 +94,25 @@ def _run(options: argparse.Namespace) -> None:
     print(f"\nwritten to {options.out}: {', '.join([PAGE, *folders])}")
 
 
-def _source(options: argparse.Namespace, chosen: Sequence[Procedure]) -> session.Source:
+def _plan(options: argparse.Namespace) -> dict[str, float]:
+    """Options of the test's plan that were given; those of other tests are refused."""
+    given = {}
+    for procedure in PROCEDURES:
+        for option in procedure.options:
+            value = getattr(options, option.name)
+            if value is None:
+                continue
+            if options.test != procedure.name or options.campaign:
+                raise UserError(
+                    f"{option.flag}: plans `hrg bench {procedure.name}` on a simulation"
+                )
+            given[option.name] = value
+    return given
+
+
+def _source(
+    options: argparse.Namespace, chosen: Sequence[Procedure], plan: Mapping[str, float]
+) -> session.Source:
     if options.campaign:
         return session.recorded(campaign.read(options.campaign), chosen)
     device = device_file.read(options.device) if options.device else parameters.TYPICAL
@@ -96,7 +121,7 @@ def _source(options: argparse.Namespace, chosen: Sequence[Procedure]) -> session
         names = {name for fmu in fmus.values() for name in fmu.references}
         device = device_file.read(options.device, names)
     workers = options.workers or len(os.sched_getaffinity(0))
-    return session.simulated(chosen, fmus, device, options.seed, workers, options.out)
+    return session.simulated(chosen, fmus, device, options.seed, workers, options.out, plan)
 
 
 def _check_places(out: Path, chosen: Sequence[Procedure]) -> None:

@@ -6,6 +6,21 @@ from dataclasses import dataclass
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.campaign import Campaign, Test
+from pyhrg.device import Device
+
+
+@dataclass(frozen=True)
+class Option:
+    """What a user may choose of a procedure's plan: a keyword of its `record`."""
+
+    name: str
+    kind: type[int] | type[float]
+    help: str
+
+    @property
+    def flag(self) -> str:
+        """On the command line."""
+        return f"--{self.name.replace('_', '-')}"
 
 
 @dataclass(frozen=True)
@@ -18,10 +33,12 @@ class Procedure:
     rows: of the paper's Table 1 that it gives, in their English terms.
     source: where the method and its formulas are from.
     kinds: of tests that it evaluates (campaign format).
-    record: makes the test's power-ons on the virtual bench.
+    record: makes the test's power-ons on the virtual bench; takes the options as keywords.
     evaluate: gives the outcome of a campaign that holds tests of these kinds.
     model: the gyro that the virtual bench takes (`fmu_build.roots.ROOTS`), step: its communication
         step, s.
+    options: of the plan.
+    exported: the gyro as the test's result makes it, from the one that was tested.
     """
 
     name: str
@@ -30,10 +47,12 @@ class Procedure:
     rows: tuple[str, ...]
     source: str
     kinds: tuple[str, ...]
-    record: Callable[[Bench], list[Test]]
+    record: Callable[..., list[Test]]
     evaluate: Callable[[Campaign], Outcome]
     model: str = "HRG"
     step: float = 0.01
+    options: tuple[Option, ...] = ()
+    exported: Callable[[Campaign, Device], Device] | None = None
 
     def run(self, bench: Bench) -> Outcome:
         """Record on the virtual bench and evaluate."""

@@ -11,19 +11,21 @@ from fmu_build.bundle import built_fmu
 from fmu_build.files import replaced_folder, write_whole
 from fmu_build.roots import ROOTS
 from pyhrg import campaign as campaigns
-from pyhrg.bench import parameter_system, report
+from pyhrg import device_file
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.page import PAGE, page
 from pyhrg.bench.procedure import Procedure
-from pyhrg.bench.progress import Progress
-from pyhrg.bench.report import Result, Results
+from pyhrg.bench.reporting import parameter_system, report
+from pyhrg.bench.reporting.page import PAGE, page
+from pyhrg.bench.reporting.progress import Progress
+from pyhrg.bench.reporting.report import Result, Results
 from pyhrg.bench.store import Store
 from pyhrg.campaign import Campaign
 from pyhrg.device import Device
 from pyhrg.fmu import GyroError, GyroFmu
 from pyhrg.records import LogError
 
+EXPORT = "device.toml"
 KEPT = ".records"
 """Folder, within the output's, of logs to resume from."""
 
@@ -35,6 +37,7 @@ class Source:
     subject: the gyro, and how it is tested.
     procedures: that there are records for.
     records: the campaign that a procedure evaluates.
+    device: that is tested, or what is believed of it.
     resumes: what the same command does after an interruption.
     seed: of the virtual bench.
     limits: the specification.
@@ -44,6 +47,7 @@ class Source:
     subject: str
     procedures: Sequence[Procedure]
     records: Callable[[Procedure, Progress], Campaign]
+    device: Device
     resumes: str
     seed: int | None = None
     limits: Mapping[str, float] = field(default_factory=dict)
@@ -73,18 +77,22 @@ def simulated(
     seed: int,
     workers: int,
     out: Path,
+    options: Mapping[str, float],
 ) -> Source:
-    """A gyro on the virtual bench; a log once made is kept until all is done."""
+    """A gyro on the virtual bench; a log once made is kept until all is done.
+
+    Options are those of the only procedure.
+    """
     store = Store(out / KEPT)
 
     def records(procedure: Procedure, progress: Progress) -> Campaign:
         fmu = gyros[procedure.model]
         bench = Bench(fmu, device, seed, procedure.step, workers, store, progress.power_on)
-        return bench.campaign(procedure.record(bench))
+        return bench.campaign(procedure.record(bench, **options))
 
     subject = f"{device.name or 'gyro without a name'}, simulated with seed {seed}"
     resumes = "the same command goes on from here"
-    return Source(subject, procedures, records, resumes, seed, device.specification, store)
+    return Source(subject, procedures, records, device, resumes, seed, device.specification, store)
 
 
 def recorded(campaign: Campaign, procedures: Sequence[Procedure]) -> Source:
@@ -92,6 +100,7 @@ def recorded(campaign: Campaign, procedures: Sequence[Procedure]) -> Source:
 
     Raises:
         BenchError: it has none.
+        DeviceError: what is nominally believed of the gyro is no device.
     """
     able = [p for p in procedures if campaign.of_kind(*p.kinds)]
     if len(procedures) > 1 and not able:
@@ -100,7 +109,8 @@ def recorded(campaign: Campaign, procedures: Sequence[Procedure]) -> Source:
     subject = f"{campaign.device}, recorded"
     resumes = "the same command begins again"
     chosen = able if len(procedures) > 1 else procedures
-    return Source(subject, chosen, lambda procedure, progress: campaign, resumes)
+    device = device_file.from_table(campaign.nominal, campaign.device)
+    return Source(subject, chosen, lambda procedure, progress: campaign, device, resumes)
 
 
 def perform(source: Source, out: Path, progress: Progress) -> Results:
@@ -142,5 +152,7 @@ def _result(source: Source, procedure: Procedure, out: Path, progress: Progress)
         report.write(procedure, outcome, source.seed, source.limits, aside)
         if source.seed is not None:
             campaigns.write(records, aside)
+        if procedure.exported:
+            device_file.write(procedure.exported(records, source.device), aside / EXPORT)
     progress.end()
     return Result(procedure, outcome)

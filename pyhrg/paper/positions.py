@@ -5,11 +5,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from pyhrg.bench import full_circumference, position_plans
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.position_plans import reports
-from pyhrg.bench.positions import Plan
-from pyhrg.bench.segments import SEGMENT, segment_means
+from pyhrg.bench.bias import full_circumference, position_plans
+from pyhrg.bench.bias.position_plans import reports
+from pyhrg.bench.bias.positions import Plan
+from pyhrg.bench.readings.segments import SEGMENT, segment_means
 from pyhrg.device import Device
 from pyhrg.paper.gyros import Array, K, gyro_fmu
 from pyhrg.site import EARTH_RATE, Site

@@ -10,11 +10,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy import stats
 
-from pyhrg.bench import fixed_position, full_circumference
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias_test import RUNS, WARM_UP
-from pyhrg.bench.positions import Plan
-from pyhrg.bench.segments import SEGMENT, segment_means
+from pyhrg.bench.bias import fixed_position, full_circumference
+from pyhrg.bench.bias.bias_test import RUNS
+from pyhrg.bench.bias.positions import Plan
+from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, segment_means
 from pyhrg.device import AngleMap, Device
 from pyhrg.paper.gyros import Array, K, gyro_fmu
 from pyhrg.paper.table2 import NEW, ORIGINAL, Figures

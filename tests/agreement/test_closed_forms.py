@@ -1,7 +1,6 @@
 """The FMU against closed forms: drift against pattern angle, hold error, noise."""
 
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -51,7 +50,7 @@ def test_damping_drift_is_the_papers_term_corrected(fmu: GyroFmu) -> None:
 
 
 def test_all_effects_together(fmu: GyroFmu) -> None:
-    device = replace(TYPICAL, angle_random_walk=0.0, pickoff_noise=0.0)
+    device = TYPICAL.without_noise()
     measured = np.array([drift(fmu, device, angle) for angle in ANGLES])
     error = np.abs(measured - theory.static_bias(device, ANGLES))
     assert np.max(error) < 0.01 * abs(theory.static_bias_phasor(device))

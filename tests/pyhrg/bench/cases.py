@@ -2,13 +2,13 @@
 
 from dataclasses import replace
 
-from pyhrg.bench import full_circumference
 from pyhrg.bench.bench import Bench
+from pyhrg.bench.bias import full_circumference
 from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL
 
-QUIET = replace(TYPICAL, angle_random_walk=0.0, pickoff_noise=0.0, power_on_scatter=0.0)
+QUIET = replace(TYPICAL.without_noise(), power_on_scatter=0.0)
 
 QUICK_PLAN = full_circumference.SHORTEST
 """Eight positions."""

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from pyhrg import theory
-from pyhrg.bench import bandwidth, measuring_range, start_up
 from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.dynamic import bandwidth, measuring_range, start_up
 from pyhrg.bench.outcome import BenchError
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL

@@ -12,7 +12,7 @@ from benchmarks.intervals import phase_step as phase_case
 from benchmarks.intervals import rate_reversal as rate_case
 from benchmarks.intervals import virtual_rotation as rotation_case
 from benchmarks.intervals._identified import Intervals
-from pyhrg.bench import (
+from pyhrg.bench.identification import (
     amplitude_sweep,
     force_map,
     phase_step,

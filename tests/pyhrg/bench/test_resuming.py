@@ -11,8 +11,9 @@ import numpy as np
 import pytest
 
 from fmu_build.cli import main
-from pyhrg.bench import command, fixed_position
+from pyhrg.bench import command
 from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.bias import fixed_position
 from pyhrg.bench.session import KEPT
 from pyhrg.bench.store import Store
 from pyhrg.fmu import GyroFmu

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from pyhrg import campaign as campaigns
-from pyhrg.bench import fixed_position, full_circumference
+from pyhrg.bench.bias import fixed_position, full_circumference
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.procedure import Procedure
 from pyhrg.fmu import GyroFmu

@@ -1,0 +1,1 @@
+"""Bias: at a position, over the circumference, temperature, specific force, vibration, years."""

@@ -1,0 +1,1 @@
+"""Maps fitted, applied, and what they leave."""

@@ -1,0 +1,170 @@
+"""Calibration maps of a gyro, from its position and rate tests, and the gyro that applies them.
+
+The scale-factor map is the error e of the detected pattern angle. The rate tests give the harmonics
+c cos h th + s sin h th of the scale factor; with d th = -k W dt their integral is
+
+    e = sum over h of (c sin h th - s cos h th)/h
+
+(paper, Eqs. 2 and 3). At rest with the input axis up, Earth's rate W_e makes them part of what the
+position test takes for bias; the bias map is its map less W_e times theirs.
+"""
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, fields, replace
+
+import numpy as np
+from scipy import stats
+
+from pyhrg.bench.bias import full_circumference
+from pyhrg.bench.bias.full_circumference import Map, fitted_map, runs_of
+from pyhrg.bench.estimation.harmonics import MEAN, harmonic
+from pyhrg.bench.outcome import Finding
+from pyhrg.bench.procedure import tests_of
+from pyhrg.bench.readings.output_rows import bryan_factor
+from pyhrg.bench.scale_factor.rate_tests import rate_turns
+from pyhrg.bench.scale_factor.scale_factor import SCALE, ScaleFactorMap, fitted
+from pyhrg.campaign import Campaign
+from pyhrg.device import AngleMap, Device
+
+Estimate = tuple[float, float, float]
+"""Value, standard error, degrees of freedom."""
+
+
+@dataclass(frozen=True)
+class Calibration:
+    """What the tests of a campaign give.
+
+    bias_map, scale_factor_map: a finding each, by the fields of `AngleMap`; what the records can't
+        tell is not there.
+    positions, rates: the fits that they are from.
+    """
+
+    bias_map: Mapping[str, Finding]
+    scale_factor_map: Mapping[str, Finding]
+    positions: Map
+    rates: ScaleFactorMap
+
+    @property
+    def scale_factor(self) -> float:
+        """Mean scale-factor error."""
+        return self.rates.fit.value(SCALE)
+
+    @property
+    def refused(self) -> tuple[str, ...]:
+        """A sentence on each term that the records can't tell."""
+        return (*self.positions.refused, *self.rates.refused)
+
+
+def calibration(campaign: Campaign) -> Calibration:
+    """Maps from the campaign's position tests and its slow rate tests, both ways.
+
+    Raises:
+        BenchError: there are none, or not what they must hold.
+    """
+    positions = fitted_map(runs_of(campaign))
+    rates = fitted(rate_turns(campaign, slow=True), bryan_factor(campaign))
+    logs = [test.log for test in tests_of(campaign, full_circumference.KIND)]
+    axis_up = float(np.mean(np.concatenate([log.axis_up for log in logs])))
+    earth = campaign.site.vertical_rate * axis_up
+    names = [name for name in positions.names if name in AngleMap.__dataclass_fields__]
+    n = sum(len(fit.residual) for fit in positions.fits)
+    return Calibration(
+        bias_map={name: _bias(name, positions, rates, earth, n) for name in names},
+        scale_factor_map=dict(_angle_errors(rates)),
+        positions=positions,
+        rates=rates,
+    )
+
+
+def angle_map(found: Mapping[str, Finding]) -> AngleMap:
+    """Coefficients, SI; zero where nothing was found."""
+    return AngleMap(**{name: finding.value for name, finding in found.items()})
+
+
+def turned(coefficients: AngleMap, angle: float) -> AngleMap:
+    """The map of a gyro whose pattern axes are turned by an angle, rad: f(th - angle)."""
+    values = {MEAN: coefficients.mean}
+    for order in (2, 4, 8):
+        cosine, sine = harmonic(order)
+        phasor = complex(getattr(coefficients, cosine), getattr(coefficients, sine))
+        phasor *= np.exp(1j * order * angle)
+        values[cosine], values[sine] = phasor.real, phasor.imag
+    return AngleMap(**values)
+
+
+def calibrated(
+    device: Device, bias_map: AngleMap, scale_factor_map: AngleMap, scale_factor: float = 0.0
+) -> Device:
+    """The same gyro with maps added to those that its electronics have already.
+
+    Args:
+        device: as it was tested.
+        bias_map: output bias that is left, rad/s.
+        scale_factor_map: error of the detected pattern angle that is left, rad.
+        scale_factor: mean scale-factor error that is left; corrects the Bryan factor that the
+            read-out believes.
+    """
+    return replace(
+        device,
+        bias_map=_sum(device.bias_map, bias_map),
+        scale_factor_map=replace(_sum(device.scale_factor_map, scale_factor_map), mean=0.0),
+        bryan_factor=device.bryan_factor * (1 + scale_factor),
+        bryan_factor_error=(1 + device.bryan_factor_error) / (1 + scale_factor) - 1,
+    )
+
+
+def _sum(one: AngleMap, other: AngleMap) -> AngleMap:
+    return AngleMap(**{f.name: getattr(one, f.name) + getattr(other, f.name) for f in fields(one)})
+
+
+def plain(coefficients: AngleMap) -> dict[str, float]:
+    """By name, SI."""
+    return asdict(coefficients)
+
+
+def _bias(name: str, positions: Map, rates: ScaleFactorMap, earth: float, n: int) -> Finding:
+    value, error, freedom = _seen(name, positions)
+    term = SCALE if name == MEAN else f"{SCALE} {name}"
+    if term not in rates.fit.names:
+        return _finding(f"bias map {name}", "deg/h", (value, error, freedom), n)
+    index = rates.fit.names.index(term)
+    share = (
+        earth * rates.fit.value(term),
+        abs(earth) * rates.fit.deviation(term),
+        float(rates.fit.freedoms[index]),
+    )
+    return _finding(f"bias map {name}", "deg/h", _less((value, error, freedom), share), n)
+
+
+def _seen(name: str, positions: Map) -> Estimate:
+    """A term of the position test: over runs where there are three, else of the first."""
+    values = [fit.value(name) for fit in positions.fits]
+    if len(values) > 2:
+        error = float(np.std(values, ddof=1) / np.sqrt(len(values)))
+        return float(np.mean(values)), error, len(values) - 1
+    return values[0], positions.fits[0].deviation(name), positions.fits[0].freedom
+
+
+def _less(one: Estimate, other: Estimate) -> Estimate:
+    """Difference of independent estimates (degrees of freedom: F. E. Satterthwaite, 1946)."""
+    parts = np.array([one[1], other[1]]) ** 2
+    variance = float(parts.sum())
+    inverse = float(parts @ (parts / np.array([one[2], other[2]])))
+    freedom = variance**2 / inverse if inverse > 0 else min(one[2], other[2])
+    return one[0] - other[0], float(np.sqrt(variance)), freedom
+
+
+def _finding(name: str, unit: str, estimate: Estimate, n: int) -> Finding:
+    value, error, freedom = estimate
+    reach = float(stats.t.ppf(0.975, freedom)) * error
+    return Finding(name, value, unit, value - reach, value + reach, n)
+
+
+def _angle_errors(rates: ScaleFactorMap) -> list[tuple[str, Finding]]:
+    found = []
+    for order in sorted(rates.orders):
+        cosine, sine = harmonic(order)
+        for name, source, factor in ((cosine, sine, -1 / order), (sine, cosine, 1 / order)):
+            label = f"scale factor map {name}"
+            found.append((name, rates.finding(f"{SCALE} {source}", label, "arcsec", factor)))
+    return found

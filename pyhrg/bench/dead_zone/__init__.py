@@ -1,0 +1,1 @@
+"""Lock-in, its compensation and its cancellation."""

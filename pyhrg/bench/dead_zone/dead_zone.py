@@ -1,0 +1,176 @@
+"""Dead zone: damping anisotropy locks a free pattern while the input rate is small.
+
+The pattern obeys Adler's equation: below W_L, the amplitude of the bias map, it comes to rest where
+its bias balances the input, within 1/D, hours; above, it turns at sqrt(W^2 - W_L^2) on average. The
+map, measured with the table turning, gives W_L without waiting for that. Eq. (5) takes the map out
+of the output, and the input is seen although the pattern rests; Eq. (7) cancels the damping by
+force, and the pattern turns again. A virtual rotation V moves the dead zone to V -+ W_L.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.dead_zone.dead_zone_figure import draw
+from pyhrg.bench.dead_zone.free_runs import adler_findings, remedy_findings, table
+from pyhrg.bench.dead_zone.lock import Run, run_of
+from pyhrg.bench.dead_zone.turning import FOURTH, fitted_turning, turning
+from pyhrg.bench.estimation.harmonic_amplitude import magnitude_finding
+from pyhrg.bench.estimation.harmonics import MEAN, Fit
+from pyhrg.bench.outcome import BenchError, Finding, Outcome
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of, usable
+from pyhrg.bench.programme import Programme
+from pyhrg.bench.readings.output_rows import bryan_factor
+from pyhrg.campaign import Campaign, Test
+from pyhrg.device import AngleMap, Device
+from pyhrg.units import DEG, DEG_PER_H, HOUR
+
+MAP, PLAIN = "dead_zone_map", "dead_zone"
+COMPENSATED, CANCELLED = "dead_zone_compensated", "dead_zone_cancelled"
+MAP_RATE = 0.1 * DEG
+MAP_INTERVAL = 10.0
+NET_RATES = (-2.0, -1.5, -1.1, -0.9, -0.5, 0.0, 0.5, 0.9, 1.1, 1.5, 2.0)
+"""Over W_L."""
+FEWER = (-1.5, -1.2, -0.7, -0.3, 0.3, 0.7, 1.2, 1.5)
+ROTATION = 10.0
+"""Virtual rotation over W_L."""
+CAPTURES = 30.0
+"""Length of a run over the capture time 1/(4 k W_L)."""
+ROWS = 1000
+LONGEST = 48 * HOUR
+
+
+def spin(
+    bench: Bench, interval: float, rate: float, duration: float, turn: float = 0.0
+) -> Programme:
+    """One power-on, input axis east: a constant rate under a virtual rotation."""
+    course = bench.programme(interval).attitude(0.0).command(virtual_rotation=turn)
+    return course.spin(rate, math.ceil(duration / interval) * interval)
+
+
+def map_runs(bench: Bench) -> list[PowerOn]:
+    """A turn of the pattern either way."""
+    duration = 2 * math.pi / (bench.device.bryan_factor * MAP_RATE)
+    return [
+        PowerOn(f"{MAP}_{name}", MAP, spin(bench, MAP_INTERVAL, rate, duration))
+        for name, rate in (("positive", MAP_RATE), ("negative", -MAP_RATE))
+    ]
+
+
+def record(bench: Bench, longest: float = LONGEST) -> list[Test]:
+    """The map; then, where the pattern is captured in reasonable time, free runs at rates around
+    W_L: plain, under virtual rotation, with Eq. (5) and with Eq. (7), both of the measured map."""
+    bench = replace(bench, device=replace(bench.device, bias_map=AngleMap()))
+    tests = bench.run(map_runs(bench))
+    fitted, _ = fitted_turning([test.log for test in tests], bench.device.site.latitude)
+    lock = math.hypot(*map(fitted.value, FOURTH))
+    duration = CAPTURES / (4 * bench.device.bryan_factor * lock) if lock > 0 else math.inf
+    if duration > longest:
+        return tests
+    interval = max(1, math.ceil(duration / ROWS / bench.step)) * bench.step
+    series = (
+        (PLAIN, 0.0, NET_RATES, bench.device),
+        (PLAIN, ROTATION, FEWER, bench.device),
+        (COMPENSATED, 0.0, FEWER, compensated(bench.device, fitted)),
+        (CANCELLED, 0.0, FEWER, cancelled(bench.device, fitted)),
+    )
+    for kind, turn, rates, device in series:
+        courses = {
+            r: spin(bench, interval, (r + turn) * lock, duration, turn * lock) for r in rates
+        }
+        tests += replace(bench, device=device).run(
+            [PowerOn(f"{kind}_{turn:g}_{rate:g}", kind, c) for rate, c in courses.items()]
+        )
+    return tests
+
+
+def compensated(device: Device, fitted: Fit) -> Device:
+    """With the map taken out of the output (paper, Eq. 5)."""
+    cosine, sine = map(fitted.value, FOURTH)
+    return replace(device, bias_map=AngleMap(mean=fitted.value(MEAN), cos4=cosine, sin4=sine))
+
+
+def cancelled(device: Device, fitted: Fit) -> Device:
+    """With the map's fourth harmonic cancelled by force (paper, Eq. 7, factors mended); the mean
+    is taken out of the output."""
+    cosine, sine = map(fitted.value, FOURTH)
+    model = {
+        "controller.cancellation.dampingAnisotropy": 4
+        * device.bryan_factor
+        * math.hypot(cosine, sine),
+        "controller.cancellation.dampingAxis": math.atan2(cosine, -sine) / 4,
+    }
+    return replace(
+        device, bias_map=AngleMap(mean=fitted.value(MEAN)), model={**device.model, **model}
+    )
+
+
+def runs(campaign: Campaign, kind: str) -> tuple[list[Run], list[str]]:
+    """Free runs of a kind, and a sentence on each that is left out."""
+    found, excluded = [], []
+    for test in usable(campaign, kind):
+        try:
+            found.append(run_of(test.log, campaign.site.latitude, bryan_factor(campaign)))
+        except BenchError as error:
+            excluded.append(str(error))
+    return found, excluded
+
+
+def evaluate(campaign: Campaign) -> Outcome:
+    """W_L of the map; and of free runs what locks, where, and what compensation leaves."""
+    tests = [test for test in tests_of(campaign, MAP, "rate") if turning(test.log)]
+    maps = [test.log for test in tests]
+    if not maps:
+        raise BenchError(f"{campaign.device}: no log turns the pattern by 90 deg below 10 deg/s")
+    fitted, refused = fitted_turning(maps, campaign.site.latitude)
+    lock = magnitude_finding("lock rate", fitted, FOURTH, "deg/h")
+    plain, excluded = runs(campaign, PLAIN)
+    by_output, more = runs(campaign, COMPENSATED)
+    by_force, most = runs(campaign, CANCELLED)
+    everything = [*plain, *by_output, *by_force]
+    capture = 1 / (4 * bryan_factor(campaign) * lock.value) if lock.value > 0 else math.inf
+    return Outcome(
+        procedure=PROCEDURE.name,
+        findings=(
+            lock,
+            *adler_findings(plain, fitted, lock.value),
+            *remedy_findings(by_output, by_force),
+        ),
+        verdict=_verdict(plain, lock, capture),
+        tables=(table(everything, fitted, lock.value),) if everything else (),
+        warnings=tuple(refused),
+        exclusions=(*exclusions_of(tests), *excluded, *more, *most),
+        draw=lambda figure: draw(figure, plain, by_force, fitted, lock.value),
+        values={"capture_time": capture},
+    )
+
+
+def _verdict(plain: Sequence[Run], lock: Finding, capture: float) -> str:
+    if not lock.low > 0:
+        most = lock.high / DEG_PER_H
+        return f"No dead zone is seen: the map's fourth harmonic is at most {most:.2g} deg/h."
+    text = (
+        f"The pattern locks in below {lock.shown:.4g} deg/h, captured within {capture / HOUR:.3g} h"
+    )
+    caught = [run for run in plain if run.locked]
+    if not caught:
+        return (
+            f"{text}; no free run shows it: each takes {CAPTURES:g} times that, and is simulated "
+            f"up to {LONGEST / HOUR:g} h."
+        )
+    return f"{text}; {len(caught)} of {len(plain)} free runs are locked."
+
+
+PROCEDURE = Procedure(
+    name="dead-zone",
+    group="dead zone",
+    title="Dead zone, its compensation and its cancellation",
+    rows=("threshold",),
+    source="paper 2.4, Eqs. 4 to 7; Adler 1946",
+    kinds=(MAP, PLAIN, COMPENSATED, CANCELLED, "rate"),
+    record=record,
+    evaluate=evaluate,
+    model="HRGSlow",
+    step=0.1,
+)

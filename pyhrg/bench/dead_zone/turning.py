@@ -1,0 +1,105 @@
+"""Bias map from logs in which the table turns the pattern slowly, both ways.
+
+The mean output rate of a segment less the input is the bias map averaged over what the pattern
+swept meanwhile. A pick-off error goes with the rate, the bias does not: both directions tell them
+apart.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, MEAN, Fit, fit, harmonic, inflation
+from pyhrg.bench.outcome import BenchError
+from pyhrg.bench.readings.plateaus import plateaus
+from pyhrg.bench.readings.segments import SEGMENT
+from pyhrg.records import Log
+from pyhrg.site import EARTH_RATE
+from pyhrg.units import DEG
+
+Array = NDArray[np.float64]
+
+FOURTH = harmonic(4)
+ARC = 15 * DEG
+"""A segment ends when the pattern has turned by this, or after 100 s, but not within a row."""
+FASTEST = 10 * DEG
+"""Rate of the table, rad/s, beyond which a log says more of the read-out than of the bias."""
+SWEPT = 90 * DEG
+"""A log turns the pattern by this at least, a period of the fourth harmonic."""
+
+
+def turning(log: Log) -> bool:
+    """Whether a log is fit for the map: table slow, pattern turned by it, drive and rotation
+    constant."""
+    log.require(
+        "table_angle", "axis_up", "gyro_angle", "wave_angle", "virtual_rotation", "drive_on"
+    )
+    rate = np.max(np.abs(np.diff(log.table_angle))) / log.interval
+    still = np.all(log.virtual_rotation == 0.0) and np.all(log.drive_on > 0.5)
+    return bool(still and 0.0 < rate < FASTEST and np.ptp(log.wave_angle) >= SWEPT)
+
+
+def fitted_turning(logs: Sequence[Log], latitude: float) -> tuple[Fit, list[str]]:
+    """Bias map of turning logs, rad/s: mean, harmonics 4 and where they can be seen 2 and 8, and
+    what goes with the rate; and a sentence on each term that can't be told apart.
+
+    Raises:
+        BenchError: too few segments, or the fourth harmonic can't be seen.
+    """
+    rows = [row for log in logs for row in _segments(log, latitude)]
+    if len(rows) < 10:
+        raise BenchError(
+            f"{logs[0].source}: {len(rows)} segments of the turning pattern; 10 needed"
+        )
+    error, rate, span, *phasors = np.array(rows).T
+    weight, share = np.sqrt(span / np.max(span)), rate / np.max(np.abs(rate))
+    groups: dict[str, dict[str, Array]] = {
+        "harmonic 4": dict(zip(FOURTH, phasors[2:4], strict=True)),
+        "errors of scale factor and pick-offs": {
+            "scale": share, "rate cos4": share * phasors[2], "rate sin4": share * phasors[3],
+        },
+        "harmonic 2": dict(zip(harmonic(2), phasors[0:2], strict=True)),
+        "harmonic 8": dict(zip(harmonic(8), phasors[4:6], strict=True)),
+    }  # fmt: skip
+    columns = {MEAN: np.ones_like(error)}
+    refused = []
+    for name, group in groups.items():
+        trial = {**columns, **group}
+        if len(trial) + 2 < len(error) and _worst(trial, weight) <= LARGEST_INFLATION:
+            columns = trial
+        elif name == "harmonic 4":
+            raise BenchError(f"{logs[0].source}: the pattern turned too little to see {name}")
+        else:
+            refused.append(f"the turning logs can't tell {name} from the fourth harmonic's terms")
+    weighted = {name: weight * column for name, column in columns.items()}
+    return fit(weighted, weight * error), refused
+
+
+def _worst(columns: dict[str, Array], weight: Array) -> float:
+    """Largest inflation of a variance by other terms."""
+    return max(inflation({name: weight * column for name, column in columns.items()}).values())
+
+
+def _segments(log: Log, latitude: float) -> list[tuple[float, ...]]:
+    """(output less input rate, table's rate, length, mean cos 2, sin 2, ... sin 8) of each."""
+    found = []
+    for plateau in plateaus(log, 3 * log.interval):
+        turned = max(abs(plateau.mean_rate(log, log.wave_angle)), 1e-12)
+        rows = max(1, round(min(SEGMENT, ARC / turned) / log.interval))
+        for begin in range(plateau.first, plateau.last - rows + 1, rows):
+            span = float(log.time[begin + rows] - log.time[begin])
+            rate = (log.table_angle[begin + rows] - log.table_angle[begin]) / span
+            output = (log.gyro_angle[begin + rows] - log.gyro_angle[begin]) / span
+            axis_up = np.mean(log.axis_up[begin + 1 : begin + rows + 1])
+            earth = EARTH_RATE * np.sin(latitude) * axis_up
+            angle = log.wave_angle[begin : begin + rows + 1]
+            means = (_mean(trig, order * angle) for order in (2, 4, 8) for trig in (np.cos, np.sin))
+            found.append((float(output - rate - earth), float(rate), span, *means))
+    return found
+
+
+def _mean(trig: np.ufunc, phase: Array) -> float:
+    """Of cosine or sine over a phase (n,) that is linear between its values."""
+    middle, half = (phase[1:] + phase[:-1]) / 2, np.diff(phase) / 2
+    return float(np.mean(trig(middle) * np.sinc(half / np.pi)))

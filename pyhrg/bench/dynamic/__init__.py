@@ -1,0 +1,1 @@
+"""Range, threshold, start-up, bandwidth."""

@@ -1,0 +1,188 @@
+"""Start-up: time from power-on to a valid output, and to one within its specification.
+
+To specification: the output rate, averaged over the 10 s past, less Earth's rate and less its own
+mean over the last half of the log (a fixed bias is the bias test's), stays within 0.02 deg/h from
+then on. The average ends at the time stated, so that the least is 10 s.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.bias.bias_test import RUNS
+from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table, mean_finding
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.campaign import Campaign, Test
+from pyhrg.records import Log
+from pyhrg.site import EARTH_RATE
+from pyhrg.units import DEG_PER_H
+
+Array = NDArray[np.float64]
+
+KIND = "start_up"
+AVERAGE = 10.0
+SPECIFICATION = 0.02 * DEG_PER_H
+DURATION = 120.0
+AMPLITUDE_TOLERANCE = 0.2
+"""Of valid output where the log doesn't say: of the set point, as in the electronics' own test."""
+START = {"startAmplitude": 0.01, "controller.startUp.firstAmplitude": 0.1}
+"""Where the device says nothing: what a start burst leaves, then the paper's two stages (2.3)."""
+
+
+@dataclass(frozen=True)
+class StartUp:
+    """One power-on.
+
+    valid, within: times, s, of valid output and of output within specification; NaN: not in the
+    first half of the log.
+    interval: of the log's rows, s: what happened, happened within it before the time given.
+    time, error: (n,) end of the average, s, and averaged rate less that of the last half, rad/s.
+    noise: standard deviation of the averaged rate in the last half, rad/s.
+    """
+
+    valid: float
+    within: float
+    interval: float
+    time: Array
+    error: Array
+    noise: float
+
+
+def record(bench: Bench, runs: int = RUNS, duration: float = DURATION) -> list[Test]:
+    """Seven power-ons at rest, input axis east, from a small amplitude."""
+    device = replace(bench.device, model={**START, **bench.device.model})
+    course = bench.programme(bench.step).attitude(0.0).rest(duration)
+    tasks = [PowerOn(f"start_up_{n + 1}", KIND, course) for n in range(runs)]
+    return replace(bench, device=device).run(tasks)
+
+
+def start_up(log: Log, latitude: float) -> StartUp:
+    """Times of one power-on.
+
+    Raises:
+        BenchError: the log is shorter than four averages, begins late, or has gaps.
+    """
+    log.require("gyro_angle", "amplitude", "amplitude_setpoint", "axis_up")
+    rows = round(AVERAGE / log.interval)
+    n = len(log.time)
+    if n < 4 * rows:
+        raise BenchError(
+            f"{log.source}: {n * log.interval:g} s; the start-up takes {4 * AVERAGE:g} s or more"
+        )
+    if log.time[0] > 2 * log.interval or len(log.stretches("gyro_angle", "amplitude")) > 1:
+        raise BenchError(
+            f"{log.source}: rows are missing; the start-up takes them from power-on on"
+        )
+    earth = EARTH_RATE * np.sin(latitude) * float(np.mean(log.axis_up))
+    rate = (log.gyro_angle[rows:] - log.gyro_angle[:-rows]) / AVERAGE - earth
+    half = n // 2
+    span = log.time[-1] - log.time[half]
+    settled = (log.gyro_angle[-1] - log.gyro_angle[half]) / span - earth
+    error, time = rate - settled, log.time[rows:]
+    late = error[half:]
+    return StartUp(
+        valid=_from_then_on(log.time, _valid(log), log.time[half]),
+        within=_from_then_on(time, np.abs(error) <= SPECIFICATION, log.time[half]),
+        interval=log.interval,
+        time=time,
+        error=error,
+        noise=float(np.std(late)),
+    )
+
+
+def _valid(log: Log) -> NDArray[np.bool_]:
+    if not np.isnan(log.valid).any():
+        return np.asarray(log.valid > 1 - 1e-9)
+    off = np.abs(log.amplitude - log.amplitude_setpoint)
+    return np.asarray(off <= AMPLITUDE_TOLERANCE * log.amplitude_setpoint)
+
+
+def _from_then_on(time: Array, good: NDArray[np.bool_], latest: float) -> float:
+    """First time from which on all is good; NaN if later than `latest`."""
+    bad = np.flatnonzero(~good)
+    first = bad[-1] + 1 if len(bad) else 0
+    return float(time[first]) if first < len(time) and time[first] <= latest else np.nan
+
+
+def evaluate(campaign: Campaign) -> Outcome:
+    """Mean and greatest of both times."""
+    tests = tests_of(campaign, KIND)
+    runs = [start_up(test.log, campaign.site.latitude) for test in tests]
+    findings = (
+        *times("time to valid output", [run.valid for run in runs], runs[0].interval),
+        *times("time to specification", [run.within for run in runs], runs[0].interval),
+    )
+    rows = [(str(i), f"{run.valid:.4g}", f"{run.within:.4g}") for i, run in enumerate(runs, 1)]
+    return Outcome(
+        procedure=PROCEDURE.name,
+        findings=findings,
+        verdict=(
+            f"Valid after {findings[0].value:.3g} s, within {SPECIFICATION / DEG_PER_H:g} deg/h "
+            f"({AVERAGE:g} s averages) after {findings[2].value:.3g} s, means of {len(runs)} "
+            "power-ons."
+        ),
+        tables=(Table("Power-ons", ("run", "valid, s", "to specification, s"), tuple(rows)),),
+        warnings=_warnings(tests, runs),
+        exclusions=exclusions_of(tests),
+        draw=lambda figure: draw(figure, runs),
+    )
+
+
+def times(name: str, samples: Sequence[float], interval: float) -> tuple[Finding, Finding]:
+    """Mean, its interval widened by a row, and greatest."""
+    largest = Finding(f"greatest {name}", float(np.max(samples)), "s", n=len(samples))
+    if np.isnan(samples).any():
+        missing = f"{np.isnan(samples).sum()} of {len(samples)} not in the first half of the log"
+        none = Finding(name, np.nan, "s", n=len(samples), note=missing)
+        return none, replace(largest, note=missing)
+    mean = mean_finding(name, samples, "s")
+    note = f"no interval: another power-on exceeds it with probability 1/{len(samples) + 1}"
+    return replace(mean, low=mean.low - interval), replace(largest, note=note)
+
+
+def _warnings(tests: Sequence[Test], runs: Sequence[StartUp]) -> tuple[str, ...]:
+    found = []
+    if any(np.isnan(test.log.valid).any() for test in tests):
+        found.append("valid is missing: taken from the amplitude, within 20 % of its set point")
+    noise = max(run.noise for run in runs)
+    if 4 * noise > SPECIFICATION:
+        found.append(
+            f"the averages scatter by {noise / DEG_PER_H:.2g} deg/h: the time to specification is "
+            "that of chance"
+        )
+    return tuple(found)
+
+
+def draw(figure: Figure, runs: Sequence[StartUp]) -> None:
+    """Averaged rate error after power-on."""
+    axes = figure.add_subplot()
+    for number, run in enumerate(runs):
+        label = f"{len(runs)} power-ons" if number == 0 else None
+        shown = np.maximum(np.abs(run.error) / DEG_PER_H, 1e-5)
+        axes.semilogy(run.time, shown, lw=0.8, color="#0072B2", alpha=0.6, label=label)
+    axes.axhline(SPECIFICATION / DEG_PER_H, color="k", ls="--", lw=1, label="specification")
+    valid, within = (np.mean([getattr(run, name) for run in runs]) for name in ("valid", "within"))
+    axes.axvline(float(valid), color="#009E73", lw=1.5, label="mean time to valid output")
+    axes.axvline(float(within), color="#D55E00", lw=1.5, label="mean time to specification")
+    axes.set_xlim(0, 2.5 * within if np.isfinite(within) else None)
+    axes.set_xlabel("time since power-on, end of the average, s")
+    axes.set_ylabel(f"|error of the {AVERAGE:g} s mean rate|, deg/h")
+    axes.set_title("Start-up")
+    axes.grid(alpha=0.3, which="both")
+    axes.legend()
+
+
+PROCEDURE = Procedure(
+    name="start-up",
+    group="dynamic",
+    title="Start-up time, to valid output and to specification",
+    rows=("start-up time",),
+    source="paper 2.3, 3.2; IEEE Std 1431-2004, 5.3.6",
+    kinds=(KIND,),
+    record=record,
+    evaluate=evaluate,
+)

@@ -1,0 +1,1 @@
+"""Estimates with honest intervals, whatever the test."""

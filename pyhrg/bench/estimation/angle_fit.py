@@ -1,0 +1,150 @@
+"""Least squares on angles that white rate noise and white angle noise disturb.
+
+Increments of such an angle have the covariance q dt I + r T with T tridiagonal (2, -1), which the
+sine transform makes diagonal: weighted least squares on transformed increments is exact. Both
+variances are estimated from what the fit leaves, by restricted maximum likelihood (H. D. Patterson,
+R. Thompson, Biometrika 58, 1971), and each term's degrees of freedom follow from how well they are
+known (F. E. Satterthwaite, Biometrics Bulletin 2, 1946).
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import fft, optimize, stats
+
+from pyhrg.bench.estimation.harmonics import Fit
+
+Array = NDArray[np.float64]
+
+NOISELESS = 1e-60
+"""Taken for the rate noise where nothing is left, rad^2/s: its square is still a number."""
+RATIOS = (-8.0, 20.0)
+"""Logarithm of angle noise over a step's rate noise: from none of the one to none of the other."""
+
+
+@dataclass(frozen=True)
+class Record:
+    """One uninterrupted record of an angle.
+
+    angle: (n,) rad.
+    columns: (n,) each, what unit terms add to the angle; offsets don't matter.
+    """
+
+    interval: float
+    angle: Array
+    columns: Mapping[str, Array]
+
+
+@dataclass(frozen=True)
+class AngleFit(Fit):
+    """Terms by name; the residual is that of the transformed increments, whitened.
+
+    freedoms: (terms,) degrees of freedom of the terms' standard errors.
+    rate_noise: white, power spectral density N^2, (rad/s)^2/Hz = rad^2/s.
+    angle_noise: white, variance of a sample, rad^2.
+    """
+
+    freedoms: Array
+    rate_noise: float
+    angle_noise: float
+
+    def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
+        """Student's interval of one term."""
+        freedom = self.freedoms[self.names.index(name)]
+        reach = float(stats.t.ppf((1 + confidence) / 2, freedom)) * self.deviation(name)
+        return self.value(name) - reach, self.value(name) + reach
+
+
+def inflation(records: Sequence[Record]) -> float:
+    """Largest factor by which the terms' columns inflate each other's variance."""
+    matrix = np.concatenate([_increments(record) for record in records])[:, :-1]
+    norms = np.linalg.norm(matrix, axis=0)
+    if np.any(norms == 0.0):
+        return np.inf
+    r = np.linalg.qr(matrix / norms, mode="r")
+    if np.min(np.abs(np.diag(r))) < 1e-6:
+        return np.inf
+    return float(np.max(np.sum(np.linalg.inv(r) ** 2, axis=1)))
+
+
+def fit_angles(records: Sequence[Record]) -> AngleFit:
+    """Fit records by the same terms and the same noise.
+
+    Raises:
+        ValueError: fewer increments than terms and three more.
+    """
+    tables = [_increments(record) for record in records]
+    steps = np.concatenate(
+        [np.full(len(t), r.interval) for t, r in zip(tables, records, strict=True)]
+    )
+    differences = np.concatenate([_eigenvalues(len(table)) for table in tables])
+    matrix = np.concatenate([fft.dst(table, type=1, norm="ortho", axis=0) for table in tables])
+    terms = matrix.shape[1] - 1
+    if len(matrix) < terms + 3:
+        raise ValueError(f"{len(matrix)} increments can't determine {terms} terms and two noises")
+    scale = np.linalg.norm(matrix[:, :-1], axis=0)
+    matrix[:, :-1] /= scale
+    variances = _variances(matrix, steps, differences)
+    return _weighted(tuple(records[0].columns), matrix, scale, steps, differences, variances)
+
+
+def _increments(record: Record) -> Array:
+    """(n - 1, terms + 1) increments of the columns and, last, of the angle."""
+    return np.diff(np.column_stack([*record.columns.values(), record.angle]), axis=0)
+
+
+def _eigenvalues(count: int) -> Array:
+    """(count,) of the tridiagonal matrix (2, -1)."""
+    return 2 - 2 * np.cos(np.pi * np.arange(1, count + 1) / (count + 1))
+
+
+def _variances(matrix: Array, steps: Array, differences: Array) -> tuple[float, float]:
+    """Rate noise, rad^2/s, and angle noise, rad^2, by restricted maximum likelihood."""
+    step, freedom = float(np.mean(steps)), len(matrix) - matrix.shape[1] + 1
+    terms = matrix[:, :-1]
+    left = matrix[:, -1] - terms @ np.linalg.lstsq(terms, matrix[:, -1], rcond=None)[0]
+    size = float(np.linalg.norm(left))
+    if size == 0.0:
+        return NOISELESS, 0.0
+    whole = np.column_stack([terms, left / size])
+
+    def reduced(logarithm: float) -> tuple[float, float]:
+        weight = steps / step + np.exp(logarithm) * differences
+        diagonal = np.diag(np.linalg.cholesky(whole.T @ (whole / weight[:, None])))
+        variance = float((size * diagonal[-1]) ** 2 / freedom)
+        spread = np.sum(np.log(weight)) + 2 * np.sum(np.log(diagonal[:-1]))
+        return float(freedom * np.log(variance) + spread), variance
+
+    best = optimize.minimize_scalar(
+        lambda x: reduced(x)[0], bounds=RATIOS, method="bounded", options={"xatol": 0.01}
+    )
+    variance = reduced(best.x)[1]
+    return variance / step, variance * float(np.exp(best.x))
+
+
+def _weighted(
+    names: tuple[str, ...],
+    matrix: Array,
+    scale: Array,
+    steps: Array,
+    differences: Array,
+    noise: tuple[float, float],
+) -> AngleFit:
+    parts = np.array([steps, differences])
+    variance = np.asarray(noise) @ parts
+    whitened = matrix / np.sqrt(variance)[:, None]
+    q, r = np.linalg.qr(whitened[:, :-1])
+    inverse = np.linalg.inv(r)
+    solution = inverse @ (q.T @ whitened[:, -1])
+    residual = whitened[:, -1] - whitened[:, :-1] @ solution
+    freedom = len(residual) - len(names)
+    covariance = inverse @ inverse.T
+    # by how much the terms' variances (terms,) move with either noise, and how well that is known
+    slopes = (parts / variance) @ (q @ inverse.T) ** 2
+    information = (parts / variance) @ (parts / variance).T / 2
+    spread = np.einsum("ij,ij->j", slopes, np.linalg.solve(information, slopes))
+    freedoms = np.minimum(2 * np.diag(covariance) ** 2 / spread, freedom)
+    covariance = covariance / np.outer(scale, scale)
+    return AngleFit(names, solution / scale, covariance, residual, freedom, freedoms, *noise)

@@ -1,0 +1,139 @@
+"""Amplitude sweep with the table turning: what grows with the square of the amplitude.
+
+A Duffing stiffness moves the loop frequency by its shift at unit amplitude times a^2; a cubic
+pick-off b turns the detected angle by -(3/32) b a^2 sin 8th. A differential phase gives an eighth
+harmonic too, the same at all amplitudes.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.estimation.row_fit import Part
+from pyhrg.bench.identification.identification_figure import draw_terms
+from pyhrg.bench.identification.rate_reversal import EIGHTH, GAIN, SCALE, SKEW, pickoff_columns
+from pyhrg.bench.outcome import BenchError, Outcome
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.readings.output_rows import (
+    BIAS,
+    Rows,
+    Terms,
+    bias_columns,
+    bryan_factor,
+    fitted,
+    output_error,
+    useful,
+)
+from pyhrg.campaign import Campaign, Test
+from pyhrg.units import DEG
+
+KIND = "amplitude"
+AMPLITUDES = (0.8, 1.0, 1.2, 1.0, 0.8)
+"""Up and down again, so that a drift of the frequency is not taken for stiffness."""
+DWELL = 80.0
+RATE = 5 * DEG
+INTERVAL = 0.1
+CUBIC, DUFFING, DRIFT = "pick-off cubic", "Duffing shift", "frequency drift"
+REASON = "at least two amplitudes while the pattern turns over most of 90 deg"
+DRIFTING = "amplitudes must go up and down again, or temperature may look like stiffness"
+
+
+def record(
+    bench: Bench, amplitudes: Sequence[float] = AMPLITUDES, dwell: float = DWELL
+) -> list[Test]:
+    """One power-on through all amplitudes."""
+    course = bench.programme(INTERVAL)
+    for amplitude in amplitudes:
+        course.command(amplitude_setpoint=amplitude).spin(RATE, dwell)
+    return bench.run([PowerOn("amplitude_sweep", KIND, course)])
+
+
+def stretches_of(campaign: Campaign) -> list[Rows]:
+    """Steady rows at each amplitude.
+
+    Raises:
+        BenchError: a single amplitude.
+    """
+    logs = [test.log for test in tests_of(campaign, KIND)]
+    stretches = useful(logs, "frequency_offset")
+    found = {float(rows.held("amplitude_setpoint")[0]) for rows in stretches}
+    if len(found) < 2:
+        raise BenchError(f"{logs[0].source}: {len(found)} amplitude; the test needs 2")
+    return stretches
+
+
+def cubic(campaign: Campaign, stretches: Sequence[Rows]) -> Terms:
+    """Cubic of the pick-offs from the output angle; bias and scale factor may be one."""
+    k = bryan_factor(campaign)
+    parts = []
+    for rows in stretches:
+        excess = float(rows.held("amplitude_setpoint")[0]) ** 2 - 1
+        turned = np.diff(np.sin(8 * rows.ends("wave_angle")))
+        columns = {
+            **bias_columns(rows),
+            **pickoff_columns(rows, k),
+            CUBIC: 3 / (32 * k) * excess * turned,
+        }
+        parts.append(Part(columns, output_error(rows, campaign.site), rows.log.interval))
+    return fitted(parts, [*BIAS, *EIGHTH, CUBIC, SCALE, GAIN, SKEW], REASON)
+
+
+def duffing(stretches: Sequence[Rows]) -> Terms:
+    """Stiffness from the loop frequency; the split goes with the angle, temperature with time."""
+    parts = []
+    for rows in stretches:
+        h = rows.log.interval
+        columns = {
+            "frequency": np.ones(len(rows)),
+            DUFFING: rows.held("amplitude_setpoint") ** 2 - 1,
+            "frequency cos4": rows.mean_trig(np.cos, 4),
+            "frequency sin4": rows.mean_trig(np.sin, 4),
+            DRIFT: rows.held("time") / rows.log.time[-1] - 0.5,
+        }
+        scaled = {name: h * values for name, values in columns.items()}
+        parts.append(Part(scaled, h * rows.held("frequency_offset"), h))
+    return fitted(parts, list(parts[0].columns), DRIFTING)
+
+
+def evaluate(campaign: Campaign) -> Outcome:
+    """Duffing shift and pick-off cubic."""
+    stretches = stretches_of(campaign)
+    output, frequency = cubic(campaign, stretches), duffing(stretches)
+    warnings = [output.refused[CUBIC]] if CUBIC in output.refused else []
+    warnings += [frequency.refused[name] for name in (DUFFING, DRIFT) if name in frequency.refused]
+    return Outcome(
+        procedure=PROCEDURE.name,
+        findings=(
+            frequency.finding(DUFFING, "mHz"),
+            output.finding(CUBIC, "ppm"),
+            *(output.finding(n, "arcsec", f"{n} of the angle", -1.0) for n in EIGHTH),
+        ),
+        verdict=(
+            "What follows the square of the amplitude is stiffness (frequency) or a cubic of the "
+            "pick-offs (eighth harmonic); the rest of the eighth harmonic is neither."
+        ),
+        warnings=tuple(warnings),
+        exclusions=exclusions_of(tests_of(campaign, KIND)),
+        draw=lambda figure: draw(figure, stretches, output),
+    )
+
+
+def draw(figure: Figure, stretches: Sequence[Rows], terms: Terms) -> None:
+    """Output rate error over the pattern angle at each amplitude, with the fit."""
+    labels = [f"amplitude {rows.held('amplitude_setpoint')[0]:g}" for rows in stretches]
+    draw_terms(figure, stretches, terms, labels)
+    figure.axes[0].set_title("Output less table and Earth's rate at several amplitudes")
+
+
+PROCEDURE = Procedure(
+    name="amplitude-sweep",
+    group="identification",
+    title="Amplitude sweep: Duffing stiffness, cubic of the pick-offs",
+    rows=(),
+    source="envelope X (1 + 3/4 b |X|^2) and gamma |Z|^2 Z to first order; campaign format",
+    kinds=(KIND,),
+    record=record,
+    evaluate=evaluate,
+)

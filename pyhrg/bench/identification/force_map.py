@@ -1,0 +1,174 @@
+"""Forces and frequency of the loops over the pattern angle: frequency split and its axis.
+
+With the loops closed the quadrature force balances the split, (dw/2) a sin 4(th - th_w), and the
+loop frequency follows it, -(dw/2) cos 4(th - th_w). The amplitude force holds 1/tau + (D/2) cos
+4(th - th_tau) - ((g + gd)/2 tau) cos 4th - ((d + nd)/2 tau) sin 4th: the same sum as in the bias
+map, so that it gives the decay time, and no cause.
+"""
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.estimation.phasor import anisotropy, component_findings
+from pyhrg.bench.estimation.row_fit import Part
+from pyhrg.bench.identification.identification_figure import COLOURS
+from pyhrg.bench.identification.virtual_rotation import programme
+from pyhrg.bench.outcome import BenchError, Finding, Outcome
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.readings.output_rows import Array, Rows, Terms, fitted, useful
+from pyhrg.campaign import Campaign, Test
+from pyhrg.units import DEG
+
+KIND = "force_map"
+RATE = 0.5 * DEG
+"""Of the virtual rotation: slow, for the loops to follow."""
+KINDS = (KIND, "positions", "virtual_rotation")
+MEAN = "mean"
+VECTOR = ("cosine", "sine")
+SQUARED = "by rotation squared"
+DISTURBING = (
+    *("by rotation", "by rotation cos4", "by rotation sin4", "cos8", "sin8"),
+    SQUARED,
+)
+"""What errors of the electrodes add, odd in a virtual rotation or of second order; and what forces
+held over a control period Ts do to the amplitude by moving on a tangent: (2 k V)^2 Ts/2."""
+REASON = "the pattern must come to angles over most of 90 deg"
+
+Sensitivity = Callable[[Array, Array], tuple[Array, Array]]
+
+
+def record(bench: Bench, rate: float = RATE, pattern_turn: float = 180 * DEG) -> list[Test]:
+    """One power-on each way, the pattern turned by virtual rotation."""
+    courses = {way: programme(bench, s * rate, pattern_turn) for way, s in WAYS.items()}
+    return bench.run([PowerOn(f"force_map_{way}", KIND, c) for way, c in courses.items()])
+
+
+WAYS = {"pos": 1.0, "neg": -1.0}
+
+
+def split_in_force(cosine: Array, sine: Array) -> tuple[Array, Array]:
+    """Quadrature force over amplitude by dw cos 4th_w and dw sin 4th_w."""
+    return sine / 2, -cosine / 2
+
+
+def split_in_frequency(cosine: Array, sine: Array) -> tuple[Array, Array]:
+    """Loop frequency by dw cos 4th_w and dw sin 4th_w."""
+    return -cosine / 2, -sine / 2
+
+
+def damping_in_force(cosine: Array, sine: Array) -> tuple[Array, Array]:
+    """Amplitude force by D cos 4th_tau and D sin 4th_tau."""
+    return cosine / 2, sine / 2
+
+
+def loop_map(campaign: Campaign, column: str, sensitivity: Sensitivity) -> Terms:
+    """Mean and anisotropy of a loop's column over all angles; each power-on has its own mean
+    frequency and drift (temperature moves it by 85 ppm/K)."""
+    tests = {test.log.source: test.log for test in tests_of(campaign, *KINDS)}
+    stretches = useful(list(tests.values()), column, at_rest=True)
+    own = column == "frequency_offset"
+    names, parts = dict.fromkeys([*([] if own else [MEAN])]), []
+    for rows in stretches:
+        number = list(tests).index(rows.log.source)
+        means = {f"{MEAN} {number}": 0, f"drift {number}": 1} if own else {MEAN: 0}
+        names.update(dict.fromkeys(means))
+        parts.append(_part(rows, column, sensitivity, means))
+    order = [*[name for name in names if name.startswith(MEAN)], *VECTOR]
+    order += [name for name in names if name.startswith("drift")]
+    terms = fitted(parts, [*order, *DISTURBING], REASON)
+    if not set(VECTOR) <= set(terms.fit.names):
+        raise BenchError(f"{', '.join(tests)}: {column}: {REASON}")
+    return terms
+
+
+def _part(rows: Rows, column: str, sensitivity: Sensitivity, means: dict[str, int]) -> Part:
+    h, values = rows.log.interval, rows.held(column)
+    if column == "quadrature_force":
+        values = values / rows.held("amplitude_setpoint")
+    c4, s4, c8, s8 = (rows.mean_trig(trig, n) for n in (4, 8) for trig in (np.cos, np.sin))
+    turned = rows.held("virtual_rotation")
+    odd = dict(zip(DISTURBING, (turned, turned * c4, turned * s4, c8, s8, turned**2), strict=True))
+    elapsed = (rows.held("time") - rows.log.time[-1] / 2) / rows.log.time[-1]
+    columns = {
+        **{name: elapsed**power for name, power in means.items()},
+        **dict(zip(VECTOR, sensitivity(c4, s4), strict=True)),
+        **odd,
+    }
+    return Part({name: h * values for name, values in columns.items()}, h * values, h)
+
+
+def evaluate(campaign: Campaign) -> Outcome:
+    """Split and axis twice over, the decay time, and the amplitude force's own anisotropy."""
+    force = loop_map(campaign, "quadrature_force", split_in_force)
+    frequency = loop_map(campaign, "frequency_offset", split_in_frequency)
+    amplitude = loop_map(campaign, "amplitude_force", damping_in_force)
+    names = ("frequency split", "stiffness axis")
+    again = ("frequency split from loop frequency", "stiffness axis from loop frequency")
+    apparent = ("apparent damping anisotropy", "apparent damping axis")
+    return Outcome(
+        procedure=PROCEDURE.name,
+        findings=(
+            *anisotropy(force.fit, VECTOR, *names, "mHz"),
+            *component_findings(force.fit, VECTOR, names[0], "mHz"),
+            *anisotropy(frequency.fit, VECTOR, *again, "mHz"),
+            _decay_time(amplitude),
+            *anisotropy(amplitude.fit, VECTOR, *apparent, "1/s"),
+        ),
+        verdict=(
+            "Quadrature force and loop frequency give the split and its axis (against the "
+            "pick-offs' axes); the amplitude force gives the sum of damping and electrodes alone."
+        ),
+        exclusions=exclusions_of(tests_of(campaign, *KINDS)),
+        draw=lambda figure: draw(figure, [force, frequency]),
+        values={"terms": {name: force.fit.value(name) for name in force.fit.names}},
+    )
+
+
+def _decay_time(amplitude: Terms) -> Finding:
+    rate, (low, high) = amplitude.fit.value(MEAN), amplitude.fit.interval(MEAN)
+    turned = any(np.any(part.columns[SQUARED]) for part in amplitude.parts)
+    note = "with (2 k V)^2 Ts/2 in 1/tau" if turned and SQUARED in amplitude.refused else ""
+    n = len(amplitude.fit.residual)
+    return Finding("decay time", 1 / rate, "s", 1 / high, 1 / low, n, note)
+
+
+def draw(figure: Figure, maps: Sequence[Terms]) -> None:
+    """Both channels over the angle, in mHz of split, means and other terms taken out."""
+    axes = figure.add_subplot()
+    labels = ("2 quadrature force / amplitude", "2 loop frequency")
+    for terms, label, colour in zip(maps, labels, COLOURS, strict=False):
+        for number, part in enumerate(terms.parts):
+            cosine, sine = (np.asarray(part.columns[name]) / part.interval for name in VECTOR)
+            angle = np.arctan2(*((sine, cosine) if label is labels[1] else (cosine, -sine)))
+            angle = (angle / 4 + (np.pi / 4 if label is labels[1] else 0.0)) % (np.pi / 2)
+            others = [name for name in terms.fit.names if name not in VECTOR]
+            rest = sum(terms.fit.value(n) * part.columns[n] for n in others if n in part.columns)
+            shown = 2 * (part.values - rest) / part.interval / (2e-3 * np.pi)
+            size = max(1, len(shown) // 60)
+            count = len(shown) // size * size
+            mean = shown[:count].reshape(-1, size).mean(axis=1)
+            middle = angle[size // 2 : count : size]
+            axes.plot(
+                middle / DEG, mean, ".", ms=4, color=colour, label=label if not number else None
+            )
+    axes.set_xlabel("pattern angle modulo 90 deg, deg")
+    axes.set_ylabel("2 x loop's reaction to the split, mHz")
+    axes.set_title("Frequency split in the loops")
+    axes.set_xlim(0, 90)
+    axes.grid(alpha=0.3)
+    axes.legend()
+
+
+PROCEDURE = Procedure(
+    name="force-map",
+    group="identification",
+    title="Loop forces and frequency over the pattern angle: frequency split",
+    rows=(),
+    source="Lynch 1995, averaged equations at rest; campaign format, columns",
+    kinds=KINDS,
+    record=record,
+    evaluate=evaluate,
+)

@@ -1,0 +1,187 @@
+"""Free decays of a log, and the shell that explains them: a joint fit of angle and amplitude."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.optimize import least_squares
+
+from pyhrg.bench.estimation.harmonics import Fit
+from pyhrg.bench.estimation.row_fit import Part, RowFit, row_fit
+from pyhrg.bench.outcome import BenchError
+from pyhrg.bench.readings.output_rows import FEWEST
+from pyhrg.bench.readings.segments import AT_REST
+from pyhrg.free_orbit import Array, FreeShell
+from pyhrg.records import Log
+from pyhrg.site import Site
+from pyhrg.units import DEG
+
+TERMS = ("decay", "damping cos", "damping sin", "split cos", "split sin")
+CHANNELS = ("angle", "amplitude")
+SCALES = np.array([1e-7, 1e-8, 1e-8, 1e-6, 1e-6])
+"""Steps of the terms for central differences, 1/s and rad/s: errors 1e-8 of the columns."""
+ROUNDS = 30
+CLOSE = 1e-3
+"""The fit is done when no combination of terms moves by more than this share of its standard
+error, or than rounding."""
+
+
+@dataclass(frozen=True)
+class Decay:
+    """One ring-down: rows after the drive was switched off at time 0, in a known rotation.
+
+    time: (n,) s; turned: (n,) of the pattern, rad; amplitude: (n,).
+    angle_at_start: of the pattern, rad.
+    rotation: of the case, rad/s.
+    """
+
+    source: str
+    interval: float
+    time: Array
+    turned: Array
+    amplitude: Array
+    angle_at_start: float
+    rotation: float
+
+    @property
+    def angle(self) -> Array:
+        """(n,) of the pattern, rad."""
+        return self.angle_at_start + self.turned
+
+
+def decays(log: Log, site: Site, k: float) -> list[Decay]:
+    """Ring-downs of a log that begin within a stretch without gap, the table at rest.
+
+    The gyro's output shows how the pattern turns, with more digits than its angle is logged with.
+    """
+    log.require("gyro_angle", "wave_angle", "amplitude", "drive_on", "table_angle", "axis_up")
+    found = []
+    for stretch in log.stretches("gyro_angle", "wave_angle", "amplitude", "table_angle"):
+        rows = np.arange(len(log.time))[stretch]
+        free = log.drive_on[rows] < 0.5
+        edges = np.flatnonzero(np.diff(free.astype(int)))
+        for edge in edges[~free[edges]]:
+            stop = edges[edges > edge]
+            last = int(stop[0]) + 1 if len(stop) else len(rows)
+            if last - edge > FEWEST:
+                found.append(_decay(log, int(rows[edge]), int(rows[last - 1]) + 1, site, k))
+    return found
+
+
+def _decay(log: Log, before: int, last: int, site: Site, k: float) -> Decay:
+    """Of the rows after `before`, the last one with the drive on."""
+    free = slice(before + 1, last)
+    if np.ptp(log.table_angle[before:last]) > AT_REST:
+        raise BenchError(
+            f"{log.source}: the table turns by {np.ptp(log.table_angle[free]) / DEG:.3g} deg in "
+            f"the ring-down that begins at {log.time[before]:g} s; it must rest"
+        )
+    if np.min(log.amplitude[free]) <= 0:
+        raise BenchError(f"{log.source}: amplitude 0 or less after {log.time[before]:g} s")
+    return Decay(
+        source=log.source,
+        interval=log.interval,
+        time=log.time[free] - log.time[before],
+        turned=-k * (log.gyro_angle[free] - log.gyro_angle[before]),
+        amplitude=log.amplitude[free],
+        angle_at_start=_angle(log, slice(before, last), k),
+        rotation=site.vertical_rate * float(np.mean(log.axis_up[free])),
+    )
+
+
+@dataclass(frozen=True)
+class Gyro:
+    """What else decides what the ring-down looks like.
+
+    k: Bryan factor.
+    pickoff: g + i d.
+    """
+
+    k: float
+    pickoff: complex = 0j
+
+    def orbit(self, decay: Decay, terms: Array) -> tuple[Array, Array]:
+        """Angle and logarithm of the amplitude as the log shows them."""
+        g, d = self.pickoff.real, self.pickoff.imag
+        seen = 4 * decay.angle_at_start
+        start = decay.angle_at_start + (g * np.sin(seen) - d * (1 + np.cos(seen))) / 4
+        return shell(terms).orbit(decay.time, start, -self.k * decay.rotation, self.pickoff)
+
+
+def _angle(log: Log, rows: slice, k: float) -> float:
+    """Pattern angle at the first of the rows, averaged over the digits of them all."""
+    turned = -k * (log.gyro_angle[rows] - log.gyro_angle[rows.start])
+    return float(np.mean(log.wave_angle[rows] - turned))
+
+
+def fit_decays(found: Sequence[Decay], gyro: Gyro, start: Array) -> RowFit:
+    """Terms `TERMS` that all ring-downs have in common, by Gauss and Newton.
+
+    Args:
+        start: (5,) terms to begin with.
+
+    Raises:
+        BenchError: the terms can't be told apart, or the fit does not settle.
+    """
+    terms = _nearby(found, gyro, start)
+    for _ in range(ROUNDS):
+        try:
+            step = row_fit([part for decay in found for part in _parts(decay, gyro, terms)], TERMS)
+        except ValueError as error:
+            raise BenchError(f"{found[0].source}: ring-down: {error}") from error
+        terms = terms + step.values
+        if _settled(step):
+            return replace(step, values=terms)
+    raise BenchError(
+        f"{found[0].source}: the fit of the ring-down did not settle in {ROUNDS} steps"
+    )
+
+
+def _settled(step: Fit) -> bool:
+    size = np.sqrt(np.diag(step.covariance))
+    if np.all(np.abs(step.values) < 1e-13):
+        return True
+    values, correlation = step.values / size, step.covariance / np.outer(size, size)
+    return float(values @ np.linalg.pinv(correlation) @ values) < CLOSE**2
+
+
+def _nearby(found: Sequence[Decay], gyro: Gyro, start: Array) -> Array:
+    """Terms near the solution, all readings alike. The quadrature force before the ring-down shows
+    but one part of the split; the other part is tried both ways."""
+
+    def left(terms: Array) -> Array:
+        orbits = [gyro.orbit(decay, terms) for decay in found]
+        pairs = zip(orbits, found, strict=True)
+        return np.concatenate(
+            [part for o, d in pairs for part in (o[0] - d.angle, o[1] - np.log(d.amplitude))]
+        )
+
+    across = np.array([0.0, 0.0, 0.0, -start[4], start[3]])
+    tried = [
+        least_squares(left, start + share * across, x_scale=SCALES) for share in (0.0, 1.0, -1.0)
+    ]
+    return np.asarray(min(tried, key=lambda result: float(result.cost)).x)
+
+
+def _parts(decay: Decay, gyro: Gyro, terms: Array) -> list[Part]:
+    """Increments of angle and of the amplitude's logarithm, less what the terms explain."""
+    seen = (decay.angle, np.log(decay.amplitude))
+    weight = decay.amplitude[1:]  # noises of drives and pick-offs count over the amplitude
+    up, down = (
+        [gyro.orbit(decay, terms + sign * step) for step in np.diag(SCALES)] for sign in (1.0, -1.0)
+    )
+    parts = []
+    for i, expected in enumerate(gyro.orbit(decay, terms)):
+        columns = {
+            name: weight * np.diff(up[j][i] - down[j][i]) / (2 * SCALES[j])
+            for j, name in enumerate(TERMS)
+        }
+        left = weight * np.diff(seen[i] - expected)
+        parts.append(Part(columns, left, decay.interval, CHANNELS[i]))
+    return parts
+
+
+def shell(terms: Array) -> FreeShell:
+    """Of the terms in their order."""
+    decay, *rest = (float(value) for value in terms)
+    return FreeShell(decay, complex(rest[0], rest[1]), complex(rest[2], rest[3]))

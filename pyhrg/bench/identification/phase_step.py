@@ -1,0 +1,173 @@
+"""Steps of the demodulation phase: how much bias the split makes of a phase error.
+
+The quadrature force N = (dw/2) a sin 4(th - th_w) leaks into the rotation by the phase error p plus
+the commanded offset: the output has -(p + offset) N/(2 k a). The steps give the slope against the
+offset, to be held to the force itself. The phase error alone can't be had at rest: over the
+circumference p N is a fourth harmonic like every other.
+"""
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.estimation.row_fit import Part
+from pyhrg.bench.identification.identification_figure import COLOURS
+from pyhrg.bench.outcome import BenchError, Finding, Outcome
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.programme import Programme
+from pyhrg.bench.readings.output_rows import (
+    Array,
+    Rows,
+    Terms,
+    bryan_factor,
+    fitted,
+    output_error,
+    useful,
+)
+from pyhrg.campaign import Campaign, Test
+from pyhrg.units import DEG, DEG_PER_H
+
+KIND = "phase_step"
+OFFSETS = (0.0, 2e-3, -2e-3, 0.0)
+DWELL = 100.0
+REST = 10.0
+ANGLES = (0.0, 11.25 * DEG)
+"""Of the pattern from power-on: where one sees nothing of the split, the other sees all."""
+TABLE_RATE = 10 * DEG
+RESPONSE = "response to phase"
+REASON = "at least two phase offsets at one position, over a quadrature force that is not zero"
+
+
+def programme(bench: Bench, dwell: float = DWELL) -> Programme:
+    """One power-on: the offsets one after the other, at each angle."""
+    course = bench.programme().rest(REST)
+    for before, angle in zip((0.0, *ANGLES), ANGLES, strict=False):
+        if angle != before:
+            course.turn((angle - before) / bench.device.bryan_factor, TABLE_RATE)
+        for offset in OFFSETS:
+            course.command(phase_offset=offset).rest(dwell)
+    return course
+
+
+def record(bench: Bench, dwell: float = DWELL) -> list[Test]:
+    """One power-on."""
+    return bench.run([PowerOn("phase_step", KIND, programme(bench, dwell))])
+
+
+def measured(campaign: Campaign) -> tuple[Terms, list[Rows]]:
+    """Response over the expected one, with the bias and its creep at each position."""
+    logs = [test.log for test in tests_of(campaign, KIND)]
+    stretches = useful(logs, "quadrature_force", at_rest=True)
+    k = bryan_factor(campaign)
+    places: dict[tuple[str, int], list[Rows]] = {}
+    for rows in stretches:
+        place = (rows.log.source, round(float(rows.held("table_angle")[0]) / (0.1 * DEG)))
+        places.setdefault(place, []).append(rows)
+    names, parts, ordered = [RESPONSE], [], []
+    for number, group in enumerate(places.values()):
+        names[:-1] = [*names[:-1], f"bias {number}", f"creep {number}"]
+        middle = float(np.mean([np.mean(rows.held("wave_angle")) for rows in group]))
+        for rows in group:
+            h = rows.log.interval
+            turned = rows.held("wave_angle") - middle
+            columns = {
+                f"bias {number}": np.full(len(rows), h),
+                f"creep {number}": h * turned,
+                RESPONSE: -h * rows.held("phase_offset") * _force(rows) / (2 * k),
+            }
+            parts.append(Part(columns, output_error(rows, campaign.site), h))
+            ordered.append(rows)
+    offsets = {float(offset) for rows in stretches for offset in rows.held("phase_offset")[:1]}
+    if len(offsets) < 2:
+        raise BenchError(f"{logs[0].source}: {len(offsets)} phase offset; the test needs 2")
+    terms = fitted(parts, names, REASON)
+    return terms, ordered
+
+
+def _force(rows: Rows) -> Array:
+    """(n,) quadrature force over amplitude, a line in time as the pattern creeps: its noise is not
+    a regressor."""
+    ratio = rows.held("quadrature_force") / rows.held("amplitude_setpoint")
+    time = np.linspace(-1.0, 1.0, len(rows))
+    return np.asarray(np.mean(ratio) + time * (time @ ratio) / (time @ time))
+
+
+def _mean_force(rows: Rows) -> float:
+    return float(np.mean(_force(rows)))
+
+
+def evaluate(campaign: Campaign) -> Outcome:
+    """Response, the split that it sees, and the phase at which the bias would vanish."""
+    terms, stretches = measured(campaign)
+    force = 2 * max(map(_mean_force, stretches), key=abs)
+    seen = terms.finding(RESPONSE, "mHz", "frequency split in the bias, times sin 4th", force)
+    return Outcome(
+        procedure=PROCEDURE.name,
+        findings=(
+            terms.finding(RESPONSE, "1", "response to phase over that of the quadrature force"),
+            seen,
+            Finding("frequency split in the quadrature force, times sin 4th", force, "mHz"),
+            _apparent_phase(terms, stretches, bryan_factor(campaign)),
+        ),
+        verdict=(
+            "A phase error makes bias of the split as the quadrature force says where the response "
+            "is 1. How large the phase error is, no test at rest can say by itself."
+        ),
+        warnings=tuple(terms.refused.values()),
+        exclusions=exclusions_of(tests_of(campaign, KIND)),
+        draw=lambda figure: draw(figure, terms, stretches),
+    )
+
+
+def _apparent_phase(terms: Terms, stretches: list[Rows], k: float) -> Finding:
+    """Phase error that would make the whole bias, at the position of the largest mean force."""
+    name = "phase error if the split alone made the bias"
+    if RESPONSE in terms.refused:
+        return Finding(name, np.nan, "mrad", note=terms.refused[RESPONSE])
+    forces: dict[str, list[float]] = {}
+    for part, rows in zip(terms.parts, stretches, strict=True):
+        place = next(n for n in part.columns if n.startswith("bias"))
+        forces.setdefault(place, []).append(_mean_force(rows))
+    bias = max(forces, key=lambda place: abs(float(np.mean(forces[place]))))
+    factor = -2 * k / float(np.mean(forces[bias]))
+    return terms.finding(bias, "mrad", name, factor)
+
+
+def draw(figure: Figure, terms: Terms, stretches: list[Rows]) -> None:
+    """Mean output rate of each step over the offset, less the creep, a line per position."""
+    axes = figure.add_subplot()
+    groups: dict[str, list[tuple[float, float, float]]] = {}
+    for part, rows in zip(terms.parts, stretches, strict=True):
+        span = len(part) * part.interval
+        place = next(name for name in part.columns if name.startswith("bias"))
+        sums = {
+            n: terms.fit.value(n) * float(np.sum(part.columns[n]))
+            for n in terms.fit.names
+            if n in part.columns
+        }
+        creep = sum(value for name, value in sums.items() if name.startswith("creep"))
+        rate = (float(np.sum(part.values)) - creep) / span
+        model = sum(sums.values()) - creep
+        groups.setdefault(place, []).append((rows.held("phase_offset")[0], rate, model / span))
+    for (place, points), colour in zip(groups.items(), COLOURS, strict=False):
+        offset, rate, model = np.array(sorted(points)).T
+        number = int(place.split()[1]) + 1
+        axes.plot(offset * 1e3, rate / DEG_PER_H, "o", color=colour, label=f"position {number}")
+        axes.plot(offset * 1e3, model / DEG_PER_H, "-", color=colour, lw=0.8)
+    axes.set_xlabel("phase offset, mrad")
+    axes.set_ylabel("output rate error, deg/h")
+    axes.set_title("Bias against the demodulation phase, with the fit")
+    axes.grid(alpha=0.3)
+    axes.legend()
+
+
+PROCEDURE = Procedure(
+    name="phase-step",
+    group="identification",
+    title="Steps of the demodulation phase: split times phase error",
+    rows=(),
+    source="Lynch 1995, averaged equations with a force phase error; campaign format, phase_step",
+    kinds=(KIND,),
+    record=record,
+    evaluate=evaluate,
+)

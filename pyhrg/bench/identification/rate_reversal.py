@@ -1,0 +1,153 @@
+"""Table rate both ways: errors of the pick-offs, which reverse with the rate as the bias does not.
+
+A gain mismatch g and a non-orthogonality d turn the detected angle by -(g/4) sin 4th +
+(d/4)(1 + cos 4th), so that the output errs by -g W cos 4th - d W sin 4th at a rate W; a cubic b and
+a differential phase with a split give the eighth harmonic. Drives and damping do not: they give
+the bias map, the same at either rate.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.estimation.row_fit import Part
+from pyhrg.bench.identification.identification_figure import draw_terms
+from pyhrg.bench.outcome import BenchError, Outcome
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.readings.output_rows import (
+    BIAS,
+    Array,
+    Rows,
+    Terms,
+    bias_columns,
+    bryan_factor,
+    fitted,
+    output_error,
+    useful,
+)
+from pyhrg.campaign import Campaign, Test
+from pyhrg.units import DEG
+
+KIND = "rate"
+RATES = (5 * DEG, -5 * DEG)
+FASTEST = 20 * DEG
+"""Rate up to which the loops follow the fourth harmonic: 0.4 rad/s, theirs are 6 rad/s."""
+INTERVAL = 0.1
+DURATION = 140.0
+SCALE, GAIN, SKEW = "scale factor error", "pick-off gain mismatch", "pick-off non-orthogonality"
+EIGHTH = ("pick-off cos8", "pick-off sin8")
+REASON = "the table must turn both ways, each over most of 90 deg of pattern"
+
+
+def record(bench: Bench, rates: Sequence[float] = RATES, duration: float = DURATION) -> list[Test]:
+    """One power-on a rate."""
+    return bench.run(
+        [
+            PowerOn(
+                f"rate_{abs(rate) / DEG:g}dps_{'pos' if rate > 0 else 'neg'}",
+                KIND,
+                bench.programme(INTERVAL).spin(rate, duration),
+            )
+            for rate in rates
+        ]
+    )
+
+
+def pickoff_columns(rows: Rows, k: float) -> dict[str, Array]:
+    """Angle errors of the pick-offs in the output, rad."""
+    angle = rows.ends("wave_angle")
+    return {
+        SCALE: rows.increments("table_angle"),
+        GAIN: np.diff(np.sin(4 * angle)) / (4 * k),
+        SKEW: -np.diff(np.cos(4 * angle)) / (4 * k),
+        EIGHTH[0]: np.diff(np.cos(8 * angle)) / k,
+        EIGHTH[1]: np.diff(np.sin(8 * angle)) / k,
+    }
+
+
+def measured(campaign: Campaign) -> Terms:
+    """Bias map, scale factor and pick-off errors from all rates together."""
+    stretches, _ = slow(campaign)
+    k = bryan_factor(campaign)
+    parts = [
+        Part(
+            {**bias_columns(rows), **pickoff_columns(rows, k)},
+            output_error(rows, campaign.site),
+            rows.log.interval,
+        )
+        for rows in stretches
+    ]
+    return fitted(parts, [*BIAS, SCALE, GAIN, SKEW, *EIGHTH], REASON)
+
+
+def slow(campaign: Campaign) -> tuple[list[Rows], tuple[str, ...]]:
+    """Steady rows that loops follow, and a sentence on each faster stretch.
+
+    Raises:
+        BenchError: there are none.
+    """
+    stretches = useful([test.log for test in tests_of(campaign, KIND)])
+    fast = [rows for rows in stretches if abs(_rate(rows)) > FASTEST]
+    left_out = tuple(
+        f"{rows.log.source}: {_rate(rows) / DEG:.3g} deg/s left out: above {FASTEST / DEG:g} deg/s "
+        "loops that lag add to what pick-offs do"
+        for rows in fast
+    )
+    if len(fast) == len(stretches):
+        raise BenchError("; ".join(left_out))
+    return [rows for rows in stretches if abs(_rate(rows)) <= FASTEST], left_out
+
+
+def _rate(rows: Rows) -> float:
+    return float(np.mean(rows.increments("table_angle"))) / rows.log.interval
+
+
+def evaluate(campaign: Campaign) -> Outcome:
+    """Pick-off errors, the scale factor and the bias map that they are told from.
+
+    Raises:
+        BenchError: one way only.
+    """
+    terms = measured(campaign)
+    if SCALE in terms.refused:
+        names = ", ".join(test.log.source for test in tests_of(campaign, KIND))
+        raise BenchError(f"{names}: {terms.refused[SCALE]}; else it is taken for a bias")
+    return Outcome(
+        procedure=PROCEDURE.name,
+        findings=(
+            terms.finding(GAIN, "ppm"),
+            terms.finding(SKEW, "ppm"),
+            terms.finding(SCALE, "ppm"),
+            *(terms.finding(name, "arcsec", f"{name} of the angle", -1.0) for name in EIGHTH),
+            *(terms.finding(name, "deg/h") for name in BIAS),
+        ),
+        verdict=(
+            "What reverses with the rate is the pick-offs'; what does not is the bias map, of "
+            "which this test can't say whether damping, drives or pick-offs make it."
+        ),
+        warnings=tuple(terms.refused.values()),
+        exclusions=(*exclusions_of(tests_of(campaign, KIND)), *slow(campaign)[1]),
+        draw=lambda figure: draw(figure, campaign, terms),
+        values={"terms": {name: terms.fit.value(name) for name in terms.fit.names}},
+    )
+
+
+def draw(figure: Figure, campaign: Campaign, terms: Terms) -> None:
+    """Output rate error over the pattern angle at each rate, with the fit."""
+    stretches, _ = slow(campaign)
+    draw_terms(figure, stretches, terms, [f"{_rate(rows) / DEG:+.3g} deg/s" for rows in stretches])
+    figure.axes[0].set_title("Output less table and Earth's rate")
+
+
+PROCEDURE = Procedure(
+    name="rate-reversal",
+    group="identification",
+    title="Table rate both ways: errors of the pick-offs",
+    rows=(),
+    source="paper Eq. (2)-(3), with harmonics and signs as derived in output_rows",
+    kinds=(KIND,),
+    record=record,
+    evaluate=evaluate,
+)

@@ -1,0 +1,183 @@
+"""Ring-downs: what the shell does by itself, drives off.
+
+The pattern moves and its amplitude decays by damping, split and rotation alone, so that the damping
+anisotropy is told from every error of the drives and, nearly, of the pick-offs. Without the
+quadrature loop the split makes quadrature, which turns the pattern too: decay, damping anisotropy
+and split are fitted together, to angle and amplitude, by the closed form of `free_orbit`.
+Where the pattern stays near one angle, only the part of the anisotropy that moves it is seen well.
+
+With dw = 0: tan 2(th - th_tau) = tan 2(th0 - th_tau) e^{D t}.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.estimation.harmonics import Fit
+from pyhrg.bench.estimation.phasor import anisotropy, component_findings
+from pyhrg.bench.identification import rate_reversal
+from pyhrg.bench.identification.free_decay import TERMS, Decay, Gyro, decays, fit_decays, shell
+from pyhrg.bench.identification.identification_figure import COLOURS
+from pyhrg.bench.outcome import BenchError, Finding, Outcome
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.programme import Programme
+from pyhrg.bench.readings.output_rows import FEWEST, bryan_factor
+from pyhrg.campaign import Campaign, Test
+from pyhrg.units import ARCSEC, DEG
+
+KIND = "ring_down"
+POSITIONS = 4
+PATTERN_STEP = 22.5 * DEG
+"""Between ring-downs: a quarter of the period of the anisotropy."""
+TABLE_RATE = 10 * DEG
+REST = 20.0
+DECAY = 300.0
+
+
+def programme(bench: Bench, positions: int = POSITIONS, decay: float = DECAY) -> Programme:
+    """One power-on: at each angle the pattern is brought to amplitude, then left alone."""
+    course = bench.programme()
+    for position in range(positions):
+        if position:
+            course.turn(PATTERN_STEP / bench.device.bryan_factor, TABLE_RATE)
+        course.rest(REST).command(drive_on=0.0).rest(decay).command(drive_on=1.0)
+    return course.rest(REST)
+
+
+def record(bench: Bench, positions: int = POSITIONS, decay: float = DECAY) -> list[Test]:
+    """One power-on with a ring-down at each of four angles; and the pick-offs by table rate."""
+    course = programme(bench, positions, decay)
+    return [*bench.run([PowerOn("ring_down", KIND, course)]), *rate_reversal.record(bench)]
+
+
+def measured(campaign: Campaign) -> tuple[Fit, list[Decay], Gyro]:
+    """Fit of all ring-downs of the campaign, the pick-offs' errors taken from its rate tests.
+
+    Angle and amplitude alone don't tell a split from its negative: the quadrature force does.
+
+    Raises:
+        BenchError: the drive is never switched off for long enough.
+    """
+    logs = [test.log for test in tests_of(campaign, KIND)]
+    k, site = bryan_factor(campaign), campaign.site
+    found = [decay for log in logs for decay in decays(log, site, k)]
+    if not found:
+        raise BenchError(
+            f"{', '.join(log.source for log in logs)}: the drive is nowhere off for more than "
+            f"{FEWEST} rows after rows with the drive on"
+        )
+    first = found[0]
+    rate = float(np.log(first.amplitude[0] / first.amplitude[-1]) / np.ptp(first.time))
+    split = _split_guess(campaign)
+    gyro = Gyro(k, _pickoff(campaign))
+    fit = fit_decays(found, gyro, np.array([rate, 0.0, 0.0, split.real, split.imag]))
+    if (shell(fit.values).split.conjugate() * split).real < 0:
+        fit = replace(fit, values=fit.values * [1, 1, 1, -1, -1])
+    return fit, found, gyro
+
+
+def _pickoff(campaign: Campaign) -> complex:
+    """g + i d; zero where the campaign holds no rate test that shows them."""
+    if not any(test.kind == rate_reversal.KIND for test in campaign.tests):
+        return 0j
+    terms = rate_reversal.measured(campaign)
+    if {rate_reversal.GAIN, rate_reversal.SKEW} & terms.refused.keys():
+        return 0j
+    return complex(terms.fit.value(rate_reversal.GAIN), terms.fit.value(rate_reversal.SKEW))
+
+
+def _split_guess(campaign: Campaign) -> complex:
+    """From the quadrature force while the drive is on: enough to begin with."""
+    columns, values = [], []
+    for test in tests_of(campaign, KIND):
+        log = test.log
+        log.require("quadrature_force", "amplitude_setpoint")
+        on = (log.drive_on > 0.5) & np.isfinite(log.quadrature_force + log.wave_angle)
+        angle = 4 * log.wave_angle[on]
+        columns.append(np.column_stack([np.sin(angle), -np.cos(angle)]) / 2)
+        values.append(log.quadrature_force[on] / log.amplitude_setpoint[on])
+    found = np.linalg.lstsq(np.vstack(columns), np.concatenate(values), rcond=1e-3)[0]
+    return complex(*found)
+
+
+def evaluate(campaign: Campaign) -> Outcome:
+    """Decay time, damping anisotropy and split with their axes."""
+    fit, found, gyro = measured(campaign)
+    rate, (low, high) = fit.value(TERMS[0]), fit.interval(TERMS[0])
+    damping, split = (TERMS[1], TERMS[2]), (TERMS[3], TERMS[4])
+    return Outcome(
+        procedure=PROCEDURE.name,
+        findings=(
+            Finding("decay time", 1 / rate, "s", 1 / high, 1 / low, len(fit.residual)),
+            *anisotropy(fit, damping, "damping anisotropy", "damping axis", "1/s"),
+            *component_findings(fit, damping, "damping anisotropy", "1/s"),
+            *anisotropy(fit, split, "frequency split", "stiffness axis", "mHz"),
+            *component_findings(fit, split, "frequency split", "mHz"),
+        ),
+        verdict=(
+            f"Ring-downs: {len(found)}. The damping anisotropy here is the shell's: errors of the "
+            "drives take no part. Held to be zero: quadrature when the drive was switched off "
+            "(q0/a would add 2 q0/a times the split), tilt of the input axis."
+        ),
+        warnings=(*_narrow(found), *_unknown(gyro)),
+        exclusions=exclusions_of(tests_of(campaign, KIND)),
+        draw=lambda figure: draw(figure, found, fit, gyro),
+        values={"terms": {name: fit.value(name) for name in TERMS}},
+    )
+
+
+def _narrow(found: Sequence[Decay]) -> tuple[str, ...]:
+    """Whether the pattern saw enough angles, by the resultant of its fourth harmonic."""
+    phases = np.concatenate([np.exp(4j * decay.angle) for decay in found])
+    seen = (1 - abs(np.mean(phases))) * 2
+    if seen > 0.5:
+        return ()
+    return (
+        "all ring-downs lie near one pattern angle: what of the damping anisotropy changes the "
+        "decay alone is seen only as far as the pattern moved, or not at all",
+    )
+
+
+def _unknown(gyro: Gyro) -> tuple[str, ...]:
+    if gyro.pickoff:
+        return ()
+    return (
+        "no table rate both ways in this campaign: the pick-offs' errors are held to be zero; a "
+        "gain mismatch g errs by g/4 of the angle that the pattern turns over",
+    )
+
+
+def draw(figure: Figure, found: Sequence[Decay], fit: Fit, gyro: Gyro) -> None:
+    """Above: how the damping anisotropy turns the pattern; below: what the fit leaves."""
+    above, below = figure.subplots(2, 1, sharex=True)
+    isotropic = fit.values.copy()
+    isotropic[1:3] = 0.0
+    for number, decay in enumerate(found):
+        colour = COLOURS[number % len(COLOURS)]
+        with_damping, without = (gyro.orbit(decay, values)[0] for values in (fit.values, isotropic))
+        label = f"from {decay.angle_at_start % (np.pi / 2) / DEG:.1f} deg"
+        above.plot(decay.time, (decay.angle - without) / ARCSEC, ".", ms=3, color=colour)
+        above.plot(decay.time, (with_damping - without) / ARCSEC, color=colour, lw=1, label=label)
+        below.plot(decay.time, (decay.angle - with_damping) / ARCSEC, color=colour, lw=0.8)
+    above.set_ylabel("turned by damping, arcsec")
+    below.set_ylabel("residual of the fit, arcsec")
+    below.set_xlabel("time since the drive was switched off, s")
+    above.set_title("Ring-downs: pattern angle less rotation and split")
+    above.legend(title="pattern", fontsize="small")
+    for axes in (above, below):
+        axes.grid(alpha=0.3)
+
+
+PROCEDURE = Procedure(
+    name="ring-down",
+    group="identification",
+    title="Ring-down: decay time, damping anisotropy and its axis, frequency split",
+    rows=(),
+    source="Lynch 1995, averaged equations without drive, in closed form (free_orbit)",
+    kinds=(KIND,),
+    record=record,
+    evaluate=evaluate,
+)

@@ -1,0 +1,120 @@
+"""Virtual rotation both ways: what the drives do that they weren't told.
+
+A commanded rotation V (input-referred) shows in the output as V (-e + (g + gd)/2 cos 4th +
+(d + nd)/2 sin 4th): gain error e, and mismatches of pick-offs and drives together. It changes its
+sign with V, the bias map does not.
+"""
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.estimation.row_fit import Part
+from pyhrg.bench.identification.identification_figure import draw_terms
+from pyhrg.bench.outcome import BenchError, Outcome
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.programme import Programme
+from pyhrg.bench.readings.output_rows import (
+    BIAS,
+    Array,
+    Rows,
+    Terms,
+    bias_columns,
+    fitted,
+    output_error,
+    useful,
+)
+from pyhrg.campaign import Campaign, Test
+from pyhrg.units import DEG
+
+KIND = "virtual_rotation"
+RATE = 1 * DEG
+REST = 10.0
+GAIN, COSINE, SINE = "virtual rotation", "virtual rotation cos4", "virtual rotation sin4"
+REASON = "the pattern must be turned both ways, each over most of 90 deg"
+
+
+def programme(bench: Bench, rate: float, pattern_turn: float = 180 * DEG) -> Programme:
+    """One power-on: table at rest, axis up, the pattern turned by the drives."""
+    course = bench.programme().rest(REST).command(virtual_rotation=rate)
+    return course.rest(float(np.ceil(pattern_turn / (bench.device.bryan_factor * abs(rate)))))
+
+
+def record(bench: Bench, rate: float = RATE, pattern_turn: float = 180 * DEG) -> list[Test]:
+    """One power-on each way."""
+    return bench.run(
+        [
+            PowerOn(f"virtual_rotation_{way}", KIND, programme(bench, sign * rate, pattern_turn))
+            for way, sign in (("pos", 1.0), ("neg", -1.0))
+        ]
+    )
+
+
+def columns(rows: Rows) -> dict[str, Array]:
+    """Terms of the output, rad."""
+    turned = rows.held("virtual_rotation") * rows.log.interval
+    return {
+        **bias_columns(rows),
+        GAIN: turned,
+        COSINE: turned * rows.mean_trig(np.cos, 4),
+        SINE: turned * rows.mean_trig(np.sin, 4),
+    }
+
+
+def measured(campaign: Campaign) -> Terms:
+    """Bias map and the error of the virtual rotation over the circumference."""
+    stretches = useful([test.log for test in tests_of(campaign, KIND)])
+    parts = [
+        Part(columns(rows), output_error(rows, campaign.site), rows.log.interval)
+        for rows in stretches
+    ]
+    return fitted(parts, [*BIAS, GAIN, COSINE, SINE], REASON)
+
+
+def evaluate(campaign: Campaign) -> Outcome:
+    """Gain error, sums of mismatches, and the bias map that they are told from.
+
+    Raises:
+        BenchError: one way only.
+    """
+    terms = measured(campaign)
+    if GAIN in terms.refused:
+        names = ", ".join(test.log.source for test in tests_of(campaign, KIND))
+        raise BenchError(f"{names}: {terms.refused[GAIN]}; else it is taken for a bias")
+    return Outcome(
+        procedure=PROCEDURE.name,
+        findings=(
+            terms.finding(GAIN, "ppm", "virtual rotation gain error", -1.0),
+            terms.finding(COSINE, "ppm", "gain mismatch of pick-offs and drives", 2.0),
+            terms.finding(SINE, "ppm", "non-orthogonality of pick-offs and drives", 2.0),
+            *(terms.finding(name, "deg/h") for name in BIAS),
+        ),
+        verdict=(
+            "Virtual rotation gives g + gd and d + nd without the damping anisotropy that a static "
+            "test mixes them with; the pick-offs' own share is in the rate test."
+        ),
+        warnings=tuple(terms.refused.values()),
+        exclusions=exclusions_of(tests_of(campaign, KIND)),
+        draw=lambda figure: draw(figure, campaign, terms),
+        values={"terms": {name: terms.fit.value(name) for name in terms.fit.names}},
+    )
+
+
+def draw(figure: Figure, campaign: Campaign, terms: Terms) -> None:
+    """Output rate over the pattern angle in both directions, with the fit."""
+    stretches = useful([test.log for test in tests_of(campaign, KIND)])
+    labels = [f"V = {rows.held('virtual_rotation')[0] / DEG:+.3g} deg/s" for rows in stretches]
+    draw_terms(figure, stretches, terms, labels)
+    figure.axes[0].set_title("Output under virtual rotation, less Earth's rate")
+
+
+PROCEDURE = Procedure(
+    name="virtual-rotation",
+    group="identification",
+    title="Virtual rotation both ways: gain error, mismatch of the drives",
+    rows=(),
+    source="campaign format, virtual rotation; output to first order: output_rows",
+    kinds=(KIND,),
+    record=record,
+    evaluate=evaluate,
+)

@@ -1,0 +1,1 @@
+"""Random walk and its kin."""

@@ -1,0 +1,57 @@
+"""Noise coefficients of all tests of one kind together."""
+
+from dataclasses import dataclass
+
+from pyhrg.bench.outcome import BenchError
+from pyhrg.bench.procedure import usable
+from pyhrg.bench.readings.noise_records import NoiseRecord, alike, noise_records
+from pyhrg.campaign import Campaign
+from pyhrg.noise_model import NoiseCoefficients, coefficients
+
+
+@dataclass(frozen=True)
+class Noise:
+    """What one state of the gyro has shown.
+
+    records: that share the coefficients, at one interval.
+    """
+
+    records: tuple[NoiseRecord, ...]
+    coefficients: NoiseCoefficients
+    exclusions: tuple[str, ...]
+
+    @property
+    def n(self) -> int:
+        """Number of angles."""
+        return sum(record.n for record in self.records)
+
+    @property
+    def longest(self) -> NoiseRecord:
+        """The record that shows most."""
+        return max(self.records, key=lambda record: record.n)
+
+
+def noise(campaign: Campaign, kind: str, turning: bool) -> Noise | None:
+    """Coefficients of the tests of one kind together; None where there are none.
+
+    Args:
+        campaign: that may hold such tests; those held out are left alone.
+        kind: of the tests.
+        turning: whether of the stretches with virtual rotation or of those without.
+
+    Raises:
+        BenchError: no test has a stretch that is long enough, or one has no noise.
+    """
+    tests = usable(campaign, kind)
+    found = [record for test in tests for record in noise_records(test.log)]
+    if not tests:
+        return None
+    wanted = [record for record in found if (record.rotation != 0) == turning]
+    if not wanted:
+        state = "with" if turning else "without"
+        raise BenchError(
+            f"{tests[0].log.source}: no stretch that is long enough is {state} virtual rotation"
+        )
+    records, exclusions = alike(wanted)
+    best = coefficients([record.spectrum for record in records], records[0].interval)
+    return Noise(tuple(records), best, exclusions)

@@ -1,0 +1,1 @@
+"""What is read off a log: stretches at rest, turns, sweeps; data points and rows."""

@@ -1,0 +1,1 @@
+"""Outcomes as text, JSON and HTML; specification and parameter system."""

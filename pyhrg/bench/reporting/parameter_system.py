@@ -1,0 +1,117 @@
+"""The paper's parameter system (Table 1): each row's figure, or why simulation can't give it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from pyhrg.bench.outcome import Outcome, Table
+from pyhrg.bench.reporting.report import shown
+
+
+@dataclass(frozen=True)
+class Row:
+    """One row of Table 1.
+
+    column: of the table; "added" where the paper's text asks for it and the table leaves it out.
+    term: as procedures name it in their `rows`.
+    printed: in the paper.
+    procedure, finding: where its figure is found.
+    reason: why there is none.
+    """
+
+    column: str
+    term: str
+    printed: str
+    procedure: str = ""
+    finding: str = ""
+    reason: str = ""
+
+
+NO_BODY = "property of the hardware: the model has no dimensions; measure it"
+ROOM, FULL = "room temperature", "full temperature"
+
+TABLE_1 = (
+    Row("physical", "volume", "体积", reason=NO_BODY),
+    Row("physical", "mass", "质量", reason=NO_BODY),
+    Row("physical", "power", "功耗", reason="the model has no supply; measure current and voltage"),
+    Row("physical", "cost", "成本", reason="no physical quantity"),
+    Row("physical", "density", "密度", reason=f"mass over volume: {NO_BODY}"),
+    Row("physical", "eccentricity", "偏心", reason=f"centre of mass off the axis: {NO_BODY}"),
+    Row(
+        *("physical", "shock resistance", "抗冲击能力"),
+        reason="nothing breaks in the model; what a shock changes is put in and its bias measured",
+    ),
+    Row(
+        *("static", f"bias stability, {ROOM}", "常温零偏稳定性"),
+        *("full-circumference", "bias stability"),
+    ),
+    Row(
+        *("static", f"bias repeatability, {ROOM}", "常温零偏重复性"),
+        *("full-circumference", "bias repeatability"),
+    ),
+    Row(
+        *("static", f"bias stability, {FULL}", "全温零偏稳定性"),
+        *("full-temperature", "bias stability over temperature"),
+    ),
+    Row(
+        *("static", f"bias repeatability, {FULL}", "全温零偏重复性"),
+        *("full-temperature", "bias repeatability over temperature"),
+    ),
+    Row("static", "random walk", "随机游走", "random-walk", "angle random walk"),
+    Row("static", "g-dependent bias", "与 g (加速度)相关零偏", "tumble", "g bias z"),
+    Row(
+        *("static", "bias change before, during and after vibration", "振动前、中、后零偏变化"),
+        *("vibration-shock", "bias change during vibration along the input axis"),
+    ),
+    Row(
+        *("static", "bias change before and after shock", "冲击前后零偏变化"),
+        *("vibration-shock", "bias change after shock"),
+    ),
+    Row("static", "annual bias stability", "零偏年稳定性", "annual", "bias annual stability"),
+    Row(
+        *("dynamic", f"scale factor stability, {ROOM}", "常温标度因数稳定性"),
+        *("scale-factor-angle", "scale factor variation"),
+    ),
+    Row(
+        *("dynamic", f"scale factor repeatability, {ROOM}", "常温标度因数重复性"),
+        *("linearity", "scale factor repeatability"),
+    ),
+    Row(
+        *("dynamic", f"scale factor stability, {FULL}", "全温标度因数稳定性"),
+        *("full-temperature", "scale factor stability over temperature"),
+    ),
+    Row(
+        *("dynamic", f"scale factor repeatability, {FULL}", "全温标度因数重复性"),
+        *("full-temperature", "scale factor repeatability over temperature"),
+    ),
+    Row(
+        *("dynamic", "scale factor nonlinearity", "标度因数非线性"),
+        *("linearity", "scale factor nonlinearity"),
+    ),
+    Row(
+        *("dynamic", "scale factor symmetry", "标度因数对称性"),
+        *("linearity", "scale factor asymmetry"),
+    ),
+    Row("dynamic", "measuring range", "测量范围", "range", "measuring range"),
+    Row("dynamic", "threshold", "阈值", "threshold", "threshold"),
+    Row(
+        *("dynamic", "annual scale factor stability", "标度因数年稳定性"),
+        *("annual", "scale factor annual stability"),
+    ),
+    Row("added", "start-up time", "启动时间", "start-up", "time to specification"),
+)
+
+
+def table(outcomes: Sequence[Outcome]) -> Table:
+    """Every row with its figure, the test that it is from, or why it has none."""
+    by_procedure = {outcome.procedure: outcome for outcome in outcomes}
+    cells = (_cells(row, by_procedure.get(row.procedure)) for row in TABLE_1)
+    header = ("", "value", "95 % interval", "unit", "test, or why there is no figure")
+    return Table("Parameter system (Xu et al. 2024, Table 1)", header, tuple(cells))
+
+
+def _cells(row: Row, outcome: Outcome | None) -> tuple[str, ...]:
+    name = f"{row.term} ({row.printed})"
+    if outcome is None:
+        return (name, "-", "-", "", row.reason or f"hrg bench {row.procedure}")
+    finding = outcome.finding(row.finding)
+    return (name, *shown(finding), f"{row.procedure}: {row.finding}")

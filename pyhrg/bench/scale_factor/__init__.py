@@ -1,0 +1,1 @@
+"""Scale factor over the circumference and over the rate."""

@@ -1,0 +1,1 @@
+"""Self-calibration by virtual rotation."""

@@ -1,0 +1,190 @@
+"""Self-calibration by virtual rotation: what it gains and what it costs (paper 2.5 and 4.2).
+
+The drives turn the pattern by whole periods of the bias map, one way and back. The mean of such a
+cycle is the bias over the circumference: its harmonics average out, and so does the gain error of
+the rotation, which changes its sign. Off, the bias is that of the angle at which the pattern was
+left. The noise of the rotation is the price: an angle random walk of V sqrt(S).
+"""
+
+import numpy as np
+
+from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.bias.bias_test import RUNS
+from pyhrg.bench.estimation.angle_fit import AngleFit, Record, fit_angles
+from pyhrg.bench.estimation.fitted_walk import ratio_finding, walk, walk_finding
+from pyhrg.bench.outcome import BenchError, Finding, Outcome, deviation_finding, mean_finding
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.programme import Programme
+from pyhrg.bench.readings.output_rows import bryan_factor
+from pyhrg.bench.readings.sweeps import BIAS, GAIN, SCALE, Sweep, separable, sweeps
+from pyhrg.bench.scale_factor.rate_tests import turns_of
+from pyhrg.bench.scale_factor.scale_factor import fitted
+from pyhrg.bench.self_calibration import cycles
+from pyhrg.bench.self_calibration.cycles import Cycle, averaging, pooled
+from pyhrg.bench.self_calibration.self_calibration_figure import draw
+from pyhrg.campaign import Campaign, Test
+from pyhrg.units import DEG, DEG_PER_H
+
+KIND = "self_calibration"
+KINDS = (KIND, "virtual_rotation", "static")
+ROTATION = 1 * DEG
+"""Virtual rotation, as an input rate, rad/s."""
+TABLE_RATE = 5 * DEG
+CYCLES = 3
+WARM_UP = 30.0
+MARGIN = 5.0
+"""Beyond a whole sweep, for settling, s."""
+TURN = 200.0
+"""Of the table at one rate and one virtual rotation: more than 180 deg of pattern, s."""
+
+
+def programme(bench: Bench, rotation: float, count: int = CYCLES) -> Programme:
+    """One power-on, axis level: cycles at rest, then the table turns both ways.
+
+    Args:
+        bench: the virtual bench.
+        rotation: rad/s; 0 for the same without virtual rotation.
+        count: cycles at rest.
+    """
+    sweep = float(np.ceil(180 * DEG / (bench.device.bryan_factor * ROTATION))) + MARGIN
+    course = bench.programme().attitude(0.0).rest(WARM_UP)
+    for _ in range(count):
+        for sign in (1.0, -1.0):
+            course.command(virtual_rotation=sign * rotation).rest(sweep)
+    for rate in (TABLE_RATE, -TABLE_RATE):
+        for sign in (1.0, -1.0):
+            course.command(virtual_rotation=sign * rotation).spin(rate, TURN)
+    return course
+
+
+def record(bench: Bench, runs: int = RUNS, count: int = CYCLES) -> list[Test]:
+    """Seven power-ons with virtual rotation and seven without, both left all around the
+    circumference."""
+    angles = bench.device.power_on_angle + np.arange(runs) * 180 * DEG / runs
+    tasks = []
+    for name, rotation in (("on", ROTATION), ("off", 0.0)):
+        course = programme(bench, rotation, count)
+        tasks += [
+            PowerOn(f"self_calibration_{name}_{run + 1}", KIND, course, float(angle))
+            for run, angle in enumerate(angles)
+        ]
+    return bench.run(tasks)
+
+
+def evaluate(campaign: Campaign) -> Outcome:
+    """Bias, stability, repeatability, scale factor and random walk, on and off."""
+    tests = tests_of(campaign, *KINDS)
+    found = [sweeps(test.log, campaign.site.latitude) for test in tests]
+    rotating = [[s for s in log if s.virtual_rotation != 0.0] for log in found]
+    resting = [[s for s in log if s.virtual_rotation == 0.0 == s.table_rate] for log in found]
+    on = cycles.paired(rotating)
+    off = cycles.cut([log for log in resting if log], averaging(on))
+    turning, rotation = _rotating_fit([s for log in rotating for s in log])
+    still, rest = _resting_fit([s for log in resting for s in log])
+    walks = walk(turning, rotation), walk(still, rest)
+    ratio = ratio_finding("random walk on over off", *walks)
+    bias = mean_finding("bias on", [c.rate for run in on for c in run], "deg/h")
+    gain = mean_finding("virtual rotation gain error", [c.gain for r in on for c in r], "ppm")
+    findings = (
+        bias,
+        *_scatter("on", on),
+        *_scatter("off", off),
+        gain,
+        *_scale_factors(campaign, turning),
+        walk_finding("angle random walk on", walks[0]),
+        walk_finding("angle random walk off", walks[1]),
+        ratio,
+    )
+    return Outcome(
+        procedure=PROCEDURE.name,
+        findings=findings,
+        verdict=_verdict({finding.name: finding for finding in findings}),
+        warnings=cycles.warnings(on),
+        exclusions=exclusions_of(tests),
+        draw=lambda figure: draw(figure, on, off),
+        values={"bias_on": bias.value, "virtual_rotation_gain_error": gain.value},
+    )
+
+
+def _scatter(name: str, runs: list[list[Cycle]]) -> tuple[Finding, ...]:
+    """Stability and repeatability of means over a cycle."""
+    rates = [[cycle.rate for cycle in run] for run in runs]
+    length = float(np.mean([cycle.length for run in runs for cycle in run]))
+    means = [float(np.mean(run)) for run in rates]
+    return (
+        pooled(f"bias stability {name}", rates, f"means of {length:.0f} s within a power-on"),
+        deviation_finding(f"bias repeatability {name}", means, "deg/h", "between power-ons"),
+    )
+
+
+def _rotating_fit(found: list[Sweep]) -> tuple[AngleFit, list[Record]]:
+    kinds = [BIAS, GAIN] + ([SCALE] if any(s.table_rate != 0.0 for s in found) else [])
+    if len({np.sign(s.virtual_rotation) for s in found}) < 2:
+        raise BenchError(
+            f"{', '.join(sorted({s.source for s in found})) or 'campaign'}: virtual rotation "
+            "is needed both ways, else its gain error looks like a bias"
+        )
+    orders = separable(found, kinds)
+    records = [sweep.record(orders, kinds) for sweep in found]
+    return fit_angles(records), records
+
+
+def _resting_fit(found: list[Sweep]) -> tuple[AngleFit, list[Record]]:
+    """Each stretch has its own bias, which drifts as Earth carries the pattern over the map."""
+    if not found:
+        raise BenchError("no stretch at rest without virtual rotation to compare with")
+    records = []
+    for number, sweep in enumerate(found):
+        time = (sweep.time - sweep.time[0]) / (sweep.time[-1] - sweep.time[0])
+        columns = {
+            f"{i}, {power}": time**power * (i == number)
+            for i in range(len(found))
+            for power in (1, 2, 3)
+        }
+        records.append(Record(sweep.interval, sweep.excess, columns))
+    return fit_angles(records), records
+
+
+def _scale_factors(campaign: Campaign, turning: AngleFit) -> tuple[Finding, ...]:
+    if SCALE not in turning.names:
+        note = "no record with the table turning under virtual rotation"
+        return (Finding("scale factor error on", np.nan, "ppm", note=note),)
+    low, high = turning.interval(SCALE)
+    n = len(turning.residual)
+    logs = [t for t in tests_of(campaign, KIND) if not np.any(t.log.virtual_rotation)]
+    off = fitted(
+        [turn for test in logs for turn in turns_of(campaign, test)],
+        bryan_factor(campaign),
+    )
+    return (
+        Finding("scale factor error on", turning.value(SCALE), "ppm", low, high, n),
+        off.finding(SCALE, "scale factor error off", "ppm"),
+    )
+
+
+def _verdict(found: dict[str, Finding]) -> str:
+    on, off = found["bias repeatability on"], found["bias repeatability off"]
+    ratio = found["random walk on over off"]
+    low, high = ratio.interval_shown
+    text = (
+        f"Virtual rotation multiplies the angle random walk by {ratio.shown:.3g} "
+        f"({low:.3g} to {high:.3g})"
+    )
+    if np.isnan(on.value) or np.isnan(off.value):
+        return f"{text}; one power-on can't show what it gains in repeatability."
+    gained = f"{off.value / DEG_PER_H:.2g} to {on.value / DEG_PER_H:.2g} deg/h"
+    return f"{text}; repeatability over the power-on angles goes from {gained}."
+
+
+PROCEDURE = Procedure(
+    name="self-calibration",
+    group="self-calibration",
+    title="Self-calibration by virtual rotation: gained and lost",
+    rows=("bias repeatability, room temperature", "random walk"),
+    source="paper 2.5 and 4.2 (left open there)",
+    kinds=KINDS,
+    record=record,
+    evaluate=evaluate,
+    model="HRGSlow",
+    step=0.1,
+)

@@ -116,8 +116,10 @@ def bandwidth(found: Response) -> Finding:
     if np.isinf(value):
         last = float(found.frequency[-1])
         note = "at least: no frequency of the table is lower by 3 dB"
-        return Finding(name, last * turn, "Hz", min(low, last) * turn, np.inf, n, note)
-    return Finding(name, value * turn, "Hz", low * turn, high * turn, n, "-3 dB")
+        return Finding(
+            name, last * turn, "Hz", min(low, last) * turn, np.inf, n, note, at_least=True
+        )
+    return Finding(name, value * turn, "Hz", low * turn, high * turn, n, "-3 dB", at_least=True)
 
 
 def _crossing(frequency: NDArray[np.float64], gain: NDArray[np.float64]) -> float:

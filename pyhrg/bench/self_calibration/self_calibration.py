@@ -34,6 +34,8 @@ CYCLES = 3
 WARM_UP = 30.0
 MARGIN = 5.0
 """Beyond a whole sweep, for settling, s."""
+CREEP = 5 * DEG
+"""Of the pattern at rest, over which the bias map is no cubic in time any more."""
 TURN = 200.0
 """Of the table at one rate and one virtual rotation: more than 180 deg of pattern, s."""
 
@@ -99,10 +101,20 @@ def evaluate(campaign: Campaign) -> Outcome:
         procedure=PROCEDURE.name,
         findings=findings,
         verdict=_verdict({finding.name: finding for finding in findings}),
-        warnings=cycles.warnings(on),
+        warnings=(*cycles.warnings(on), *_crept(resting)),
         exclusions=exclusions_of(tests),
         draw=lambda figure: draw(figure, on, off),
         values={"bias_on": bias.value, "virtual_rotation_gain_error": gain.value},
+    )
+
+
+def _crept(resting: list[list[Sweep]]) -> tuple[str, ...]:
+    most = max(np.ptp(sweep.pattern_angle) for log in resting for sweep in log)
+    if most < CREEP:
+        return ()
+    return (
+        f"without virtual rotation the pattern crept over {most / DEG:.2g} deg of the bias map: "
+        "what a cubic in time leaves of that passes for random walk",
     )
 
 

@@ -90,7 +90,7 @@ def _run(options: argparse.Namespace) -> None:
     except OSError as error:
         raise UserError(f"can't write {options.out}: {error.strerror or error}") from error
     print(report.text(results))
-    folders = [result.procedure.name for result in results.done]
+    folders = [result.procedure.name for result in results.done if result.outcome]
     print(f"\nwritten to {options.out}: {', '.join([PAGE, *folders])}")
 
 

@@ -59,13 +59,18 @@ class Procedure:
         return self.evaluate(bench.campaign(self.record(bench)))
 
 
+def usable(campaign: Campaign, *kinds: str) -> list[Test]:
+    """The campaign's tests of these kinds, if any; not those held out."""
+    return [test for test in campaign.of_kind(*kinds) if not test.is_holdout]
+
+
 def tests_of(campaign: Campaign, *kinds: str) -> list[Test]:
     """The campaign's tests of these kinds that may be used; not those held out.
 
     Raises:
         BenchError: there are none.
     """
-    found = [test for test in campaign.of_kind(*kinds) if not test.is_holdout]
+    found = usable(campaign, *kinds)
     if not found:
         there = ", ".join(sorted({test.kind for test in campaign.tests})) or "no tests"
         raise BenchError(

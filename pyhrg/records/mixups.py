@@ -27,7 +27,7 @@ def check_units(table: Table, interval: float) -> None:
     """Hold the gyro's angle to the table's, the wave's to the gyro's, gravity to 1 g.
 
     Raises:
-        LogError: a ratio that only another unit explains.
+        LogError: a ratio that only another unit or sign explains.
     """
     steps = _steps(table, interval)
     _check_table(table, steps, interval)
@@ -44,7 +44,7 @@ def check_earth_rate(table: Table, interval: float, latitude: float) -> None:
         latitude: of the site, rad.
 
     Raises:
-        LogError: the gyro's rate is Earth's in another unit.
+        LogError: the gyro's rate is Earth's in another unit, or its angle never changes.
     """
     columns = table.columns
     rate = columns["axis_up"][1:] * EARTH_RATE * math.sin(latitude)
@@ -58,6 +58,11 @@ def check_earth_rate(table: Table, interval: float, latitude: float) -> None:
     )
     if np.sum(rest) * interval < LEAST_REST:
         return
+    if not turned[rest].any():
+        raise LogError(
+            f"{table.source}: column {BY_FIELD['gyro_angle'].name}: stands still throughout; "
+            "expected Earth's rate"
+        )
     ratio = float(np.sum(np.sign(rate) * turned * rest) / np.sum(np.abs(rate[rest]) * interval))
     _refuse(table, ratio, "gyro_angle", "Earth's rate asks for", 1.0)
 
@@ -80,7 +85,13 @@ def _check_table(table: Table, steps: dict[str, Array], interval: float) -> None
     earth = EARTH_RATE * interval * float(np.sum(np.abs(turned)))
     if np.sum(np.abs(turned)) < LEAST_TURN or earth > (NEAR - 1) * weight:
         return
-    _refuse(table, float(np.sum(turned * gyro)) / weight, "gyro_angle", "table_angle turns", 1.0)
+    ratio = float(np.sum(turned * gyro)) / weight
+    if 1 / NEAR < -ratio < NEAR:
+        raise LogError(
+            f"{table.source}: column {BY_FIELD['gyro_angle'].name}: turns {ratio:.3g} times as far "
+            "as table_angle turns; expected about 1: is a sign reversed?"
+        )
+    _refuse(table, ratio, "gyro_angle", "table_angle turns", 1.0)
 
 
 def _check_wave(table: Table, steps: dict[str, Array]) -> None:

@@ -20,7 +20,7 @@ from pyhrg.bench.bias.thermal_programme import SPIN, SPIN_RATE, positions
 from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
 from pyhrg.bench.estimation.spread import spread_finding
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table, pooled_deviation_finding
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import WARM_UP
 from pyhrg.bench.readings.spins import pair_scale_factor, pairs, spins
@@ -110,7 +110,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             f"tests are taken as a month apart, in order: {tests[0].id} to {tests[-1].id}",
             "of what ages, the model has the decay time alone",
         ),
-        exclusions=tuple(text for test in tests for text in test.log.exclusions),
+        exclusions=exclusions_of(tests),
         draw=lambda figure: draw(figure, bias, scale),
     )
 

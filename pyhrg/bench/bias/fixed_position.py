@@ -4,16 +4,19 @@ Procedure of the fibre-optic gyro standards, as the paper's sections 1.2 and 4.1
 input axis is level and points east, so that no Earth rate moves the pattern during the hour.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
+from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS, BiasTest, bias_test
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, segment_means
+from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Segments, segment_means
 from pyhrg.campaign import Campaign, Test
-from pyhrg.units import DEG, DEG_PER_H
+from pyhrg.units import DEG, DEG_PER_H, MINUTE
 
 SEGMENTS = 36
 """Data points of a run: one hour."""
@@ -37,7 +40,12 @@ def record(bench: Bench) -> list[Test]:
 
 
 def measured(campaign: Campaign) -> BiasTest:
-    """Means, stability and repeatability of the campaign's static tests.
+    """Means, stability and repeatability of the campaign's static tests."""
+    return bias_test(runs_of(campaign))
+
+
+def runs_of(campaign: Campaign) -> list[Segments]:
+    """Data points of each power-on.
 
     Raises:
         BenchError: there are none, or one has too few data points.
@@ -50,12 +58,13 @@ def measured(campaign: Campaign) -> BiasTest:
             raise BenchError(
                 f"{log.source}: {len(run)} segment of {SEGMENT:g} s; expected 2 or more"
             )
-    return bias_test(runs)
+    return runs
 
 
 def evaluate(campaign: Campaign) -> Outcome:
     """The old figure, and over how little of the circumference it was taken."""
-    test = measured(campaign)
+    runs = runs_of(campaign)
+    test = bias_test(runs)
     logs = [test.log for test in tests_of(campaign, KIND)]
     swept = max(float(np.nanmax(log.wave_angle) - np.nanmin(log.wave_angle)) for log in logs)
     return Outcome(
@@ -68,7 +77,20 @@ def evaluate(campaign: Campaign) -> Outcome:
         ),
         tables=(test.table(),),
         exclusions=exclusions_of(tests_of(campaign, KIND)),
+        draw=lambda figure: draw(figure, runs),
     )
+
+
+def draw(figure: Figure, runs: Sequence[Segments]) -> None:
+    """Data points against time, a line a power-on."""
+    axes = figure.add_subplot()
+    for number, run in enumerate(runs, 1):
+        axes.plot(run.time / MINUTE, run.rate / DEG_PER_H, ".-", lw=0.6, label=f"run {number}")
+    axes.set_xlabel("time since power-on, min")
+    axes.set_ylabel("bias, deg/h")
+    axes.set_title(f"Fixed position, {SEGMENT:g} s means")
+    axes.grid(alpha=0.3)
+    axes.legend(ncols=2)
 
 
 PROCEDURE = Procedure(

@@ -13,7 +13,7 @@ from pyhrg.bench.bias.thermal_programme import programme
 from pyhrg.bench.bias.thermal_scale_factor import scale_factor_findings
 from pyhrg.bench.estimation.spread import spread_finding
 from pyhrg.bench.outcome import Finding, Outcome, Table, pooled_deviation_finding
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.campaign import Campaign, Test
 from pyhrg.units import DEG_PER_H
 
@@ -37,7 +37,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         verdict=_verdict(result),
         tables=(_table(result),),
         warnings=(*_warnings(result), *told),
-        exclusions=tuple(text for log in logs for text in log.exclusions),
+        exclusions=exclusions_of(tests_of(campaign, KIND)),
         draw=lambda figure: draw(figure, result),
         values={"terms": dict(zip(result.fitted.names, result.fitted.values, strict=True))},
     )
@@ -102,7 +102,9 @@ def _slopes(result: Thermal) -> tuple[Finding, ...]:
 def _lag(result: Thermal) -> tuple[Finding, ...]:
     """Of the first power-on, by its loop frequency."""
     meter = result.thermometers[0]
-    note = f"{meter.note}; least squares of every row, no interval"
+    note = meter.note
+    if not np.isnan(meter.lag):
+        note += "; least squares of every row, no interval"
     return (
         Finding("thermal lag", meter.lag, "s", note=note),
         Finding("frequency per kelvin", meter.frequency_per_kelvin, "Hz/K", note=note),
@@ -113,9 +115,12 @@ def _verdict(result: Thermal) -> str:
     span = np.ptp(result.temperature)
     spread = float(np.std(result.points.rate, ddof=1))
     ratio = spread / result.noise if result.noise > 0 else np.inf
+    source = (
+        "over the circumference" if result.basis.angle is None else "creep of the pattern included"
+    )
     return (
-        f"Bias stability {spread / DEG_PER_H:.2g} deg/h over {span:.3g} K, {ratio:.3g} times what "
-        "noise alone leaves after the fit by pattern angle and temperature."
+        f"Bias stability {spread / DEG_PER_H:.2g} deg/h over {span:.3g} K, {source}: {ratio:.3g} "
+        "times the noise that a fit by pattern angle and temperature leaves."
     )
 
 

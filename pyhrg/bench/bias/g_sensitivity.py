@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
 from pyhrg.bench.estimation.terms import PatternBasis, distinguishable, pattern_basis
 from pyhrg.bench.outcome import BenchError, Finding
-from pyhrg.bench.procedure import tests_of
+from pyhrg.bench.procedure import exclusions_of, tests_of
 from pyhrg.bench.readings.dwells import Points, joined, points
 from pyhrg.campaign import Campaign
 from pyhrg.units import DEG_PER_H, STANDARD_GRAVITY
@@ -153,4 +153,4 @@ def _unit(name: str) -> str:
 
 def exclusions(campaign: Campaign, kinds: Sequence[str]) -> tuple[str, ...]:
     """Of the logs of these kinds."""
-    return tuple(text for test in tests_of(campaign, *kinds) for text in test.log.exclusions)
+    return exclusions_of(tests_of(campaign, *kinds))

@@ -50,7 +50,9 @@ def thermometer(log: Log, believed_lag: float | None = None) -> Thermometer:
         lag = float(best.x)
         return Thermometer(lagged(log, lag), lag, slope, "by the loop frequency")
     if believed_lag:
-        note = "believed: the loop frequency doesn't follow the temperature"
+        note = (
+            "not seen: the loop frequency doesn't follow the temperature; the nominal lag is taken"
+        )
         return Thermometer(lagged(log, believed_lag), np.nan, np.nan, note)
     note = "not known: the case's temperature is taken for the resonator's"
     return Thermometer(filled(log.temperature), np.nan, np.nan, note)

@@ -20,7 +20,7 @@ from pyhrg.bench.bias.shock import found_pulses, pulses
 from pyhrg.bench.bias.thermal_programme import positions
 from pyhrg.bench.estimation.harmonics import MEAN, harmonic
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, mean_finding
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of, usable
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import WARM_UP
 from pyhrg.campaign import Campaign, Test
@@ -104,22 +104,22 @@ def evaluate(campaign: Campaign) -> Outcome:
         BenchError: no power-on before, or none of any other state.
     """
     groups = {
-        kind: [circumference(test, campaign.site) for test in campaign.of_kind(kind)]
+        kind: [circumference(test, campaign.site) for test in usable(campaign, kind)]
         for kind in (BEFORE, *STATES)
     }
     tests_of(campaign, BEFORE)
-    if not any(groups[kind] for kind in STATES) and not campaign.of_kind(SHOCK):
+    if not any(groups[kind] for kind in STATES) and not usable(campaign, SHOCK):
         raise BenchError(f"{campaign.device}: nothing to compare with {BEFORE}")
     there = {text: groups[kind] for kind, text in STATES.items() if groups[kind]}
     findings = [f for text, runs in there.items() for f in _changes(text, groups[BEFORE], runs)]
     missing = [text for kind, text in STATES.items() if not groups[kind]]
-    used = [test for kind in (BEFORE, *STATES, SHOCK) for test in campaign.of_kind(kind)]
+    used = usable(campaign, BEFORE, *STATES, SHOCK)
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(*findings, *_shock(campaign)),
         verdict=_verdict(findings),
         warnings=(*(f"no record {text}" for text in missing), REMEMBERS_NOTHING),
-        exclusions=tuple(text for test in used for text in test.log.exclusions),
+        exclusions=exclusions_of(used),
         draw=lambda figure: draw(figure, {"before": groups[BEFORE], **there}),
     )
 
@@ -144,7 +144,7 @@ def _changes(
 
 def _shock(campaign: Campaign) -> tuple[Finding, ...]:
     found = [
-        pulse for test in campaign.of_kind(SHOCK) for pulse in found_pulses(test.log, campaign.site)
+        pulse for test in usable(campaign, SHOCK) for pulse in found_pulses(test.log, campaign.site)
     ]
     if not found:
         return ()

@@ -25,7 +25,7 @@ from pyhrg.bench.calibration.calibration_maps import (
 )
 from pyhrg.bench.calibration.stages import of_stage, stage_bench, staged
 from pyhrg.bench.outcome import Finding, Outcome, mean_finding
-from pyhrg.bench.procedure import Procedure
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.readings.segments import Segments
 from pyhrg.bench.scale_factor import rate_tests
 from pyhrg.bench.scale_factor.rate_tests import exclusions, record_turns
@@ -98,7 +98,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         ),
         verdict=_verdict({f.name: f for group in findings for f in group}),
         warnings=(*found.refused, *missing),
-        exclusions=tuple(text for tests in measured.values() for text in exclusions(tests, *KINDS)),
+        exclusions=tuple(text for tests in measured.values() for text in _exclusions(tests)),
         draw=lambda figure: draw_stages(figure, results),
         values={
             "bias_map": plain(angle_map(found.bias_map)),
@@ -106,6 +106,12 @@ def evaluate(campaign: Campaign) -> Outcome:
             "scale_factor": found.scale_factor,
         },
     )
+
+
+def _exclusions(tests: Campaign) -> tuple[str, ...]:
+    """Only a rate test is asked for whole periods: between positions the table turns less."""
+    positions = tests_of(tests, full_circumference.KIND)
+    return (*exclusions_of(positions), *exclusions(tests, rate_tests.KIND))
 
 
 def left(stage: str, found: Calibration, runs: Sequence[Segments]) -> tuple[Finding, ...]:

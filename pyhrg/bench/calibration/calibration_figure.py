@@ -31,7 +31,7 @@ def draw(figure: Figure, stages: Mapping[str, tuple[Calibration, Sequence[Segmen
         axes.set_xlabel("pattern angle, deg")
         axes.set_xlim(0, 180)
         axes.grid(alpha=0.3)
-        axes.legend(loc="upper right")
+        axes.legend()
 
 
 def _level(found: Calibration, run: Segments) -> np.ndarray:

@@ -20,6 +20,7 @@ from pyhrg.bench.bias.full_circumference import Map, fitted_map, runs_of
 from pyhrg.bench.estimation.harmonics import MEAN, harmonic
 from pyhrg.bench.outcome import Finding
 from pyhrg.bench.procedure import tests_of
+from pyhrg.bench.readings.output_rows import bryan_factor
 from pyhrg.bench.scale_factor.rate_tests import rate_turns
 from pyhrg.bench.scale_factor.scale_factor import SCALE, ScaleFactorMap, fitted
 from pyhrg.campaign import Campaign
@@ -61,7 +62,7 @@ def calibration(campaign: Campaign) -> Calibration:
         BenchError: there are none, or not what they must hold.
     """
     positions = fitted_map(runs_of(campaign))
-    rates = fitted(rate_turns(campaign, slow=True), campaign.nominal["coriolis_factor"])
+    rates = fitted(rate_turns(campaign, slow=True), bryan_factor(campaign))
     logs = [test.log for test in tests_of(campaign, full_circumference.KIND)]
     axis_up = float(np.mean(np.concatenate([log.axis_up for log in logs])))
     earth = campaign.site.vertical_rate * axis_up

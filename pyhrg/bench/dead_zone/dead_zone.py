@@ -19,11 +19,12 @@ from pyhrg.bench.dead_zone.turning import FOURTH, fitted_turning, turning
 from pyhrg.bench.estimation.harmonic_amplitude import magnitude_finding
 from pyhrg.bench.estimation.harmonics import MEAN, Fit
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of, usable
 from pyhrg.bench.programme import Programme
+from pyhrg.bench.readings.output_rows import bryan_factor
 from pyhrg.campaign import Campaign, Test
 from pyhrg.device import AngleMap, Device
-from pyhrg.units import DEG, HOUR
+from pyhrg.units import DEG, DEG_PER_H, HOUR
 
 MAP, PLAIN = "dead_zone_map", "dead_zone"
 COMPENSATED, CANCELLED = "dead_zone_compensated", "dead_zone_cancelled"
@@ -108,10 +109,9 @@ def cancelled(device: Device, fitted: Fit) -> Device:
 def runs(campaign: Campaign, kind: str) -> tuple[list[Run], list[str]]:
     """Free runs of a kind, and a sentence on each that is left out."""
     found, excluded = [], []
-    for test in campaign.of_kind(kind):
+    for test in usable(campaign, kind):
         try:
-            latitude, factor = campaign.site.latitude, campaign.nominal["coriolis_factor"]
-            found.append(run_of(test.log, latitude, factor))
+            found.append(run_of(test.log, campaign.site.latitude, bryan_factor(campaign)))
         except BenchError as error:
             excluded.append(str(error))
     return found, excluded
@@ -119,7 +119,8 @@ def runs(campaign: Campaign, kind: str) -> tuple[list[Run], list[str]]:
 
 def evaluate(campaign: Campaign) -> Outcome:
     """W_L of the map; and of free runs what locks, where, and what compensation leaves."""
-    maps = [test.log for test in tests_of(campaign, MAP, "rate") if turning(test.log)]
+    tests = [test for test in tests_of(campaign, MAP, "rate") if turning(test.log)]
+    maps = [test.log for test in tests]
     if not maps:
         raise BenchError(f"{campaign.device}: no log turns the pattern by 90 deg below 10 deg/s")
     fitted, refused = fitted_turning(maps, campaign.site.latitude)
@@ -128,7 +129,7 @@ def evaluate(campaign: Campaign) -> Outcome:
     by_output, more = runs(campaign, COMPENSATED)
     by_force, most = runs(campaign, CANCELLED)
     everything = [*plain, *by_output, *by_force]
-    capture = 1 / (4 * campaign.nominal["coriolis_factor"] * lock.value)
+    capture = 1 / (4 * bryan_factor(campaign) * lock.value) if lock.value > 0 else math.inf
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(
@@ -139,19 +140,25 @@ def evaluate(campaign: Campaign) -> Outcome:
         verdict=_verdict(plain, lock, capture),
         tables=(table(everything, fitted, lock.value),) if everything else (),
         warnings=tuple(refused),
-        exclusions=(*excluded, *more, *most, *(x for log in maps for x in log.exclusions)),
+        exclusions=(*exclusions_of(tests), *excluded, *more, *most),
         draw=lambda figure: draw(figure, plain, by_force, fitted, lock.value),
         values={"capture_time": capture},
     )
 
 
 def _verdict(plain: Sequence[Run], lock: Finding, capture: float) -> str:
+    if not lock.low > 0:
+        most = lock.high / DEG_PER_H
+        return f"No dead zone is seen: the map's fourth harmonic is at most {most:.2g} deg/h."
     text = (
         f"The pattern locks in below {lock.shown:.4g} deg/h, captured within {capture / HOUR:.3g} h"
     )
     caught = [run for run in plain if run.locked]
     if not caught:
-        return f"{text}; no run was long enough to show it."
+        return (
+            f"{text}; no free run shows it: each takes {CAPTURES:g} times that, and is simulated "
+            f"up to {LONGEST / HOUR:g} h."
+        )
     return f"{text}; {len(caught)} of {len(plain)} free runs are locked."
 
 

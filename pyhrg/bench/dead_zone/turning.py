@@ -32,6 +32,9 @@ SWEPT = 90 * DEG
 def turning(log: Log) -> bool:
     """Whether a log is fit for the map: table slow, pattern turned by it, drive and rotation
     constant."""
+    log.require(
+        "table_angle", "axis_up", "gyro_angle", "wave_angle", "virtual_rotation", "drive_on"
+    )
     rate = np.max(np.abs(np.diff(log.table_angle))) / log.interval
     still = np.all(log.virtual_rotation == 0.0) and np.all(log.drive_on > 0.5)
     return bool(still and 0.0 < rate < FASTEST and np.ptp(log.wave_angle) >= SWEPT)

@@ -14,7 +14,7 @@ from scipy import stats
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table, mean_finding
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.campaign import Campaign, Test
 from pyhrg.records import Log
@@ -116,8 +116,10 @@ def bandwidth(found: Response) -> Finding:
     if np.isinf(value):
         last = float(found.frequency[-1])
         note = "at least: no frequency of the table is lower by 3 dB"
-        return Finding(name, last * turn, "Hz", min(low, last) * turn, np.inf, n, note)
-    return Finding(name, value * turn, "Hz", low * turn, high * turn, n, "-3 dB")
+        return Finding(
+            name, last * turn, "Hz", min(low, last) * turn, np.inf, n, note, at_least=True
+        )
+    return Finding(name, value * turn, "Hz", low * turn, high * turn, n, "-3 dB", at_least=True)
 
 
 def _crossing(frequency: NDArray[np.float64], gain: NDArray[np.float64]) -> float:
@@ -153,7 +155,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             f"sees {half / 1e-3:g} ms more on average."
         ),
         tables=(_table(found),),
-        exclusions=tuple(text for test in tests for text in test.log.exclusions),
+        exclusions=exclusions_of(tests),
         draw=lambda figure: draw(figure, found),
     )
 

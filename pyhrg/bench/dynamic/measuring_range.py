@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.plateaus import plateaus
 from pyhrg.campaign import Campaign, Test
@@ -119,13 +119,15 @@ def bracket(steps: Sequence[Step]) -> tuple[float, float]:
 def finding(name: str, steps: Sequence[Step]) -> Finding:
     """Range of one direction, bracketed by steps; statistics have no part in it."""
     low, high = bracket(steps)
-    if low == 0.0:
-        return Finding(name, np.nan, "deg/s", 0.0, high, len(steps), "the slowest step is outside")
     if not np.isfinite(high):
-        return Finding(name, low, "deg/s", low, high, len(steps), "at least: the search ended here")
-    outside = next(step for step in steps if abs(step.rate) == high)
-    why = "nonlinear" if outside.valid else "not valid"
-    return Finding(name, low, "deg/s", low, high, len(steps), f"the next step is {why}")
+        note = "at least: the search ended here"
+    elif low == 0.0:
+        note = "the slowest step is outside"
+    else:
+        outside = next(step for step in steps if abs(step.rate) == high)
+        note = f"the next step is {'nonlinear' if outside.valid else 'not valid'}"
+    value = low or np.nan
+    return Finding(name, value, "deg/s", low, high, len(steps), note, at_least=True)
 
 
 def evaluate(campaign: Campaign) -> Outcome:
@@ -152,7 +154,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         warnings=("valid is missing from rows of the log: judged by linearity alone there",)
         if unseen
         else (),
-        exclusions=tuple(text for test in tests for text in test.log.exclusions),
+        exclusions=exclusions_of(tests),
         draw=lambda figure: draw(figure, both),
     )
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table, mean_finding
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.campaign import Campaign, Test
 from pyhrg.records import Log
 from pyhrg.site import EARTH_RATE
@@ -127,7 +127,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         ),
         tables=(Table("Power-ons", ("run", "valid, s", "to specification, s"), tuple(rows)),),
         warnings=_warnings(tests, runs),
-        exclusions=tuple(text for test in tests for text in test.log.exclusions),
+        exclusions=exclusions_of(tests),
         draw=lambda figure: draw(figure, runs),
     )
 

@@ -15,7 +15,7 @@ from scipy import stats
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.plateaus import Plateau, plateaus
 from pyhrg.campaign import Campaign, Test
@@ -163,15 +163,20 @@ def evaluate(campaign: Campaign) -> Outcome:
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(replace(worst, name="threshold"), *findings, *map(_finding, found)),
-        verdict=f"Threshold {worst.shown:.3g} deg/s, the worse of both signs. {worst.note}".strip(),
+        verdict=_verdict(worst),
         tables=(_table(found),),
         warnings=(
             f"dwells last {longest:.4g} s: a dead zone by damping anisotropy captures the pattern "
             "within 1/D, so that one with 1/D longer than that is not seen here",
         ),
-        exclusions=tuple(text for test in tests for text in test.log.exclusions),
+        exclusions=exclusions_of(tests),
         draw=lambda figure: draw(figure, found),
     )
+
+
+def _verdict(worst: Finding) -> str:
+    note = f" ({worst.note})" if worst.note else ""
+    return f"Threshold {worst.shown:.3g} deg/s{note}, the worse of both signs."
 
 
 def _finding(response: Response) -> Finding:

@@ -18,6 +18,8 @@ from pyhrg.bench.estimation.harmonics import Fit
 
 Array = NDArray[np.float64]
 
+NOISELESS = 1e-60
+"""Taken for the rate noise where nothing is left, rad^2/s: its square is still a number."""
 RATIOS = (-8.0, 20.0)
 """Logarithm of angle noise over a step's rate noise: from none of the one to none of the other."""
 
@@ -105,7 +107,7 @@ def _variances(matrix: Array, steps: Array, differences: Array) -> tuple[float, 
     left = matrix[:, -1] - terms @ np.linalg.lstsq(terms, matrix[:, -1], rcond=None)[0]
     size = float(np.linalg.norm(left))
     if size == 0.0:
-        return np.finfo(float).tiny, 0.0
+        return NOISELESS, 0.0
     whole = np.column_stack([terms, left / size])
 
     def reduced(logarithm: float) -> tuple[float, float]:

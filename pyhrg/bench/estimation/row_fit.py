@@ -127,7 +127,7 @@ class _Problem:
         """(c,) densities of greatest restricted likelihood, none negative."""
         left = self.values - self.matrix @ np.linalg.lstsq(self.matrix, self.values, rcond=None)[0]
         # floor: rounding of the values, where there is no noise
-        tiny = (1e-16 * float(np.sqrt(np.mean(self.values**2))) + 1e-150) ** 2
+        tiny = (1e-16 * float(np.sqrt(np.mean(self.values**2))) + 1e-40) ** 2
         own = self.components > 0
         means = np.array(
             [np.mean(left[o] ** 2 / c[o]) for o, c in zip(own, self.components, strict=True)]

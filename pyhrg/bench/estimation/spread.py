@@ -38,6 +38,10 @@ def spread_finding(
     low, high = (
         noise * np.sqrt(1 + _noncentrality(total, freedom, p) / freedom) for p in (0.975, 0.025)
     )
+    if value < low:
+        note += (
+            f"{'; ' if note else ''}less than noise alone leaves, from which the interval begins"
+        )
     return Finding(name, value, unit, float(low), float(high), n, note)
 
 

@@ -15,7 +15,7 @@ from pyhrg.bench.estimation.row_fit import Part
 from pyhrg.bench.identification.identification_figure import draw_terms
 from pyhrg.bench.identification.rate_reversal import EIGHTH, GAIN, SCALE, SKEW, pickoff_columns
 from pyhrg.bench.outcome import BenchError, Outcome
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.readings.output_rows import (
     BIAS,
     Rows,
@@ -101,7 +101,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     """Duffing shift and pick-off cubic."""
     stretches = stretches_of(campaign)
     output, frequency = cubic(campaign, stretches), duffing(stretches)
-    logs = [test.log for test in tests_of(campaign, KIND)]
     warnings = [output.refused[CUBIC]] if CUBIC in output.refused else []
     warnings += [frequency.refused[name] for name in (DUFFING, DRIFT) if name in frequency.refused]
     return Outcome(
@@ -116,7 +115,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             "pick-offs (eighth harmonic); the rest of the eighth harmonic is neither."
         ),
         warnings=tuple(warnings),
-        exclusions=tuple(text for log in logs for text in log.exclusions),
+        exclusions=exclusions_of(tests_of(campaign, KIND)),
         draw=lambda figure: draw(figure, stretches, output),
     )
 

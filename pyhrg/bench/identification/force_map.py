@@ -17,7 +17,7 @@ from pyhrg.bench.estimation.row_fit import Part
 from pyhrg.bench.identification.identification_figure import COLOURS
 from pyhrg.bench.identification.virtual_rotation import programme
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.readings.output_rows import Array, Rows, Terms, fitted, useful
 from pyhrg.campaign import Campaign, Test
 from pyhrg.units import DEG
@@ -28,8 +28,13 @@ RATE = 0.5 * DEG
 KINDS = (KIND, "positions", "virtual_rotation")
 MEAN = "mean"
 VECTOR = ("cosine", "sine")
-DISTURBING = ("by rotation", "by rotation cos4", "by rotation sin4", "cos8", "sin8")
-"""Harmonics that errors of the electrodes add, odd in a virtual rotation or of second order."""
+SQUARED = "by rotation squared"
+DISTURBING = (
+    *("by rotation", "by rotation cos4", "by rotation sin4", "cos8", "sin8"),
+    SQUARED,
+)
+"""What errors of the electrodes add, odd in a virtual rotation or of second order; and what forces
+held over a control period Ts do to the amplitude by moving on a tangent: (2 k V)^2 Ts/2."""
 REASON = "the pattern must come to angles over most of 90 deg"
 
 Sensitivity = Callable[[Array, Array], tuple[Array, Array]]
@@ -85,7 +90,7 @@ def _part(rows: Rows, column: str, sensitivity: Sensitivity, means: dict[str, in
         values = values / rows.held("amplitude_setpoint")
     c4, s4, c8, s8 = (rows.mean_trig(trig, n) for n in (4, 8) for trig in (np.cos, np.sin))
     turned = rows.held("virtual_rotation")
-    odd = dict(zip(DISTURBING, (turned, turned * c4, turned * s4, c8, s8), strict=True))
+    odd = dict(zip(DISTURBING, (turned, turned * c4, turned * s4, c8, s8, turned**2), strict=True))
     elapsed = (rows.held("time") - rows.log.time[-1] / 2) / rows.log.time[-1]
     columns = {
         **{name: elapsed**power for name, power in means.items()},
@@ -100,7 +105,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     force = loop_map(campaign, "quadrature_force", split_in_force)
     frequency = loop_map(campaign, "frequency_offset", split_in_frequency)
     amplitude = loop_map(campaign, "amplitude_force", damping_in_force)
-    logs = [test.log for test in tests_of(campaign, *KINDS)]
     names = ("frequency split", "stiffness axis")
     again = ("frequency split from loop frequency", "stiffness axis from loop frequency")
     apparent = ("apparent damping anisotropy", "apparent damping axis")
@@ -117,7 +121,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             "Quadrature force and loop frequency give the split and its axis (against the "
             "pick-offs' axes); the amplitude force gives the sum of damping and electrodes alone."
         ),
-        exclusions=tuple(text for log in logs for text in log.exclusions),
+        exclusions=exclusions_of(tests_of(campaign, *KINDS)),
         draw=lambda figure: draw(figure, [force, frequency]),
         values={"terms": {name: force.fit.value(name) for name in force.fit.names}},
     )
@@ -125,7 +129,10 @@ def evaluate(campaign: Campaign) -> Outcome:
 
 def _decay_time(amplitude: Terms) -> Finding:
     rate, (low, high) = amplitude.fit.value(MEAN), amplitude.fit.interval(MEAN)
-    return Finding("decay time", 1 / rate, "s", 1 / high, 1 / low, len(amplitude.fit.residual))
+    turned = any(np.any(part.columns[SQUARED]) for part in amplitude.parts)
+    note = "with (2 k V)^2 Ts/2 in 1/tau" if turned and SQUARED in amplitude.refused else ""
+    n = len(amplitude.fit.residual)
+    return Finding("decay time", 1 / rate, "s", 1 / high, 1 / low, n, note)
 
 
 def draw(figure: Figure, maps: Sequence[Terms]) -> None:

@@ -13,9 +13,17 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.row_fit import Part
 from pyhrg.bench.identification.identification_figure import COLOURS
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.output_rows import Rows, Terms, bryan_factor, fitted, output_error, useful
+from pyhrg.bench.readings.output_rows import (
+    Array,
+    Rows,
+    Terms,
+    bryan_factor,
+    fitted,
+    output_error,
+    useful,
+)
 from pyhrg.campaign import Campaign, Test
 from pyhrg.units import DEG, DEG_PER_H
 
@@ -76,18 +84,22 @@ def measured(campaign: Campaign) -> tuple[Terms, list[Rows]]:
     return terms, ordered
 
 
-def _force(rows: Rows) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
-    """Quadrature force over amplitude, mean over the stretch: its noise is not a regressor."""
+def _force(rows: Rows) -> Array:
+    """(n,) quadrature force over amplitude, a line in time as the pattern creeps: its noise is not
+    a regressor."""
     ratio = rows.held("quadrature_force") / rows.held("amplitude_setpoint")
-    return np.full(len(rows), float(np.mean(ratio)))
+    time = np.linspace(-1.0, 1.0, len(rows))
+    return np.asarray(np.mean(ratio) + time * (time @ ratio) / (time @ time))
+
+
+def _mean_force(rows: Rows) -> float:
+    return float(np.mean(_force(rows)))
 
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Response, the split that it sees, and the phase at which the bias would vanish."""
     terms, stretches = measured(campaign)
-    logs = [test.log for test in tests_of(campaign, KIND)]
-    strongest = max(stretches, key=lambda rows: abs(float(_force(rows)[0])))
-    force = 2 * float(_force(strongest)[0])
+    force = 2 * max(map(_mean_force, stretches), key=abs)
     seen = terms.finding(RESPONSE, "mHz", "frequency split in the bias, times sin 4th", force)
     return Outcome(
         procedure=PROCEDURE.name,
@@ -102,21 +114,22 @@ def evaluate(campaign: Campaign) -> Outcome:
             "is 1. How large the phase error is, no test at rest can say by itself."
         ),
         warnings=tuple(terms.refused.values()),
-        exclusions=tuple(text for log in logs for text in log.exclusions),
+        exclusions=exclusions_of(tests_of(campaign, KIND)),
         draw=lambda figure: draw(figure, terms, stretches),
     )
 
 
 def _apparent_phase(terms: Terms, stretches: list[Rows], k: float) -> Finding:
-    """Phase error that would make the whole bias, where the quadrature force is largest."""
+    """Phase error that would make the whole bias, at the position of the largest mean force."""
     name = "phase error if the split alone made the bias"
     if RESPONSE in terms.refused:
         return Finding(name, np.nan, "mrad", note=terms.refused[RESPONSE])
-    part, rows = max(
-        zip(terms.parts, stretches, strict=True), key=lambda pair: abs(float(_force(pair[1])[0]))
-    )
-    bias = next(n for n in part.columns if n.startswith("bias"))
-    factor = -2 * k / float(_force(rows)[0])
+    forces: dict[str, list[float]] = {}
+    for part, rows in zip(terms.parts, stretches, strict=True):
+        place = next(n for n in part.columns if n.startswith("bias"))
+        forces.setdefault(place, []).append(_mean_force(rows))
+    bias = max(forces, key=lambda place: abs(float(np.mean(forces[place]))))
+    factor = -2 * k / float(np.mean(forces[bias]))
     return terms.finding(bias, "mrad", name, factor)
 
 

@@ -14,8 +14,8 @@ from matplotlib.figure import Figure
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.row_fit import Part
 from pyhrg.bench.identification.identification_figure import draw_terms
-from pyhrg.bench.outcome import Outcome
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.outcome import BenchError, Outcome
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.readings.output_rows import (
     BIAS,
     Array,
@@ -32,6 +32,8 @@ from pyhrg.units import DEG
 
 KIND = "rate"
 RATES = (5 * DEG, -5 * DEG)
+FASTEST = 20 * DEG
+"""Rate up to which the loops follow the fourth harmonic: 0.4 rad/s, theirs are 6 rad/s."""
 INTERVAL = 0.1
 DURATION = 140.0
 SCALE, GAIN, SKEW = "scale factor error", "pick-off gain mismatch", "pick-off non-orthogonality"
@@ -67,7 +69,7 @@ def pickoff_columns(rows: Rows, k: float) -> dict[str, Array]:
 
 def measured(campaign: Campaign) -> Terms:
     """Bias map, scale factor and pick-off errors from all rates together."""
-    stretches = useful([test.log for test in tests_of(campaign, KIND)])
+    stretches, _ = slow(campaign)
     k = bryan_factor(campaign)
     parts = [
         Part(
@@ -80,10 +82,38 @@ def measured(campaign: Campaign) -> Terms:
     return fitted(parts, [*BIAS, SCALE, GAIN, SKEW, *EIGHTH], REASON)
 
 
+def slow(campaign: Campaign) -> tuple[list[Rows], tuple[str, ...]]:
+    """Steady rows that loops follow, and a sentence on each faster stretch.
+
+    Raises:
+        BenchError: there are none.
+    """
+    stretches = useful([test.log for test in tests_of(campaign, KIND)])
+    fast = [rows for rows in stretches if abs(_rate(rows)) > FASTEST]
+    left_out = tuple(
+        f"{rows.log.source}: {_rate(rows) / DEG:.3g} deg/s left out: above {FASTEST / DEG:g} deg/s "
+        "loops that lag add to what pick-offs do"
+        for rows in fast
+    )
+    if len(fast) == len(stretches):
+        raise BenchError("; ".join(left_out))
+    return [rows for rows in stretches if abs(_rate(rows)) <= FASTEST], left_out
+
+
+def _rate(rows: Rows) -> float:
+    return float(np.mean(rows.increments("table_angle"))) / rows.log.interval
+
+
 def evaluate(campaign: Campaign) -> Outcome:
-    """Pick-off errors, the scale factor and the bias map that they are told from."""
+    """Pick-off errors, the scale factor and the bias map that they are told from.
+
+    Raises:
+        BenchError: one way only.
+    """
     terms = measured(campaign)
-    logs = [test.log for test in tests_of(campaign, KIND)]
+    if SCALE in terms.refused:
+        names = ", ".join(test.log.source for test in tests_of(campaign, KIND))
+        raise BenchError(f"{names}: {terms.refused[SCALE]}; else it is taken for a bias")
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(
@@ -98,7 +128,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             "which this test can't say whether damping, drives or pick-offs make it."
         ),
         warnings=tuple(terms.refused.values()),
-        exclusions=tuple(text for log in logs for text in log.exclusions),
+        exclusions=(*exclusions_of(tests_of(campaign, KIND)), *slow(campaign)[1]),
         draw=lambda figure: draw(figure, campaign, terms),
         values={"terms": {name: terms.fit.value(name) for name in terms.fit.names}},
     )
@@ -106,9 +136,8 @@ def evaluate(campaign: Campaign) -> Outcome:
 
 def draw(figure: Figure, campaign: Campaign, terms: Terms) -> None:
     """Output rate error over the pattern angle at each rate, with the fit."""
-    stretches = useful([test.log for test in tests_of(campaign, KIND)])
-    rates = [np.mean(r.increments("table_angle")) / r.log.interval / DEG for r in stretches]
-    draw_terms(figure, stretches, terms, [f"{rate:+.3g} deg/s" for rate in rates])
+    stretches, _ = slow(campaign)
+    draw_terms(figure, stretches, terms, [f"{_rate(rows) / DEG:+.3g} deg/s" for rows in stretches])
     figure.axes[0].set_title("Output less table and Earth's rate")
 
 

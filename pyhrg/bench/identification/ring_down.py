@@ -22,7 +22,7 @@ from pyhrg.bench.identification import rate_reversal
 from pyhrg.bench.identification.free_decay import TERMS, Decay, Gyro, decays, fit_decays, shell
 from pyhrg.bench.identification.identification_figure import COLOURS
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.output_rows import FEWEST, bryan_factor
 from pyhrg.campaign import Campaign, Test
@@ -94,6 +94,7 @@ def _split_guess(campaign: Campaign) -> complex:
     columns, values = [], []
     for test in tests_of(campaign, KIND):
         log = test.log
+        log.require("quadrature_force", "amplitude_setpoint")
         on = (log.drive_on > 0.5) & np.isfinite(log.quadrature_force + log.wave_angle)
         angle = 4 * log.wave_angle[on]
         columns.append(np.column_stack([np.sin(angle), -np.cos(angle)]) / 2)
@@ -107,7 +108,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     fit, found, gyro = measured(campaign)
     rate, (low, high) = fit.value(TERMS[0]), fit.interval(TERMS[0])
     damping, split = (TERMS[1], TERMS[2]), (TERMS[3], TERMS[4])
-    logs = [test.log for test in tests_of(campaign, KIND)]
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(
@@ -118,12 +118,12 @@ def evaluate(campaign: Campaign) -> Outcome:
             *component_findings(fit, split, "frequency split", "mHz"),
         ),
         verdict=(
-            f"{len(found)} ring-downs. The damping anisotropy here is the shell's: errors of the "
+            f"Ring-downs: {len(found)}. The damping anisotropy here is the shell's: errors of the "
             "drives take no part. Held to be zero: quadrature when the drive was switched off "
             "(q0/a would add 2 q0/a times the split), tilt of the input axis."
         ),
         warnings=(*_narrow(found), *_unknown(gyro)),
-        exclusions=tuple(text for log in logs for text in log.exclusions),
+        exclusions=exclusions_of(tests_of(campaign, KIND)),
         draw=lambda figure: draw(figure, found, fit, gyro),
         values={"terms": {name: fit.value(name) for name in TERMS}},
     )

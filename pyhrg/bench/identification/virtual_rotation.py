@@ -11,8 +11,8 @@ from matplotlib.figure import Figure
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.row_fit import Part
 from pyhrg.bench.identification.identification_figure import draw_terms
-from pyhrg.bench.outcome import Outcome
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.outcome import BenchError, Outcome
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.output_rows import (
     BIAS,
@@ -72,9 +72,15 @@ def measured(campaign: Campaign) -> Terms:
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Gain error, sums of mismatches, and the bias map that they are told from."""
+    """Gain error, sums of mismatches, and the bias map that they are told from.
+
+    Raises:
+        BenchError: one way only.
+    """
     terms = measured(campaign)
-    logs = [test.log for test in tests_of(campaign, KIND)]
+    if GAIN in terms.refused:
+        names = ", ".join(test.log.source for test in tests_of(campaign, KIND))
+        raise BenchError(f"{names}: {terms.refused[GAIN]}; else it is taken for a bias")
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(
@@ -88,7 +94,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             "test mixes them with; the pick-offs' own share is in the rate test."
         ),
         warnings=tuple(terms.refused.values()),
-        exclusions=tuple(text for log in logs for text in log.exclusions),
+        exclusions=exclusions_of(tests_of(campaign, KIND)),
         draw=lambda figure: draw(figure, campaign, terms),
         values={"terms": {name: terms.fit.value(name) for name in terms.fit.names}},
     )

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from pyhrg.bench.outcome import BenchError
+from pyhrg.bench.procedure import usable
 from pyhrg.bench.readings.noise_records import NoiseRecord, alike, noise_records
 from pyhrg.campaign import Campaign
 from pyhrg.noise_model import NoiseCoefficients, coefficients
@@ -41,7 +42,7 @@ def noise(campaign: Campaign, kind: str, turning: bool) -> Noise | None:
     Raises:
         BenchError: no test has a stretch that is long enough, or one has no noise.
     """
-    tests = [test for test in campaign.of_kind(kind) if not test.is_holdout]
+    tests = usable(campaign, kind)
     found = [record for test in tests for record in noise_records(test.log)]
     if not tests:
         return None

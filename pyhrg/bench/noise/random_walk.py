@@ -9,7 +9,7 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.noise.noise_of_tests import Noise, noise
 from pyhrg.bench.noise.random_walk_figure import Shown, draw
 from pyhrg.bench.outcome import Finding, Outcome
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import WARM_UP
 from pyhrg.campaign import Campaign, Test
@@ -63,7 +63,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         verdict=_verdict(off, on, ratio),
         warnings=tuple(text for found in states.values() if found for text in _warnings(found)),
         exclusions=(
-            *(text for test in tests for text in test.log.exclusions),
+            *exclusions_of(tests),
             *(text for found in states.values() if found for text in found.exclusions),
         ),
         draw=lambda figure: draw(figure, _drawn(states)),

@@ -4,7 +4,7 @@ import numpy as np
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.procedure import tests_of
+from pyhrg.bench.procedure import exclusions_of, tests_of
 from pyhrg.bench.readings.turns import PERIOD, Turn, left_out, turns
 from pyhrg.campaign import Campaign, Test
 from pyhrg.units import DEG
@@ -44,9 +44,9 @@ def turns_of(campaign: Campaign, test: Test) -> list[Turn]:
 
 def exclusions(campaign: Campaign, *kinds: str) -> tuple[str, ...]:
     """What was left out of the logs of these kinds, on reading and here."""
-    logs = [test.log for test in tests_of(campaign, *kinds)]
-    latitude = campaign.site.latitude
-    return tuple(text for log in logs for text in (*log.exclusions, *left_out(log, latitude)))
+    tests, latitude = tests_of(campaign, *kinds), campaign.site.latitude
+    short = (text for test in tests for text in left_out(test.log, latitude))
+    return (*exclusions_of(tests), *short)
 
 
 def record_turns(bench: Bench, rate: float, periods: int, runs: int = RUNS) -> list[Test]:

@@ -21,7 +21,7 @@ from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, TILT, harmonic
 from pyhrg.bench.estimation.magnitude import magnitude_interval
 from pyhrg.bench.outcome import BenchError, Finding, Table
 from pyhrg.bench.readings.turns import Turn
-from pyhrg.units import DEG
+from pyhrg.units import DEG, PPM
 
 Array = NDArray[np.float64]
 
@@ -85,9 +85,19 @@ class ScaleFactorMap:
         n = len(self.fit.residual)
         return Finding("scale factor variation", value, "ppm", low, high, n, note)
 
-    def largest(self) -> float:
-        """Largest deviation of the scale factor from its mean over the circumference."""
-        return float(np.max(np.abs(self.at(np.linspace(0.0, np.pi, 721)))))
+    def verdict(self) -> str:
+        """How much the scale factor varies over the circumference, without the full stop."""
+        variation = self.variation()
+        low, high = variation.interval_shown
+        if not low > 0:
+            return (
+                f"No variation of the scale factor is seen: its deviation is {high:.2g} ppm at most"
+            )
+        largest = float(np.max(np.abs(self.at(np.linspace(0.0, np.pi, 721))))) / PPM
+        return (
+            f"The scale factor varies by {variation.shown:.3g} ppm over the circumference "
+            f"(standard deviation; {largest:.3g} ppm at most)"
+        )
 
 
 def fitted(found: Sequence[Turn], bryan_factor: float) -> ScaleFactorMap:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.procedure import Procedure
+from pyhrg.bench.readings.output_rows import bryan_factor
 from pyhrg.bench.readings.turns import Turn
 from pyhrg.bench.scale_factor.both_ways import draw_both_ways
 from pyhrg.bench.scale_factor.rate_tests import KIND, RUNS, exclusions, rate_turns, record_turns
@@ -32,15 +33,20 @@ def record(
     return record_turns(bench, rate, periods, runs)
 
 
-def residual(turn: Turn, bryan_factor: float) -> Array:
-    """(n,) error of the pattern angle, rad: less a line against the encoder, at whole periods."""
+def residual(turn: Turn, k: float) -> Array:
+    """(n,) error of the pattern angle, rad: less a line against the encoder, at whole periods.
+
+    Args:
+        turn: of the table at one rate.
+        k: Bryan factor.
+    """
     rows = np.abs(turn.pattern_angle - turn.pattern_angle[0]) <= _whole(turn)
     excess, table = turn.excess[rows], turn.table_angle[rows]
     # both ways, the line that joins whole periods has the slope of the mean scale factor
     _, angle, error = turn.whole_periods()
     slope = (error[-1] - error[0]) / (angle[-1] - angle[0])
     left = excess - slope * (table - table[0])
-    return np.asarray(-bryan_factor * (left - left.mean()))
+    return np.asarray(-k * (left - left.mean()))
 
 
 def _whole(turn: Turn) -> float:
@@ -49,9 +55,9 @@ def _whole(turn: Turn) -> float:
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Scale factor, its map over the circumference, and the bias that only both ways separate."""
-    bryan_factor = campaign.nominal["coriolis_factor"]
-    found = fitted(rate_turns(campaign, slow=True), bryan_factor)
-    left = [residual(turn, bryan_factor) for turn in found.turns]
+    k = bryan_factor(campaign)
+    found = fitted(rate_turns(campaign, slow=True), k)
+    left = [residual(turn, k) for turn in found.turns]
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(*found.findings(), *_residuals(left)),
@@ -79,14 +85,12 @@ def _residuals(left: list[Array]) -> tuple[Finding, ...]:
 
 
 def _verdict(found: ScaleFactorMap) -> str:
-    variation = found.variation()
     rate = float(np.mean([abs(turn.table_rate) for turn in found.turns]))
     harmonics = [found.fit.value(name) for name in found.harmonics(BIAS)]
     share = float(np.linalg.norm(harmonics)) / np.sqrt(2) / rate
     return (
-        f"The scale factor varies by {variation.shown:.3g} ppm (standard deviation, at most "
-        f"{found.largest() * 1e6:.3g} ppm) over the circumference; one way alone the bias would "
-        f"have added {share * 1e6:.3g} ppm at {rate / DEG:.3g} deg/s."
+        f"{found.verdict()}; one way alone the bias would have added {share * 1e6:.3g} ppm at "
+        f"{rate / DEG:.3g} deg/s."
     )
 
 

@@ -14,6 +14,7 @@ from scipy import stats
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure
+from pyhrg.bench.readings.output_rows import bryan_factor
 from pyhrg.bench.readings.turns import Turn
 from pyhrg.bench.scale_factor.both_ways import draw_both_ways
 from pyhrg.bench.scale_factor.rate_tests import KIND, RUNS, exclusions, rate_turns, record_turns
@@ -55,10 +56,10 @@ def rate_error(turn: Turn) -> tuple[Array, Array]:
     return pattern, np.asarray(error)
 
 
-def smoothing_loss(turn: Turn, bryan_factor: float) -> float:
+def smoothing_loss(turn: Turn, k: float) -> float:
     """Share that remains of the fourth harmonic."""
     duration = round(SMOOTHING / turn.interval) * turn.interval
-    return float(np.sinc(4 * bryan_factor * turn.input_rate * duration / (2 * np.pi)))
+    return float(np.sinc(4 * k * turn.input_rate * duration / (2 * np.pi)))
 
 
 def stability(found: ScaleFactorMap) -> Finding:
@@ -82,23 +83,31 @@ def stability(found: ScaleFactorMap) -> Finding:
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Scale factor, its map over the circumference, its stability within a run."""
-    bryan_factor = campaign.nominal["coriolis_factor"]
-    found = fitted(rate_turns(campaign, slow=False), bryan_factor)
+    k = bryan_factor(campaign)
+    found = fitted(rate_turns(campaign, slow=False), k)
     errors = [rate_error(turn) for turn in found.turns]
-    losses = [smoothing_loss(turn, bryan_factor) for turn in found.turns]
+    losses = [smoothing_loss(turn, k) for turn in found.turns]
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(*found.findings(), *_smoothed(errors, losses), stability(found)),
         verdict=(
-            f"The scale factor varies by {found.variation().shown:.3g} ppm (standard deviation, at "
-            f"most {found.largest() * 1e6:.3g} ppm) over the circumference; averages of at most "
-            f"{SMOOTHING:g} s keep {min(losses):.1%} of the fourth harmonic."
+            f"{found.verdict()}; averages of at most {SMOOTHING:g} s keep {min(losses):.1%} of "
+            "the fourth harmonic."
         ),
         tables=(period_table(found.turns),),
-        warnings=found.refused,
+        warnings=(*found.refused, _lag(found, k)),
         exclusions=exclusions(campaign, KIND),
         draw=lambda figure: draw(figure, found, errors),
         values={"scale_factor_map": dict(zip(found.fit.names, found.fit.values, strict=True))},
+    )
+
+
+def _lag(found: ScaleFactorMap, k: float) -> str:
+    rate = max(abs(turn.table_rate) for turn in found.turns)
+    return (
+        f"at {rate / DEG:.3g} deg/s the fourth harmonic passes at {4 * k * rate:.2g} rad/s: what "
+        "loops that lag behind it add to bias, pick-off errors and the eighth harmonic can't be "
+        "told from these; method A shows them slow"
     )
 
 

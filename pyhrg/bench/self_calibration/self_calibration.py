@@ -13,8 +13,9 @@ from pyhrg.bench.bias.bias_test import RUNS
 from pyhrg.bench.estimation.angle_fit import AngleFit, Record, fit_angles
 from pyhrg.bench.estimation.fitted_walk import ratio_finding, walk, walk_finding
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, deviation_finding, mean_finding
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
+from pyhrg.bench.readings.output_rows import bryan_factor
 from pyhrg.bench.readings.sweeps import BIAS, GAIN, SCALE, Sweep, separable, sweeps
 from pyhrg.bench.scale_factor.rate_tests import turns_of
 from pyhrg.bench.scale_factor.scale_factor import fitted
@@ -33,6 +34,8 @@ CYCLES = 3
 WARM_UP = 30.0
 MARGIN = 5.0
 """Beyond a whole sweep, for settling, s."""
+CREEP = 5 * DEG
+"""Of the pattern at rest, over which the bias map is no cubic in time any more."""
 TURN = 200.0
 """Of the table at one rate and one virtual rotation: more than 180 deg of pattern, s."""
 
@@ -98,10 +101,20 @@ def evaluate(campaign: Campaign) -> Outcome:
         procedure=PROCEDURE.name,
         findings=findings,
         verdict=_verdict({finding.name: finding for finding in findings}),
-        warnings=cycles.warnings(on),
-        exclusions=tuple(text for test in tests for text in test.log.exclusions),
+        warnings=(*cycles.warnings(on), *_crept(resting)),
+        exclusions=exclusions_of(tests),
         draw=lambda figure: draw(figure, on, off),
         values={"bias_on": bias.value, "virtual_rotation_gain_error": gain.value},
+    )
+
+
+def _crept(resting: list[list[Sweep]]) -> tuple[str, ...]:
+    most = max(np.ptp(sweep.pattern_angle) for log in resting for sweep in log)
+    if most < CREEP:
+        return ()
+    return (
+        f"without virtual rotation the pattern crept over {most / DEG:.2g} deg of the bias map: "
+        "what a cubic in time leaves of that passes for random walk",
     )
 
 
@@ -153,7 +166,7 @@ def _scale_factors(campaign: Campaign, turning: AngleFit) -> tuple[Finding, ...]
     logs = [t for t in tests_of(campaign, KIND) if not np.any(t.log.virtual_rotation)]
     off = fitted(
         [turn for test in logs for turn in turns_of(campaign, test)],
-        campaign.nominal["coriolis_factor"],
+        bryan_factor(campaign),
     )
     return (
         Finding("scale factor error on", turning.value(SCALE), "ppm", low, high, n),
@@ -164,7 +177,11 @@ def _scale_factors(campaign: Campaign, turning: AngleFit) -> tuple[Finding, ...]
 def _verdict(found: dict[str, Finding]) -> str:
     on, off = found["bias repeatability on"], found["bias repeatability off"]
     ratio = found["random walk on over off"]
-    text = f"Virtual rotation multiplies the angle random walk by {ratio.shown:.2g}"
+    low, high = ratio.interval_shown
+    text = (
+        f"Virtual rotation multiplies the angle random walk by {ratio.shown:.3g} "
+        f"({low:.3g} to {high:.3g})"
+    )
     if np.isnan(on.value) or np.isnan(off.value):
         return f"{text}; one power-on can't show what it gains in repeatability."
     gained = f"{off.value / DEG_PER_H:.2g} to {on.value / DEG_PER_H:.2g} deg/h"

@@ -9,6 +9,7 @@ from pyhrg import theory
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.dynamic import bandwidth, measuring_range, start_up
 from pyhrg.bench.outcome import BenchError
+from pyhrg.bench.reporting.judgement import judged
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL
 from pyhrg.units import DEG
@@ -36,6 +37,8 @@ def test_whole_angle_has_no_such_end(fmu: GyroFmu) -> None:
     outcome = measuring_range.evaluate(bench.campaign(tests))
     assert outcome.finding("measuring range").value == pytest.approx(5700 * DEG)
     assert outcome.finding("measuring range").high == np.inf
+    limits = {"measuring_range_deg_per_s": 500.0}
+    assert [judgement.word for judgement in judged(outcome, limits)] == ["meets"]
     assert "at least" in outcome.verdict
 
 

@@ -107,9 +107,22 @@ def test_one_direction_is_refused(slow_fmu: GyroFmu) -> None:
     """Bias and error of the pick-offs are the same at one rate."""
     bench = slow_bench(slow_fmu, QUIET)
     campaign = bench.campaign(rate_reversal.record(bench, rates=(5 * DEG,)))
-    outcome = rate_reversal.evaluate(campaign)
-    assert np.isnan(outcome.finding("pick-off gain mismatch").value)
-    assert any("both ways" in warning for warning in outcome.warnings)
+    with pytest.raises(BenchError, match="both ways"):
+        rate_reversal.evaluate(campaign)
+
+
+def test_fast_turns_are_left_out(slow_fmu: GyroFmu) -> None:
+    """Loops that lag would pass for pick-offs."""
+    bench = slow_bench(slow_fmu, QUIET)
+    rates = [sign * rate * DEG for rate in (5, 100) for sign in (1, -1)]
+    outcome = rate_reversal.evaluate(bench.campaign(rate_reversal.record(bench, rates)))
+    assert [text.split(":")[0] for text in outcome.exclusions] == [
+        "rate_100dps_pos",
+        "rate_100dps_neg",
+    ]
+    only_fast = bench.campaign(rate_reversal.record(bench, rates[2:]))
+    with pytest.raises(BenchError, match="above 20 deg/s"):
+        rate_reversal.evaluate(only_fast)
 
 
 def test_one_angle_is_warned_of(slow_fmu: GyroFmu) -> None:

@@ -93,3 +93,16 @@ def test_earths_rate_tells_where_all_angles_are_in_radians(
 def test_g_is_told_from_metres(tmp_path: Path) -> None:
     with pytest.raises(LogError, match=r"accel_z_m_s2 and its like: 0.999 in all"):
         read_back(scaled(made_up_log(), 1 / 9.80665, "acceleration_z"), tmp_path)
+
+
+def test_a_reversed_sign_is_refused(tmp_path: Path) -> None:
+    log = made_up_log(table_rate=5 * DEG)
+    reversed_log = scaled(log, -1.0, "gyro_angle", "wave_angle")
+    with pytest.raises(LogError, match=r"gyro_angle_deg.*is a sign reversed"):
+        read_back(reversed_log, tmp_path)
+
+
+def test_an_output_that_never_changes_is_refused(tmp_path: Path) -> None:
+    log = replace(made_up_log(), gyro_angle=np.zeros(600))
+    with pytest.raises(LogError, match="gyro_angle_deg: stands still throughout"):
+        read_back(log, tmp_path)

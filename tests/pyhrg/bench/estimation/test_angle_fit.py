@@ -92,3 +92,10 @@ def test_too_short_a_record_is_refused() -> None:
     short = {name: column[:4] for name, column in COLUMNS.items()}
     with pytest.raises(ValueError, match="3 increments can't determine 2 terms and two noises"):
         fit_angles([Record(STEP, TIME[:4], short)])
+
+
+def test_a_line_without_noise_is_fitted() -> None:
+    time = np.arange(50.0)
+    found = fit_angles([Record(1.0, np.zeros(50), {"bias": time})])
+    assert found.value("bias") == 0.0
+    assert np.isfinite(found.interval("bias")).all()

@@ -20,3 +20,9 @@ def test_without_noise_there_is_no_interval() -> None:
     found = spread_finding("", [1.0, 2.0], float("nan"), "1")
     assert np.isnan(found.low)
     assert "no interval" in found.note
+
+
+def test_a_deviation_below_the_noise_is_said_to_be() -> None:
+    found = spread_finding("", [1.0, 1.1, 1.05], 1.0, "1")
+    assert found.value < found.low
+    assert "less than noise alone" in found.note

@@ -2,6 +2,7 @@
 
 import json
 import math
+import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib.metadata import version
@@ -92,17 +93,23 @@ def shown(finding: Finding) -> tuple[str, str, str]:
 def table_text(table: Table) -> str:
     """Columns aligned: the first and the last to the left."""
     cells = [table.header, *table.rows]
-    widths = [max(len(row[i]) for row in cells) for i in range(len(table.header))]
+    widths = [max(_width(row[i]) for row in cells) for i in range(len(table.header))]
     last = len(widths) - 1
 
     def line(row: tuple[str, ...]) -> str:
+        gaps = [" " * (width - _width(cell)) for cell, width in zip(row, widths, strict=True)]
         parts = [
-            cell.ljust(width) if i in (0, last) else cell.rjust(width)
-            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
+            cell + gap if i in (0, last) else gap + cell
+            for i, (cell, gap) in enumerate(zip(row, gaps, strict=True))
         ]
         return "  ".join(parts).rstrip()
 
     return "\n".join([table.title, *map(line, cells)])
+
+
+def _width(cell: str) -> int:
+    """Columns of a terminal: Chinese characters take two."""
+    return sum(2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in cell)
 
 
 def document(

@@ -3,19 +3,36 @@
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
-from benchmarks.intervals._environment import FAST, Intervals, against
+from benchmarks.intervals._environment import (
+    FAST,
+    Intervals,
+    against,
+    pair_noise,
+    quiet,
+    rate_noise,
+)
 from pyhrg import theory
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias import full_temperature
+from pyhrg.bench.bias.thermal_fit import Thermal, measured
 from pyhrg.bench.bias.thermal_programme import programme
+from pyhrg.bench.bias.thermal_scale_factor import OVER, REPEATED
+from pyhrg.bench.estimation.terms import pattern_basis
+from pyhrg.bench.readings.spins import pair_scale_factor, pairs, spins
+from pyhrg.campaign import Campaign
 from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL
 from pyhrg.units import DEG_PER_H, MINUTE
 
+Array = NDArray[np.float64]
+
 MODEL = "HRGSlow"
 SOAKS = (0.0, 25.0, 50.0)
+ROW = 4.0
+"""s: fewer rows, a cheaper repeat."""
 BRYAN = "resonator.material.bryanFactorPerKelvin"
 
 
@@ -23,9 +40,12 @@ def repeat(fmu: GyroFmu, seed: int) -> Intervals:
     """Two power-ons."""
     device = warm(np.random.default_rng(seed))
     bench = Bench(fmu, device, seed, step=1.0)
-    course = programme(bench, SOAKS)
+    course = programme(bench, SOAKS, ROW)
     tests = bench.run([PowerOn(f"thermal_{n}", full_temperature.KIND, course) for n in (1, 2)])
-    return against(full_temperature.evaluate(bench.campaign(tests)), truths(device))
+    outcome = full_temperature.evaluate(bench.campaign(tests))
+    without = replace(bench, device=quiet(device))
+    mean = without.campaign([without.log(PowerOn(t.id, t.kind, course)) for t in tests])
+    return against(outcome, {**truths(device), **of_bias(device, mean), **of_scale(device, mean)})
 
 
 def warm(generator: np.random.Generator) -> Device:
@@ -78,3 +98,46 @@ def scale_factor_error(device: Device, kelvin: float) -> float:
     tau = at(device, kelvin).decay_time
     hold = theory.hold_scale_factor_error(device.control_period, 0.0, tau)
     return device.model[BRYAN] * kelvin + hold
+
+
+def of_bias(device: Device, mean: Campaign) -> dict[str, float]:
+    """Deviations of the bias: of the tests without noise, and of the noise of each figure."""
+    result = measured(mean)
+    noise = np.array([rate_noise(device, seconds) for seconds in result.points.duration])
+    levels = np.unique(result.soak[np.isfinite(result.soak)])
+    alone = [[result.soaks(run)[level].mean for run in (0, 1)] for level in levels]
+    once = np.mean([_soak_variance(result, noise, t, result.run == 0) for t in levels])
+    both = np.mean([_soak_variance(result, noise, t, result.run >= 0) for t in levels])
+    soaks = [soak.mean for soak in result.soaks().values()]
+    rates = result.points.rate
+    return {
+        "bias stability over temperature": _root(np.var(rates, ddof=1), np.mean(noise**2)),
+        "bias over temperature": _root(np.var(soaks, ddof=1), both),
+        "bias repeatability over temperature": _root(np.mean(np.var(alone, 1, ddof=1)), once),
+    }
+
+
+def _soak_variance(result: Thermal, noise: Array, level: float, of_run: Array) -> float:
+    """Of a soak's mean, which is that of a fit by pattern angle."""
+    mine = (result.soak == level) & (of_run > 0)
+    part = result.points.part(mine)
+    columns = [np.ones(len(part)), *pattern_basis(part.pattern_angle).columns.values()]
+    weights = np.linalg.pinv(np.column_stack(columns))[0]
+    return float(weights**2 @ noise[mine] ** 2)
+
+
+def of_scale(device: Device, mean: Campaign) -> dict[str, float]:
+    """Deviations of the scale factor, likewise; soaks in order, the same number of pairs each."""
+    logs, earth = [test.log for test in mean.tests], device.site.vertical_rate
+    errors = np.array(
+        [[pair_scale_factor(p) for p in pairs(spins(log, earth), log.source)] for log in logs]
+    )
+    soaks = errors.reshape(len(logs), len(SOAKS), -1).swapaxes(0, 1).reshape(len(SOAKS), -1)
+    noise = pair_noise(device, logs[0]) ** 2
+    within = np.mean(np.var(soaks, axis=1, ddof=1))
+    over = np.var(np.mean(soaks, axis=1), ddof=1)
+    return {OVER: _root(over, noise / soaks.shape[1]), REPEATED: _root(within, noise)}
+
+
+def _root(*variances: float) -> float:
+    return float(np.sqrt(sum(variances)))

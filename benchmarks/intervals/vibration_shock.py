@@ -4,13 +4,24 @@ from dataclasses import replace
 
 import numpy as np
 
-from benchmarks.intervals._environment import FAST, Intervals, against
-from pyhrg.bench.bench import Bench
+from benchmarks.intervals._environment import FAST, Intervals, against, quiet
+from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias import vibration_shock
-from pyhrg.bench.bias.vibration_shock import BEFORE, SHAKE, STEADY, power_ons
+from pyhrg.bench.bias.shock import found_pulses, readings_without
+from pyhrg.bench.bias.vibration_shock import (
+    BEFORE,
+    KEPT,
+    RUNS,
+    SHAKE,
+    SHOCK,
+    STEADY,
+    power_ons,
+    shocked,
+)
 from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL
+from pyhrg.records import Log
 
 MODEL = "HRGSlow"
 SQUARE = "pickOff.gainPerAccelerationSquared[3]"
@@ -19,7 +30,7 @@ IMBALANCE = ("resonator.imbalanceX", "resonator.imbalanceY")
 
 
 def repeat(fmu: GyroFmu, seed: int) -> Intervals:
-    """Three power-ons before, three under vibration along the input axis, three after shock."""
+    """Power-ons before, under vibration along the input axis, under pulses, and after shock."""
     generator = np.random.default_rng(seed)
     shaken = dict(zip(IMBALANCE, 1e-6 * generator.standard_normal(2), strict=True))
     square = {SQUARE: 2e-8 * generator.standard_normal()}
@@ -27,10 +38,20 @@ def repeat(fmu: GyroFmu, seed: int) -> Intervals:
     loose = {MOUNTING: generator.uniform(0, 1e-7), AXIS: generator.uniform(0, 1.5)}
     bench = Bench(fmu, device, seed, step=1.0)
     after = replace(bench, device=replace(device, model={**device.model, **loose}))
-    tests = bench.run([*power_ons(bench, BEFORE, 3), *power_ons(bench, "vibration_along", 3)])
-    tests += after.run(power_ons(after, "after_shock", 3))
-    outcome = vibration_shock.evaluate(bench.campaign(tests))
-    return against(outcome, {**during(device), **left(after.device)})
+    states = (BEFORE, "vibration_along")
+    tests = bench.run([course for state in states for course in power_ons(bench, state, RUNS)])
+    tests += after.run(power_ons(after, "after_shock", RUNS))
+    struck = replace(bench, device=replace(device, model={**shaken, **square}), step=0.1)
+    pulses = PowerOn(SHOCK, SHOCK, shocked(struck))
+    outcome = vibration_shock.evaluate(bench.campaign([*tests, struck.log(pulses)]))
+    kept = {KEPT: kept_angle(replace(struck, device=quiet(struck.device)).log(pulses).log, device)}
+    return against(outcome, {**during(device), **left(after.device), **kept})
+
+
+def kept_angle(log: Log, device: Device) -> float:
+    """Of the test without noise."""
+    kept = np.mean([pulse.kept for pulse in found_pulses(log, device.site)])
+    return float(kept - np.mean(readings_without(log, device.site)))
 
 
 def during(device: Device) -> dict[str, float]:

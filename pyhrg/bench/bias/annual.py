@@ -47,10 +47,12 @@ class Months:
 
     values: (n,), SI.
     noise: standard deviation of one month's by noise within it.
+    freedom: degrees of freedom that the noise is known with.
     """
 
     values: Array
     noise: float
+    freedom: int
 
     @property
     def age(self) -> Array:
@@ -119,7 +121,8 @@ def _bias(campaign: Campaign, tests: Sequence[Test]) -> Months:
     """Means over the circumference; noise as the fits leave it."""
     runs = [circumference(test, campaign.site).fitted for test in tests]
     noise = np.sqrt(np.mean([run.deviation(MEAN) ** 2 for run in runs]))
-    return Months(np.array([run.value(MEAN) for run in runs]), float(noise))
+    freedom = sum(run.freedom for run in runs)
+    return Months(np.array([run.value(MEAN) for run in runs]), float(noise), freedom)
 
 
 def _scale_factor_error(campaign: Campaign, tests: Sequence[Test]) -> Months:
@@ -129,16 +132,17 @@ def _scale_factor_error(campaign: Campaign, tests: Sequence[Test]) -> Months:
         [pair_scale_factor(pair) for pair in pairs(spins(test.log, rate), test.log.source)]
         for test in tests
     ]
-    each = pooled_deviation_finding("", months, "ppm").value
-    noise = each * math.sqrt(len(months) / sum(len(month) for month in months))
-    return Months(np.array([np.mean(month) for month in months]), noise)
+    each, size = pooled_deviation_finding("", months, "ppm").value, sum(map(len, months))
+    noise = each * math.sqrt(len(months) / size)
+    return Months(np.array([np.mean(month) for month in months]), noise, size - len(months))
 
 
 def _findings(name: str, months: Months, unit: str) -> tuple[Finding, ...]:
     values, line, n = months.values, months.drift, len(months.values)
     stability, (low, high) = f"{name} annual stability", line.interval("drift")
+    note = "standard deviation of the months"
     return (
-        spread_finding(stability, values, months.noise, unit, "standard deviation of the months"),
+        spread_finding(stability, values, months.noise, months.freedom, unit, note),
         Finding(
             f"{name} annual range", float(np.ptp(values)), unit, n=n, note="of these, no interval"
         ),

@@ -13,7 +13,8 @@ from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS, BiasTest, bias_test
-from pyhrg.bench.bias.position_runs import complete_runs
+from pyhrg.bench.bias.position_runs import complete_runs, leakage
+from pyhrg.bench.bias.position_variances import between_finding, within_finding
 from pyhrg.bench.bias.positions import HARMONICS, Plan, chosen, visible
 from pyhrg.bench.estimation.harmonics import MEAN, TILT, Fit, design, fit, harmonic
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, mean_finding
@@ -142,7 +143,9 @@ def fitted_map(
 ) -> Map:
     """Fit each run by what its positions can tell apart."""
     pattern, table = (
-        np.array([np.mean(getattr(runs[0], name)[runs[0].dwell == d]) for d in dwells(runs[0])])
+        np.array(
+            [np.mean(getattr(runs[0], name)[runs[0].dwell == d]) for d in np.unique(runs[0].dwell)]
+        )
         for name in ("pattern_angle", "table_angle")
     )
     seen, with_tilt, refused = visible(pattern, table, wanted, tilt)
@@ -152,46 +155,20 @@ def fitted_map(
     return Map(tuple(seen), with_tilt, fits, tuple(refused))
 
 
-def dwells(run: Segments) -> list[int]:
-    """Numbers of the rests that hold points, in order."""
-    return sorted(set(run.dwell.tolist()))
-
-
-def variances(runs: Sequence[Segments]) -> tuple[float, float]:
-    """Within and between positions, (rad/s)^2, as an analysis of variance splits them.
-
-    Within: mean over positions and runs of the variance (n - 1) of a position's points; NaN with
-    one point a position. Between: variance of the positions' means less what within explains.
-    """
-    within, between = [], []
-    for run in runs:
-        groups = [run.rate[run.dwell == d] for d in dwells(run)]
-        count = len(groups[0])
-        inside = np.mean([np.var(g, ddof=1) for g in groups]) if count > 1 else np.nan
-        within.append(inside)
-        spread = np.var([np.mean(g) for g in groups], ddof=1)
-        between.append(spread - (inside / count if count > 1 else 0.0))
-    return float(np.mean(within)), float(np.mean(between))
-
-
 def evaluate(campaign: Campaign) -> Outcome:
     """Stability, repeatability, variances, harmonics and tilt."""
     tests = tests_of(campaign, KIND)
     runs, left_out = complete_runs(tests, campaign.site.latitude, SETTLE)
     test, fitted = bias_test(runs), fitted_map(runs)
-    within, between = (np.sqrt(max(v, 0.0)) for v in variances(runs))
-    note = "standard deviation" if within >= 0 else "one point a position: can't be told apart"
-    spread = (
-        Finding("within positions", float(within), "deg/h", note=note),
-        Finding("between positions", float(between), "deg/h", note=note),
-    )
+    within = within_finding("within positions", runs)
+    between = between_finding("between positions", runs, fitted.fits)
     maps = tuple(fitted.finding(name) for name in fitted.names)
     return Outcome(
         procedure=PROCEDURE.name,
-        findings=(*test.findings(), *spread, *_amplitude(fitted), *maps),
-        verdict=_verdict(test, float(within), float(between)),
+        findings=(*test.findings(), within, between, *_amplitude(fitted), *maps),
+        verdict=_verdict(test, within.value, between.value),
         tables=(test.table(),),
-        warnings=fitted.refused,
+        warnings=(*fitted.refused, *filter(None, [leakage(runs[0])])),
         exclusions=(*exclusions_of(tests), *left_out),
         draw=lambda figure: draw(figure, runs, fitted),
         values={"bias_map": {name: fitted.value(name) for name in fitted.names}},

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias import full_circumference
-from pyhrg.bench.bias.full_circumference import SETTLE, dwells, programme
+from pyhrg.bench.bias.full_circumference import SETTLE, programme
 from pyhrg.bench.bias.positions import Plan
 from pyhrg.bench.estimation.harmonics import design, fit, harmonic
 from pyhrg.bench.outcome import Finding, Outcome, Table
@@ -67,7 +67,7 @@ def reports(runs: Sequence[Segments]) -> list[Reported]:
     plans: dict[tuple[int, float], list[tuple[float, float]]] = {}
     for run in runs:
         step = abs(float(np.median(np.diff(run.pattern_angle)))) / DEG
-        key = (len(dwells(run)), round(step * 4) / 4)
+        key = (run.dwells, round(step * 4) / 4)
         start = float(run.pattern_angle[0] % (math.pi / 2))
         plans.setdefault(key, []).append((start, float(np.std(run.rate, ddof=1))))
     return [

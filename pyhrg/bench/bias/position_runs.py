@@ -16,6 +16,9 @@ from pyhrg.units import DEG
 UNEVEN = 0.3
 """Share of a step of the pattern by which steps may differ: a lost position makes one of two."""
 
+LEAKS = 0.02
+"""Share of the fourth harmonic in the mean over positions, from which it is told."""
+
 
 def complete_runs(
     tests: Sequence[Test], latitude: float, settle: float
@@ -77,3 +80,18 @@ def _unbalanced(points: Segments, balanced: Segments) -> str:
         return ""
     held = len(balanced) // balanced.dwells
     return f"{fewer} of {len(points)} data points left out: a position has no more than {held}"
+
+
+def leakage(points: Segments) -> str:
+    """How much of the fourth harmonic is in the mean over positions, where it is much.
+
+    Evenly spaced positions take the harmonic at evenly spaced phases, which sum to zero only where
+    they fill whole periods.
+    """
+    share = float(np.abs(np.mean(np.exp(4j * points.pattern_angle))))
+    if share < LEAKS:
+        return ""
+    return (
+        f"the positions don't fill whole periods of the fourth harmonic: up to {share:.0%} of its "
+        "amplitude, by the power-on angle, is in the mean over positions (bias, repeatability)"
+    )

@@ -62,8 +62,40 @@ def found_pulses(log: Log, site: Site) -> list[Pulse]:
     Raises:
         BenchError: none, or rows too long to see what the gyro does.
     """
+    force = _pulse_force(log)
+    starts, ends = _bounds(log, force)
+    angle = _without_drift(log, site, starts[0])
+    pairs = zip(starts, ends, strict=True)
+    return [pulse for a, b in pairs if (pulse := _pulse(log, force, angle, int(a), int(b)))]
+
+
+def readings_without(log: Log, site: Site) -> list[float]:
+    """What `Pulse.kept` reads where there is no pulse: in the quiet before the first, rad.
+
+    The drift taken off is as uncertain as the quiet is short, and common to all pulses; it is in
+    these readings as well, so that the difference of means is free of it.
+
+    Raises:
+        BenchError: as `found_pulses`.
+    """
+    starts, ends = _bounds(log, _pulse_force(log))
+    angle = _without_drift(log, site, starts[0])
+    settle, window = (round(t / log.interval) for t in (SETTLE, WINDOW))
+    later = window + settle + int(ends[0] - starts[0])
+    first = starts[0] - round(QUIET / log.interval)
+    begins = range(first, starts[0] - later - window + 1, later + window)
+    change = angle[later:] - angle[:-later]
+    return [float(np.mean(change[begin : begin + window])) for begin in begins]
+
+
+def _pulse_force(log: Log) -> Array:
+    """(n, 3) specific force beyond its median, m/s2."""
     force = np.column_stack([getattr(log, name) for name in FORCES])
-    force = force - np.nanmedian(force, axis=0)
+    return np.asarray(force - np.nanmedian(force, axis=0))
+
+
+def _bounds(log: Log, force: Array) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """First and last rows of the pulses."""
     shaken = np.max(np.abs(force), axis=1) > THRESHOLD
     starts = np.flatnonzero(shaken & ~np.append(False, shaken[:-1]))
     ends = np.flatnonzero(shaken & ~np.append(shaken[1:], False))
@@ -78,12 +110,14 @@ def found_pulses(log: Log, site: Site) -> list[Pulse]:
             f"{log.source}: the first pulse comes after {starts[0] * log.interval:.3g} s; "
             f"{QUIET:g} s are needed before it to know the bias"
         )
-    rate = site.vertical_rate * log.axis_up
-    angle = log.gyro_angle - np.cumsum(rate) * log.interval
-    quiet = slice(starts[0] - round(QUIET / log.interval), starts[0])
-    angle = angle - np.polyfit(log.time[quiet], angle[quiet], 1)[0] * log.time
-    pairs = zip(starts, ends, strict=True)
-    return [pulse for a, b in pairs if (pulse := _pulse(log, force, angle, int(a), int(b)))]
+    return starts, ends
+
+
+def _without_drift(log: Log, site: Site, first: int) -> Array:
+    """(n,) output angle, Earth's rate and the drift before the first pulse taken out, rad."""
+    angle = log.gyro_angle - np.cumsum(site.vertical_rate * log.axis_up) * log.interval
+    quiet = slice(first - round(QUIET / log.interval), first)
+    return np.asarray(angle - np.polyfit(log.time[quiet], angle[quiet], 1)[0] * log.time)
 
 
 def _pulse(log: Log, force: Array, angle: Array, start: int, end: int) -> Pulse | None:

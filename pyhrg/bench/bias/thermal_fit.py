@@ -35,12 +35,13 @@ class Soak:
     """Bias at one temperature, rad/s.
 
     mean: over the circumference where `whole`, else over where the pattern was.
-    deviation: of the mean, by noise.
+    deviation: of the mean, by noise; freedom: degrees of freedom that it is known with.
     n: data points.
     """
 
     mean: float
     deviation: float
+    freedom: int
     n: int
     whole: bool
 
@@ -90,9 +91,9 @@ def _soak(found: Points) -> Soak:
     basis = pattern_basis(found.pattern_angle)
     if basis.angle is not None or len(found) < 6:
         deviation = np.std(found.rate, ddof=1) / np.sqrt(len(found)) if len(found) > 1 else np.nan
-        return Soak(float(np.mean(found.rate)), float(deviation), len(found), False)
+        return Soak(float(np.mean(found.rate)), float(deviation), len(found) - 1, len(found), False)
     fitted = fit({MEAN: np.ones(len(found)), **basis.columns}, found.rate)
-    return Soak(fitted.value(MEAN), fitted.deviation(MEAN), len(found), True)
+    return Soak(fitted.value(MEAN), fitted.deviation(MEAN), fitted.freedom, len(found), True)
 
 
 def measured(campaign: Campaign) -> Thermal:

@@ -55,9 +55,8 @@ def _findings(warm: Array, errors: Array) -> tuple[Finding, ...]:
     freedom = len(errors) - len(groups)
     noise = float(np.sqrt(within @ within / freedom)) if freedom else np.nan
     means = [float(np.mean(g)) for g in groups]
-    over = spread_finding(
-        OVER, means, noise / np.sqrt(len(errors) / len(groups)), "ppm", f"{len(groups)} soaks"
-    )
+    each = noise / np.sqrt(len(errors) / len(groups))
+    over = spread_finding(OVER, means, each, freedom, "ppm", f"{len(groups)} soaks")
     repeated = pooled_deviation_finding(REPEATED, groups, "ppm", "pairs of spins at one soak")
     return (_slope(warm, errors), over, repeated)
 

@@ -16,10 +16,10 @@ from matplotlib.figure import Figure
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.circumference import Circumference, circumference
 from pyhrg.bench.bias.compare import change_finding, noise_ratio_finding
-from pyhrg.bench.bias.shock import found_pulses, pulses
+from pyhrg.bench.bias.shock import found_pulses, pulses, readings_without
 from pyhrg.bench.bias.thermal_programme import positions
 from pyhrg.bench.estimation.harmonics import MEAN, harmonic
-from pyhrg.bench.outcome import BenchError, Finding, Outcome, mean_finding
+from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of, usable
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import WARM_UP
@@ -36,6 +36,7 @@ STATES = {
 }
 """Kinds that are held against the one before, as findings name them."""
 SHOCK = "shock"
+KEPT = "angle kept after a pulse"
 AXIS = {"vibration_along": "z", "vibration_across": "x"}
 RUNS = 4
 SEGMENTS = 2
@@ -143,16 +144,17 @@ def _changes(
 
 
 def _shock(campaign: Campaign) -> tuple[Finding, ...]:
-    found = [
-        pulse for test in usable(campaign, SHOCK) for pulse in found_pulses(test.log, campaign.site)
-    ]
+    logs, site = [test.log for test in usable(campaign, SHOCK)], campaign.site
+    found = [pulse for log in logs for pulse in found_pulses(log, site)]
+    without = [reading for log in logs for reading in readings_without(log, site)]
     if not found:
         return ()
     lost = sum(not pulse.valid for pulse in found)
-    note = f"{len(found)} pulses; output invalid in {lost}" if lost else f"{len(found)} pulses"
+    note = f"{len(found)} pulses less {len(without)} readings without"
+    note += f"; output invalid in {lost}" if lost else ""
     swing = max(pulse.swing for pulse in found)
     return (
-        mean_finding("angle kept after a pulse", [p.kept for p in found], "arcsec", note),
+        change_finding(KEPT, without, [p.kept for p in found], "arcsec", note),
         Finding("largest swing of a pulse", swing, "arcsec", n=len(found), note="no interval"),
     )
 

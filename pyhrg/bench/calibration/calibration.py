@@ -12,7 +12,8 @@ from matplotlib.figure import Figure
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias import full_circumference
 from pyhrg.bench.bias.bias_test import RUNS, bias_test
-from pyhrg.bench.bias.full_circumference import SEGMENTS, power_ons, runs_of, variances
+from pyhrg.bench.bias.full_circumference import SEGMENTS, power_ons, runs_of
+from pyhrg.bench.bias.position_variances import within_finding
 from pyhrg.bench.bias.positions import Plan
 from pyhrg.bench.calibration.calibration_figure import draw
 from pyhrg.bench.calibration.calibration_maps import (
@@ -117,7 +118,6 @@ def _exclusions(tests: Campaign) -> tuple[str, ...]:
 def left(stage: str, found: Calibration, runs: Sequence[Segments]) -> tuple[Finding, ...]:
     """What varies over the circumference."""
     test = bias_test(runs)
-    within, _ = variances(runs)
     variation = found.rates.variation()
     return (
         mean_finding(
@@ -126,7 +126,7 @@ def left(stage: str, found: Calibration, runs: Sequence[Segments]) -> tuple[Find
             "deg/h",
             "with the tilt of the input axis, which is none of the map's",
         ),
-        Finding(f"within positions {stage}", within**0.5, "deg/h", note="noise alone"),
+        within_finding(f"within positions {stage}", runs),
         Finding(
             f"scale factor variation {stage}",
             variation.value,

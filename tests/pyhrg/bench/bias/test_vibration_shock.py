@@ -8,7 +8,7 @@ import pytest
 from benchmarks.intervals import vibration_shock as coverage
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias import vibration_shock
-from pyhrg.bench.bias.shock import found_pulses
+from pyhrg.bench.bias.shock import found_pulses, readings_without
 from pyhrg.bench.bias.vibration_shock import BEFORE, SHOCK, power_ons, shocked
 from pyhrg.bench.outcome import BenchError
 from pyhrg.fmu import GyroFmu
@@ -42,6 +42,9 @@ def test_pulses_are_found_and_leave_nothing(fmu: GyroFmu) -> None:
     assert [p.axis for p in pulses] == [s + a for a in "xyz" for s in "+-" for _ in range(3)]
     assert all(pulse.valid for pulse in pulses)
     assert max(abs(pulse.kept) for pulse in pulses) < 0.05 * ARCSEC
+    readings = readings_without(log, device.site)
+    assert len(readings) == 13
+    assert max(map(abs, readings)) < 0.05 * ARCSEC
     assert max(p.swing for p in pulses[:6]) > 10 * max(p.swing for p in pulses[6:])
 
 

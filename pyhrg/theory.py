@@ -71,6 +71,19 @@ def quadrature_lag_scale_factor(
     return -(frequency_split**2) / 2 * share
 
 
+def quadrature_lag_bias(
+    frequency_split: float, natural_frequency: float, bryan_factor: float, rate: float
+) -> float:
+    """Amplitude of sin 8(th - th_w) in the output of a gyro whose quadrature loop lags, rad/s.
+
+    Looks like a bias, but grows with the square of the rate: the part of the quadrature in
+    `quadrature_lag_scale_factor` that is a quarter period late, dw^2 w v^2/(4 k (w^2 + v^2)^2).
+    """
+    turning = 4 * bryan_factor * rate
+    share = natural_frequency * turning**2 / (natural_frequency**2 + turning**2) ** 2
+    return frequency_split**2 * share / (4 * bryan_factor)
+
+
 def late_ripple(loop: complex, lag: float, bryan_factor: float, rate: float) -> complex:
     """What a pick-off error's ripple of the amplitude adds to its own scale-factor map.
 

@@ -12,6 +12,8 @@ from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL
 
 MODEL = "HRGSlow"
+RATE = 5 * dead_zone.MAP_RATE
+"""Faster than the test's, so that a repeat is short."""
 
 
 def repeat(fmu: GyroFmu, seed: int) -> dict[str, tuple[float, float, float]]:
@@ -20,7 +22,7 @@ def repeat(fmu: GyroFmu, seed: int) -> dict[str, tuple[float, float, float]]:
     device = TYPICAL.another(np.random.default_rng(seed))
     for name, gyro in (("", device), (", no anisotropy", device.without_anisotropy())):
         bench = Bench(fmu, gyro, seed, step=0.5)
-        logs = [test.log for test in bench.run(dead_zone.map_runs(bench))]
+        logs = [test.log for test in bench.run(dead_zone.map_runs(bench, RATE))]
         fitted, _ = fitted_turning(logs, bench.device.site.latitude)
         lock = magnitude_finding("lock rate", fitted, FOURTH, "deg/h")
         result[f"lock rate{name}"] = (theory.lock_rate(gyro), lock.low, lock.high)

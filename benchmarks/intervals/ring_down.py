@@ -8,14 +8,14 @@ from pyhrg.bench.identification import rate_reversal, ring_down
 from pyhrg.fmu import GyroFmu
 
 MODEL = "HRGSlow"
-DECAY = 120.0
+POSITIONS = 4
 
 
 def repeat(fmu: GyroFmu, seed: int) -> Intervals:
     """One gyro: ring-downs at four angles, and its pick-offs by table rate."""
     on = bench(fmu, seed)
     device = on.device
-    course = ring_down.programme(on, decay=DECAY)
+    course = ring_down.programme(on, POSITIONS, ring_down.DECAY)
     tests = on.run([PowerOn("ring_down", ring_down.KIND, course)])
     campaign = on.campaign([*tests, *rate_reversal.record(on, duration=70.0)])
     damping = device.damping_anisotropy * np.exp(4j * device.damping_axis)

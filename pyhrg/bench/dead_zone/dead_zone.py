@@ -29,7 +29,7 @@ from pyhrg.units import DEG, DEG_PER_H, HOUR
 MAP, PLAIN = "dead_zone_map", "dead_zone"
 COMPENSATED, CANCELLED = "dead_zone_compensated", "dead_zone_cancelled"
 MAP_RATE = 0.1 * DEG
-MAP_INTERVAL = 10.0
+MAP_INTERVAL = 5.0
 NET_RATES = (-2.0, -1.5, -1.1, -0.9, -0.5, 0.0, 0.5, 0.9, 1.1, 1.5, 2.0)
 """Over W_L."""
 FEWER = (-1.5, -1.2, -0.7, -0.3, 0.3, 0.7, 1.2, 1.5)
@@ -49,12 +49,12 @@ def spin(
     return course.spin(rate, math.ceil(duration / interval) * interval)
 
 
-def map_runs(bench: Bench) -> list[PowerOn]:
+def map_runs(bench: Bench, rate: float = MAP_RATE) -> list[PowerOn]:
     """A turn of the pattern either way."""
-    duration = 2 * math.pi / (bench.device.bryan_factor * MAP_RATE)
+    duration = 2 * math.pi / (bench.device.bryan_factor * rate)
     return [
-        PowerOn(f"{MAP}_{name}", MAP, spin(bench, MAP_INTERVAL, rate, duration))
-        for name, rate in (("positive", MAP_RATE), ("negative", -MAP_RATE))
+        PowerOn(f"{MAP}_{name}", MAP, spin(bench, MAP_INTERVAL, signed, duration))
+        for name, signed in (("positive", rate), ("negative", -rate))
     ]
 
 

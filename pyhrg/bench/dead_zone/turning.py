@@ -1,8 +1,8 @@
 """Bias map from logs in which the table turns the pattern slowly, both ways.
 
 The mean output rate of a segment less the input is the bias map averaged over what the pattern
-swept meanwhile. A pick-off error goes with the rate, the bias does not: both directions tell them
-apart.
+swept meanwhile; neighbours share the angle noise of the bound between them (`row_fit`). A pick-off
+error goes with the rate, the bias does not: both directions tell them apart.
 """
 
 from collections.abc import Sequence
@@ -10,7 +10,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, MEAN, Fit, fit, harmonic, inflation
+from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, MEAN, harmonic
+from pyhrg.bench.estimation.row_fit import Part, RowFit, inflations, row_fit
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.plateaus import plateaus
 from pyhrg.bench.readings.segments import SEGMENT
@@ -27,6 +28,14 @@ FASTEST = 10 * DEG
 """Rate of the table, rad/s, beyond which a log says more of the read-out than of the bias."""
 SWEPT = 90 * DEG
 """A log turns the pattern by this at least, a period of the fourth harmonic."""
+WITH_RATE = ("scale", "rate cos4", "rate sin4")
+GROUPS = {
+    "harmonic 4": FOURTH,
+    "errors of scale factor and pick-offs": WITH_RATE,
+    "harmonic 2": harmonic(2),
+    "harmonic 8": harmonic(8),
+}
+"""Terms beside the mean in the order in which they are asked of the logs."""
 
 
 def turning(log: Log) -> bool:
@@ -40,52 +49,51 @@ def turning(log: Log) -> bool:
     return bool(still and 0.0 < rate < FASTEST and np.ptp(log.wave_angle) >= SWEPT)
 
 
-def fitted_turning(logs: Sequence[Log], latitude: float) -> tuple[Fit, list[str]]:
+def fitted_turning(logs: Sequence[Log], latitude: float) -> tuple[RowFit, list[str]]:
     """Bias map of turning logs, rad/s: mean, harmonics 4 and where they can be seen 2 and 8, and
     what goes with the rate; and a sentence on each term that can't be told apart.
 
     Raises:
         BenchError: too few segments, or the fourth harmonic can't be seen.
     """
-    rows = [row for log in logs for row in _segments(log, latitude)]
-    if len(rows) < 10:
-        raise BenchError(
-            f"{logs[0].source}: {len(rows)} segments of the turning pattern; 10 needed"
-        )
-    error, rate, span, *phasors = np.array(rows).T
-    weight, share = np.sqrt(span / np.max(span)), rate / np.max(np.abs(rate))
-    groups: dict[str, dict[str, Array]] = {
-        "harmonic 4": dict(zip(FOURTH, phasors[2:4], strict=True)),
-        "errors of scale factor and pick-offs": {
-            "scale": share, "rate cos4": share * phasors[2], "rate sin4": share * phasors[3],
-        },
-        "harmonic 2": dict(zip(harmonic(2), phasors[0:2], strict=True)),
-        "harmonic 8": dict(zip(harmonic(8), phasors[4:6], strict=True)),
-    }  # fmt: skip
-    columns = {MEAN: np.ones_like(error)}
-    refused = []
-    for name, group in groups.items():
-        trial = {**columns, **group}
-        if len(trial) + 2 < len(error) and _worst(trial, weight) <= LARGEST_INFLATION:
-            columns = trial
+    rows = [stretch for log in logs for stretch in _stretches(log, latitude)]
+    count = sum(map(len, rows))
+    if count < 10:
+        raise BenchError(f"{logs[0].source}: {count} segments of the turning pattern; 10 needed")
+    fastest = max(float(np.max(np.abs(stretch[:, 1]))) for stretch in rows)
+    parts = [_part(stretch, fastest) for stretch in rows]
+    names, refused = [MEAN], []
+    for name, group in GROUPS.items():
+        trial = [*names, *group]
+        if len(trial) + 2 < count and max(inflations(parts, trial).values()) <= LARGEST_INFLATION:
+            names = trial
         elif name == "harmonic 4":
             raise BenchError(f"{logs[0].source}: the pattern turned too little to see {name}")
         else:
             refused.append(f"the turning logs can't tell {name} from the fourth harmonic's terms")
-    weighted = {name: weight * column for name, column in columns.items()}
-    return fit(weighted, weight * error), refused
+    return row_fit(parts, names), refused
 
 
-def _worst(columns: dict[str, Array], weight: Array) -> float:
-    """Largest inflation of a variance by other terms."""
-    return max(inflation({name: weight * column for name, column in columns.items()}).values())
+def _part(stretch: Array, fastest: float) -> Part:
+    """Angles that the terms and the error turn the output by in each segment of a stretch."""
+    error, rate, span, *phasors = stretch.T
+    share = rate / fastest
+    columns = {
+        MEAN: np.ones_like(error),
+        **dict(zip((*harmonic(2), *FOURTH, *harmonic(8)), phasors, strict=True)),
+        **dict(zip(WITH_RATE, (share, share * phasors[2], share * phasors[3]), strict=True)),
+    }
+    scaled = {name: span * column for name, column in columns.items()}
+    return Part(scaled, span * error, float(span[0]))
 
 
-def _segments(log: Log, latitude: float) -> list[tuple[float, ...]]:
-    """(output less input rate, table's rate, length, mean cos 2, sin 2, ... sin 8) of each."""
-    found = []
+def _stretches(log: Log, latitude: float) -> list[Array]:
+    """Of each plateau, (n, 9) of its segments, one after the other and equally long: output less
+    input rate, table's rate, length, mean cos 2, sin 2, ... sin 8."""
+    stretches = []
     for plateau in plateaus(log, 3 * log.interval):
         turned = max(abs(plateau.mean_rate(log, log.wave_angle)), 1e-12)
+        found = []
         rows = max(1, round(min(SEGMENT, ARC / turned) / log.interval))
         for begin in range(plateau.first, plateau.last - rows + 1, rows):
             span = float(log.time[begin + rows] - log.time[begin])
@@ -96,7 +104,9 @@ def _segments(log: Log, latitude: float) -> list[tuple[float, ...]]:
             angle = log.wave_angle[begin : begin + rows + 1]
             means = (_mean(trig, order * angle) for order in (2, 4, 8) for trig in (np.cos, np.sin))
             found.append((float(output - rate - earth), float(rate), span, *means))
-    return found
+        if found:
+            stretches.append(np.array(found))
+    return stretches
 
 
 def _mean(trig: np.ufunc, phase: Array) -> float:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS
-from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table, mean_finding
+from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table
 from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.campaign import Campaign, Test
 from pyhrg.records import Log
@@ -109,7 +109,7 @@ def _from_then_on(time: Array, good: NDArray[np.bool_], latest: float) -> float:
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Mean and greatest of both times."""
+    """Median and greatest of both times."""
     tests = tests_of(campaign, KIND)
     runs = [start_up(test.log, campaign.site.latitude) for test in tests]
     findings = (
@@ -122,7 +122,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         findings=findings,
         verdict=(
             f"Valid after {findings[0].value:.3g} s, within {SPECIFICATION / DEG_PER_H:g} deg/h "
-            f"({AVERAGE:g} s averages) after {findings[2].value:.3g} s, means of {len(runs)} "
+            f"({AVERAGE:g} s averages) after {findings[2].value:.3g} s, medians of {len(runs)} "
             "power-ons."
         ),
         tables=(Table("Power-ons", ("run", "valid, s", "to specification, s"), tuple(rows)),),
@@ -133,15 +133,30 @@ def evaluate(campaign: Campaign) -> Outcome:
 
 
 def times(name: str, samples: Sequence[float], interval: float) -> tuple[Finding, Finding]:
-    """Mean, its interval widened by a row, and greatest."""
-    largest = Finding(f"greatest {name}", float(np.max(samples)), "s", n=len(samples))
+    """Median and greatest.
+
+    Times are whole rows, alike or skewed, so that a mean's interval would be none. The median of
+    all power-ons lies between the least and the greatest of n with 1 - 2^(1-n), whatever the
+    distribution (sign test); the least happened within the row before.
+    """
+    n = len(samples)
+    largest = Finding(f"greatest {name}", float(np.max(samples)), "s", n=n)
     if np.isnan(samples).any():
-        missing = f"{np.isnan(samples).sum()} of {len(samples)} not in the first half of the log"
-        none = Finding(name, np.nan, "s", n=len(samples), note=missing)
-        return none, replace(largest, note=missing)
-    mean = mean_finding(name, samples, "s")
-    note = f"no interval: another power-on exceeds it with probability 1/{len(samples) + 1}"
-    return replace(mean, low=mean.low - interval), replace(largest, note=note)
+        missing = f"{np.isnan(samples).sum()} of {n} not in the first half of the log"
+        return Finding(name, np.nan, "s", n=n, note=missing), replace(largest, note=missing)
+    held = 1 - 2.0 ** (1 - n)
+    median = Finding(name, float(np.median(samples)), "s", n=n)
+    if held < 0.95:
+        median = replace(median, note=f"median; {n} of at least 6 power-ons: no interval")
+    else:
+        median = replace(
+            median,
+            low=float(np.min(samples)) - interval,
+            high=largest.value,
+            note=f"median; least and greatest of {n} hold that of all power-ons with {held:.1%}",
+        )
+    note = f"no interval: another power-on exceeds it with probability 1/{n + 1}"
+    return median, replace(largest, note=note)
 
 
 def _warnings(tests: Sequence[Test], runs: Sequence[StartUp]) -> tuple[str, ...]:
@@ -165,9 +180,11 @@ def draw(figure: Figure, runs: Sequence[StartUp]) -> None:
         shown = np.maximum(np.abs(run.error) / DEG_PER_H, 1e-5)
         axes.semilogy(run.time, shown, lw=0.8, color="#0072B2", alpha=0.6, label=label)
     axes.axhline(SPECIFICATION / DEG_PER_H, color="k", ls="--", lw=1, label="specification")
-    valid, within = (np.mean([getattr(run, name) for run in runs]) for name in ("valid", "within"))
-    axes.axvline(float(valid), color="#009E73", lw=1.5, label="mean time to valid output")
-    axes.axvline(float(within), color="#D55E00", lw=1.5, label="mean time to specification")
+    valid, within = (
+        np.median([getattr(run, name) for run in runs]) for name in ("valid", "within")
+    )
+    axes.axvline(float(valid), color="#009E73", lw=1.5, label="median time to valid output")
+    axes.axvline(float(within), color="#D55E00", lw=1.5, label="median time to specification")
     axes.set_xlim(0, 2.5 * within if np.isfinite(within) else None)
     axes.set_xlabel("time since power-on, end of the average, s")
     axes.set_ylabel(f"|error of the {AVERAGE:g} s mean rate|, deg/h")

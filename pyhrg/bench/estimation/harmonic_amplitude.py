@@ -29,11 +29,11 @@ def magnitude_finding(name: str, fitted: Fit, terms: tuple[str, str], unit: str)
     covariance = fitted.covariance[rows][:, rows]
     direction = vector / length if length > 0 else vector
     along = float(direction @ covariance @ direction) or float(covariance.trace()) / 2
-    low, high = interval(length, math.sqrt(along), fitted.freedom)
+    low, high = interval(length, math.sqrt(along), fitted.freedom_of(*terms))
     return Finding(name, length, unit, low, high, len(fitted.residual))
 
 
-def interval(length: float, deviation: float, freedom: int) -> tuple[float, float]:
+def interval(length: float, deviation: float, freedom: float) -> tuple[float, float]:
     """95 % interval of the true length, from the estimate and the standard error of a term."""
     if deviation == 0.0:
         return length, length

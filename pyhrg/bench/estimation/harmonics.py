@@ -73,6 +73,10 @@ class Fit:
         i = self.names.index(name)
         return float(np.sqrt(self.covariance[i, i]))
 
+    def freedom_of(self, *names: str) -> float:
+        """Degrees of freedom of the terms' standard errors, the least."""
+        return self.freedom
+
     def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
         """Student's interval of one term: residuals independent and alike."""
         reach = stats.t.ppf((1 + confidence) / 2, self.freedom) * self.deviation(name)

@@ -9,7 +9,8 @@ more than a transform.
 Densities q and r are estimated by restricted maximum likelihood (iterated MINQUE: C. R. Rao 1971;
 Searle, Casella and McCulloch, Variance Components, 1992, ch. 11). Where a record is too short to
 show q, its estimate is uncertain and may be zero: each is replaced by its mean over positive values
-and the intervals get Satterthwaite's degrees of freedom.
+and the intervals get Satterthwaite's degrees of freedom. Weights that are estimated cost precision
+too (M. G. Kenward, J. H. Roger, Biometrics 53, 1997).
 """
 
 from collections.abc import Mapping, Sequence
@@ -70,10 +71,14 @@ class RowFit(Fit):
 
     freedoms: Array
 
+    def freedom_of(self, *names: str) -> float:
+        """Of the terms, the least."""
+        return float(min(self.freedoms[self.names.index(name)] for name in names))
+
     def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
         """Student's interval of one term."""
-        freedom = self.freedoms[self.names.index(name)]
-        reach = float(stats.t.ppf((1 + confidence) / 2, freedom)) * self.deviation(name)
+        reach = float(stats.t.ppf((1 + confidence) / 2, self.freedom_of(name)))
+        reach *= self.deviation(name)
         return self.value(name) - reach, self.value(name) + reach
 
 
@@ -95,6 +100,7 @@ def row_fit(parts: Sequence[Part], names: Sequence[str]) -> RowFit:
     densities, spread = problem.positive(densities)
     solution, covariance, residual = problem.solved(densities)
     freedoms = problem.freedoms(densities, spread)
+    covariance = problem.widened(covariance, densities, spread)
     return RowFit(
         tuple(names),
         solution / scale,
@@ -166,6 +172,19 @@ class _Problem:
         shrunk = np.sqrt(variance)
         spread = np.asarray(covariance * np.outer(shrunk, shrunk), dtype=np.float64)
         return np.asarray(densities + deviation * mean), spread
+
+    def widened(self, covariance: Array, densities: Array, spread: Array) -> Array:
+        """Covariance (m, m) of the terms with what the weights' uncertainty adds."""
+        variance = densities @ self.components
+        relative = self.components / variance
+        white = self.matrix / np.sqrt(variance)[:, None]
+        once = [(white * part[:, None]).T @ white for part in relative]
+        added = np.zeros_like(covariance)
+        for i, first in enumerate(relative):
+            for j, second in enumerate(relative):
+                both = (white * (first * second)[:, None]).T @ white
+                added += spread[i, j] * (both - once[i] @ covariance @ once[j])
+        return np.asarray(covariance + 2 * covariance @ added @ covariance)
 
     def freedoms(self, densities: Array, spread: Array) -> Array:
         """(m,) of the terms: 2 v^2 over the variance of v, their variance."""

@@ -81,16 +81,25 @@ def cubic(campaign: Campaign, stretches: Sequence[Rows]) -> Terms:
 
 
 def duffing(stretches: Sequence[Rows]) -> Terms:
-    """Stiffness from the loop frequency; the split goes with the angle, temperature with time."""
+    """Stiffness from the loop frequency; the split goes with the angle, temperature with time.
+
+    Errors of the electrodes add the eighth harmonic to the split's fourth; those of the pick-offs
+    turn the true amplitude, and so the stiffness's share, by the fourth.
+    """
     parts = []
     for rows in stretches:
-        h = rows.log.interval
+        h, excess = rows.log.interval, rows.held("amplitude_setpoint") ** 2 - 1
+        c4, s4, c8, s8 = (rows.mean_trig(trig, n) for n in (4, 8) for trig in (np.cos, np.sin))
         columns = {
             "frequency": np.ones(len(rows)),
-            DUFFING: rows.held("amplitude_setpoint") ** 2 - 1,
-            "frequency cos4": rows.mean_trig(np.cos, 4),
-            "frequency sin4": rows.mean_trig(np.sin, 4),
+            DUFFING: excess,
+            "frequency cos4": c4,
+            "frequency sin4": s4,
             DRIFT: rows.held("time") / rows.log.time[-1] - 0.5,
+            "frequency cos8": c8,
+            "frequency sin8": s8,
+            f"{DUFFING} cos4": excess * c4,
+            f"{DUFFING} sin4": excess * s4,
         }
         scaled = {name: h * values for name, values in columns.items()}
         parts.append(Part(scaled, h * rows.held("frequency_offset"), h))

@@ -157,8 +157,10 @@ def _nearby(found: Sequence[Decay], gyro: Gyro, start: Array) -> Array:
         )
 
     across = np.array([0.0, 0.0, 0.0, -start[4], start[3]])
+    # gradients are as small as the readings' noise, and say nothing of the end
     tried = [
-        least_squares(left, start + share * across, x_scale=SCALES) for share in (0.0, 1.0, -1.0)
+        least_squares(left, start + share * across, x_scale=SCALES, gtol=None)
+        for share in (0.0, 1.0, -1.0)
     ]
     return np.asarray(min(tried, key=lambda result: float(result.cost)).x)
 

@@ -65,7 +65,15 @@ class ScaleFactorMap:
             self.finding(f"{SCALE} sin4", "pick-off non-orthogonality", "ppm", -1.0),
             *(self.finding(name, name, "ppm") for name in names),
             self.finding(BIAS, "bias", "deg/h"),
-            *(self.finding(name, name, "deg/h") for name in self.harmonics(BIAS)),
+            *(self.finding(name, name, "deg/h", note=self.even()) for name in self.harmonics(BIAS)),
+        )
+
+    def even(self) -> str:
+        """What the bias's harmonics hold besides the bias."""
+        fastest = max(abs(turn.table_rate) for turn in self.turns) / DEG
+        return (
+            f"what is even in the rate, up to {fastest:.3g} deg/s: the bias map and what the loops "
+            "add with the square of the rate"
         )
 
     def finding(

@@ -1,10 +1,13 @@
 """Fits of rows whose noise is known."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
+from scipy.fft import dst
 from scipy.stats import binom
 
-from pyhrg.bench.estimation.row_fit import Part, inflations, row_fit
+from pyhrg.bench.estimation.row_fit import Part, _Problem, inflations, row_fit
 
 INTERVAL = 0.5
 
@@ -65,3 +68,18 @@ def test_too_few_rows_are_refused() -> None:
     part = noisy(1, 1.0, 0.0, n=3)
     with pytest.raises(ValueError, match="3 rows"):
         row_fit([part], ["slope", "wave"])
+
+
+@pytest.mark.parametrize(("rows", "least", "most"), [(12, 1.03, 1.5), (1000, 1.0, 1.003)])
+def test_estimated_weights_cost_precision(rows: int, least: float, most: float) -> None:
+    """Two channels whose noise is known from a few rows are weighed wrongly; not so of many."""
+    parts = [replace(noisy(seed, 1.0, 0.0, n=rows), channel=str(seed)) for seed in (5, 6)]
+    matrix = dst(np.stack([part.columns["slope"] for part in parts]), type=1, norm="ortho")
+    values = dst(np.stack([part.values for part in parts]), type=1, norm="ortho")
+    components = np.kron(np.eye(2), INTERVAL * np.ones(rows))
+    problem = _Problem(values.ravel(), matrix.reshape(-1, 1), components)
+    densities, spread = problem.positive(problem.likely())
+    covariance = problem.solved(densities)[1]
+    wider = problem.widened(covariance, densities, spread)
+    assert least <= np.sqrt(wider[0, 0] / covariance[0, 0]) <= most
+    assert problem.widened(covariance, densities, 0 * spread) == pytest.approx(covariance)

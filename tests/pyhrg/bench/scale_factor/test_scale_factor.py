@@ -79,6 +79,12 @@ def test_the_quadrature_loop_lags(fmu: GyroFmu) -> None:
         assert found.finding("scale factor cos8").value == pytest.approx(
             lag * np.cos(160 * DEG), rel=0.05
         )
+        even = theory.quadrature_lag_bias(split, 6.0, 0.277, method.RATE)
+        tolerance = {"rel": 0.02, "abs": 1e-5 * DEG_PER_H}
+        cosine, sine = (found.finding(f"bias {name}8").value for name in ("cos", "sin"))
+        assert cosine == pytest.approx(-even * np.sin(160 * DEG), **tolerance)
+        assert sine == pytest.approx(even * np.cos(160 * DEG), **tolerance)
+        assert "even in the rate" in found.finding("bias cos8").note
 
 
 def test_late_ripple(fmu: GyroFmu) -> None:

@@ -126,6 +126,9 @@ def chosen(
 ) -> Plan:
     """The plan with the least disturbance between terms; of equals, the least turning.
 
+    Only plans are considered whose positions go round the fourth harmonic a whole number of times,
+    so that nothing of it is left in their mean.
+
     Args:
         positions: 8N.
         bryan_factor: of the gyro.
@@ -134,11 +137,11 @@ def chosen(
         largest_turns: of the table, in all.
     """
     wanted = tuple(harmonics)
-    bases = [180.0 / positions, 360.0 / positions, 90.0 / positions, 7.5, 11.25, 15.0, 22.5]
+    share = 90.0 / positions
     plans = [
-        Plan(positions, (base + 90.0 * more) * DEG, bryan_factor)
-        for base in sorted(set(bases))
+        Plan(positions, (part * share + 90.0 * more) * DEG, bryan_factor)
         for more in range(5)
+        for part in range(1, positions)
     ]
     plans = [p for p in plans if positions * p.table_step <= largest_turns * 2 * math.pi]
 

@@ -168,7 +168,11 @@ def _verdict(findings: Sequence[Finding]) -> str:
         return "No change of the bias or its map is clear of zero."
     worst = max(clear, key=lambda f: abs(f.value))
     term, state = worst.name.split(" change ")
-    return f"The largest change is that of {term} {state}: {worst.value / DEG_PER_H:.2g} deg/h."
+    return (
+        f"{len(clear)} of {len(changes)} changes are clear of zero, where {len(changes) / 20:.1g} "
+        f"would be by chance; the largest is that of {term} {state}: "
+        f"{worst.value / DEG_PER_H:.2g} deg/h."
+    )
 
 
 def draw(figure: Figure, groups: dict[str, Sequence[Circumference]]) -> None:

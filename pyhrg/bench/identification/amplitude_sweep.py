@@ -13,7 +13,14 @@ from matplotlib.figure import Figure
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.row_fit import Part
 from pyhrg.bench.identification.identification_figure import draw_terms
-from pyhrg.bench.identification.rate_reversal import EIGHTH, GAIN, SCALE, SKEW, pickoff_columns
+from pyhrg.bench.identification.rate_reversal import (
+    EIGHTH,
+    GAIN,
+    SCALE,
+    SKEW,
+    eighth_findings,
+    pickoff_columns,
+)
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.readings.output_rows import (
@@ -117,7 +124,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         findings=(
             frequency.finding(DUFFING, "mHz"),
             output.finding(CUBIC, "ppm"),
-            *(output.finding(n, "arcsec", f"{n} of the angle", -1.0) for n in EIGHTH),
+            *eighth_findings(output),
         ),
         verdict=(
             "What follows the square of the amplitude is stiffness (frequency) or a cubic of the "

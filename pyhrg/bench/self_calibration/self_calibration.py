@@ -73,6 +73,10 @@ def record(bench: Bench, runs: int = RUNS, count: int = CYCLES) -> list[Test]:
     return bench.run(tasks)
 
 
+GAIN_ERROR = "virtual rotation gain error"
+HELD = "with the hold of the forces, -Ts/2 tau, and -(W_L/V)^2/2 of a large map"
+
+
 def evaluate(campaign: Campaign) -> Outcome:
     """Bias, stability, repeatability, scale factor and random walk, on and off."""
     tests = tests_of(campaign, *KINDS)
@@ -86,7 +90,7 @@ def evaluate(campaign: Campaign) -> Outcome:
     walks = walk(turning, rotation), walk(still, rest)
     ratio = ratio_finding("random walk on over off", *walks)
     bias = mean_finding("bias on", [c.rate for run in on for c in run], "deg/h")
-    gain = mean_finding("virtual rotation gain error", [c.gain for r in on for c in r], "ppm")
+    gain = mean_finding(GAIN_ERROR, [c.gain for r in on for c in r], "ppm", HELD)
     findings = (
         bias,
         *_scatter("on", on),

@@ -122,12 +122,12 @@ def finding(name: str, steps: Sequence[Step]) -> Finding:
     if not np.isfinite(high):
         note = "at least: the search ended here"
     elif low == 0.0:
-        note = "the slowest step is outside"
+        note = "below the slowest step, which is outside; a bracket, no statistics"
     else:
         outside = next(step for step in steps if abs(step.rate) == high)
-        note = f"the next step is {'nonlinear' if outside.valid else 'not valid'}"
-    value = low or np.nan
-    return Finding(name, value, "deg/s", low, high, len(steps), note, at_least=True)
+        why = "nonlinear" if outside.valid else "not valid"
+        note = f"the next step is {why}; the interval is the one between both, no statistics"
+    return Finding(name, low, "deg/s", low, high, len(steps), note, at_least=True)
 
 
 def evaluate(campaign: Campaign) -> Outcome:

@@ -187,8 +187,7 @@ def draw(figure: Figure, found: Sequence[Decay], fit: Fit, gyro: Gyro) -> None:
     below.set_ylabel("residual of the fit, arcsec")
     below.set_xlabel("time since the drive was switched off, s")
     above.set_title("Ring-downs: pattern angle less rotation and split")
-    above.legend(title="pattern", fontsize="small", loc="upper left", bbox_to_anchor=(1.01, 1.03))
-    figure.subplots_adjust(right=0.8)
+    figure.legend(title="pattern", fontsize="small", loc="outside right upper")
     for axes in (above, below):
         axes.grid(alpha=0.3)
 

@@ -90,6 +90,17 @@ def test_earths_rate_tells_where_all_angles_are_in_radians(
         read_back(log, tmp_path)
 
 
+@pytest.mark.parametrize("rate", [-100.0, -5.0, 5.0, 100.0])
+def test_earths_rate_tells_it_beside_the_tables_too(tmp_path: Path, rate: float) -> None:
+    """Nothing else contradicts a log that turns throughout; in degrees it passes."""
+    whole = made_up_log(table_rate=rate * DEG)
+    half = {name: value[300:] for name, value in vars(whole).items() if np.ndim(value)}
+    log = replace(whole, **half)
+    assert read_back(log, tmp_path).exclusions == ()
+    with pytest.raises(LogError, match=r"turns 0\.017\d times as far as Earth's rate asks for"):
+        read_back(scaled(log, DEG, "table_angle", "gyro_angle", "wave_angle"), tmp_path)
+
+
 def test_g_is_told_from_metres(tmp_path: Path) -> None:
     with pytest.raises(LogError, match=r"accel_z_m_s2 and its like: 0.999 in all"):
         read_back(scaled(made_up_log(), 1 / 9.80665, "acceleration_z"), tmp_path)

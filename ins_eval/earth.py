@@ -1,9 +1,11 @@
 """WGS-84: rotation, shape and gravity. Latitudes in rad; scalars or arrays."""
 
-import numba
 import numpy as np
 
-RATE = 7.292115e-5
+from ins_eval.compiled import compiled
+from pyhrg.site import EARTH_RATE
+
+RATE = EARTH_RATE
 """Rotation rate, rad/s."""
 SEMI_MAJOR = 6378137.0
 """Equatorial radius, m."""
@@ -16,24 +18,21 @@ SOMIGLIANA = 0.00193185265241
 GRAVITY_RATIO = 0.00344978650684
 """m = RATE^2 a^2 b / GM."""
 
-jit = numba.njit
-"""No cache: it would not notice a change in a function that is called from another module."""
 
-
-@jit
+@compiled
 def meridian_radius(latitude):
     """Radius of curvature M in the meridian, m (Groves 2013, Eq. 2.105)."""
     w = 1 - ECCENTRICITY_SQUARED * np.sin(latitude) ** 2
     return SEMI_MAJOR * (1 - ECCENTRICITY_SQUARED) / w**1.5
 
 
-@jit
+@compiled
 def transverse_radius(latitude):
     """Radius of curvature N across the meridian, m (Groves 2013, Eq. 2.106)."""
     return SEMI_MAJOR / np.sqrt(1 - ECCENTRICITY_SQUARED * np.sin(latitude) ** 2)
 
 
-@jit
+@compiled
 def gravity(latitude, height):
     """Normal gravity, m/s^2, down (NIMA TR8350.2, Eqs. 4-1 and 4-3)."""
     s = np.sin(latitude) ** 2

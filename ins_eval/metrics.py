@@ -6,23 +6,12 @@ from scipy.optimize import brentq
 from scipy.special import erf
 from scipy.stats import binom
 
-from ins_eval import earth
-
 Array = NDArray[np.float64]
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(100)
 
 FEWEST_FOR_MEDIAN = 6
 """Smallest sample whose extremes hold the median with 95 % confidence: 1 - 2 / 2^6 = 96.9 %."""
-
-
-def position_error(position: Array, truth: Array) -> Array:
-    """North and east error (..., 2), m, of latitude and longitude (..., 2+) against the truth
-    (..., 3)."""
-    latitude, height = truth[..., 0], truth[..., 2]
-    north = (position[..., 0] - latitude) * (earth.meridian_radius(latitude) + height)
-    east_radius = (earth.transverse_radius(latitude) + height) * np.cos(latitude)
-    return np.stack([north, (position[..., 1] - truth[..., 1]) * east_radius], axis=-1)
 
 
 def median_interval(sample: ArrayLike, confidence: float = 0.95) -> tuple[float, float]:

@@ -5,7 +5,7 @@ import pytest
 from scipy.stats import binom
 
 from ins_eval.metrics import FEWEST_FOR_MEDIAN, median_interval, median_radius
-from ins_eval.verdict import Ratio, verdict
+from ins_eval.validation.verdict import Ratio, verdict
 
 
 @pytest.mark.parametrize("n", [6, 7, 8, 9, 15, 20, 21, 50, 101])

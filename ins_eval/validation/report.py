@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.figure import DEG_PER_H, NAUTICAL_MILE, draw
 from ins_eval.metrics import median_interval
-from ins_eval.study import Validation
-from ins_eval.verdict import Ratio, ratio, verdict
+from ins_eval.validation.figure import draw
+from ins_eval.validation.study import Validation
+from ins_eval.validation.verdict import Ratio, ratio, verdict
+from pyhrg.units import DEG_PER_H, NAUTICAL_MILE
 
 Array = NDArray[np.float64]
 

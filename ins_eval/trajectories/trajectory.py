@@ -14,6 +14,7 @@ from scipy.interpolate import BSpline, make_interp_spline
 from ins_eval import earth
 from ins_eval.increments import Increments
 from ins_eval.rotation import body_rate_from_euler, mat_from_euler
+from ins_eval.state import State, Track
 
 Array = NDArray[np.float64]
 
@@ -73,6 +74,16 @@ class Trajectory:
             axis=-1,
         )
 
+    def track(self, time: Array) -> Track:
+        """States at times (m,), s."""
+        return Track(time, self.position(time), self.velocity(time), self.mat_nb(time))
+
+    def state(self, time: float) -> State:
+        """State at one time, s."""
+        t = np.array(time)
+        latitude, longitude, height = map(float, self.position(t))
+        return State(latitude, longitude, height, self.velocity(t), self.mat_nb(t))
+
     def rate_and_force(self, time: Array) -> tuple[Array, Array]:
         """`omega_ib_b` (..., 3), rad/s, and specific force `f_b` (..., 3), m/s^2."""
         x, dx, ddx = self._spline(time), self._rate(time), self._acceleration(time)
@@ -101,7 +112,7 @@ class Trajectory:
             weights = 0.5 * interval * _WEIGHTS[:, None]
             rotation[first:last] = np.sum(weights * omega, axis=1)
             velocity[first:last] = np.sum(weights * force, axis=1)
-        return Increments(interval, rotation, velocity)
+        return Increments(interval, rotation, velocity, start)
 
     @staticmethod
     def _acceleration_n(x: Array, dx: Array, ddx: Array) -> Array:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from ins_eval import earth
-from ins_eval.alignment import AlignmentError, static_alignment
+from ins_eval.alignment.analytic import AlignmentError, static_alignment
 from ins_eval.increments import Increments
 from ins_eval.rotation import body_rate_from_euler, euler_from_mat, mat_from_euler
 from pyhrg.units import DEG, DEG_PER_H

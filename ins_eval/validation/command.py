@@ -11,11 +11,12 @@ from fmu_build.bundle import built_fmu
 from fmu_build.cli import Command, UserError
 from fmu_build.platforms import BuildError
 from fmu_build.translate import TranslationError
-from ins_eval import missions, recorded_drive, report, study
 from ins_eval.metrics import FEWEST_FOR_MEDIAN
-from ins_eval.mission import STILL, mission
 from ins_eval.staging import staging
-from ins_eval.trajectories import Trajectory
+from ins_eval.trajectories import car, recorded_drive
+from ins_eval.trajectories.trajectory import Trajectory
+from ins_eval.validation import report, study
+from ins_eval.validation.mission import STILL, mission
 
 LONGEST_HOURS = 24.0
 MARGIN = 10.0
@@ -69,7 +70,7 @@ def _validated(seed: int, triads: int, hours: float, trajectory: Trajectory) -> 
 
 def _trajectory(file: Path | None, duration: float) -> Trajectory:
     if file is None:
-        return missions.car(STILL, duration)
+        return car.car(STILL, duration)
     try:
         return recorded_drive.trajectory(recorded_drive.read(file), STILL, duration)
     except recorded_drive.DriveError as error:

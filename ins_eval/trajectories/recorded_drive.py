@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval import earth
-from ins_eval.trajectories import Knots, Trajectory
+from ins_eval.trajectories.trajectory import Knots, Trajectory
 
 Array = NDArray[np.float64]
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from ins_eval import earth
-from ins_eval.recorded_drive import COLUMNS, DriveError, read, trajectory
+from ins_eval.trajectories.recorded_drive import COLUMNS, DriveError, read, trajectory
 
 Rows = list[list[str]]
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from ins_eval import earth
-from ins_eval.missions import car
-from ins_eval.trajectories import Trajectory
+from ins_eval.trajectories.car import car
+from ins_eval.trajectories.trajectory import Trajectory
 
 
 @pytest.fixture(scope="module")

@@ -80,4 +80,5 @@ def measure(
         ],
         axis=-1,
     )
-    return Increments(truth.interval, rotation, accelerometers.measure(truth, generator))
+    velocity = accelerometers.measure(truth, generator)
+    return Increments(truth.interval, rotation, velocity, truth.start)

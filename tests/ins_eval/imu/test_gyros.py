@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ins_eval.imu import Accelerometers, measured_rotation
+from ins_eval.imu.gyros import Accelerometers, measured_rotation
 from ins_eval.increments import Increments
 from pyhrg import theory
 from pyhrg.fmu import GyroFmu

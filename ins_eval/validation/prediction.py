@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ins_eval.increments import Increments
 from ins_eval.metrics import median_radius
-from ins_eval.mission import Mission
+from ins_eval.validation.mission import Mission
 
 Array = NDArray[np.float64]
 
@@ -31,6 +31,7 @@ def bias_sensitivity(mission: Mission) -> tuple[Array, Array]:
             truth.interval,
             truth.rotation + gyro * truth.interval,
             truth.velocity + force * truth.interval,
+            truth.start,
         )
         return mission.fly(biased) - clean
 

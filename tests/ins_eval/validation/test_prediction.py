@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from ins_eval.increments import Increments
-from ins_eval.mission import Mission
-from ins_eval.prediction import bias_sensitivity, predicted_radial_error
+from ins_eval.validation.mission import Mission
+from ins_eval.validation.prediction import bias_sensitivity, predicted_radial_error
 from pyhrg.units import DEG_PER_H
 from tests.ins_eval.cases import short_mission
 

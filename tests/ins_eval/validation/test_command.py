@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from fmu_build.cli import main
-from tests.ins_eval.test_recorded_drive import made_up_drive, written
+from tests.ins_eval.trajectories.test_recorded_drive import made_up_drive, written
 
 
 def test_validate_writes_what_it_promises(

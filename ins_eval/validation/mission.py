@@ -5,11 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.alignment import static_alignment
+from ins_eval.alignment.analytic import static_alignment
 from ins_eval.increments import Increments
-from ins_eval.metrics import position_error
-from ins_eval.strapdown import State, navigate
-from ins_eval.trajectories import Trajectory
+from ins_eval.navigation.height import Clamped
+from ins_eval.navigation.strapdown import navigate
+from ins_eval.state import State, position_error
+from ins_eval.trajectories.trajectory import Trajectory
 
 Array = NDArray[np.float64]
 
@@ -36,7 +37,7 @@ class Mission:
     position: Array
     """(m, 3) true latitude, longitude, height at those times."""
     height: Array
-    """(n/2 + 1,) reference height for the navigator's clamp, m."""
+    """(n + 1,) reference height for the navigator's clamp, m."""
     start: Array
     """(3,) position at time 0."""
 
@@ -51,10 +52,11 @@ class Mission:
         """
         first, zero = round(WARM_UP / INTERVAL), round(STILL / INTERVAL)
         mat_nb = static_alignment(measured.between(first, zero), float(self.start[0]))
-        state = State(float(self.start[0]), float(self.start[1]), np.zeros(3), mat_nb)
-        flight = measured.between(zero, len(measured.rotation))
-        track = navigate(state, flight, self.height, round(KEPT / INTERVAL))
-        return position_error(track, self.position)
+        latitude, longitude, height = map(float, self.start)
+        state = State(latitude, longitude, height, np.zeros(3), mat_nb)
+        flight = measured.between(zero, len(measured))
+        track = navigate(state, flight, Clamped(self.height), round(KEPT / INTERVAL))
+        return position_error(track.position, self.position)[:, :2]
 
 
 def mission(trajectory: Trajectory, hours: float) -> Mission:
@@ -62,7 +64,7 @@ def mission(trajectory: Trajectory, hours: float) -> Mission:
     minutes = round(hours * 60)
     flight = minutes * round(KEPT / INTERVAL)
     time = KEPT * np.arange(1.0, minutes + 1)
-    steps = 2 * INTERVAL * np.arange(flight / 2 + 1)
+    steps = INTERVAL * np.arange(flight + 1.0)
     return Mission(
         name=trajectory.name,
         truth=trajectory.increments(-STILL, INTERVAL, flight + round(STILL / INTERVAL)),

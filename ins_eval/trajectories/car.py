@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 from scipy.integrate import cumulative_trapezoid
 
 from ins_eval import earth
-from ins_eval.trajectories import Knots, Trajectory
+from ins_eval.trajectories.trajectory import Knots, Trajectory
 
 Array = NDArray[np.float64]
 

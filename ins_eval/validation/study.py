@@ -10,9 +10,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.imu import TYPICAL_ACCELEROMETERS, Accelerometers, measure
-from ins_eval.mission import Mission
-from ins_eval.prediction import bias_sensitivity, predicted_radial_error
+from ins_eval.imu.gyros import TYPICAL_ACCELEROMETERS, Accelerometers, measure
+from ins_eval.validation.mission import Mission
+from ins_eval.validation.prediction import bias_sensitivity, predicted_radial_error
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias import fixed_position, full_circumference
 from pyhrg.bench.bias.bias_test import BiasTest

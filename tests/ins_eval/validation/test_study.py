@@ -4,10 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from ins_eval import report
-from ins_eval.mission import Mission
-from ins_eval.study import validate
-from ins_eval.verdict import verdict
+from ins_eval.validation import report
+from ins_eval.validation.mission import Mission
+from ins_eval.validation.study import validate
+from ins_eval.validation.verdict import verdict
 from pyhrg.parameters import TYPICAL
 from tests.ins_eval.cases import short_mission
 

@@ -7,10 +7,8 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ins_eval.metrics import median_interval
-from ins_eval.study import Validation
-
-NAUTICAL_MILE = 1852.0
-DEG_PER_H = np.pi / 180 / 3600
+from ins_eval.validation.study import Validation
+from pyhrg.units import DEG_PER_H, NAUTICAL_MILE
 
 
 def draw(result: Validation, path: Path) -> None:

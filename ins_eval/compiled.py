@@ -1,0 +1,32 @@
+"""Compilation of the inner loops, kept on disk from run to run."""
+
+import hashlib
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numba
+from numba.core import config
+from platformdirs import user_cache_path
+
+SOURCES = ("earth.py", "navigation/kernel.py")
+"""Files that hold compiled functions. Numba notices a change in a function's own file alone; the
+cache's folder is named after all of them."""
+
+
+def _digest() -> str:
+    texts = ((Path(__file__).parent / name).read_bytes() for name in SOURCES)
+    return hashlib.sha256(b"\0".join(texts)).hexdigest()[:16]
+
+
+_FOLDER = user_cache_path("hrg") / f"compiled-{_digest()}"
+
+
+def compiled(function: Callable[..., Any]) -> Any:
+    """Decorator: `numba.njit`, cached."""
+    before = config.CACHE_DIR
+    config.CACHE_DIR = str(_FOLDER)
+    try:
+        return numba.njit(cache=True)(function)
+    finally:
+        config.CACHE_DIR = before

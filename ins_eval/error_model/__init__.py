@@ -1,0 +1,1 @@
+"""Linear error model of the navigator."""

@@ -1,0 +1,1 @@
+"""The strapdown navigator."""

@@ -1,0 +1,1 @@
+"""The experiment: which bench test predicts the navigator's error."""

@@ -1,0 +1,93 @@
+"""The navigator's own error, and what a gyro bias does, against published figures."""
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from ins_eval.navigation import kernel
+from ins_eval.navigation.coefficients import SAMPLES, weights
+from ins_eval.navigation.height import Clamped
+from ins_eval.navigation.strapdown import navigate
+from ins_eval.state import State, position_error
+from ins_eval.trajectories.car import car
+from ins_eval.validation.mission import Mission, mission
+from pyhrg.units import DEG_PER_H
+from tests.ins_eval.cases import at_rest
+
+
+@pytest.fixture(scope="module")
+def two_hours() -> Mission:
+    return mission(car(320.0, 7210.0), 2.0)
+
+
+def test_own_error_is_below_10_m_at_2_h(two_hours: Mission) -> None:
+    """No sensor error at all, alignment included, on the default manoeuvre: a metre, in fact."""
+    error = np.hypot(*two_hours.fly(two_hours.truth).T)
+    assert np.max(error) < 1.0
+
+
+def test_default_manoeuvre_goes_through_all_headings(two_hours: Mission) -> None:
+    heading = np.cumsum(two_hours.truth.rotation[:, 2])
+    octants = np.unique(np.floor(np.mod(heading, 2 * np.pi) / (np.pi / 4)))
+    assert len(octants) == 8
+
+
+def test_published_up_gyro_bias() -> None:
+    """Latitude 34 deg, height 380 m, up gyro +0.01 deg/h: two independent codes agree on
+    105.06/8.01 m north/east at 1 h and 450.1/46.7 m at 2 h to 0.1 %."""
+    latitude, height = np.deg2rad(34.0), 380.0
+    record = at_rest(latitude, height, 7200, np.array([0, 0, -0.01 * DEG_PER_H]))
+    start = State(latitude, 0.0, height, np.zeros(3), np.eye(3))
+    track = navigate(start, record, Clamped(np.full(720_001, height)), 360_000)
+    truth = np.tile([latitude, 0.0, height], (2, 1))
+    expected = [[105.06, 8.01], [450.1, 46.7]]
+    assert position_error(track.position, truth)[:, :2] == pytest.approx(
+        np.array(expected), rel=2e-3
+    )
+
+
+@pytest.mark.parametrize("samples", SAMPLES)
+def test_intervals_must_fill_steps(samples: int) -> None:
+    record = at_rest(0.5, 0.0, 0.05, np.zeros(3))
+    start = State(0.5, 0.0, 0.0, np.zeros(3), np.eye(3))
+    with pytest.raises(ValueError, match=f"5 intervals.*multiples of {samples}"):
+        navigate(start, record, Clamped(np.zeros(6)), samples, samples)
+
+
+def test_heights_must_match() -> None:
+    record = at_rest(0.5, 0.0, 0.04, np.zeros(3))
+    start = State(0.5, 0.0, 0.0, np.zeros(3), np.eye(3))
+    with pytest.raises(ValueError, match="3 heights given, 5 expected"):
+        navigate(start, record, Clamped(np.zeros(3)), 2)
+
+
+def exact_motion(start: float, length: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Increments of rotation and velocity, and the exact velocity change in the axes of the start,
+    of a body that cones and shakes at once; by 2000 midpoint steps."""
+    count = 2000
+    h = length / count
+    t = start + h * (np.arange(count) + 0.5)
+    omega = np.stack([np.cos(9 * t), np.sin(9 * t), 0.3 + 0.2 * t], axis=-1)
+    force = np.stack([3 * np.sin(9 * t), 2 + np.cos(9 * t), 9.8 + t], axis=-1)
+    change, turned = np.zeros(3), Rotation.identity()
+    for w, f in zip(omega, force, strict=True):
+        half = turned * Rotation.from_rotvec(0.5 * h * w)
+        change = change + half.apply(f) * h
+        turned = turned * Rotation.from_rotvec(h * w)
+    return omega.sum(axis=0) * h, force.sum(axis=0) * h, np.append(change, turned.as_rotvec())
+
+
+@pytest.mark.parametrize("samples", SAMPLES)
+def test_increments_of_a_step_sum_to_their_order(samples: int) -> None:
+    """Errors over one step fall with the 5th power of its length for rotation and the 4th for
+    velocity; a wrong or missing correction leaves the 3rd."""
+    errors = []
+    for length in (0.08, 0.04):
+        parts = [exact_motion(0.2 + i * length / samples, length / samples) for i in range(samples)]
+        rotation, velocity = (np.array([part[k] for part in parts]) for k in (0, 1))
+        turned, change, _ = kernel.summed(rotation, velocity, 0, *weights(samples))
+        exact_change, exact_turn = np.split(exact_motion(0.2, length)[2], 2)
+        errors.append([np.linalg.norm(turned - exact_turn), np.linalg.norm(change - exact_change)])
+    ratios = np.array(errors[0]) / errors[1]
+    assert ratios[0] > 2**4.5
+    assert ratios[1] > 2**3.5

@@ -9,6 +9,8 @@ import numba
 from numba.core import config
 from platformdirs import user_cache_path
 
+_SETTINGS: Any = config
+
 SOURCES = ("earth.py", "navigation/kernel.py")
 """Files that hold compiled functions. Numba notices a change in a function's own file alone; the
 cache's folder is named after all of them."""
@@ -24,9 +26,9 @@ _FOLDER = user_cache_path("hrg") / f"compiled-{_digest()}"
 
 def compiled(function: Callable[..., Any]) -> Any:
     """Decorator: `numba.njit`, cached."""
-    before = config.CACHE_DIR
-    config.CACHE_DIR = str(_FOLDER)
+    before = _SETTINGS.CACHE_DIR
+    _SETTINGS.CACHE_DIR = str(_FOLDER)
     try:
         return numba.njit(cache=True)(function)
     finally:
-        config.CACHE_DIR = before
+        _SETTINGS.CACHE_DIR = before

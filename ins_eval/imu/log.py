@@ -1,0 +1,139 @@
+"""What a recorded IMU gives, and the numbers of its text files."""
+
+import gzip
+import io
+import zlib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ins_eval.increments import Increments
+
+Array = NDArray[np.float64]
+
+LEAST_ROWS = 10
+"""Fewer tell neither an interval nor a unit."""
+
+
+class LogError(Exception):
+    """The file is no log of an IMU; the message names file, row, field, what was found and what
+    expected."""
+
+
+@dataclass(frozen=True)
+class RecordedImu:
+    """A log of an IMU.
+
+    increments: body axes forward, right, down;
+    position: (3,) latitude, longitude, rad, height, m, if the log says where it was taken;
+    mat_nb: (3, 3) attitude at the start as the log states it, coarse, if it does;
+    source: the file.
+    """
+
+    increments: Increments
+    position: Array | None
+    mat_nb: Array | None
+    source: str
+
+
+def content(path: Path) -> bytes:
+    """A file's bytes, gzip undone if it is gzipped, whatever its name.
+
+    Raises:
+        LogError: unreadable, or gzipped data that is cut off or damaged.
+    """
+    try:
+        data = path.read_bytes()
+        return gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data
+    except EOFError as error:
+        raise LogError(f"{path}: found gzipped data cut off, expected it whole") from error
+    except (gzip.BadGzipFile, zlib.error) as error:
+        raise LogError(f"{path}: found damaged gzipped data: {error}") from error
+    except OSError as error:
+        raise LogError(f"{path}: can't be read: {error.strerror or error}") from error
+
+
+def decoded(source: str, data: bytes) -> list[str]:
+    """Lines of a text file; without empty ones at its end.
+
+    Raises:
+        LogError: not UTF-8.
+    """
+    try:
+        return data.decode("utf-8-sig").rstrip().splitlines()
+    except UnicodeDecodeError as error:
+        raise LogError(f"{source}: found what is no text: {error}") from error
+
+
+def numbers(
+    source: str,
+    lines: Sequence[str],
+    first_row: int,
+    names: Sequence[str],
+    delimiter: str | None = None,
+    least: int = LEAST_ROWS,
+) -> Array:
+    """Values (n, m) of n lines with m fields, every one finite.
+
+    Args:
+        source: the file, for messages.
+        lines: of values.
+        first_row: the first one's number in the file; its first line is row 1.
+        names: of the fields, for messages.
+        delimiter: between fields; None is white space.
+        least: lines that there must be.
+
+    Raises:
+        LogError: too few lines, too few or too many fields, a field that is no finite number.
+    """
+    if len(lines) < least:
+        raise LogError(f"{source}: found {len(lines)} rows of values, expected at least {least}")
+    table = _quickly(lines, delimiter)
+    if table is None or table.shape != (len(lines), len(names)):
+        table = np.array(
+            [
+                _row(source, row, line.split(delimiter), names)
+                for row, line in enumerate(lines, first_row)
+            ]
+        )
+    if not np.isfinite(table).all():
+        row, column = np.argwhere(~np.isfinite(table))[0]
+        raise log_error(
+            source, first_row + row, names[column], f"{table[row, column]}", "a finite number"
+        )
+    return table
+
+
+def log_error(source: str, row: int, field: str, found: str, expected: str) -> LogError:
+    """An error at one field of one row."""
+    return LogError(f"{source}: row {row}, {field}: found {found}, expected {expected}")
+
+
+def _quickly(lines: Sequence[str], delimiter: str | None) -> Array | None:
+    """None where a field is no number or rows differ in length."""
+    try:
+        return np.loadtxt(
+            io.StringIO("\n".join(lines)), delimiter=delimiter, comments=None, ndmin=2
+        )
+    except ValueError:
+        return None
+
+
+def _row(source: str, row: int, fields: Sequence[str], names: Sequence[str]) -> list[float]:
+    if len(fields) != len(names):
+        raise LogError(
+            f"{source}: row {row}: found {len(fields)} fields, "
+            f"expected {len(names)}: {', '.join(names)}"
+        )
+    return [_number(source, row, *pair) for pair in zip(names, fields, strict=True)]
+
+
+def _number(source: str, row: int, name: str, field: str) -> float:
+    try:
+        return float(field)
+    except ValueError:
+        found = repr(field.strip()) if field.strip() else "nothing"
+        raise log_error(source, row, name, found, "a number") from None

@@ -4,15 +4,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval import earth
+from ins_eval.alignment.result import Alignment, AlignmentError
 from ins_eval.increments import Increments
 from ins_eval.rotation import mat_from_euler
+from ins_eval.sensor_errors import SensorErrors
+
+Array = NDArray[np.float64]
 
 
-class AlignmentError(Exception):
-    """The record can't be aligned on."""
-
-
-def static_alignment(record: Increments, latitude: float) -> NDArray[np.float64]:
+def static_alignment(record: Increments, latitude: float) -> Array:
     """`mat_nb` (3, 3) of a vehicle at rest (Groves 2013, section 5.6.2).
 
     Pitch and roll from the mean specific force; yaw from the level components of the mean rate.
@@ -35,3 +35,53 @@ def static_alignment(record: Increments, latitude: float) -> NDArray[np.float64]
     pitch = np.arctan2(force[0], np.hypot(force[1], force[2]))
     level = mat_from_euler(roll, pitch, np.zeros_like(roll)) @ rate
     return mat_from_euler(roll, pitch, np.arctan2(-level[1], level[0]))
+
+
+def analytic_alignment(record: Increments, position: Array, errors: SensorErrors) -> Alignment:
+    """Attitude of a vehicle that stands still, with the covariance of its sensors' errors.
+
+    Of a vehicle that moves, the covariance knows nothing.
+
+    Args:
+        record: of the vehicle at rest.
+        position: (3,) latitude, longitude (rad), height (m).
+        errors: of the sensors.
+
+    Raises:
+        AlignmentError: the mean rate is not Earth's: the vehicle was moving.
+    """
+    latitude, height = float(position[0]), float(position[2])
+    mat_nb = static_alignment(record, latitude)
+    covariance = analytic_covariance(errors, latitude, height, record.duration)
+    return Alignment("analytic", float(record.bounds[-1]), mat_nb, covariance)
+
+
+def analytic_covariance(
+    errors: SensorErrors, latitude: float, height: float, duration: float
+) -> Array:
+    """(3, 3) about north, east, down, rad^2, of `static_alignment`.
+
+    With mean errors e of the rate and b of the force, in navigation axes: north -b_E/g, east
+    b_N/g, down -e_E/(RATE cos latitude) + b_E/g tan latitude (Groves 2013, section 5.6.2).
+    """
+    rate, force = mean_error_variances(errors, duration)
+    gravity = earth.gravity(latitude, height)
+    along = np.array([0.0, 0.0, -1 / (earth.RATE * np.cos(latitude))])
+    north = np.array([0.0, 1 / gravity, 0.0])
+    east = np.array([-1 / gravity, 0.0, np.tan(latitude) / gravity])
+    level = np.outer(north, north) + np.outer(east, east)
+    return np.asarray(rate * np.outer(along, along) + force * level)
+
+
+def mean_error_variances(errors: SensorErrors, duration: float) -> tuple[float, float]:
+    """Of the rate, (rad/s)^2, and of the specific force, (m/s^2)^2, averaged over a duration, s.
+
+    Bias and bias instability whole; white noise and the two ends' quantisation averaged.
+    """
+    rate = errors.gyro_bias**2 + errors.gyro_bias_instability**2
+    rate += errors.angle_random_walk**2 / duration + errors.angle_quantum**2 / 6 / duration**2
+    force = errors.accelerometer_bias**2 + errors.accelerometer_bias_instability**2
+    force += (
+        errors.velocity_random_walk**2 / duration + errors.velocity_quantum**2 / 6 / duration**2
+    )
+    return rate, force

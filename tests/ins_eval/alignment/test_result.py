@@ -1,0 +1,38 @@
+"""The result in readable form."""
+
+import numpy as np
+import pytest
+
+from ins_eval.alignment.align import align
+from ins_eval.alignment.result import Alignment, euler_from_rotation_vector
+from ins_eval.rotation import euler_from_mat, mat_from_euler
+from ins_eval.sensor_errors import SensorErrors
+from pyhrg.units import DEG, DEG_PER_H
+from tests.ins_eval.cases import at_rest
+
+
+@pytest.mark.parametrize("axis", [0, 1, 2])
+def test_euler_angles_change_as_the_matrix_says(axis: int) -> None:
+    mat_nb = mat_from_euler(*map(np.array, (0.3, -0.4, 2.0)))
+    turn = np.zeros(3)
+    turn[axis] = 1e-6
+    x, y, z = turn
+    turned = (np.eye(3) + np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])) @ mat_nb
+    change = np.subtract(euler_from_mat(turned), euler_from_mat(mat_nb))
+    assert change == pytest.approx(euler_from_rotation_vector(mat_nb) @ turn, abs=1e-11)
+
+
+def test_readable_form_is_in_degrees_with_heading_from_0_to_360() -> None:
+    mat_nb = mat_from_euler(*map(np.array, (1 * DEG, 2 * DEG, -90 * DEG)))
+    result = Alignment("stated", 300.0, mat_nb, np.diag([0.01, 0.01, 0.1]) ** 2 * DEG**2)
+    assert str(result).startswith("heading 270.0000 +- 0.1000 deg, pitch 2.0000 +- 0.0100 deg")
+
+
+def test_a_still_vehicle_is_aligned_with_the_sigma_of_its_east_gyro() -> None:
+    errors = SensorErrors(gyro_bias=0.01 * DEG_PER_H)
+    record = at_rest(40 * DEG, 0.0, 60, np.zeros(3), yaw=1.0)
+    result = align(record, np.array([40 * DEG, 0.0, 0.0]), errors)
+    assert result.heading_deg == pytest.approx(1.0 / DEG, abs=1e-3)
+    assert result.euler_sigma_deg[2] == pytest.approx(
+        0.01 / 15.041 / np.cos(40 * DEG) / DEG, rel=1e-3
+    )

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator
 from dataclasses import MISSING, Field, dataclass, field, fields
-from typing import Any
+from typing import Any, TypeGuard
 
 from ins_eval.trajectories.errors import TrajectoryError
 from pyhrg.units import DEG
@@ -137,5 +137,5 @@ class Checked:
                 raise TrajectoryError(f"{key}: found {shown}, expected {kind.expected}")
 
 
-def _is_number(value: object) -> bool:
+def _is_number(value: object) -> TypeGuard[float]:
     return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)

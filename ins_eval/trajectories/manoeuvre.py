@@ -26,8 +26,8 @@ class Leg:
     """A manoeuvre from its entry: functions of the time since, s.
 
     speed: along the path, m/s; climb_angle: of the path, rad; turn_rate: of the path's heading,
-    rad/s, beside what a great circle asks for; roll: beside the bank, rad; lean: the bank as a share
-    of that of a coordinated turn.
+    rad/s, beside what a great circle asks for; roll: beside the bank, rad; lean: the bank as a
+    share of that of a coordinated turn.
     """
 
     duration: float
@@ -46,8 +46,12 @@ class Leg:
 
     def exit(self) -> Entry:
         """How the next manoeuvre is entered."""
-        at_end = (float(s(self.duration)) for s in (self.speed, self.climb_angle, self.roll))
-        return Entry(*at_end, self.gravity)
+        return Entry(
+            speed=float(self.speed(self.duration)),
+            climb_angle=float(self.climb_angle(self.duration)),
+            roll=float(self.roll(self.duration)),
+            gravity=self.gravity,
+        )
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -42,7 +42,7 @@ class Mission:
     repeat: int | None = 1
 
     def manoeuvres(self) -> Iterator[tuple[str, Manoeuvre]]:
-        """All manoeuvres in turn, without end if `repeat` is None, with their places in the file."""
+        """All in turn, with their places in the file; without end if `repeat` is None."""
         departure = [(f"departure {i}", m) for i, m in enumerate(self.departure, 1)]
         course = [(f"course {i}", m) for i, m in enumerate(self.course, 1)]
         rounds = itertools.count() if self.repeat is None else range(self.repeat)

@@ -79,9 +79,8 @@ class Sway(Overlay):
 
     def _signal(self, name: str, random: np.random.Generator | None) -> Signal:
         amplitude, period = getattr(self, name), getattr(self, f"{name}_period")
-        if random is None:
-            sines = (Sine(amplitude, 2 * math.pi / period, self.phase),)
-        else:
+        sines: tuple[Sine, ...] = (Sine(amplitude, 2 * math.pi / period, self.phase),)
+        if random is not None:
             phases = random.uniform(0, 2 * math.pi, self.waves)
             periods = period * random.uniform(1 - SPREAD, 1 + SPREAD, self.waves)
             each = amplitude / math.sqrt(self.waves)

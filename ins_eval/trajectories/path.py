@@ -76,19 +76,17 @@ class _Flight:
         pull = self.speed(time) * np.cos(climb) * self.turn_rate(time) / self.leg.gravity
         bank = self.leg.lean * np.arctan(pull)
         latitude, longitude, height, heading = path
-        added = (m.signals[1:] for m in self.motions)
-        roll, pitch, yaw, heave = (
-            (
-                sum((signal(time) for signal in signals), np.zeros_like(time))
-                for signals in zip(*added, strict=True)
-            )
-            if self.motions
-            else np.zeros((4, len(time)))
-        )
+        roll, pitch, yaw, heave = self._beside(time)
         rolled = self.leg.roll(time - self.start) + bank + roll
-        return np.stack(
-            [latitude, longitude, height + heave, rolled, climb + pitch, heading + yaw], -1
-        )
+        position = (latitude, longitude, height + heave)
+        return np.stack([*position, rolled, climb + pitch, heading + yaw], axis=-1)
+
+    def _beside(self, time: Array) -> Array:
+        """(4, n) roll, pitch, yaw and heave of the motions."""
+        added = np.zeros((4, len(time)))
+        for m in self.motions:
+            added += [signal(time) for signal in (m.roll, m.pitch, m.yaw, m.heave)]
+        return added
 
     def pieces(self, end: float) -> list[tuple[float, float]]:
         """Between breaks, where all signals are smooth."""
@@ -130,8 +128,8 @@ def knots(
 
 
 def _spacing(legs: Sequence[Leg], motions: Sequence[Motion]) -> float:
-    scales = [signal.scale for part in (*legs, *motions) for signal in part.signals]
-    wanted = min(scales, default=math.inf) / PER_CHANGE
+    signals = [s for leg in legs for s in leg.signals] + [s for m in motions for s in m.signals]
+    wanted = min(signal.scale for signal in signals) / PER_CHANGE
     return next((s for s in SPACINGS if s <= wanted), SPACINGS[-1])
 
 

@@ -87,7 +87,7 @@ class Product:
 
     @property
     def scale(self) -> float:
-        return min(s.scale for s in (self.envelope, *self.parts))
+        return min(self.envelope.scale, *(part.scale for part in self.parts))
 
     def __call__(self, time: Any) -> Any:
         return self.envelope(time) * sum(part(time) for part in self.parts)
@@ -99,5 +99,5 @@ def step_to(initial: float, final: float, length: float, start: float = 0.0) -> 
 
 
 def lobe(height: float, ramp: float, hold: float, start: float = 0.0) -> tuple[Step, Step]:
-    """From 0 to `height` within `ramp`, s, there for `hold`, s, and back: area height (ramp + hold)."""
+    """From 0 to `height` within `ramp`, there for `hold`, s, and back: area height (ramp + hold)."""
     return Step(start, ramp, height), Step(start + ramp + hold, ramp, -height)

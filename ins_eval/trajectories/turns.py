@@ -1,7 +1,8 @@
 """Manoeuvres that turn.
 
 In a coordinated turn the specific force stays in the plane of symmetry: with the rate of turn w,
-tan(bank) = v w / g, and the radius is v^2 / (g tan(bank)) (Titterton and Weston 2004, section 3.7). The rate of turn is ramped, so that roll rates are smooth.
+tan(bank) = v w / g, and the radius is v^2 / (g tan(bank)) (Titterton and Weston 2004, section 3.7).
+The rate of turn is ramped, so that roll rates are smooth.
 """
 
 import math
@@ -63,7 +64,7 @@ class UTurn(Manoeuvre):
 
 @dataclass(frozen=True, kw_only=True)
 class STurn(Manoeuvre):
-    """A coordinated turn, positive to the right, and the same back: ends abeam, heading as before."""
+    """A coordinated turn, positive to the right, and the same back, to the heading before."""
 
     turn: float = quantity("deg", -170, 170)
     bank: float = quantity("deg", 0.1, 80, 25)

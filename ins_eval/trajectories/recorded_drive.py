@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval import earth
+from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 
 Array = NDArray[np.float64]
@@ -53,7 +54,7 @@ JOINT = 20.0
 """Time from one repetition's end to the next one's start, s."""
 
 
-class DriveError(Exception):
+class DriveError(TrajectoryError):
     """The file is no drive; the message names file, row, field, and what was expected."""
 
 

@@ -19,6 +19,8 @@ from ins_eval.state import State, Track
 Array = NDArray[np.float64]
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(3)
+_CHUNK = 20_000
+"""Intervals integrated at once: bounds memory."""
 
 
 @dataclass(frozen=True)
@@ -48,6 +50,7 @@ class Trajectory:
         self.start = float(knots.time[0])
         self.end = float(knots.time[-1])
         self._spline: BSpline = make_interp_spline(knots.time, knots.channels(), k=5)
+        self._knots = np.unique(self._spline.t)
         self._rate = self._spline.derivative(1)
         self._acceleration = self._spline.derivative(2)
 
@@ -62,7 +65,11 @@ class Trajectory:
 
     def velocity(self, time: Array) -> Array:
         """(..., 3) velocity over ground, north, east, down, m/s."""
-        position, rate = self._spline(time), self._rate(time)
+        return self._velocity(self._spline(time), self._rate(time))
+
+    @staticmethod
+    def _velocity(position: Array, rate: Array) -> Array:
+        """From channels and their rates."""
         north = earth.meridian_radius(position[..., 0]) + position[..., 2]
         east = earth.transverse_radius(position[..., 0]) + position[..., 2]
         return np.stack(
@@ -96,23 +103,29 @@ class Trajectory:
         omega_nb_b = body_rate_from_euler(x[..., 3], x[..., 4], dx[..., 3], dx[..., 4], dx[..., 5])
         omega_ib_b = omega_nb_b + _to_body(mat_nb, omega_ie + omega_en)
         force = self._acceleration_n(x, dx, ddx) + np.cross(
-            2 * omega_ie + omega_en, self.velocity(time)
+            2 * omega_ie + omega_en, self._velocity(x, dx)
         )
         force[..., 2] -= earth.gravity(latitude, height)
         return omega_ib_b, _to_body(mat_nb, force)
 
     def increments(self, start: float, interval: float, count: int) -> Increments:
         """Exact increments of an IMU over `count` intervals from `start`."""
-        rotation, velocity = np.empty((count, 3)), np.empty((count, 3))
-        for first in range(0, count, 50_000):
-            last = min(first + 50_000, count)
-            middle = start + interval * (np.arange(first, last) + 0.5)
-            time = middle[:, None] + 0.5 * interval * _NODES
-            omega, force = self.rate_and_force(time)
-            weights = 0.5 * interval * _WEIGHTS[:, None]
-            rotation[first:last] = np.sum(weights * omega, axis=1)
-            velocity[first:last] = np.sum(weights * force, axis=1)
-        return Increments(interval, rotation, velocity, start)
+        both = np.empty((count, 6))
+        for first in range(0, count, _CHUNK):
+            last = min(first + _CHUNK, count)
+            both[first:last] = self._integrals(start + interval * np.arange(first, last + 1.0))
+        return Increments(interval, both[:, :3].copy(), both[:, 3:].copy(), start)
+
+    def _integrals(self, bounds: Array) -> Array:
+        """(n, 6) of rate and force between bounds (n + 1,): panels end at knots too, since higher
+        derivatives jump there."""
+        inside = (self._knots > bounds[0]) & (self._knots < bounds[-1])
+        edges = np.unique(np.concatenate([bounds, self._knots[inside]]))
+        half = 0.5 * np.diff(edges)[:, None]
+        middle = 0.5 * (edges[1:] + edges[:-1])[:, None]
+        rate_and_force = np.concatenate(self.rate_and_force(middle + half * _NODES), axis=-1)
+        panels = half * (_WEIGHTS @ rate_and_force)
+        return np.add.reduceat(panels, np.searchsorted(edges, bounds[:-1]))
 
     @staticmethod
     def _acceleration_n(x: Array, dx: Array, ddx: Array) -> Array:

@@ -1,0 +1,141 @@
+"""Fields of missions and manoeuvres: SI inside, a unit in the key outside, a range."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import MISSING, Field, dataclass, field, fields
+from typing import Any, TypeGuard
+
+from ins_eval.trajectories.errors import TrajectoryError
+from pyhrg.units import DEG
+
+UNITS = {"deg": DEG, "deg_s": DEG, "m": 1.0, "m_s": 1.0, "s": 1.0, "": 1.0}
+"""SI value of each unit that a key may end in; a number without one has none."""
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A number in a unit and its range, in that unit."""
+
+    unit: str
+    low: float
+    high: float
+
+    @property
+    def expected(self) -> str:
+        """The range, in words."""
+        return f"{self.low:g} to {self.high:g}{' ' * bool(self.unit)}{self.unit.replace('_', '/')}"
+
+    def from_file(self, value: object) -> Any:
+        """SI of a file's number; what is no number comes back as it is."""
+        return value * UNITS[self.unit] if _is_number(value) else value
+
+    def holds(self, value: object) -> bool:
+        """Whether the SI value is a number within the range, rounding aside."""
+        plain = self.shown(value)
+        slack = 1e-12 * max(abs(self.low), abs(self.high))
+        return _is_number(plain) and self.low - slack <= plain <= self.high + slack
+
+    def shown(self, value: object) -> Any:
+        """The file's number for an SI value."""
+        return value / UNITS[self.unit] if _is_number(value) else value
+
+
+@dataclass(frozen=True)
+class Whole:
+    """A whole number and its range."""
+
+    low: int
+    high: int
+    unit: str = ""
+
+    @property
+    def expected(self) -> str:
+        """The range, in words."""
+        return f"a whole number from {self.low} to {self.high}"
+
+    def from_file(self, value: object) -> Any:
+        """As it is."""
+        return value
+
+    def holds(self, value: object) -> bool:
+        """Whether it is a whole number within the range."""
+        return type(value) is int and self.low <= value <= self.high
+
+    def shown(self, value: object) -> Any:
+        """As it is."""
+        return value
+
+
+@dataclass(frozen=True)
+class Choice:
+    """One of some words."""
+
+    words: tuple[str, ...]
+    unit: str = ""
+
+    @property
+    def expected(self) -> str:
+        """The words."""
+        return " or ".join(f'"{word}"' for word in self.words)
+
+    def from_file(self, value: object) -> Any:
+        """As it is."""
+        return value
+
+    def holds(self, value: object) -> bool:
+        """Whether it is one of the words."""
+        return isinstance(value, str) and value in self.words
+
+    def shown(self, value: object) -> Any:
+        """As it is."""
+        return value
+
+
+Kind = Quantity | Whole | Choice
+
+
+def quantity(unit: str, low: float, high: float, default: Any = MISSING) -> Any:
+    """A field whose key in files is its name and unit; range and default in that unit."""
+    kind = Quantity(unit, low, high)
+    if default is not MISSING:
+        default = kind.from_file(default)
+    return field(default=default, metadata={"kind": kind})
+
+
+def whole(low: int, high: int, default: Any = MISSING) -> Any:
+    """A field that is a whole number; a default of None means that it may be left out."""
+    return field(default=default, metadata={"kind": Whole(low, high)})
+
+
+def choice(*words: str) -> Any:
+    """A field that is one of some words, the first of them by default."""
+    return field(default=words[0], metadata={"kind": Choice(words)})
+
+
+def required_choice(*words: str) -> Any:
+    """A field that is one of some words."""
+    return field(metadata={"kind": Choice(words)})
+
+
+def keys(table: type) -> Iterator[tuple[str, Field[Any], Kind]]:
+    """Key in files, field, and kind of all fields of a dataclass that have one."""
+    for f in fields(table):
+        if kind := f.metadata.get("kind"):
+            yield f"{f.name}_{kind.unit}" if kind.unit else f.name, f, kind
+
+
+@dataclass(frozen=True, kw_only=True)
+class Checked:
+    """Refuses values out of range."""
+
+    def __post_init__(self) -> None:
+        for key, f, kind in keys(type(self)):
+            value = getattr(self, f.name)
+            if not (kind.holds(value) or (value is None and f.default is None)):
+                found = kind.shown(value)
+                shown = f"{found:.10g}" if isinstance(found, float) else repr(found)
+                raise TrajectoryError(f"{key}: found {shown}, expected {kind.expected}")
+
+
+def _is_number(value: object) -> TypeGuard[float]:
+    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)

@@ -1,0 +1,105 @@
+"""A mission: where it starts and what is done, as data; flown, it is a trajectory."""
+
+import itertools
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ins_eval import earth
+from ins_eval.trajectories import path
+from ins_eval.trajectories.errors import TrajectoryError
+from ins_eval.trajectories.keys import Checked, quantity
+from ins_eval.trajectories.manoeuvre import Entry, Leg, Manoeuvre
+from ins_eval.trajectories.overlays import Overlay
+from ins_eval.trajectories.trajectory import Trajectory
+
+BEYOND = 10.0
+"""Time that a repeated course goes on after the end asked for, s."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Start(Checked):
+    """Where a mission starts, which way it heads, and how fast. `climb_angle` is the nose's too."""
+
+    latitude: float = quantity("deg", -89, 89)
+    longitude: float = quantity("deg", -180, 180)
+    height: float = quantity("m", -500, 100_000, 0)
+    heading: float = quantity("deg", -360, 360, 0)
+    speed: float = quantity("m_s", 0, 4000, 0)
+    climb_angle: float = quantity("deg", -80, 90, 0)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Mission:
+    """Manoeuvres one after another: `departure` once, then `course`, `repeat` times, or as often as
+    the time asked for needs if None; overlays beside them, from time 0."""
+
+    name: str
+    start: Start
+    course: tuple[Manoeuvre, ...]
+    departure: tuple[Manoeuvre, ...] = ()
+    overlays: tuple[Overlay, ...] = ()
+    repeat: int | None = 1
+
+    def manoeuvres(self) -> Iterator[tuple[str, Manoeuvre]]:
+        """All in turn, with their places in the file; without end if `repeat` is None."""
+        departure = [(f"departure {i}", m) for i, m in enumerate(self.departure, 1)]
+        course = [(f"course {i}", m) for i, m in enumerate(self.course, 1)]
+        rounds = itertools.count() if self.repeat is None else range(self.repeat)
+        yield from departure
+        for _ in rounds:
+            yield from course
+
+
+def trajectory(mission: Mission, still: float, duration: float) -> Trajectory:
+    """Fly a mission: at rest before time 0, then its manoeuvres.
+
+    Args:
+        mission: what to do.
+        still: time at rest before time 0, s; 0 for a mission that starts in motion.
+        duration: time after it, s.
+
+    Raises:
+        TrajectoryError: a manoeuvre that can't be entered; a mission shorter than the duration, in
+            motion when it should stand, or beyond 89 deg of latitude.
+    """
+    if still > 0 and mission.start.speed > 0:
+        raise TrajectoryError(
+            f"{mission.name}: starts at {mission.start.speed:g} m/s: it can't stand still for "
+            f"{still:g} s before; ask for 0 s"
+        )
+    legs = _legs(mission, duration + BEYOND)
+    length = math.fsum(leg.duration for leg in legs)
+    if length < duration - 1e-6:
+        raise TrajectoryError(
+            f"{mission.name}: lasts {length:.6g} s, shorter than the {duration:g} s asked for"
+        )
+    motions = [overlay.motion() for overlay in mission.overlays]
+    until = min(length, duration + BEYOND)
+    try:
+        knots = path.knots(_origin(mission.start), legs, motions, still, until)
+    except TrajectoryError as error:
+        raise TrajectoryError(f"{mission.name}: {error}") from None
+    return Trajectory(mission.name, knots)
+
+
+def _origin(start: Start) -> path.Origin:
+    return path.Origin(start.latitude, start.longitude, start.height, start.heading)
+
+
+def _legs(mission: Mission, until: float) -> list[Leg]:
+    start = mission.start
+    gravity = float(earth.gravity(start.latitude, start.height))
+    entry = Entry(start.speed, start.climb_angle, 0.0, gravity)
+    legs: list[Leg] = []
+    time = 0.0
+    for place, manoeuvre in mission.manoeuvres():
+        try:
+            legs.append(manoeuvre.leg(entry))
+        except TrajectoryError as error:
+            raise TrajectoryError(f"{mission.name}: {place}: {error}") from None
+        entry = legs[-1].exit()
+        time += legs[-1].duration
+        if time >= until:
+            break
+    return legs

@@ -1,0 +1,103 @@
+"""Smooth functions of time from which manoeuvres are made."""
+
+import math
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+
+
+class Signal(Protocol):
+    """A function of time with two continuous derivatives between its breaks and across them."""
+
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        """Times at which a higher derivative jumps, s."""
+
+    @property
+    def scale(self) -> float:
+        """Time within which it changes, s."""
+
+    def __call__(self, time: Any) -> Any:
+        """Value at a time or at times (n,)."""
+
+
+def smooth_step(s: Any) -> Any:
+    """From 0 at s <= 0 to 1 at s >= 1, first and second derivative 0 at both ends."""
+    s = np.minimum(np.maximum(s, 0.0), 1.0)
+    return s * s * s * (10 + s * (6 * s - 15))
+
+
+@dataclass(frozen=True)
+class Step:
+    """A smooth change: from `start`, s, within `length`, s, by `change`."""
+
+    start: float
+    length: float
+    change: float
+
+
+@dataclass(frozen=True)
+class Steps:
+    """A value that changes in smooth steps."""
+
+    initial: float
+    steps: tuple[Step, ...] = ()
+
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        return tuple(time for s in self.steps for time in (s.start, s.start + s.length))
+
+    @property
+    def scale(self) -> float:
+        return min((s.length for s in self.steps), default=math.inf)
+
+    def __call__(self, time: Any) -> Any:
+        changes = (s.change * smooth_step((time - s.start) / s.length) for s in self.steps)
+        return sum(changes, self.initial + 0.0 * time)
+
+
+@dataclass(frozen=True)
+class Sine:
+    """amplitude * sin(frequency * time + phase): rad/s, rad."""
+
+    amplitude: float
+    frequency: float
+    phase: float = 0.0
+    breaks: tuple[float, ...] = ()
+
+    @property
+    def scale(self) -> float:
+        return math.pi / self.frequency
+
+    def __call__(self, time: Any) -> Any:
+        return self.amplitude * np.sin(self.frequency * time + self.phase)
+
+
+@dataclass(frozen=True)
+class Product:
+    """One signal as the envelope of the sum of others."""
+
+    envelope: Steps
+    parts: tuple[Sine, ...]
+
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        return self.envelope.breaks
+
+    @property
+    def scale(self) -> float:
+        return min(self.envelope.scale, *(part.scale for part in self.parts))
+
+    def __call__(self, time: Any) -> Any:
+        return self.envelope(time) * sum(part(time) for part in self.parts)
+
+
+def step_to(initial: float, final: float, length: float, start: float = 0.0) -> Steps:
+    """One smooth change from one value to another."""
+    return Steps(initial, (Step(start, length, final - initial),))
+
+
+def lobe(height: float, ramp: float, hold: float, start: float = 0.0) -> tuple[Step, Step]:
+    """From 0 to `height` within `ramp`, there for `hold`, s, and back: area height (ramp + hold)."""
+    return Step(start, ramp, height), Step(start + ramp + hold, ramp, -height)

@@ -15,15 +15,18 @@ from ins_eval.compiled import compiled
 from ins_eval.navigation.algebra import (
     Quaternion,
     Vector,
+    accumulated,
+    accumulated4,
     add,
     cross,
     multiply,
-    normalized,
-    quaternion,
+    off_length,
+    quaternion_beyond_unity,
     rotate,
     scaled,
-    small_quaternion,
+    small_quaternion_beyond_unity,
     subtract,
+    sum4,
 )
 from ins_eval.navigation.body_step import body_step
 from ins_eval.navigation.coefficients import Weights
@@ -70,24 +73,26 @@ def transport_rate(average: Vector, place: Place) -> Vector:
 
 
 @compiled
-def axes_turn(uncorrected: Vector, place: Place, step: float) -> tuple[Vector, Vector]:
+def axes_turn(average: Vector, change: Vector, place: Place, step: float) -> tuple[Vector, Vector]:
     """What turning axes do over a step.
 
-    The mean velocity, given without its Coriolis part, gets it after a first pass.
+    Args:
+        average: mean velocity, for axes that do not turn; corrected in here.
+        change: velocity change by specific force.
 
     Returns:
         Rotation vector of the navigation axes against inertial ones; velocity change by Coriolis
         and transport (Groves 2013, Eq. 5.54).
     """
     omega_ie = (earth.RATE * place.cos, 0.0, -earth.RATE * place.sin)
-    omega_en = transport_rate(uncorrected, place)
-    coriolis = (0.0, 0.0, 0.0)
+    turn, coriolis, mean = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), average
     for _ in range(2):
-        level = scaled(0.5, coriolis)
-        average = add(uncorrected, (level[0], level[1], 0.0))
-        omega_en = transport_rate(average, place)
-        coriolis = scaled(-step, cross(add(scaled(2.0, omega_ie), omega_en), average))
-    return scaled(step, add(omega_ie, omega_en)), coriolis
+        omega_en = transport_rate(mean, place)
+        turn = scaled(step, add(omega_ie, omega_en))
+        coriolis = scaled(-step, cross(add(scaled(2.0, omega_ie), omega_en), mean))
+        bend = add(scaled(0.5, coriolis), scaled(-1 / 6, cross(turn, change)))
+        mean = (average[0] + bend[0], average[1] + bend[1], average[2])
+    return turn, coriolis
 
 
 @compiled
@@ -130,6 +135,14 @@ def vertical_step(
 
 
 @compiled
+def attitude_change(q: Quaternion, turned: Vector, turn: Vector) -> Quaternion:
+    """Of the quaternion, by the body's rotation vector and the navigation axes'."""
+    by_body = sum4(multiply(q, quaternion_beyond_unity(turned)), off_length(q))
+    by_axes = multiply(small_quaternion_beyond_unity(scaled(-1.0, turn)), sum4(q, by_body))
+    return sum4(by_body, by_axes)
+
+
+@compiled
 def navigate(
     position: Vector,
     vel: Vector,
@@ -156,7 +169,8 @@ def navigate(
     samples = len(weights.mean)
     step = samples * interval
     latitude, longitude, height = position
-    lag = 0.0
+    lag, lost_latitude, lost_longitude = 0.0, 0.0, 0.0
+    lost_q = (0.0, 0.0, 0.0, 0.0)
     steps = len(rotation) // samples
     for k in range(steps):
         turned, change, moving = body_step(rotation, velocity, k * samples, weights)
@@ -171,18 +185,19 @@ def navigate(
         middle_height = height - 0.5 * step * down
         place = place_at(middle, middle_height)
 
-        turn, coriolis = axes_turn(average, place, step)
+        turn, coriolis = axes_turn(average, change, place, step)
         change, moving = seen_from_turning_axes(change, moving, turn)
         change, moving = add(change, coriolis), add(moving, scaled(0.5, coriolis))
 
-        latitude += step * (vel[0] + moving[0]) / place.radius_n
-        longitude += step * (vel[1] + moving[1]) / (place.radius_e * place.cos)
+        north = step * (vel[0] + moving[0]) / place.radius_n
+        east = step * (vel[1] + moving[1]) / (place.radius_e * place.cos)
+        latitude, lost_latitude = accumulated(latitude, lost_latitude, north)
+        longitude, lost_longitude = accumulated(longitude, lost_longitude, east)
         pushed = (change[2], moving[2], middle_height)
         now = (height, vel[2], lag)
         height, down, lag = vertical_step(channel, k, step, now, pushed, place.gravity)
         vel = (vel[0] + change[0], vel[1] + change[1], down)
-        q = multiply(small_quaternion(scaled(-1.0, turn)), multiply(q, quaternion(turned)))
-        q = normalized(q)
+        q, lost_q = accumulated4(q, lost_q, attitude_change(q, turned, turn))
 
         if not (abs(latitude) < LIMIT and abs(height) < HIGHEST and abs(q[0]) < 2):
             return k, latitude, height

@@ -23,7 +23,7 @@ GRAVITY_RATIO = 0.00344978650684
 def meridian_radius(latitude):
     """Radius of curvature M in the meridian, m (Groves 2013, Eq. 2.105)."""
     w = 1 - ECCENTRICITY_SQUARED * np.sin(latitude) ** 2
-    return SEMI_MAJOR * (1 - ECCENTRICITY_SQUARED) / w**1.5
+    return SEMI_MAJOR * (1 - ECCENTRICITY_SQUARED) / (w * np.sqrt(w))
 
 
 @compiled

@@ -1,211 +1,213 @@
-"""The strapdown equations, compiled; plain numbers in tuples and arrays.
+"""The strapdown equations in navigation axes, compiled; plain numbers in tuples and arrays.
 
-One step takes a few increments. Rate and specific force are polynomials within it (`coefficients`);
+One step takes a few increments. Rate and specific force are polynomials within it (`body_step`);
 Earth's and transport rate, Coriolis and gravity are those of the step's mean velocity at its
 middle. The mean velocity comes from the step's own increments, not from the step before.
 """
 
+from typing import NamedTuple
+
 import numpy as np
+from numpy.typing import NDArray
 
 from ins_eval import earth
 from ins_eval.compiled import compiled
+from ins_eval.navigation.algebra import (
+    Quaternion,
+    Vector,
+    accumulated,
+    accumulated4,
+    add,
+    cross,
+    multiply,
+    off_length,
+    quaternion_beyond_unity,
+    rotate,
+    scaled,
+    small_quaternion_beyond_unity,
+    subtract,
+    sum4,
+)
+from ins_eval.navigation.body_step import body_step
+from ins_eval.navigation.coefficients import Weights
+from ins_eval.navigation.height import VerticalChannel
 
-FREE, CLAMPED, DAMPED = 0, 1, 2
-"""What holds the height."""
+Array = NDArray[np.float64]
 
 LIMIT = np.deg2rad(89.5)
 """Largest latitude: beyond it, east and north turn too fast."""
+HIGHEST = 1e8
+"""Largest height, m: beyond it, the navigator has long diverged."""
+
+STATE_SIZE = 10
+"""Columns of a kept state: latitude, longitude, height, velocity (3), quaternion (4)."""
+
+
+class Place(NamedTuple):
+    """Where the middle of a step is: its latitude's sine and cosine, its radii of curvature in and
+    across the meridian (height included), its gravity."""
+
+    sin: float
+    cos: float
+    radius_n: float
+    radius_e: float
+    gravity: float
 
 
 @compiled
-def add(a, b):
-    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
-
-
-@compiled
-def scaled(s, a):
-    return (s * a[0], s * a[1], s * a[2])
-
-
-@compiled
-def cross(a, b):
-    return (
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
+def place_at(latitude: float, height: float) -> Place:
+    return Place(
+        np.sin(latitude),
+        np.cos(latitude),
+        earth.meridian_radius(latitude) + height,
+        earth.transverse_radius(latitude) + height,
+        earth.gravity(latitude, height),
     )
 
 
 @compiled
-def row(table, i):
-    return (table[i, 0], table[i, 1], table[i, 2])
+def transport_rate(average: Vector, place: Place) -> Vector:
+    """Turning of the navigation axes by motion over Earth, rad/s (Groves 2013, Eq. 5.44)."""
+    rate_e = average[1] / place.radius_e
+    return (rate_e, -average[0] / place.radius_n, -rate_e * place.sin / place.cos)
 
 
 @compiled
-def quaternion(v):
-    """Quaternion of a rotation vector; the next terms are below 1e-14 up to 0.5 rad."""
-    s = v[0] * v[0] + v[1] * v[1] + v[2] * v[2]
-    scalar = 1 - s / 8 * (1 - s / 48 * (1 - s / 120 * (1 - s / 224)))
-    factor = 0.5 - s / 48 * (1 - s / 80 * (1 - s / 168 * (1 - s / 288)))
-    return (scalar, factor * v[0], factor * v[1], factor * v[2])
+def axes_turn(average: Vector, change: Vector, place: Place, step: float) -> tuple[Vector, Vector]:
+    """What turning axes do over a step.
 
-
-@compiled
-def multiply(p, q):
-    return (
-        p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3],
-        p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2],
-        p[0] * q[2] - p[1] * q[3] + p[2] * q[0] + p[3] * q[1],
-        p[0] * q[3] + p[1] * q[2] - p[2] * q[1] + p[3] * q[0],
-    )
-
-
-@compiled
-def rotate(q, v):
-    u = (q[1], q[2], q[3])
-    t = scaled(2.0, cross(u, v))
-    return add(v, add(scaled(q[0], t), cross(u, t)))
-
-
-@compiled
-def summed(rotation, velocity, first, turning, scrolling, mean):
-    """One step's increments in the body axes of its start.
+    Args:
+        average: mean velocity, for axes that do not turn; corrected in here.
+        change: velocity change by specific force.
 
     Returns:
-        Rotation vector; velocity change; mean of the velocity change over the step. With constant
-        rate and force they are exact up to the fifth order in the angle (Savage 1998, Eqs. 23 and
-        Part II 19; Rodrigues).
+        Rotation vector of the navigation axes against inertial ones; velocity change by Coriolis
+        and transport (Groves 2013, Eq. 5.54).
     """
-    r = (0.0, 0.0, 0.0)
-    v = (0.0, 0.0, 0.0)
-    noncommuting = (0.0, 0.0, 0.0)
-    rotating = (0.0, 0.0, 0.0)
-    moving = (0.0, 0.0, 0.0)
-    n = len(mean)
-    for j in range(n):
-        aj, bj = row(rotation, first + j), row(velocity, first + j)
-        r, v = add(r, aj), add(v, bj)
-        moving = add(moving, scaled(mean[j], bj))
-        for i in range(n):
-            ai = row(rotation, first + i)
-            across = cross(ai, bj)
-            rotating = add(rotating, scaled(turning[i, j], across))
-            moving = add(moving, scaled(scrolling[i, j], across))
-            if i < j:
-                noncommuting = add(noncommuting, scaled(turning[i, j], cross(ai, aj)))
-    once = cross(r, v)
-    twice = cross(r, once)
-    s = r[0] * r[0] + r[1] * r[1] + r[2] * r[2]
-    change = add(v, add(scaled(0.5 - s / 24 * (1 - s / 30), once), rotating))
-    change = add(change, scaled(1 / 6 - s / 120 * (1 - s / 42), twice))
-    moving = add(moving, add(scaled(1 / 6 - s / 120, once), scaled(1 / 24 - s / 720, twice)))
-    return add(r, noncommuting), change, moving
+    omega_ie = (earth.RATE * place.cos, 0.0, -earth.RATE * place.sin)
+    turn, coriolis, mean = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), average
+    for _ in range(2):
+        omega_en = transport_rate(mean, place)
+        turn = scaled(step, add(omega_ie, omega_en))
+        coriolis = scaled(-step, cross(add(scaled(2.0, omega_ie), omega_en), mean))
+        bend = add(scaled(0.5, coriolis), scaled(-1 / 6, cross(turn, change)))
+        mean = (average[0] + bend[0], average[1] + bend[1], average[2])
+    return turn, coriolis
 
 
 @compiled
-def transport_rate(average, radius_n, radius_e, tangent):
-    """Turning of the navigation axes by motion over Earth, rad/s (Groves 2013, Eq. 5.44)."""
-    rate_e = average[1] / radius_e
-    return (rate_e, -average[0] / radius_n, -rate_e * tangent)
+def seen_from_turning_axes(change: Vector, moving: Vector, turn: Vector) -> tuple[Vector, Vector]:
+    """Specific force's velocity change, and its mean over the step, both given in the axes of the
+    step's start, in axes that turn meanwhile (Savage 1998, Part II Eq. 10; second order here)."""
+    behind = cross(turn, change)
+    late = cross(turn, subtract(change, moving))
+    seen = add(subtract(change, late), scaled(1 / 6, cross(turn, behind)))
+    return seen, subtract(moving, scaled(1 / 6, behind))
 
 
 @compiled
-def coriolis_change(omega_ie, omega_en, average, step):
-    """Velocity change by Coriolis and transport (Groves 2013, Eq. 5.54)."""
-    return scaled(-step, cross(add(scaled(2.0, omega_ie), omega_en), average))
+def vertical_step(
+    channel: VerticalChannel,
+    k: int,
+    step: float,
+    now: Vector,
+    pushed: Vector,
+    gravity: float,
+) -> Vector:
+    """Height, velocity down and the integral of the height's excess after step k.
+
+    Args:
+        now: the same three before it; pushed: velocity change down but for gravity, its mean over
+            the step, and the predicted height at the middle of it.
+    """
+    height, down, lag = now
+    change, moving, middle_height = pushed
+    if channel.clamped:
+        return (channel.height[k + 1], -channel.climb[k + 1], 0.0)
+    of_height, of_velocity, of_integral = channel.gains
+    before = height - channel.height[k]
+    excess = middle_height - 0.5 * (channel.height[k] + channel.height[k + 1])
+    excess -= 0.5 * step * of_height * before
+    drawn = of_velocity * excess + of_integral * (lag + 0.5 * step * excess)
+    gained = step * (gravity + drawn)
+    sink = down + moving + 0.5 * gained + of_height * excess
+    return (height - step * sink, down + change + gained, lag + step * excess)
+
+
+@compiled
+def attitude_change(q: Quaternion, turned: Vector, turn: Vector) -> Quaternion:
+    """Of the quaternion, by the body's rotation vector and the navigation axes'."""
+    by_body = sum4(multiply(q, quaternion_beyond_unity(turned)), off_length(q))
+    by_axes = multiply(small_quaternion_beyond_unity(scaled(-1.0, turn)), sum4(q, by_body))
+    return sum4(by_body, by_axes)
 
 
 @compiled
 def navigate(
-    place, speed, attitude, interval, rotation, velocity, weights, mode, reference, gains, keep, out
-):
+    position: Vector,
+    vel: Vector,
+    q: Quaternion,
+    interval: float,
+    rotation: Array,
+    velocity: Array,
+    weights: Weights,
+    channel: VerticalChannel,
+    keep: int,
+    out: Array,
+) -> tuple[int, float, float]:
     """Steps through all increments.
 
     Args:
-        place: latitude, longitude, height; speed: (3,); attitude: quaternion body to navigation.
+        position: latitude, longitude, height; vel: velocity; q: attitude, body to navigation.
         interval: of the increments, s; rotation, velocity: (n, 3) increments.
-        weights: `coefficients.Weights`.
-        mode: FREE, CLAMPED or DAMPED; reference: height at the start and after each step, m.
-        gains: three, of the damped vertical channel, 1/s, 1/s2, 1/s3.
-        keep: steps between rows of `out`, which takes latitude, longitude, height, velocity (3),
-            quaternion (4).
+        keep: steps between rows of `out` (m, STATE_SIZE).
 
     Returns:
-        Number of steps made; fewer than all where the latitude leaves its limit or the state is
-        no longer finite.
+        Number of steps made, fewer than all where the latitude or the height leaves its limit or
+        the state is no longer finite; latitude and height there.
     """
-    turning, scrolling, mean = weights
-    n = len(mean)
-    step = n * interval
-    q = (attitude[0], attitude[1], attitude[2], attitude[3])
-    vel = (speed[0], speed[1], speed[2])
-    latitude, longitude, height = place
-    lag = 0.0
-    steps = len(rotation) // n
+    samples = len(weights.mean)
+    step = samples * interval
+    latitude, longitude, height = position
+    lag, lost_latitude, lost_longitude = 0.0, 0.0, 0.0
+    lost_q = (0.0, 0.0, 0.0, 0.0)
+    steps = len(rotation) // samples
     for k in range(steps):
-        turned, change, moving = summed(rotation, velocity, k * n, turning, scrolling, mean)
+        turned, change, moving = body_step(rotation, velocity, k * samples, weights)
         change, moving = rotate(q, change), rotate(q, moving)
 
-        # Where the middle of the step is.
         down = vel[2] + moving[2] + 0.5 * step * earth.gravity(latitude, height)
-        if mode == CLAMPED:
-            down = (reference[k] - reference[k + 1]) / step
+        if channel.clamped:
+            down = (channel.height[k] - channel.height[k + 1]) / step
         average = (vel[0] + moving[0], vel[1] + moving[1], down)
-        middle_height = height - 0.5 * step * down
-        radius_n = earth.meridian_radius(latitude) + middle_height
+        radius_n = earth.meridian_radius(latitude) + height
         middle = latitude + 0.5 * step * average[0] / radius_n
-        sin, cos = np.sin(middle), np.cos(middle)
-        radius_n = earth.meridian_radius(middle) + middle_height
-        radius_e = earth.transverse_radius(middle) + middle_height
+        middle_height = height - 0.5 * step * down
+        place = place_at(middle, middle_height)
 
-        # Rates of the navigation axes, from the step's mean velocity.
-        omega_ie = (earth.RATE * cos, 0.0, -earth.RATE * sin)
-        omega_en = transport_rate(average, radius_n, radius_e, sin / cos)
-        coriolis = coriolis_change(omega_ie, omega_en, average, step)
-        average = add(average, scaled(0.5, coriolis))
-        if mode == CLAMPED:
-            average = (average[0], average[1], down)
-        omega_en = transport_rate(average, radius_n, radius_e, sin / cos)
-        coriolis = coriolis_change(omega_ie, omega_en, average, step)
-        turn = scaled(step, add(omega_ie, omega_en))
+        turn, coriolis = axes_turn(average, change, place, step)
+        change, moving = seen_from_turning_axes(change, moving, turn)
+        change, moving = add(change, coriolis), add(moving, scaled(0.5, coriolis))
 
-        # Velocity; specific force lags behind the turning axes.
-        behind = cross(turn, change)
-        change = add(change, add(coriolis, cross(turn, add(moving, scaled(-1.0, change)))))
-        moving = add(moving, add(scaled(-1 / 6, behind), scaled(0.5, coriolis)))
-        average = add(vel, moving)
-        vel = add(vel, change)
+        north = step * (vel[0] + moving[0]) / place.radius_n
+        east = step * (vel[1] + moving[1]) / (place.radius_e * place.cos)
+        latitude, lost_latitude = accumulated(latitude, lost_latitude, north)
+        longitude, lost_longitude = accumulated(longitude, lost_longitude, east)
+        pushed = (change[2], moving[2], middle_height)
+        now = (height, vel[2], lag)
+        height, down, lag = vertical_step(channel, k, step, now, pushed, place.gravity)
+        vel = (vel[0] + change[0], vel[1] + change[1], down)
+        q, lost_q = accumulated4(q, lost_q, attitude_change(q, turned, turn))
 
-        # Height.
-        if mode == CLAMPED:
-            height = reference[k + 1]
-            vel = (vel[0], vel[1], down)
-        else:
-            gained = step * earth.gravity(middle, middle_height)
-            down = vel[2] - change[2] + moving[2] + 0.5 * gained
-            ahead = height - step * down
-            if mode == DAMPED:
-                excess = middle_height - 0.5 * (reference[k] + reference[k + 1])
-                lag += step * excess
-                ahead -= step * gains[0] * excess
-                gained += step * (gains[1] * excess + gains[2] * lag)
-            vel = (vel[0], vel[1], vel[2] + gained)
-            height = ahead
-
-        # Position.
-        latitude += step * average[0] / radius_n
-        longitude += step * average[1] / (radius_e * cos)
-
-        # Attitude.
-        q = multiply(quaternion(scaled(-1.0, turn)), multiply(q, quaternion(turned)))
-        norm = 1.5 - 0.5 * (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
-        q = (q[0] * norm, q[1] * norm, q[2] * norm, q[3] * norm)
-
-        if not (abs(latitude) < LIMIT and abs(height) < 1e8 and abs(q[0]) < 2):
-            return k
+        if not (abs(latitude) < LIMIT and abs(height) < HIGHEST and abs(q[0]) < 2):
+            return k, latitude, height
         if (k + 1) % keep == 0:
-            kept = (k + 1) // keep - 1
-            out[kept, 0], out[kept, 1], out[kept, 2] = latitude, longitude, height
-            out[kept, 3], out[kept, 4], out[kept, 5] = vel
-            out[kept, 6], out[kept, 7], out[kept, 8], out[kept, 9] = q
-    return steps
+            keep_state(out, (k + 1) // keep - 1, (latitude, longitude, height), vel, q)
+    return steps, latitude, height
+
+
+@compiled
+def keep_state(out: Array, i: int, position: Vector, velocity: Vector, q: Quaternion) -> None:
+    out[i, 0], out[i, 1], out[i, 2] = position
+    out[i, 3], out[i, 4], out[i, 5] = velocity
+    out[i, 6], out[i, 7], out[i, 8], out[i, 9] = q

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 from ins_eval.increments import Increments
 from ins_eval.navigation import kernel
 from ins_eval.navigation.coefficients import weights
-from ins_eval.navigation.height import Free, Height
+from ins_eval.navigation.height import Height
 from ins_eval.state import State, Track
 
 Array = NDArray[np.float64]
@@ -47,25 +47,23 @@ def navigate(
             f"{count} intervals, every {keep_every} kept: both must be multiples of {samples}"
         )
     check_start(start)
-    reference = _reference(height, count)[::samples]
-    rows = np.empty((count // keep_every, 10))
-    steps = kernel.navigate(
-        (start.latitude, start.longitude, start.height),
-        np.asarray(start.velocity, dtype=float),
-        _quaternion(start.mat_nb),
-        increments.interval,
-        increments.rotation,
-        increments.velocity,
+    check_increments(increments)
+    rows = np.empty((count // keep_every, kernel.STATE_SIZE))
+    steps, latitude, reached = kernel.navigate(
+        (float(start.latitude), float(start.longitude), float(start.height)),
+        tuple(map(float, start.velocity)),
+        tuple(map(float, Rotation.from_matrix(start.mat_nb).as_quat(scalar_first=True))),
+        float(increments.interval),
+        np.ascontiguousarray(increments.rotation, dtype=float),
+        np.ascontiguousarray(increments.velocity, dtype=float),
         weights(samples),
-        height.mode,
-        reference,
-        height.gains,
+        height.channel(count, samples, increments.interval),
         keep_every // samples,
         rows,
     )
     if steps < count // samples:
-        time = increments.start + steps * samples * increments.interval
-        raise NavigationError(_what_ended(time, rows[: steps * samples // keep_every], start))
+        step = increments.between(steps * samples, (steps + 1) * samples)
+        raise NavigationError(_what_ended(step, latitude, reached))
     return Track(
         time=increments.bounds[keep_every::keep_every],
         position=rows[:, :3].copy(),
@@ -109,23 +107,32 @@ def check_rotation(matrix: Array) -> None:
         )
 
 
-def _reference(height: Height, count: int) -> Array:
-    if isinstance(height, Free):
-        return np.zeros(count + 1)
-    if len(height.heights) != count + 1:
-        raise ValueError(f"{len(height.heights)} heights given, {count + 1} expected")
-    return np.asarray(height.heights, dtype=float)
+def check_increments(increments: Increments) -> None:
+    """Refuse increments that the compiled navigator can't read; their numbers it checks itself.
+
+    Raises:
+        NavigationError: says what is wrong.
+    """
+    shapes = np.shape(increments.rotation), np.shape(increments.velocity)
+    if shapes != ((len(increments), 3),) * 2:
+        raise NavigationError(
+            f"increments of shapes {shapes[0]} and {shapes[1]}: expected (n, 3) both, the same n"
+        )
+    if not 0 < increments.interval < np.inf:
+        raise NavigationError(f"increments of {increments.interval} s: expected longer than 0 s")
 
 
-def _what_ended(time: float, rows: Array, start: State) -> str:
-    """Why the navigator stopped, from the last rows that it kept."""
-    last = rows[-1] if len(rows) else np.array([start.latitude, start.longitude, start.height])
-    place = f"latitude {np.rad2deg(last[0]):.3f} deg, height {last[2]:.4g} m"
-    return (
-        f"stopped at {time:.2f} s: latitude near a pole or state no longer finite; "
-        f"last kept at {place}: are the increments in rad and m/s, and without gaps?"
-    )
-
-
-def _quaternion(mat_nb: Array) -> Array:
-    return np.asarray(Rotation.from_matrix(mat_nb).as_quat(scalar_first=True))
+def _what_ended(step: Increments, latitude: float, height: float) -> str:
+    """Why the navigator stopped, from the step that it could not make and where that led."""
+    reading = np.hstack([step.rotation, step.velocity])
+    bad = np.flatnonzero(~np.isfinite(reading).all(axis=1))
+    if len(bad):
+        return (
+            f"increments of the interval from {step.bounds[bad[0]]:.6g} s are "
+            f"{reading[bad[0]].tolist()}: expected finite numbers, rad and m/s"
+        )
+    ended = f"stopped at {step.start:.6g} s, latitude {np.rad2deg(latitude):.4f} deg, "
+    ended += f"height {height:.4g} m"
+    if not abs(latitude) < kernel.LIMIT:
+        return f"{ended}: beyond {np.rad2deg(kernel.LIMIT):g} deg, too near a pole"
+    return f"{ended}: diverged; are the increments in rad and m/s, and without gaps?"

@@ -1,0 +1,1 @@
+"""The navigator's own error and speed, beside a peer's in the same run."""

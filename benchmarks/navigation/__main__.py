@@ -1,0 +1,75 @@
+"""The navigator's own error and speed, side by side with pyins: `python -m benchmarks.navigation`.
+
+Error-free increments, height clamped. Prints the largest horizontal error, once a minute, and the
+attitude error at the end, of steps of 2, 3 and 4 samples; and samples per second on one core.
+"""
+
+import argparse
+from collections.abc import Callable
+
+import numpy as np
+
+from benchmarks.navigation import peer, speed
+from benchmarks.navigation.motions import Flight, coning, static, weaving
+from ins_eval.navigation.coefficients import SAMPLES
+from ins_eval.state import Track
+from ins_eval.trajectories.weave import Weave
+from pyhrg.units import DEG_PER_H
+
+HOUR = 3600
+FLIGHTS: tuple[Callable[[], Flight], ...] = (
+    lambda: weaving(Weave(), HOUR, 100),
+    lambda: weaving(Weave(), HOUR, 200),
+    lambda: weaving(Weave(speed=200.0), 600, 100),
+    lambda: static(HOUR, 100),
+    lambda: coning(np.deg2rad(1.0), 2.0, HOUR, 100),
+)
+
+
+def figures(flight: Flight, track: Track) -> tuple[float, float]:
+    """Largest horizontal error, m; attitude error at the end over its time, rad/s."""
+    error = flight.error(track)
+    horizontal = np.hypot(error.position[:, 0], error.position[:, 1])
+    return float(np.max(horizontal)), float(np.linalg.norm(error.attitude[-1]) / error.time[-1])
+
+
+def compare(flight: Flight) -> None:
+    """Print one flight's errors, navigator by navigator."""
+    print(f"\n{flight.name}")
+    flown = {f"{n} samples": flight.flown(n) for n in SAMPLES}
+    if strapdown := peer.peer():
+        flown["pyins"] = peer.flown(strapdown, flight)
+    for name, track in flown.items():
+        metres, drift = figures(flight, track)
+        print(f"  {name:<12}{1e3 * metres:14.4g} mm {drift / DEG_PER_H:12.2e} deg/h", flush=True)
+
+
+def throughput() -> None:
+    """Print samples per second, and what a first call costs."""
+    flight = weaving(Weave(), HOUR, 100)
+    strapdown = peer.peer()
+    pyins = speed.peers(strapdown, flight) if strapdown else np.nan
+    print("\nmillion samples/s   end to end   bare loop   end to end over bare loop   over pyins's")
+    for n in SAMPLES:
+        ours, bare = speed.end_to_end(flight, n), speed.bare_loop(flight, n)
+        ratios = f"{ours / bare:14.2f} {ours / pyins:25.1f}"
+        print(f"  {n} samples      {ours / 1e6:12.1f} {bare / 1e6:12.1f} {ratios}", flush=True)
+    print(f"  pyins          {pyins / 1e6:12.2f}")
+    imported, called = speed.first_call()
+    print(f"fresh process, compiled code on disk: import {imported:.2f} s, call {called:.2f} s")
+
+
+def main() -> None:
+    """Errors, then speed."""
+    argparse.ArgumentParser(
+        description=__doc__, prog="python -m benchmarks.navigation"
+    ).parse_args()
+    if not peer.peer():
+        print("no pyins here: pip install git+https://github.com/nmayorov/pyins")
+    for flight in FLIGHTS:
+        compare(flight())
+    throughput()
+
+
+if __name__ == "__main__":
+    main()

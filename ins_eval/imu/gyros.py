@@ -1,84 +1,184 @@
-"""The inertial measurement unit: three gyros as FMUs along the body axes, three accelerometers."""
+"""Three gyros as FMUs of the gyro's physics."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from fmu_build.bundle import built_fmu
+from ins_eval.imu.mounting import Mounting
+from ins_eval.imu.stated_gyros import GyroReading
 from ins_eval.increments import Increments
+from ins_eval.sensor_errors import SensorErrors
+from pyhrg import device_file, theory
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias import full_circumference
+from pyhrg.device_file import DeviceError
+from pyhrg.device_keys import KEYS
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import Device
-from pyhrg.units import MICRO_G
+from pyhrg.parameters import TABLE2, TYPICAL, Device
 
 Array = NDArray[np.float64]
 
+__all__ = ["DeviceError", "FmuGyros", "device", "difference", "measured"]
+
 
 @dataclass(frozen=True)
-class Accelerometers:
-    """A triad of accelerometers.
+class FmuGyros:
+    """Gyros simulated by their FMU.
 
-    bias: standard deviation of each one's constant error, m/s^2;
-    noise: velocity random walk, m/s/sqrt(s).
+    device: what they are alike in;
+    own_axes: whether each has its own axes of imperfection and power-on angle, drawn
+    (`Device.another`);
+    differences: fields of `Device` by gyro, what each has for certain;
+    calibrated: whether the maker has measured each one's mean bias and takes it out;
+    fmu: the model; if None, the one of the present sources, built where it isn't there.
     """
 
-    bias: float
-    noise: float
+    device: Device = TYPICAL
+    own_axes: bool = True
+    differences: tuple[Mapping[str, Any], ...] = field(default=({}, {}, {}), hash=False)
+    calibrated: bool = True
+    fmu: GyroFmu | None = None
 
-    def measure(self, truth: Increments, generator: np.random.Generator) -> Array:
-        """Velocity increments (n, 3), m/s, with a bias and noise drawn anew."""
-        bias = generator.normal(0.0, self.bias, size=3)
-        noise = generator.normal(0.0, self.noise, size=truth.velocity.shape)
-        return truth.velocity + bias * truth.interval + noise * np.sqrt(truth.interval)
+    def devices(self, generator: np.random.Generator) -> list[Device]:
+        """The three, drawn anew."""
+        drawn = [self.device.another(generator) if self.own_axes else self.device for _ in "xyz"]
+        return [replace(d, **own) for d, own in zip(drawn, self.differences, strict=True)]
+
+    def measure(
+        self, truth: Increments, mounting: Mounting, generator: np.random.Generator
+    ) -> GyroReading:
+        """See `Gyros`.
+
+        Raises:
+            ValueError: an interval that is no multiple of the electronics' control period.
+            GyroError: a value that the FMU refuses.
+            TranslationError, BuildError: the model can't be built.
+        """
+        periods = truth.interval / self.device.control_period
+        if round(periods) < 1 or abs(periods - round(periods)) > 1e-6:
+            raise ValueError(
+                f"found an interval of {truth.interval:g} s, expected a multiple of the gyros' "
+                f"control period, {self.device.control_period:g} s"
+            )
+        fmu = self.fmu or GyroFmu(built_fmu())
+        return measured(fmu, self.devices(generator), truth, mounting, generator, self.calibrated)
+
+    @property
+    def errors(self) -> SensorErrors:
+        """See `Gyros`; the bias is that of the map at an unknown pattern angle."""
+        devices = [replace(self.device, **own) for own in self.differences]
+        return SensorErrors(
+            gyro_bias=_rms([_bias(device, self.calibrated) for device in devices]),
+            angle_random_walk=_rms([device.angle_random_walk for device in devices]),
+            gyro_bias_instability=_rms([device.bias_instability for device in devices]),
+            angle_quantum=_rms([_quantum(device) for device in devices]),
+        )
 
 
-TYPICAL_ACCELEROMETERS = Accelerometers(bias=5 * MICRO_G, noise=5 * MICRO_G)
-"""Good enough that a gyro bias of 0.001 deg/h can still be seen in the position error."""
-
-
-def measured_rotation(
-    fmu: GyroFmu, device: Device, rotation: Array, interval: float, generator: np.random.Generator
-) -> Array:
-    """Rotation increments of one gyro, its mean bias calibrated.
-
-    The maker's calibration is a bench run of its own, power-on apart: eight positions of the
-    circumference, 100 s each; the mean of the fitted map.
+def device(name_or_path: str, folder: Path) -> Device:
+    """One that comes with the package, by its name, or the one in a file.
 
     Args:
-        fmu: the gyro's model.
-        device: its parameters.
-        rotation: (n,) true rotation about the input axis in each interval, rad.
-        interval: s.
-        generator: of power-on angles and noise seeds.
+        name_or_path: a path that is not absolute is from the folder.
+        folder: see there.
 
-    Returns:
-        (n,) rad.
+    Raises:
+        DeviceError: see `device_file.read`.
     """
-    bench = Bench(fmu, device, seed=int(generator.integers(2**63)))
-    power_ons = full_circumference.power_ons(bench, full_circumference.SHORTEST, 1, segments=1)
-    calibration = bench.campaign([bench.log(power_on) for power_on in power_ons])
-    mean_bias = full_circumference.mean_bias(calibration)
-    with bench.power_on("flight") as gyro:
-        angles = gyro.drive(rotation / interval, interval)
-    return np.diff(angles, prepend=0.0) - mean_bias * interval
+    ready = {kind.name: kind for kind in (TYPICAL, TABLE2)}
+    return ready.get(name_or_path) or device_file.read(folder / name_or_path)
 
 
-def measure(
+def difference(document: Mapping[str, Any], source: str) -> dict[str, Any]:
+    """Fields of `Device` that the keys of a device file state.
+
+    Raises:
+        DeviceError: see `device_file.from_table`.
+    """
+    stated = device_file.from_table(document, source)
+    fields_by_key = {key.name: key.field for key in KEYS}
+    return {
+        name: getattr(stated, name) for name in (fields_by_key.get(key, key) for key in document)
+    }
+
+
+def measured(
     fmu: GyroFmu,
     devices: Sequence[Device],
-    accelerometers: Accelerometers,
     truth: Increments,
+    mounting: Mounting,
     generator: np.random.Generator,
-) -> Increments:
-    """What a triad of gyros and accelerometers makes of the true motion."""
-    rotation = np.stack(
-        [
-            measured_rotation(fmu, device, truth.rotation[:, axis], truth.interval, generator)
-            for axis, device in enumerate(devices)
-        ],
-        axis=-1,
-    )
-    velocity = accelerometers.measure(truth, generator)
-    return Increments(truth.interval, rotation, velocity, truth.start)
+    calibrated: bool = True,
+) -> GyroReading:
+    """What three given gyros make of the true motion.
+
+    Args:
+        fmu: their model.
+        devices: their parameters.
+        truth: true increments.
+        mounting: of the input axes.
+        generator: of power-on angles and noise seeds.
+        calibrated: see `FmuGyros`.
+    """
+    benches = [Bench(fmu, device, seed=int(generator.integers(2**63))) for device in devices]
+    sensed = mounting.sensed(truth.rotation)
+    rotation, pattern = np.empty_like(sensed), np.empty_like(sensed)
+    for axis, bench in enumerate(benches):
+        force = truth.velocity @ case_axes(mounting.axes[axis]).T / truth.interval
+        bias = mean_bias(bench) if calibrated else 0.0
+        angle, pattern[:, axis] = flown(bench, sensed[:, axis], force, truth.interval)
+        rotation[:, axis] = np.diff(angle, prepend=0.0) - bias * truth.interval
+    return GyroReading(rotation, pattern)
+
+
+def mean_bias(bench: Bench) -> float:
+    """The maker's calibration, rad/s: eight positions of the circumference, 100 s each, a power-on
+    of its own; the mean of the fitted map."""
+    power_ons = full_circumference.power_ons(bench, full_circumference.SHORTEST, 1, segments=1)
+    calibration = bench.campaign([bench.log(power_on) for power_on in power_ons])
+    return full_circumference.mean_bias(calibration)
+
+
+def flown(bench: Bench, rotation: Array, force: Array, interval: float) -> tuple[Array, Array]:
+    """Angle of gyro and pattern (n,), rad, at the end of each interval.
+
+    Args:
+        bench: the gyro.
+        rotation: (n,) true rotation about the input axis in each interval, rad.
+        force: (n, 3) mean specific force along the case's axes, the third the input axis, m/s^2.
+        interval: s.
+    """
+    inputs = {"angularRate": rotation / interval}
+    inputs |= {f"acceleration{axis}": force[:, i] for i, axis in enumerate("XYZ")}
+    moving = {name: values[:, None] for name, values in inputs.items()}
+    with bench.power_on("flight") as gyro:
+        ends, _ = gyro.record(moving, {}, interval, ["gyroAngle", "patternAngle"])
+    return ends[:, 0], ends[:, 1]
+
+
+def case_axes(input_axis: Array) -> Array:
+    """(3, 3) axes of a gyro's case, a row each, in body axes: x, where the pattern angle is zero,
+    from the first of forward, right, down that is farthest from the input axis; z the latter."""
+    nearest = np.eye(3)[np.argmin(np.abs(input_axis))]
+    across = nearest - (nearest @ input_axis) * input_axis
+    x = across / np.linalg.norm(across)
+    return np.stack([x, np.cross(input_axis, x), input_axis])
+
+
+def _bias(device: Device, calibrated: bool) -> float:
+    spread = theory.circumferential_bias_stability(device)
+    return spread if calibrated else float(np.hypot(spread, theory.mean_bias(device)))
+
+
+def _quantum(device: Device) -> float:
+    """Of the variance that the detected angle's white noise and the output's quantum have."""
+    return float(np.hypot(device.angle_quantum, np.sqrt(12) * device.pickoff_noise))
+
+
+def _rms(values: Sequence[float]) -> float:
+    return float(np.sqrt(np.mean(np.square(values))))

@@ -10,7 +10,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.imu.gyros import TYPICAL_ACCELEROMETERS, Accelerometers, measure
+from ins_eval.imu.accelerometers import TYPICAL_ACCELEROMETERS
+from ins_eval.imu.gyros import FmuGyros
+from ins_eval.imu.imu import Imu
+from ins_eval.imu.triad import Triad
 from ins_eval.validation.mission import Mission
 from ins_eval.validation.prediction import bias_sensitivity, predicted_radial_error
 from pyhrg.bench.bench import Bench
@@ -63,7 +66,7 @@ def validate(
     seed: int,
     *,
     device: Device = TYPICAL,
-    accelerometers: Accelerometers = TYPICAL_ACCELEROMETERS,
+    accelerometers: Triad = TYPICAL_ACCELEROMETERS,
     workers: int | None = None,
     done: Done = lambda minutes: None,
 ) -> Validation:
@@ -85,13 +88,12 @@ def validate(
     power_ons = fixed_position.power_ons(bench)
     power_ons += full_circumference.power_ons(bench, full_circumference.SHORTEST)
     sensitivity = bias_sensitivity(mission)
+    imu = Imu(FmuGyros(device, fmu=fmu), accelerometers, mission.truth.interval)
     stop = threading.Event()
     fmu.stop = stop
 
     def fly(seeds: np.random.SeedSequence) -> Array:
-        generator = np.random.default_rng(seeds)
-        devices = [device.another(generator) for _ in range(3)]
-        error = mission.fly(measure(fmu, devices, accelerometers, mission.truth, generator))
+        error = mission.fly(imu.measure(mission.truth, seeds).increments)
         return np.asarray(np.hypot(error[:, 0], error[:, 1]))
 
     logs, flown = [], []
@@ -112,7 +114,7 @@ def validate(
     old, new = fixed_position.measured(campaign), full_circumference.measured(campaign)
 
     def promised(test: BiasTest) -> Array:
-        return predicted_radial_error(sensitivity, test.stability, accelerometers.bias)
+        return predicted_radial_error(sensitivity, test.stability, accelerometers.bias.size)
 
     return Validation(
         seed=seed,

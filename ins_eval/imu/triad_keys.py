@@ -1,0 +1,69 @@
+"""Keys of a triad's errors in a TOML file, with units and ranges."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from ins_eval.imu.toml_table import TomlTable
+from ins_eval.imu.triad import Constant, Triad
+from pyhrg.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G, PPM
+
+
+@dataclass(frozen=True)
+class Key:
+    """A number of the file: SI is value * factor; `high` is the largest size in the file's unit.
+
+    name: with `{}` where `_sigma` goes.
+    """
+
+    name: str
+    field: str
+    factor: float
+    high: float
+    count: int = 0
+    """Of values by axis, if it is a `Constant`; 0 if it is one number for all."""
+
+
+SHARED = (
+    Key("scale_factor{}_ppm", "scale_factor", PPM, 1e5, 3),
+    Key("misalignment{}_arcsec", "misalignment", ARCSEC, 2e4, 6),
+)
+ACCELEROMETERS = (
+    Key("bias{}_micro_g", "bias", MICRO_G, 1e6, 3),
+    *SHARED,
+    Key("velocity_random_walk_m_s_sqrt_h", "white", HOUR**-0.5, 100),
+    Key("bias_instability_micro_g", "bias_instability", MICRO_G, 1e5),
+    Key("quantum_m_s", "quantum", 1.0, 1.0),
+)
+GYROS = (
+    Key("bias{}_deg_h", "bias", DEG_PER_H, 1e5, 3),
+    *SHARED,
+    Key("angle_random_walk_deg_sqrt_h", "white", DEG_PER_SQRT_H, 100),
+    Key("bias_instability_deg_h", "bias_instability", DEG_PER_H, 1e4),
+    Key("quantum_arcsec", "quantum", ARCSEC, 3600),
+)
+"""A constant has two keys: `bias_deg_h`, the values by axis, and `bias_sigma_deg_h`, the standard
+deviation of what is drawn beside them. Misalignments are in the order of `Triad`."""
+
+
+def triad_keys(keys: tuple[Key, ...]) -> list[str]:
+    """Names in the file."""
+    signs = [(key, "_sigma") for key in keys if key.count]
+    return [key.name.format(sign) for key, sign in [*((k, "") for k in keys), *signs]]
+
+
+def read_triad(table: TomlTable, keys: tuple[Key, ...]) -> Triad:
+    """The triad of a table.
+
+    Raises:
+        SpecificationError: a value that is no number or out of range.
+    """
+    values: dict[str, Any] = {key.field: _value(table, key) for key in keys}
+    return Triad(**values)
+
+
+def _value(table: TomlTable, key: Key) -> Constant | float:
+    if not key.count:
+        return key.factor * table.number(key.name, 0.0, 0.0, key.high)
+    given = table.numbers(key.name.format(""), key.count, key.high)
+    drawn = table.number(key.name.format("_sigma"), 0.0, 0.0, key.high)
+    return Constant(tuple(key.factor * value for value in given), key.factor * drawn)

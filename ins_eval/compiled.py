@@ -11,7 +11,7 @@ from platformdirs import user_cache_path
 
 _SETTINGS: Any = config
 
-SOURCES = ("earth.py", "navigation/kernel.py")
+SOURCES = ("earth.py", "navigation/kernel.py", "alignment/inertial_kernel.py")
 """Files that hold compiled functions. Numba notices a change in a function's own file alone; the
 cache's folder is named after all of them."""
 

@@ -15,7 +15,6 @@ from scipy.spatial.transform import Rotation
 
 from ins_eval import earth
 from ins_eval.alignment import standing
-from ins_eval.alignment.inertial_frame import earth_rate
 from ins_eval.alignment.result import Alignment, AlignmentError, Biases, History
 from ins_eval.increments import Increments
 from ins_eval.navigation.height import Clamped
@@ -41,7 +40,8 @@ SWAY_BOUNDS = (1e-6, 100.0)
 class Pass:
     """A navigator from one start attitude, and its error's steps.
 
-    displacement: (m, 2) computed, north, east, m; transition, noise: (m, 13, 13).
+    displacement: (m, 2) computed, north, east, m; transition: (m, 13, 13); noise: (13, 13), of
+    each step.
     """
 
     track: Track
@@ -86,18 +86,17 @@ def fine_alignment(
     """
     record, each = _whole_steps(record)
     mat_nb = coarse
-    back = Rotation.from_rotvec(earth_rate(float(position[0])) * record.duration)
     for _ in range(MOST_PASSES):
         run = _pass(record, position, errors, mat_nb, each)
         if sway is None:
             sway = likeliest_sway(run, errors)
         result = filtered(run, errors, sway)
-        last = result.state[-1, standing.ATTITUDE]
-        if np.linalg.norm(last) < SETTLED:
+        first = _first_error(run, result)
+        if np.linalg.norm(first) < SETTLED:
             return _alignment(run, result, sway)
-        mat_nb = corrected(mat_nb, back.apply(last))
+        mat_nb = corrected(mat_nb, first)
     raise AlignmentError(
-        f"attitude still off by {np.rad2deg(np.linalg.norm(last)):.2g} deg "
+        f"attitude still off by {np.rad2deg(np.linalg.norm(first)):.2g} deg "
         f"after {MOST_PASSES} passes: the vehicle moved, or the coarse attitude is far off"
     )
 
@@ -109,8 +108,8 @@ def filtered(run: Pass, errors: SensorErrors, sway: float) -> Filtered:
     kalman.H = np.eye(standing.STATES)[standing.DISPLACEMENT]
     kalman.R = sway**2 * np.eye(2)
     state, covariance, innovation, spread = [], [], [], []
-    for z, transition, noise in zip(run.displacement, run.transition, run.noise, strict=True):
-        kalman.predict(F=transition, Q=noise)
+    for z, transition in zip(run.displacement, run.transition, strict=True):
+        kalman.predict(F=transition, Q=run.noise)
         kalman.update(z[:, None])
         state.append(kalman.x[:, 0])
         covariance.append(kalman.P)
@@ -160,22 +159,26 @@ def _pass(
     latitude, longitude, height = map(float, position)
     start = State(latitude, longitude, height, np.zeros(3), mat_nb)
     track = navigate(start, record, Clamped(np.full(len(record) + 1, height)), each)
-    begun = np.concatenate([mat_nb[None], track.mat_nb])
-    drive = standing.noise(errors, record.interval, earth.gravity(latitude, height))
-    steps = [
-        standing.discretised(
-            standing.dynamics(0.5 * (before + after), latitude, height),
-            drive,
-            each * record.interval,
-        )
-        for before, after in zip(begun[:-1], begun[1:], strict=True)
-    ]
+    begun = np.concatenate([mat_nb[None], track.mat_nb[:-1]])
+    transition, noise = standing.discretised(
+        standing.dynamics(latitude, height),
+        standing.noise(errors, record.interval, float(earth.gravity(latitude, height))),
+        each * record.interval,
+    )
     return Pass(
         track,
         position_error(track.position, np.asarray(position, dtype=float))[:, :2],
-        np.array([transition for transition, _ in steps]),
-        np.array([noise for _, noise in steps]),
+        standing.in_body_axes(transition, 0.5 * (begun + track.mat_nb)),
+        noise,
     )
+
+
+def _first_error(run: Pass, result: Filtered) -> Array:
+    """Attitude error (3,) at the start that leads to the last estimate, rad."""
+    whole = np.eye(standing.STATES)
+    for transition in run.transition:
+        whole = transition @ whole
+    return np.asarray(np.linalg.solve(whole, result.state[-1])[standing.ATTITUDE])
 
 
 def _alignment(run: Pass, result: Filtered, sway: float) -> Alignment:

@@ -65,9 +65,19 @@ def inertial_frame_alignment(
     fit = inertial_frame_fit(record, position, spans)
     gravity = float(earth.gravity(position[0], position[2]))
     if sway is None:
-        sway = float(np.sqrt(np.sum(fit.misfit**2) / (4 * spans - 6)) * gravity * fit.span)
+        sway = swaying_speed(fit, gravity)
     covariance = inertial_frame_covariance(fit, float(position[0]), gravity, errors, sway)
     return Alignment("inertial frame", float(record.bounds[-1]), fit.mat_nb, covariance)
+
+
+def swaying_speed(fit: Fit, gravity: float) -> float:
+    """Standard deviation of the velocity at the spans' ends that the misfit shows, m/s.
+
+    Two components a span, less the three of the fitted rotation; a difference has twice the
+    variance.
+    """
+    freedom = 2 * (2 * len(fit.gravity) - 3)
+    return float(np.sqrt(np.sum(fit.misfit**2) / freedom) * gravity * fit.span)
 
 
 def inertial_frame_fit(record: Increments, position: Array, spans: int = SPANS) -> Fit:

@@ -24,8 +24,9 @@ VELOCITY_PRIOR, DISPLACEMENT_PRIOR = 1.0, 10.0
 """Likewise, m/s and m."""
 
 
-def dynamics(mat_nb: Array, latitude: float, height: float) -> Array:
-    """(13, 13) time derivative of the states by the states (Groves 2013, section 14.2.4).
+def dynamics(latitude: float, height: float) -> Array:
+    """(13, 13) time derivative of the states by the states (Groves 2013, section 14.2.4), with
+    biases about and along north, east, down.
 
     Attitude as in `ins_eval.state.TrackError`, so its signs are those of a computed frame that
     leads the true one.
@@ -37,10 +38,10 @@ def dynamics(mat_nb: Array, latitude: float, height: float) -> Array:
     f = np.zeros((STATES, STATES))
     f[ATTITUDE, ATTITUDE] = [[0, -up, 0], [up, 0, level], [0, -level, 0]]
     f[ATTITUDE, VELOCITY] = [[0, -1 / east], [1 / north, 0], [0, np.tan(latitude) / east]]
-    f[ATTITUDE, GYRO] = mat_nb
+    f[ATTITUDE, GYRO] = np.eye(3)
     f[VELOCITY, ATTITUDE] = [[0, -gravity, 0], [gravity, 0, 0]]
     f[VELOCITY, VELOCITY] = [[0, -2 * up], [2 * up, 0]]
-    f[VELOCITY, ACCELEROMETER] = mat_nb[:2]
+    f[VELOCITY, ACCELEROMETER] = np.eye(3)[:2]
     f[DISPLACEMENT, VELOCITY] = np.eye(2)
     return f
 
@@ -74,6 +75,14 @@ def discretised(f: Array, g: Array, step: float) -> tuple[Array, Array]:
     """Transition (13, 13) and covariance (13, 13) of a step, s, exactly (Van Loan 1978)."""
     transition, covariance = van_loan_discretization(f, g, step)
     return np.asarray(transition), np.asarray(covariance)
+
+
+def in_body_axes(transition: Array, mat_nb: Array) -> Array:
+    """Transitions (m, 13, 13) with biases in body axes, of steps at attitudes (m, 3, 3)."""
+    steps = np.tile(transition, (len(mat_nb), 1, 1))
+    for bias in (GYRO, ACCELEROMETER):
+        steps[:, : GYRO.start, bias] = transition[: GYRO.start, bias] @ mat_nb
+    return steps
 
 
 def prior(errors: SensorErrors) -> Array:

@@ -59,9 +59,9 @@ def _check(record: Increments, position: Array) -> None:
         )
     if not (np.isfinite(position).all() and abs(position[0]) <= HIGHEST_LATITUDE):
         raise AlignmentError(
-            f"latitude {np.rad2deg(position[0]):.4g} deg, height {position[2]:g} m: expected finite "
-            f"numbers, latitude within {np.rad2deg(HIGHEST_LATITUDE):g} deg of the equator: "
-            "at a pole there is no north to find"
+            f"latitude {np.rad2deg(position[0]):.4g} deg, height {position[2]:g} m: expected "
+            f"finite numbers, latitude within {np.rad2deg(HIGHEST_LATITUDE):g} deg of the "
+            "equator: at a pole there is no north to find"
         )
     force = np.linalg.norm(record.velocity.sum(axis=0)) / record.duration
     gravity = earth.gravity(position[0], position[2])

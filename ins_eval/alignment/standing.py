@@ -38,6 +38,7 @@ def dynamics(latitude: float, height: float) -> Array:
     f = np.zeros((STATES, STATES))
     f[ATTITUDE, ATTITUDE] = [[0, -up, 0], [up, 0, level], [0, -level, 0]]
     f[ATTITUDE, VELOCITY] = [[0, -1 / east], [1 / north, 0], [0, np.tan(latitude) / east]]
+    f[ATTITUDE, DISPLACEMENT] = [[up / north, 0], [0, 0], [level / north, 0]]
     f[ATTITUDE, GYRO] = np.eye(3)
     f[VELOCITY, ATTITUDE] = [[0, -gravity, 0], [gravity, 0, 0]]
     f[VELOCITY, VELOCITY] = [[0, -2 * up], [2 * up, 0]]

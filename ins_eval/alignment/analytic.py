@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval import earth
+from ins_eval.alignment.gyrocompass import bias_sensitivity
 from ins_eval.alignment.result import Alignment, AlignmentError
 from ins_eval.increments import Increments
 from ins_eval.rotation import mat_from_euler
@@ -59,18 +60,10 @@ def analytic_alignment(record: Increments, position: Array, errors: SensorErrors
 def analytic_covariance(
     errors: SensorErrors, latitude: float, height: float, duration: float
 ) -> Array:
-    """(3, 3) about north, east, down, rad^2, of `static_alignment`.
-
-    With mean errors e of the rate and b of the force, in navigation axes: north -b_E/g, east
-    b_N/g, down -e_E/(RATE cos latitude) + b_E/g tan latitude (Groves 2013, section 5.6.2).
-    """
+    """(3, 3) about north, east, down, rad^2, of `static_alignment`."""
     rate, force = mean_error_variances(errors, duration)
-    gravity = earth.gravity(latitude, height)
-    along = np.array([0.0, 0.0, -1 / (earth.RATE * np.cos(latitude))])
-    north = np.array([0.0, 1 / gravity, 0.0])
-    east = np.array([-1 / gravity, 0.0, np.tan(latitude) / gravity])
-    level = np.outer(north, north) + np.outer(east, east)
-    return np.asarray(rate * np.outer(along, along) + force * level)
+    turns = bias_sensitivity(latitude, earth.gravity(latitude, height))
+    return np.asarray(turns @ np.diag([rate] * 3 + [force] * 3) @ turns.T)
 
 
 def mean_error_variances(errors: SensorErrors, duration: float) -> tuple[float, float]:

@@ -28,12 +28,27 @@ class Biases:
 
 
 @dataclass(frozen=True)
+class History:
+    """How the estimate came about.
+
+    time: (m,) s; mat_nb: (m, 3, 3); covariance: (m, 3, 3) as in `Alignment`; innovation: (m, 2)
+    of the level displacement, each divided by its sigma.
+    """
+
+    time: Array
+    mat_nb: Array
+    covariance: Array
+    innovation: Array
+
+
+@dataclass(frozen=True)
 class Alignment:
     """Attitude at one moment, with its uncertainty.
 
     method: what made it; time: that it holds at, s; mat_nb: (3, 3); covariance: (3, 3) of the
     attitude error, rad^2: the rotation vector about north, east, down of
-    `ins_eval.state.TrackError`; biases: None where the method estimates none.
+    `ins_eval.state.TrackError`. Where the method finds none of them, None: biases; history; sway,
+    standard deviation of the vehicle's level displacement, m.
     """
 
     method: str
@@ -41,6 +56,8 @@ class Alignment:
     mat_nb: Array
     covariance: Array
     biases: Biases | None = None
+    history: History | None = None
+    sway: float | None = None
 
     @property
     def heading_deg(self) -> float:

@@ -1,0 +1,58 @@
+"""The figure of an alignment: how heading and level settle, with their one-sigma."""
+
+from pathlib import Path
+
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from ins_eval.alignment.result import Alignment, History, euler_from_rotation_vector
+from ins_eval.rotation import euler_from_mat
+from pyhrg.units import DEG
+
+Array = NDArray[np.float64]
+
+ANGLES = (("heading", 2, "tab:blue"), ("pitch", 1, "tab:orange"), ("roll", 0, "tab:green"))
+SETTLING = 0.1
+"""First part of the record whose estimates may leave the axes."""
+
+
+def draw(result: Alignment, path: Path, name: str = "") -> None:
+    """Write the figure as PNG.
+
+    Raises:
+        ValueError: the method keeps no history.
+    """
+    if result.history is None:
+        raise ValueError(f"alignment by {result.method} keeps no history to draw")
+    time, euler, sigma = result.history.time, *euler_history_deg(result.history)
+    figure = Figure(figsize=(8, 7), layout="constrained")
+    rows = figure.subplots(3, 1, sharex=True)
+    for axes, (angle, column, color) in zip(rows, ANGLES, strict=True):
+        value, band = euler[:, column], sigma[:, column]
+        axes.fill_between(
+            time, value - band, value + band, color=color, alpha=0.25, linewidth=0, label="1 sigma"
+        )
+        last = f"{value[-1]:.4f} ± {band[-1]:.4f} deg"
+        axes.plot(time, value, color=color, label=f"{angle}: {last}")
+        later = slice(round(SETTLING * len(time)), None)
+        low, high = np.min((value - band)[later]), np.max((value + band)[later])
+        axes.set_ylim(low - 0.1 * (high - low), high + 0.1 * (high - low))
+        axes.set_ylabel(f"{angle}, deg")
+        axes.ticklabel_format(useOffset=False)
+        axes.grid(alpha=0.25)
+        axes.legend(loc="upper right")
+    rows[0].set_title(f"Alignment, {result.method}{f': {name}' if name else ''}")
+    rows[-1].set_xlabel("time, s")
+    rows[-1].set_xlim(time[0], time[-1])
+    figure.savefig(path, dpi=120, metadata={"Software": None})
+
+
+def euler_history_deg(history: History) -> tuple[Array, Array]:
+    """(m, 3) roll, pitch, heading (0 to 360 at the end, continuous before), and one-sigma."""
+    euler = np.array([euler_from_mat(mat_nb) for mat_nb in history.mat_nb])
+    turns = np.array([euler_from_rotation_vector(mat_nb) for mat_nb in history.mat_nb])
+    variance = np.einsum("mij,mjk,mik->mi", turns, history.covariance, turns)
+    euler[:, 2] = np.unwrap(euler[:, 2])
+    euler[:, 2] += np.remainder(euler[-1, 2], 2 * np.pi) - euler[-1, 2]
+    return euler / DEG, np.sqrt(variance) / DEG

@@ -27,7 +27,8 @@ class Effect:
 
     unit: of its coefficients, SI; regressor: (m, 3) at a motion's nodes; correlation_time: s; a
     coefficient that wanders (Gauss-Markov, first order) instead of being constant. It holds over a
-    step, which must be much shorter.
+    step, which must be much shorter. family: effects that a budget counts as one; its own name
+    unless given.
     """
 
     name: str
@@ -35,6 +36,10 @@ class Effect:
     unit: str
     regressor: Callable[[Motion], Array]
     correlation_time: float = np.inf
+    family: str = ""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "family", self.family or self.name)
 
 
 def _ones(motion: Motion) -> Array:
@@ -74,39 +79,33 @@ def bias_map(harmonic: int, first_angle: Array) -> tuple[Effect, Effect]:
         harmonic: 2, 4, 8: multiple of the physical pattern angle.
         first_angle: (3,) pattern angles at the motion's start, rad.
     """
-    return (
-        Effect(
-            f"bias map cos {harmonic}",
+
+    def effect(name: str, wave: Callable[[Array], Array]) -> Effect:
+        return Effect(
+            f"bias map {name} {harmonic}",
             "gyro",
             "rad/s",
-            lambda motion: np.cos(harmonic * pattern_angle(motion, first_angle)),
-        ),
-        Effect(
-            f"bias map sin {harmonic}",
-            "gyro",
-            "rad/s",
-            lambda motion: np.sin(harmonic * pattern_angle(motion, first_angle)),
-        ),
-    )
+            lambda motion: wave(harmonic * pattern_angle(motion, first_angle)),
+            family=f"bias map, harmonic {harmonic}",
+        )
+
+    return effect("cos", np.cos), effect("sin", np.sin)
 
 
 def pick_off_map(harmonic: int, first_angle: Array) -> tuple[Effect, Effect]:
     """Scale factor that goes with the pattern angle (pick-offs of unequal gain, not orthogonal):
     true rate times the cosine and sine of so many times it. Arguments as `bias_map`."""
-    return (
-        Effect(
-            f"pick-off map cos {harmonic}",
+
+    def effect(name: str, wave: Callable[[Array], Array]) -> Effect:
+        return Effect(
+            f"pick-off map {name} {harmonic}",
             "gyro",
             "1",
-            lambda motion: motion.rate * np.cos(harmonic * pattern_angle(motion, first_angle)),
-        ),
-        Effect(
-            f"pick-off map sin {harmonic}",
-            "gyro",
-            "1",
-            lambda motion: motion.rate * np.sin(harmonic * pattern_angle(motion, first_angle)),
-        ),
-    )
+            lambda motion: motion.rate * wave(harmonic * pattern_angle(motion, first_angle)),
+            family=f"pick-off map, harmonic {harmonic}",
+        )
+
+    return effect("cos", np.cos), effect("sin", np.sin)
 
 
 def pattern_angle(motion: Motion, first_angle: Array) -> Array:

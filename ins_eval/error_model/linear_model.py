@@ -1,7 +1,7 @@
 """The linear error model along a motion, in discrete steps, and its mean and covariance."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,18 +59,31 @@ def linear_model(
 ) -> LinearModel:
     """Linearise the navigator along a motion.
 
-    Transition and noise are exact for the step's mean dynamics (Van Loan 1978); the turning of
-    the sensors within a step is integrated by Boole's rule.
-
     Args:
         motion: the truth, or what was flown.
         height: what holds the navigator's height.
         effects: errors of the sensors that have coefficients.
         noise: angle and velocity random walks are taken from it.
     """
-    f, g = dynamics(motion, height), sensor_inputs(motion, height)
+    model = assembled(
+        motion, dynamics(motion, height), sensor_inputs(motion, height), effects, noise
+    )
+    return replace(model, transition=model.transition * free_states(height)[:, None])
+
+
+def assembled(
+    motion: Motion,
+    f: Array,
+    g: Array,
+    effects: Sequence[Effect],
+    noise: SensorErrors | None,
+) -> LinearModel:
+    """Model of given dynamics f (n, 10, 10) of the steps and inputs g (m, 10, 6) at the nodes.
+
+    Transition and noise are exact for the step's mean dynamics and noise density (Van Loan 1978);
+    the turning of the sensors within a step is integrated by Boole's rule.
+    """
     transition, gained = van_loan(f, step_mean(_density(g, noise or SensorErrors())), motion.step)
-    transition = transition * free_states(height)[:, None]
     carried = _carried_to_end(f, g, motion.step)
     regressors = np.ones((len(g), 0, AXES))
     if effects:
@@ -82,6 +95,31 @@ def linear_model(
     for node in range(PARTS + 1):
         inputs += carried[node][:, :, columns] * at_step[:, None, node]
     return LinearModel(motion.time, tuple(effects), transition, inputs, carried.sum(axis=0), gained)
+
+
+def joined(first: LinearModel, then: LinearModel) -> LinearModel:
+    """One model after the other, with the same effects.
+
+    Raises:
+        ValueError: models that don't follow on each other.
+    """
+    apart = then.time[0] - first.time[-1]
+    if abs(apart) > 1e-6 or abs(first.step - then.step) > 1e-9 * then.step:
+        raise ValueError(
+            f"models up to {first.time[-1]} s with steps of {first.step} s and from "
+            f"{then.time[0]} s with steps of {then.step} s: expected the same moment and step"
+        )
+    names = [[effect.name for effect in model.effects] for model in (first, then)]
+    if names[0] != names[1]:
+        raise ValueError(f"models of the effects {names[0]} and {names[1]}: expected the same")
+    return LinearModel(
+        np.concatenate([first.time, then.time[1:]]),
+        then.effects,
+        np.concatenate([first.transition, then.transition]),
+        np.concatenate([first.inputs, then.inputs]),
+        np.concatenate([first.constant_errors, then.constant_errors]),
+        np.concatenate([first.gained, then.gained]),
+    )
 
 
 def propagated(model: LinearModel, initial: Array, coefficients: Array) -> Array:

@@ -1,0 +1,151 @@
+"""How errors drive each other: the matrix of the linearised navigation equations."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ins_eval import earth
+from ins_eval.error_model.motion import Motion, step_mean
+from ins_eval.error_model.states import ATTITUDE, COUNT, HEIGHT_INTEGRAL, POSITION, VELOCITY
+from ins_eval.navigation.height import BaroDamped, Clamped, Height
+
+Array = NDArray[np.float64]
+
+NORTH, EAST, DOWN = 0, 1, 2
+
+
+def dynamics(motion: Motion, height: Height) -> Array:
+    """(n, 10, 10) F of each step, dx/dt = F x + inputs, at the step's mean velocity and force.
+
+    Phi-angle error equations in full: Earth's and transport rate, their errors, Coriolis, gravity
+    with latitude and height, curvature of WGS-84 with latitude (Groves 2013, section 14.2.4, whose
+    attitude error has the opposite sign, taken further).
+
+    A clamped height has no error in velocity, and one in position that is the reference's own,
+    constant. A damped one is that of `height.BaroDamped`, its reference without error.
+    """
+    middle = slice(2, None, 4)
+    latitude, altitude = motion.latitude[middle], motion.height[middle]
+    velocity = step_mean(motion.velocity)
+    force_n = step_mean(np.einsum("nij,nj->ni", motion.mat_nb, motion.force))
+    return _matrix(latitude, altitude, velocity, force_n, height)
+
+
+def sensor_inputs(motion: Motion, height: Height) -> Array:
+    """(m, 10, 6) G at the nodes: rates of change per error of each gyro, rad/s, and of each
+    accelerometer, m/s^2, in body axes."""
+    g = np.zeros((len(motion.mat_nb), COUNT, 6))
+    g[:, ATTITUDE, :3] = motion.mat_nb
+    g[:, VELOCITY, 3:] = motion.mat_nb
+    g[:, ~free_states(height)] = 0.0
+    return g
+
+
+def free_states(height: Height) -> NDArray[np.bool_]:
+    """(10,) True but for a velocity that is clamped: it has no error, whatever it starts with."""
+    free = np.ones(COUNT, dtype=bool)
+    free[VELOCITY.start + DOWN] = not isinstance(height, Clamped)
+    return free
+
+
+def _matrix(
+    latitude: Array, altitude: Array, velocity: Array, force_n: Array, height: Height
+) -> Array:
+    omega_ie = earth.RATE * _stack(np.cos(latitude), 0.0, -np.sin(latitude))
+    omega_en, by_position, by_velocity = _transport(latitude, altitude, velocity)
+    radius_n = earth.meridian_radius(latitude) + altitude
+    earth_by_position = np.zeros((len(latitude), 3, 3))
+    earth_by_position[:, NORTH, NORTH] = -earth.RATE * np.sin(latitude) / radius_n
+    earth_by_position[:, DOWN, NORTH] = -earth.RATE * np.cos(latitude) / radius_n
+
+    f = np.zeros((len(latitude), COUNT, COUNT))
+    f[:, POSITION, POSITION] = _position_by_position(latitude, altitude, velocity)
+    f[:, POSITION, VELOCITY] = np.eye(3)
+    across = _skew(velocity)
+    f[:, VELOCITY, POSITION] = across @ (2 * earth_by_position + by_position)
+    f[:, VELOCITY, POSITION] += _gravity_by_position(latitude, altitude)
+    f[:, VELOCITY, VELOCITY] = across @ by_velocity - _skew(2 * omega_ie + omega_en)
+    f[:, VELOCITY, ATTITUDE] = -_skew(force_n)
+    f[:, ATTITUDE, POSITION] = -earth_by_position - by_position
+    f[:, ATTITUDE, VELOCITY] = -by_velocity
+    f[:, ATTITUDE, ATTITUDE] = -_skew(omega_ie + omega_en)
+    return _with_height(f, height)
+
+
+def _transport(latitude: Array, altitude: Array, velocity: Array) -> tuple[Array, Array, Array]:
+    """`omega_en` (n, 3) and its derivatives (n, 3, 3) to position (m) and velocity (m/s)."""
+    meridian, transverse = earth.meridian_radius(latitude), earth.transverse_radius(latitude)
+    radius_n, radius_e = meridian + altitude, transverse + altitude
+    sin, cos = np.sin(latitude), np.cos(latitude)
+    tan = sin / cos
+    bulge = earth.ECCENTRICITY_SQUARED * sin * cos / (1 - earth.ECCENTRICITY_SQUARED * sin**2)
+    rate_e, rate_n = velocity[:, EAST] / radius_e, velocity[:, NORTH] / radius_n
+    omega_en = _stack(rate_e, -rate_n, -rate_e * tan)
+
+    by_velocity = np.zeros((len(latitude), 3, 3))
+    by_velocity[:, NORTH, EAST] = 1 / radius_e
+    by_velocity[:, EAST, NORTH] = -1 / radius_n
+    by_velocity[:, DOWN, EAST] = -tan / radius_e
+
+    by_position = np.zeros((len(latitude), 3, 3))
+    slope_e = -rate_e * transverse * bulge / radius_e / radius_n
+    by_position[:, NORTH, NORTH] = slope_e
+    by_position[:, EAST, NORTH] = rate_n * 3 * meridian * bulge / radius_n**2
+    by_position[:, DOWN, NORTH] = -slope_e * tan - rate_e / cos**2 / radius_n
+    by_position[:, :, DOWN] = _stack(
+        rate_e / radius_e, -rate_n / radius_n, -rate_e * tan / radius_e
+    )
+    return omega_en, by_position, by_velocity
+
+
+def _position_by_position(latitude: Array, altitude: Array, velocity: Array) -> Array:
+    """(n, 3, 3): an error in metres at the true place, which moves over a curved Earth."""
+    radius_n = earth.meridian_radius(latitude) + altitude
+    radius_e = earth.transverse_radius(latitude) + altitude
+    tan = np.tan(latitude)
+    north, east, down = velocity.T
+    f = np.zeros((len(latitude), 3, 3))
+    f[:, NORTH, NORTH] = -down / radius_n
+    f[:, NORTH, DOWN] = north / radius_n
+    f[:, EAST, NORTH] = east * tan / radius_e
+    f[:, EAST, EAST] = -(north * tan + down) / radius_e
+    f[:, EAST, DOWN] = east / radius_e
+    return f
+
+
+def _gravity_by_position(latitude: Array, altitude: Array) -> Array:
+    """(n, 3, 3): gravity's slope with latitude and height; central differences, to 1e-9."""
+    radius_n = earth.meridian_radius(latitude) + altitude
+    angle, rise = 1e-3, 1e3
+    to_north = earth.gravity(latitude + angle, altitude) - earth.gravity(latitude - angle, altitude)
+    to_up = earth.gravity(latitude, altitude + rise) - earth.gravity(latitude, altitude - rise)
+    f = np.zeros((len(latitude), 3, 3))
+    f[:, DOWN, NORTH] = to_north / (2 * angle) / radius_n
+    f[:, DOWN, DOWN] = -to_up / (2 * rise)
+    return f
+
+
+def _with_height(f: Array, height: Height) -> Array:
+    position, velocity = POSITION.start + DOWN, VELOCITY.start + DOWN
+    if isinstance(height, Clamped):
+        f[:, [position, velocity]] = 0.0
+        f[:, :, velocity] = 0.0
+    if isinstance(height, BaroDamped):
+        to_height, to_velocity, to_velocity_by_integral = height.gains
+        f[:, position, position] -= to_height
+        f[:, velocity, position] -= to_velocity
+        f[:, velocity, HEIGHT_INTEGRAL] = to_velocity_by_integral
+        f[:, HEIGHT_INTEGRAL, position] = -1.0
+    return f
+
+
+def _stack(north: Array, east: Array | float, down: Array) -> Array:
+    return np.stack(np.broadcast_arrays(north, east, down), axis=-1)
+
+
+def _skew(v: Array) -> Array:
+    """(n, 3, 3) matrices of the cross product v x."""
+    m = np.zeros((len(v), 3, 3))
+    m[:, 0, 1], m[:, 0, 2] = -v[:, 2], v[:, 1]
+    m[:, 1, 0], m[:, 1, 2] = v[:, 2], -v[:, 0]
+    m[:, 2, 0], m[:, 2, 1] = -v[:, 1], v[:, 0]
+    return m

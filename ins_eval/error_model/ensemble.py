@@ -1,0 +1,56 @@
+"""Many error histories of the linear model at once."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ins_eval.error_model.linear_model import AXES, LinearModel
+from ins_eval.error_model.states import COUNT
+
+Array = NDArray[np.float64]
+
+
+def ensemble(
+    model: LinearModel,
+    initial: Array,
+    sigmas: Array,
+    members: int,
+    generator: np.random.Generator,
+    keep_every: int = 1,
+) -> Array:
+    """Errors (n / keep_every + 1, members, 10), drawn from what `propagated_covariance` takes.
+
+    Args:
+        model: with its noise.
+        initial: (10, 10) covariance at the start.
+        sigmas: (e, 3) standard deviations of the coefficients; those that wander keep theirs.
+        members: how many.
+        generator: of all draws.
+        keep_every: steps between those that are kept.
+    """
+    spread = np.ravel(sigmas)
+    stays = np.repeat(model.persistence, AXES)
+    renewed = spread * np.sqrt(1 - stays**2)
+    x = generator.standard_normal((members, COUNT)) @ _root(np.asarray(initial)).T
+    coefficients = generator.standard_normal((members, len(spread))) * spread
+    inputs = model.inputs.reshape(len(model), COUNT, -1)
+    roots = _root(model.gained)
+    roots = roots[:, :, np.any(roots != 0, axis=(0, 1))]
+    kept = [x]
+    for k, phi in enumerate(model.transition):
+        x = x @ phi.T + coefficients @ inputs[k].T
+        x += generator.standard_normal((members, roots.shape[2])) @ roots[k].T
+        if np.any(renewed):
+            coefficients = coefficients * stays
+            coefficients += generator.standard_normal(coefficients.shape) * renewed
+        if (k + 1) % keep_every == 0:
+            kept.append(x)
+    return np.stack(kept)
+
+
+def _root(covariance: Array) -> Array:
+    """(..., 10, 10) R with R R' the covariance, which may be singular."""
+    scale = np.sqrt(np.diagonal(covariance, axis1=-2, axis2=-1))
+    safe = np.where(scale > 0, scale, 1.0)
+    values, vectors = np.linalg.eigh(covariance / safe[..., :, None] / safe[..., None, :])
+    values = np.where(values > 1e-14, values, 0.0)
+    return np.asarray(scale[..., :, None] * vectors * np.sqrt(values)[..., None, :])

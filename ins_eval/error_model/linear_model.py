@@ -1,0 +1,177 @@
+"""The linear error model along a motion, in discrete steps, and its mean and covariance."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ins_eval.error_model.discretisation import to_end_of_step, van_loan
+from ins_eval.error_model.dynamics import dynamics, free_states, sensor_inputs
+from ins_eval.error_model.effects import BIASES, Effect
+from ins_eval.error_model.motion import BOOLE, PARTS, Motion, by_step, step_mean
+from ins_eval.error_model.states import ATTITUDE, COUNT, POSITION, VELOCITY
+from ins_eval.navigation.height import Height
+from ins_eval.sensor_errors import SensorErrors
+from ins_eval.state import TrackError
+
+Array = NDArray[np.float64]
+
+AXES = 3
+
+
+@dataclass(frozen=True)
+class LinearModel:
+    """x[k+1] = transition[k] x[k] + inputs[k] c + noise of covariance `gained[k]`.
+
+    time: (n + 1,) s; transition: (n, 10, 10); inputs: (n, 10, e, 3) per coefficient of each effect
+    and axis; constant_errors: (n, 10, 6) per error of each gyro (rad/s) and accelerometer (m/s^2)
+    that is constant over the step; gained: (n, 10, 10).
+    """
+
+    time: Array
+    effects: tuple[Effect, ...]
+    transition: Array
+    inputs: Array
+    constant_errors: Array
+    gained: Array
+
+    def __len__(self) -> int:
+        return len(self.transition)
+
+    @property
+    def step(self) -> float:
+        """s."""
+        return float(self.time[1] - self.time[0])
+
+    @property
+    def persistence(self) -> Array:
+        """(e,) what is left of each coefficient after a step; 1 where it is constant."""
+        times = np.array([effect.correlation_time for effect in self.effects])
+        return np.exp(-self.step / times)
+
+
+def linear_model(
+    motion: Motion,
+    height: Height,
+    effects: Sequence[Effect] = BIASES,
+    noise: SensorErrors | None = None,
+) -> LinearModel:
+    """Linearise the navigator along a motion.
+
+    Args:
+        motion: the truth, or what was flown.
+        height: what holds the navigator's height.
+        effects: errors of the sensors that have coefficients.
+        noise: angle and velocity random walks are taken from it.
+    """
+    model = assembled(
+        motion, dynamics(motion, height), sensor_inputs(motion, height), effects, noise
+    )
+    return replace(model, transition=model.transition * free_states(height)[:, None])
+
+
+def assembled(
+    motion: Motion,
+    f: Array,
+    g: Array,
+    effects: Sequence[Effect],
+    noise: SensorErrors | None,
+) -> LinearModel:
+    """Model of given dynamics f (n, 10, 10) of the steps and inputs g (m, 10, 6) at the nodes.
+
+    Transition and noise are exact for the step's mean dynamics and noise density (Van Loan 1978);
+    the turning of the sensors within a step is integrated by Boole's rule.
+    """
+    transition, gained = van_loan(f, step_mean(_density(g, noise or SensorErrors())), motion.step)
+    carried = _carried_to_end(f, g, motion.step)
+    regressors = np.ones((len(g), 0, AXES))
+    if effects:
+        regressors = np.stack([effect.regressor(motion) for effect in effects], axis=1)
+    sensors = np.array([0 if effect.sensor == "gyro" else AXES for effect in effects], dtype=int)
+    columns = sensors[:, None] + np.arange(AXES)
+    at_step = by_step(regressors)
+    inputs = np.zeros((len(f), COUNT, len(effects), AXES))
+    for node in range(PARTS + 1):
+        inputs += carried[node][:, :, columns] * at_step[:, None, node]
+    return LinearModel(motion.time, tuple(effects), transition, inputs, carried.sum(axis=0), gained)
+
+
+def joined(first: LinearModel, then: LinearModel) -> LinearModel:
+    """One model after the other, with the same effects.
+
+    Raises:
+        ValueError: models that don't follow on each other.
+    """
+    apart = then.time[0] - first.time[-1]
+    if abs(apart) > 1e-6 or abs(first.step - then.step) > 1e-9 * then.step:
+        raise ValueError(
+            f"models up to {first.time[-1]} s with steps of {first.step} s and from "
+            f"{then.time[0]} s with steps of {then.step} s: expected the same moment and step"
+        )
+    names = [[effect.name for effect in model.effects] for model in (first, then)]
+    if names[0] != names[1]:
+        raise ValueError(f"models of the effects {names[0]} and {names[1]}: expected the same")
+    return LinearModel(
+        np.concatenate([first.time, then.time[1:]]),
+        then.effects,
+        np.concatenate([first.transition, then.transition]),
+        np.concatenate([first.inputs, then.inputs]),
+        np.concatenate([first.constant_errors, then.constant_errors]),
+        np.concatenate([first.gained, then.gained]),
+    )
+
+
+def propagated(model: LinearModel, initial: Array, coefficients: Array) -> Array:
+    """Errors that constant coefficients (e, 3) and initial errors (10,) lead to: (n + 1, 10)."""
+    drive = np.tensordot(model.inputs, coefficients, axes=2)
+    x = np.empty((len(model) + 1, COUNT))
+    x[0] = initial
+    for k, phi in enumerate(model.transition):
+        x[k + 1] = phi @ x[k] + drive[k]
+    return x
+
+
+def propagated_covariance(
+    model: LinearModel, initial: Array, sigmas: Array, keep_every: int = 1
+) -> Array:
+    """Covariance of the errors over time, (n / keep_every + 1, 10, 10).
+
+    Args:
+        model: with its noise.
+        initial: (10, 10) covariance at the start.
+        sigmas: (e, 3) standard deviations of the coefficients; those that wander keep theirs.
+        keep_every: steps between those that are kept.
+    """
+    variance = np.ravel(sigmas) ** 2
+    stays = np.repeat(model.persistence, AXES)
+    p, cross = np.array(initial, dtype=float), np.zeros((COUNT, len(variance)))
+    inputs = model.inputs.reshape(len(model), COUNT, -1)
+    kept = [p]
+    for k, phi in enumerate(model.transition):
+        carried = phi @ cross
+        both = carried @ inputs[k].T
+        p = phi @ p @ phi.T + both + both.T + (inputs[k] * variance) @ inputs[k].T
+        p = p + model.gained[k]
+        cross = (carried + inputs[k] * variance) * stays
+        if (k + 1) % keep_every == 0:
+            kept.append(p)
+    return np.stack(kept)
+
+
+def as_track_error(time: Array, errors: Array) -> TrackError:
+    """Errors (m, 10) at times (m,) under the names that the navigator's own have."""
+    return TrackError(time, errors[:, POSITION], errors[:, VELOCITY], errors[:, ATTITUDE])
+
+
+def _density(g: Array, noise: SensorErrors) -> Array:
+    """(m, 10, 10) density of white noise on the states, at the nodes."""
+    walks = np.repeat([noise.angle_random_walk, noise.velocity_random_walk], AXES)
+    return np.einsum("nij,j,nkj->nik", g, walks**2, g)
+
+
+def _carried_to_end(f: Array, g: Array, step: float) -> Array:
+    """(5, n, 10, 6) what each node adds to the end of its step, per unit error of the sensors."""
+    weights = step * BOOLE[:, None, None, None]
+    at_nodes = np.swapaxes(by_step(g), 0, 1)
+    return np.asarray(weights * (to_end_of_step(f, step, PARTS) @ at_nodes))

@@ -3,7 +3,8 @@
 import numpy as np
 
 from ins_eval.compiled import compiled
-from ins_eval.navigation.kernel import add, multiply, quaternion, rotate, summed
+from ins_eval.navigation.algebra import add, multiply, quaternion_beyond_unity, rotate, sum4
+from ins_eval.navigation.body_step import body_step
 
 
 @compiled
@@ -17,14 +18,13 @@ def integrate(rotation, velocity, weights, keep, out):
     Returns:
         Quaternion from the last body axes to the first.
     """
-    turning, scrolling, mean = weights
-    n = len(mean)
+    n = len(weights.mean)
     q = (1.0, 0.0, 0.0, 0.0)
     gained = (0.0, 0.0, 0.0)
     for k in range(len(rotation) // n):
-        turned, change, _ = summed(rotation, velocity, k * n, turning, scrolling, mean)
+        turned, change, _ = body_step(rotation, velocity, k * n, weights)
         gained = add(gained, rotate(q, change))
-        q = multiply(q, quaternion(turned))
+        q = sum4(q, multiply(q, quaternion_beyond_unity(turned)))
         if (k + 1) % keep == 0:
             out[(k + 1) // keep - 1] = np.array(gained)
             gained = (0.0, 0.0, 0.0)

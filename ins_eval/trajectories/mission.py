@@ -2,8 +2,10 @@
 
 import itertools
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+
+import numpy as np
 
 from ins_eval import earth
 from ins_eval.trajectories import path
@@ -11,8 +13,14 @@ from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.keys import Checked, quantity
 from ins_eval.trajectories.manoeuvre import Entry, Leg, Manoeuvre
 from ins_eval.trajectories.overlays import Overlay
-from ins_eval.trajectories.trajectory import Trajectory
+from ins_eval.trajectories.trajectory import Knots, Trajectory
 
+HEIGHTS = (-1000.0, 200_000.0)
+"""That can be flown, m."""
+HARDEST = 1000.0
+"""Specific force that a vehicle can feel, m/s^2: beyond it, a number is wrong."""
+FASTEST = 100.0
+"""Its rotation rate, rad/s."""
 BEYOND = 10.0
 """Time that a repeated course goes on after the end asked for, s."""
 
@@ -60,27 +68,65 @@ def trajectory(mission: Mission, still: float, duration: float) -> Trajectory:
         duration: time after it, s.
 
     Raises:
-        TrajectoryError: a manoeuvre that can't be entered; a mission shorter than the duration, in
-            motion when it should stand, or beyond 89 deg of latitude.
+        TrajectoryError: times below 0; a manoeuvre that can't be entered; a mission shorter than
+            the duration, in motion when it should stand, or beyond 89 deg of latitude; heights,
+            forces or rates that no vehicle has.
     """
+    if not (0 <= still < math.inf and 0 < duration < math.inf):
+        raise TrajectoryError(
+            f"{mission.name}: found {still:g} s at rest and {duration:g} s after, expected 0 or "
+            "more and above 0"
+        )
     if still > 0 and mission.start.speed > 0:
         raise TrajectoryError(
             f"{mission.name}: starts at {mission.start.speed:g} m/s: it can't stand still for "
             f"{still:g} s before; ask for 0 s"
         )
     legs = _legs(mission, duration + BEYOND)
-    length = math.fsum(leg.duration for leg in legs)
-    if length < duration - 1e-6:
+    lasts = _length(legs)
+    if lasts < duration - 1e-6:
         raise TrajectoryError(
-            f"{mission.name}: lasts {length:.6g} s, shorter than the {duration:g} s asked for"
+            f"{mission.name}: lasts {lasts:.6g} s, shorter than the {duration:g} s asked for"
         )
     motions = [overlay.motion() for overlay in mission.overlays]
-    until = min(length, duration + BEYOND)
+    until = min(lasts, duration + BEYOND)
     try:
         knots = path.knots(_origin(mission.start), legs, motions, still, until)
     except TrajectoryError as error:
         raise TrajectoryError(f"{mission.name}: {error}") from None
-    return Trajectory(mission.name, knots)
+    flown = Trajectory(mission.name, knots)
+    _check(flown, knots)
+    return flown
+
+
+def _check(flown: Trajectory, knots: Knots) -> None:
+    omega, force = flown.rate_and_force(knots.time)
+    low, high = HEIGHTS
+    for values, least, most, what in (
+        (knots.height, low, high, "m of height"),
+        (np.linalg.norm(force, axis=-1), 0.0, HARDEST, "m/s2 of specific force"),
+        (np.linalg.norm(omega, axis=-1), 0.0, FASTEST, "rad/s"),
+    ):
+        wrong = ~((values >= least) & (values <= most))
+        if np.any(wrong):
+            i = int(np.argmax(wrong))
+            raise TrajectoryError(
+                f"{flown.name}: at {knots.time[i]:.1f} s it has {values[i]:.4g} {what}; "
+                f"expected {least:g} to {most:g}: is a speed too high, or a duration too short?"
+            )
+
+
+def length(mission: Mission) -> float:
+    """Time from 0 to the end of the last manoeuvre, s; infinite if it repeats without end.
+
+    Raises:
+        TrajectoryError: a manoeuvre that can't be entered.
+    """
+    return math.inf if mission.repeat is None else _length(_legs(mission, math.inf))
+
+
+def _length(legs: Sequence[Leg]) -> float:
+    return math.fsum(leg.duration for leg in legs)
 
 
 def _origin(start: Start) -> path.Origin:

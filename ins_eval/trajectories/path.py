@@ -20,9 +20,9 @@ Array = NDArray[np.float64]
 
 LIMIT = math.radians(89.0)
 """Largest latitude."""
-SPACINGS = (1.0, 0.5, 0.25, 0.2, 0.1, 0.05, 0.02, 0.01)
+SPACINGS = (0.25, 0.2, 0.1, 0.05, 0.02, 0.01)
 """Times between knots, s."""
-PER_CHANGE = 8
+PER_CHANGE = 12
 """Knots within the shortest change, at least."""
 TOLERANCE = 1e-11
 """Of the integration: relative, and rad or m."""
@@ -152,7 +152,7 @@ def _integrated(
 ) -> tuple[Array, Array]:
     """Path (4, n) at times (n,) within a piece, and the state (4,) at its end.
 
-    Dormand and Prince's method of order 8 (Hairer, Norsett and Wanner 1993, section II.5).
+    Dormand and Prince's method of order 8 (Hairer, Norsett and Wanner 1993).
     """
 
     def room(_: float, y: Array) -> float:

@@ -99,5 +99,5 @@ def step_to(initial: float, final: float, length: float, start: float = 0.0) -> 
 
 
 def lobe(height: float, ramp: float, hold: float, start: float = 0.0) -> tuple[Step, Step]:
-    """From 0 to `height` within `ramp`, there for `hold`, s, and back: area height (ramp + hold)."""
+    """From 0 to `height` within `ramp`, there for `hold`, and back; area height (ramp + hold)."""
     return Step(start, ramp, height), Step(start + ramp + hold, ramp, -height)

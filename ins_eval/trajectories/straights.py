@@ -23,8 +23,9 @@ class Rest(Manoeuvre):
 class Straight(Manoeuvre):
     """Goes on: with the same heading (rhumb line), or without turning (great circle).
 
-    The great circle is the geodesic of the surface at its height, d(heading)/dt =
-    v tan(latitude) sin(heading) / (N + h) (Clairaut's relation; Rapp 1991, Eq. 1.20).
+    The great circle is the geodesic of the surface at its height: Clairaut's relation,
+    (N + h) cos(latitude) sin(heading) constant, has the heading turn by
+    v tan(latitude) sin(heading) / (N + h).
     """
 
     duration: float = quantity("s", 0.1, 1e6)

@@ -19,6 +19,8 @@ from ins_eval.state import State, Track
 Array = NDArray[np.float64]
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(3)
+_SLACK = 1e-6
+"""Rounding of times, s."""
 _CHUNK = 20_000
 """Intervals integrated at once: bounds memory."""
 
@@ -49,23 +51,29 @@ class Trajectory:
         self.name = name
         self.start = float(knots.time[0])
         self.end = float(knots.time[-1])
-        self._spline: BSpline = make_interp_spline(knots.time, knots.channels(), k=5)
+        channels = knots.channels()
+        self._origin = np.append(channels[0, :3], np.zeros(3))
+        """Positions are splined from here on, so that rest is rest to the last bit."""
+        self._spline: BSpline = make_interp_spline(knots.time, channels - self._origin, k=5)
         self._knots = np.unique(self._spline.t)
         self._rate = self._spline.derivative(1)
         self._acceleration = self._spline.derivative(2)
 
     def position(self, time: Array) -> Array:
         """(..., 3) latitude, longitude (rad), height (m)."""
-        return np.asarray(self._spline(time)[..., :3])
+        return self._channels(time)[..., :3]
+
+    def _channels(self, time: Array) -> Array:
+        return np.asarray(self._spline(time) + self._origin)
 
     def mat_nb(self, time: Array) -> Array:
         """(..., 3, 3) attitude."""
-        euler = self._spline(time)[..., 3:]
+        euler = self._channels(time)[..., 3:]
         return mat_from_euler(euler[..., 0], euler[..., 1], euler[..., 2])
 
     def velocity(self, time: Array) -> Array:
         """(..., 3) velocity over ground, north, east, down, m/s."""
-        return self._velocity(self._spline(time), self._rate(time))
+        return self._velocity(self._channels(time), self._rate(time))
 
     @staticmethod
     def _velocity(position: Array, rate: Array) -> Array:
@@ -93,7 +101,7 @@ class Trajectory:
 
     def rate_and_force(self, time: Array) -> tuple[Array, Array]:
         """`omega_ib_b` (..., 3), rad/s, and specific force `f_b` (..., 3), m/s^2."""
-        x, dx, ddx = self._spline(time), self._rate(time), self._acceleration(time)
+        x, dx, ddx = self._channels(time), self._rate(time), self._acceleration(time)
         latitude, height = x[..., 0], x[..., 2]
         mat_nb = mat_from_euler(x[..., 3], x[..., 4], x[..., 5])
         sin, cos = np.sin(latitude), np.cos(latitude)
@@ -109,21 +117,33 @@ class Trajectory:
         return omega_ib_b, _to_body(mat_nb, force)
 
     def increments(self, start: float, interval: float, count: int) -> Increments:
-        """Exact increments of an IMU over `count` intervals from `start`."""
+        """Exact increments of an IMU over `count` intervals, s, from `start`, s.
+
+        Raises:
+            ValueError: intervals outside of the trajectory.
+        """
+        end = start + interval * count
+        if start < self.start - _SLACK or end > self.end + _SLACK:
+            raise ValueError(
+                f"increments from {start:g} to {end:g} s; {self.name} goes from {self.start:g} "
+                f"to {self.end:g} s"
+            )
         both = np.empty((count, 6))
         for first in range(0, count, _CHUNK):
             last = min(first + _CHUNK, count)
-            both[first:last] = self._integrals(start + interval * np.arange(first, last + 1.0))
+            bounds = interval * np.arange(last - first + 1.0)
+            both[first:last] = self._integrals(start + interval * first, bounds)
         return Increments(interval, both[:, :3].copy(), both[:, 3:].copy(), start)
 
-    def _integrals(self, bounds: Array) -> Array:
-        """(n, 6) of rate and force between bounds (n + 1,): panels end at knots too, since higher
-        derivatives jump there."""
-        inside = (self._knots > bounds[0]) & (self._knots < bounds[-1])
-        edges = np.unique(np.concatenate([bounds, self._knots[inside]]))
+    def _integrals(self, begin: float, bounds: Array) -> Array:
+        """(n, 6) of rate and force between bounds (n + 1,), s since `begin`, so that rounding
+        stays small. Panels end at knots too, since higher derivatives jump there."""
+        knots = self._knots - begin
+        inside = (knots > 0) & (knots < bounds[-1])
+        edges = np.unique(np.concatenate([bounds, knots[inside]]))
         half = 0.5 * np.diff(edges)[:, None]
-        middle = 0.5 * (edges[1:] + edges[:-1])[:, None]
-        rate_and_force = np.concatenate(self.rate_and_force(middle + half * _NODES), axis=-1)
+        time = begin + 0.5 * (edges[1:] + edges[:-1])[:, None] + half * _NODES
+        rate_and_force = np.concatenate(self.rate_and_force(time), axis=-1)
         panels = half * (_WEIGHTS @ rate_and_force)
         return np.add.reduceat(panels, np.searchsorted(edges, bounds[:-1]))
 

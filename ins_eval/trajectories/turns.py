@@ -1,7 +1,7 @@
 """Manoeuvres that turn.
 
 In a coordinated turn the specific force stays in the plane of symmetry: with the rate of turn w,
-tan(bank) = v w / g, and the radius is v^2 / (g tan(bank)) (Titterton and Weston 2004, section 3.7).
+tan(bank) = v w / g, and the radius is v^2 / (g tan(bank)).
 The rate of turn is ramped, so that roll rates are smooth.
 """
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from ins_eval import earth
+from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.car import car
 from ins_eval.trajectories.trajectory import Trajectory
 
@@ -24,13 +25,41 @@ def test_stands_still_and_feels_earth_and_gravity(trajectory: Trajectory) -> Non
 
 
 def test_increments_integrate_rate_and_force(trajectory: Trajectory) -> None:
-    """Three-point quadrature against the trapezoid rule at 100 times the rate."""
+    """Quadrature against the trapezoid rule at 100 times the rate."""
     increments = trajectory.increments(270.0, 0.01, 100)
     time = 270.0 + np.arange(10_001) * 1e-4
     omega, force = trajectory.rate_and_force(time)
     for got, rate in ((increments.rotation, omega), (increments.velocity, force)):
         expected = np.trapezoid(rate, dx=1e-4, axis=0)
         assert got.sum(axis=0) == pytest.approx(expected, rel=1e-7, abs=1e-10)
+
+
+@pytest.mark.parametrize("name", ["aircraft", "ship", "missile"])
+@pytest.mark.parametrize(("rate", "count"), [(10, 200), (14.2857, 200), (100, 400), (2000, 2000)])
+def test_increments_at_any_rate(name: str, rate: float, count: int) -> None:
+    """Against twelve points on each of twenty panels an interval; intervals need not end at
+    knots."""
+    path = catalogue.trajectory(name, 0.0, 800.0)
+    start, interval = 620.013, 1 / rate
+    got = path.increments(start, interval, count)
+    points, weights = np.polynomial.legendre.leggauss(12)
+    edges = start + interval * np.arange(20 * count + 1) / 20
+    half = interval / 40
+    times = 0.5 * (edges[1:] + edges[:-1])[:, None] + half * points
+    for increments, values in zip(
+        (got.rotation, got.velocity), path.rate_and_force(times), strict=True
+    ):
+        expected = (half * np.einsum("k,nkj->nj", weights, values)).reshape(count, 20, 3).sum(1)
+        scale = np.max(np.abs(expected))
+        assert np.max(np.abs(increments - expected)) < 1e-10 * scale
+        assert np.sum(increments, axis=0) == pytest.approx(
+            np.sum(expected, axis=0), abs=1e-12 * scale * count
+        )
+
+
+def test_increments_stay_within_the_trajectory(trajectory: Trajectory) -> None:
+    with pytest.raises(ValueError, match=r"from 900 to 920 s; car goes from -320 to 910 s"):
+        trajectory.increments(900.0, 0.1, 200)
 
 
 def test_velocity_is_the_derivative_of_position(trajectory: Trajectory) -> None:

@@ -1,0 +1,112 @@
+"""Ready missions, end to end: their increments, navigated, give them back."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from ins_eval.navigation.height import Clamped, Free
+from ins_eval.navigation.strapdown import navigate
+from ins_eval.state import TrackError, track_error
+from ins_eval.trajectories import catalogue
+from ins_eval.trajectories.errors import TrajectoryError
+from ins_eval.trajectories.trajectory import Trajectory
+from tests.ins_eval.trajectories.test_recorded_drive import made_up_drive, written
+
+IN_FLIGHT = ("great-circle", "weaving")
+SECONDS = {"missile": 850.0}
+LIMITS = {
+    "aircraft": 20e-3,
+    "car": 1e-3,
+    "great-circle": 1e-3,
+    "missile": 1e-3,
+    "ship": 1e-3,
+    "static-table": 1e-3,
+    "weaving": 1e-3,
+}
+"""Of the position error over half an hour, or the mission, m. The aircraft's is the navigator's
+own, in the rolls: it falls with the cube of the interval."""
+
+
+def ready(name: str) -> tuple[Trajectory, float]:
+    duration = SECONDS.get(name, 1800.0)
+    return catalogue.trajectory(name, 0.0 if name in IN_FLIGHT else 320.0, duration), duration
+
+
+def flown(path: Trajectory, duration: float, interval: float) -> TrackError:
+    count = 20 * round(duration / interval / 20)
+    heights = path.position(interval * np.arange(count + 1.0))[:, 2]
+    increments = path.increments(0.0, interval, count)
+    track = navigate(path.state(0.0), increments, Clamped(heights), count // 10)
+    return track_error(track, path.track(track.time))
+
+
+def test_limits_are_for_all_missions() -> None:
+    assert catalogue.names() == sorted(LIMITS)
+
+
+@pytest.mark.parametrize("name", sorted(LIMITS))
+def test_ready_mission_navigates_to_itself(name: str) -> None:
+    """Error-free increments at 100 Hz, height clamped."""
+    path, duration = ready(name)
+    error = flown(path, duration, 0.01)
+    assert np.max(np.linalg.norm(error.position[:, :2], axis=1)) < LIMITS[name]
+    assert np.max(np.abs(error.attitude)) < 1e-8
+
+
+@pytest.mark.parametrize("name", sorted(LIMITS))
+def test_ready_mission_navigates_with_free_height(name: str) -> None:
+    """From time 0 for two minutes: also the vertical channel gives the mission back."""
+    path, _ = ready(name)
+    increments = path.increments(0.0, 0.01, 12_000)
+    track = navigate(path.state(0.0), increments, Free(), 12_000)
+    error = track_error(track, path.track(track.time))
+    assert np.max(np.abs(error.position)) < 1e-3
+
+
+def test_error_of_the_aircraft_is_the_navigators() -> None:
+    """Half the interval, an eighth of the error: no error of the increments is left over."""
+    path, duration = ready("aircraft")
+    coarse, fine = (
+        np.max(np.linalg.norm(flown(path, duration, h).position[:, :2], axis=1))
+        for h in (0.02, 0.01)
+    )
+    assert coarse / fine == pytest.approx(8.0, rel=0.1)
+
+
+@pytest.mark.parametrize("name", sorted(set(LIMITS) - set(IN_FLIGHT)))
+def test_mission_stands_before_time_0(name: str) -> None:
+    path, _ = ready(name)
+    omega, force = path.rate_and_force(np.linspace(-320, 0, 321))
+    assert np.ptp(omega, axis=0) == pytest.approx(np.zeros(3), abs=1e-9)
+    assert np.ptp(force, axis=0) == pytest.approx(np.zeros(3), abs=1e-4)
+
+
+def test_great_circle_crosses_the_dateline_without_a_jump() -> None:
+    path = catalogue.trajectory("great-circle", 0.0, 33_600.0)
+    longitude = np.rad2deg(path.position(np.linspace(0, 33_600, 1000))[:, 1])
+    assert longitude[0] < 180 < longitude[-1]
+    assert np.max(np.diff(longitude)) < 0.2
+    assert np.rad2deg(path.position(np.array(33_600.0)))[:2] == pytest.approx(
+        [37.6, 360 - 122.4], abs=0.6
+    )
+
+
+def test_files_are_told_by_their_endings(tmp_path: Path) -> None:
+    mission = tmp_path / "mine.toml"
+    mission.write_text((catalogue.READY / "car.toml").read_text())
+    assert catalogue.trajectory(mission, 20.0, 60.0).name == "mine"
+    drive = written(tmp_path, made_up_drive())
+    assert catalogue.trajectory(str(drive), 20.0, 60.0).name == drive.name
+
+
+def test_unknown_name_is_told_the_known_ones() -> None:
+    with pytest.raises(TrajectoryError, match="lorry: found no such mission, expected aircraft, c"):
+        catalogue.trajectory("lorry", 0.0, 60.0)
+
+
+def test_missile_says_that_it_is_shorter() -> None:
+    with pytest.raises(
+        TrajectoryError, match=r"missile: lasts 858\.\d+ s, shorter than the 7200 s"
+    ):
+        catalogue.trajectory("missile", 320.0, 7200.0)

@@ -18,6 +18,12 @@ Array = NDArray[np.float64]
 
 KEPT_EACH = 60.0
 """Time between points of comparison, s."""
+LATITUDE = np.deg2rad(45.0)
+HEIGHT = 100.0
+"""Where a vehicle at rest is, rad, m."""
+OMEGA_IE = earth.RATE * np.array([np.cos(LATITUDE), 0.0, -np.sin(LATITUDE)])
+FORCE = np.array([0.0, 0.0, -earth.gravity(LATITUDE, HEIGHT)])
+"""What it feels, in navigation axes, rad/s, m/s^2."""
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(6)
 
 
@@ -67,60 +73,51 @@ def weaving(weave: Weave, seconds: int, rate: int) -> Flight:
 
 
 def static(seconds: int, rate: int) -> Flight:
-    """At rest at 45 deg; the nose 30 deg east of north, 3 deg up, rolled by 5 deg."""
-    turned = Rotation.from_euler("ZYX", [30.0, 3.0, 5.0], degrees=True)
+    """At rest; the nose 30 deg east of north, 3 deg up, rolled by 5 deg."""
+    attitude = Rotation.from_euler("ZYX", [30.0, 3.0, 5.0], degrees=True)
+    count = seconds * rate + 1
+    rotation = np.tile(attitude.inv().apply(OMEGA_IE) / rate, (count, 1))
+    velocity = np.tile(attitude.inv().apply(FORCE) / rate, (count, 1))
 
-    def attitude(time: Array) -> Rotation:
-        return turned * Rotation.from_rotvec(np.zeros((np.size(time), 3)))
+    def truth(time: Array) -> Track:
+        return _in_place(time, np.tile(attitude.as_matrix(), (len(time), 1, 1)))
 
-    def rate_nb(time: Array) -> Array:
-        return np.zeros((np.size(time), 3))
-
-    return _at_a_place(f"static, {seconds} s, {rate} Hz", attitude, rate_nb, seconds, rate)
+    record = Increments(1 / rate, rotation, velocity, -1 / rate)
+    return Flight(f"static, {seconds} s, {rate} Hz", record, truth)
 
 
 def coning(half_angle: float, frequency: float, seconds: int, rate: int) -> Flight:
-    """At rest but for the nose's axis, which is tilted by an angle, rad, about a level axis that
-    turns at a frequency, Hz."""
+    """At rest but for being tilted by an angle, rad, about a level axis that turns at a frequency,
+    Hz; increments by Gauss-Legendre quadrature with six points an interval."""
     w = 2 * np.pi * frequency
-
-    def attitude(time: Array) -> Rotation:
-        zero = np.zeros_like(time)
-        axis = np.stack([np.cos(w * time), np.sin(w * time), zero], axis=-1)
-        return Rotation.from_rotvec(half_angle * axis)
-
-    def rate_nb(time: Array) -> Array:
-        steady = np.full_like(time, -2 * w * np.sin(half_angle / 2) ** 2)
-        size = w * np.sin(half_angle)
-        return np.stack([-size * np.sin(w * time), size * np.cos(w * time), steady], axis=-1)
-
-    name = f"coning {np.rad2deg(half_angle):g} deg, {frequency:g} Hz, {seconds} s, {rate} Hz"
-    return _at_a_place(name, attitude, rate_nb, seconds, rate)
-
-
-def _at_a_place(
-    name: str,
-    attitude: Callable[[Array], Rotation],
-    rate_nb: Callable[[Array], Array],
-    seconds: int,
-    rate: int,
-) -> Flight:
-    """Attitude, and its rate `omega_nb_b`, over time at 45 deg, 100 m; by Gauss-Legendre
-    quadrature with six points an interval."""
-    latitude, height = np.deg2rad(45.0), 100.0
-    omega_ie = earth.RATE * np.array([np.cos(latitude), 0.0, -np.sin(latitude)])
-    force_n = np.array([0.0, 0.0, -earth.gravity(latitude, height)])
     interval = 1 / rate
     middles = interval * (np.arange(-1, seconds * rate) + 0.5)
     rotation, velocity = np.zeros((len(middles), 3)), np.zeros((len(middles), 3))
-    for node, weight in zip(_NODES, _WEIGHTS, strict=True):
-        time = middles + 0.5 * interval * node
-        to_body = attitude(time).inv()
-        rotation += 0.5 * interval * weight * (rate_nb(time) + to_body.apply(omega_ie))
-        velocity += 0.5 * interval * weight * to_body.apply(force_n)
+    for node, weight in zip(_NODES, 0.5 * interval * _WEIGHTS, strict=True):
+        angle = w * (middles + 0.5 * interval * node)
+        to_body = _tilted(half_angle, angle).inv()
+        rotation += weight * (_coning_rate(half_angle, w, angle) + to_body.apply(OMEGA_IE))
+        velocity += weight * to_body.apply(FORCE)
 
     def truth(time: Array) -> Track:
-        position = np.tile([latitude, 0.0, height], (len(time), 1))
-        return Track(time, position, np.zeros((len(time), 3)), attitude(time).as_matrix())
+        return _in_place(time, _tilted(half_angle, w * time).as_matrix())
 
+    name = f"coning {np.rad2deg(half_angle):g} deg, {frequency:g} Hz, {seconds} s, {rate} Hz"
     return Flight(name, Increments(interval, rotation, velocity, -interval), truth)
+
+
+def _tilted(half_angle: float, angle: Array) -> Rotation:
+    axis = np.stack([np.cos(angle), np.sin(angle), np.zeros_like(angle)], axis=-1)
+    return Rotation.from_rotvec(half_angle * axis)
+
+
+def _coning_rate(half_angle: float, w: float, angle: Array) -> Array:
+    """`omega_nb_b` (n, 3) (Savage 1998, Part I, section on pure coning)."""
+    size = w * np.sin(half_angle)
+    steady = np.full_like(angle, -2 * w * np.sin(half_angle / 2) ** 2)
+    return np.stack([-size * np.sin(angle), size * np.cos(angle), steady], axis=-1)
+
+
+def _in_place(time: Array, mat_nb: Array) -> Track:
+    position = np.tile([LATITUDE, 0.0, HEIGHT], (len(time), 1))
+    return Track(time, position, np.zeros((len(time), 3)), mat_nb)

@@ -8,26 +8,22 @@ import numpy as np
 from ins_eval import earth
 from ins_eval.imu.columns import Quantity
 from ins_eval.imu.log import Array, LogError
+from ins_eval.imu.rest import WINDOW, means, rate_at_rest
 from pyhrg.units import ARCSEC, DEG, MICRO_G, STANDARD_GRAVITY
 
 BLOCK = 0.1
 """Time over which readings are averaged against noise, s: no vehicle turns far in it."""
-NEAR_GRAVITY = 0.2
-"""Relative distance from a mistaken gravity that half of all blocks must stay within."""
+TRAVELLING = (0.85, 1.4)
+"""Specific force over gravity that half of all blocks must stay within to be one: turns add to it,
+up to 45 deg of bank, more often than anything takes away."""
+RESTING = (0.99, 1.01)
+"""Likewise of the blocks of the first window, in which most vehicles rest."""
+SWAPPED = 0.05
+"""Most that accelerometers show, in the file's unit, if what they show is a rate."""
 UPSIDE_DOWN = 0.8
 """Share of the specific force, downward along z, at which z is taken to be up."""
 FASTEST = 100.0
 """Highest rate that is believed, rad/s."""
-REST = 30.0
-"""Length of the windows in which rest is looked for, s."""
-REST_SPREAD = 0.05
-"""Most that specific force, averaged over a second, may vary at rest, m/s^2."""
-REST_FORCE = (9.74, 9.86)
-"""Specific force at rest anywhere on Earth, accelerometer errors of 2 milli-g included, m/s^2; a
-vehicle that turns steadily with a bank of 7 deg or more feels more."""
-LEVEL_RATE = 0.15
-"""Least share of the rate across the vertical at rest; 0.15 is 81 deg of latitude. A vehicle that
-turns steadily without bank has none."""
 NEAR_EARTH = 0.05
 """Relative distance from a mistaken Earth's rate."""
 
@@ -59,6 +55,11 @@ class Readings:
         """Likewise."""
         return np.linalg.norm(means(self.force, self.interval, BLOCK), axis=1)
 
+    @cached_property
+    def down(self) -> float:
+        """Median specific force downwards, in the file's unit."""
+        return float(np.median(means(self.force, self.interval, BLOCK)[:, 2]))
+
     def error(self, quantity: Quantity, found: str, expected: str, guess: str) -> LogError:
         """What is wrong with three columns."""
         return LogError(
@@ -76,27 +77,20 @@ def check(readings: Readings) -> None:
     _check_swapped(readings)
     _check_gravity(readings)
     _check_down(readings)
-    _check_fastest(readings)
     _check_earth_rate(readings)
+    _check_fastest(readings)
 
 
-def means(values: Array, interval: float, length: float) -> Array:
-    """Means (m, 3) of values (n, 3) over blocks of about a length, s; the rest is left out."""
-    size = min(max(round(length / interval), 1), len(values))
-    whole = len(values) // size * size
-    return np.asarray(values[:whole].reshape(-1, size, values.shape[1]).mean(axis=1))
-
-
-def _near(sizes: Array, value: float, tolerance: float) -> bool:
+def _near(sizes: Array, value: float, within: tuple[float, float]) -> bool:
     """Whether half of all sizes are about a value."""
     low, high = np.quantile(sizes, (0.25, 0.75))
-    return bool(value * (1 - tolerance) < low and high < value * (1 + tolerance))
+    return bool(within[0] * value < low and high < within[1] * value)
 
 
 def _check_swapped(readings: Readings) -> None:
     gravities = (STANDARD_GRAVITY, 1.0)
-    felt = any(_near(readings.rate_size, g, NEAR_EARTH) for g in gravities)
-    if felt and np.median(readings.force_size) < 0.05:
+    felt = any(_is_gravity(readings.rate_size, g) for g in gravities)
+    if felt and np.median(readings.force_size) < SWAPPED:
         raise readings.error(
             readings.gyros,
             f"{np.median(readings.rate_size):.3g} per second, "
@@ -106,10 +100,16 @@ def _check_swapped(readings: Readings) -> None:
         )
 
 
+def _is_gravity(sizes: Array, gravity: float) -> bool:
+    """Whether blocks show it, in the first window or in the whole log."""
+    first = sizes[: round(WINDOW / BLOCK)]
+    return _near(first, gravity, RESTING) or _near(sizes, gravity, TRAVELLING)
+
+
 def _check_gravity(readings: Readings) -> None:
-    kind, interval = readings.accelerometers, readings.interval
+    kind = readings.accelerometers
     gravity = STANDARD_GRAVITY / kind.factor
-    if _near(readings.force_size, gravity, NEAR_GRAVITY):
+    if _is_gravity(readings.force_size, gravity):
         return
     stated = {1.0: "m/s2", STANDARD_GRAVITY: "g"}[kind.factor]
     units = {"m/s2": 1.0, "g": STANDARD_GRAVITY, "milli-g": 1e3 * MICRO_G, "micro-g": MICRO_G}
@@ -117,15 +117,15 @@ def _check_gravity(readings: Readings) -> None:
         f"is {unit} given where {stated} is meant": STANDARD_GRAVITY / factor
         for unit, factor in units.items()
     }
-    guesses |= _sums(kind, gravity, interval)
-    fitting = [g for g, size in guesses.items() if _near(readings.force_size, size, NEAR_GRAVITY)]
+    guesses |= _sums(kind, gravity, readings.interval)
+    fitting = [guess for guess, size in guesses.items() if _is_gravity(readings.force_size, size)]
     if fitting:
-        found = f"a specific force of {np.median(readings.force_size):.3g}"
+        found = f"a specific force of {np.median(readings.force_size[: round(WINDOW / BLOCK)]):.3g}"
         raise readings.error(kind, found, f"about {gravity:.3g} {stated}", ", or ".join(fitting))
 
 
 def _check_down(readings: Readings) -> None:
-    down = np.median(means(readings.force, readings.interval, BLOCK)[:, 2])
+    down = readings.down
     if down > UPSIDE_DOWN * STANDARD_GRAVITY / readings.accelerometers.factor:
         other = "up" if readings.z == "down" else "down"
         raise readings.error(
@@ -151,7 +151,8 @@ def _check_fastest(readings: Readings) -> None:
 
 
 def _check_earth_rate(readings: Readings) -> None:
-    rate = _rate_at_rest(readings)
+    force = readings.accelerometers.factor * readings.force
+    rate = rate_at_rest(readings.rate, force, readings.interval)
     if rate is None:
         return
     kind = readings.gyros
@@ -179,22 +180,3 @@ def _sums(kind: Quantity, size: float, interval: float) -> dict[str, float]:
 def _angle_units(kind: Quantity) -> tuple[str, str]:
     """Taken for it by mistake, and as stated."""
     return ("degree", "radian") if kind.factor == 1.0 else ("radian", "degree")
-
-
-def _rate_at_rest(readings: Readings) -> float | None:
-    """Size of the mean rate at rest, in the file's unit; None where that isn't certain."""
-    force = readings.accelerometers.factor * means(readings.force, readings.interval, 1.0)
-    rate = means(readings.rate, readings.interval, 1.0)
-    count = round(REST)
-    sizes = []
-    for first in range(0, len(force) - count + 1, count):
-        window = slice(first, first + count)
-        up = force[window].mean(axis=0)
-        spread = np.max(np.abs(force[window] - up))
-        size = np.linalg.norm(up)
-        mean = rate[window].mean(axis=0)
-        level = mean - (mean @ up) / size**2 * up
-        still = spread < REST_SPREAD and REST_FORCE[0] < size < REST_FORCE[1]
-        if still and np.linalg.norm(level) > LEVEL_RATE * np.linalg.norm(mean):
-            sizes.append(np.linalg.norm(mean))
-    return float(np.median(sizes)) if sizes else None

@@ -74,16 +74,18 @@ def numbers(
     first_row: int,
     names: Sequence[str],
     delimiter: str | None = None,
+    places: Sequence[int] | None = None,
     least: int = LEAST_ROWS,
 ) -> Array:
-    """Values (n, m) of n lines with m fields, every one finite.
+    """Values (n, m) of m fields in n lines, every one finite.
 
     Args:
         source: the file, for messages.
         lines: of values.
         first_row: the first one's number in the file; its first line is row 1.
-        names: of the fields, for messages.
+        names: of the m fields, for messages.
         delimiter: between fields; None is white space.
+        places: of the m among each line's fields; if None, there are no others.
         least: lines that there must be.
 
     Raises:
@@ -91,20 +93,34 @@ def numbers(
     """
     if len(lines) < least:
         raise LogError(f"{source}: found {len(lines)} rows of values, expected at least {least}")
-    table = _quickly(lines, delimiter)
+    table = _quickly(lines, delimiter, places)
     if table is None or table.shape != (len(lines), len(names)):
-        table = np.array(
-            [
-                _row(source, row, line.split(delimiter), names)
-                for row, line in enumerate(lines, first_row)
-            ]
-        )
+        table = _carefully(source, lines, first_row, names, delimiter, places)
+    check_finite(source, table, first_row, names)
+    return table
+
+
+def check_finite(source: str, table: Array, first_row: int, names: Sequence[str]) -> None:
+    """Refuse values (n, m) that are not.
+
+    Raises:
+        LogError: at the first one.
+    """
     if not np.isfinite(table).all():
         row, column = np.argwhere(~np.isfinite(table))[0]
-        raise log_error(
-            source, first_row + row, names[column], f"{table[row, column]}", "a finite number"
-        )
-    return table
+        found = f"{table[row, column]}"
+        raise log_error(source, first_row + row, names[column], found, "a finite number")
+
+
+def check_lengths(source: str, lines: Sequence[str], first_row: int, names: Sequence[str]) -> None:
+    """Refuse lines that have not as many fields as there are names, by their commas.
+
+    Raises:
+        LogError: at the first one.
+    """
+    for row, line in enumerate(lines, first_row):
+        if line.count(",") != len(names) - 1:
+            raise _length_error(source, row, line.count(",") + 1 if line.strip() else 0, names)
 
 
 def log_error(source: str, row: int, field: str, found: str, expected: str) -> LogError:
@@ -112,23 +128,41 @@ def log_error(source: str, row: int, field: str, found: str, expected: str) -> L
     return LogError(f"{source}: row {row}, {field}: found {found}, expected {expected}")
 
 
-def _quickly(lines: Sequence[str], delimiter: str | None) -> Array | None:
+def _length_error(source: str, row: int, found: int, names: Sequence[str]) -> LogError:
+    return LogError(
+        f"{source}: row {row}: found {found} fields, expected {len(names)}: {', '.join(names)}"
+    )
+
+
+def _quickly(
+    lines: Sequence[str], delimiter: str | None, places: Sequence[int] | None
+) -> Array | None:
     """None where a field is no number or rows differ in length."""
+    text = io.StringIO("\n".join(lines))
     try:
-        return np.loadtxt(
-            io.StringIO("\n".join(lines)), delimiter=delimiter, comments=None, ndmin=2
-        )
+        return np.loadtxt(text, delimiter=delimiter, comments=None, usecols=places, ndmin=2)
     except ValueError:
         return None
 
 
-def _row(source: str, row: int, fields: Sequence[str], names: Sequence[str]) -> list[float]:
-    if len(fields) != len(names):
-        raise LogError(
-            f"{source}: row {row}: found {len(fields)} fields, "
-            f"expected {len(names)}: {', '.join(names)}"
-        )
-    return [_number(source, row, *pair) for pair in zip(names, fields, strict=True)]
+def _carefully(
+    source: str,
+    lines: Sequence[str],
+    first_row: int,
+    names: Sequence[str],
+    delimiter: str | None,
+    places: Sequence[int] | None,
+) -> Array:
+    """The same, or what is wrong."""
+    table = np.empty((len(lines), len(names)))
+    for i, line in enumerate(lines):
+        fields = line.split(delimiter)
+        if places is None and len(fields) != len(names):
+            raise _length_error(source, first_row + i, len(fields), names)
+        wanted = fields if places is None else [fields[place] for place in places]
+        for j, (name, field) in enumerate(zip(names, wanted, strict=True)):
+            table[i, j] = _number(source, first_row + i, name, field)
+    return table
 
 
 def _number(source: str, row: int, name: str, field: str) -> float:

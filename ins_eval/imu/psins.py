@@ -2,7 +2,9 @@
 
 import numpy as np
 
+from ins_eval.imu.columns import Quantity
 from ins_eval.imu.log import Array, LogError, RecordedImu, log_error, numbers
+from ins_eval.imu.plausibility import Readings, check
 from ins_eval.increments import Increments
 from ins_eval.rotation import mat_from_euler
 from pyhrg.units import ARCSEC, DEG
@@ -19,6 +21,7 @@ PLACE = (
 )
 SCALES = ("gf_x", "gf_y", "gf_z", "af_x", "af_y", "af_z")
 COUNTS = ("g_x", "g_y", "g_z", "a_x", "a_y", "a_z")
+KINDS = (Quantity("g", "", 1.0, True), Quantity("a", "", 1.0, True))
 RANGES = {
     "latitude0(deg)": (-90.0, 90.0),
     "longitude0(deg)": (-360.0, 360.0),
@@ -31,15 +34,15 @@ FORWARD_RIGHT_DOWN = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, -1.0
 """Turns coordinates right, forward, up into body coordinates."""
 
 
-def read(source: str, lines: list[str]) -> RecordedImu:
-    """The log of a file's lines.
+def read(source: str, lines: list[str], trusted: bool = False) -> RecordedImu:
+    """The log of a file's lines; `trusted` as in `recorded.read`.
 
     Comments, then attitude (yaw counter-clockwise from north), place and interval, scale factors
     (arcsec and ug s per count), then counts of each interval.
 
     Raises:
         LogError: a header value out of range, a row with too few or too many fields, a field that
-            is no finite number.
+            is no finite number, an axis that is another than stated.
     """
     rows = [row for row, line in enumerate(lines) if line.strip() and line[0] != COMMENT]
     if len(rows) < 4:
@@ -52,14 +55,12 @@ def read(source: str, lines: list[str]) -> RecordedImu:
     latitude, longitude, height, start, interval_ms, gravity = place
     counts = numbers(source, lines[rows[3] :], rows[3] + 1, COUNTS)
     units = scales * np.repeat([ARCSEC, 1e-6 * gravity], 3)
-    rotation, velocity = np.split(counts * units, 2, axis=1)
+    rotation, velocity = (x @ FORWARD_RIGHT_DOWN.T for x in np.split(counts * units, 2, axis=1))
+    interval = 1e-3 * interval_ms
+    if not trusted:
+        check(Readings(source, interval, *KINDS, rotation / interval, velocity / interval, z="up"))
     return RecordedImu(
-        Increments(
-            1e-3 * interval_ms,
-            rotation @ FORWARD_RIGHT_DOWN.T,
-            velocity @ FORWARD_RIGHT_DOWN.T,
-            start,
-        ),
+        Increments(interval, rotation, velocity, start),
         np.array([DEG * latitude, DEG * longitude, height]),
         mat_from_euler(roll, pitch, -yaw),
         source,

@@ -1,0 +1,91 @@
+"""Standing vehicles with imperfect sensors, and what alignment makes of them."""
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+from scipy.stats import chi2
+
+from ins_eval import earth
+from ins_eval.alignment.result import Alignment
+from ins_eval.increments import Increments
+from ins_eval.rotation import mat_from_euler
+from ins_eval.sensor_errors import SensorErrors
+from ins_eval.trajectories.trajectory import Knots, Trajectory
+from pyhrg.units import DEG
+
+Array = NDArray[np.float64]
+
+LATITUDE = 40 * DEG
+POSITION = np.array([LATITUDE, 0.3, 100.0])
+GRAVITY = float(earth.gravity(LATITUDE, 100.0))
+MAT_NB = mat_from_euler(*map(np.array, (0.02, -0.03, 1.0)))
+
+
+def still(seconds: float, interval: float) -> Increments:
+    """Ideal increments of a vehicle that stands still at MAT_NB."""
+    rate = earth.RATE * np.array([np.cos(LATITUDE), 0.0, -np.sin(LATITUDE)])
+    force = np.array([0.0, 0.0, -GRAVITY])
+    count = round(seconds / interval)
+    return Increments(
+        interval,
+        np.tile(MAT_NB.T @ rate * interval, (count, 1)),
+        np.tile(MAT_NB.T @ force * interval, (count, 1)),
+    )
+
+
+def swaying(seconds: float, interval: float, rng: np.random.Generator) -> tuple[Increments, Array]:
+    """Ideal increments of a vehicle that rolls and pitches by about a degree and shifts by about
+    2 cm, at many frequencies from 0.1 to 0.5 Hz; `mat_nb` at the end."""
+    time = np.arange(-10.0, seconds + 10.0, 0.2)
+
+    def noise(sigma: float) -> Array:
+        frequency = rng.uniform(0.1, 0.5, 30)
+        phase = rng.uniform(0, 2 * np.pi, 30)
+        waves = np.sin(2 * np.pi * np.outer(time, frequency) + phase)
+        return np.asarray(sigma * np.sqrt(2 / 30) * waves.sum(axis=1))
+
+    radius = earth.meridian_radius(LATITUDE)
+    knots = Knots(
+        time,
+        POSITION[0] + noise(0.02) / radius,
+        POSITION[1] + noise(0.02) / radius,
+        POSITION[2] + noise(0.01),
+        0.02 + noise(1 * DEG),
+        -0.03 + noise(0.5 * DEG),
+        1.0 + noise(0.2 * DEG),
+    )
+    trajectory = Trajectory("sway", knots)
+    record = trajectory.increments(0.0, interval, round(seconds / interval))
+    return record, trajectory.mat_nb(np.array(seconds))
+
+
+def measured(ideal: Increments, errors: SensorErrors, rng: np.random.Generator) -> Increments:
+    """With biases drawn once and white noise."""
+    gyro, force = errors.gyro_bias, errors.accelerometer_bias
+    root = np.sqrt(ideal.interval)
+    rotation = rng.normal(0, 1, 3) * gyro * ideal.interval
+    velocity = rng.normal(0, 1, 3) * force * ideal.interval
+    shape = ideal.rotation.shape
+    return Increments(
+        ideal.interval,
+        ideal.rotation + rotation + rng.normal(0, 1, shape) * errors.angle_random_walk * root,
+        ideal.velocity + velocity + rng.normal(0, 1, shape) * errors.velocity_random_walk * root,
+        ideal.start,
+    )
+
+
+def attitude_error(mat_nb: Array, truth: Array) -> Array:
+    """(3,) about north, east, down, rad."""
+    return np.asarray(Rotation.from_matrix(mat_nb @ truth.T).as_rotvec())
+
+
+def normalised_square(result: Alignment, truth: Array) -> float:
+    """Squared attitude error over its covariance; its mean should be 3."""
+    error = attitude_error(result.mat_nb, truth)
+    return float(error @ np.linalg.solve(result.covariance, error))
+
+
+def chi_square_interval(count: int, freedom: int) -> tuple[float, float]:
+    """99 % interval of the mean of so many chi-squares of so many degrees of freedom."""
+    low, high = chi2.ppf([0.005, 0.995], count * freedom) / count
+    return float(low), float(high)

@@ -1,0 +1,114 @@
+"""Coarse, then fine: vehicles that sway, and records that are refused."""
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from ins_eval.alignment.align import align
+from ins_eval.alignment.analytic import AlignmentError, static_alignment
+from ins_eval.alignment.inertial_frame import inertial_frame_alignment
+from ins_eval.increments import Increments
+from ins_eval.sensor_errors import SensorErrors
+from ins_eval.trajectories.car import car
+from pyhrg.units import DEG, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
+from tests.ins_eval.alignment.cases import (
+    LATITUDE,
+    MAT_NB,
+    POSITION,
+    attitude_error,
+    chi_square_interval,
+    measured,
+    normalised_square,
+    still,
+    swaying,
+)
+
+ERRORS = SensorErrors(
+    gyro_bias=0.01 * DEG_PER_H,
+    angle_random_walk=0.002 * DEG_PER_SQRT_H,
+    accelerometer_bias=50 * MICRO_G,
+    velocity_random_walk=1e-4,
+)
+
+
+def test_perfect_sensors_on_a_swaying_vehicle() -> None:
+    """Heading to 0.01 deg of a vehicle that sways by a degree; averaging is off by degrees."""
+    record, truth = swaying(300.0, 0.05, np.random.default_rng(3))
+    result = align(record, POSITION, SensorErrors(velocity_random_walk=1e-6))
+    error = np.abs(attitude_error(result.mat_nb, truth))
+    assert np.all(error < [1e-5, 1e-5, 0.01 * DEG])
+    assert result.sway == pytest.approx(0.02, rel=0.25)
+    coarse = inertial_frame_alignment(record, POSITION, SensorErrors())
+    assert abs(attitude_error(coarse.mat_nb, truth)[2]) < 0.5 * DEG
+    averaged = static_alignment(record, LATITUDE)
+    assert abs(attitude_error(averaged, truth)[2]) > 1.0 * DEG
+
+
+def test_covariance_on_swaying_vehicles_is_consistent() -> None:
+    """20 vehicles, sway found from the record; 99 % interval; seed 4."""
+    rng, count = np.random.default_rng(4), 20
+    squares = []
+    for _ in range(count):
+        ideal, truth = swaying(300.0, 0.1, rng)
+        squares.append(
+            normalised_square(align(measured(ideal, ERRORS, rng), POSITION, ERRORS), truth)
+        )
+    low, high = chi_square_interval(count, 3)
+    assert low < np.mean(squares) < high
+
+
+def test_result_does_not_depend_on_the_coarse_attitude_being_good() -> None:
+    """A gyro of 1 deg/h leaves coarse and fine in error by degrees; both by the same bias."""
+    east = MAT_NB.T @ np.array([0.0, 1 * DEG_PER_H, 0.0])
+    ideal = still(120.0, 0.1)
+    record = Increments(0.1, ideal.rotation + east * 0.1, ideal.velocity)
+    result = align(record, POSITION, SensorErrors(gyro_bias=1 * DEG_PER_H), sway=1e-5)
+    expected = static_alignment(record, LATITUDE)
+    assert attitude_error(result.mat_nb, expected) == pytest.approx(np.zeros(3), abs=1e-4)
+
+
+def test_history_ends_in_the_result() -> None:
+    result = align(still(60.0, 0.1), POSITION, ERRORS)
+    assert result.history is not None
+    assert result.history.time[-1] == pytest.approx(result.time) == pytest.approx(60.0)
+    assert np.array_equal(result.history.mat_nb[-1], result.mat_nb)
+    assert np.array_equal(result.history.covariance[-1], result.covariance)
+
+
+def scaled(rotation: float, velocity: float) -> Callable[[Increments], Increments]:
+    return lambda r: Increments(r.interval, r.rotation * rotation, r.velocity * velocity)
+
+
+def with_hole(record: Increments) -> Increments:
+    velocity = record.velocity.copy()
+    velocity[17, 1] = np.nan
+    return Increments(record.interval, record.rotation, velocity)
+
+
+@pytest.mark.parametrize(
+    ("spoil", "message"),
+    [
+        (lambda r: r.between(0, 200), r"record of 20 s: expected at least 30 s"),
+        (with_hole, r"increment 17: .*nan.*expected finite"),
+        (scaled(1.0, 1 / 9.80), r"force 1 m/s\^2: expected gravity, 9.80.*is the velocity in g s"),
+        (scaled(1 / DEG, 1.0), r"velocity changes by .* expected at most 1 m/s .* rotation in rad"),
+    ],
+)
+def test_refused_with_what_was_expected(
+    spoil: Callable[[Increments], Increments], message: str
+) -> None:
+    with pytest.raises(AlignmentError, match=message):
+        align(spoil(still(300.0, 0.1)), POSITION, ERRORS)
+
+
+@pytest.mark.parametrize("latitude", [90 * DEG, -89.5 * DEG, np.nan])
+def test_a_pole_is_refused(latitude: float) -> None:
+    with pytest.raises(AlignmentError, match="at a pole there is no north"):
+        align(still(60.0, 0.1), np.array([latitude, 0.0, 0.0]), ERRORS)
+
+
+def test_a_car_that_drives_off_is_refused() -> None:
+    drive = car(10.0, 310.0)
+    with pytest.raises(AlignmentError, match=r"velocity changes by \d.* standing vehicle"):
+        align(drive.increments(0.0, 0.1, 3000), drive.position(np.array(0.0)), ERRORS)

@@ -33,7 +33,7 @@ def trajectory(name_or_path: str | Path, still: float, duration: float) -> Traje
     path = Path(name_or_path)
     if path.suffix == ".toml":
         return mission.trajectory(mission_file.read(path), still, duration)
-    if not path.suffix:
+    if not path.suffix and not path.exists():
         raise TrajectoryError(
             f"{name_or_path}: found no such mission, expected {', '.join(names())}, "
             "or a file .toml, .csv or .csv.gz"

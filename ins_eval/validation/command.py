@@ -13,7 +13,8 @@ from fmu_build.platforms import BuildError
 from fmu_build.translate import TranslationError
 from ins_eval.metrics import FEWEST_FOR_MEDIAN
 from ins_eval.staging import staging
-from ins_eval.trajectories import car, recorded_drive
+from ins_eval.trajectories import catalogue
+from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.trajectory import Trajectory
 from ins_eval.validation import report, study
 from ins_eval.validation.mission import STILL, mission
@@ -28,7 +29,10 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--hours", default="2", help="mission length (default 2)")
     parser.add_argument("--triads", default="20", help="device triads to fly (default 20)")
     parser.add_argument(
-        "--trajectory", type=Path, metavar="FILE", help="recorded drive (CSV, may be gzipped)"
+        "--trajectory",
+        default="car",
+        metavar="NAME|FILE",
+        help="ready mission, mission (TOML) or recorded drive (CSV, may be gzipped); default car",
     )
     parser.add_argument(
         "--out", type=Path, default=Path("hrg-validation"), metavar="DIR", help="output folder"
@@ -68,12 +72,10 @@ def _validated(seed: int, triads: int, hours: float, trajectory: Trajectory) -> 
         return study.validate(fmu, flown, triads, seed, done=done)
 
 
-def _trajectory(file: Path | None, duration: float) -> Trajectory:
-    if file is None:
-        return car.car(STILL, duration)
+def _trajectory(name: str, duration: float) -> Trajectory:
     try:
-        return recorded_drive.trajectory(recorded_drive.read(file), STILL, duration)
-    except recorded_drive.DriveError as error:
+        return catalogue.trajectory(name, STILL, duration)
+    except TrajectoryError as error:
         raise UserError(str(error)) from error
 
 

@@ -1,6 +1,7 @@
 """Compilation of the inner loops, kept on disk from run to run."""
 
 import hashlib
+import tempfile
 from collections.abc import Callable
 from functools import cache
 from importlib.util import find_spec
@@ -32,13 +33,25 @@ def folder() -> Path:
     return user_cache_path("hrg") / f"compiled-{hashlib.sha256(texts).hexdigest()[:16]}"
 
 
+@cache
+def kept() -> bool:
+    """Whether the cache's folder can be written."""
+    try:
+        folder().mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder()):
+            return True
+    except OSError:
+        return False
+
+
 def compiled(function: Callable[..., Any]) -> Any:
-    """Decorator: `numba.njit`, cached where the cache's folder can be written."""
+    """Decorator: `numba.njit`, cached in `folder`, or nowhere: beside its source, compiled code
+    would outlive a change in another file."""
+    if not kept():
+        return numba.njit(function)
     before = _SETTINGS.CACHE_DIR
     _SETTINGS.CACHE_DIR = str(folder())
     try:
         return numba.njit(cache=True)(function)
-    except (OSError, RuntimeError):  # Numba: "cannot cache function: no locator available"
-        return numba.njit(function)
     finally:
         _SETTINGS.CACHE_DIR = before

@@ -44,21 +44,27 @@ STATE_SIZE = 10
 
 
 class Place(NamedTuple):
-    """Where the middle of a step is: its latitude's sine and cosine, its radii of curvature in and
-    across the meridian (height included), its gravity."""
+    """Where the middle of a step is: its latitude's sine and cosine, its height, its radii of
+    curvature in and across the meridian (height included), its gravity."""
 
     sin: float
     cos: float
+    height: float
     radius_n: float
     radius_e: float
     gravity: float
 
 
 @compiled
-def place_at(latitude: float, height: float) -> Place:
+def place_midway(latitude: float, height: float, average: Vector, step: float) -> Place:
+    """From where the step starts and its mean velocity."""
+    radius_n = earth.meridian_radius(latitude) + height
+    latitude = latitude + 0.5 * step * average[0] / radius_n
+    height = height - 0.5 * step * average[2]
     return Place(
         np.sin(latitude),
         np.cos(latitude),
+        height,
         earth.meridian_radius(latitude) + height,
         earth.transverse_radius(latitude) + height,
         earth.gravity(latitude, height),
@@ -106,6 +112,16 @@ def seen_from_turning_axes(change: Vector, moving: Vector, turn: Vector) -> tupl
 
 
 @compiled
+def mean_down(
+    channel: VerticalChannel, k: int, step: float, unpulled: float, gravity: float
+) -> float:
+    """Mean velocity down over step k; but for gravity, `unpulled`."""
+    if channel.clamped:
+        return (channel.height[k] - channel.height[k + 1]) / step
+    return unpulled + 0.5 * step * gravity
+
+
+@compiled
 def vertical_step(
     channel: VerticalChannel,
     k: int,
@@ -120,10 +136,10 @@ def vertical_step(
         now: the same three before it; pushed: velocity change down but for gravity, its mean over
             the step, and the predicted height at the middle of it.
     """
-    height, down, lag = now
-    change, moving, middle_height = pushed
     if channel.clamped:
         return (channel.height[k + 1], -channel.climb[k + 1], 0.0)
+    height, down, lag = now
+    change, moving, middle_height = pushed
     of_height, of_velocity, of_integral = channel.gains
     before = height - channel.height[k]
     excess = middle_height - 0.5 * (channel.height[k] + channel.height[k + 1])
@@ -176,15 +192,10 @@ def navigate(
         turned, change, moving = body_step(rotation, velocity, k * samples, weights)
         change, moving = rotate(q, change), rotate(q, moving)
 
-        down = vel[2] + moving[2] + 0.5 * step * earth.gravity(latitude, height)
-        if channel.clamped:
-            down = (channel.height[k] - channel.height[k + 1]) / step
+        gravity = earth.gravity(latitude, height)
+        down = mean_down(channel, k, step, vel[2] + moving[2], gravity)
         average = (vel[0] + moving[0], vel[1] + moving[1], down)
-        radius_n = earth.meridian_radius(latitude) + height
-        middle = latitude + 0.5 * step * average[0] / radius_n
-        middle_height = height - 0.5 * step * down
-        place = place_at(middle, middle_height)
-
+        place = place_midway(latitude, height, average, step)
         turn, coriolis = axes_turn(average, change, place, step)
         change, moving = seen_from_turning_axes(change, moving, turn)
         change, moving = add(change, coriolis), add(moving, scaled(0.5, coriolis))
@@ -193,7 +204,7 @@ def navigate(
         east = step * (vel[1] + moving[1]) / (place.radius_e * place.cos)
         latitude, lost_latitude = accumulated(latitude, lost_latitude, north)
         longitude, lost_longitude = accumulated(longitude, lost_longitude, east)
-        pushed = (change[2], moving[2], middle_height)
+        pushed = (change[2], moving[2], place.height)
         now = (height, vel[2], lag)
         height, down, lag = vertical_step(channel, k, step, now, pushed, place.gravity)
         vel = (vel[0] + change[0], vel[1] + change[1], down)

@@ -20,8 +20,9 @@ def flicker(
         shape: intervals, channels.
         generator: of the white noise.
     """
-    white = generator.normal(0.0, coefficient, size=shape)
-    return np.asarray(oaconvolve(white, half_integral(shape[0])[:, None], axes=0)[: shape[0]])
+    white = generator.normal(0.0, coefficient, size=shape[::-1])
+    summed = oaconvolve(white, half_integral(shape[0])[None], axes=1)
+    return np.asarray(summed[:, : shape[0]].T)
 
 
 def half_integral(count: int) -> NDArray[np.float64]:

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pyarrow
+import pyarrow.csv
 
 from fmu_build.files import write_whole
 from ins_eval.imu.columns import (
@@ -86,10 +87,19 @@ def write(increments: Increments, path: Path) -> None:
     if path.name.endswith(".parquet"):
         write_whole(path, frame.to_parquet(index=False))
     elif path.name.endswith((".csv", ".csv.gz")):
-        data = frame.to_csv(index=False, lineterminator="\n").encode()
+        data = _csv(frame)
         write_whole(path, gzip.compress(data, mtime=0) if path.suffix == ".gz" else data)
     else:
         raise ValueError(f"{path}: found {path.suffix!r}, expected .csv, .csv.gz or .parquet")
+
+
+def _csv(frame: pd.DataFrame) -> bytes:
+    """Each number as its shortest text that reads back to the same bits."""
+    buffer = io.BytesIO(f"{','.join(frame.columns)}\n".encode())
+    buffer.seek(0, io.SEEK_END)
+    options = pyarrow.csv.WriteOptions(include_header=False)
+    pyarrow.csv.write_csv(pyarrow.Table.from_pandas(frame), buffer, options)
+    return buffer.getvalue()
 
 
 def _columns(source: str, header: list[str]) -> list[str]:

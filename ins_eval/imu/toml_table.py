@@ -81,12 +81,12 @@ class TomlTable:
         return self._number(key, self.values.get(key, default), low, high)
 
     def numbers(self, key: str, count: int, high: float) -> tuple[float, ...]:
-        """So many numbers of at most a size; zeros if the key isn't there.
+        """So many numbers of at most a size.
 
         Raises:
             SpecificationError: anything else.
         """
-        value = self.values.get(key, [0.0] * count)
+        value = self.values[key]
         if not isinstance(value, list) or len(value) != count:
             raise self.error(key, value, f"{count} numbers in brackets")
         return tuple(self._number(f"{key}[{i}]", item, -high, high) for i, item in enumerate(value))

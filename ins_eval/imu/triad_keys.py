@@ -64,6 +64,9 @@ def read_triad(table: TomlTable, keys: tuple[Key, ...]) -> Triad:
 def _value(table: TomlTable, key: Key) -> Constant | float:
     if not key.count:
         return key.factor * table.number(key.name, 0.0, 0.0, key.high)
-    given = table.numbers(key.name.format(""), key.count, key.high)
-    drawn = table.number(key.name.format("_sigma"), 0.0, 0.0, key.high)
-    return Constant(tuple(key.factor * value for value in given), key.factor * drawn)
+    name = key.name.format("")
+    drawn = key.factor * table.number(key.name.format("_sigma"), 0.0, 0.0, key.high)
+    if name not in table.values:
+        return Constant(deviation=drawn)
+    given = table.numbers(name, key.count, key.high)
+    return Constant(tuple(key.factor * value for value in given), drawn)

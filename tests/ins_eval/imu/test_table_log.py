@@ -1,0 +1,137 @@
+"""Logs as CSV and Parquet: read, written, refused."""
+
+import time
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from ins_eval.imu import recorded
+from ins_eval.imu.columns import ACCELEROMETERS, GYROS, Quantity
+from ins_eval.imu.log import LogError
+from ins_eval.increments import Increments
+from tests.ins_eval.imu.logs import frame, resting, saved
+
+RANDOM = Increments(
+    1 / 300, *np.random.default_rng(1).normal(0, [[[1e-5]], [[1e-3]]], (2, 500, 3)), start=12.5
+)
+
+
+@pytest.mark.parametrize("name", ["log.csv", "log.csv.gz", "log.parquet"])
+def test_what_was_written_reads_back_to_the_same_bits(tmp_path: Path, name: str) -> None:
+    path = tmp_path / name
+    recorded.write(RANDOM, path)
+    back = recorded.read(path).increments
+    np.testing.assert_array_equal(back.rotation, RANDOM.rotation)
+    np.testing.assert_array_equal(back.velocity, RANDOM.velocity)
+    assert back.interval == pytest.approx(RANDOM.interval, rel=1e-12)
+    assert back.start == pytest.approx(12.5, abs=1e-12)
+    first = path.read_bytes()
+    recorded.write(RANDOM, path)
+    assert path.read_bytes() == first
+
+
+@pytest.mark.parametrize("gyros", GYROS, ids=lambda kind: kind.column("x"))
+@pytest.mark.parametrize("forces", ACCELEROMETERS, ids=lambda kind: kind.column("x"))
+def test_every_kind_of_column_gives_the_same_increments(
+    tmp_path: Path, gyros: Quantity, forces: Quantity
+) -> None:
+    truth = resting(40.0)
+    log = recorded.read(saved(frame(truth, gyros, forces), tmp_path))
+    np.testing.assert_allclose(log.increments.rotation, truth.rotation, rtol=1e-12)
+    np.testing.assert_allclose(log.increments.velocity, truth.velocity, rtol=1e-12)
+    assert (log.position, log.mat_nb) == (None, None)
+
+
+def test_other_columns_are_ignored_and_order_is_free(tmp_path: Path) -> None:
+    table = frame(resting()).assign(state="good")
+    plain = recorded.read(saved(table, tmp_path)).increments
+    turned = recorded.read(saved(table[table.columns[::-1]], tmp_path, "turned.csv")).increments
+    np.testing.assert_array_equal(turned.rotation, plain.rotation)
+
+
+def test_another_ending_is_refused_and_nothing_is_left(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match=r"found '.xls', expected .csv, .csv.gz or .parquet"):
+        recorded.write(RANDOM, tmp_path / "log.xls")
+    assert list(tmp_path.iterdir()) == []
+
+
+def with_cell(row: int, column: str, value: object) -> pd.DataFrame:
+    table = frame(resting()).astype(object)
+    table.loc[row, column] = value
+    return table
+
+
+GYRO_Y = "gyro_y_rad_s"
+TABLE = frame(resting())
+
+
+@pytest.mark.parametrize(
+    ("table", "message"),
+    [
+        (with_cell(7, GYRO_Y, "x"), r"log\.csv: row 9, gyro_y_rad_s: found 'x', expected a number"),
+        (with_cell(7, GYRO_Y, ""), "row 9, gyro_y_rad_s: found nothing, expected a number"),
+        (with_cell(7, GYRO_Y, np.inf), "row 9, gyro_y_rad_s: found inf, expected a finite number"),
+        (with_cell(7, GYRO_Y, "nan"), "row 9, gyro_y_rad_s: found nan, expected a finite number"),
+        (with_cell(7, GYRO_Y, "1,2"), r"row 9: found 8 fields, expected 7: time_s, gyro_x"),
+        (with_cell(7, "time_s", 0.07), r"row 9, time_s: found 0.07 after 0.07, .* each time once"),
+        (with_cell(7, "time_s", 0.01), "row 9, time_s: found 0.01 after 0.07, .* to increase"),
+        (with_cell(7, "time_s", 0.0802), r"found 0.0802 after 0.07, .* even to 1%"),
+        (TABLE.drop(index=range(7, 10)), "row 9, time_s: found 0.11 after 0.07, .* 3 rows missing"),
+        (TABLE.assign(time_s=TABLE.time_s * 1e3), "found steps of 10 s, expected 0.0001 s to 1 s"),
+        (TABLE[:5], "found 5 rows of values, expected at least 10"),
+        (TABLE.drop(columns="time_s"), "found no column time_s among gyro_x_rad_s, "),
+        (TABLE.drop(columns=GYRO_Y), "found no column gyro_y_rad_s, expected it among time_s"),
+        (TABLE.drop(columns=TABLE.columns[4:]), "found no column velocity_x_m_s or accel"),
+        (TABLE.assign(rotation_x_rad=0), "found columns rotation_x_rad and gyro_x_rad_s"),
+    ],
+)
+def test_what_is_wrong_is_named(tmp_path: Path, table: pd.DataFrame, message: str) -> None:
+    path = tmp_path / "log.csv"
+    path.write_text(table.to_csv(index=False).replace('"', ""))
+    with pytest.raises(LogError, match=message):
+        recorded.read(path)
+
+
+@pytest.mark.parametrize(
+    ("data", "message"),
+    [
+        (b"", "found no column time_s"),
+        (b"\xff\xfe\x00", "found what is no text"),
+        (b"\x1f\x8b\x08damaged gzip", "found damaged gzipped data|cut off"),
+        (b"PAR1damaged", "found damaged Parquet"),
+        (b"time_s,time_s\n", "column time_s: found more than once|found no column"),
+    ],
+)
+def test_a_file_that_is_none_is_refused(tmp_path: Path, data: bytes, message: str) -> None:
+    path = tmp_path / "log"
+    path.write_bytes(data)
+    with pytest.raises(LogError, match=message):
+        recorded.read(path)
+
+
+def test_a_parquet_file_is_held_to_the_same(tmp_path: Path) -> None:
+    path = tmp_path / "log.parquet"
+    table = TABLE.copy()
+    table.loc[7, GYRO_Y] = np.nan
+    table.to_parquet(path)
+    with pytest.raises(LogError, match="row 8, gyro_y_rad_s: found nan, expected a finite number"):
+        recorded.read(path)
+    with_cell(7, GYRO_Y, "x").astype({GYRO_Y: str}).to_parquet(path)
+    with pytest.raises(LogError, match=r"column gyro_y_rad_s: found .*, expected numbers"):
+        recorded.read(path)
+
+
+def test_a_missing_file_is_named(tmp_path: Path) -> None:
+    with pytest.raises(LogError, match=r"none\.csv: can't be read: No such file"):
+        recorded.read(tmp_path / "none.csv")
+
+
+def test_half_an_hour_at_100_hz_reads_in_two_seconds(tmp_path: Path) -> None:
+    """Of processor time."""
+    path = tmp_path / "log.csv"
+    recorded.write(resting(1847.0), path)
+    begin = time.process_time()
+    recorded.read(path)
+    assert time.process_time() - begin < 2.0

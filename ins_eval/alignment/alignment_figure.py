@@ -30,19 +30,17 @@ def draw(result: Alignment, path: Path, name: str = "") -> None:
     rows = figure.subplots(3, 1, sharex=True)
     for axes, (angle, column, color) in zip(rows, ANGLES, strict=True):
         value, band = euler[:, column], sigma[:, column]
-        axes.fill_between(
-            time, value - band, value + band, color=color, alpha=0.25, linewidth=0, label="1 sigma"
-        )
-        last = f"{value[-1]:.4f} ± {band[-1]:.4f} deg"
-        axes.plot(time, value, color=color, label=f"{angle}: {last}")
+        axes.fill_between(time, value - band, value + band, color=color, alpha=0.25, linewidth=0)
+        axes.plot(time, value, color=color)
         later = slice(round(SETTLING * len(time)), None)
         low, high = np.min((value - band)[later]), np.max((value + band)[later])
         axes.set_ylim(low - 0.1 * (high - low), high + 0.1 * (high - low))
         axes.set_ylabel(f"{angle}, deg")
         axes.ticklabel_format(useOffset=False)
         axes.grid(alpha=0.25)
-        axes.legend(loc="upper right")
-    rows[0].set_title(f"Alignment, {result.method}{f': {name}' if name else ''}")
+        last = f"{angle} {value[-1]:.4f} ± {band[-1]:.4f} deg (one sigma, band)"
+        axes.set_title(last, loc="left", fontsize="medium")
+    figure.suptitle(f"Alignment, {result.method}{f': {name}' if name else ''}")
     rows[-1].set_xlabel("time, s")
     rows[-1].set_xlim(time[0], time[-1])
     figure.savefig(path, dpi=120, metadata={"Software": None})

@@ -17,7 +17,7 @@ class AlignmentError(Exception):
 
 @dataclass(frozen=True)
 class Biases:
-    """Gyro (3,), rad/s, and accelerometer (3,), m/s^2, biases in body axes, estimated less zero.
+    """Gyro (3,), rad/s, and accelerometer (3,), m/s^2, biases as estimated, body axes.
 
     covariance: (6, 6) of the estimates' errors, gyros first.
     """

@@ -68,6 +68,16 @@ def test_result_does_not_depend_on_the_coarse_attitude_being_good() -> None:
     assert attitude_error(result.mat_nb, expected) == pytest.approx(np.zeros(3), abs=1e-4)
 
 
+@pytest.mark.parametrize("latitude", [-88.0, -60.0, 0.0, 70.0])
+@pytest.mark.parametrize("errors", [SensorErrors(), ERRORS])
+def test_anywhere_short_of_the_poles(latitude: float, errors: SensorErrors) -> None:
+    """At the dateline, where longitude jumps."""
+    position = np.array([latitude * DEG, 180 * DEG, 100.0])
+    result = align(still(300.0, 0.1, latitude * DEG), position, errors)
+    error = attitude_error(result.mat_nb, MAT_NB)
+    assert np.all(np.abs(error) < [1e-6, 1e-6, 1e-4])
+
+
 def test_history_ends_in_the_result() -> None:
     result = align(still(60.0, 0.1), POSITION, ERRORS)
     assert result.history is not None

@@ -1,0 +1,112 @@
+"""`hrg align`: attitude of a standing vehicle from a record of its IMU, with its one-sigma."""
+
+import argparse
+from pathlib import Path
+
+import numpy as np
+
+from fmu_build.cli import Command, UserError
+from ins_eval.alignment.align import align
+from ins_eval.imu.imu import Imu
+from ins_eval.increments import Increments
+from ins_eval.nav import align_report, sources
+from ins_eval.nav.flight import run_seeds
+from ins_eval.nav.options import number, whole
+from ins_eval.nav.place import FLAGS, Place, add_options, place, refuse_options_of_logs
+from ins_eval.nav.plan import WARM_UP
+from ins_eval.nav.records import Record
+from ins_eval.nav.refusals import REFUSALS
+from ins_eval.staging import staging
+
+TRAJECTORY = "car"
+"""Unless options say otherwise."""
+
+
+def _add_options(parser: argparse.ArgumentParser) -> None:
+    add = parser.add_argument
+    add("log", nargs="?", type=Path, metavar="FILE", help="recorded log of a standing vehicle; "
+        "without it, an IMU is simulated on one")  # fmt: skip
+    add("--imu", default="simple", metavar="NAME|FILE", help="ready IMU or IMU TOML: what is "
+        "simulated, or whose errors the one-sigma of a log rests on (default simple)")  # fmt: skip
+    add("--trajectory", metavar="NAME|FILE", help="where an IMU is simulated, before it sets off "
+        f"(default {TRAJECTORY})")  # fmt: skip
+    add("--from-s", help="where to begin in a log (default 0)")
+    add("--seconds", default="300", help="of the record that are used (default 300)")
+    add("--seed", help="of everything random (default 1)")
+    add("--out", type=Path, default=Path("hrg-align"), metavar="DIR", help="output folder "
+        "(default hrg-align)")  # fmt: skip
+    add_options(parser)
+
+
+def _run(options: argparse.Namespace) -> None:
+    seconds = number("--seconds", options.seconds, 10, 7200)
+    first = number("--from-s", options.from_s or "0", 0, 1e6)
+    seed = whole("--seed", options.seed or "1", 0, 2**63 - 1)
+    where = place(options)
+    try:
+        with staging(options.out, align_report.FILES) as folder:
+            imu = sources.imu(options.imu, None)
+            if options.log is None:
+                refuse_options_of_logs(options, ("--from-s", *FLAGS))
+                record = simulated(imu, options.trajectory or TRAJECTORY, seconds, seed)
+            else:
+                _refuse_options_of_simulations(options)
+                record = recorded(options.log, where, first, seconds)
+            alignment = align(record.increments, record.position, imu.errors)
+            align_report.write(record, alignment, imu.errors, folder)
+    except REFUSALS as error:
+        raise UserError(str(error)) from error
+    except OSError as error:
+        raise UserError(f"can't write {options.out}: {error.strerror or error}") from error
+    print(align_report.summary(record, alignment))
+    print(f"\nwritten to {options.out}: {', '.join(align_report.FILES)}")
+
+
+def recorded(path: Path, where: Place, first: float, seconds: float) -> Record:
+    """A stretch of a log.
+
+    Raises:
+        UserError: a log that is shorter, or does not say where it was recorded.
+    """
+    log, position = sources.log(path, where)
+    return Record(path.name, stretch(path, log.increments, first, seconds), position)
+
+
+def stretch(path: Path, increments: Increments, first: float, seconds: float) -> Increments:
+    """Increments from a time since the log's beginning on.
+
+    Raises:
+        UserError: a log that is shorter.
+    """
+    begin, count = (round(time / increments.interval) for time in (first, seconds))
+    if begin + count > len(increments):
+        raise UserError(
+            f"{path}: found {increments.duration:g} s, expected {first + seconds:g} s at least"
+        )
+    return increments.between(begin, begin + count)
+
+
+def simulated(imu: Imu, trajectory: str, seconds: float, seed: int) -> Record:
+    """What an IMU measures before a trajectory sets off, warmed up; the true attitude is known."""
+    interval = imu.interval
+    warm_up, count = round(WARM_UP / interval), round(seconds / interval)
+    still = (warm_up + count) * interval
+    truth = sources.trajectory(trajectory, still, 60.0)
+    increments = truth.increments(-still, interval, warm_up + count)
+    (run_seed,) = run_seeds(seed, 1)
+    measured = imu.measure(increments, run_seed).increments
+    start = truth.state(0.0)
+    position = np.array([start.latitude, start.longitude, start.height])
+    name = f"{imu.name} IMU, {truth.name}"
+    return Record(name, measured.between(warm_up, warm_up + count), position, start.mat_nb)
+
+
+def _refuse_options_of_simulations(options: argparse.Namespace) -> None:
+    for flag, value in (("--trajectory", options.trajectory), ("--seed", options.seed)):
+        if value is not None:
+            raise UserError(f"{flag}: is for simulated IMUs, and {options.log} is a recorded log")
+
+
+ALIGN = Command(
+    "find a standing vehicle's attitude from its IMU, with one-sigma", _add_options, _run
+)

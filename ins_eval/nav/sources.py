@@ -1,0 +1,114 @@
+"""What the command line names: trajectories, IMUs, recorded logs."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fmu_build.cli import UserError
+from ins_eval.imu import recorded, specification
+from ins_eval.imu.imu import Imu
+from ins_eval.imu.log import RecordedImu
+from ins_eval.nav.log_flight import Reference, at_rest
+from ins_eval.nav.place import Place
+from ins_eval.state import Track
+from ins_eval.trajectories import catalogue, recorded_drive
+from ins_eval.trajectories.errors import TrajectoryError
+from ins_eval.trajectories.trajectory import Knots, Trajectory
+
+Array = NDArray[np.float64]
+
+NONE, REST = "none", "rest"
+"""References of a log: no truth, or a vehicle that stood all the time."""
+
+
+def is_log(name: str) -> bool:
+    """Whether it names a recorded log: any file that is not an IMU's TOML."""
+    return Path(name).suffix not in ("", ".toml")
+
+
+def has_truth(reference: str | None) -> bool:
+    """Whether this reference of a log is one."""
+    return reference not in (None, NONE)
+
+
+def imu(name: str, rate: int | None) -> Imu:
+    """A ready IMU or one from a file, at its own rate or another, Hz.
+
+    Raises:
+        SpecificationError: none of them, or a file that is wrong.
+    """
+    found = specification.imu(name)
+    return found if rate is None else replace(found, interval=1 / rate)
+
+
+def trajectory(name: str, still: float, duration: float) -> Trajectory:
+    """A ready mission, a mission file or a recorded drive.
+
+    Raises:
+        TrajectoryError: none of them, a file that is wrong, or too short a mission.
+        UserError: a mission that starts in motion, to be aligned on.
+    """
+    try:
+        return catalogue.trajectory(name, still, duration)
+    except TrajectoryError as error:
+        if still > 0 and _flies(name, duration):
+            raise UserError(f"{error}; expected --start-from-truth") from error
+        raise
+
+
+def log(path: Path, place: Place) -> tuple[RecordedImu, Array]:
+    """A recorded log, and (3,) latitude, longitude (rad), height (m) that it was recorded at.
+
+    Raises:
+        LogError: an unreadable file, or one with something in it that can't be.
+        UserError: neither the log nor the options say where.
+    """
+    record = recorded.read(path)
+    if place.latitude_deg is None:
+        if record.position is None:
+            raise UserError(f"{path}: doesn't say where it was recorded; expected --latitude-deg")
+        return record, record.position
+    position = [np.deg2rad(place.latitude_deg), np.deg2rad(place.longitude_deg), place.height_m]
+    return record, np.array(position)
+
+
+def reference(name: str, position: Array, first: float, last: float) -> Reference | None:
+    """The truth of a log.
+
+    Args:
+        name: `NONE`, `REST`, or a recorded drive whose first row is at the log's beginning.
+        position: (3,) of the log.
+        first: of the log, s, counted from time 0: negative.
+        last: of the log, s.
+
+    Raises:
+        TrajectoryError: an unreadable drive, or one that is wrong.
+        UserError: a drive that is shorter than the log.
+    """
+    if name == NONE:
+        return None
+    if name == REST:
+        return at_rest(position)
+    drive = recorded_drive.read(Path(name))
+    if drive.time[-1] < last - first - 1e-6:
+        raise UserError(
+            f"{name}: lasts {drive.time[-1]:g} s; expected all of the log, {last - first:g} s"
+        )
+    return _by_spline(drive, first)
+
+
+def _by_spline(drive: recorded_drive.Drive, first: float) -> Callable[[Array], Track]:
+    knots = Knots(drive.time + first, *drive.position.T, *drive.euler.T)
+    return Trajectory(drive.name, knots).track
+
+
+def _flies(name: str, duration: float) -> bool:
+    """Whether it would do without standing still."""
+    try:
+        catalogue.trajectory(name, 0.0, duration)
+    except TrajectoryError:
+        return False
+    return True

@@ -1,0 +1,1 @@
+"""Results as labelled arrays, tables with units, and figures."""

@@ -1,0 +1,110 @@
+"""Flights as labelled arrays: `xarray` Datasets whose variables carry their units."""
+
+from collections.abc import Sequence
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from ins_eval.results import quantities
+from ins_eval.results.quantities import Quantity
+from ins_eval.state import Track, TrackError, track_error
+
+Array = NDArray[np.float64]
+
+POSITION, VELOCITY, ATTITUDE = slice(0, 3), slice(3, 6), slice(6, 9)
+"""Places in a covariance's first nine rows, as `TrackError` orders them."""
+
+
+def navigated(tracks: Sequence[Track]) -> xr.Dataset:
+    """What the navigator says, dimensions (run, time)."""
+    columns = np.stack([_state_columns(track) for track in tracks], axis=1)
+    return _dataset(tracks[0].time, quantities.NAVIGATED, columns)
+
+
+def against(tracks: Sequence[Track], truth: Track) -> xr.Dataset:
+    """Navigated and true states, and the errors between them.
+
+    Args:
+        tracks: of the runs, all at the truth's times.
+        truth: at the same times.
+
+    Raises:
+        ValueError: the times differ.
+    """
+    errors = np.stack([error_columns(track_error(track, truth)) for track in tracks], axis=1)
+    radial = np.hypot(errors[0], errors[1])[None]
+    return xr.merge(
+        [
+            navigated(tracks),
+            _dataset(truth.time, quantities.TRUE, _state_columns(truth)),
+            _dataset(truth.time, quantities.ERROR, errors),
+            _dataset(truth.time, (quantities.RADIAL_ERROR,), radial),
+        ]
+    )
+
+
+def own_error(track: Track, truth: Track) -> xr.Dataset:
+    """The navigator's own error: a flight on ideal increments from the true start."""
+    position = track_error(track, truth).position
+    return _dataset(truth.time, quantities.OWN, position.T)
+
+
+def sigmas(time: Array, covariance: Array) -> xr.Dataset:
+    """1-sigma of position, velocity and attitude.
+
+    Args:
+        time: (m,) s.
+        covariance: (m, k, k), k >= 9, of position (m), velocity (m/s), attitude (rad) north, east,
+            down in this order.
+    """
+    deviations = np.sqrt(np.diagonal(covariance, axis1=-2, axis2=-1)[:, :9]).T
+    deviations[ATTITUDE] = np.rad2deg(deviations[ATTITUDE])
+    cross = _dataset(time, (quantities.COVARIANCE,), covariance[:, 0, 1][None])
+    return xr.merge([_dataset(time, quantities.SIGMA, deviations), cross])
+
+
+def error_columns(error: TrackError) -> Array:
+    """(9, m) as `quantities.ERROR` names them: m, m/s, deg."""
+    return np.concatenate([error.position.T, error.velocity.T, np.rad2deg(error.attitude.T)])
+
+
+def _state_columns(track: Track) -> Array:
+    """(9, m) as `quantities.NAVIGATED` names them: deg, m, m/s."""
+    m = track.mat_nb
+    return np.stack(
+        [
+            np.rad2deg(track.position[:, 0]),
+            wrapped_deg(np.rad2deg(track.position[:, 1])),
+            track.position[:, 2],
+            *track.velocity.T,
+            np.rad2deg(np.arctan2(m[:, 1, 0], m[:, 0, 0])) % 360,
+            np.rad2deg(np.arcsin(np.clip(-m[:, 2, 0], -1, 1))),
+            np.rad2deg(np.arctan2(m[:, 2, 1], m[:, 2, 2])),
+        ]
+    )
+
+
+def wrapped_deg(longitude: Array) -> Array:
+    """To -180 (included) to 180 deg."""
+    return np.asarray((longitude + 180) % 360 - 180)
+
+
+def _dataset(time: Array, names: Sequence[Quantity], columns: Array) -> xr.Dataset:
+    """Columns (k, [run,] m) under their names."""
+    dims = ("time",) if columns.ndim == 2 else ("run", "time")
+    coordinates = {"time": ("time", time, _attributes(quantities.TIME))}
+    if columns.ndim == 3:
+        runs = np.arange(1, columns.shape[1] + 1)
+        coordinates["run"] = ("run", runs, _attributes(quantities.RUN))
+    return xr.Dataset(
+        {
+            quantity.name: (dims, column, _attributes(quantity))
+            for quantity, column in zip(names, columns, strict=True)
+        },
+        coordinates,
+    )
+
+
+def _attributes(quantity: Quantity) -> dict[str, str]:
+    return {"units": quantity.unit, "long_name": quantity.meaning}

@@ -1,0 +1,108 @@
+"""The figure of a flight's path: true and navigated on a map, and where they part at its end."""
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Ellipse
+from numpy.typing import NDArray
+
+from ins_eval.results.map_grid import lay_out, unwrapped_deg
+
+Array = NDArray[np.float64]
+
+TRUE_COLOR, NAVIGATED_COLOR = "black", "tab:blue"
+
+
+def map_figure(flights: xr.Dataset) -> Figure:
+    """Path of a Dataset as `flights.against` or `flights.navigated` gives it.
+
+    With a truth, a second map in metres shows the runs' errors at the end and their 1-sigma
+    ellipse where there is one.
+    """
+    known = "true_latitude" in flights
+    figure = Figure(figsize=(11, 5.5) if known else (6.5, 5.5), layout="constrained")
+    if known:
+        path, end = figure.subplots(1, 2, width_ratios=(1.35, 1))
+        _draw_end(end, flights)
+    else:
+        path = figure.add_subplot()
+    _draw_path(path, flights)
+    figure.suptitle(str(flights.attrs.get("title", "")))
+    return figure
+
+
+def _draw_path(axes: Axes, flights: xr.Dataset) -> None:
+    prefixes = ("", "true_") if "true_latitude" in flights else ("",)
+    near = float(flights["longitude"].values.flat[0])
+    latitudes, longitudes = [], []
+    for prefix in prefixes:
+        latitude = np.atleast_2d(flights[f"{prefix}latitude"].values)
+        longitude = [
+            unwrapped_deg(row, near) for row in np.atleast_2d(flights[f"{prefix}longitude"].values)
+        ]
+        _draw_lines(axes, latitude, np.stack(longitude), prefix == "true_")
+        latitudes.append(latitude.ravel())
+        longitudes.append(np.concatenate(longitude))
+    lay_out(axes, np.concatenate(latitudes), np.concatenate(longitudes))
+    _mark_ends(axes, latitudes[-1], longitudes[-1])
+    axes.legend(loc="best", fontsize="small", framealpha=0.9)
+    axes.set_title("path", fontsize="medium")
+
+
+def _draw_lines(axes: Axes, latitude: Array, longitude: Array, true: bool) -> None:
+    style: dict[str, Any] = {"color": TRUE_COLOR, "linewidth": 1.0, "zorder": 3, "label": "truth"}
+    if not true:
+        runs = len(latitude)
+        name = "navigated" if runs == 1 else f"navigated, {runs} runs"
+        thick = {"linewidth": 2.5} if runs == 1 else {"linewidth": 0.8, "alpha": 0.6}
+        style = {"color": NAVIGATED_COLOR, **thick, "label": name}
+    for number, (north, east) in enumerate(zip(latitude, longitude, strict=True)):
+        axes.plot(east, north, **{**style, "label": style["label"] if number == 0 else None})
+
+
+def _mark_ends(axes: Axes, latitude: Array, longitude: Array) -> None:
+    style: dict[str, Any] = {
+        "linestyle": "none",
+        "markersize": 8,
+        "markeredgecolor": "black",
+        "zorder": 4,
+    }
+    axes.plot(longitude[0], latitude[0], "o", color="tab:green", label="start", **style)
+    axes.plot(longitude[-1], latitude[-1], "s", color="tab:red", label="end", **style)
+
+
+def _draw_end(axes: Axes, flights: xr.Dataset) -> None:
+    last = flights.isel(time=-1)
+    east, north = (
+        np.atleast_1d(last["east_error"].values),
+        np.atleast_1d(last["north_error"].values),
+    )
+    reach = float(np.max(np.hypot(north, east)))
+    axes.plot(0, 0, "+", color=TRUE_COLOR, markersize=12, label="truth")
+    axes.plot(east, north, "o", color=NAVIGATED_COLOR, markersize=6, label="navigated")
+    if "north_sigma" in flights:
+        reach = max(reach, float(np.hypot(last["north_sigma"], last["east_sigma"])))
+        axes.add_patch(_ellipse(last))
+    limit = 1.25 * max(reach, 1e-4)
+    axes.set_xlim(-limit, limit)
+    axes.set_ylim(-limit, limit)
+    axes.set_aspect("equal")
+    axes.grid(alpha=0.3)
+    axes.set_xlabel("east error, m")
+    axes.set_ylabel("north error, m")
+    axes.set_title(f"at the end, after {float(last['time']) / 3600:.3g} h", fontsize="medium")
+    axes.legend(loc="best", fontsize="small", framealpha=0.9)
+
+
+def _ellipse(last: xr.Dataset) -> Ellipse:
+    """Of one sigma, by the linear model."""
+    cross = float(last["north_east_covariance"])
+    east, north = float(last["east_sigma"]) ** 2, float(last["north_sigma"]) ** 2
+    variances, axes = np.linalg.eigh(np.array([[east, cross], [cross, north]]))
+    width, height = 2 * np.sqrt(np.maximum(variances, 0))
+    angle = np.rad2deg(np.arctan2(axes[1, 0], axes[0, 0]))
+    label = "1-sigma, linear model (39 %)"
+    return Ellipse((0, 0), width, height, angle=angle, fill=False, color="tab:orange", label=label)

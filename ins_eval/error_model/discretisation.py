@@ -1,5 +1,7 @@
 """From rates of change to steps of a linear system; batched over steps."""
 
+from collections.abc import Iterator
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import expm
@@ -27,10 +29,12 @@ def van_loan(f: Array, density: Array, step: float) -> tuple[Array, Array]:
     return phi, 0.5 * (gained + np.swapaxes(gained, -1, -2))
 
 
-def to_end_of_step(f: Array, step: float, parts: int) -> Array:
-    """(parts + 1, n, k, k) transitions to the end of a step from equally spaced moments of it."""
+def to_end_of_step(f: Array, step: float, parts: int) -> Iterator[Array]:
+    """Transitions (n, k, k) to the end of a step from its equally spaced moments, the last
+    first: parts + 1 of them."""
     part = expm(f * (step / parts))
-    transitions = [np.broadcast_to(np.eye(f.shape[-1]), f.shape)]
+    transition = np.broadcast_to(np.eye(f.shape[-1]), f.shape)
+    yield transition
     for _ in range(parts):
-        transitions.append(transitions[-1] @ part)
-    return np.stack(transitions[::-1])
+        transition = transition @ part
+        yield transition

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from ins_eval.error_model.discretisation import to_end_of_step, van_loan
 from ins_eval.error_model.dynamics import dynamics, free_states, sensor_inputs
 from ins_eval.error_model.effects import BIASES, Effect
-from ins_eval.error_model.motion import BOOLE, PARTS, Motion, by_step, step_mean
+from ins_eval.error_model.motion import BOOLE, PARTS, Motion, step_mean
 from ins_eval.error_model.states import ATTITUDE, COUNT, POSITION, VELOCITY
 from ins_eval.navigation.height import Height
 from ins_eval.sensor_errors import SensorErrors
@@ -84,17 +84,15 @@ def assembled(
     the turning of the sensors within a step is integrated by Boole's rule.
     """
     transition, gained = van_loan(f, step_mean(_density(g, noise or SensorErrors())), motion.step)
-    carried = _carried_to_end(f, g, motion.step)
-    regressors = np.ones((len(g), 0, AXES))
-    if effects:
-        regressors = np.stack([effect.regressor(motion) for effect in effects], axis=1)
-    sensors = np.array([0 if effect.sensor == "gyro" else AXES for effect in effects], dtype=int)
-    columns = sensors[:, None] + np.arange(AXES)
-    at_step = by_step(regressors)
+    regressors, columns = _signals(effects, motion)
     inputs = np.zeros((len(f), COUNT, len(effects), AXES))
-    for node in range(PARTS + 1):
-        inputs += carried[node][:, :, columns] * at_step[:, None, node]
-    return LinearModel(motion.time, tuple(effects), transition, inputs, carried.sum(axis=0), gained)
+    constant = np.zeros((len(f), COUNT, 2 * AXES))
+    for back, to_end in enumerate(to_end_of_step(f, motion.step, PARTS)):
+        node = slice(PARTS - back, len(g) - back, PARTS)
+        carried = motion.step * BOOLE[back] * (to_end @ g[node])
+        inputs += carried[:, :, columns] * regressors[node, None]
+        constant += carried
+    return LinearModel(motion.time, tuple(effects), transition, inputs, constant, gained)
 
 
 def joined(first: LinearModel, then: LinearModel) -> LinearModel:
@@ -164,14 +162,17 @@ def as_track_error(time: Array, errors: Array) -> TrackError:
     return TrackError(time, errors[:, POSITION], errors[:, VELOCITY], errors[:, ATTITUDE])
 
 
+def _signals(effects: Sequence[Effect], motion: Motion) -> tuple[Array, NDArray[np.intp]]:
+    """(m, e, 3) regressors at the nodes, and which of the six sensors (e, 3) they belong to."""
+    regressors = np.empty((len(motion.mat_nb), len(effects), AXES))
+    sensors = np.empty((len(effects), AXES), dtype=np.intp)
+    for number, effect in enumerate(effects):
+        regressors[:, number] = effect.regressor(motion)
+        sensors[number] = np.arange(AXES) + (AXES if effect.sensor == "accelerometer" else 0)
+    return regressors, sensors
+
+
 def _density(g: Array, noise: SensorErrors) -> Array:
     """(m, 10, 10) density of white noise on the states, at the nodes."""
     walks = np.repeat([noise.angle_random_walk, noise.velocity_random_walk], AXES)
     return np.einsum("nij,j,nkj->nik", g, walks**2, g)
-
-
-def _carried_to_end(f: Array, g: Array, step: float) -> Array:
-    """(5, n, 10, 6) what each node adds to the end of its step, per unit error of the sensors."""
-    weights = step * BOOLE[:, None, None, None]
-    at_nodes = np.swapaxes(by_step(g), 0, 1)
-    return np.asarray(weights * (to_end_of_step(f, step, PARTS) @ at_nodes))

@@ -49,15 +49,11 @@ class Motion:
         return np.asarray(self.start + self.step * np.arange(len(self) + 1.0))
 
 
-def by_step(at_nodes: Array) -> Array:
-    """(n, 5, ...) nodes of each step, from (m, ...)."""
-    steps = (len(at_nodes) - 1) // PARTS
-    return at_nodes[PARTS * np.arange(steps)[:, None] + np.arange(PARTS + 1)]
-
-
 def step_mean(at_nodes: Array) -> Array:
     """(n, ...) means over the steps, from (m, ...)."""
-    return np.asarray(np.tensordot(by_step(at_nodes), BOOLE, axes=(1, 0)))
+    first = len(at_nodes) - PARTS
+    parts = (w * at_nodes[k : first + k : PARTS] for k, w in enumerate(BOOLE))
+    return np.asarray(sum(parts))
 
 
 def along(trajectory: Trajectory, start: float, step: float, count: int) -> Motion:

@@ -88,7 +88,7 @@ def test_a_z_axis_that_points_down_is_named(tmp_path: Path) -> None:
     header = HEADER.replace("300.0", "1.0")
     recorded.read(write(tmp_path, header + "0 0 0 0 0 10000\n" * 20))
     path = write(tmp_path, header + "0 0 0 0 0 -10000\n" * 20)
-    with pytest.raises(LogError, match="column a_x .*is z down where up is meant"):
+    with pytest.raises(LogError, match=r"column a_x .*is z down where up is meant"):
         recorded.read(path)
     assert recorded.read(path, trusted=True).increments.velocity[0, 2] > 0
 

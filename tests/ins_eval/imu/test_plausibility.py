@@ -55,6 +55,7 @@ MIXED_UP = [
     (scaled(FORCE, 0.01), "are increments given where rates are meant"),
     (renamed("m_s2", "g"), "accelerometer_x_g .* is m/s2 given where g is meant"),
     (lambda t: renamed("accelerometer", "velocity")(renamed("m_s2", "m_s")(t)), "are rates given"),
+    (scaled(FORCE, 0), "found nothing but 0, expected about 9.81 m/s2: are the acc"),
     (scaled(FORCE, -1), "is z up where down is meant, or the sign reversed"),
     (scaled(GYRO, 1 / DEG), "gyro_x_rad_s .* are degrees given where radians are meant"),
     (scaled(GYRO, 3600 / DEG), "are degrees per hour given"),

@@ -67,8 +67,8 @@ def decomposed(
     """The error of the sensors, by family of effects, in the motion's steps.
 
     Each axis is fitted by ordinary least squares to the effects' signals along the motion; what
-    signals have in common goes to them as the least coefficients. The parts, `REST` among them,
-    sum to the whole.
+    signals have in common goes to them as the least coefficients: a gyro whose pattern moves by a
+    degree can't tell its bias from its map. The parts, `REST` among them, sum to the whole.
 
     Raises:
         ValueError: an error that doesn't span the motion.

@@ -120,7 +120,7 @@ def _effects(still: float, warm_up: float) -> list[Effect]:
 def _growing(effect: Effect, still: float, warm_up: float) -> Effect:
     def regressor(motion: Motion) -> Array:
         nodes = len(motion.rate)
-        time = motion.start + np.arange(nodes) * (motion.step * len(motion) / (nodes - 1))
+        time = np.linspace(motion.start, motion.start + motion.step * len(motion), nodes)
         return np.asarray(effect.regressor(motion) * warmth(time, still, warm_up)[:, None])
 
     return replace(effect, name=f"{effect.name}, warming", regressor=regressor)

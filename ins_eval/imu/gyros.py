@@ -18,12 +18,12 @@ from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias import full_circumference
 from pyhrg.device_file import DeviceError
 from pyhrg.device_keys import KEYS
-from pyhrg.fmu import GyroFmu
+from pyhrg.fmu import GyroError, GyroFmu
 from pyhrg.parameters import TABLE2, TYPICAL, Device
 
 Array = NDArray[np.float64]
 
-__all__ = ["DeviceError", "FmuGyros", "device", "difference", "measured"]
+__all__ = ["DeviceError", "FmuGyros", "GyroError", "device", "difference", "measured"]
 
 
 @dataclass(frozen=True)

@@ -1,10 +1,12 @@
 """Figures of merit of position errors, with their intervals."""
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 from scipy.special import erf
-from scipy.stats import binom
+from scipy.stats import binom, ttest_1samp
 
 Array = NDArray[np.float64]
 
@@ -50,3 +52,29 @@ def median_radius(covariance: Array) -> float:
         return float(share - 0.5)
 
     return float(brentq(excess, 0.1, 10.0, xtol=1e-12) * major)
+
+
+@dataclass(frozen=True)
+class PairedRatio:
+    """Geometric mean of a sample's ratios to another, with its 95 % interval."""
+
+    value: float
+    low: float
+    high: float
+
+    def __str__(self) -> str:
+        return f"{self.value:.3g} (95 %: {self.low:.3g} to {self.high:.3g})"
+
+
+def paired_ratio(sample: ArrayLike, reference: ArrayLike) -> PairedRatio:
+    """Of positive samples (n,) of the same things, pair by pair: Student's t on the logarithms.
+
+    The logarithm of a radial error's ratio is close to normal where that of the ratio is far from
+    it. Pairs that are equal throughout give an interval of no width.
+    """
+    logarithm = np.log(np.asarray(sample, dtype=float) / np.asarray(reference, dtype=float))
+    mean = float(np.mean(logarithm))
+    if np.ptp(logarithm) == 0:
+        return PairedRatio(*[float(np.exp(mean))] * 3)
+    low, high = ttest_1samp(logarithm, 0.0).confidence_interval(0.95)
+    return PairedRatio(*(float(np.exp(value)) for value in (mean, low, high)))

@@ -17,11 +17,14 @@ from ins_eval.trajectories.weave import Weave
 from pyhrg.units import DEG_PER_H
 
 HOUR = 3600
+RATES = (10, 20, 40, 80)
+"""Of increments, Hz."""
 FLIGHTS: tuple[Callable[[], Flight], ...] = (
     lambda: weaving(Weave(), HOUR, 100),
     lambda: weaving(Weave(), HOUR, 200),
     lambda: weaving(Weave(speed=200.0), 600, 100),
     lambda: static(HOUR, 100),
+    lambda: static(24 * HOUR, 20),
     lambda: coning(np.deg2rad(1.0), 2.0, HOUR, 100),
 )
 
@@ -42,6 +45,18 @@ def compare(flight: Flight) -> None:
     for name, track in flown.items():
         metres, drift = figures(flight, track)
         print(f"  {name:<12}{1e3 * metres:14.4g} mm {drift / DEG_PER_H:12.2e} deg/h", flush=True)
+
+
+def orders() -> None:
+    """Print how the error falls with the step, on a weave of 20 min."""
+    print("\nlargest horizontal error, mm   " + "".join(f"{rate:>9} Hz" for rate in RATES))
+    errors = []
+    for rate in RATES:
+        flight = weaving(Weave(), 1200, rate)
+        errors.append([1e3 * figures(flight, flight.flown(n))[0] for n in SAMPLES])
+    for n, found in zip(SAMPLES, np.array(errors).T, strict=True):
+        order = -np.polyfit(np.log(RATES), np.log(found), 1)[0]
+        print(f"  {n} samples, order {order:.1f}         " + "".join(f"{x:12.3g}" for x in found))
 
 
 def throughput() -> None:
@@ -68,6 +83,7 @@ def main() -> None:
         print("no pyins here: pip install git+https://github.com/nmayorov/pyins")
     for flight in FLIGHTS:
         compare(flight())
+    orders()
     throughput()
 
 

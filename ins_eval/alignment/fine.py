@@ -68,8 +68,7 @@ def fine_alignment(
     Raises:
         AlignmentError: too short a record, or one whose attitude does not settle.
     """
-    run, sway = settled(record, position, errors, coarse, sway)
-    result = filtered(run, errors, sway)
+    run, result, sway = settled(record, position, errors, coarse, sway)
     attitude, both = standing.ATTITUDE, slice(standing.GYRO.start, standing.ACCELEROMETER.stop)
     mat_nb = corrected(run.track.mat_nb, result.state[:, attitude])
     covariance = result.covariance[:, attitude, attitude]
@@ -89,7 +88,7 @@ def fine_alignment(
 
 def settled(
     record: Increments, position: Array, errors: SensorErrors, coarse: Array, sway: float | None
-) -> tuple[Reckoning, float]:
+) -> tuple[Reckoning, Filtered, float]:
     """Dead reckoning whose errors are small enough for the linear model; the sway, m.
 
     Raises:
@@ -101,10 +100,10 @@ def settled(
         run = reckoned(record, position, mat_nb, each)
         if sway is None:
             sway = likeliest_sway(run, errors)
-        last = filtered(run, errors, sway).state[-1]
-        first = run.first_error(last)[standing.ATTITUDE]
+        result = filtered(run, errors, sway)
+        first = run.first_error(result.state[-1])[standing.ATTITUDE]
         if np.linalg.norm(first) < SETTLED:
-            return run, sway
+            return run, result, sway
         mat_nb = corrected(mat_nb, first)
     raise AlignmentError(
         f"attitude still off by {np.rad2deg(np.linalg.norm(first)):.2g} deg "

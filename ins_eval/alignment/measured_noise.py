@@ -60,7 +60,7 @@ def measured_noise(record: Increments, position: Array, errors: SensorErrors) ->
         )
     guess = _with_walks(errors, np.log(FIRST_GUESS))
     coarse = inertial_frame_fit(record, position).mat_ib
-    run, sway = settled(record, position, guess, coarse, None)
+    run, _, sway = settled(record, position, guess, coarse, None)
     found = minimize(
         lambda x: -_log_likelihood(run, errors, x),
         np.log([*FIRST_GUESS, sway]),

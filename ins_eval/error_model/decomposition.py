@@ -88,9 +88,10 @@ def decomposed(
     """The error of the sensors, by family of effects, in the motion's steps.
 
     Each axis is fitted to the effects' signals along the motion. Without a prior by ordinary least
-    squares: on motions along which signals are nearly alike, large parts cancel. With one to the
-    likeliest coefficients, so that what signals have in common goes to those that it is expected
-    of. The parts, `REST` among them, sum to the whole.
+    squares; where signals are nearly alike, large parts cancel: a gyro whose pattern moves by a
+    degree can't tell its bias from its map. With one to the likeliest coefficients, so that what
+    signals have in common goes to those that it is expected of. The parts, `REST` among them, sum
+    to the whole.
 
     Raises:
         ValueError: an error that doesn't span the motion.

@@ -16,6 +16,7 @@ from ins_eval.sensor_errors import SensorErrors
 from pyhrg import device_file, theory
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias import full_circumference
+from pyhrg.bench.dynamic.start_up import START
 from pyhrg.device_file import DeviceError
 from pyhrg.device_keys import KEYS
 from pyhrg.fmu import GyroError, GyroFmu
@@ -24,6 +25,10 @@ from pyhrg.parameters import TABLE2, TYPICAL, Device
 Array = NDArray[np.float64]
 
 __all__ = ["DeviceError", "FmuGyros", "GyroError", "device", "difference", "measured"]
+
+AMPLITUDE_TOLERANCE = 1e-3
+"""Of a gyro that is ready, relative to its set point: while the amplitude still grows, the output
+is valid, but the force that raises it is misaimed and turns the pattern by degrees an hour."""
 
 
 @dataclass(frozen=True)
@@ -35,6 +40,8 @@ class FmuGyros:
     (`Device.another`);
     differences: fields of `Device` by gyro, what each has for certain;
     calibrated: whether the maker has measured each one's mean bias and takes it out;
+    start_up: whether the record begins at power-on, with the gyros' start-up, instead of gyros
+    that vibrate in full from the first moment on;
     fmu: the model; if None, the one of the present sources, built where it isn't there.
     """
 
@@ -42,6 +49,7 @@ class FmuGyros:
     own_axes: bool = True
     differences: tuple[Mapping[str, Any], ...] = field(default=({}, {}, {}), hash=False)
     calibrated: bool = True
+    start_up: bool = False
     fmu: GyroFmu | None = None
 
     def devices(self, generator: np.random.Generator) -> list[Device]:
@@ -66,7 +74,10 @@ class FmuGyros:
                 f"control period, {self.device.control_period:g} s"
             )
         fmu = self.fmu or GyroFmu(built_fmu())
-        return measured(fmu, self.devices(generator), truth, mounting, generator, self.calibrated)
+        devices = self.devices(generator)
+        if self.start_up:
+            devices = [starting_up(each) for each in devices]
+        return measured(fmu, devices, truth, mounting, generator, self.calibrated)
 
     @property
     def errors(self) -> SensorErrors:
@@ -128,12 +139,15 @@ def measured(
     benches = [Bench(fmu, device, seed=int(generator.integers(2**63))) for device in devices]
     sensed = mounting.sensed(truth.rotation)
     rotation, pattern = np.empty_like(sensed), np.empty_like(sensed)
+    ready = np.ones(len(truth), dtype=bool)
     for axis, bench in enumerate(benches):
-        force = truth.velocity @ case_axes(mounting.axes[axis]).T / truth.interval
+        force = case_force(truth, mounting.axes[axis])
         bias = mean_bias(bench) if calibrated else 0.0
-        angle, pattern[:, axis] = flown(bench, sensed[:, axis], force, truth.interval)
-        rotation[:, axis] = np.diff(angle, prepend=0.0) - bias * truth.interval
-    return GyroReading(rotation, pattern)
+        flight = flown(bench, sensed[:, axis], force, truth.interval)
+        rotation[:, axis] = flight.rotation - bias * truth.interval
+        pattern[:, axis] = flight.pattern_angle
+        ready &= flight.ready
+    return GyroReading(rotation, pattern, ready)
 
 
 def mean_bias(bench: Bench) -> float:
@@ -144,8 +158,28 @@ def mean_bias(bench: Bench) -> float:
     return full_circumference.mean_bias(calibration)
 
 
-def flown(bench: Bench, rotation: Array, force: Array, interval: float) -> tuple[Array, Array]:
-    """Angle of gyro and pattern (n,), rad, at the end of each interval.
+def starting_up(device: Device) -> Device:
+    """The gyro as it vibrates at power-on: as in the bench's start-up test, unless it says how."""
+    return replace(device, model={**START, **device.model})
+
+
+@dataclass(frozen=True)
+class GyroFlight:
+    """What one gyro makes of a motion from power-on on.
+
+    rotation: (n,) increments, rad; pattern_angle: (n,) at the end of each interval, rad; valid:
+    (n,) whether the output then is, as the gyro itself says; ready: (n,) whether it is and the
+    amplitude is within `AMPLITUDE_TOLERANCE`.
+    """
+
+    rotation: Array
+    pattern_angle: Array
+    valid: NDArray[np.bool_]
+    ready: NDArray[np.bool_]
+
+
+def flown(bench: Bench, rotation: Array, force: Array, interval: float) -> GyroFlight:
+    """Switch a gyro on and move it; the same bench gives the same noise.
 
     Args:
         bench: the gyro.
@@ -157,8 +191,17 @@ def flown(bench: Bench, rotation: Array, force: Array, interval: float) -> tuple
     inputs |= {f"acceleration{axis}": force[:, i] for i, axis in enumerate("XYZ")}
     moving = {name: values[:, None] for name, values in inputs.items()}
     with bench.power_on("flight") as gyro:
-        ends, _ = gyro.record(moving, {}, interval, ["gyroAngle", "patternAngle"])
-    return ends[:, 0], ends[:, 1]
+        outputs = ["gyroAngle", "patternAngle", "valid", "amplitude"]
+        ends, _ = gyro.record(moving, {}, interval, outputs)
+    angle, pattern, valid, amplitude = ends.T
+    grown = np.abs(amplitude / bench.device.amplitude - 1) <= AMPLITUDE_TOLERANCE
+    says = valid == 1
+    return GyroFlight(np.diff(angle, prepend=0.0), pattern.copy(), says, says & grown)
+
+
+def case_force(truth: Increments, input_axis: Array) -> Array:
+    """(n, 3) mean specific force along the axes of a gyro's case, m/s^2; see `case_axes`."""
+    return np.asarray(truth.velocity @ case_axes(input_axis).T / truth.interval)
 
 
 def case_axes(input_axis: Array) -> Array:

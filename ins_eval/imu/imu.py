@@ -16,10 +16,12 @@ from pyhrg.units import STANDARD_GRAVITY
 @dataclass(frozen=True)
 class Measured:
     """increments: body axes; pattern_angle: (n, 3) of the gyros at the end of each interval, rad,
-    if they have a pattern."""
+    if they have a pattern; ready: (n,) whether all gyros measure as they are meant to then, if they
+    start up."""
 
     increments: Increments
     pattern_angle: NDArray[np.float64] | None
+    ready: NDArray[np.bool_] | None = None
 
 
 @dataclass(frozen=True)
@@ -63,7 +65,7 @@ class Imu:
         increments = Increments(
             truth.interval, mounting.decoded(reading.rotation), velocity, truth.start
         )
-        return Measured(increments, reading.pattern_angle)
+        return Measured(increments, reading.pattern_angle, reading.ready)
 
     @property
     def errors(self) -> SensorErrors:

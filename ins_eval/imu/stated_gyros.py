@@ -17,10 +17,12 @@ Array = NDArray[np.float64]
 @dataclass(frozen=True)
 class GyroReading:
     """rotation: (n, 3) increments about the input axes, rad; pattern_angle: (n, 3) at the end of
-    each interval, rad, of gyros that have a pattern."""
+    each interval, rad, of gyros that have a pattern; ready: (n,) whether all three measure as they
+    are meant to then, of gyros that start up."""
 
     rotation: Array
     pattern_angle: Array | None = None
+    ready: NDArray[np.bool_] | None = None
 
 
 class Gyros(Protocol):

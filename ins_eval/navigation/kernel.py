@@ -79,12 +79,15 @@ def transport_rate(average: Vector, place: Place) -> Vector:
 
 
 @compiled
-def axes_turn(average: Vector, change: Vector, place: Place, step: float) -> tuple[Vector, Vector]:
+def axes_turn(
+    average: Vector, change: Vector, place: Place, step: float, clamped: bool
+) -> tuple[Vector, Vector]:
     """What turning axes do over a step.
 
     Args:
         average: mean velocity, for axes that do not turn; corrected in here.
         change: velocity change by specific force.
+        clamped: whether the mean velocity down is given, and right as it is.
 
     Returns:
         Rotation vector of the navigation axes against inertial ones; velocity change by Coriolis
@@ -97,7 +100,8 @@ def axes_turn(average: Vector, change: Vector, place: Place, step: float) -> tup
         turn = scaled(step, add(omega_ie, omega_en))
         coriolis = scaled(-step, cross(add(scaled(2.0, omega_ie), omega_en), mean))
         bend = add(scaled(0.5, coriolis), scaled(-1 / 6, cross(turn, change)))
-        mean = (average[0] + bend[0], average[1] + bend[1], average[2])
+        sink = average[2] if clamped else average[2] + bend[2]
+        mean = (average[0] + bend[0], average[1] + bend[1], sink)
     return turn, coriolis
 
 
@@ -196,7 +200,7 @@ def navigate(
         down = mean_down(channel, k, step, vel[2] + moving[2], gravity)
         average = (vel[0] + moving[0], vel[1] + moving[1], down)
         place = place_midway(latitude, height, average, step)
-        turn, coriolis = axes_turn(average, change, place, step)
+        turn, coriolis = axes_turn(average, change, place, step, channel.clamped)
         change, moving = seen_from_turning_axes(change, moving, turn)
         change, moving = add(change, coriolis), add(moving, scaled(0.5, coriolis))
 

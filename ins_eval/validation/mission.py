@@ -1,4 +1,8 @@
-"""One vehicle's flight: alignment at rest, then dead reckoning, against the truth."""
+"""One vehicle's mission: power-on and alignment at rest, then dead reckoning, against the truth.
+
+Five minutes from power-on to the end of alignment (paper, 2.3). The gyros' own start-up lies within
+them: alignment uses the record from the moment on at which the last gyro is ready.
+"""
 
 from dataclasses import dataclass
 
@@ -9,6 +13,7 @@ from ins_eval.alignment.analytic import static_alignment
 from ins_eval.increments import Increments
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
+from ins_eval.rotation import euler_from_mat
 from ins_eval.state import State, position_error
 from ins_eval.trajectories.trajectory import Trajectory
 
@@ -16,11 +21,8 @@ Array = NDArray[np.float64]
 
 INTERVAL = 0.01
 """Of the IMU's increments, s."""
-WARM_UP = 20.0
-"""Time from power-on to the beginning of alignment, s."""
-ALIGNMENT = 300.0
-"""Duration of static alignment, s; it ends at time 0, where navigation begins."""
-STILL = WARM_UP + ALIGNMENT
+STILL = 300.0
+"""From power-on, at rest, to time 0, at which alignment ends and navigation begins, s."""
 KEPT = 60.0
 """Time between kept positions, s."""
 
@@ -41,22 +43,60 @@ class Mission:
     start: Array
     """(3,) position at time 0."""
 
-    def fly(self, measured: Increments) -> Array:
-        """Align and navigate on measured increments.
+    @property
+    def hours(self) -> float:
+        """From time 0 to the end."""
+        return float(self.time[-1]) / 3600
+
+    def align(self, measured: Increments, ready: float = -STILL) -> Array:
+        """`mat_nb` (3, 3) at time 0.
 
         Args:
-            measured: over the same intervals as `truth`.
+            measured: over the same intervals as `truth`; none after time 0 is looked at.
+            ready: time from which on all gyros are ready, s.
+        """
+        first, zero = int(np.ceil((ready + STILL) / INTERVAL - 1e-6)), round(STILL / INTERVAL)
+        return static_alignment(measured.between(first, zero), float(self.start[0]))
+
+    def heading_error(self, measured: Increments, ready: float = -STILL) -> float:
+        """Of the alignment, clockwise, rad; arguments as for `align`."""
+        heading, true = (
+            euler_from_mat(mat)[2] for mat in (self.align(measured, ready), self.align(self.truth))
+        )
+        return float(np.remainder(heading - true + np.pi, 2 * np.pi) - np.pi)
+
+    def fly(self, measured: Increments, ready: float = -STILL) -> Array:
+        """Align and navigate on measured increments; arguments as for `align`.
 
         Returns:
             (m, 2) north and east position error at the times `time`, m.
         """
-        first, zero = round(WARM_UP / INTERVAL), round(STILL / INTERVAL)
-        mat_nb = static_alignment(measured.between(first, zero), float(self.start[0]))
         latitude, longitude, height = map(float, self.start)
+        mat_nb = self.align(measured, ready)
         state = State(latitude, longitude, height, np.zeros(3), mat_nb)
-        flight = measured.between(zero, len(measured))
+        flight = measured.between(round(STILL / INTERVAL), len(measured))
         track = navigate(state, flight, Clamped(self.height), round(KEPT / INTERVAL))
         return position_error(track.position, self.position)[:, :2]
+
+
+class StartUpError(Exception):
+    """Gyros aren't ready when alignment ends."""
+
+
+def since(good: NDArray[np.bool_] | None) -> float:
+    """Time from which on, until time 0, every interval of a record from power-on is good, s; None
+    are good throughout.
+
+    Raises:
+        StartUpError: the last one before time 0 isn't.
+    """
+    if good is None:
+        return -STILL
+    rest = round(STILL / INTERVAL)
+    first = int(np.max(np.flatnonzero(~good[:rest]), initial=-1)) + 1
+    if first == rest:
+        raise StartUpError(f"gyros are not ready {STILL:g} s after power-on, when alignment ends")
+    return first * INTERVAL - STILL
 
 
 def mission(trajectory: Trajectory, hours: float) -> Mission:

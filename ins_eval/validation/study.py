@@ -1,9 +1,7 @@
 """The experiment: bench one gyro, fly triads of its kind, compare promise and outcome."""
 
-import os
 import threading
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,12 +12,14 @@ from ins_eval.imu.accelerometers import TYPICAL_ACCELEROMETERS
 from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.triad import Triad
-from ins_eval.validation.mission import Mission
+from ins_eval.parallel import in_parallel
+from ins_eval.validation.mission import Mission, since
 from ins_eval.validation.prediction import bias_sensitivity, predicted_radial_error
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias import fixed_position, full_circumference
 from pyhrg.bench.bias.bias_test import BiasTest
 from pyhrg.bench.bias.comparison import bias_table
+from pyhrg.campaign import Test
 from pyhrg.fmu import GyroFmu
 from pyhrg.parameters import TYPICAL, Device
 
@@ -88,28 +88,22 @@ def validate(
     power_ons = fixed_position.power_ons(bench)
     power_ons += full_circumference.power_ons(bench, full_circumference.SHORTEST)
     sensitivity = bias_sensitivity(mission)
-    imu = Imu(FmuGyros(device, fmu=fmu), accelerometers, mission.truth.interval)
+    imu = Imu(FmuGyros(device, start_up=True, fmu=fmu), accelerometers, mission.truth.interval)
     stop = threading.Event()
     fmu.stop = stop
 
     def fly(seeds: np.random.SeedSequence) -> Array:
-        error = mission.fly(imu.measure(mission.truth, seeds).increments)
+        measured = imu.measure(mission.truth, seeds)
+        error = mission.fly(measured.increments, since(measured.ready))
         return np.asarray(np.hypot(error[:, 0], error[:, 1]))
 
-    logs, flown = [], []
-    with ThreadPoolExecutor(workers or len(os.sched_getaffinity(0))) as pool:
-        try:
-            benched = pool.map(bench.log, power_ons)
-            flights = pool.map(fly, flight_seed.spawn(triads))
-            for test in benched:
-                logs.append(test)
-                done(round(test.log.time[-1] / 60))
-            for radial in flights:
-                flown.append(radial)
-                done(3 * len(mission.time))
-        except BaseException:
-            stop.set()
-            raise
+    def benched(test: Test) -> None:
+        done(round(test.log.time[-1] / 60))
+
+    fmu.prepare()
+    logs = in_parallel(bench.log, power_ons, stop, workers, benched)
+    triad_seeds = flight_seed.spawn(triads)
+    flown = in_parallel(fly, triad_seeds, stop, workers, lambda _: done(3 * len(mission.time)))
     campaign = bench.campaign(logs)
     old, new = fixed_position.measured(campaign), full_circumference.measured(campaign)
 
@@ -119,7 +113,7 @@ def validate(
     return Validation(
         seed=seed,
         mission=mission.name,
-        hours=float(mission.time[-1]) / 3600,
+        hours=mission.hours,
         fixed_position=old,
         full_circumference=new,
         time=mission.time,

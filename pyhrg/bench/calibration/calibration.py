@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from matplotlib.figure import Figure
 
-from pyhrg.bench.bench import Bench
+from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias import full_circumference
 from pyhrg.bench.bias.bias_test import RUNS, bias_test
 from pyhrg.bench.bias.full_circumference import SEGMENTS, power_ons, runs_of
@@ -29,7 +29,7 @@ from pyhrg.bench.outcome import Finding, Outcome, mean_finding
 from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.readings.segments import Segments
 from pyhrg.bench.scale_factor import rate_tests
-from pyhrg.bench.scale_factor.rate_tests import exclusions, record_turns
+from pyhrg.bench.scale_factor.rate_tests import exclusions, turn_power_ons
 from pyhrg.bench.scale_factor.scale_factor import SCALE
 from pyhrg.campaign import Campaign, Test
 from pyhrg.device import Device
@@ -62,9 +62,14 @@ def record(
 
 
 def measure(bench: Bench, plan: Plan | None, runs: int, segments: int) -> list[Test]:
+    """Make the power-ons of `measurements`."""
+    return bench.run(measurements(bench, plan, runs, segments))
+
+
+def measurements(bench: Bench, plan: Plan | None, runs: int, segments: int) -> list[PowerOn]:
     """Positions, and turns both ways."""
-    positions = bench.run(power_ons(bench, plan, runs, segments))
-    return [*positions, *record_turns(bench, RATE, PERIODS, runs)]
+    turns = turn_power_ons(bench, RATE, PERIODS, runs)
+    return [*power_ons(bench, plan, runs, segments), *turns]
 
 
 def applied(device: Device, found: Calibration, angle: float = 0.0) -> Device:

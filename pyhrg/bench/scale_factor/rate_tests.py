@@ -50,6 +50,11 @@ def exclusions(campaign: Campaign, *kinds: str) -> tuple[str, ...]:
 
 
 def record_turns(bench: Bench, rate: float, periods: int, runs: int = RUNS) -> list[Test]:
+    """Make the power-ons of `turn_power_ons`."""
+    return bench.run(turn_power_ons(bench, rate, periods, runs))
+
+
+def turn_power_ons(bench: Bench, rate: float, periods: int, runs: int = RUNS) -> list[PowerOn]:
     """Power-ons in which the table turns by whole periods of the pattern, each way in its own."""
     tasks = []
     for way, sign in (("pos", 1), ("neg", -1)):
@@ -58,4 +63,4 @@ def record_turns(bench: Bench, rate: float, periods: int, runs: int = RUNS) -> l
         course.spin(sign * rate, np.ceil(duration / INTERVAL) * INTERVAL)
         name = f"rate_{rate / DEG:g}dps_{way}"
         tasks += [PowerOn(f"{name}_{run + 1}", KIND, course) for run in range(runs)]
-    return bench.run(tasks)
+    return tasks

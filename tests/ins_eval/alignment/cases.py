@@ -36,25 +36,59 @@ def still(seconds: float, interval: float, latitude: float = LATITUDE) -> Increm
 def swaying(seconds: float, interval: float, rng: np.random.Generator) -> tuple[Increments, Array]:
     """Ideal increments of a vehicle that rolls and pitches by about a degree and shifts by about
     2 cm, at many frequencies from 0.1 to 0.5 Hz; `mat_nb` at the end."""
-    time = np.arange(-10.0, seconds + 10.0, 0.2)
+    time = _knots(seconds)
 
-    def noise(sigma: float) -> Array:
-        frequency = rng.uniform(0.1, 0.5, 30)
-        phase = rng.uniform(0, 2 * np.pi, 30)
-        waves = np.sin(2 * np.pi * np.outer(time, frequency) + phase)
-        return np.asarray(sigma * np.sqrt(2 / 30) * waves.sum(axis=1))
+    def waves(sigma: float) -> Array:
+        return _waves(time, sigma, (0.1, 0.5), rng)
 
+    shift = [waves(0.02), waves(0.02), waves(0.01)]
+    return _moving(
+        time, shift, [waves(1 * DEG), waves(0.5 * DEG), waves(0.2 * DEG)], seconds, interval
+    )
+
+
+def boarded(seconds: float, interval: float, rng: np.random.Generator) -> tuple[Increments, Array]:
+    """The same of a vehicle that people get in and out of: eight times it tilts by 1.5 mrad and
+    shifts by 1.5 mm for good, and it trembles by 0.1 mm at 0.3 to 1 Hz."""
+    time = _knots(seconds)
+    moments = rng.uniform(0, seconds, 8)
+
+    def steps(sigma: float, tremble: float) -> Array:
+        s = np.clip((time - moments[:, None]) / 2.0, 0, 1)
+        smooth = rng.normal(0, sigma, 8) @ (s**3 * (10 - 15 * s + 6 * s**2))
+        return np.asarray(smooth + _waves(time, tremble, (0.3, 1.0), rng))
+
+    shift = [steps(1.5e-3, 1e-4) for _ in range(3)]
+    tilt = [steps(1.5e-3, 5e-5), steps(1.5e-3, 5e-5), steps(1e-4, 2e-5)]
+    return _moving(time, shift, tilt, seconds, interval)
+
+
+def _knots(seconds: float) -> Array:
+    return np.arange(-10.0, seconds + 10.0, 0.2)
+
+
+def _waves(
+    time: Array, sigma: float, band_hz: tuple[float, float], rng: np.random.Generator
+) -> Array:
+    frequency, phase = rng.uniform(*band_hz, 30), rng.uniform(0, 2 * np.pi, 30)
+    waves = np.sin(2 * np.pi * np.outer(time, frequency) + phase)
+    return np.asarray(sigma * np.sqrt(2 / 30) * waves.sum(axis=1))
+
+
+def _moving(
+    time: Array, shift: list[Array], turn: list[Array], seconds: float, interval: float
+) -> tuple[Increments, Array]:
     radius = earth.meridian_radius(LATITUDE)
     knots = Knots(
         time,
-        POSITION[0] + noise(0.02) / radius,
-        POSITION[1] + noise(0.02) / radius,
-        POSITION[2] + noise(0.01),
-        0.02 + noise(1 * DEG),
-        -0.03 + noise(0.5 * DEG),
-        1.0 + noise(0.2 * DEG),
+        POSITION[0] + shift[0] / radius,
+        POSITION[1] + shift[1] / radius,
+        POSITION[2] + shift[2],
+        0.02 + turn[0],
+        -0.03 + turn[1],
+        1.0 + turn[2],
     )
-    trajectory = Trajectory("sway", knots)
+    trajectory = Trajectory("standing", knots)
     record = trajectory.increments(0.0, interval, round(seconds / interval))
     return record, trajectory.mat_nb(np.array(seconds))
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ins_eval.imu.gyros import FmuGyros, case_axes, flown, mean_bias
+from ins_eval.imu.gyros import FmuGyros, case_axes, flown, mean_bias, starting_up
 from ins_eval.imu.mounting import ORTHOGONAL, mounted
 from ins_eval.increments import Increments
 from pyhrg import theory
@@ -29,10 +29,18 @@ def test_mean_bias_is_calibrated(fmu: GyroFmu) -> None:
     device = replace(QUIET, pickoff_nonorthogonality=7e-4)
     assert theory.mean_bias(device) < -0.25 * DEG_PER_H
     bench = Bench(fmu, device, seed=1)
-    angle, _ = flown(bench, np.zeros(12_000), np.zeros((12_000, 3)), 0.01)
-    left = (angle[-1] - angle[1999]) / 100.0 - mean_bias(bench)
+    flight = flown(bench, np.zeros(12_000), np.zeros((12_000, 3)), 0.01)
+    left = flight.rotation[2000:].sum() / 100.0 - mean_bias(bench)
     expected = theory.static_bias(device, device.power_on_angle) - theory.mean_bias(device)
     assert left == pytest.approx(float(expected), abs=0.005 * DEG_PER_H)
+
+
+def test_gyro_is_ready_when_its_amplitude_has_grown(fmu: GyroFmu) -> None:
+    """The second stage ends at 10 s (paper 2.3); valid it is from the first on."""
+    bench = Bench(fmu, starting_up(TYPICAL), seed=1)
+    flight = flown(bench, np.zeros(2000), np.zeros((2000, 3)), 0.01)
+    assert 0 < np.flatnonzero(~flight.valid)[-1] < 100
+    assert 1000 < np.flatnonzero(~flight.ready)[-1] < 1200
 
 
 def test_specific_force_along_the_input_axis_reaches_the_gyro(fmu: GyroFmu) -> None:

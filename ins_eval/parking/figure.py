@@ -1,0 +1,56 @@
+"""The figure of a comparison: position-error growth by case, and ratios at the end."""
+
+from pathlib import Path
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from ins_eval.metrics import median_interval
+from ins_eval.parking.case import CASES
+from ins_eval.parking.study import Comparison
+from pyhrg.units import NAUTICAL_MILE
+
+COLORS = ("black", "tab:blue", "tab:orange", "tab:red", "tab:green")
+
+
+def draw(result: Comparison, path: Path) -> None:
+    """Write the figure as PNG."""
+    figure = Figure(figsize=(11, 5), layout="constrained")
+    growth, ratios = figure.subplots(1, 2, width_ratios=(1.5, 1))
+    _draw_growth(growth, result)
+    _draw_ratios(ratios, result)
+    n = result.radial.shape[1]
+    figure.suptitle(f"Patterns of level gyros parked at power-on: {n} triads on {result.mission}")
+    figure.savefig(path, dpi=120, metadata={"Software": None})
+
+
+def _draw_growth(axes: Axes, result: Comparison) -> None:
+    hours = result.time / 3600
+    for case, color, radial in zip(CASES, COLORS, result.radial / NAUTICAL_MILE, strict=True):
+        axes.plot(hours, np.median(radial, axis=0), color=color, linewidth=2, label=case.label)
+        band = np.array([median_interval(sample) for sample in radial.T])
+        axes.fill_between(hours, band[:, 0], band[:, 1], color=color, alpha=0.12, linewidth=0)
+    axes.set_yscale("log")
+    axes.set_ylim(bottom=np.median(result.radial[:, :, -1], axis=1).min() / NAUTICAL_MILE / 30)
+    axes.set_xlim(0, hours[-1])
+    axes.set_xlabel("time since alignment, h")
+    axes.set_ylabel("radial position error, median (band: 95 %), nmi")
+    axes.grid(which="both", alpha=0.25)
+    axes.legend(loc="lower right", framealpha=0.95)
+
+
+def _draw_ratios(axes: Axes, result: Comparison) -> None:
+    rows = np.arange(len(CASES))
+    for row, color, ratio in zip(rows, COLORS, result.ratios(), strict=True):
+        axes.plot([ratio.low, ratio.high], [row, row], color=color, linewidth=2)
+        axes.plot(ratio.value, row, "o", color=color)
+        text = f"{ratio.value:.2g}"
+        axes.annotate(text, (ratio.value, row), (0, 8), textcoords="offset points", ha="center")
+    axes.axvline(1.0, color="0.6", linewidth=1)
+    axes.set_xscale("log")
+    axes.set_yticks(rows, [case.label.replace(", ", ",\n") for case in CASES])
+    axes.invert_yaxis()
+    axes.margins(y=0.15)
+    axes.set_xlabel(f"error over the first case's at {result.hours:g} h (line: 95 %)")
+    axes.grid(axis="x", which="both", alpha=0.25)

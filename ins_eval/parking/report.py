@@ -1,0 +1,123 @@
+"""A comparison in words and as files."""
+
+import csv
+import json
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ins_eval.metrics import median_interval
+from ins_eval.parking.case import CASES
+from ins_eval.parking.figure import draw
+from ins_eval.parking.study import Comparison
+from ins_eval.parking.triad import RECORDS
+from pyhrg.units import DEG, NAUTICAL_MILE
+
+Array = NDArray[np.float64]
+
+SCHEMA = "hrg-parking/1"
+FILES = ("parking.json", "position_error.csv", "parking.png")
+USED = {
+    "running": "all five minutes, of gyros that run already",
+    "ready": "from when all gyros are ready",
+    "valid": "from when all outputs are valid",
+    "power_on": "all, from power-on",
+}
+
+
+def summary(result: Comparison) -> str:
+    """What a person wants to read: position errors by case, and what start-up costs."""
+    n = result.radial.shape[1]
+    head = f"{'':<42}{'median, nmi':>12}   {'95 %':<18}{'ratio':>7}   {'95 %':<18}{'heading':>9}"
+    ready = result.ready.max()
+    return "\n".join(
+        [
+            f"Radial position error after {result.hours:g} h of {result.mission}, {n} triads; its "
+            f"ratio to the first case's\n(geometric mean over triads); rms heading error of the "
+            f"alignment, arcmin\n",
+            head,
+            *(_row(result, number) for number in range(len(CASES))),
+            "",
+            f"The last gyro is ready at most {ready:.1f} s after power-on. Rms heading error with "
+            "whole maps taken out,\nby what alignment uses, arcmin",
+            "",
+            *(
+                f"{USED[name]:<45}{rms_arcmin(errors):9.3g}"
+                for name, errors in zip(RECORDS, result.start_up, strict=True)
+            ),
+        ]
+    )
+
+
+def _row(result: Comparison, number: int) -> str:
+    radial = result.radial[number, :, -1] / NAUTICAL_MILE
+    low, high = median_interval(radial)
+    ratio = result.ratios()[number]
+    between = f"{ratio.low:.3g} to {ratio.high:.3g}" if number else ""
+    return (
+        f"{CASES[number].label:<42}{np.median(radial):12.3g}   {f'{low:.3g} to {high:.3g}':<18}"
+        f"{ratio.value:7.3g}   {between:<18}{rms_arcmin(result.heading[number]):9.3g}"
+    )
+
+
+def rms_arcmin(angle: Array) -> float:
+    """Of angles (n,), rad."""
+    return float(np.sqrt(np.mean(angle**2))) / DEG * 60
+
+
+def write(result: Comparison, folder: Path) -> None:
+    """Write parking.json, position_error.csv and parking.png into an existing folder."""
+    (folder / "parking.json").write_text(json.dumps(document(result), indent=2) + "\n")
+    _write_errors(result, folder / "position_error.csv")
+    draw(result, folder / "parking.png")
+
+
+def document(result: Comparison) -> dict[str, Any]:
+    """Content of parking.json."""
+    used = zip(RECORDS, result.start_up, strict=True)
+    return {
+        "schema": SCHEMA,
+        "hrg": version("hrg"),
+        "seed": result.seed,
+        "hours": result.hours,
+        "mission": result.mission,
+        "device": result.device,
+        "n": result.radial.shape[1],
+        "cases": {case.name: _case(result, number) for number, case in enumerate(CASES)},
+        "start_up": {
+            "ready_s": [float(result.ready.min()), float(result.ready.max())],
+            "heading_error_arcmin": {
+                name: {"uses": USED[name], "rms": rms_arcmin(errors)} for name, errors in used
+            },
+        },
+    }
+
+
+def _case(result: Comparison, number: int) -> dict[str, Any]:
+    case = CASES[number]
+    radial = result.radial[number, :, -1] / NAUTICAL_MILE
+    ratio = result.ratios()[number]
+    return {
+        "level_gyros_start": case.start.value,
+        "taken_out": case.known.value,
+        "radial_error_nmi": float(np.median(radial)),
+        "interval_95_nmi": list(median_interval(radial)),
+        "ratio": ratio.value,
+        "ratio_interval_95": [ratio.low, ratio.high],
+        "heading_error_rms_arcmin": rms_arcmin(result.heading[number]),
+        "triads_nmi": radial.tolist(),
+        "heading_error_arcmin": (result.heading[number] / DEG * 60).tolist(),
+    }
+
+
+def _write_errors(result: Comparison, path: Path) -> None:
+    _, n, _ = result.radial.shape
+    names = [f"{case.name}_triad_{i + 1:03}_m" for case in CASES for i in range(n)]
+    columns = np.column_stack([result.time, *result.radial.reshape(-1, len(result.time))])
+    with path.open("w", newline="") as file:
+        writer = csv.writer(file)
+        writer.writerow(["time_s", *names])
+        writer.writerows([f"{value:.6g}" for value in row] for row in columns)

@@ -1,0 +1,114 @@
+"""The experiment: triads flown with their level gyros' patterns parked, and not."""
+
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ins_eval.imu.accelerometers import TYPICAL_ACCELEROMETERS
+from ins_eval.imu.triad import Triad
+from ins_eval.metrics import PairedRatio, paired_ratio
+from ins_eval.parallel import in_parallel
+from ins_eval.parking.gyro import mapped
+from ins_eval.parking.triad import DRIVES, TriadFlights, fly_triad
+from ins_eval.validation.mission import Mission
+from pyhrg.bench.bench import Bench
+from pyhrg.bench.bias.positions import Plan
+from pyhrg.fmu import GyroFmu
+from pyhrg.parameters import TYPICAL, Device
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Triads in each of `CASES`."""
+
+    seed: int
+    device: str
+    mission: str
+    time: Array
+    """(m,) s since the end of alignment."""
+    radial: Array
+    """(cases, n, m) position error of each triad, m."""
+    heading: Array
+    """(cases, n) error of the alignment, rad."""
+    ready: Array
+    """(cases, n) when the last gyro was ready, s since power-on."""
+    start_up: Array
+    """(records, n) heading error by what alignment uses (`triad.RECORDS`), rad."""
+
+    @property
+    def hours(self) -> float:
+        """Length of the mission after alignment."""
+        return float(self.time[-1]) / 3600
+
+    def ratios(self) -> list[PairedRatio]:
+        """Of the position error at the mission's end to that of the first case, by case."""
+        end = self.radial[:, :, -1]
+        return [paired_ratio(radial, end[0]) for radial in end]
+
+
+def work(triads: int, mission: Mission) -> int:
+    """Gyro time that is told as done, minutes."""
+    return triads * DRIVES * len(mission.time)
+
+
+def compare(
+    fmu_path: Path,
+    mission: Mission,
+    triads: int,
+    seed: int,
+    *,
+    device: Device = TYPICAL,
+    accelerometers: Triad = TYPICAL_ACCELEROMETERS,
+    plan: Plan | None = None,
+    workers: int | None = None,
+    done: Callable[[int], None] = lambda minutes: None,
+) -> Comparison:
+    """Fly every triad in every case.
+
+    Args:
+        fmu_path: the gyro's model.
+        mission: what is flown.
+        triads: how many.
+        seed: of everything random; the same seed gives the same result on any number of workers.
+        device: the triads are of its kind (`Device.another`).
+        accelerometers: of every triad.
+        plan: of the positions at which maps are measured (`mapped`).
+        workers: threads; as many as this process has cores, if not given.
+        done: told the gyro time, minutes, of each triad that is done.
+    """
+    fmu = GyroFmu(fmu_path)
+    fmu.prepare()
+    fmu.stop = threading.Event()
+    truth = mission.truth
+
+    def fly(seeds: np.random.SeedSequence) -> TriadFlights:
+        generator = np.random.default_rng(seeds)
+        devices = [device.another(generator) for _ in range(3)]
+        velocity = accelerometers.measure(truth.velocity, truth.interval, generator)
+        benches = [Bench(fmu, each, seed=int(generator.integers(2**63))) for each in devices]
+        gyros = [mapped(bench, plan) for bench in benches]
+        return fly_triad(gyros, velocity, mission)
+
+    flown = in_parallel(
+        fly,
+        np.random.SeedSequence(seed).spawn(triads),
+        fmu.stop,
+        workers,
+        lambda _: done(work(1, mission)),
+    )
+    return Comparison(
+        seed=seed,
+        device=device.name,
+        mission=mission.name,
+        time=mission.time,
+        radial=np.stack([each.radial for each in flown], axis=1),
+        heading=np.stack([each.heading for each in flown], axis=1),
+        ready=np.stack([each.ready for each in flown], axis=1),
+        start_up=np.stack([each.start_up for each in flown], axis=1),
+    )

@@ -1,0 +1,109 @@
+"""A triad of gyros flown in each of the cases."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ins_eval.imu.gyros import GyroFlight
+from ins_eval.increments import Increments
+from ins_eval.parking.case import CASES, LIMIT, Case, Known, Start
+from ins_eval.parking.gyro import MappedGyro
+from ins_eval.validation.mission import INTERVAL, STILL, Mission, since
+
+Array = NDArray[np.float64]
+
+VERTICAL = 2
+"""Axis of the gyro that is not parked: turns of the vehicle take its pattern all round."""
+DRIVES = 10
+"""Of gyros through the mission, a triad: three as they come, two level ones parked at each of two
+angles, three with maps."""
+RECORDS = ("running", "ready", "valid", "power_on")
+"""What alignment uses of the five minutes: all, of gyros that run already when they begin; from
+when the last gyro is ready; from when the last output is valid; all."""
+RUNNING = 60.0
+"""Since when those gyros run, s."""
+
+
+@dataclass(frozen=True)
+class TriadFlights:
+    """One triad in each of `CASES`.
+
+    radial: (cases, m) position error, m; heading: (cases,) error of alignment, rad; ready:
+    (cases,) when the last gyro was ready, s since power-on; start_up: (records,) heading error,
+    rad, with maps, by what alignment uses (`RECORDS`).
+    """
+
+    radial: Array
+    heading: Array
+    ready: Array
+    start_up: Array
+
+
+def fly_triad(gyros: Sequence[MappedGyro], velocity: Array, mission: Mission) -> TriadFlights:
+    """All cases, with the same noise and the same accelerometers.
+
+    Args:
+        gyros: along the body axes.
+        velocity: (n, 3) increments of the accelerometers, m/s.
+        mission: what is flown.
+    """
+
+    @cache
+    def flight(axis: int, start: Start, with_maps: bool) -> GyroFlight:
+        return gyros[axis].flight(mission.truth, axis, start, with_maps)
+
+    radial, heading, ready = [], [], []
+    for case in CASES:
+        flights = [flight(axis, *_way(axis, case)) for axis in range(3)]
+        measured = _measured(gyros, flights, velocity, case)
+        begin = max(since(each.ready) for each in flights)
+        error = mission.fly(measured, begin)
+        radial.append(np.hypot(error[:, 0], error[:, 1]))
+        heading.append(mission.heading_error(measured, begin))
+        ready.append(begin + STILL)
+    flights = [flight(axis, *_way(axis, LIMIT)) for axis in range(3)]
+    start_up = _start_up(gyros, flights, velocity, mission)
+    return TriadFlights(np.stack(radial), np.array(heading), np.array(ready), start_up)
+
+
+def _way(axis: int, case: Case) -> tuple[Start, bool]:
+    start = Start.AS_IT_COMES if axis == VERTICAL else case.start
+    return start, case.known is Known.MAP
+
+
+def _measured(
+    gyros: Sequence[MappedGyro], flights: Sequence[GyroFlight], velocity: Array, case: Case
+) -> Increments:
+    """Increments less what is known of the biases."""
+    rotation = np.stack([flight.rotation for flight in flights], axis=-1)
+    for axis, (gyro, flight) in enumerate(zip(gyros, flights, strict=True)):
+        level_only = axis == VERTICAL and case.known is Known.AT_START
+        known = Known.MEAN if level_only else case.known
+        first = round((since(flight.ready) + STILL) / INTERVAL)
+        angle = float(flight.pattern_angle[first])
+        rotation[:, axis] -= gyro.known_bias(known, angle) * INTERVAL
+    return Increments(INTERVAL, rotation, velocity, -STILL)
+
+
+def _start_up(
+    gyros: Sequence[MappedGyro],
+    flights: Sequence[GyroFlight],
+    velocity: Array,
+    mission: Mission,
+) -> Array:
+    """Heading errors in the order of `RECORDS`; all with the whole maps taken out."""
+    truth = mission.truth
+    rest, before = round(STILL / INTERVAL), round(RUNNING / INTERVAL)
+    rows = np.arange(-before, rest).clip(min=0)
+    longer = Increments(INTERVAL, truth.rotation[rows], truth.velocity[rows], -STILL - RUNNING)
+    early = [gyro.flight(longer, axis, LIMIT.start, True) for axis, gyro in enumerate(gyros)]
+    running = np.stack([flight.rotation[before:] for flight in early], axis=-1)
+    started = _measured(gyros, flights, velocity, LIMIT)
+    errors = [mission.heading_error(Increments(INTERVAL, running, velocity[:rest], -STILL))]
+    for good in ("ready", "valid"):
+        begin = max(since(getattr(flight, good)) for flight in flights)
+        errors.append(mission.heading_error(started, begin))
+    return np.array([*errors, mission.heading_error(started)])

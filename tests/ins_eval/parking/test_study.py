@@ -1,0 +1,83 @@
+"""What parking buys: reproducible, against closed form, and with a negative control."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from ins_eval.increments import Increments
+from ins_eval.parking.case import CASES, Known, Start
+from ins_eval.parking.gyro import mapped
+from ins_eval.parking.study import Comparison, compare
+from ins_eval.validation.mission import INTERVAL, STILL
+from pyhrg import theory
+from pyhrg.bench.bench import Bench
+from pyhrg.bench.bias.full_circumference import SHORTEST
+from pyhrg.fmu import GyroFmu
+from pyhrg.parameters import TYPICAL
+from pyhrg.units import DEG_PER_H
+from tests.ins_eval.cases import short_mission
+
+NAMES = [case.name for case in CASES]
+
+
+@pytest.fixture(scope="module")
+def typical(fmu_path: Path) -> Comparison:
+    """Six triads, 0.1 h, seed 2."""
+    return compare(fmu_path, short_mission(0.1), 6, 2, plan=SHORTEST)
+
+
+def test_same_seed_same_result_on_any_number_of_workers(fmu_path: Path) -> None:
+    flight = short_mission(0.1)
+    one, three = (
+        compare(fmu_path, flight, 2, 4, plan=SHORTEST, workers=workers) for workers in (1, 3)
+    )
+    for name in ("radial", "heading", "ready", "start_up"):
+        assert np.array_equal(getattr(one, name), getattr(three, name)), name
+
+
+def test_knowing_more_buys_more(typical: Comparison) -> None:
+    """Every case's interval lies below the first case's, and whole maps are best."""
+    ratios = dict(zip(NAMES, typical.ratios(), strict=True))
+    assert ratios["random_mean"].value == 1
+    for name in ("random_at_start", "flat_at_start", "map"):
+        assert ratios[name].high < 1, name
+    assert ratios["flat_at_start"].value < ratios["zero_mean"].value
+    assert ratios["map"].value == min(ratio.value for ratio in ratios.values())
+
+
+def test_without_anisotropy_parking_buys_nothing(fmu_path: Path) -> None:
+    """Negative control, seed 2: the map is the calibration's noise."""
+    device = TYPICAL.without_anisotropy()
+    result = compare(fmu_path, short_mission(0.1), 6, 2, device=device, plan=SHORTEST)
+    parked = result.ratios()[NAMES.index("zero_mean")]
+    assert parked.low <= 1 <= parked.high
+
+
+def test_alignment_waits_for_the_gyros(typical: Comparison) -> None:
+    """While the amplitude grows, output counts as valid and is wrong; before, more so."""
+    running, ready, valid, power_on = (np.sqrt(np.mean(e**2)) for e in typical.start_up)
+    assert ready < 3 * running
+    assert valid > 30 * ready
+    assert power_on > valid
+    assert np.all((typical.ready > 10.0) & (typical.ready < 12.0))
+
+
+@pytest.mark.parametrize("start", [Start.ZERO, Start.FLAT])
+def test_gyro_is_parked_where_its_true_map_says_so(fmu: GyroFmu, start: Start) -> None:
+    """Bias at rest against theory, though the map was measured and the angle scatters by 0.5 deg.
+
+    Bound: three deviations of that scatter, on the steepest slope, and of the mean over 280 s.
+    """
+    gyro = mapped(Bench(fmu, TYPICAL, seed=8))
+    rest = np.zeros((round(STILL / INTERVAL), 3))
+    flight = gyro.flight(Increments(INTERVAL, rest, rest, -STILL), 0, start, with_maps=False)
+    parked = float(flight.pattern_angle[-1])
+    amplitude = theory.lock_rate(TYPICAL)
+    away = float(theory.static_bias(TYPICAL, parked)) - theory.mean_bias(TYPICAL)
+    scatter = 3 * 4 * TYPICAL.power_on_scatter
+    expected = 0.0 if start is Start.ZERO else amplitude
+    assert abs(away) == pytest.approx(expected, abs=amplitude * scatter)
+    measured = flight.rotation[2000:].sum() / (len(flight.rotation) - 2000) / INTERVAL
+    known = gyro.known_bias(Known.AT_START, parked)
+    assert measured == pytest.approx(known, abs=0.002 * DEG_PER_H)

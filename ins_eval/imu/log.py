@@ -16,6 +16,8 @@ Array = NDArray[np.float64]
 
 LEAST_ROWS = 10
 """Fewer tell neither an interval nor a unit."""
+LARGEST = 1e12
+"""Beyond any reading in any unit, and any time in s."""
 
 
 class LogError(Exception):
@@ -101,15 +103,17 @@ def numbers(
 
 
 def check_finite(source: str, table: Array, first_row: int, names: Sequence[str]) -> None:
-    """Refuse values (n, m) that are not.
+    """Refuse values (n, m) that are not, or that are beyond anything measured.
 
     Raises:
         LogError: at the first one.
     """
-    if not np.isfinite(table).all():
-        row, column = np.argwhere(~np.isfinite(table))[0]
-        found = f"{table[row, column]}"
-        raise log_error(source, first_row + row, names[column], found, "a finite number")
+    wrong = ~(np.abs(table) <= LARGEST)
+    if wrong.any():
+        row, column = np.argwhere(wrong)[0]
+        value = table[row, column]
+        expected = f"at most {LARGEST:g} in size" if np.isfinite(value) else "a finite number"
+        raise log_error(source, first_row + row, names[column], f"{value}", expected)
 
 
 def check_lengths(source: str, lines: Sequence[str], first_row: int, names: Sequence[str]) -> None:

@@ -112,6 +112,9 @@ def _check_gravity(readings: Readings) -> None:
     if _is_gravity(readings.force_size, gravity):
         return
     stated = {1.0: "m/s2", STANDARD_GRAVITY: "g"}[kind.factor]
+    if not readings.force.any():
+        guess = "are the accelerometers switched off"
+        raise readings.error(kind, "nothing but 0", f"about {gravity:.3g} {stated}", guess)
     units = {"m/s2": 1.0, "g": STANDARD_GRAVITY, "milli-g": 1e3 * MICRO_G, "micro-g": MICRO_G}
     guesses = {
         f"is {unit} given where {stated} is meant": STANDARD_GRAVITY / factor

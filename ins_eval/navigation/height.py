@@ -29,7 +29,7 @@ class VerticalChannel(NamedTuple):
 
 @dataclass(frozen=True)
 class Free:
-    """Integrated like north and east; errors grow exponentially (by e in 9.4 min)."""
+    """Integrated like north and east; errors grow exponentially (by e in 9.5 min)."""
 
     def channel(self, count: int, samples: int, interval: float) -> VerticalChannel:
         """For `count` intervals, `samples` a step."""

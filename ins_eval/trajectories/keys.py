@@ -1,6 +1,6 @@
 """Fields of missions and manoeuvres: SI inside, a unit in the key outside, a range."""
 
-import math
+import sys
 from collections.abc import Iterator
 from dataclasses import MISSING, Field, dataclass, field, fields
 from typing import Any, TypeGuard
@@ -138,4 +138,7 @@ class Checked:
 
 
 def _is_number(value: object) -> TypeGuard[float]:
-    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+    """Finite, and no truth value; whole numbers of a file may be beyond all floats."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return False
+    return abs(value) <= sys.float_info.max

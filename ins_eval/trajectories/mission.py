@@ -99,6 +99,16 @@ def trajectory(mission: Mission, still: float, duration: float) -> Trajectory:
     return flown
 
 
+def _check_joint(before: Leg, after: Leg) -> None:
+    """Rates of turn meet, as the bank follows them."""
+    ends, begins = float(before.turn_rate(before.duration)), float(after.turn_rate(0.0))
+    if abs(ends - begins) > 1e-9:
+        raise TrajectoryError(
+            f"turns at {math.degrees(begins):.3g} deg/s from the first, where the manoeuvre before "
+            f"ends at {math.degrees(ends):.3g} deg/s; expected the same: give a weave a ramp_s"
+        )
+
+
 def _check(flown: Trajectory, knots: Knots) -> None:
     omega, force = flown.rate_and_force(knots.time)
     low, high = HEIGHTS
@@ -141,7 +151,10 @@ def _legs(mission: Mission, until: float) -> list[Leg]:
     time = 0.0
     for place, manoeuvre in mission.manoeuvres():
         try:
-            legs.append(manoeuvre.leg(entry))
+            leg = manoeuvre.leg(entry)
+            if legs:
+                _check_joint(legs[-1], leg)
+            legs.append(leg)
         except TrajectoryError as error:
             raise TrajectoryError(f"{mission.name}: {place}: {error}") from None
         entry = legs[-1].exit()

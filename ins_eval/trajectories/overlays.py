@@ -8,7 +8,7 @@ import numpy as np
 
 from ins_eval.trajectories.keys import Checked, quantity, whole
 from ins_eval.trajectories.manoeuvre import ZERO
-from ins_eval.trajectories.signals import Product, Signal, Sine, Step, Steps
+from ins_eval.trajectories.signals import Product, Signal, Sine, Step, Steps, lobe
 
 SPREAD = 0.3
 """Periods of a seaway's waves: within this share of the mean period."""
@@ -45,11 +45,10 @@ class Overlay(Checked, ABC):
 
     def envelope(self) -> Steps:
         """From 0 to 1 and back."""
-        swell = Step(self.start, self.ramp, 1.0)
         if self.duration is None:
-            return Steps(0.0, (swell,))
-        fade = Step(self.start + max(self.duration - self.ramp, self.ramp), self.ramp, -1.0)
-        return Steps(0.0, (swell, fade))
+            return Steps(0.0, (Step(self.start, self.ramp, 1.0),))
+        ramp = min(self.ramp, self.duration / 2)
+        return Steps(0.0, lobe(1.0, ramp, self.duration - 2 * ramp, self.start))
 
 
 @dataclass(frozen=True, kw_only=True)

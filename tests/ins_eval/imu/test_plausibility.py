@@ -1,6 +1,7 @@
 """Mix-ups are named; what is ordinary raises no alarm."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -8,18 +9,28 @@ import pandas as pd
 import pytest
 
 from ins_eval.imu import recorded
-from ins_eval.imu.columns import ACCELEROMETERS, GYROS, ROTATION, VELOCITY
+from ins_eval.imu.columns import ACCELEROMETERS, GYROS, ROTATION, VELOCITY, Quantity
 from ins_eval.imu.log import LogError
 from ins_eval.imu.plausibility import Readings, check
 from ins_eval.imu.specification import imu
 from ins_eval.increments import Increments
-from ins_eval.trajectories.car import car
+from ins_eval.trajectories.catalogue import names, trajectory
 from pyhrg.units import DEG, STANDARD_GRAVITY
-from tests.ins_eval.imu.logs import FORCE_G, GYRO_DEG_S, frame, resting, saved
+from tests.ins_eval.imu.logs import (
+    FORCE_G,
+    FORCE_M_S2,
+    GYRO_DEG_S,
+    GYRO_RAD_S,
+    frame,
+    resting,
+    saved,
+)
 
 Motion = Callable[[np.ndarray], tuple[object, object, object]]
 Change = Callable[[pd.DataFrame], pd.DataFrame]
 
+MOVING = ("great-circle", "weaving")
+"""Ready missions that begin in motion."""
 GYRO = ["gyro_x_rad_s", "gyro_y_rad_s", "gyro_z_rad_s"]
 FORCE = ["accelerometer_x_m_s2", "accelerometer_y_m_s2", "accelerometer_z_m_s2"]
 
@@ -44,6 +55,7 @@ MIXED_UP = [
     (scaled(FORCE, 0.01), "are increments given where rates are meant"),
     (renamed("m_s2", "g"), "accelerometer_x_g .* is m/s2 given where g is meant"),
     (lambda t: renamed("accelerometer", "velocity")(renamed("m_s2", "m_s")(t)), "are rates given"),
+    (scaled(FORCE, 0), "found nothing but 0, expected about 9.81 m/s2: are the acc"),
     (scaled(FORCE, -1), "is z up where down is meant, or the sign reversed"),
     (scaled(GYRO, 1 / DEG), "gyro_x_rad_s .* are degrees given where radians are meant"),
     (scaled(GYRO, 3600 / DEG), "are degrees per hour given"),
@@ -98,21 +110,44 @@ def test_what_a_vehicle_may_do_raises_no_alarm(flight: Increments, kind: int) ->
     check(Readings("flight", 0.01, gyros, forces, rate, force))
 
 
-@pytest.mark.parametrize("unit", ["ideal", "simple"])
-@pytest.mark.parametrize("interval", [0.001, 0.01, 0.1])
-def test_a_drive_raises_no_alarm(unit: str, interval: float) -> None:
-    truth = car(60.0, 300.0).increments(0.0, 0.01, 30_000)
-    count = round(30_000 * 0.01 / interval) if interval > 0.01 else 30_000
-    sums = (truth.rotation, truth.velocity)
-    if interval > 0.01:
-        sums = tuple(values.reshape(count, -1, 3).sum(axis=1) for values in sums)
-    elif interval < 0.01:
-        sums = tuple(np.repeat(values / 10, 10, axis=0) for values in sums)
-    triad = imu(unit).accelerometers
-    velocity = triad.measure(sums[1], interval, np.random.default_rng(1))
-    for gyros, forces in zip(GYROS[2:], ACCELEROMETERS[1:], strict=True):
-        rate, force = sums[0] / interval / gyros.factor, velocity / interval / forces.factor
-        check(Readings("drive", interval, gyros, forces, rate, force))
+@pytest.fixture(scope="module", params=names())
+def mission(request: pytest.FixtureRequest) -> tuple[str, Increments]:
+    """Five minutes of each ready mission, those that can from a minute at rest; at 100 Hz."""
+    moving = request.param in MOVING
+    still = 0.0 if moving else 60.0
+    truth = trajectory(request.param, still, 300.0 - still).increments(-still, 0.01, 30_000)
+    return request.param, imu("simple").measure(truth, seed=1).increments
+
+
+def readings(flown: Increments, gyros: Quantity, forces: Quantity, every: int = 1) -> Readings:
+    """As a log at a lower rate has them."""
+    sums = (flown.rotation, flown.velocity)
+    rate, force = (x.reshape(-1, every, 3).sum(axis=1) / (0.01 * every) for x in sums)
+    values = (rate / gyros.factor, force / forces.factor)
+    return Readings("mission", 0.01 * every, gyros, forces, *values)
+
+
+@pytest.mark.parametrize("every", [1, 2, 10])
+def test_a_mission_raises_no_alarm(mission: tuple[str, Increments], every: int) -> None:
+    _, flown = mission
+    for gyros in GYROS:
+        for forces in ACCELEROMETERS:
+            check(readings(flown, gyros, forces, every))
+
+
+def test_a_mix_up_is_told_on_a_mission_that_begins_at_rest(
+    mission: tuple[str, Increments],
+) -> None:
+    name, flown = mission
+    for gyros, forces in ((GYRO_RAD_S, FORCE_G), (GYRO_DEG_S, FORCE_M_S2)):
+        right = readings(flown, gyros, forces)
+        other = FORCE_G if forces is FORCE_M_S2 else FORCE_M_S2
+        with pytest.raises(LogError, match=r"given where .* meant"):
+            check(replace(right, accelerometers=other))
+        if name not in MOVING:
+            other = GYRO_DEG_S if gyros is GYRO_RAD_S else GYRO_RAD_S
+            with pytest.raises(LogError, match=r"s given where .*s are meant"):
+                check(replace(right, gyros=other))
 
 
 def test_tactical_gyros_raise_no_alarm() -> None:

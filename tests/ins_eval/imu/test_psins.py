@@ -83,6 +83,16 @@ def test_a_wrong_header_is_named(tmp_path: Path, old: str, new: str, message: st
         recorded.read(write(tmp_path, HEADER.replace(old, new) + ROWS))
 
 
+def test_a_z_axis_that_points_down_is_named(tmp_path: Path) -> None:
+    """One g along z, the wrong way round: 1e4 counts of 1e-6 g s in 10 ms; 300 in the header."""
+    header = HEADER.replace("300.0", "1.0")
+    recorded.read(write(tmp_path, header + "0 0 0 0 0 10000\n" * 20))
+    path = write(tmp_path, header + "0 0 0 0 0 -10000\n" * 20)
+    with pytest.raises(LogError, match=r"column a_x .*is z down where up is meant"):
+        recorded.read(path)
+    assert recorded.read(path, trusted=True).increments.velocity[0, 2] > 0
+
+
 def test_too_few_rows_and_a_cut_file_are_named(tmp_path: Path) -> None:
     with pytest.raises(LogError, match="found 1 rows of values, expected at least 10"):
         recorded.read(write(tmp_path, HEADER + "1 2 3 4 5 6\n"))

@@ -74,6 +74,10 @@ TABLE = frame(resting())
         (with_cell(7, GYRO_Y, ""), "row 9, gyro_y_rad_s: found nothing, expected a number"),
         (with_cell(7, GYRO_Y, np.inf), "row 9, gyro_y_rad_s: found inf, expected a finite number"),
         (with_cell(7, GYRO_Y, "nan"), "row 9, gyro_y_rad_s: found nan, expected a finite number"),
+        (
+            with_cell(7, GYRO_Y, 1e300),
+            r"row 9, gyro_y_rad_s: found 1e\+300, expected at most 1e\+12",
+        ),
         (with_cell(7, GYRO_Y, "1,2"), r"row 9: found 8 fields, expected 7: time_s, gyro_x"),
         (with_cell(7, "time_s", 0.07), r"row 9, time_s: found 0.07 after 0.07, .* each time once"),
         (with_cell(7, "time_s", 0.01), "row 9, time_s: found 0.01 after 0.07, .* to increase"),

@@ -15,17 +15,17 @@ from tests.ins_eval.trajectories.test_recorded_drive import made_up_drive, writt
 
 IN_FLIGHT = ("great-circle", "weaving")
 SECONDS = {"missile": 850.0}
-LIMITS = {
-    "aircraft": 20e-3,
-    "car": 1e-3,
-    "great-circle": 1e-3,
-    "missile": 1e-3,
-    "ship": 1e-3,
-    "static-table": 1e-3,
-    "weaving": 1e-3,
-}
-"""Of the position error over half an hour, or the mission, m. The aircraft's is the navigator's
-own, in the rolls: it falls with the cube of the interval."""
+NAMES = (
+    "aircraft",
+    "car",
+    "great-circle",
+    "missile",
+    "ship",
+    "static-table",
+    "weaving",
+)
+LIMIT = 1e-3
+"""Of the position error over half an hour, or the mission, m."""
 
 
 def ready(name: str) -> tuple[Trajectory, float]:
@@ -41,40 +41,40 @@ def flown(path: Trajectory, duration: float, interval: float) -> TrackError:
     return track_error(track, path.track(track.time))
 
 
-def test_limits_are_for_all_missions() -> None:
-    assert catalogue.names() == sorted(LIMITS)
+def test_all_ready_missions_are_tried() -> None:
+    assert catalogue.names() == list(NAMES)
 
 
-@pytest.mark.parametrize("name", sorted(LIMITS))
+@pytest.mark.parametrize("name", NAMES)
 def test_ready_mission_navigates_to_itself(name: str) -> None:
     """Error-free increments at 100 Hz, height clamped."""
     path, duration = ready(name)
     error = flown(path, duration, 0.01)
-    assert np.max(np.linalg.norm(error.position[:, :2], axis=1)) < LIMITS[name]
+    assert np.max(np.linalg.norm(error.position[:, :2], axis=1)) < LIMIT
     assert np.max(np.abs(error.attitude)) < 1e-8
 
 
-@pytest.mark.parametrize("name", sorted(LIMITS))
+@pytest.mark.parametrize("name", NAMES)
 def test_ready_mission_navigates_with_free_height(name: str) -> None:
     """From time 0 for two minutes: also the vertical channel gives the mission back."""
     path, _ = ready(name)
     increments = path.increments(0.0, 0.01, 12_000)
     track = navigate(path.state(0.0), increments, Free(), 12_000)
     error = track_error(track, path.track(track.time))
-    assert np.max(np.abs(error.position)) < 1e-3
+    assert np.max(np.abs(error.position)) < LIMIT
 
 
 def test_error_of_the_aircraft_is_the_navigators() -> None:
-    """Half the interval, an eighth of the error: no error of the increments is left over."""
+    """It falls with the interval by the square or better: none of the increments' is left over."""
     path, duration = ready("aircraft")
     coarse, fine = (
         np.max(np.linalg.norm(flown(path, duration, h).position[:, :2], axis=1))
         for h in (0.02, 0.01)
     )
-    assert coarse / fine == pytest.approx(8.0, rel=0.1)
+    assert coarse > 4 * fine
 
 
-@pytest.mark.parametrize("name", sorted(set(LIMITS) - set(IN_FLIGHT)))
+@pytest.mark.parametrize("name", sorted(set(NAMES) - set(IN_FLIGHT)))
 def test_mission_stands_before_time_0(name: str) -> None:
     path, _ = ready(name)
     omega, force = path.rate_and_force(np.linspace(-320, 0, 321))

@@ -62,6 +62,7 @@ def test_course_is_flown_once_by_default(tmp_path: Path) -> None:
         ("= 45", "= 89.5", r"start: latitude_deg: found 89\.5, expected -89 to 89 deg"),
         ("= 45", '= "45"', r"start: latitude_deg: found '45', expected -89 to 89 deg"),
         ("= 45", "= true", r"start: latitude_deg: found True, expected"),
+        ("= 45", "= 1" + 400 * "0", r"start: latitude_deg: found 10+, expected"),
         ("= 45", "= nan", r"start: latitude_deg: found nan, expected"),
         ("latitude_deg = 45,", "", r"start: latitude_deg: found no such key, expected -89 to"),
         ("start = {", "begin = {", r"begin: found an unknown key"),

@@ -6,6 +6,7 @@ import pytest
 from ins_eval import earth
 from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.manoeuvre import Entry
+from ins_eval.trajectories.straights import Straight
 from ins_eval.trajectories.turns import CoordinatedTurn, FigureEight, STurn, Turn, UTurn, Weave
 from tests.ins_eval.trajectories.flights import GRAVITY, HEIGHT, LATITUDE, euler, flown, moved
 
@@ -103,6 +104,15 @@ def test_swelling_weave_begins_and_ends_level() -> None:
     path, end = flown(Weave(heading=0.2, period=30.0, duration=180.0, ramp=30.0))
     ends = euler(path, np.array([0.0, end]))
     assert ends == pytest.approx(np.zeros((2, 3)), abs=2e-3)
+
+
+def test_weave_without_a_ramp_fits_its_own_kind_alone() -> None:
+    """Otherwise its bank would jump."""
+    weave = Weave(heading=0.2, period=30.0, duration=60.0)
+    assert flown(weave, weave)[1] == pytest.approx(120.0)
+    for others in ((weave, Straight(duration=10.0)), (Straight(duration=10.0), weave)):
+        with pytest.raises(TrajectoryError, match=r"course 2: turns at .* give a weave a ramp_s"):
+            flown(*others)
 
 
 def test_standing_vehicle_does_not_turn() -> None:

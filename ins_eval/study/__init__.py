@@ -1,0 +1,1 @@
+"""The study: do bench figures predict navigation error? Many gyros, many manoeuvres."""

@@ -1,6 +1,7 @@
 """What the sensors actually did wrong, split into effects."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,6 +10,7 @@ from ins_eval.error_model.effects import Effect, Sensor
 from ins_eval.error_model.linear_model import AXES
 from ins_eval.error_model.motion import Motion, step_mean
 from ins_eval.increments import Increments
+from ins_eval.sensor_errors import SensorErrors
 
 Array = NDArray[np.float64]
 
@@ -61,14 +63,35 @@ def summed(increments: Increments, start: float, step: float, count: int) -> Inc
     return Increments(step, rotation, velocity, start)
 
 
+@dataclass(frozen=True)
+class Prior:
+    """What is known of the sensors before: (e, 3) standard deviations of the effects'
+    coefficients, SI, and the noise that they are seen in."""
+
+    deviations: Array
+    noise: SensorErrors
+
+    def noise_of(self, sensor: Sensor, step: float) -> float:
+        """Standard deviation of a step's sum, rad or m/s."""
+        n = self.noise
+        walk, instability, quantum = (
+            (n.angle_random_walk, n.gyro_bias_instability, n.angle_quantum)
+            if sensor == "gyro"
+            else (n.velocity_random_walk, n.accelerometer_bias_instability, n.velocity_quantum)
+        )
+        return float(np.sqrt(walk**2 * step + (instability * step) ** 2 + quantum**2 / 6))
+
+
 def decomposed(
-    error: Increments, motion: Motion, effects: Sequence[Effect]
+    error: Increments, motion: Motion, effects: Sequence[Effect], prior: Prior | None = None
 ) -> dict[str, Increments]:
     """The error of the sensors, by family of effects, in the motion's steps.
 
-    Each axis is fitted by ordinary least squares to the effects' signals along the motion; what
-    signals have in common goes to them as the least coefficients: a gyro whose pattern moves by a
-    degree can't tell its bias from its map. The parts, `REST` among them, sum to the whole.
+    Each axis is fitted to the effects' signals along the motion. Without a prior by ordinary least
+    squares; where signals are nearly alike, large parts cancel: a gyro whose pattern moves by a
+    degree can't tell its bias from its map. With one to the likeliest coefficients, so that what
+    signals have in common goes to those that it is expected of. The parts, `REST` among them, sum
+    to the whole.
 
     Raises:
         ValueError: an error that doesn't span the motion.
@@ -78,12 +101,18 @@ def decomposed(
     rest = np.stack([whole.rotation, whole.velocity], axis=1)
     sensors: tuple[Sensor, Sensor] = ("gyro", "accelerometer")
     for place, sensor in enumerate(sensors):
-        own = [effect for effect in effects if effect.sensor == sensor]
-        if not own:
+        places = [i for i, effect in enumerate(effects) if effect.sensor == sensor]
+        if not places:
             continue
+        own = [effects[i] for i in places]
         signals = np.stack([motion.step * step_mean(e.regressor(motion)) for e in own], axis=-1)
         for axis in range(AXES):
-            fitted = signals[:, axis] * _least_squares(signals[:, axis], rest[:, place, axis])
+            seen = signals[:, axis], rest[:, place, axis]
+            if prior:
+                noise = prior.noise_of(sensor, motion.step)
+                fitted = signals[:, axis] * _likeliest(*seen, prior.deviations[places, axis], noise)
+            else:
+                fitted = signals[:, axis] * _least_squares(*seen)
             for effect, part in zip(own, fitted.T, strict=True):
                 parts[effect.family][:, place, axis] += part
             rest[:, place, axis] -= fitted.sum(axis=1)
@@ -98,3 +127,15 @@ def _least_squares(signals: Array, values: Array) -> Array:
     size = np.linalg.norm(signals, axis=0)
     size = np.where(size > 0, size, 1.0)
     return np.asarray(np.linalg.lstsq(signals / size, values, rcond=1e-9)[0] / size)
+
+
+def _likeliest(signals: Array, values: Array, deviations: Array, noise: float) -> Array:
+    """Of normal coefficients seen in white noise, by least squares (Gelb 1974, section 4.3); noise
+    too small to be told from rounding counts as that."""
+    scaled = signals * deviations
+    noise = max(noise, 1e-9 * float(np.max(np.abs(scaled))))
+    if noise == 0:
+        return np.zeros_like(deviations)
+    system = np.concatenate([scaled / noise, np.eye(len(deviations))])
+    target = np.concatenate([values / noise, np.zeros(len(deviations))])
+    return np.asarray(np.linalg.lstsq(system, target)[0] * deviations)

@@ -19,12 +19,12 @@ from pyhrg.bench.bias import full_circumference
 from pyhrg.bench.dynamic.start_up import START
 from pyhrg.device_file import DeviceError
 from pyhrg.device_keys import KEYS
-from pyhrg.fmu import GyroFmu
+from pyhrg.fmu import GyroError, GyroFmu
 from pyhrg.parameters import TABLE2, TYPICAL, Device
 
 Array = NDArray[np.float64]
 
-__all__ = ["DeviceError", "FmuGyros", "device", "difference", "measured"]
+__all__ = ["DeviceError", "FmuGyros", "GyroError", "device", "difference", "measured"]
 
 AMPLITUDE_TOLERANCE = 1e-3
 """Of a gyro that is ready, relative to its set point: while the amplitude still grows, the output

@@ -39,8 +39,12 @@ class Beliefs:
     noise: SensorErrors
 
 
-def beliefs(imu: Imu) -> Beliefs:
+def beliefs(imu: Imu, first_angle: Array | None = None) -> Beliefs:
     """Of an IMU whose constants nobody knows.
+
+    Args:
+        imu: any.
+        first_angle: (3,) pattern angles at the motion's start, rad; variances don't depend on them.
 
     Bias instability counts as constant. A calibrated whole-angle gyro's bias is cosine and sine of
     four times its pattern angle, of equal deviation: the same at every angle.
@@ -49,7 +53,7 @@ def beliefs(imu: Imu) -> Beliefs:
     gyro = math.hypot(errors.gyro_bias, errors.gyro_bias_instability)
     triad = imu.gyros.triad if isinstance(imu.gyros, StatedGyros) else IDEAL
     crossed = math.hypot(triad.misalignment.size, imu.mounting_deviation)
-    of_gyros = [(effect, gyro) for effect in _gyro_bias(imu)]
+    of_gyros = [(effect, gyro) for effect in _gyro_bias(imu, first_angle)]
     of_gyros.append((gyro_scale_factor(), triad.scale_factor.size))
     of_gyros += [(effect, crossed) for effect in misalignment("gyro")]
     of_forces = [
@@ -79,29 +83,7 @@ def misalignment(sensor: Sensor) -> tuple[Effect, Effect]:
     )
 
 
-def effects_of(first_angle: Array | None) -> tuple[Effect, ...]:
-    """That a flight's sensor errors are split into.
-
-    Misalignment of accelerometers is left with their bias: while level it can't be told from it.
-
-    Args:
-        first_angle: (3,) pattern angles at the beginning, rad, of gyros that have them along the
-            body axes.
-    """
-    maps: tuple[Effect, ...] = ()
-    if first_angle is not None:
-        maps = tuple(part for n in (2, 4, 8) for part in bias_map(n, first_angle))
-    return (
-        gyro_bias(),
-        *maps,
-        gyro_scale_factor(),
-        *misalignment("gyro"),
-        accelerometer_bias(),
-        accelerometer_scale_factor(),
-    )
-
-
-def _gyro_bias(imu: Imu) -> tuple[Effect, ...]:
+def _gyro_bias(imu: Imu, first_angle: Array | None) -> tuple[Effect, ...]:
     if isinstance(imu.gyros, FmuGyros) and imu.gyros.calibrated:
-        return bias_map(HARMONIC, np.zeros(AXES))
+        return bias_map(HARMONIC, np.zeros(AXES) if first_angle is None else first_angle)
     return (gyro_bias(),)

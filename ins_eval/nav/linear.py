@@ -11,7 +11,7 @@ from ins_eval.alignment.result import Alignment
 from ins_eval.error_model.adjoint import weights
 from ins_eval.error_model.aligning import alignment_model
 from ins_eval.error_model.budget import budget
-from ins_eval.error_model.decomposition import decomposed, sensor_error, summed
+from ins_eval.error_model.decomposition import Prior, decomposed, sensor_error, summed
 from ins_eval.error_model.effects import Effect
 from ins_eval.error_model.linear_model import (
     LinearModel,
@@ -23,7 +23,7 @@ from ins_eval.error_model.motion import Motion, along
 from ins_eval.error_model.states import ATTITUDE, COUNT
 from ins_eval.imu.imu import Imu, Measured
 from ins_eval.increments import Increments
-from ins_eval.nav.beliefs import Beliefs, effects_of
+from ins_eval.nav.beliefs import Beliefs, beliefs
 from ins_eval.nav.flight import Run, held
 from ins_eval.nav.flown import Budget
 from ins_eval.nav.plan import Plan
@@ -92,9 +92,10 @@ def error_budget(plan: Plan, truth: Truth, imu: Imu, run: Run) -> Budget:
         initial[ATTITUDE] -= _explained(before, error)
         model = joined(before, model)
     motion = _motion(plan, truth, -grid.alignment, grid.alignment + grid.flight)
-    effects = effects_of(_first_angle(imu, run.measured, motion.start))
+    believed = beliefs(imu, _first_angle(imu, run.measured, motion.start))
+    prior = Prior(believed.deviations, believed.noise)
     found = weights(model)
-    return Budget(budget(found, decomposed(error, motion, effects), initial), found)
+    return Budget(budget(found, decomposed(error, motion, believed.effects, prior), initial), found)
 
 
 def _first_angle(imu: Imu, measured: Measured, start: float) -> Array | None:

@@ -1,9 +1,21 @@
 """What the user can mend; each message is one clear line."""
 
+from fmu_build.platforms import BuildError
+from fmu_build.translate import TranslationError
 from ins_eval.alignment.result import AlignmentError
+from ins_eval.imu.gyros import GyroError
 from ins_eval.imu.log import LogError
 from ins_eval.imu.specification import SpecificationError
 from ins_eval.navigation.strapdown import NavigationError
 from ins_eval.trajectories.errors import TrajectoryError
 
-REFUSALS = (AlignmentError, LogError, NavigationError, SpecificationError, TrajectoryError)
+REFUSALS = (
+    AlignmentError,
+    BuildError,
+    GyroError,
+    LogError,
+    NavigationError,
+    SpecificationError,
+    TrajectoryError,
+    TranslationError,
+)

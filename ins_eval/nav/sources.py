@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from fmu_build.cli import UserError
 from ins_eval.imu import recorded, specification
+from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.log import RecordedImu
 from ins_eval.nav.log_flight import Reference, at_rest
@@ -39,9 +40,20 @@ def imu(name: str, rate: int | None) -> Imu:
 
     Raises:
         SpecificationError: none of them, or a file that is wrong.
+        UserError: whole-angle gyros that can't be read at this rate.
     """
     found = specification.imu(name)
-    return found if rate is None else replace(found, interval=1 / rate)
+    if rate is not None:
+        found = replace(found, interval=1 / rate)
+    if isinstance(found.gyros, FmuGyros):
+        ticks = found.interval / found.gyros.device.control_period
+        if round(ticks) < 1 or abs(ticks - round(ticks)) > 1e-6:
+            period = f"{found.gyros.device.control_period:g} s"
+            raise UserError(
+                f"{name}: found increments over {found.interval:g} s; "
+                f"expected a multiple of the gyros' control period, {period}"
+            )
+    return found
 
 
 def trajectory(name: str, still: float, duration: float) -> Trajectory:

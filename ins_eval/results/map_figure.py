@@ -90,6 +90,7 @@ def _draw_end(axes: Axes, flights: xr.Dataset) -> None:
     axes.set_xlim(-limit, limit)
     axes.set_ylim(-limit, limit)
     axes.set_aspect("equal")
+    axes.locator_params(nbins=6)
     axes.grid(alpha=0.3)
     axes.set_xlabel("east error, m")
     axes.set_ylabel("north error, m")

@@ -168,6 +168,7 @@ def test_recorded_ring_laser_drifts(tmp_path: Path) -> None:
         (["--imu", "nothing.csv"], "nothing.csv: can't be read: No such file"),
         (["--latitude-deg", "40"], "--latitude-deg: is for recorded logs, and the IMU is sim"),
         (["--errors-of", "simple"], "--errors-of: is for recorded logs, and the IMU is simulated"),
+        (["--imu", "typical-hrg", "--rate-hz", "30"], "expected a multiple of the gyros' control"),
         (["--bogus"], "unrecognized arguments: --bogus"),
     ],
 )

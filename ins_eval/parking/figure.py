@@ -27,8 +27,8 @@ def draw(result: Comparison, path: Path) -> None:
 
 def _draw_growth(axes: Axes, result: Comparison) -> None:
     hours = result.time / 3600
-    for case, color, radial in zip(CASES, COLORS, result.radial / NAUTICAL_MILE, strict=True):
-        axes.plot(hours, np.median(radial, axis=0), color=color, linewidth=2, label=case.label)
+    for color, radial in zip(COLORS, result.radial / NAUTICAL_MILE, strict=True):
+        axes.plot(hours, np.median(radial, axis=0), color=color, linewidth=2)
         band = np.array([median_interval(sample) for sample in radial.T])
         axes.fill_between(hours, band[:, 0], band[:, 1], color=color, alpha=0.12, linewidth=0)
     axes.set_yscale("log")
@@ -37,7 +37,6 @@ def _draw_growth(axes: Axes, result: Comparison) -> None:
     axes.set_xlabel("time since alignment, h")
     axes.set_ylabel("radial position error, median (band: 95 %), nmi")
     axes.grid(which="both", alpha=0.25)
-    axes.legend(loc="lower right", framealpha=0.95)
 
 
 def _draw_ratios(axes: Axes, result: Comparison) -> None:
@@ -50,6 +49,8 @@ def _draw_ratios(axes: Axes, result: Comparison) -> None:
     axes.axvline(1.0, color="0.6", linewidth=1)
     axes.set_xscale("log")
     axes.set_yticks(rows, [case.label.replace(", ", ",\n") for case in CASES])
+    for label, color in zip(axes.get_yticklabels(), COLORS, strict=True):
+        label.set_color(color)
     axes.invert_yaxis()
     axes.margins(y=0.15)
     axes.set_xlabel(f"error over the first case's at {result.hours:g} h (line: 95 %)")

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from ins_eval import theory
+from ins_eval import earth, theory
 from ins_eval.increments import Increments
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
 from ins_eval.navigation.strapdown import navigate
@@ -51,6 +51,22 @@ def test_step_of_the_barometer_is_answered_by_a_triple_pole(time_constant: float
     expected = theory.damped_height(10.0, track.time, time_constant, LATITUDE)
     assert track.position[:, 2] == pytest.approx(expected, abs=10 * 1e-4)
     assert np.max(expected) > 10.5
+
+
+def test_triple_pole_is_met_to_the_second_order_of_the_step() -> None:
+    """A pole so fast that the steps show."""
+    errors = []
+    for rate in (5, 10, 20):
+        force = [0.0, 0.0, -earth.gravity(LATITUDE, 0.0) / rate]
+        still = at_rest(LATITUDE, 0.0, 0.01, np.zeros(3)).rotation * 100 / rate
+        count = 20 * rate
+        record = Increments(1 / rate, np.repeat(still, count, axis=0), np.tile(force, (count, 1)))
+        start = State(LATITUDE, 0.0, 0.0, np.zeros(3), np.eye(3))
+        track = navigate(start, record, BaroDamped(np.full(count + 1, 10.0), 4.0), 2 * rate)
+        expected = theory.damped_height(10.0, track.time, 4.0, LATITUDE)
+        errors.append(np.max(np.abs(track.position[:, 2] - expected)))
+    orders = np.log2(np.array(errors[:-1]) / errors[1:])
+    assert np.all(orders > 1.8), (orders, errors)
 
 
 def test_damped_height_forgets_its_start() -> None:

@@ -27,13 +27,13 @@ def typical(fmu_path: Path) -> Comparison:
     return compare(fmu_path, short_mission(0.1), 6, 2, plan=SHORTEST)
 
 
-def test_same_seed_same_result_on_any_number_of_workers(fmu_path: Path) -> None:
-    flight = short_mission(0.1)
-    one, three = (
-        compare(fmu_path, flight, 2, 4, plan=SHORTEST, workers=workers) for workers in (1, 3)
-    )
+def test_same_seed_same_result_on_any_number_of_workers(
+    fmu_path: Path, typical: Comparison
+) -> None:
+    """The first two triads of the six, one after the other."""
+    again = compare(fmu_path, short_mission(0.1), 2, 2, plan=SHORTEST, workers=1)
     for name in ("radial", "heading", "ready", "start_up"):
-        assert np.array_equal(getattr(one, name), getattr(three, name)), name
+        assert np.array_equal(getattr(again, name), getattr(typical, name)[:, :2]), name
 
 
 def test_knowing_more_buys_more(typical: Comparison) -> None:

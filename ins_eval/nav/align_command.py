@@ -30,9 +30,9 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         "simulated, or whose errors the one-sigma of a log rests on (default simple)")  # fmt: skip
     add("--trajectory", metavar="NAME|FILE", help="where an IMU is simulated, before it sets off "
         f"(default {TRAJECTORY})")  # fmt: skip
-    add("--from-s", help="where to begin in a log (default 0)")
-    add("--seconds", default="300", help="of the record that are used (default 300)")
-    add("--seed", help="of everything random (default 1)")
+    add("--from-s", metavar="S", help="where to begin in a log (default 0)")
+    add("--seconds", metavar="S", default="300", help="of the record that are used (default 300)")
+    add("--seed", metavar="N", help="of everything random (default 1)")
     add("--out", type=Path, default=Path("hrg-align"), metavar="DIR", help="output folder "
         "(default hrg-align)")  # fmt: skip
     add_options(parser)

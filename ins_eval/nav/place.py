@@ -22,7 +22,7 @@ class Place:
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """`--latitude-deg`, `--longitude-deg`, `--height-m`."""
-    group = parser.add_argument_group("where a log was recorded, if the log doesn't say it")
+    group = parser.add_argument_group("where a log was recorded, if not where it says itself")
     group.add_argument("--latitude-deg", metavar="DEG", help="geodetic latitude")
     group.add_argument("--longitude-deg", metavar="DEG", help="longitude (default 0)")
     group.add_argument("--height-m", metavar="M", help="height above the ellipsoid (default 0)")

@@ -17,16 +17,22 @@ MOST_INCREMENTS = 10_000_000
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Those that a plan is made of."""
     add = parser.add_argument
-    add("--hours", help=f"flight, in whole minutes (default {HOURS}; of a log, what it holds)")
-    add("--rate-hz", help="of the increments, 10 to 2000 (default: the IMU's)")
-    add("--samples", default=SAMPLES, help=f"increments a step, 2 to 4 (default {SAMPLES})")
+    add(
+        "--hours",
+        metavar="H",
+        help=f"flight, in whole minutes (default {HOURS}; of a log, what it holds)",
+    )
+    add("--rate-hz", metavar="HZ", help="of the increments, 10 to 2000 (default: the IMU's)")
+    add("--samples", metavar="N", default=SAMPLES, help="increments a step, 2 to 4 "
+        f"(default {SAMPLES})")  # fmt: skip
     add("--height", choices=("clamped", "free", "baro"), default="clamped", help="what holds the "
         "height: the true one, nothing, or a loop with the true one (default clamped)")  # fmt: skip
     start = parser.add_mutually_exclusive_group()
-    start.add_argument("--align-s", help=f"alignment before time 0 (default {ALIGNMENT})")
+    start.add_argument("--align-s", metavar="S", help="alignment before time 0 "
+                       f"(default {ALIGNMENT})")  # fmt: skip
     start.add_argument("--start-from-truth", action="store_true", help="no alignment")
-    add("--seed", help=f"of everything random (default {SEED})")
-    add("--runs", help=f"flights, each with an IMU of its own (default {RUNS})")
+    add("--seed", metavar="N", help=f"of everything random (default {SEED})")
+    add("--runs", metavar="N", help=f"flights, each with an IMU of its own (default {RUNS})")
 
 
 def rate(options: argparse.Namespace) -> int | None:

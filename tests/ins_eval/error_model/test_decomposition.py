@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ins_eval.error_model.decomposition import REST, decomposed, sensor_error, summed
+from ins_eval.error_model.decomposition import REST, Prior, decomposed, sensor_error, summed
 from ins_eval.error_model.effects import (
     BIASES,
     accelerometer_scale_factor,
@@ -14,6 +14,7 @@ from ins_eval.error_model.effects import (
 )
 from ins_eval.error_model.motion import along
 from ins_eval.increments import Increments
+from ins_eval.sensor_errors import SensorErrors
 from ins_eval.trajectories.catalogue import trajectory
 
 INTERVAL = 0.1
@@ -70,3 +71,31 @@ def test_difference_needs_the_same_times(truth: Increments) -> None:
         sensor_error(replace(truth, start=5.0), truth)
     with pytest.raises(ValueError, match="measured: 10 x"):
         sensor_error(truth.between(0, 10), truth)
+
+
+def test_prior_keeps_like_signals_from_cancelling(truth: Increments) -> None:
+    """On a level gyro whose pattern moves by a degree. Ordinary least squares is the control."""
+    noise = SensorErrors(angle_random_walk=1e-6)
+    white = noise.angle_random_walk * np.sqrt(INTERVAL)
+    generator = np.random.default_rng(3)
+    drift = 2e-7 * INTERVAL + white * generator.standard_normal(truth.rotation.shape)
+    error = replace(truth, rotation=drift, velocity=np.zeros_like(truth.velocity))
+    motion = along(trajectory("car", 20.0, 1810.0), 0.0, 1.0, 1800)
+    prior = Prior(np.full((len(EFFECTS), 3), 1e-7), noise)
+
+    def largest(parts: dict[str, Increments]) -> float:
+        sums = [np.abs(part.rotation[:, 0].sum()) for n, part in parts.items() if n != REST]
+        return float(max(sums) / np.abs(drift[:, 0].sum()))
+
+    likeliest = decomposed(error, motion, EFFECTS, prior)
+    assert largest(likeliest) < 2
+    assert largest(decomposed(error, motion, EFFECTS)) > 20
+    whole = summed(error, 0.0, 1.0, 1800).rotation
+    assert sum(part.rotation for part in likeliest.values()) == pytest.approx(whole, abs=1e-18)
+
+
+def test_prior_of_nothing_leaves_all_to_the_rest(truth: Increments) -> None:
+    motion = along(trajectory("car", 20.0, 1810.0), 0.0, 1.0, 1800)
+    parts = decomposed(truth, motion, EFFECTS, Prior(np.zeros((len(EFFECTS), 3)), SensorErrors()))
+    assert parts["gyro bias"].rotation == pytest.approx(0)
+    assert np.array_equal(parts[REST].rotation, summed(truth, 0.0, 1.0, 1800).rotation)

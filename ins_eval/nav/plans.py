@@ -17,7 +17,11 @@ MOST_INCREMENTS = 10_000_000
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Those that a plan is made of."""
     add = parser.add_argument
-    add("--hours", metavar="H", help=f"flight, in whole minutes (default {HOURS}; of a log, what it holds)")
+    add(
+        "--hours",
+        metavar="H",
+        help=f"flight, in whole minutes (default {HOURS}; of a log, what it holds)",
+    )
     add("--rate-hz", metavar="HZ", help="of the increments, 10 to 2000 (default: the IMU's)")
     add("--samples", metavar="N", default=SAMPLES, help="increments a step, 2 to 4 "
         f"(default {SAMPLES})")  # fmt: skip

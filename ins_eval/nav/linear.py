@@ -92,7 +92,7 @@ def error_budget(plan: Plan, truth: Truth, imu: Imu, run: Run) -> Budget:
         initial[ATTITUDE] -= _explained(before, error)
         model = joined(before, model)
     motion = _motion(plan, truth, -grid.alignment, grid.alignment + grid.flight)
-    believed = beliefs(imu, _first_angle(imu, run.measured, motion.start))
+    believed = beliefs(imu, _first_angle(imu, run.measured, motion.start)).constant
     prior = Prior(believed.deviations, believed.noise)
     found = weights(model)
     return Budget(budget(found, decomposed(error, motion, believed.effects, prior), initial), found)

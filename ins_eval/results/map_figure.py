@@ -48,6 +48,8 @@ def _draw_path(axes: Axes, flights: xr.Dataset) -> None:
         longitudes.append(np.concatenate(longitude))
     lay_out(axes, np.concatenate(latitudes), np.concatenate(longitudes))
     _mark_ends(axes, latitudes[-1], longitudes[-1])
+    if len(prefixes) == 2 and flights.sizes.get("run", 1) == 1:
+        _mark_navigated_end(axes, latitudes[0][-1], longitudes[0][-1])
     axes.legend(loc="best", fontsize="small", framealpha=0.9)
     axes.set_title("path", fontsize="medium")
 
@@ -72,6 +74,12 @@ def _mark_ends(axes: Axes, latitude: Array, longitude: Array) -> None:
     }
     axes.plot(longitude[0], latitude[0], "o", color="tab:green", label="start", **style)
     axes.plot(longitude[-1], latitude[-1], "s", color="tab:red", label="end", **style)
+
+
+def _mark_navigated_end(axes: Axes, latitude: float, longitude: float) -> None:
+    style: dict[str, Any] = {"markeredgecolor": "black", "linestyle": "none", "zorder": 3.5}
+    label = "end, navigated"
+    axes.plot(longitude, latitude, "s", color=NAVIGATED_COLOR, markersize=8, label=label, **style)
 
 
 def _draw_end(axes: Axes, flights: xr.Dataset) -> None:

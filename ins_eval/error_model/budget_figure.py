@@ -43,7 +43,9 @@ def _weights(axes: Axes, weight: xr.DataArray) -> None:
     """Linear near zero, logarithmic beyond: alignment weighs many times what a flight does."""
     for axis, colour in COLOURS.items():
         axes.plot(weight.time / HOUR, weight.sel(axis=axis), colour, linewidth=0.9, label=axis)
-    axes.set_yscale("symlog", linthresh=max(float(np.median(np.abs(weight.values))), 1e-9))
+    axes.set_yscale(
+        "symlog", linscale=2, linthresh=max(float(np.median(np.abs(weight.values))), 1e-9)
+    )
     axes.set_xlabel("time, h")
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.increments import Increments
-from ins_eval.state import Track
+from ins_eval.state import State, Track
 from ins_eval.trajectories.trajectory import Trajectory
 
 Array = NDArray[np.float64]
@@ -75,46 +75,44 @@ def along(trajectory: Trajectory, start: float, step: float, count: int) -> Moti
     )
 
 
-def flown(track: Track, increments: Increments, parts: int = 1) -> Motion:
-    """Motion that a navigator (or a reference) put out, with the increments that it came from.
+def flown(start: State, track: Track, increments: Increments) -> Motion:
+    """Motion that a navigator put out, with the increments that it came from.
 
     Args:
-        track: states at equal times, the first at the start of the increments; each is a node.
+        start: where it started, with the increments.
+        track: what followed at equal times, each a node: four rows a step.
         increments: at least up to the last of these times.
-        parts: rows of the track from node to node.
 
     Raises:
-        ValueError: a track that has no whole number of steps, does not begin with the increments,
-            or whose times are no multiples of their interval.
+        ValueError: a track that has no whole number of steps, or whose times do not follow the
+            increments' start at multiples of their interval.
     """
-    time = track.time[::parts]
-    per_node = _intervals_per_node(time, increments)
-    rate = _at_bounds(increments.rotation, increments.interval, per_node, len(time))
-    force = _at_bounds(increments.velocity, increments.interval, per_node, len(time))
+    per_node, nodes = _intervals_per_node(track.time, increments), len(track) + 1
+    bounds = slice(0, per_node * len(track) + 1, per_node)
     return Motion(
         step=PARTS * per_node * increments.interval,
-        start=float(time[0]),
-        latitude=track.position[::parts, 0],
-        height=track.position[::parts, 2],
-        velocity=track.velocity[::parts],
-        mat_nb=track.mat_nb[::parts],
-        rate=rate,
-        force=force,
-        turned=_running_sum(increments.rotation)[: per_node * (len(time) - 1) + 1 : per_node],
+        start=increments.start,
+        latitude=np.append(start.latitude, track.position[:, 0]),
+        height=np.append(start.height, track.position[:, 2]),
+        velocity=np.concatenate([start.velocity[None], track.velocity]),
+        mat_nb=np.concatenate([start.mat_nb[None], track.mat_nb]),
+        rate=_at_bounds(increments.rotation, increments.interval, per_node, nodes),
+        force=_at_bounds(increments.velocity, increments.interval, per_node, nodes),
+        turned=_running_sum(increments.rotation)[bounds],
     )
 
 
 def _intervals_per_node(time: Array, increments: Increments) -> int:
-    if len(time) < PARTS + 1 or (len(time) - 1) % PARTS:
-        raise ValueError(f"{len(time)} nodes of motion: expected a multiple of {PARTS}, plus 1")
-    per_node = round((time[1] - time[0]) / increments.interval)
-    expected = increments.start + per_node * increments.interval * np.arange(len(time))
+    if len(time) == 0 or len(time) % PARTS:
+        raise ValueError(f"track of {len(time)} rows: expected a multiple of {PARTS}")
+    per_node = round((time[0] - increments.start) / increments.interval)
+    expected = increments.start + per_node * increments.interval * np.arange(1, len(time) + 1)
     if per_node < 1 or not np.allclose(time, expected, rtol=0, atol=1e-6):
         raise ValueError(
-            f"track from {time[0]} s every {time[1] - time[0]} s: expected equal times from the "
-            f"increments' start, {increments.start} s, at multiples of {increments.interval} s"
+            f"track from {time[0]} to {time[-1]} s in {len(time)} rows: expected equal times after "
+            f"the increments' start, {increments.start} s, at multiples of {increments.interval} s"
         )
-    if (len(time) - 1) * per_node > len(increments):
+    if len(time) * per_node > len(increments):
         raise ValueError(f"track up to {time[-1]} s: increments end at {increments.bounds[-1]} s")
     return per_node
 

@@ -18,7 +18,7 @@ BiasMap = Callable[[Array], Array]
 
 REACH = 6.0 * DEG
 """Of the pattern about its parked angle: Earth's level rate turns it by up to 6.4 deg in 2 h at
-latitude 40 deg, 2 deg of pitch by 0.6 deg."""
+latitude 40 deg, 2 deg of pitch by 0.6 deg. Turns with roll add to that, always one way."""
 _CANDIDATES = np.arange(0.0, 180.0, 0.1) * DEG
 _WITHIN = np.linspace(-REACH, REACH, 25)
 

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from ins_eval.metrics import median_interval
 from ins_eval.parking.case import CASES
-from ins_eval.parking.study import Comparison
+from ins_eval.parking.study import Comparison, ratios
 from pyhrg.units import NAUTICAL_MILE
 
 COLORS = ("black", "tab:blue", "tab:orange", "tab:red", "tab:green")
@@ -41,17 +41,25 @@ def _draw_growth(axes: Axes, result: Comparison) -> None:
 
 def _draw_ratios(axes: Axes, result: Comparison) -> None:
     rows = np.arange(len(CASES))
-    for row, color, ratio in zip(rows, COLORS, result.ratios(), strict=True):
-        axes.plot([ratio.low, ratio.high], [row, row], color=color, linewidth=2)
-        axes.plot(ratio.value, row, "o", color=color)
-        text = f"{ratio.value:.2g}"
-        axes.annotate(text, (ratio.value, row), (0, 8), textcoords="offset points", ha="center")
+    kinds = (
+        (result.final, -0.15, "o", f"at {result.hours:g} h"),
+        (result.greatest, 0.15, "s", f"greatest within {result.hours:g} h"),
+    )
+    for radial, beside, marker, name in kinds:
+        for row, color, ratio in zip(rows + beside, COLORS, ratios(radial), strict=True):
+            axes.plot([ratio.low, ratio.high], [row, row], color=color, linewidth=2)
+            axes.plot(ratio.value, row, marker, color=color)
+            text, above = f"{ratio.value:.2g}", 5 if beside < 0 else -14
+            at = (ratio.value, row)
+            axes.annotate(text, at, (0, above), textcoords="offset points", ha="center")
+        axes.plot([], [], marker, color="0.4", label=name)
+    axes.legend(loc="upper left", framealpha=0.95)
     axes.axvline(1.0, color="0.6", linewidth=1)
     axes.set_xscale("log")
     axes.set_yticks(rows, [case.label.replace(", ", ",\n") for case in CASES])
-    for label, color in zip(axes.get_yticklabels(), COLORS, strict=True):
-        label.set_color(color)
+    for tick, color in zip(axes.get_yticklabels(), COLORS, strict=True):
+        tick.set_color(color)
     axes.invert_yaxis()
     axes.margins(y=0.15)
-    axes.set_xlabel(f"error over the first case's at {result.hours:g} h (line: 95 %)")
+    axes.set_xlabel("error over the first case's (line: 95 %)")
     axes.grid(axis="x", which="both", alpha=0.25)

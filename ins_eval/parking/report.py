@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ins_eval.metrics import median_interval
 from ins_eval.parking.case import CASES
 from ins_eval.parking.figure import draw
-from ins_eval.parking.study import Comparison
+from ins_eval.parking.study import Comparison, ratios
 from ins_eval.parking.triad import RECORDS
 from pyhrg.units import DEG, NAUTICAL_MILE
 
@@ -31,15 +31,20 @@ USED = {
 def summary(result: Comparison) -> str:
     """What a person wants to read: position errors by case, and what start-up costs."""
     n = result.radial.shape[1]
-    head = f"{'':<42}{'median, nmi':>12}   {'95 %':<18}{'ratio':>7}   {'95 %':<18}{'heading':>9}"
     ready = result.ready.max()
     return "\n".join(
         [
-            f"Radial position error after {result.hours:g} h of {result.mission}, {n} triads; its "
-            f"ratio to the first case's\n(geometric mean over triads); rms heading error of the "
-            f"alignment, arcmin\n",
-            head,
-            *(_row(result, number) for number in range(len(CASES))),
+            f"Radial position error on {result.mission}, {n} triads, and its ratio to the first "
+            f"case's (geometric mean over triads)",
+            *_table(result.final, f"after {result.hours:g} h"),
+            *_table(result.greatest, f"greatest within {result.hours:g} h"),
+            "",
+            "Rms heading error of the alignment, arcmin",
+            "",
+            *(
+                f"{case.label:<45}{rms_arcmin(heading):9.3g}"
+                for case, heading in zip(CASES, result.heading, strict=True)
+            ),
             "",
             f"The last gyro is ready at most {ready:.1f} s after power-on. Rms heading error with "
             "whole maps taken out,\nby what alignment uses, arcmin",
@@ -52,15 +57,17 @@ def summary(result: Comparison) -> str:
     )
 
 
-def _row(result: Comparison, number: int) -> str:
-    radial = result.radial[number, :, -1] / NAUTICAL_MILE
-    low, high = median_interval(radial)
-    ratio = result.ratios()[number]
-    between = f"{ratio.low:.3g} to {ratio.high:.3g}" if number else ""
-    return (
-        f"{CASES[number].label:<42}{np.median(radial):12.3g}   {f'{low:.3g} to {high:.3g}':<18}"
-        f"{ratio.value:7.3g}   {between:<18}{rms_arcmin(result.heading[number]):9.3g}"
-    )
+def _table(radial: Array, title: str) -> list[str]:
+    """Lines about errors (cases, n), m."""
+    lines = ["", f"{title:<42}{'median, nmi':>12}   {'95 %':<18}{'ratio':>7}   95 %"]
+    for case, errors, ratio in zip(CASES, radial / NAUTICAL_MILE, ratios(radial), strict=True):
+        low, high = median_interval(errors)
+        between = f"{ratio.low:.3g} to {ratio.high:.3g}" if case is not CASES[0] else ""
+        lines.append(
+            f"{case.label:<42}{np.median(errors):12.3g}   {f'{low:.3g} to {high:.3g}':<18}"
+            f"{ratio.value:7.3g}   {between}".rstrip()
+        )
+    return lines
 
 
 def rms_arcmin(angle: Array) -> float:
@@ -98,18 +105,25 @@ def document(result: Comparison) -> dict[str, Any]:
 
 def _case(result: Comparison, number: int) -> dict[str, Any]:
     case = CASES[number]
-    radial = result.radial[number, :, -1] / NAUTICAL_MILE
-    ratio = result.ratios()[number]
     return {
         "level_gyros_start": case.start.value,
         "taken_out": case.known.value,
-        "radial_error_nmi": float(np.median(radial)),
-        "interval_95_nmi": list(median_interval(radial)),
+        "final": _errors(result.final, number),
+        "greatest": _errors(result.greatest, number),
+        "heading_error_rms_arcmin": rms_arcmin(result.heading[number]),
+        "heading_error_arcmin": (result.heading[number] / DEG * 60).tolist(),
+    }
+
+
+def _errors(radial: Array, number: int) -> dict[str, Any]:
+    """One case of errors (cases, n), m."""
+    own, ratio = radial[number] / NAUTICAL_MILE, ratios(radial)[number]
+    return {
+        "radial_error_nmi": float(np.median(own)),
+        "interval_95_nmi": list(median_interval(own)),
         "ratio": ratio.value,
         "ratio_interval_95": [ratio.low, ratio.high],
-        "heading_error_rms_arcmin": rms_arcmin(result.heading[number]),
-        "triads_nmi": radial.tolist(),
-        "heading_error_arcmin": (result.heading[number] / DEG * 60).tolist(),
+        "triads_nmi": own.tolist(),
     }
 
 

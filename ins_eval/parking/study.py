@@ -46,10 +46,20 @@ class Comparison:
         """Length of the mission after alignment."""
         return float(self.time[-1]) / 3600
 
-    def ratios(self) -> list[PairedRatio]:
-        """Of the position error at the mission's end to that of the first case, by case."""
-        end = self.radial[:, :, -1]
-        return [paired_ratio(radial, end[0]) for radial in end]
+    @property
+    def final(self) -> Array:
+        """(cases, n) position error at the mission's end, m."""
+        return self.radial[:, :, -1]
+
+    @property
+    def greatest(self) -> Array:
+        """(cases, n) greatest position error within the mission, m."""
+        return np.asarray(self.radial.max(axis=-1))
+
+
+def ratios(radial: Array) -> list[PairedRatio]:
+    """Of errors (cases, n) to those of the first case, by case."""
+    return [paired_ratio(errors, radial[0]) for errors in radial]
 
 
 def work(triads: int, mission: Mission) -> int:

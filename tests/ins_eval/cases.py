@@ -4,7 +4,7 @@ import numpy as np
 
 from ins_eval import earth
 from ins_eval.increments import Increments
-from ins_eval.trajectories.car import car
+from ins_eval.trajectories.catalogue import trajectory
 from ins_eval.validation.mission import STILL, Mission, mission
 
 
@@ -25,4 +25,4 @@ def at_rest(
 
 def short_mission(hours: float) -> Mission:
     """The default manoeuvre, cut short."""
-    return mission(car(STILL, hours * 3600 + 10), hours)
+    return mission(trajectory("car", STILL, hours * 3600 + 10), hours)

@@ -4,7 +4,6 @@ import os
 import shutil
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -82,16 +81,3 @@ def test_a_folder_that_cannot_be_written_does_no_harm(tmp_path: Path) -> None:
     (tmp_path / "hrg").write_text("in the way")
     assert said(fresh(tmp_path)) == earth.meridian_radius(0.5)
     assert not list(Path(ins_eval.__file__).parent.rglob("*.nbi"))
-
-
-def test_a_warm_start_is_quick(tmp_path: Path) -> None:
-    """Import and first call of one function, in seconds; the processor's, not the clock's, for
-    machines under load."""
-    said(fresh(tmp_path))
-    before = os.times()
-    begin = time.perf_counter()
-    said(fresh(tmp_path))
-    wall, after = time.perf_counter() - begin, os.times()
-    spent = after.children_user + after.children_system
-    spent -= before.children_user + before.children_system
-    assert min(wall, spent) < 2.0

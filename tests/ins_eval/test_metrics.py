@@ -84,14 +84,14 @@ def test_ratio_in_a_word(ratio: Ratio, word: str) -> None:
 
 @pytest.mark.parametrize(("n", "factor"), [(6, 1.0), (16, 0.2)])
 def test_interval_of_a_paired_ratio_holds_it(n: int, factor: float) -> None:
-    """2000 samples, seed 1, of radii whose halves are shared: 95 % within three deviations."""
+    """500 samples, seed 1, of radii whose halves are shared: 95 % within three deviations."""
     generator = np.random.default_rng(1)
     held = 0
-    for _ in range(2000):
+    for _ in range(500):
         shared, own, other = generator.normal(size=(3, n, 2))
         ratio = paired_ratio(factor * np.hypot(*(shared + own).T), np.hypot(*(shared + other).T))
         held += ratio.low <= factor <= ratio.high
-    assert held / 2000 == pytest.approx(0.95, abs=3 * np.sqrt(0.95 * 0.05 / 2000))
+    assert held / 500 == pytest.approx(0.95, abs=3 * np.sqrt(0.95 * 0.05 / 500))
 
 
 def test_paired_ratio_of_a_sample_to_itself_is_1() -> None:

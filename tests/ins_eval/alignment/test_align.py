@@ -11,7 +11,7 @@ from ins_eval.alignment.analytic import AlignmentError, static_alignment
 from ins_eval.alignment.inertial_frame import inertial_frame_alignment
 from ins_eval.increments import Increments
 from ins_eval.sensor_errors import SensorErrors
-from ins_eval.trajectories.car import car
+from ins_eval.trajectories.catalogue import trajectory
 from pyhrg.units import DEG, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
 from tests.ins_eval.alignment.cases import (
     LATITUDE,
@@ -124,6 +124,6 @@ def test_a_pole_is_refused(latitude: float) -> None:
 
 
 def test_a_car_that_drives_off_is_refused() -> None:
-    drive = car(10.0, 310.0)
+    drive = trajectory("car", 10.0, 310.0)
     with pytest.raises(AlignmentError, match=r"velocity changes by \d.* standing vehicle"):
         align(drive.increments(0.0, 0.1, 3000), drive.position(np.array(0.0)), ERRORS)

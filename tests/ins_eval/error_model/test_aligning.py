@@ -20,7 +20,7 @@ from ins_eval.error_model.states import ATTITUDE, COUNT
 from ins_eval.navigation.height import Clamped
 from ins_eval.sensor_errors import SensorErrors
 from ins_eval.state import Track, track_error
-from ins_eval.trajectories.car import car
+from ins_eval.trajectories.catalogue import trajectory
 from tests.ins_eval.error_model.test_closed_forms import at_rest
 
 CLAMPED = Clamped(np.zeros(1))
@@ -30,9 +30,9 @@ CLAMPED = Clamped(np.zeros(1))
 @pytest.mark.parametrize("axis", [0, 1, 2])
 def test_attitude_error_is_the_alignments(sensor: int, axis: int) -> None:
     """To 1e-5 of the attitude that a bias leads to, north 30 deg left of forward."""
-    trajectory = car(100.0, 20.0)
-    record = trajectory.increments(-90.0, 0.1, 900)
-    state = trajectory.state(-0.1)
+    car = trajectory("car", 100.0, 20.0)
+    record = car.increments(-90.0, 0.1, 900)
+    state = car.state(-0.1)
     biases = np.zeros((2, 3))
     biases[sensor, axis] = (1e-9, 1e-6)[sensor]
 
@@ -46,7 +46,7 @@ def test_attitude_error_is_the_alignments(sensor: int, axis: int) -> None:
     def track(mat_nb: np.ndarray) -> Track:
         return Track(np.zeros(1), np.zeros((1, 3)), np.zeros((1, 3)), mat_nb[None])
 
-    found = propagated(alignment_model(along(trajectory, -90.0, 1.0, 90)), np.zeros(COUNT), biases)
+    found = propagated(alignment_model(along(car, -90.0, 1.0, 90)), np.zeros(COUNT), biases)
     expected = track_error(track(aligned(1.0)), track(aligned(-1.0))).attitude[0] / 2
     size = np.linalg.norm(expected) + 1e-12
     assert found[-1, ATTITUDE] == pytest.approx(expected, abs=1e-5 * size)

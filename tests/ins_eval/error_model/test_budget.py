@@ -19,12 +19,12 @@ from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.sensor_errors import SensorErrors
 from ins_eval.state import position_error
-from ins_eval.trajectories.car import car
+from ins_eval.trajectories.catalogue import trajectory
 from pyhrg.units import DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
 
 STILL, FLIGHT, INTERVAL = 200.0, 1800.0, 0.05
 ALIGNED = round(STILL / INTERVAL)
-TRAJECTORY = car(STILL + 20, FLIGHT + 10)
+TRAJECTORY = trajectory("car", STILL + 20, FLIGHT + 10)
 NOISE = SensorErrors(
     gyro_bias=0.01 * DEG_PER_H,
     angle_random_walk=1e-3 * DEG_PER_SQRT_H,

@@ -15,7 +15,7 @@ from ins_eval.error_model.effects import (
 from ins_eval.error_model.motion import along
 from ins_eval.increments import Increments
 from ins_eval.sensor_errors import SensorErrors
-from ins_eval.trajectories.car import car
+from ins_eval.trajectories.catalogue import trajectory
 
 INTERVAL = 0.1
 COUNT = 18_000
@@ -25,7 +25,7 @@ EFFECTS = (*BIASES, gyro_scale_factor(), accelerometer_scale_factor(), *bias_map
 
 @pytest.fixture(scope="module")
 def truth() -> Increments:
-    return car(20.0, 1810.0).increments(0.0, INTERVAL, COUNT)
+    return trajectory("car", 20.0, 1810.0).increments(0.0, INTERVAL, COUNT)
 
 
 def test_each_effect_is_found_again(truth: Increments) -> None:
@@ -41,7 +41,7 @@ def test_each_effect_is_found_again(truth: Increments) -> None:
         rotation=2e-7 * INTERVAL + scale + bias_map_4 + noise,
         velocity=np.full_like(truth.velocity, 1e-4 * INTERVAL),
     )
-    parts = decomposed(error, along(car(20.0, 1810.0), 0.0, 1.0, 1800), EFFECTS)
+    parts = decomposed(error, along(trajectory("car", 20.0, 1810.0), 0.0, 1.0, 1800), EFFECTS)
     assert parts["gyro bias"].rotation[:, 2] == pytest.approx(2e-7, rel=1e-2)
     expected = bias_map_4.reshape(1800, 10, 3).sum(axis=1)
     found = parts["bias map, harmonic 4"].rotation
@@ -80,7 +80,7 @@ def test_prior_keeps_like_signals_from_cancelling(truth: Increments) -> None:
     generator = np.random.default_rng(3)
     drift = 2e-7 * INTERVAL + white * generator.standard_normal(truth.rotation.shape)
     error = replace(truth, rotation=drift, velocity=np.zeros_like(truth.velocity))
-    motion = along(car(20.0, 1810.0), 0.0, 1.0, 1800)
+    motion = along(trajectory("car", 20.0, 1810.0), 0.0, 1.0, 1800)
     prior = Prior(np.full((len(EFFECTS), 3), 1e-7), noise)
 
     def largest(parts: dict[str, Increments]) -> float:
@@ -95,7 +95,7 @@ def test_prior_keeps_like_signals_from_cancelling(truth: Increments) -> None:
 
 
 def test_prior_of_nothing_leaves_all_to_the_rest(truth: Increments) -> None:
-    motion = along(car(20.0, 1810.0), 0.0, 1.0, 1800)
+    motion = along(trajectory("car", 20.0, 1810.0), 0.0, 1.0, 1800)
     parts = decomposed(truth, motion, EFFECTS, Prior(np.zeros((len(EFFECTS), 3)), SensorErrors()))
     assert parts["gyro bias"].rotation == pytest.approx(0)
     assert np.array_equal(parts[REST].rotation, summed(truth, 0.0, 1.0, 1800).rotation)

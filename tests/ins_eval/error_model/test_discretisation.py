@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
+from scipy.linalg import expm
 
-from ins_eval.error_model.discretisation import to_end_of_step, van_loan
+from ins_eval.error_model.discretisation import exponential, to_end_of_step, van_loan
 
 
 def test_double_integrator() -> None:
@@ -33,3 +34,13 @@ def test_transitions_to_the_end() -> None:
     for back, transition in enumerate(found):
         expected, _ = van_loan(f, np.zeros_like(f), 0.2 * back)
         assert transition == pytest.approx(expected, rel=1e-12, abs=1e-12)
+
+
+@pytest.mark.parametrize("size", [1e-6, 0.3, 3.0, 1000.0])
+def test_exponential_is_scipys(size: float) -> None:
+    """A small one, and one of a rate that feeds what does not feed back, as gravity does."""
+    a = 0.1 * np.random.default_rng(8).normal(size=(5, 6, 6))
+    a[:, 3:, :3] = 0.0
+    a[:, :3, 3:] *= size
+    assert exponential(a) == pytest.approx(expm(a), rel=1e-11, abs=1e-13 * (1 + size))
+    assert exponential(np.zeros((0, 6, 6))).shape == (0, 6, 6)

@@ -28,7 +28,7 @@ from ins_eval.error_model.motion import Motion, along
 from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
 from ins_eval.sensor_errors import SensorErrors
-from ins_eval.trajectories.car import car
+from ins_eval.trajectories.catalogue import trajectory
 from tests.ins_eval.error_model.cases import Flight, weave
 
 HOUR = 3600.0
@@ -50,13 +50,13 @@ EFFECTS: tuple[tuple[Effect, float], ...] = (
 
 @pytest.fixture(scope="module", params=["weave", "high latitude", "rolls", "car"])
 def flight(request: pytest.FixtureRequest) -> Flight:
-    trajectory = {
+    flown = {
         "weave": lambda: weave(45, HOUR),
         "high latitude": lambda: weave(75, HOUR),
         "rolls": lambda: weave(45, HOUR, roll_every=600),
-        "car": lambda: car(20.0, HOUR + 10),
+        "car": lambda: trajectory("car", 20.0, HOUR + 10),
     }[request.param]()
-    return Flight.of(trajectory, HOUR, interval=0.04)
+    return Flight.of(flown, HOUR, interval=0.04)
 
 
 def odd_part(flight: Flight, height: Height, start: np.ndarray, sensors: np.ndarray) -> np.ndarray:
@@ -210,19 +210,17 @@ def _after_48_h(step: float) -> np.ndarray:
 
 def _at_rest(step: float) -> Motion:
     """One step, which is like all others; the car's pitch and roll are 0."""
-    still = along(car(20.0, 10.0), -15.0, step=1.0, count=1)
+    still = along(trajectory("car", 20.0, 10.0), -15.0, step=1.0, count=1)
     return replace(still, step=step)
 
 
 def test_joined_models_must_follow() -> None:
-    trajectory = car(60.0, 60.0)
-    first, then = (
-        linear_model(along(trajectory, start, 1.0, 30), CLAMPED) for start in (-30.0, 0.0)
-    )
+    car = trajectory("car", 60.0, 60.0)
+    first, then = (linear_model(along(car, start, 1.0, 30), CLAMPED) for start in (-30.0, 0.0))
     assert len(joined(first, then)) == 60
     with pytest.raises(ValueError, match=r"from -30\.0 s.*same moment"):
         joined(then, first)
-    without = linear_model(along(trajectory, 0.0, 1.0, 30), CLAMPED, BIASES[:1])
+    without = linear_model(along(car, 0.0, 1.0, 30), CLAMPED, BIASES[:1])
     with pytest.raises(ValueError, match="expected the same"):
         joined(first, without)
 
@@ -250,7 +248,7 @@ def test_covariance_is_that_of_its_parts() -> None:
 def test_noise_gained_is_the_integral() -> None:
     """At rest for a minute: velocity and attitude walk."""
     noise = SensorErrors(angle_random_walk=1e-6, velocity_random_walk=1e-3)
-    model = linear_model(along(car(80.0, 10.0), -70.0, 1.0, 60), CLAMPED, (), noise)
+    model = linear_model(along(trajectory("car", 80.0, 10.0), -70.0, 1.0, 60), CLAMPED, (), noise)
     found = propagated_covariance(model, np.zeros((COUNT, COUNT)), np.zeros((0, 3)))[-1]
     assert found[6, 6] == pytest.approx(1e-12 * 60, rel=1e-4)
     tilted = (9.8 * 1e-6) ** 2 * 60**3 / 3

@@ -8,7 +8,7 @@ from ins_eval.error_model.linear_model import linear_model, propagated
 from ins_eval.error_model.motion import along, flown, step_mean
 from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import Clamped
-from ins_eval.state import Track
+from ins_eval.navigation.strapdown import navigate
 from tests.ins_eval.error_model.cases import weave
 
 
@@ -19,15 +19,18 @@ def test_means_are_exact_for_fifth_degree() -> None:
 
 
 def test_flown_motion_gives_the_same_model() -> None:
-    """From a track and increments at 50 Hz as from the trajectory, to 1e-3 of each error."""
+    """Of the navigator's track and its increments at 50 Hz as of the trajectory, to 1e-3 of each
+    error."""
     trajectory = weave(45, 600)
     truth = trajectory.increments(0.0, 0.02, 30_000)
-    track = trajectory.track(np.arange(0, 600.1, 0.1))
-    motions = along(trajectory, 0.0, 0.4, 1500), flown(track, truth)
-    assert motions[1].step == pytest.approx(0.4)
+    height = Clamped(trajectory.position(truth.bounds)[:, 2])
+    start = trajectory.state(0.0)
+    track = navigate(start, truth, height, keep_every=6)
+    motions = along(trajectory, 0.0, 0.48, 1250), flown(start, track, truth)
+    assert motions[1].step == pytest.approx(0.48)
     assert motions[1].turned == pytest.approx(motions[0].turned, abs=1e-9)
     effects = (*BIASES, gyro_scale_factor(), *bias_map(4, np.zeros(3)))
-    models = [linear_model(motion, Clamped(np.zeros(1)), effects) for motion in motions]
+    models = [linear_model(motion, height, effects) for motion in motions]
     for place in np.ndindex(5, 3):
         one = np.zeros((5, 3))
         one[place] = 1.0
@@ -38,13 +41,12 @@ def test_flown_motion_gives_the_same_model() -> None:
 def test_flown_motion_needs_matching_times() -> None:
     trajectory = weave(45, 60)
     truth = trajectory.increments(0.0, 0.02, 500)
+    start = trajectory.state(0.0)
 
-    def track(times: np.ndarray) -> Track:
-        return trajectory.track(times)
+    def refused(times: np.ndarray, message: str) -> None:
+        with pytest.raises(ValueError, match=message):
+            flown(start, trajectory.track(times), truth)
 
-    with pytest.raises(ValueError, match="7 nodes of motion: expected a multiple of 4, plus 1"):
-        flown(track(np.arange(7) * 0.5), truth)
-    with pytest.raises(ValueError, match=r"track from 1\.0 s.*increments' start, 0\.0 s"):
-        flown(track(1 + np.arange(9) * 0.5), truth)
-    with pytest.raises(ValueError, match=r"track up to 16\.0 s: increments end at 10\.0 s"):
-        flown(track(np.arange(33) * 0.5), truth)
+    refused(0.5 * np.arange(1, 8), "7 rows: expected a multiple of 4")
+    refused(1.0 + 0.5 * np.arange(1, 9), r"from 1\.5 to 5\.0 s.*after the increments' start, 0\.0")
+    refused(0.5 * np.arange(1, 33), r"up to 16\.0 s: increments end at 10\.0 s")

@@ -1,6 +1,5 @@
 """Logs as CSV and Parquet: read, written, refused."""
 
-import time
 from pathlib import Path
 
 import numpy as np
@@ -130,12 +129,3 @@ def test_a_parquet_file_is_held_to_the_same(tmp_path: Path) -> None:
 def test_a_missing_file_is_named(tmp_path: Path) -> None:
     with pytest.raises(LogError, match=r"none\.csv: can't be read: No such file"):
         recorded.read(tmp_path / "none.csv")
-
-
-def test_half_an_hour_at_100_hz_reads_in_two_seconds(tmp_path: Path) -> None:
-    """Of processor time."""
-    path = tmp_path / "log.csv"
-    recorded.write(resting(1847.0), path)
-    begin = time.process_time()
-    recorded.read(path)
-    assert time.process_time() - begin < 2.0

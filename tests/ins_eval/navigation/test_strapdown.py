@@ -7,7 +7,7 @@ from ins_eval.navigation.coefficients import SAMPLES
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.state import State, position_error
-from ins_eval.trajectories.car import car
+from ins_eval.trajectories.catalogue import trajectory
 from ins_eval.validation.mission import Mission, mission
 from pyhrg.units import DEG_PER_H
 from tests.ins_eval.cases import at_rest
@@ -15,7 +15,7 @@ from tests.ins_eval.cases import at_rest
 
 @pytest.fixture(scope="module")
 def two_hours() -> Mission:
-    return mission(car(320.0, 7210.0), 2.0)
+    return mission(trajectory("car", 320.0, 7210.0), 2.0)
 
 
 def test_own_error_is_below_10_m_at_2_h(two_hours: Mission) -> None:

@@ -5,13 +5,12 @@ import pytest
 
 from ins_eval import earth
 from ins_eval.trajectories import catalogue
-from ins_eval.trajectories.car import car
 from ins_eval.trajectories.trajectory import Trajectory
 
 
 @pytest.fixture(scope="module")
 def trajectory() -> Trajectory:
-    return car(320.0, 900.0)
+    return catalogue.trajectory("car", 320.0, 900.0)
 
 
 def test_stands_still_and_feels_earth_and_gravity(trajectory: Trajectory) -> None:

@@ -1,0 +1,173 @@
+"""Studies as TOML: read, and refused with file, key, what was found and what was expected."""
+
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import MISSING
+from pathlib import Path
+from typing import Any, TypeVar
+
+from ins_eval.imu.toml_table import SpecificationError, TomlTable
+from ins_eval.study.specification import (
+    TEST,
+    TRAIN,
+    PlannedMission,
+    Study,
+    fewest_triads,
+)
+from ins_eval.trajectories import catalogue
+from ins_eval.trajectories.errors import TrajectoryError
+from ins_eval.trajectories.keys import Checked, keys
+
+_FOLDER = Path(__file__).with_name("ready")
+READY = tuple(sorted(path.stem for path in _FOLDER.glob("*.toml")))
+"""Names of the studies that come with the package; each is a file in `ready`."""
+
+SECTIONS: Mapping[str, type[Checked]] = {}
+"""Tables of a study file, by the field of `Study` that each fills."""
+MISSION_KEYS = ("name", "file", "class", "half", "hours")
+
+T = TypeVar("T", bound=Checked)
+
+
+def study(name_or_path: str, seed: int | None = None) -> Study:
+    """One that comes with the package, or the one in a file.
+
+    Raises:
+        SpecificationError: see `read`; neither a name nor a file.
+    """
+    if name_or_path in READY:
+        return read(_FOLDER / f"{name_or_path}.toml", seed)
+    if not Path(name_or_path).is_file():
+        raise SpecificationError(
+            f"{name_or_path}: found no such file, expected one or {', '.join(READY)}"
+        )
+    return read(Path(name_or_path), seed)
+
+
+def read(path: Path, seed: int | None = None) -> Study:
+    """Read a study.
+
+    Args:
+        path: TOML. At the top the keys of `Study`; `[[missions]]`, each with `name` (of a ready
+            mission) or `file` (from the folder of this one), `class`, `half` and, if it has its
+            own, `hours`; tables as `SECTIONS` says.
+        seed: instead of the file's.
+
+    Raises:
+        SpecificationError: an unreadable file; a key that is unknown or missing; a value out of
+            range; a class in both halves, a half without missions; too few triads for the interval.
+    """
+    document = _parsed(path)
+    if seed is not None:
+        document["seed"] = seed
+    top = TomlTable(str(path), "", document)
+    top.check_known([*(key for key, _, _ in keys(Study)), "missions", *SECTIONS])
+    sections = {name: _built(kind, top.table(name)) for name, kind in SECTIONS.items()}
+    plain = {key: document[key] for key, _, _ in keys(Study) if key in document}
+    bare = _built(Study, TomlTable(str(path), "", plain), missions=(), **sections)
+    missions = tuple(_missions(top, path.parent, bare.hours))
+    _check_halves(top, missions)
+    _check_triads(top, bare)
+    return _built(Study, TomlTable(str(path), "", plain), missions=missions, **sections)
+
+
+def _parsed(path: Path) -> dict[str, Any]:
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise SpecificationError(f"{path}: can't be read: {error.strerror or error}") from error
+    except ValueError as error:
+        raise SpecificationError(f"{path}: found what is no TOML: {error}") from error
+
+
+def _built(kind: type[T], table: TomlTable, **others: Any) -> T:
+    """A dataclass from its keys, in SI."""
+    known = {key: (field, unit) for key, field, unit in keys(kind)}
+    table.check_known(known)
+    for key, (field, unit) in known.items():
+        if key not in table.values and field.name not in others and field.default is MISSING:
+            raise _missing(table, key, unit.expected)
+    values = {
+        known[key][0].name: known[key][1].from_file(table.values[key]) for key in table.values
+    }
+    try:
+        return kind(**values, **others)
+    except TrajectoryError as error:
+        raise SpecificationError(f"{table.source}: {table.prefix}{error}") from None
+
+
+def _missing(table: TomlTable, key: str, expected: str) -> SpecificationError:
+    return SpecificationError(
+        f"{table.source}: {table.prefix}{key}: found no such key, expected {expected}"
+    )
+
+
+def _missions(top: TomlTable, folder: Path, hours: float) -> Iterator[PlannedMission]:
+    listed = top.values.get("missions", [])
+    if not isinstance(listed, list) or not all(isinstance(each, dict) for each in listed):
+        raise top.error("missions", listed, "tables [[missions]]")
+    if not listed:
+        raise _missing(top, "missions", "tables [[missions]]")
+    named: set[str] = set()
+    for number, values in enumerate(listed, 1):
+        table = TomlTable(top.source, f"missions {number}: ", values)
+        mission = _mission(table, folder, hours)
+        if mission.name in named:
+            raise table.error("name", mission.name, "a name that no other mission has")
+        named.add(mission.name)
+        yield mission
+
+
+def _mission(table: TomlTable, folder: Path, hours: float) -> PlannedMission:
+    table.check_known(MISSION_KEYS)
+    if "class" not in table.values:
+        raise _missing(table, "class", "the class of manoeuvre, text")
+    path = _file(table, folder)
+    chosen = {key: table.values[key] for key in ("half", "hours") if key in table.values}
+    try:
+        content = path.read_bytes()
+    except OSError as error:
+        raise table.error("file", str(path), f"a file: {error.strerror or error}") from error
+    return _built(
+        PlannedMission,
+        TomlTable(table.source, table.prefix, {"hours": hours} | chosen),
+        name=table.text("name", path.name.split(".")[0]),
+        mission_class=table.text("class", ""),
+        file_name=path.name,
+        content=content,
+    )
+
+
+def _file(table: TomlTable, folder: Path) -> Path:
+    if "file" in table.values:
+        return folder / table.text("file", "")
+    if "name" not in table.values:
+        raise _missing(table, "name", f"{' or '.join(catalogue.names())}, or a file")
+    return catalogue.READY / f"{table.text('name', '', catalogue.names())}.toml"
+
+
+def _check_halves(top: TomlTable, missions: tuple[PlannedMission, ...]) -> None:
+    """Each class on one side, both sides there."""
+    halves: dict[str, str] = {}
+    for number, mission in enumerate(missions, 1):
+        half = halves.setdefault(mission.mission_class, mission.half)
+        if half != mission.half:
+            raise TomlTable(top.source, f"missions {number}: ", {}).error(
+                "half",
+                mission.half,
+                f"{half!r} as of every mission of class {mission.mission_class!r}",
+            )
+    for half in (TRAIN, TEST):
+        if half not in halves.values():
+            raise _missing(top, f"missions of half {half!r}", "at least one")
+
+
+def _check_triads(top: TomlTable, study: Study) -> None:
+    fewest = fewest_triads(study.interval_percent)
+    if study.triads < fewest:
+        raise top.error(
+            "triads",
+            study.triads,
+            f"{fewest} or more: with fewer, nothing refutes intervals of "
+            f"{study.interval_percent:g} % that are too wide",
+        )

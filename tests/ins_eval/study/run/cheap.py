@@ -1,0 +1,69 @@
+"""`hrg` with a cheap experiment in place of the study's own, each of whose blocks asks for leave.
+
+Run as a module, in a process of its own, so that it can be killed.
+"""
+
+import json
+import os
+import socket
+from importlib.metadata import EntryPoint, entry_points
+from pathlib import Path
+
+import numpy as np
+
+from ins_eval.study.run.block import TRIADS, Arrays
+from ins_eval.study.run.folder import StudyFolder
+from ins_eval.study.run.run import Experiment
+from ins_eval.study.specification import Study
+
+GATE = "HRG_TEST_GATE"
+"""Environment variable: port at which a test lets blocks through, one by one."""
+
+
+def made(study: Study, triads: range) -> Arrays:
+    if port := os.environ.get(GATE):
+        with socket.create_connection(("127.0.0.1", int(port))) as test:
+            test.sendall(f"{triads.start // TRIADS} {os.getpid()}\n".encode())
+            assert test.recv(1), "the test has gone"
+    seeds = [np.random.SeedSequence(study.seed, spawn_key=(triad,)) for triad in triads]
+    return {
+        "triad": np.array(triads),
+        "draw": np.array([np.random.default_rng(seed).normal(size=3) for seed in seeds]),
+    }
+
+
+def conclude(study: Study, arrays: Arrays, folder: Path) -> None:
+    (folder / "triads.txt").write_text(" ".join(map(str, arrays["triad"])))
+    (folder / "draws.json").write_text(json.dumps(arrays["draw"].tolist()))
+
+
+CHEAP = Experiment(made, conclude, ("triads.txt", "draws.json"))
+
+
+def announcing() -> None:
+    """Say on stdout which block is kept, once it is."""
+    keep = StudyFolder.keep
+
+    def announced(folder: StudyFolder, number: int, file: bytes) -> None:
+        keep(folder, number, file)
+        print("kept", number, flush=True)
+
+    StudyFolder.keep = announced  # type: ignore[method-assign]
+
+
+def only_study(group: str) -> list[EntryPoint]:
+    """Of the commands' entry points; the others take long to load."""
+    return [entry for entry in entry_points(group=group) if entry.name == "study"]
+
+
+if __name__ == "__main__":
+    import sys
+
+    from fmu_build import cli
+    from ins_eval.study import command
+    from tests.ins_eval.study.run import cheap
+
+    cli.entry_points = only_study  # type: ignore[assignment]
+    command.EXPERIMENT = cheap.CHEAP
+    announcing()
+    sys.exit(cli.main(sys.argv[1:]))

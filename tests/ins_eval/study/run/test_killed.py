@@ -1,0 +1,122 @@
+"""Commands, workers and schedulers are killed; nothing finished is lost or done twice."""
+
+import signal
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from ins_eval.study import study_file
+from ins_eval.study.run import block
+from ins_eval.study.run.identity import identity
+from ins_eval.study.specification import Study
+from tests.ins_eval.study import cases
+from tests.ins_eval.study.run import cheap
+from tests.ins_eval.study.run.processes import (
+    Gate,
+    contents,
+    said,
+    scheduler,
+    study_command,
+    worker,
+)
+
+
+@pytest.fixture
+def gate() -> Iterator[Gate]:
+    with Gate() as opened:
+        yield opened
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    return cases.study_file(tmp_path)
+
+
+def undisturbed(study: Study, folder: Path) -> dict[str, bytes]:
+    """What the study gives without workers or interruptions."""
+    folder.mkdir()
+    made = [cheap.made(study, block.triads_of(study, n)) for n in range(block.count(study))]
+    cheap.conclude(study, block.joined(made), folder)
+    (folder / "identity.json").write_text(identity(study).text)
+    return contents(folder)
+
+
+def test_killed_command_goes_on_from_what_it_kept(file: Path, tmp_path: Path, gate: Gate) -> None:
+    """First a worker is killed, then the command, while blocks are under way on both workers."""
+    out = tmp_path / "out"
+    with study_command(file, out, "--workers", "2", environment=gate.environment) as run:
+        first, second = gate.visitor(), gate.visitor()
+        first.kill()
+        second.pass_through()
+        assert said(run) == f"kept {second.number}\n"
+        orphans = [gate.visitor(), gate.visitor()]
+        run.kill()
+        for orphan in orphans:
+            orphan.wait_until_gone()
+    assert set(contents(out)) == {"identity.json", f"blocks/{second.number:06d}.npz"}
+    with study_command(file, out, "--workers", "1", environment=gate.environment) as run:
+        again = gate.pass_all(3)
+        assert run.wait(60) == 0
+    assert sorted([second.number, *again]) == [0, 1, 2, 3]
+    assert contents(out) == undisturbed(study_file.read(file), tmp_path / "undisturbed")
+
+
+def test_interrupted_command_says_how_to_go_on(file: Path, tmp_path: Path, gate: Gate) -> None:
+    out = tmp_path / "out"
+    with study_command(file, out, "--workers", "1", environment=gate.environment) as run:
+        assert gate.pass_all(1) == [0]
+        assert said(run) == "kept 0\n"
+        visitor = gate.visitor()
+        run.send_signal(signal.SIGINT)
+        errors = run.communicate(timeout=60)[1]
+        visitor.wait_until_gone()
+    assert run.returncode == 130
+    assert errors.endswith("hrg: interrupted; the same command goes on from here\n"), errors
+    assert "Traceback" not in errors
+    assert set(contents(out)) == {"identity.json", "blocks/000000.npz"}
+
+
+def test_cluster_that_loses_its_workers_goes_on(file: Path, tmp_path: Path, gate: Gate) -> None:
+    """The only worker is killed within a block; others join."""
+    out = tmp_path / "out"
+    with (
+        scheduler() as (_, address),
+        worker(address, gate.environment),
+        study_command(file, out, "--scheduler", address) as run,
+    ):
+        assert gate.pass_all(1) == [0]
+        assert said(run) == "kept 0\n"
+        gate.visitor().kill()
+        with worker(address, gate.environment), worker(address, gate.environment):
+            passed = gate.pass_all(3)
+            assert run.wait(60) == 0
+    assert sorted(passed) == [1, 2, 3]
+    assert contents(out) == undisturbed(study_file.read(file), tmp_path / "undisturbed")
+
+
+def test_block_that_kills_its_workers_is_named(file: Path, tmp_path: Path, gate: Gate) -> None:
+    environment = {**gate.environment, "DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES": "0"}
+    with study_command(file, tmp_path / "out", "--workers", "1", environment=environment) as run:
+        gate.visitor().kill()
+        errors = run.communicate(timeout=60)[1]
+    assert run.returncode == 2
+    assert "hrg: block 0: found its workers killed" in errors
+
+
+def test_lost_scheduler_is_told(file: Path, tmp_path: Path, gate: Gate) -> None:
+    environment = {**gate.environment, "DASK_DISTRIBUTED__COMM__TIMEOUTS__CONNECT": "1s"}
+    out = tmp_path / "out"
+    with (
+        scheduler() as (lost, address),
+        worker(address, gate.environment),
+        study_command(file, out, "--scheduler", address, environment=environment) as run,
+    ):
+        gate.pass_all(1)
+        assert said(run) == "kept 0\n"
+        with gate.visitor().connection:
+            lost.kill()
+            errors = run.communicate(timeout=60)[1]
+    assert run.returncode == 2
+    assert "the scheduler is gone; the same command goes on" in errors
+    assert set(contents(out)) == {"identity.json", "blocks/000000.npz"}

@@ -1,0 +1,104 @@
+"""Studies as TOML: what is read, and what is refused with file, key, found and expected."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from ins_eval.imu.toml_table import SpecificationError
+from ins_eval.study import study_file
+from ins_eval.study.specification import TEST, TRAIN, fewest_triads
+from ins_eval.trajectories import catalogue
+from tests.ins_eval.study import cases
+
+
+def test_study_is_read(tmp_path: Path) -> None:
+    study = study_file.read(cases.study_file(tmp_path))
+    assert (study.seed, study.triads, study.interval_percent) == (3, 75, 90.0)
+    assert [(m.name, m.half, m.hours) for m in study.missions] == [
+        ("car", TRAIN, 1.0),
+        ("ship", TEST, 1.0),
+    ]
+    assert study.missions[0].content == (catalogue.READY / "car.toml").read_bytes()
+    assert [study.half_of(triad) for triad in (0, 36, 37, 74)] == [TRAIN, TRAIN, TEST, TEST]
+
+
+def test_seed_may_be_given_beside_the_file(tmp_path: Path) -> None:
+    path = cases.study_file(tmp_path, ("seed = 3\n", ""))
+    assert study_file.read(path, seed=8).seed == 8
+
+
+def test_mission_from_a_file_is_placed_as_it_was(tmp_path: Path) -> None:
+    (tmp_path / "drive.csv.gz").write_bytes(b"recorded")
+    path = cases.study_file(tmp_path, ('name = "car"', 'file = "drive.csv.gz", hours = 0.5'))
+    mission = study_file.read(path).missions[0]
+    assert (mission.name, mission.hours) == ("drive", 0.5)
+    with mission.placed() as placed:
+        assert placed.name == "drive.csv.gz"
+        assert placed.read_bytes() == b"recorded"
+    assert not placed.exists()
+
+
+@pytest.mark.parametrize("name", study_file.READY)
+def test_ready_study_can_be_flown(name: str) -> None:
+    for mission in study_file.study(name).missions:
+        with mission.placed() as path:
+            assert catalogue.trajectory(path, 300.0, 60.0)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("seed = 3\n", "", "seed: found no such key, expected a whole number from 0 to"),
+        ("seed = 3", "seed = -1", "seed: found -1, expected a whole number"),
+        ("seed = 3", "seed = 3.5", "seed: found 3.5, expected a whole number"),
+        ("seed = 3", "sed = 3", "sed: found an unknown key, expected seed"),
+        ("triads = 75\n", "", "triads: found no such key"),
+        ("triads = 75", 'triads = "many"', "triads: found 'many', expected a whole number"),
+        ("triads = 75", "triads = 71", "triads: found 71, expected 72 or more: with fewer"),
+        ("hours = 1", "hours = 11", "hours: found 11, expected 0.1 to 10"),
+        ("hours = 1", "hours = nan", "hours: found nan, expected 0.1 to 10"),
+        ("hours = 1", "interval_percent = 99", "triads: found 75, expected 736 or more"),
+        ("hours = 1", "[population]", "population: found an unknown key"),
+        ('"car", class', '"cart", class', "missions 1: name: found 'cart', expected aircraft or"),
+        ('class = "car", ', "", "missions 1: class: found no such key, expected the class"),
+        ('"train"', '"both"', "missions 1: half: found 'both', expected"),
+        (', half = "test"', "", "missions 2: half: found no such key"),
+        ('"test"', '"train"', "missions of half 'test': found no such key, expected at least one"),
+        ('class = "ship"', 'class = "car"', "missions 2: half: found 'test', expected 'train' as"),
+        ('name = "ship"', 'name = "car"', "missions 2: name: found 'car', expected a name that"),
+        ('name = "ship"', 'file = "no.toml"', "no.toml', expected a file: No such file"),
+        ('name = "ship", ', "", "missions 2: name: found no such key, expected aircraft"),
+        ('half = "test"', 'half = "test", hour = 2', "missions 2: hour: found an unknown key"),
+        ('half = "test"', 'half = "test", hours = 0', "missions 2: hours: found 0, expected 0.1"),
+        ("missions = [", "missions = 3\nx = [", "x: found an unknown key"),
+        ("hours = 1", "hours 1", "found what is no TOML"),
+    ],
+)
+def test_what_is_wrong_is_named(tmp_path: Path, old: str, new: str, message: str) -> None:
+    path = cases.study_file(tmp_path, (old, new))
+    with pytest.raises(SpecificationError, match=f"^{re.escape(str(path))}: .*") as raised:
+        study_file.read(path)
+    assert message in str(raised.value)
+
+
+@pytest.mark.parametrize("missions", ["", "missions = []", "missions = 3", "missions = [3]"])
+def test_study_without_missions_is_refused(tmp_path: Path, missions: str) -> None:
+    path = tmp_path / "study.toml"
+    path.write_text(f"seed = 1\ntriads = 80\n{missions}\n")
+    with pytest.raises(SpecificationError, match=r"missions: found .*, expected tables"):
+        study_file.read(path)
+
+
+def test_neither_name_nor_file_is_refused() -> None:
+    with pytest.raises(SpecificationError, match="huge: found no such file, expected one or small"):
+        study_file.study("huge")
+
+
+@pytest.mark.parametrize(("percent", "triads"), [(50.0, 12), (90.0, 72), (99.0, 736)])
+def test_fewest_triads_let_full_coverage_be_refuted(percent: float, triads: int) -> None:
+    """In half of them all covered is rarer than 2.5 % where the interval is what it says."""
+    assert fewest_triads(percent) == triads
+    share = percent / 100
+    if percent > 50:
+        assert share ** (triads // 2) < 0.025 <= share ** (triads // 2 - 1)

@@ -1,5 +1,6 @@
 """Blocks spread over workers by Dask: of this machine, or of any cluster."""
 
+import logging
 import os
 import re
 from collections.abc import Callable, Iterator, Sequence
@@ -28,13 +29,14 @@ def connected(scheduler: str | None, workers: int | None) -> Iterator[Client]:
         StudyRunError: no scheduler answers there.
     """
     if scheduler is None:
-        cores = workers or len(os.sched_getaffinity(0))
-        with (
-            LocalCluster(
-                n_workers=cores, threads_per_worker=1, dashboard_address=None, memory_limit=0
-            ) as cluster,
-            Client(cluster, set_as_default=False) as client,
-        ):
+        options = {
+            "n_workers": workers or len(os.sched_getaffinity(0)),
+            "threads_per_worker": 1,
+            "memory_limit": 0,
+            "dashboard_address": None,
+            "silence_logs": logging.CRITICAL,
+        }
+        with LocalCluster(**options) as local, Client(local, set_as_default=False) as client:
             yield client
         return
     if not re.fullmatch(ADDRESS, scheduler):

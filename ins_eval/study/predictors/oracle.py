@@ -4,7 +4,7 @@ can: noise and accelerometers, and without the power-on angle where the patterns
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study.flights import map_errors
+from ins_eval.study.flown import map_errors
 from ins_eval.study.mission_weights import MissionWeights
 from ins_eval.study.predictors.mixed_angles import mixed
 from ins_eval.study.predictors.prediction import Drawn, Normal
@@ -18,10 +18,11 @@ def predict(weights: MissionWeights, started: Array, warming: Array, rest: Array
 
     Args:
         weights: of the mission.
-        started, warming: (r, 2 TERMS, 3) true maps, as `map_errors` has them.
+        started, warming: (r, 2 TERMS, 3) true maps in flight, from the power-on angles.
         rest: (r, k, 2, 2) covariance of what maps don't tell, m^2.
     """
-    return Normal(map_errors(weights, started, warming), rest)
+    expected = map_errors(weights.gyros, started) + map_errors(weights.warming, warming)
+    return Normal(expected, rest)
 
 
 def predict_any_angle(

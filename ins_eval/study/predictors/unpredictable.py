@@ -4,24 +4,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.study.mission_weights import MissionWeights
-from ins_eval.study.predictors.knowledge import NoiseLevels
-from ins_eval.study.predictors.noise_spread import NoiseSpread
 
 Array = NDArray[np.float64]
 
 
-def unpredictable(
-    weights: MissionWeights, spread: NoiseSpread, noise: NoiseLevels, accelerometer_bias: float
-) -> Array:
+def unpredictable(weights: MissionWeights, noise: Array, accelerometer_bias: float) -> Array:
     """Covariance (r, k, 2, 2) of the error, m^2.
 
     Args:
         weights: of the mission.
-        spread: of the mission.
-        noise: levels of r triads.
+        noise: (r, KINDS, 3) strengths of each gyro's.
         accelerometer_bias: standard deviation of each accelerometer's, m/s^2.
     """
+    kinds, axes, k = *weights.noise.shape[:2], len(weights.time)
+    times = np.arange(k)
+    pairs = weights.noise.reshape(kinds, axes, k, 2, k, 2)[:, :, times, :, times, :]
+    gyros = np.einsum("knaij,rna->rkij", pairs, noise**2)
     carried = weights.accelerometers
-    return spread.covariance(noise) + accelerometer_bias**2 * np.einsum(
-        "kia,kja->kij", carried, carried
-    )
+    return np.asarray(gyros + accelerometer_bias**2 * carried @ np.swapaxes(carried, 1, 2))

@@ -49,15 +49,20 @@ def miss(flown: Array, predicted: Array) -> Array:
 
 
 def advantage(flown: Array, predicted: Array, reference: Array) -> Array:
-    """How much smaller a prediction's `miss` is than a reference's, both of them rescaled by their
-    median ratio in each mission: what they know of the device, not of the scale."""
-    return miss(flown, _rescaled(flown, reference)) - miss(flown, _rescaled(flown, predicted))
+    """How much smaller a prediction's `miss` is than a reference's."""
+    return np.asarray(miss(flown, reference) - miss(flown, predicted))
 
 
 def width_ratio(low: Array, high: Array, other_low: Array, other_high: Array) -> Array:
     """Median width of intervals over the median width of others."""
     own, other = high - low, other_high - other_low
     return np.asarray(np.median(own, axis=(-2, -1)) / np.median(other, axis=(-2, -1)))
+
+
+def unpredictable_share(unpredictable: Array, expected: Array) -> Array:
+    """Root mean square of what can't be predicted over that of expected errors (..., r, m, 2)."""
+    power = np.mean(np.sum(expected**2, axis=-1), axis=(-2, -1))
+    return np.asarray(np.sqrt(_mean_square(unpredictable) / power))
 
 
 def spearman(flown: Array, figure: Array) -> Array:
@@ -75,10 +80,6 @@ def _correlation(a: Array, b: Array) -> Array:
     a, b = (x - x.mean(axis=-1, keepdims=True) for x in (a, b))
     power = np.sum(a**2, axis=-1) * np.sum(b**2, axis=-1)
     return np.asarray(np.sum(a * b, axis=-1) / np.sqrt(power))
-
-
-def _rescaled(flown: Array, predicted: Array) -> Array:
-    return np.asarray(predicted * np.median(flown / predicted, axis=-2, keepdims=True))
 
 
 def _mean_square(values: Array) -> Array:

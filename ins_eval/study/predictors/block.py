@@ -56,6 +56,7 @@ def judged_at(weights: MissionWeights, k: int) -> MissionWeights:
         warming=weights.warming[at],
         accelerometers=weights.accelerometers[at],
         noise=weights.noise[:, :, rows, rows],
+        standing=replace(weights.standing, attitude=weights.standing.attitude[at]),
     )
 
 

@@ -25,16 +25,23 @@ def mixed(weights: Array, maps: Array, covariance: Array, rest: Array, seed: int
     """
     random = np.random.default_rng(seed)
     angles = np.pi * qmc.Sobol(maps.shape[2], rng=random).random(DRAWS)
-    carried = weights_from(weights, angles)
-    carried = carried.reshape(DRAWS, 2 * len(weights), -1)
-    numbers = random.standard_normal((DRAWS, *maps.shape[1:]))
+    carried = _by_axis(weights_from(weights, angles))
+    numbers = random.standard_normal((*carried.shape[:2], carried.shape[3]))
     others = random.standard_normal((DRAWS, 2))
-    draws = []
-    for r, root in enumerate(_root(np.moveaxis(covariance, 3, 1))):
-        drawn = maps[r] + np.einsum("acd,mda->mca", root, numbers)
-        errors = (carried @ drawn.reshape(DRAWS, -1, 1)).reshape(DRAWS, len(weights), 2)
-        draws.append(errors + np.einsum("kij,mj->mki", _root(rest[r]), others))
-    return Drawn(np.stack(draws))
+    roots = np.swapaxes(_root(np.moveaxis(covariance, 3, 1)), -1, -2)
+    rest_roots = np.swapaxes(_root(rest), -1, -2)
+    draws = np.empty((len(maps), DRAWS, len(weights), 2))
+    for r, expected in enumerate(np.swapaxes(maps, 1, 2)):
+        drawn = expected[:, None] + numbers @ roots[r]
+        errors = np.einsum("amic,amc->mi", carried, drawn)
+        draws[r] = errors.reshape(draws.shape[1:]) + np.swapaxes(others @ rest_roots[r], 0, 1)
+    return Drawn(draws)
+
+
+def _by_axis(weights: Array) -> Array:
+    """(3, m, 2 k, c) of weights (m, k, 2, c, 3)."""
+    m, k, two, c, axes = weights.shape
+    return np.ascontiguousarray(np.moveaxis(weights, -1, 0)).reshape(axes, m, k * two, c)
 
 
 def _root(covariance: Array) -> Array:

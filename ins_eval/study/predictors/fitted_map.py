@@ -63,7 +63,6 @@ def _both(weights: MissionWeights) -> Array:
 
 def _covariance(knowledge: BenchKnowledge, drift: MapDrift) -> Array:
     """(r, 4 TERMS, 4 TERMS, 3) of maps at power-on and of their warming."""
-    half, (r, _, axes) = 2 * TERMS, knowledge.maps.shape
-    total = np.array(np.broadcast_to(drift.covariance[..., None], (r, 2 * half, 2 * half, axes)))
-    total[:, :half, :half] += knowledge.covariance
+    total = drift.covariance(knowledge)
+    total[:, : 2 * TERMS, : 2 * TERMS] += knowledge.covariance
     return total

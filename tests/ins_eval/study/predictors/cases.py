@@ -15,8 +15,8 @@ Array = NDArray[np.float64]
 
 SPREAD = np.repeat([0.1 * DEG_PER_H, 20e-6], TERMS)
 """Of a map's coefficients between devices: biases, scale factors."""
-DRIFT = np.concatenate([0.1 * SPREAD, 0.05 * SPREAD])
-"""Of a map between bench and flight, and of its warming."""
+DRIFT = np.concatenate([0.1 * SPREAD, 0.05 * SPREAD]) / SPREAD[0]
+"""Of a map between bench and flight, and of its warming, in units of the bias map's rms."""
 FIT = 0.03 * SPREAD
 """Uncertainty of the bench's fit."""
 WALK = 1e-4 * DEG_PER_SQRT_H
@@ -52,8 +52,10 @@ def triads(seed: int, count: int, spread: Array = SPREAD) -> Triads:
     shape, c = (count, 2 * TERMS, 3), 2 * TERMS
     bench_map = spread[:, None] * random.normal(size=shape)
     start_angle = np.pi * random.random((count, 3))
-    drifted = bench_map + DRIFT[:c, None] * random.normal(size=shape)
-    warming = DRIFT[c:, None] * random.normal(size=shape)
+    known = bench_map + FIT[:, None] * random.normal(size=shape)
+    size = np.sqrt(np.mean(known[:, 1:TERMS] ** 2, axis=1, keepdims=True) + FIT[1] ** 2)
+    drifted = bench_map + DRIFT[:c, None] * size * random.normal(size=shape)
+    warming = DRIFT[c:, None] * size * random.normal(size=shape)
     stability = np.sqrt(np.sum(bench_map[:, 1:TERMS] ** 2, axis=1) / 2)
     noise = np.zeros((count, len(KINDS), 3))
     noise[:, 1] = WALK
@@ -62,7 +64,7 @@ def triads(seed: int, count: int, spread: Array = SPREAD) -> Triads:
         circumference_stability=stability,
         instability=np.zeros((count, 3)),
         walk=noise[:, 1],
-        known=bench_map + FIT[:, None] * random.normal(size=shape),
+        known=known,
         covariance=np.broadcast_to(np.diag(FIT**2)[..., None], (count, c, c, 3)),
         start_angle=start_angle,
         started=started(drifted, start_angle),

@@ -71,7 +71,7 @@ def test_a_predictable_class_is_held_to_more(flown: pd.DataFrame) -> None:
 
 
 def test_where_noise_dominates_the_thesis_does_not_hold() -> None:
-    """Maps a thousand times smaller: what the bench found of them tells nothing."""
+    """Maps a thousand times smaller than noise and the bench's fit: what it found tells nothing."""
     found = scores(table(60, spread=1e-3), seed=7)
     removed = _one(found, score.VARIANCE_REMOVED, "fitted_map")
     assert not removed.holds

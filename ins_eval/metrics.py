@@ -4,13 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.optimize import brentq
-from scipy.special import erf
 from scipy.stats import binom, ttest_1samp
 
-Array = NDArray[np.float64]
+from ins_eval.radial_error import radius_at
 
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(100)
+Array = NDArray[np.float64]
 
 FEWEST_FOR_MEDIAN = 6
 """Smallest sample whose extremes hold the median with 95 % confidence: 1 - 2 / 2^6 = 96.9 %."""
@@ -34,24 +32,8 @@ def median_interval(sample: ArrayLike, confidence: float = 0.95) -> tuple[float,
 
 
 def median_radius(covariance: Array) -> float:
-    """Radius that a zero-mean normal pair with this covariance (2, 2) exceeds half of the time.
-
-    Along the major axis u = r sin t; across it the share within the circle is an error function.
-    """
-    variances = np.linalg.eigvalsh(covariance)
-    major, minor = np.sqrt(np.maximum(variances[::-1], 0.0))
-    if major == 0:
-        return 0.0
-    ratio = max(minor / major, 1e-12)
-    t = np.pi / 4 * (_NODES + 1)
-
-    def excess(radius: float) -> float:
-        density = np.exp(-0.5 * (radius * np.sin(t)) ** 2) * radius * np.cos(t)
-        within = erf(radius * np.cos(t) / (ratio * np.sqrt(2)))
-        share = np.sqrt(2 / np.pi) * np.pi / 4 * np.sum(_WEIGHTS * density * within)
-        return float(share - 0.5)
-
-    return float(brentq(excess, 0.1, 10.0, xtol=1e-12) * major)
+    """Radius that a zero-mean normal pair with this covariance (2, 2) exceeds half of the time."""
+    return float(radius_at(0.5, np.zeros(2), covariance))
 
 
 @dataclass(frozen=True)

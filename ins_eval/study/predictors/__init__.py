@@ -1,0 +1,1 @@
+"""What bench figures say of the position error that triads will have: from simple to best."""

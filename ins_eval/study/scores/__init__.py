@@ -1,0 +1,1 @@
+"""How well predictions were kept: figures with intervals over triads."""

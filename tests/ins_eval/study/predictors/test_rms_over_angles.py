@@ -1,0 +1,38 @@
+"""Rms over angles against drawn angles."""
+
+import numpy as np
+
+from ins_eval.study.flown import map_errors
+from ins_eval.study.gyro_map import TERMS
+from ins_eval.study.predictors.rms_over_angles import rms_over_angles, triad_rms_over_angles
+from ins_eval.study.predictors.turned_maps import started
+
+WEIGHTS = np.random.default_rng(1).normal(size=(1, 2, 2 * TERMS, 3))
+MAPS = np.random.default_rng(2).normal(size=(1, 2 * TERMS, 3))
+ANGLES = np.random.default_rng(3).uniform(0, 2 * np.pi, size=(40_000, 3))
+
+
+def _within(found: float, errors: np.ndarray) -> None:
+    """Of the mean square over draws, four sigmas."""
+    power = np.sum(errors**2, axis=-1)
+    assert abs(found**2 - power.mean()) < 4 * power.std() / np.sqrt(len(power))
+
+
+def test_triad_with_independent_angles() -> None:
+    errors = map_errors(WEIGHTS, started(MAPS, ANGLES))[:, 0]
+    _within(float(triad_rms_over_angles(WEIGHTS, MAPS)[0, 0]), errors)
+
+
+def test_gyro_on_each_axis_in_turn() -> None:
+    gyro = 1
+    everywhere = np.repeat(MAPS[:, :, [gyro]], 3, axis=2)
+    turned = started(everywhere, np.repeat(ANGLES[:, [0]], 3, axis=1))
+    by_axis = np.einsum("kica,rca->rkia", WEIGHTS, turned)[:, 0]
+    _within(float(rms_over_angles(WEIGHTS, MAPS)[0, 0, gyro]), by_axis.reshape(len(ANGLES), -1))
+
+
+def test_a_mean_has_no_luck() -> None:
+    mean = np.zeros_like(MAPS)
+    mean[:, 0] = MAPS[:, 0]
+    errors = map_errors(WEIGHTS, mean)[0, 0]
+    np.testing.assert_allclose(triad_rms_over_angles(WEIGHTS, mean)[0, 0], np.hypot(*errors))

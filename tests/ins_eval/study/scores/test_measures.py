@@ -1,0 +1,96 @@
+"""Measures of errors whose statistics are known."""
+
+import numpy as np
+import pytest
+
+from ins_eval.study.scores import measures
+
+N = 100_000
+RANDOM = np.random.default_rng(1)
+KNOWN, REFERENCE, REST = RANDOM.normal(size=(3, N, 1))
+FLOWN = 10 + 2 * REFERENCE + KNOWN + 0.5 * REST
+"""Variance 5.25: a reference tells 4, what is known beyond 1, nobody 0.25."""
+
+
+def test_r2_about_predicted_is_flown() -> None:
+    """Within four sigmas of 1 - 0.25/5.25; a scale or an offset that is wrong counts."""
+    predicted = FLOWN - 0.5 * REST
+    assert measures.r2(FLOWN, predicted) == pytest.approx(1 - 0.25 / 5.25, abs=2e-3)
+    assert measures.r2(FLOWN, FLOWN) == 1.0
+    assert measures.r2(FLOWN, np.full_like(FLOWN, FLOWN.mean())) == pytest.approx(0, abs=1e-12)
+    offset = float(measures.r2(FLOWN, FLOWN + 1))
+    assert offset == pytest.approx(1 - 1 / FLOWN.var())
+
+
+def test_r2_of_components_is_about_zero() -> None:
+    flown = np.array([[[3.0, 4.0]], [[0.0, 5.0]]])
+    assert measures.r2_components(flown, np.zeros_like(flown)) == 0.0
+    assert measures.r2_components(flown, 0.9 * flown) == pytest.approx(0.99)
+
+
+def test_ratios() -> None:
+    flown, predicted = np.array([[1.0], [2.0], [12.0]]), np.array([[1.0], [1.0], [2.0]])
+    assert measures.median_ratio(flown, predicted) == 2.0
+    assert measures.optimism(flown, predicted) == pytest.approx(np.sqrt(149 / 6))
+    assert measures.miss(flown, predicted) == pytest.approx(np.log(12) / 3)
+    assert measures.advantage(flown, flown, predicted) == pytest.approx(np.log(12) / 3)
+
+
+def test_variance_removed_is_of_what_the_reference_leaves() -> None:
+    """0.25 of 1.25 stays; what scale the reference has doesn't matter, the prediction's does."""
+    predicted = FLOWN - 0.5 * REST
+    for reference in (REFERENCE, 7 * REFERENCE + 3):
+        found = measures.variance_removed(FLOWN, predicted, reference)
+        assert found == pytest.approx(0.8, abs=0.01)
+    nothing = 10 + 2 * REFERENCE
+    assert measures.variance_removed(FLOWN, nothing, REFERENCE) == pytest.approx(0, abs=1e-3)
+    assert measures.variance_removed(FLOWN, 0.5 * predicted, REFERENCE) < 0
+
+
+def test_the_spread_between_missions_is_not_credited() -> None:
+    """Two missions, one of ten times the other's error: knowing that alone removes nothing."""
+    scale = np.array([1.0, 10.0])
+    flown = scale * (3 + RANDOM.normal(size=(N, 2)))
+    predicted = np.broadcast_to(3 * scale, flown.shape)
+    assert measures.r2(flown, predicted) > 0.7
+    reference = np.ones_like(flown)
+    assert measures.variance_removed(flown, predicted, reference) == pytest.approx(0, abs=1e-3)
+
+
+def test_width_and_share() -> None:
+    low, high = np.zeros((3, 1)), np.array([[1.0], [2.0], [9.0]])
+    assert measures.width_ratio(low, high, low, low + 4) == 0.5
+    expected = np.full((3, 1, 2), np.sqrt(8))
+    assert measures.unpredictable_share(np.ones((3, 1)), expected) == pytest.approx(0.25)
+
+
+def test_ranks() -> None:
+    """Spearman's correlation of normal pairs is 6/pi asin(rho/2); a mission's scale is nothing."""
+    rho, gyros = 0.6, RANDOM.normal(size=(N // 3, 1, 3))
+    other = rho * gyros + np.sqrt(1 - rho**2) * RANDOM.normal(size=gyros.shape)
+    expected = 6 / np.pi * np.arcsin(rho / 2)
+    assert measures.spearman(gyros, other) == pytest.approx(expected, abs=0.01)
+    missions = np.exp(gyros) * np.array([1.0, 100.0])[:, None]
+    assert measures.spearman(missions, np.repeat(gyros, 2, axis=1)) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize(
+    ("measure", "count", "last"),
+    [
+        (measures.r2, 2, ()),
+        (measures.r2_components, 2, (2,)),
+        (measures.median_ratio, 2, ()),
+        (measures.optimism, 2, ()),
+        (measures.variance_removed, 3, ()),
+        (measures.advantage, 3, ()),
+        (measures.width_ratio, 4, ()),
+        (measures.spearman, 2, (3,)),
+    ],
+)
+def test_resamples_in_front_are_taken_one_by_one(
+    measure, count: int, last: tuple[int, ...]
+) -> None:  # type: ignore[no-untyped-def]
+    samples = np.exp(RANDOM.normal(size=(count, 5, 20, 3, *last)))
+    together = measure(*samples)
+    single = [measure(*samples[:, i]) for i in range(5)]
+    np.testing.assert_allclose(together, single)

@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 RESAMPLES = 1000
 SEED = 0
 """Of the intervals' bootstrap."""
-BAR = 320
+BAR = 200
 """Width of a stacked bar, px."""
 
 
@@ -95,7 +95,7 @@ def _bar(parts: Mapping[str, Rms]) -> str:
         for place, (start, end) in enumerate(pairwise(ends))
     )
     label = ", ".join(f"{key} {share:.0%}" for key, share in held.items())
-    return f'<svg width="{BAR}" height="18" role="img" aria-label="{label}">{blocks}</svg>'
+    return f'<svg class="shares" width="{BAR}" height="18" role="img" aria-label="{label}">{blocks}</svg>'
 
 
 def _legend() -> str:

@@ -36,7 +36,8 @@ def matrices(result: StudyResult, score: str, axis: Axis, shuffled: bool = False
     scores = result.picked(score, shuffled=shuffled)
     kinds = sorted({(s.calibration, s.half) for s in scores})
     if not kinds:
-        return f"<p>Not scored in this study: {html.escape(SCORES[score])}.</p>"
+        what = SCORES[score] + (", devices shuffled" if shuffled else "")
+        return f"<p>Not scored in this study: {html.escape(what)}.</p>"
     return "".join(
         _table([s for s in scores if (s.calibration, s.half) == kind], axis) for kind in kinds
     )
@@ -60,8 +61,9 @@ def _caption(scores: Sequence[Score]) -> str:
     first = scores[0]
     seeds = sorted({s.seed for s in scores if s.seed is not None})
     drawn = f"bootstrap over triads, seed {', '.join(map(str, seeds))}" if seeds else "exact"
+    shuffled = ", devices shuffled" if first.shuffled else ""
     return (
-        f"{SCORES[first.score]}; {calibration_title(first.calibration)}, {first.half} half; "
+        f"{SCORES[first.score]}{shuffled}; {calibration_title(first.calibration)}, {first.half} half; "
         f"{100 * first.confidence:g} % intervals, {drawn}"
     )
 

@@ -54,6 +54,7 @@ PREDICTORS = (
     Predictor("fitted_map", "Fitted map", "the bench's maps, power-on angle known"),
     Predictor("fitted_map_any_angle", "Fitted map, any angle", "the bench's maps, angle unknown"),
     Predictor("oracle", "Oracle", "the true parameters; what no bench can know"),
+    Predictor("oracle_any_angle", "Oracle, any angle", "the true parameters, angle unknown"),
 )
 """From simple to best; the oracle is what they are held against."""
 
@@ -73,6 +74,9 @@ RMS_OVER_ANGLES = "rms_over_angles_m"
 COSIMULATED = "cosimulated_radial_m"
 FIXED_STABILITY, CIRCUMFERENCE_STABILITY = "fixed_stability_deg_h", "circumference_stability_deg_h"
 MAP_RMS = "map_rms_deg_h"
+UNPREDICTABLE = "unpredictable_rms_m"
+GYROS_FLOWN, GYROS_FITTED = "gyros_flown_rms_over_angles_m", "gyros_fitted_rms_over_angles_m"
+GYROS_FIXED, GYROS_CIRCUMFERENCE = "gyros_fixed_stability_deg_h", "gyros_circumference_deg_h"
 
 GROWTH_STEP_HOURS = 1 / 6
 """Between the elements of `GROWTH`; the first stands one step after the alignment."""
@@ -104,6 +108,11 @@ COLUMNS = (
     Column(FIXED_STABILITY, "number", "deg/h", "bench: fixed-position stability, rms of the three"),
     Column(CIRCUMFERENCE_STABILITY, "number", "deg/h", "bench: full circumference, rms of three"),
     Column(MAP_RMS, "number", "deg/h", "bench: rms of the fitted bias maps over the circumference"),
+    Column(UNPREDICTABLE, "number", "m", "rms error by drift of maps, noise and accelerometers"),
+    Column(GYROS_FLOWN, "numbers", "m", "rms error over power-on angles and mountings, each gyro"),
+    Column(GYROS_FITTED, "numbers", "m", "the same of the bench's maps"),
+    Column(GYROS_FIXED, "numbers", "deg/h", "bench: fixed-position stability of each gyro"),
+    Column(GYROS_CIRCUMFERENCE, "numbers", "deg/h", "bench: full-circumference stability of each"),
     *(
         column
         for p in PREDICTORS

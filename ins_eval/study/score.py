@@ -9,16 +9,19 @@ R2_RADIAL, R2_COMPONENTS = "r2_radial", "r2_components"
 MEDIAN_RATIO, OPTIMISM = "median_ratio", "optimism"
 VARIANCE_REMOVED, COVERAGE, WIDTH = "variance_removed", "coverage_90", "width_to_oracle"
 SPEARMAN, AGREEMENT = "spearman", "linear_to_cosimulated"
+ADVANTAGE, UNPREDICTABLE_SHARE = "advantage_of_circumference", "unpredictable_share"
 
 SCORES = {
     R2_RADIAL: "R2 of predicted = flown, horizontal error, no refit",
     R2_COMPONENTS: "R2 of predicted = flown, north and east, no refit",
     MEDIAN_RATIO: "median of flown / predicted",
     OPTIMISM: "rms flown / rms predicted",
-    VARIANCE_REMOVED: "variance within the class removed beyond the full-circumference rule",
+    VARIANCE_REMOVED: "variance removed of what the circumference rule, refitted, leaves",
     COVERAGE: "share of flown errors inside the 90 % interval",
     WIDTH: "median width of the 90 % interval / the oracle's",
     SPEARMAN: "rank correlation of the bench's figure and the flown rms over power-on angles",
+    ADVANTAGE: "mean |ln(flown / predicted)| of the fixed rule less that of the circumference rule",
+    UNPREDICTABLE_SHARE: "rms of drift, noise and accelerometers / rms of the predicted error",
     AGREEMENT: "rms of linear less co-simulated / rms co-simulated",
 }
 """By key: what it is; all are pure numbers."""

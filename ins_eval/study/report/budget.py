@@ -95,7 +95,10 @@ def _bar(parts: Mapping[str, Rms]) -> str:
         for place, (start, end) in enumerate(pairwise(ends))
     )
     label = ", ".join(f"{key} {share:.0%}" for key, share in held.items())
-    return f'<svg class="shares" width="{BAR}" height="18" role="img" aria-label="{label}">{blocks}</svg>'
+    return (
+        f'<svg class="shares" width="{BAR}" height="18" role="img" aria-label="{label}">'
+        f"{blocks}</svg>"
+    )
 
 
 def _legend() -> str:

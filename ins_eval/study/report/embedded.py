@@ -9,13 +9,12 @@ import pandas as pd
 
 from ins_eval.study import columns as c
 from ins_eval.study.report.result import StudyResult
-from ins_eval.study.report.scatter import RANKED
 from ins_eval.study.report.svg import number
 from ins_eval.study.score import MEDIAN_RATIO, R2_RADIAL, SPEARMAN, Score
 
 DIGITS = 4
 NAMES = (c.CALIBRATION, c.HALF, c.CLASS, c.MISSION)
-NUMBERS = (c.FLOWN_RADIAL, c.RMS_OVER_ANGLES, *RANKED, *(p.median for p in c.PREDICTORS))
+NUMBERS = (c.FLOWN_RADIAL, *(p.median for p in c.PREDICTORS))
 SHORT = {R2_RADIAL: "R²", MEDIAN_RATIO: "flown/predicted", SPEARMAN: "Spearman"}
 
 
@@ -46,10 +45,7 @@ def captions(scores: Iterable[Score]) -> dict[str, str]:
 
 
 def _panel(score: Score) -> str:
-    if score.score != SPEARMAN:
-        return score.predictor
-    ranked = {"fixed_rule": c.FIXED_STABILITY, "circumference_rule": c.CIRCUMFERENCE_STABILITY}
-    return "rank_" + ranked.get(score.predictor, score.predictor)
+    return f"rank_{score.predictor}" if score.score == SPEARMAN else score.predictor
 
 
 def _coded(column: pd.Series) -> dict[str, Any]:

@@ -62,10 +62,8 @@ def _caption(scores: Sequence[Score]) -> str:
     seeds = sorted({s.seed for s in scores if s.seed is not None})
     drawn = f"bootstrap over triads, seed {', '.join(map(str, seeds))}" if seeds else "exact"
     shuffled = ", devices shuffled" if first.shuffled else ""
-    return (
-        f"{SCORES[first.score]}{shuffled}; {calibration_title(first.calibration)}, {first.half} half; "
-        f"{100 * first.confidence:g} % intervals, {drawn}"
-    )
+    of = f"{calibration_title(first.calibration)}, {first.half} half"
+    return f"{SCORES[first.score]}{shuffled}; {of}; {100 * first.confidence:g} % intervals, {drawn}"
 
 
 def _row(scores: Sequence[Score], name: str, order: Sequence[str], axis: Axis) -> str:
@@ -101,7 +99,7 @@ def _bar(score: Score, axis: Axis) -> str:
     low, value, high = axis.scale([min(max(v, axis.low), axis.high) for v in ends])
     at = float(axis.scale(axis.reference))
     return (
-        f'<svg class="bar" width="{BAR}" height="14" aria-hidden="true">'
+        f'<svg class="bar" viewBox="0 0 {BAR} 14" width="{BAR}" aria-hidden="true">'
         f'<path class="grid" d="M{at:.1f} 0V14"/><path class="span" d="M{low:.1f} 7H{high:.1f}"/>'
         f"{_point(value, score.value < axis.low, score.value > axis.high)}</svg>"
     )

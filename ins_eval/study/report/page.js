@@ -4,6 +4,7 @@
   const form = document.getElementById("filters");
   const tip = document.getElementById("tip");
   const panels = [...document.querySelectorAll("figure[data-panel]")];
+  const charts = [...document.querySelectorAll("svg[data-x]")];
   const KEYS = { calibration: "calibration", half: "half", class: "mission_class" };
   const chosen = () => Object.fromEntries(new FormData(form));
   const name = (column, row) => {
@@ -40,23 +41,23 @@
     const ranking = own.startsWith("rank_");
     panel.toggleAttribute("hidden",
       !ranking && choice.predictor !== "all" && choice.predictor !== own);
-    const svg = panel.querySelector("svg");
-    const live = panel.querySelector(".live");
+    const svg = panel.querySelector("svg[data-x]");
     const count = svg ? rows.filter((row) => place(svg, row)).length : 0;
     const scores = study.captions[[own, choice.calibration, choice.half, choice.class].join("|")];
-    live.textContent = [`${count.toLocaleString("en")} flights`, scores].filter(Boolean).join("; ");
+    panel.querySelector(".live").textContent =
+      [ranking ? "" : `${count.toLocaleString("en")} flights`, scores].filter(Boolean).join("; ");
   }
 
   function place(svg, row) {
-    const along = (column, range, start, end) => {
+    const [low, high] = svg.dataset.range.split(" ").map((v) => Math.log10(Number(v)));
+    const along = (column, start, end) => {
       const value = study.numbers[column][row];
       if (!(value > 0)) return NaN;
-      const [low, high] = range.split(" ").map((v) => Math.log10(Number(v)));
       return start + ((Math.log10(value) - low) / (high - low)) * (end - start);
     };
     const [left, right, bottom, top] = svg.dataset.plot.split(" ").map(Number);
-    const x = along(svg.dataset.x, svg.dataset.xRange, left, right);
-    const y = along(svg.dataset.y, svg.dataset.yRange, bottom, top);
+    const x = along(svg.dataset.x, left, right);
+    const y = along(svg.dataset.y, bottom, top);
     return Number.isFinite(x + y) ? { x, y } : null;
   }
 
@@ -74,14 +75,12 @@
 
   function show(svg, row) {
     if (row === null) return leave();
-    for (const panel of panels) mark(panel.querySelector("svg"), row);
-    const ranking = !svg.dataset.x.endsWith("_m");
-    const value = study.numbers[svg.dataset.x][row];
+    for (const svg of charts) mark(svg, row);
     tip.textContent = [
       `Triad ${study.triad[row]}, ${name("mission", row)} (${name("mission_class", row)})`,
       `${name("calibration", row)} calibrated, ${name("half", row)} half`,
-      ranking ? `bench ${value} deg/h` : `predicted ${metres(value)}`,
-      `${ranking ? "flown rms" : "flown"} ${metres(study.numbers[svg.dataset.y][row])}`,
+      `predicted ${metres(study.numbers[svg.dataset.x][row])}`,
+      `flown ${metres(study.numbers[svg.dataset.y][row])}`,
     ].join("\n");
     tip.hidden = false;
     const at = place(svg, row);
@@ -91,8 +90,7 @@
   }
 
   function mark(svg, row) {
-    const at = svg && place(svg, row);
-    if (!svg) return;
+    const at = place(svg, row);
     const circle = svg.querySelector(".mark");
     circle.setAttribute("visibility", at ? "visible" : "hidden");
     if (!at) return;
@@ -120,9 +118,7 @@
     show(svg, state.row);
   }
 
-  for (const panel of panels) {
-    const svg = panel.querySelector("svg");
-    if (!svg) continue;
+  for (const svg of charts) {
     const state = { row: null };
     svg.addEventListener("pointermove", (event) => {
       state.row = nearest(svg, event);

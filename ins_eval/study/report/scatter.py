@@ -1,102 +1,51 @@
-"""Panels of dots: predicted against flown for each predictor, bench figure against flown."""
+"""Predicted against flown, a panel a predictor."""
 
 import html
-from dataclasses import dataclass
 
 import numpy as np
 import pandas as pd
 
 from ins_eval.study import columns as c
 from ins_eval.study.report import svg
-from ins_eval.study.report.marks import colour, legend, marked
+from ins_eval.study.report.dots import dots, positive
+from ins_eval.study.report.marks import legend
 from ins_eval.study.report.result import StudyResult
-
-KEYS = [c.CALIBRATION, c.HALF, c.CLASS]
-RANKED = {
-    c.FIXED_STABILITY: "Fixed-position stability",
-    c.CIRCUMFERENCE_STABILITY: "Full-circumference stability",
-}
-
-
-@dataclass(frozen=True)
-class Panel:
-    """name: what panels are chosen and captioned by; x, y: columns; equal: draws x = y."""
-
-    name: str
-    title: str
-    x: str
-    y: str
-    x_label: str
-    y_label: str
-    equal: bool
 
 
 def predictions(result: StudyResult) -> str:
-    """Predicted against flown, a panel a predictor."""
-    panels = [
-        Panel(p.key, p.title, p.median, c.FLOWN_RADIAL, "predicted, m", "flown, m", True)
-        for p in c.PREDICTORS
-    ]
-    both = np.concatenate([result.table[p.x] for p in panels] + [result.table[c.FLOWN_RADIAL]])
-    limits = svg.decades(both)
-    knows = {p.key: p.what for p in c.PREDICTORS}
-    drawn = "".join(_figure(result, p, knows[p.name], limits, limits) for p in panels)
+    """Panels on the same axes."""
+    shown = [c.FLOWN_RADIAL, *(p.median for p in c.PREDICTORS)]
+    limits = svg.decades(np.concatenate([result.table[column] for column in shown]))
+    drawn = "".join(_figure(result, predictor, limits) for predictor in c.PREDICTORS)
     return f'{legend(result)}<div class="panels" id="predictions">{drawn}</div>'
 
 
-def ranking(result: StudyResult) -> str:
-    """Bench figures against rms error over power-on angles."""
-    table = result.table
-    x = svg.decades(np.concatenate([table[column] for column in RANKED]))
-    y = svg.decades(table[c.RMS_OVER_ANGLES])
-    panels = [
-        Panel("rank_" + column, title, column, c.RMS_OVER_ANGLES, "deg/h", "flown rms, m", False)
-        for column, title in RANKED.items()
-    ]
-    drawn = "".join(_figure(result, p, "the bench's figure alone", x, y) for p in panels)
-    return f'<div class="panels">{drawn}</div>'
-
-
-Limits = tuple[float, float]
-
-
-def _figure(result: StudyResult, panel: Panel, knows: str, x: Limits, y: Limits) -> str:
-    shown = result.table[(result.table[panel.x] > 0) & (result.table[panel.y] > 0)]
-    title = html.escape(panel.title)
-    body = _drawing(result, shown, panel, x, y) if len(shown) else "<p>No figures.</p>"
+def _figure(result: StudyResult, predictor: c.Predictor, limits: tuple[float, float]) -> str:
+    rows = positive(result.table, predictor.median, c.FLOWN_RADIAL)
+    body = _drawing(result, rows, predictor, limits) if len(rows) else "<p>No predictions.</p>"
     return (
-        f'<figure data-panel="{panel.name}"><figcaption><b>{title}</b>'
-        f'<br><span class="weak">{html.escape(knows)}</span><br>'
-        f'<span class="live">{len(shown):,} of {len(result.table):,} flights</span></figcaption>'
+        f'<figure data-panel="{predictor.key}"><figcaption><b>{html.escape(predictor.title)}</b>'
+        f'<br><span class="weak">{html.escape(predictor.what)}</span><br>'
+        f'<span class="live">{len(rows):,} of {len(result.table):,} flights</span></figcaption>'
         f"{body}</figure>"
     )
 
 
-def _drawing(result: StudyResult, shown: pd.DataFrame, panel: Panel, x: Limits, y: Limits) -> str:
-    across, up = svg.across(*x), svg.up(*y)
+def _drawing(
+    result: StudyResult, rows: pd.DataFrame, predictor: c.Predictor, limits: tuple[float, float]
+) -> str:
+    x, y = svg.across(*limits), svg.up(*limits)
+    ends = np.array(limits)
+    drawn = dots(result, rows, (predictor.median, x), (c.FLOWN_RADIAL, y))
     label = html.escape(
-        f"{panel.title}: {panel.y_label} against {panel.x_label}, {len(shown)} flights. "
+        f"{predictor.title}: flown against predicted horizontal error, {len(rows)} flights. "
         "Arrow keys step through them."
-    )
-    groups = "".join(
-        f'<path class="dots {colour(result, mission_class)}"'
-        f"{marked(mission_class, calibration, half)} "
-        f'd="{svg.points(across(rows[panel.x]), up(rows[panel.y]))}"/>'
-        for (calibration, half, mission_class), rows in shown.groupby(KEYS, sort=True)
     )
     return (
         f'<svg viewBox="0 0 {svg.WIDTH} {svg.HEIGHT}" role="img" tabindex="0" '
-        f'aria-label="{label}" data-x="{panel.x}" data-y="{panel.y}" '
+        f'aria-label="{label}" data-x="{predictor.median}" data-y="{c.FLOWN_RADIAL}" '
         f'data-plot="{svg.LEFT} {svg.RIGHT} {svg.BOTTOM} {svg.TOP}" '
-        f'data-x-range="{x[0]:g} {x[1]:g}" data-y-range="{y[0]:g} {y[1]:g}">'
-        f"{svg.frame(across, up, panel.x_label, panel.y_label)}{_equal(across, up, panel)}"
-        f'<g transform="scale({1 / svg.FINENESS:g})">{groups}</g>'
+        f'data-range="{limits[0]:g} {limits[1]:g}">{svg.frame(x, y, "predicted, m", "flown, m")}'
+        f'<path class="equal" d="{svg.line(x(ends), y(ends))}"/>{drawn}'
         '<circle class="mark" r="7" visibility="hidden"/></svg>'
     )
-
-
-def _equal(x: svg.Scale, y: svg.Scale, panel: Panel) -> str:
-    if not panel.equal:
-        return ""
-    ends = np.array([max(x.low, y.low), min(x.high, y.high)])
-    return f'<path class="equal" d="{svg.line(x(ends), y(ends))}"/>'

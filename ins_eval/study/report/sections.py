@@ -5,12 +5,13 @@ from dataclasses import dataclass
 
 from ins_eval.study import columns as c
 from ins_eval.study import score as scored
-from ins_eval.study.report import scatter
 from ins_eval.study.report.breaks import breaks
 from ins_eval.study.report.budget import budget
 from ins_eval.study.report.growth import panels
 from ins_eval.study.report.matrix import Axis, matrices
+from ins_eval.study.report.ranking import ranking
 from ins_eval.study.report.result import StudyResult
+from ins_eval.study.report.scatter import predictions
 from pyhrg.bench.outcome import Table
 from pyhrg.bench.reporting.markup import paragraph, table
 
@@ -18,6 +19,8 @@ R2 = Axis(-0.2, 1.0, 1.0)
 RATIO = Axis(0.1, 100.0, 1.0, log=True)
 COVERED = Axis(0.5, 1.0, 0.9)
 CORRELATION = Axis(-0.5, 1.0, 0.0)
+ADVANTAGE = Axis(-1.0, 4.0, 0.0)
+UNPREDICTABLE = Axis(0.01, 10.0, 0.1, log=True)
 DIFFERENCE = Axis(0.0, 0.05, 0.01)
 
 
@@ -33,7 +36,7 @@ class Section:
 
 def _predicted(result: StudyResult) -> str:
     return (
-        scatter.predictions(result)
+        predictions(result)
         + matrices(result, scored.R2_RADIAL, R2)
         + _folded("R2 by components", matrices(result, scored.R2_COMPONENTS, R2))
     )
@@ -50,17 +53,25 @@ def _beyond(result: StudyResult) -> str:
 
 
 def _ranking(result: StudyResult) -> str:
-    return scatter.ranking(result) + matrices(result, scored.SPEARMAN, CORRELATION)
+    return ranking(result) + matrices(result, scored.SPEARMAN, CORRELATION)
 
 
 def _coverage(result: StudyResult) -> str:
     return matrices(result, scored.COVERAGE, COVERED) + matrices(result, scored.WIDTH, RATIO)
 
 
+def _breaks(result: StudyResult) -> str:
+    return (
+        breaks(result)
+        + matrices(result, scored.ADVANTAGE, ADVANTAGE)
+        + matrices(result, scored.UNPREDICTABLE_SHARE, UNPREDICTABLE)
+    )
+
+
 def _control(result: StudyResult) -> str:
     return "".join(
         matrices(result, score, axis, shuffled=True)
-        for score, axis in ((scored.SPEARMAN, CORRELATION), (scored.R2_RADIAL, R2))
+        for score, axis in ((scored.SPEARMAN, CORRELATION), (scored.R2_COMPONENTS, R2))
     )
 
 
@@ -125,7 +136,7 @@ SECTIONS = (
         "A 90 % interval should hold nine errors of ten, and be no wider than it must.",
         _coverage,
     ),
-    Section("breaks", "What breaks the thesis", "", breaks),
+    Section("breaks", "What breaks the thesis", "", _breaks),
     Section(
         "budget",
         "Budget of effects",

@@ -68,6 +68,14 @@ def _flights(
         c.FIXED_STABILITY: 0.004 * generator.lognormal(0, 0.8, triads),
         c.CIRCUMFERENCE_STABILITY: 0.1 * quality * SPREAD[calibration] / SPREAD["mean"],
         c.MAP_RMS: 0.1 * quality,
+        c.UNPREDICTABLE: np.hypot(0.14 * spread[:, 0], 24.0),
+    }
+    gyros = quality[:, None] * generator.lognormal(0, 0.3, (triads, 3))
+    columns |= {
+        c.GYROS_FLOWN: list(spread[:, :1] * gyros),
+        c.GYROS_FITTED: list(spread[:, :1] * gyros * generator.lognormal(0, 0.05, (triads, 3))),
+        c.GYROS_FIXED: list(0.004 * generator.lognormal(0, 0.8, (triads, 3))),
+        c.GYROS_CIRCUMFERENCE: list(0.1 * gyros * generator.lognormal(0, 0.2, (triads, 3))),
     }
     for name, error in parts.items():
         columns |= {c.part(name, "north"): error[:, 0], c.part(name, "east"): error[:, 1]}
@@ -78,6 +86,7 @@ def _flights(
         "fitted_map": np.hypot(*known.T),
         "fitted_map_any_angle": 1.18 * spread[:, 0],
         "oracle": np.hypot(*(known + rest["warming"]).T),
+        "oracle_any_angle": 1.18 * spread[:, 0],
     }
     for key, median in typical.items():
         width = 2.5 if key in ("fitted_map", "oracle") else 8.0
@@ -125,6 +134,8 @@ def _of_class(flights: pd.DataFrame, name: str) -> list[dict[str, Any]]:
             _entry(scored.WIDTH, predictor.key, 1.5, 0.2),
         ]
     told.append(_entry(scored.VARIANCE_REMOVED, "fitted_map", 0.93, 0.02))
+    told.append(_entry(scored.ADVANTAGE, "circumference_rule", 2.1, 0.2))
+    told.append(_entry(scored.UNPREDICTABLE_SHARE, "fitted_map", 0.16, 0.02))
     note = {"note": "a sample, one triad in ten"} if name == scored.ALL else {}
     told.append(_entry(scored.AGREEMENT, "", 0.004, 0.001) | note)
     for key, bench in (

@@ -11,10 +11,13 @@ from tqdm import tqdm
 from fmu_build.cli import Command, UserError
 from ins_eval.imu.toml_table import SpecificationError
 from ins_eval.study import study_file
-from ins_eval.study.experiment import EXPERIMENT
+from ins_eval.study.conclusion import FILES, conclude
+from ins_eval.study.experiment import made, prepare
 from ins_eval.study.run.errors import StudyRunError
 from ins_eval.study.run.run import Cluster, Experiment, run
 from ins_eval.study.specification import Study
+
+EXPERIMENT = Experiment(made=made, conclude=conclude, files=FILES, prepare=prepare)
 
 
 def _add_options(parser: argparse.ArgumentParser) -> None:

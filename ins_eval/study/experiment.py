@@ -1,5 +1,129 @@
-"""The study's own experiment: placeholder until flights are wired."""
+"""The study's experiment, a block of triads at a time: built, benched, flown."""
 
-from ins_eval.study.run.run import Experiment
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from dataclasses import fields, replace
+from functools import cache
+from typing import Any
 
-EXPERIMENT = Experiment(made=lambda study, triads: {}, conclude=lambda s, a, f: None, files=())
+import numpy as np
+from numpy.typing import NDArray
+
+from fmu_build.bundle import built_fmu
+from fmu_build.roots import ROOTS
+from ins_eval.study.bench_plan import CALIBRATION, BenchPlan
+from ins_eval.study.block import Kind, Triad, gathered, triad, triad_seed
+from ins_eval.study.cosimulated import cosimulated, truth
+from ins_eval.study.drift import Drift
+from ins_eval.study.flown import Flown, flown
+from ins_eval.study.maker import METHODS, Method
+from ins_eval.study.missions import StudyMission, study_mission
+from ins_eval.study.population import RAW, TRIMMED
+from ins_eval.study.run.block import Arrays
+from ins_eval.study.specification import Study
+from ins_eval.study.triads import Triads
+from ins_eval.study.weights_cache import kept_weights
+from pyhrg.fmu import GyroFmu
+from pyhrg.units import MICRO_G
+
+Array = NDArray[np.float64]
+
+DEFAULTS: dict[str, Any] = {
+    "trimmed": TRIMMED,
+    "raw": RAW,
+    "calibration": CALIBRATION,
+    "bench": BenchPlan(),
+    "drift": Drift(),
+}
+"""By table of a study file."""
+POPULATION: dict[Method, str] = {"mean": "trimmed", "map": "raw"}
+"""What a maker calibrates by its mean has been trimmed."""
+COSIMULATED = "cosimulated"
+
+
+def kind(study: Study, method: Method) -> Kind:
+    """What the triads of a calibration are drawn from."""
+    own = {name: replace(d, **study.settings.get(name, {})) for name, d in DEFAULTS.items()}
+    return Kind(
+        population=own[POPULATION[method]],
+        method=method,
+        calibration=own["calibration"],
+        bench=own["bench"],
+        drift=own["drift"],
+        accelerometer_bias=study.accelerometer_bias_micro_g * MICRO_G,
+    )
+
+
+def made(study: Study, triads: range) -> Arrays:
+    """All of a block's triads by name: `Triads`, and `Flown` in each mission."""
+    arrays: dict[str, NDArray[Any]] = {}
+    with missions(study) as flying:
+        for method in METHODS:
+            drawn = _drawn(study, method, triads)
+            block = gathered(fmu("HRGSlow"), drawn)
+            arrays |= _named(block, method)
+            for number, mission in enumerate(flying):
+                path = f"{method}/{number}"
+                arrays |= _named(flown(block, kept_weights(mission), number), path)
+                arrays[f"{path}/{COSIMULATED}"] = _sample(study, mission, triads, drawn)
+    return arrays
+
+
+def triads_of(arrays: Arrays, method: Method) -> Triads:
+    """Of a calibration."""
+    return Triads(**{f.name: arrays[f"{method}/{f.name}"] for f in fields(Triads)})
+
+
+def flown_of(arrays: Arrays, method: Method, mission: int) -> Flown:
+    """Of a calibration, in a mission of the study."""
+    return Flown(**{f.name: arrays[f"{method}/{mission}/{f.name}"] for f in fields(Flown)})
+
+
+def cosimulated_of(arrays: Arrays, method: Method, mission: int) -> Array:
+    """(r, k, 2) m; NaN where it wasn't done."""
+    return arrays[f"{method}/{mission}/{COSIMULATED}"]
+
+
+@contextmanager
+def missions(study: Study) -> Iterator[list[StudyMission]]:
+    """Of a study, as files while this lasts."""
+    with ExitStack() as stack:
+        yield [
+            study_mission(stack.enter_context(mission.placed()), mission.hours)
+            for mission in study.missions
+        ]
+
+
+def prepare(study: Study) -> None:
+    """Build FMUs, and make weights of missions that aren't kept."""
+    fmu("HRGSlow")
+    if study.cosimulated:
+        fmu("HRG")
+    with missions(study) as flying:
+        for mission in flying:
+            kept_weights(mission)
+
+
+@cache
+def fmu(root: str) -> GyroFmu:
+    """Of a model, built if it isn't there."""
+    return GyroFmu(built_fmu(root=ROOTS[root]))
+
+
+def _drawn(study: Study, method: Method, triads: range) -> list[Triad]:
+    own = kind(study, method)
+    return [triad(fmu("HRGSlow"), own, triad_seed(study.seed, number)) for number in triads]
+
+
+def _named(block: Triads | Flown, path: str) -> dict[str, NDArray[Any]]:
+    return {f"{path}/{f.name}": getattr(block, f.name) for f in fields(block)}
+
+
+def _sample(study: Study, mission: StudyMission, triads: range, drawn: list[Triad]) -> Array:
+    """(r, k, 2) m; NaN but for the sample."""
+    errors = np.full((len(triads), len(kept_weights(mission).time), 2), np.nan)
+    chosen = [place for place, number in enumerate(triads) if study.is_cosimulated(number)]
+    if chosen:
+        flying = truth(mission)
+        errors[chosen] = [cosimulated(fmu("HRG"), flying, drawn[place]) for place in chosen]
+    return errors

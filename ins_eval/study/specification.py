@@ -2,11 +2,12 @@
 
 import math
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from ins_eval.study.sections import Settings
 from ins_eval.trajectories.keys import Checked, quantity, required_choice, whole
 
 TRAIN, TEST = "train", "test"
@@ -54,18 +55,28 @@ class Study(Checked):
         triads: how many; the first half of them is what predictors are made on.
         hours: of navigation, where a mission doesn't say its own.
         interval_percent: of predicted errors, whose coverage is judged.
+        accelerometer_bias_micro_g: 1 sigma of each.
+        cosimulated: triads of the sample that is flown without linearising, of each calibration.
         missions: in the order of the results.
+        settings: of `sections.SECTIONS`, by field, SI; only what differs from the defaults.
     """
 
     seed: int = whole(0, 2**63 - 1)
     triads: int = whole(2, MOST_TRIADS)
     hours: float = quantity("", 0.1, LONGEST_HOURS, 2.0)
     interval_percent: float = quantity("", 50.0, 99.0, 90.0)
+    accelerometer_bias_micro_g: float = quantity("", 0.0, 1e4, 10.0)
+    cosimulated: int = whole(0, MOST_TRIADS, 0)
     missions: tuple[PlannedMission, ...]
+    settings: Mapping[str, Settings] = field(default_factory=dict)
 
     def half_of(self, triad: int) -> str:
         """Of a triad, counted from 0."""
         return TRAIN if triad < self.triads // 2 else TEST
+
+    def is_cosimulated(self, triad: int) -> bool:
+        """Whether a triad is of the sample, which is spread over all."""
+        return triad * self.cosimulated % self.triads < self.cosimulated
 
 
 def fewest_triads(interval_percent: float) -> int:

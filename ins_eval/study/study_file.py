@@ -1,12 +1,13 @@
 """Studies as TOML: read, and refused with file, key, what was found and what was expected."""
 
 import tomllib
-from collections.abc import Iterator, Mapping
-from dataclasses import MISSING
+from collections.abc import Iterator
+from dataclasses import MISSING, replace
 from pathlib import Path
 from typing import Any, TypeVar
 
 from ins_eval.imu.toml_table import SpecificationError, TomlTable
+from ins_eval.study.sections import SECTIONS, settings
 from ins_eval.study.specification import (
     TEST,
     TRAIN,
@@ -22,8 +23,6 @@ _FOLDER = Path(__file__).with_name("ready")
 READY = tuple(sorted(path.stem for path in _FOLDER.glob("*.toml")))
 """Names of the studies that come with the package; each is a file in `ready`."""
 
-SECTIONS: Mapping[str, type[Checked]] = {}
-"""Tables of a study file, by the field of `Study` that each fills."""
 MISSION_KEYS = ("name", "file", "class", "half", "hours")
 
 T = TypeVar("T", bound=Checked)
@@ -50,7 +49,7 @@ def read(path: Path, seed: int | None = None) -> Study:
     Args:
         path: TOML. At the top the keys of `Study`; `[[missions]]`, each with `name` (of a ready
             mission) or `file` (from the folder of this one), `class`, `half` and, if it has its
-            own, `hours`; tables as `SECTIONS` says.
+            own, `hours`; tables as `sections.SECTIONS` says.
         seed: instead of the file's.
 
     Raises:
@@ -62,13 +61,12 @@ def read(path: Path, seed: int | None = None) -> Study:
         document["seed"] = seed
     top = TomlTable(str(path), "", document)
     top.check_known([*(key for key, _, _ in keys(Study)), "missions", *SECTIONS])
-    sections = {name: _built(kind, top.table(name)) for name, kind in SECTIONS.items()}
     plain = {key: document[key] for key, _, _ in keys(Study) if key in document}
-    bare = _built(Study, TomlTable(str(path), "", plain), missions=(), **sections)
+    bare = _built(Study, TomlTable(str(path), "", plain), missions=())
     missions = tuple(_missions(top, path.parent, bare.hours))
     _check_halves(top, missions)
     _check_triads(top, bare)
-    return _built(Study, TomlTable(str(path), "", plain), missions=missions, **sections)
+    return replace(bare, missions=missions, settings=settings(top))
 
 
 def _parsed(path: Path) -> dict[str, Any]:

@@ -25,11 +25,13 @@ class Experiment:
         conclude: what a study says, from the arrays of all its triads; writes `files` into a
             folder.
         files: in the order in which they appear; the last is the mark of a complete study.
+        prepare: what workers of this machine would otherwise do each for itself.
     """
 
     made: Made
     conclude: Callable[[Study, Arrays, Path], None]
     files: tuple[str, ...]
+    prepare: Callable[[Study], None] = lambda study: None
 
 
 @dataclass(frozen=True)
@@ -60,14 +62,16 @@ def run(
         if all((out / name).is_file() for name in experiment.files):
             done(study.triads)
         else:
-            _do_blocks(study, kept, experiment.made, cluster, done)
+            _do_blocks(study, kept, experiment, cluster, done)
             arrays = _all_triads(study, kept)
             with staging(out, experiment.files) as folder:
                 experiment.conclude(study, arrays, folder)
         kept.forget_blocks()
 
 
-def _do_blocks(study: Study, kept: StudyFolder, made: Made, cluster: Cluster, done: Done) -> None:
+def _do_blocks(
+    study: Study, kept: StudyFolder, experiment: Experiment, cluster: Cluster, done: Done
+) -> None:
     left = [n for n in range(block.count(study)) if kept.arrays(n) is None]
 
     def triads(number: int) -> int:
@@ -79,7 +83,8 @@ def _do_blocks(study: Study, kept: StudyFolder, made: Made, cluster: Cluster, do
 
     done(study.triads - sum(map(triads, left)))
     if left:
-        work = BlockWork(study, kept.identity, made)
+        experiment.prepare(study)
+        work = BlockWork(study, kept.identity, experiment.made)
         with connected(cluster.scheduler, cluster.workers) as client:
             spread(client, work, left, f"hrg-study-{kept.identity.digest}", keep)
 

@@ -1,0 +1,157 @@
+"""What a study says, from all of its triads: predictions, the table, scores, the report."""
+
+import json
+import math
+from collections.abc import Iterator
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import pyarrow as pa
+from numpy.typing import NDArray
+
+from ins_eval.study import columns, table
+from ins_eval.study.experiment import cosimulated_of, flown_of, missions, triads_of
+from ins_eval.study.flown import Flown
+from ins_eval.study.gyro_map import TERMS
+from ins_eval.study.maker import METHODS, Method
+from ins_eval.study.mission_weights import MissionWeights
+from ins_eval.study.predictors.block import (
+    Learnt,
+    judged_at,
+    learnt,
+    predicted_columns,
+    predictions,
+    ranking_columns,
+)
+from ins_eval.study.report import page
+from ins_eval.study.report.result import SCORES, result
+from ins_eval.study.run.block import Arrays
+from ins_eval.study.run.identity import made_by
+from ins_eval.study.scores.judged import scores
+from ins_eval.study.specification import TEST, TRAIN, PlannedMission, Study
+from ins_eval.study.triads import Triads
+from ins_eval.study.weights_cache import kept_weights
+from pyhrg.units import DEG_PER_H, HOUR, MICRO_G
+
+Array = NDArray[np.float64]
+
+FILES = (table.TABLE, page.PAGE, SCORES)
+NEITHER = "neither"
+"""Half of a known triad in an unseen class of missions, or the other way round."""
+SCHEMA = "hrg-study/1"
+
+
+def conclude(study: Study, arrays: Arrays, folder: Path) -> None:
+    """Write `FILES`."""
+    rows = pa.concat_tables(list(_tables(study, arrays)))
+    table.write(rows, folder / table.TABLE)
+    frame = rows.to_pandas()
+    document = _document(study, frame)
+    (folder / SCORES).write_text(json.dumps(document, indent=1, allow_nan=False) + "\n")
+    page.write(result(frame, document), folder)
+
+
+def _tables(study: Study, arrays: Arrays) -> Iterator[pa.Table]:
+    with missions(study) as flying:
+        weights = [kept_weights(mission) for mission in flying]
+    for method in METHODS:
+        triads = triads_of(arrays, method)
+        known = learnt(_training(study, triads), study.accelerometer_bias_micro_g * MICRO_G)
+        for number, mission in enumerate(study.missions):
+            error = flown_of(arrays, method, number)
+            yield table.table(
+                _identified(study, mission, method)
+                | _flown(error, weights[number])
+                | _cosimulated(cosimulated_of(arrays, method, number))
+                | _benched(triads)
+                | _predicted(weights[number], triads, known, study.seed)
+            )
+
+
+def _training(study: Study, triads: Triads) -> Triads:
+    count = sum(study.half_of(triad) == TRAIN for triad in range(len(triads)))
+    return Triads(**{name: values[:count] for name, values in vars(triads).items()})
+
+
+def _identified(study: Study, mission: PlannedMission, method: Method) -> dict[str, Any]:
+    count = study.triads
+    return {
+        columns.TRIAD: list(range(count)),
+        columns.CALIBRATION: [method] * count,
+        columns.MISSION: [mission.name] * count,
+        columns.CLASS: [mission.mission_class] * count,
+        columns.HALF: [_half(study.half_of(triad), mission.half) for triad in range(count)],
+    }
+
+
+def _half(triad: str, mission: str) -> str:
+    return triad if triad == mission else NEITHER
+
+
+def _flown(error: Flown, weights: MissionWeights) -> dict[str, Any]:
+    """At the end, and as it grew."""
+    total = error.error
+    parts = {name: getattr(error, name)[:, -1] for name in columns.PARTS}
+    every = np.isclose(np.remainder(weights.time / HOUR / columns.GROWTH_STEP_HOURS, 1.0), 0.0)
+    return {
+        columns.HOURS: [float(weights.time[-1] / HOUR)] * len(total),
+        columns.FLOWN_NORTH: total[:, -1, 0],
+        columns.FLOWN_EAST: total[:, -1, 1],
+        columns.FLOWN_RADIAL: error.radial[:, -1],
+        columns.GROWTH: list(error.radial[:, every]),
+    } | {
+        columns.part(name, axis): ends[:, place]
+        for name, ends in parts.items()
+        for place, axis in enumerate(("north", "east"))
+    }
+
+
+def _cosimulated(errors: Array) -> dict[str, Any]:
+    return {columns.COSIMULATED: np.hypot(errors[:, -1, 0], errors[:, -1, 1])}
+
+
+def _benched(triads: Triads) -> dict[str, Any]:
+    """Rms of the three gyros."""
+    waves = triads.known[:, 1:TERMS]
+    maps = np.sqrt(triads.known[:, 0] ** 2 + np.sum(waves**2, axis=1) / 2)
+    figures = {
+        columns.FIXED_STABILITY: triads.fixed_stability,
+        columns.CIRCUMFERENCE_STABILITY: triads.circumference_stability,
+        columns.MAP_RMS: maps,
+    }
+    return {
+        name: np.sqrt(np.mean(values**2, axis=1)) / DEG_PER_H for name, values in figures.items()
+    }
+
+
+def _predicted(weights: MissionWeights, triads: Triads, known: Learnt, seed: int) -> dict[str, Any]:
+    """Of the error at the end."""
+    end = judged_at(weights, -1)
+    predicted = predicted_columns(predictions(end, triads, known, seed))
+    ranked = ranking_columns(end, triads, known)
+    lists = {name: list(v) if v.ndim > 1 else v for name, v in ranked.items()}
+    return predicted | lists
+
+
+def _document(study: Study, frame: pd.DataFrame) -> dict[str, Any]:
+    """study.json: what was studied, by what, and the scores of those on either side alone."""
+    judged = frame[frame[columns.HALF].isin((TRAIN, TEST))]
+    return {
+        "schema": SCHEMA,
+        "seed": study.seed,
+        "triads": study.triads,
+        "missions": len(study.missions),
+        "hours": study.hours,
+        "made_by": made_by(),
+        "scores": [_without_nan(asdict(score)) for score in scores(judged, study.seed)],
+    }
+
+
+def _without_nan(values: dict[str, Any]) -> dict[str, Any]:
+    return {
+        key: None if isinstance(value, float) and not math.isfinite(value) else value
+        for key, value in values.items()
+    }

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval import earth
+from ins_eval.alignment.bias_instability import mean_variance
 from ins_eval.alignment.gyrocompass import bias_sensitivity
 from ins_eval.alignment.result import Alignment, AlignmentError
 from ins_eval.increments import Increments
@@ -76,11 +77,11 @@ def analytic_covariance(
 def mean_error_variances(errors: SensorErrors, duration: float) -> tuple[float, float]:
     """Of the rate, (rad/s)^2, and of the specific force, (m/s^2)^2, averaged over a duration, s.
 
-    Bias and bias instability whole; white noise and the two ends' quantisation averaged.
+    Bias whole; bias instability, white noise and the two ends' quantisation averaged.
     """
-    rate = errors.gyro_bias**2 + errors.gyro_bias_instability**2
+    rate = errors.gyro_bias**2 + mean_variance(errors.gyro_bias_instability)
     rate += errors.angle_random_walk**2 / duration + errors.angle_quantum**2 / 6 / duration**2
-    force = errors.accelerometer_bias**2 + errors.accelerometer_bias_instability**2
+    force = errors.accelerometer_bias**2 + mean_variance(errors.accelerometer_bias_instability)
     force += (
         errors.velocity_random_walk**2 / duration + errors.velocity_quantum**2 / 6 / duration**2
     )

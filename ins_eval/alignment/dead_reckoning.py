@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from ins_eval import earth
-from ins_eval.alignment import standing
+from ins_eval.alignment import aligning_model, standing
 from ins_eval.alignment.result import AlignmentError
 from ins_eval.increments import Increments
 from ins_eval.navigation.height import Clamped
@@ -28,29 +28,37 @@ FEWEST_STEPS = 15
 class Reckoning:
     """From one start attitude, velocity 0.
 
-    displacement: (m, 2) computed, north, east, m; transition: (m, 13, 13) of `standing`'s errors;
-    position: (3,) of the vehicle; interval: of the increments, s; step: s.
+    displacement: (m, 2) computed, north, east, m; turned: (m, 2) rotation about north, east since
+    the start, rad; transition: (m, 30, 30) of `aligning_model`'s errors; position: (3,) of the
+    vehicle; interval: of the increments, s; step: s.
     """
 
     track: Track
     displacement: Array
+    turned: Array
     transition: Array
     position: Array
     interval: float
     step: float
 
     def noise(self, errors: SensorErrors) -> Array:
-        """(13, 13) covariance that each step adds."""
+        """(30, 30) covariance that each step adds."""
         latitude, height = float(self.position[0]), float(self.position[2])
-        drive = standing.noise(errors, self.interval, float(earth.gravity(latitude, height)))
-        return standing.discretised(standing.dynamics(latitude, height), drive, self.step)[1]
+        gravity, duration = float(earth.gravity(latitude, height)), self.step * len(self.turned)
+        return standing.discretised(
+            aligning_model.dynamics(latitude, height, duration),
+            aligning_model.noise(errors, self.interval, gravity, duration),
+            self.step,
+        )[1]
 
     def first_error(self, last: Array) -> Array:
-        """States' errors (13,) at the start that lead to those at the end."""
+        """States' errors (13,) at the start that lead to those (30,) at the end, as if nothing
+        wandered."""
+        core = aligning_model.CORE
         whole = np.eye(standing.STATES)
-        for transition in self.transition:
+        for transition in self.transition[:, core, core]:
             whole = transition @ whole
-        return np.asarray(np.linalg.solve(whole, last))
+        return np.asarray(np.linalg.solve(whole, last[core]))
 
 
 def in_whole_steps(record: Increments) -> tuple[Increments, int]:
@@ -81,11 +89,12 @@ def reckoned(record: Increments, position: Array, mat_nb: Array, each: int) -> R
     track = navigate(start, record, Clamped(np.full(len(record) + 1, height)), each)
     begun = np.concatenate([mat_nb[None], track.mat_nb[:-1]])
     step = each * record.interval
-    still = np.zeros((standing.STATES, 1))
-    transition, _ = standing.discretised(standing.dynamics(latitude, height), still, step)
+    dynamics = aligning_model.dynamics(latitude, height, step * len(begun))
+    transition, _ = standing.discretised(dynamics, np.zeros((len(dynamics), 1)), step)
     return Reckoning(
         track=track,
         displacement=position_error(track.position, np.asarray(position, dtype=float))[:, :2],
+        turned=Rotation.from_matrix(track.mat_nb @ mat_nb.T).as_rotvec()[:, :2],
         transition=standing.in_body_axes(transition, 0.5 * (begun + track.mat_nb)),
         position=np.asarray(position, dtype=float),
         interval=record.interval,

@@ -12,7 +12,7 @@ from filterpy.kalman import KalmanFilter
 from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
-from ins_eval.alignment import standing
+from ins_eval.alignment import aligning_model, standing
 from ins_eval.alignment.dead_reckoning import (
     FEWEST_STEPS,
     Reckoning,
@@ -21,6 +21,7 @@ from ins_eval.alignment.dead_reckoning import (
     reckoned,
 )
 from ins_eval.alignment.result import Alignment, AlignmentError, Biases, History
+from ins_eval.alignment.tilting import Tilting, likeliest_tilting
 from ins_eval.increments import Increments
 from ins_eval.sensor_errors import SensorErrors
 
@@ -29,6 +30,8 @@ Array = NDArray[np.float64]
 SETTLED = 1e-4
 """Correction of the start attitude below which the linear model holds, rad."""
 MOST_PASSES = 6
+MOST_APART = 3.0
+"""Headings with and without a steady tilt, in sigma of the difference."""
 SWAY_BOUNDS = (1e-6, 100.0)
 """Between which the vehicle's displacement is looked for, m."""
 TOLERANCE = 0.05
@@ -37,7 +40,7 @@ TOLERANCE = 0.05
 
 @dataclass(frozen=True)
 class Filtered:
-    """state: (m, 13); covariance: (m, 13, 13); innovation: (m, 2), whitened;
+    """state: (m, 30); covariance: (m, 30, 30); innovation: (m, 2), whitened;
     log_likelihood: of the innovations once the filter has settled."""
 
     state: Array
@@ -52,6 +55,7 @@ def fine_alignment(
     errors: SensorErrors,
     coarse: Array,
     sway: float | None = None,
+    steady: bool = True,
 ) -> Alignment:
     """Attitude at the end of a record of a vehicle that stands or sways.
 
@@ -64,11 +68,15 @@ def fine_alignment(
         coarse: `mat_nb` (3, 3) at the record's start, within some degrees.
         sway: standard deviation of the vehicle's level displacement on each axis, m; None finds
             the likeliest.
+        steady: whether the vehicle's tilt stays where it is, as far as the record shows it;
+            otherwise any motion of it is as good as any other.
 
     Raises:
         AlignmentError: too short a record, or one whose attitude does not settle.
     """
     run, result, sway = settled(record, position, errors, coarse, sway)
+    if steady:
+        result = steadied(run, errors, sway, result)
     attitude, both = standing.ATTITUDE, slice(standing.GYRO.start, standing.ACCELEROMETER.stop)
     mat_nb = corrected(run.track.mat_nb, result.state[:, attitude])
     covariance = result.covariance[:, attitude, attitude]
@@ -111,15 +119,40 @@ def settled(
     )
 
 
-def filtered(run: Reckoning, errors: SensorErrors, sway: float) -> Filtered:
-    """The Kalman filter over a run."""
-    kalman = KalmanFilter(dim_x=standing.STATES, dim_z=2)
-    kalman.P = standing.prior(errors)
+def steadied(run: Reckoning, errors: SensorErrors, sway: float, free: Filtered) -> Filtered:
+    """With the knowledge that the vehicle's tilt stays where it is, as far as the gyros show it.
+
+    A tilt that creeps at a steady rate looks like another heading. It parts the heading from that
+    of the accelerometers, which don't mind: where the two differ by more than chance, the steady
+    one is dropped. Their difference has the difference of their variances (Hausman 1978).
+    """
+    steady = filtered(run, errors, sway, likeliest_tilting(run.turned, run.step, errors))
+    heading = standing.ATTITUDE.stop - 1
+    difference = steady.state[-1, heading] - free.state[-1, heading]
+    variance = (free.covariance - steady.covariance)[-1, heading, heading]
+    return steady if difference**2 < MOST_APART**2 * variance else free
+
+
+def filtered(
+    run: Reckoning, errors: SensorErrors, sway: float, tilting: Tilting | None = None
+) -> Filtered:
+    """The Kalman filter over a run; without `tilting`, rotation tells nothing."""
+    size = aligning_model.STATES
+    walk, white = (tilting.walk, tilting.white) if tilting else (0.0, 0.0)
+    turned = np.eye(2) if tilting else np.empty((0, 2))
+    h = np.zeros((2 + len(turned), size))
+    h[:2, standing.DISPLACEMENT] = np.eye(2)
+    h[2:, aligning_model.TURNED] = turned
+    kalman = KalmanFilter(dim_x=size, dim_z=len(h))
+    kalman.P = aligning_model.prior(errors)
+    kalman.P[aligning_model.TURNED, aligning_model.TURNED] += white**2 * np.eye(2)
     kalman.Q = run.noise(errors)
-    kalman.H = np.eye(standing.STATES)[standing.DISPLACEMENT]
-    kalman.R = sway**2 * np.eye(2)
+    kalman.Q[aligning_model.TURNED, aligning_model.TURNED] += walk**2 * run.step * np.eye(2)
+    kalman.H = h
+    kalman.R = np.diag([sway**2, sway**2, white**2, white**2][: len(h)])
+    measured = np.hstack([run.displacement, run.turned])[:, : len(h)]
     state, covariance, innovation, spread = [], [], [], []
-    for z, transition in zip(run.displacement, run.transition, strict=True):
+    for z, transition in zip(measured, run.transition, strict=True):
         kalman.predict(F=transition)
         kalman.update(z[:, None])
         state.append(kalman.x[:, 0])
@@ -127,10 +160,11 @@ def filtered(run: Reckoning, errors: SensorErrors, sway: float) -> Filtered:
         innovation.append(kalman.y[:, 0])
         spread.append(kalman.S)
     root = np.linalg.cholesky(np.array(spread))
-    white = np.linalg.solve(root, np.array(innovation)[..., None])[..., 0]
-    each = -0.5 * np.sum(white**2, axis=1) - np.log(root[:, 0, 0] * root[:, 1, 1])
+    white_noise = np.linalg.solve(root, np.array(innovation)[..., None])[..., 0]
+    diagonal = np.diagonal(root, axis1=1, axis2=2)
+    each = -np.sum(0.5 * white_noise**2 + np.log(diagonal), axis=1)
     likelihood = float(each[FEWEST_STEPS // 2 :].sum())
-    return Filtered(np.array(state), np.array(covariance), white, likelihood)
+    return Filtered(np.array(state), np.array(covariance), white_noise[:, :2], likelihood)
 
 
 def likeliest_sway(run: Reckoning, errors: SensorErrors) -> float:

@@ -13,6 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from ins_eval import earth
 from ins_eval.alignment import inertial_kernel
+from ins_eval.alignment.bias_instability import integral_covariance
 from ins_eval.alignment.result import Alignment, AlignmentError
 from ins_eval.increments import Increments
 from ins_eval.navigation.coefficients import weights
@@ -148,13 +149,17 @@ def inertial_frame_covariance(
     walked = np.minimum.outer(times, times)
     walked[np.diag_indices(len(u))] -= span / 6
     theta = errors.angle_random_walk**2 * walked
-    theta += (errors.gyro_bias**2 + errors.gyro_bias_instability**2) * np.outer(times, times)
+    theta += errors.gyro_bias**2 * np.outer(times, times)
+    theta += integral_covariance(errors.gyro_bias_instability, times)
 
     bounded = sway**2 + errors.velocity_quantum**2 / 12
     neighbour = np.eye(len(u), k=1) + np.eye(len(u), k=-1)
     force = (errors.velocity_random_walk**2 / span) * np.eye(len(u))
     force += bounded / span**2 * (2 * np.eye(len(u)) - neighbour)
-    force += errors.accelerometer_bias**2 + errors.accelerometer_bias_instability**2
+    force += errors.accelerometer_bias**2
+    ends = span * np.arange(len(u) + 1)
+    wandered = integral_covariance(errors.accelerometer_bias_instability, ends)
+    force += np.diff(np.diff(wandered, axis=0), axis=1) / span**2
 
     first = np.einsum("kia,kl,lja->ij", by_theta, theta, by_theta)
     first += np.einsum("kia,kl,lja->ij", by_force, force, by_force)

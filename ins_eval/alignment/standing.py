@@ -73,29 +73,24 @@ def noise(errors: SensorErrors, interval: float, gravity: float) -> Array:
 
 
 def discretised(f: Array, g: Array, step: float) -> tuple[Array, Array]:
-    """Transition (13, 13) and covariance (13, 13) of a step, s, exactly (Van Loan 1978)."""
+    """Transition (n, n) and covariance (n, n) of a step, s, exactly (Van Loan 1978)."""
     transition, covariance = van_loan_discretization(f, g, step)
     return np.asarray(transition), np.asarray(covariance)
 
 
 def in_body_axes(transition: Array, mat_nb: Array) -> Array:
-    """Transitions (m, 13, 13) with biases in body axes, of steps at attitudes (m, 3, 3)."""
+    """Transitions (m, n, n) with biases in body axes, of steps at attitudes (m, 3, 3)."""
     steps = np.tile(transition, (len(mat_nb), 1, 1))
+    others = np.delete(np.arange(len(transition)), np.r_[GYRO, ACCELEROMETER])
     for bias in (GYRO, ACCELEROMETER):
-        steps[:, : GYRO.start, bias] = transition[: GYRO.start, bias] @ mat_nb
+        steps[:, others, bias] = transition[others, bias] @ mat_nb
     return steps
 
 
 def prior(errors: SensorErrors) -> Array:
-    """(13, 13) covariance before any measurement: the sensors' stated biases, little else.
-
-    Bias instability adds to the bias whole: over an alignment it hardly moves.
-    """
+    """(13, 13) covariance before any measurement: the sensors' stated biases, little else."""
     sigma = np.empty(STATES)
     sigma[ATTITUDE] = TILT_PRIOR, TILT_PRIOR, HEADING_PRIOR
     sigma[VELOCITY], sigma[DISPLACEMENT] = VELOCITY_PRIOR, DISPLACEMENT_PRIOR
-    sigma[GYRO] = np.hypot(errors.gyro_bias, errors.gyro_bias_instability)
-    sigma[ACCELEROMETER] = np.hypot(
-        errors.accelerometer_bias, errors.accelerometer_bias_instability
-    )
+    sigma[GYRO], sigma[ACCELEROMETER] = errors.gyro_bias, errors.accelerometer_bias
     return np.diag(sigma**2)

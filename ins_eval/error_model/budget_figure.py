@@ -13,6 +13,7 @@ from ins_eval.error_model.budget import total
 from pyhrg.units import ARCSEC, HOUR
 
 COLOURS = dict(zip(BODY, ("tab:blue", "tab:orange", "tab:green"), strict=True))
+INITIAL, INITIAL_COLOUR = "initial errors", "0.5"
 SHOWN = 8
 """Effects with a line and bars of their own; the smallest are shown as one if there are more."""
 
@@ -25,8 +26,9 @@ def draw(found: Weights, shares: xr.Dataset, path: Path, title: str = "Error bud
     for column, component in enumerate(COMPONENTS):
         own = contribution.sel(component=component)
         _weights(rows[0, column], labelled(found).gyro.sel(component=component) * ARCSEC)
-        _growth(rows[1, column], own.sum("axis"))
-        _bars(rows[2, column], own.sum("time"))
+        initial = float(shares.initial.sum("state").sel(component=component))
+        _growth(rows[1, column], own.sum("axis"), initial)
+        _bars(rows[2, column], own.sum("time"), initial)
         for row, what in enumerate(("weight of the gyros", "made up by then", "by effect, axis")):
             rows[row, column].set_title(f"{component}: {what}")
             rows[row, column].grid(alpha=0.25)
@@ -49,17 +51,21 @@ def _weights(axes: Axes, weight: xr.DataArray) -> None:
     axes.set_xlabel("time, h")
 
 
-def _growth(axes: Axes, contribution: xr.DataArray) -> None:
+def _growth(axes: Axes, contribution: xr.DataArray, initial: float) -> None:
     hours = contribution.time / HOUR
     axes.set_prop_cycle(color=colormaps["Dark2"](np.arange(SHOWN)))
     for effect in contribution.effect.values:
         axes.plot(hours, contribution.sel(effect=effect).cumsum("time"), label=effect)
-    axes.plot(hours, contribution.sum("effect").cumsum("time"), "k", linewidth=2, label="all")
+    if initial:
+        axes.axhline(initial, color=INITIAL_COLOUR, linestyle="--", label=INITIAL)
+    total = initial + contribution.sum("effect").cumsum("time")
+    axes.plot(hours, total, "k", linewidth=2, label="all")
     axes.set_xlabel("time, h")
 
 
-def _bars(axes: Axes, contribution: xr.DataArray) -> None:
-    """Three bars, one an axis, for each effect in gyros and in accelerometers that has any."""
+def _bars(axes: Axes, contribution: xr.DataArray, initial: float) -> None:
+    """Three bars, one an axis, for each effect in gyros and in accelerometers that has any; one for
+    what the start was off by."""
     rows: list[tuple[str, np.ndarray]] = []
     for effect in contribution.effect.values:
         by_sensor = contribution.sel(effect=effect).values.reshape(2, len(BODY))
@@ -72,7 +78,12 @@ def _bars(axes: Axes, contribution: xr.DataArray) -> None:
     for number, colour in enumerate(COLOURS.values()):
         values = [row[1][number] for row in rows]
         axes.barh(places + 0.27 * (1 - number), values, height=0.25, color=colour)
-    axes.set_yticks(places, [row[0] for row in rows], fontsize="small")
+    names = [row[0] for row in rows]
+    if initial:
+        names.append(INITIAL)
+        places = np.append(places, -float(len(rows)))
+        axes.barh(places[-1], initial, height=0.5, color=INITIAL_COLOUR)
+    axes.set_yticks(places, names, fontsize="small")
     axes.set_xlabel("part of the final error, m")
 
 

@@ -3,18 +3,12 @@
 import argparse
 from pathlib import Path
 
-import numpy as np
-
 from fmu_build.cli import Command, UserError
 from ins_eval.alignment.align import align
-from ins_eval.imu.imu import Imu
-from ins_eval.increments import Increments
 from ins_eval.nav import align_report, sources
-from ins_eval.nav.flight import run_seeds
 from ins_eval.nav.options import number, whole
-from ins_eval.nav.place import FLAGS, Place, add_options, place, refuse_options_of_logs
-from ins_eval.nav.plan import WARM_UP
-from ins_eval.nav.records import Record
+from ins_eval.nav.place import FLAGS, add_options, place, refuse_options_of_logs
+from ins_eval.nav.records import recorded, simulated
 from ins_eval.nav.refusals import REFUSALS
 from ins_eval.staging import staging
 
@@ -60,45 +54,6 @@ def _run(options: argparse.Namespace) -> None:
         raise UserError(f"can't write {options.out}: {error.strerror or error}") from error
     print(align_report.summary(record, alignment))
     print(f"\nwritten to {options.out}: {', '.join(align_report.FILES)}")
-
-
-def recorded(path: Path, where: Place, first: float, seconds: float) -> Record:
-    """A stretch of a log.
-
-    Raises:
-        UserError: a log that is shorter, or does not say where it was recorded.
-    """
-    log, position = sources.log(path, where)
-    return Record(path.name, stretch(path, log.increments, first, seconds), position)
-
-
-def stretch(path: Path, increments: Increments, first: float, seconds: float) -> Increments:
-    """Increments from a time since the log's beginning on.
-
-    Raises:
-        UserError: a log that is shorter.
-    """
-    begin, count = (round(time / increments.interval) for time in (first, seconds))
-    if begin + count > len(increments):
-        raise UserError(
-            f"{path}: found {increments.duration:g} s, expected {first + seconds:g} s at least"
-        )
-    return increments.between(begin, begin + count)
-
-
-def simulated(imu: Imu, trajectory: str, seconds: float, seed: int) -> Record:
-    """What an IMU measures before a trajectory sets off, warmed up; the true attitude is known."""
-    interval = imu.interval
-    warm_up, count = round(WARM_UP / interval), round(seconds / interval)
-    still = (warm_up + count) * interval
-    truth = sources.trajectory(trajectory, still, 60.0)
-    increments = truth.increments(-still, interval, warm_up + count)
-    (run_seed,) = run_seeds(seed, 1)
-    measured = imu.measure(increments, run_seed).increments
-    start = truth.state(0.0)
-    position = np.array([start.latitude, start.longitude, start.height])
-    name = f"{imu.name} IMU, {truth.name}"
-    return Record(name, measured.between(warm_up, warm_up + count), position, start.mat_nb)
 
 
 def _refuse_options_of_simulations(options: argparse.Namespace) -> None:

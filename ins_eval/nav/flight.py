@@ -8,9 +8,10 @@ from numpy.typing import NDArray
 
 from ins_eval.alignment.align import align
 from ins_eval.alignment.result import Alignment
+from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu, Measured
 from ins_eval.increments import Increments
-from ins_eval.nav.plan import Plan
+from ins_eval.nav.plan import WARM_UP, Plan
 from ins_eval.nav.truth import Truth
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
 from ins_eval.navigation.strapdown import navigate
@@ -18,6 +19,10 @@ from ins_eval.sensor_errors import SensorErrors
 from ins_eval.state import Track
 
 Array = NDArray[np.float64]
+
+
+class StartUpError(Exception):
+    """Gyros aren't ready when they are needed."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +54,10 @@ def fly(plan: Plan, truth: Truth, imu: Imu, done: Callable[[], object] = lambda:
     Raises:
         AlignmentError: what was measured can't be aligned on.
         NavigationError: the navigator can't start or go on.
+        StartUpError: gyros that aren't ready after the warm-up, or fail in flight.
     """
+    if plan.alignment is not None and isinstance(imu.gyros, FmuGyros):
+        imu = replace(imu, gyros=replace(imu.gyros, start_up=True))
     own = _navigated(plan, truth, truth.increments, None)
     done()
     alignments, tracks = [], []
@@ -79,6 +87,11 @@ def held(plan: Plan, heights: Array) -> Height:
 
 def _run(plan: Plan, truth: Truth, imu: Imu, seed: int) -> Run:
     measured = imu.measure(truth.increments, seed)
+    if measured.ready is not None and not np.all(measured.ready[truth.warm :]):
+        raise StartUpError(
+            f"{imu.name}: gyros are not ready throughout; expected them to be {WARM_UP:g} s after "
+            "power-on, when alignment begins, and from then on"
+        )
     alignment = _aligned(plan, truth, measured.increments, imu.errors)
     track = _navigated(plan, truth, measured.increments, alignment)
     return Run(measured, alignment, track)

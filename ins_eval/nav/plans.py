@@ -6,7 +6,7 @@ from typing import Any
 from fmu_build.cli import UserError
 from ins_eval.increments import Increments
 from ins_eval.nav.options import minutes, number, whole
-from ins_eval.nav.plan import Plan, rows
+from ins_eval.nav.plan import WARM_UP, Plan, rows
 
 HOURS, SAMPLES, ALIGNMENT, SEED, RUNS = "1", "2", "300", "1", "1"
 """Unless options say otherwise."""
@@ -28,7 +28,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add("--height", choices=("clamped", "free", "baro"), default="clamped", help="what holds the "
         "height: the true one, nothing, or a loop with the true one (default clamped)")  # fmt: skip
     start = parser.add_mutually_exclusive_group()
-    start.add_argument("--align-s", metavar="S", help="alignment before time 0 "
+    start.add_argument("--align-s", metavar="S", help="from power-on to time 0, alignment in it "
                        f"(default {ALIGNMENT})")  # fmt: skip
     start.add_argument("--start-from-truth", action="store_true", help="no alignment")
     add("--seed", metavar="N", help=f"of everything random (default {SEED})")
@@ -57,7 +57,7 @@ def of_simulation(options: argparse.Namespace, interval: float) -> Plan:
         interval,
         count=max(1, round(wanted / spacing)) * spacing,
         keep_every=spacing,
-        alignment=None if options.start_from_truth else _alignment(options),
+        alignment=None if options.start_from_truth else _alignment(options, WARM_UP) - WARM_UP,
         seed=whole("--seed", options.seed or SEED, 0, 2**63 - 1),
         runs=whole("--runs", options.runs or RUNS, 1, 1000),
         **_navigator(options),
@@ -104,5 +104,5 @@ def _samples(options: argparse.Namespace) -> int:
     return whole("--samples", options.samples, 2, 4)
 
 
-def _alignment(options: argparse.Namespace) -> float:
-    return number("--align-s", options.align_s or ALIGNMENT, 10, 7200)
+def _alignment(options: argparse.Namespace, warm_up: float = 0.0) -> float:
+    return number("--align-s", options.align_s or ALIGNMENT, warm_up + 10, 7200)

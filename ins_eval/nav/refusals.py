@@ -6,6 +6,7 @@ from ins_eval.alignment.result import AlignmentError
 from ins_eval.imu.gyros import GyroError
 from ins_eval.imu.log import LogError
 from ins_eval.imu.specification import SpecificationError
+from ins_eval.nav.flight import StartUpError
 from ins_eval.navigation.strapdown import NavigationError
 from ins_eval.trajectories.errors import TrajectoryError
 
@@ -16,6 +17,7 @@ REFUSALS = (
     LogError,
     NavigationError,
     SpecificationError,
+    StartUpError,
     TrajectoryError,
     TranslationError,
 )

@@ -66,4 +66,11 @@ def _draw_runs(axes: Axes, hours: Array, errors: Array) -> None:
         label = (
             ("flown" if len(errors) == 1 else f"flown, {len(errors)} runs") if not number else None
         )
-        axes.plot(hours, error, color="tab:blue", linewidth=1.2, alpha=0.9, label=label)
+        axes.plot(
+            hours,
+            error,
+            color="tab:blue",
+            linewidth=1.2 if len(errors) == 1 else 0.7,
+            alpha=0.9,
+            label=label,
+        )

@@ -1,10 +1,11 @@
 """The report of a run as one HTML page; figures lie in the tests' folders."""
 
 import html
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
-from pyhrg.bench.outcome import Outcome, Table
+from pyhrg.bench.outcome import Outcome
 from pyhrg.bench.procedure import Procedure
+from pyhrg.bench.reporting.markup import paragraph, table
 from pyhrg.bench.reporting.report import PICTURE, Results, findings_table, notes
 
 PAGE = "report.html"
@@ -20,14 +21,14 @@ STYLE = (
 def page(results: Results) -> str:
     """All results."""
     title = html.escape(f"HRG bench: {results.subject}")
-    parts = [_table(results.overview)] if results.overview else []
+    parts = [table(results.overview)] if results.overview else []
     for result in results.done:
         parts.append(f"<h2>{html.escape(result.procedure.title)}</h2>")
         if result.outcome:
             parts.append(_section(result.procedure, result.outcome, results.limits))
         else:
-            parts.append(_paragraph(f"No figures: {result.reason}"))
-    parts += [_paragraph(f"Specification: {text}", "weak") for text in results.unmatched]
+            parts.append(paragraph(f"No figures: {result.reason}"))
+    parts += [paragraph(f"Specification: {text}", "weak") for text in results.unmatched]
     return (
         '<!doctype html><html lang="en"><head><meta charset="utf-8">'
         f"<title>{title}</title><style>{STYLE}</style></head>"
@@ -36,25 +37,11 @@ def page(results: Results) -> str:
 
 
 def _section(procedure: Procedure, outcome: Outcome, limits: Mapping[str, float]) -> str:
-    parts = [_paragraph(outcome.verdict)]
-    parts += [_table(table) for table in (findings_table(outcome.findings), *outcome.tables)]
+    parts = [paragraph(outcome.verdict)]
+    parts += [table(content) for content in (findings_table(outcome.findings), *outcome.tables)]
     if outcome.draw:
         alternative = html.escape(f"Figure: {procedure.title}. {outcome.verdict}")
         parts.append(f'<img src="{procedure.name}/{PICTURE}" alt="{alternative}">')
-    parts += [_paragraph(note, "weak") for note in notes(outcome, limits)]
-    parts.append(_paragraph(f"Method: {procedure.source}.", "weak"))
+    parts += [paragraph(note, "weak") for note in notes(outcome, limits)]
+    parts.append(paragraph(f"Method: {procedure.source}.", "weak"))
     return "".join(parts)
-
-
-def _paragraph(text: str, style: str = "") -> str:
-    opening = f'<p class="{style}">' if style else "<p>"
-    return f"{opening}{html.escape(text)}</p>"
-
-
-def _table(table: Table) -> str:
-    rows = [_row(table.header, "th"), *(_row(cells, "td") for cells in table.rows)]
-    return f"<table><caption>{html.escape(table.title)}</caption>{''.join(rows)}</table>"
-
-
-def _row(cells: Sequence[str], tag: str) -> str:
-    return "<tr>" + "".join(f"<{tag}>{html.escape(cell)}</{tag}>" for cell in cells) + "</tr>"

@@ -1,0 +1,1 @@
+"""report.html: the study's result as people look at it first."""

@@ -1,0 +1,138 @@
+"use strict";
+(() => {
+  const study = JSON.parse(document.getElementById("study").textContent);
+  const form = document.getElementById("filters");
+  const tip = document.getElementById("tip");
+  const panels = [...document.querySelectorAll("figure[data-panel]")];
+  const charts = [...document.querySelectorAll("svg[data-x]")];
+  const KEYS = { calibration: "calibration", half: "half", class: "mission_class" };
+  const chosen = () => Object.fromEntries(new FormData(form));
+  const name = (column, row) => {
+    const { levels, codes } = study.names[column];
+    return levels[codes[row]];
+  };
+  const metres = (value) =>
+    value === null ? "none" : `${Number(value.toPrecision(3)).toLocaleString("en")} m`;
+
+  let rows = [];
+
+  function applies(element, choice) {
+    return Object.keys(KEYS).every((key) => {
+      const own = element.dataset[key];
+      return !own || choice[key] === "all" || choice[key] === own;
+    });
+  }
+
+  function filter() {
+    const choice = chosen();
+    for (const element of document.querySelectorAll("[data-class],[data-calibration],[data-half]"))
+      element.toggleAttribute("hidden", !applies(element, choice));
+    rows = study.triad
+      .map((_, row) => row)
+      .filter((row) => Object.entries(KEYS).every(
+        ([key, column]) => choice[key] === "all" || choice[key] === name(column, row)));
+    for (const panel of panels) caption(panel, choice);
+    document.getElementById("predictions").classList.toggle("one", choice.predictor !== "all");
+    leave();
+  }
+
+  function caption(panel, choice) {
+    const own = panel.dataset.panel;
+    const ranking = own.startsWith("rank_");
+    panel.toggleAttribute("hidden",
+      !ranking && choice.predictor !== "all" && choice.predictor !== own);
+    const svg = panel.querySelector("svg[data-x]");
+    const count = svg ? rows.filter((row) => place(svg, row)).length : 0;
+    const scores = study.captions[[own, choice.calibration, choice.half, choice.class].join("|")];
+    panel.querySelector(".live").textContent =
+      [ranking ? "" : `${count.toLocaleString("en")} flights`, scores].filter(Boolean).join("; ");
+  }
+
+  function place(svg, row) {
+    const [low, high] = svg.dataset.range.split(" ").map((v) => Math.log10(Number(v)));
+    const along = (column, start, end) => {
+      const value = study.numbers[column][row];
+      if (!(value > 0)) return NaN;
+      return start + ((Math.log10(value) - low) / (high - low)) * (end - start);
+    };
+    const [left, right, bottom, top] = svg.dataset.plot.split(" ").map(Number);
+    const x = along(svg.dataset.x, left, right);
+    const y = along(svg.dataset.y, bottom, top);
+    return Number.isFinite(x + y) ? { x, y } : null;
+  }
+
+  function nearest(svg, event) {
+    const point = new DOMPoint(event.clientX, event.clientY)
+      .matrixTransform(svg.getScreenCTM().inverse());
+    let best = null, distance = 20 ** 2;
+    for (const row of rows) {
+      const at = place(svg, row);
+      const d = at ? (at.x - point.x) ** 2 + (at.y - point.y) ** 2 : Infinity;
+      if (d < distance) [best, distance] = [row, d];
+    }
+    return best;
+  }
+
+  function show(svg, row) {
+    if (row === null) return leave();
+    for (const svg of charts) mark(svg, row);
+    tip.textContent = [
+      `Triad ${study.triad[row]}, ${name("mission", row)} (${name("mission_class", row)})`,
+      `${name("calibration", row)} calibrated, ${name("half", row)} half`,
+      `predicted ${metres(study.numbers[svg.dataset.x][row])}`,
+      `flown ${metres(study.numbers[svg.dataset.y][row])}`,
+    ].join("\n");
+    tip.hidden = false;
+    const at = place(svg, row);
+    const on = new DOMPoint(at.x, at.y).matrixTransform(svg.getScreenCTM());
+    tip.style.left = `${Math.max(4, Math.min(on.x + 14, innerWidth - tip.offsetWidth - 4))}px`;
+    tip.style.top = `${Math.max(4, Math.min(on.y + 14, innerHeight - tip.offsetHeight - 4))}px`;
+  }
+
+  function mark(svg, row) {
+    const at = place(svg, row);
+    const circle = svg.querySelector(".mark");
+    circle.setAttribute("visibility", at ? "visible" : "hidden");
+    if (!at) return;
+    circle.setAttribute("cx", at.x);
+    circle.setAttribute("cy", at.y);
+  }
+
+  function leave() {
+    tip.hidden = true;
+    for (const circle of document.querySelectorAll(".mark"))
+      circle.setAttribute("visibility", "hidden");
+  }
+
+  function stepped(svg, state, event) {
+    const steps = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
+    if (event.key === "Escape") return leave();
+    if (!(event.key in steps)) return;
+    event.preventDefault();
+    const flown = study.numbers[svg.dataset.y];
+    const order = rows.filter((row) => place(svg, row)).sort((a, b) => flown[a] - flown[b]);
+    if (!order.length) return;
+    const at = order.indexOf(state.row);
+    const next = at < 0 ? 0 : (at + steps[event.key] + order.length) % order.length;
+    state.row = order[next];
+    show(svg, state.row);
+  }
+
+  for (const svg of charts) {
+    const state = { row: null };
+    svg.addEventListener("pointermove", (event) => {
+      state.row = nearest(svg, event);
+      show(svg, state.row);
+    });
+    svg.addEventListener("pointerleave", leave);
+    svg.addEventListener("blur", leave);
+    svg.addEventListener("keydown", (event) => stepped(svg, state, event));
+  }
+  form.addEventListener("change", filter);
+  form.addEventListener("submit", (event) => event.preventDefault());
+  addEventListener("beforeprint", () => {
+    for (const fold of document.querySelectorAll("details")) fold.open = true;
+  });
+  form.hidden = false;
+  filter();
+})();

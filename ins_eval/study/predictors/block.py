@@ -47,8 +47,13 @@ def learnt(training: Triads, accelerometer_bias: float) -> Learnt:
 
 
 def judged_at(weights: MissionWeights, k: int) -> MissionWeights:
-    """Weights of the k-th of the kept times alone."""
-    at, rows = [range(len(weights.time))[k]], slice(2 * k, 2 * k + 2)
+    """Weights of the k-th of the kept times alone; -1 is the last.
+
+    Raises:
+        IndexError: there is no such time.
+    """
+    place = range(len(weights.time))[k]
+    at, rows = [place], slice(2 * place, 2 * place + 2)
     return replace(
         weights,
         time=weights.time[at],

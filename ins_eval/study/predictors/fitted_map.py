@@ -9,11 +9,12 @@ from numpy.typing import NDArray
 
 from ins_eval.study.gyro_map import TERMS
 from ins_eval.study.mission_weights import MissionWeights
+from ins_eval.study.predictors.expected_error import expected_error
 from ins_eval.study.predictors.knowledge import BenchKnowledge
 from ins_eval.study.predictors.map_drift import MapDrift
 from ins_eval.study.predictors.mixed_angles import mixed
 from ins_eval.study.predictors.prediction import Drawn, Normal
-from ins_eval.study.predictors.turned_maps import weights_from
+from ins_eval.study.predictors.turned_maps import started, weights_from
 
 Array = NDArray[np.float64]
 
@@ -34,15 +35,16 @@ def predict(
         rest: (r, k, 2, 2) covariance of what maps don't tell, m^2.
         start_angle: (r, 3) pattern angles at power-on, rad.
     """
+    maps = started(knowledge.maps, start_angle)
+    expected = expected_error(weights, maps, np.zeros_like(maps))
     carried = weights_from(_both(weights), start_angle)
-    expected = np.einsum("rkica,rca->rki", carried[..., : 2 * TERMS, :], knowledge.maps)
     spread = _covariance(knowledge, drift)
     scattered = np.zeros_like(rest)
     for axis in range(carried.shape[-1]):
         w = carried[..., axis].reshape(len(carried), -1, carried.shape[-2])
         w_spread = (w @ spread[..., axis]).reshape(carried.shape[:-1])
         scattered += w_spread @ np.swapaxes(carried[..., axis], -1, -2)
-    return Normal(np.asarray(expected), rest + scattered)
+    return Normal(expected, rest + scattered)
 
 
 def predict_any_angle(

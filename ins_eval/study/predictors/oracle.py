@@ -4,8 +4,8 @@ can: noise and accelerometers, and without the power-on angle where the patterns
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study.flown import map_errors
 from ins_eval.study.mission_weights import MissionWeights
+from ins_eval.study.predictors.expected_error import expected_error
 from ins_eval.study.predictors.mixed_angles import mixed
 from ins_eval.study.predictors.prediction import Drawn, Normal
 from ins_eval.study.predictors.turned_maps import unstarted
@@ -21,8 +21,7 @@ def predict(weights: MissionWeights, started: Array, warming: Array, rest: Array
         started, warming: (r, 2 TERMS, 3) true maps in flight, from the power-on angles.
         rest: (r, k, 2, 2) covariance of what maps don't tell, m^2.
     """
-    expected = map_errors(weights.gyros, started) + map_errors(weights.warming, warming)
-    return Normal(expected, rest)
+    return Normal(expected_error(weights, started, warming), rest)
 
 
 def predict_any_angle(

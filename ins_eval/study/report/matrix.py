@@ -9,7 +9,7 @@ from ins_eval.study import columns as c
 from ins_eval.study.report.marks import calibration_title, marked
 from ins_eval.study.report.result import StudyResult
 from ins_eval.study.report.svg import Scale, number
-from ins_eval.study.score import ALL, SCORES, Score
+from ins_eval.study.score import ALL, COVERAGE, SCORES, Score
 
 BAR = 96
 """Width of a drawn interval, px."""
@@ -60,10 +60,17 @@ def _table(scores: Sequence[Score], axis: Axis) -> str:
 def _caption(scores: Sequence[Score]) -> str:
     first = scores[0]
     seeds = sorted({s.seed for s in scores if s.seed is not None})
-    drawn = f"bootstrap over triads, seed {', '.join(map(str, seeds))}" if seeds else "exact"
+    seeded = f", seed {', '.join(map(str, seeds))}" if seeds else ""
     shuffled = ", devices shuffled" if first.shuffled else ""
     of = f"{calibration_title(first.calibration)}, {first.half} half"
-    return f"{SCORES[first.score]}{shuffled}; {of}; {100 * first.confidence:g} % intervals, {drawn}"
+    intervals = f"{100 * first.confidence:g} % intervals, {_method(first)}{seeded}"
+    return f"{SCORES[first.score]}{shuffled}; {of}; {intervals}"
+
+
+def _method(score: Score) -> str:
+    if score.shuffled:
+        return "over shuffles"
+    return "exact binomial" if score.score == COVERAGE else "bootstrap over triads"
 
 
 def _row(scores: Sequence[Score], name: str, order: Sequence[str], axis: Axis) -> str:

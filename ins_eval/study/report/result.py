@@ -10,9 +10,9 @@ import numpy as np
 import pandas as pd
 
 from ins_eval.study import columns
-from ins_eval.study.score import Score
+from ins_eval.study.score import SCORES, Score
 
-TABLE, SCORES = "study.parquet", "study.json"
+TABLE, DOCUMENT = "study.parquet", "study.json"
 KINDS = {"int": "iu", "number": "f", "text": "OUT", "numbers": "O"}
 """numpy's kinds that a column's kind may be stored as."""
 
@@ -50,6 +50,8 @@ def result(table: pd.DataFrame, document: Mapping[str, Any], source: str = "") -
     Raises:
         ResultError: a column or key is missing or of another kind; there are no rows.
     """
+    if not isinstance(document, dict):
+        raise ResultError(f"{source}{DOCUMENT}: found {document!r}, expected an object")
     if not len(table):
         raise ResultError(f"{source}{TABLE}: found no rows, expected one a triad and mission")
     for column in columns.COLUMNS:
@@ -66,9 +68,11 @@ def read(folder: Path) -> StudyResult:
     """
     try:
         table = pd.read_parquet(folder / TABLE)
-        document = json.loads((folder / SCORES).read_text())
+        document = json.loads((folder / DOCUMENT).read_text())
     except (OSError, ValueError) as error:
-        raise ResultError(f"{folder}: expected {TABLE} and {SCORES} of a study: {error}") from error
+        raise ResultError(
+            f"{folder}: expected {TABLE} and {DOCUMENT} of a study: {error}"
+        ) from error
     return result(table, document, f"{folder}/")
 
 
@@ -86,20 +90,31 @@ def _check(table: pd.DataFrame, column: columns.Column, source: str) -> None:
 
 
 def _scores(document: Mapping[str, Any], source: str) -> list[Score]:
-    if not isinstance(document.get("scores"), list):
-        raise ResultError(f"{source}{SCORES}: found no list `scores`, expected the study's scores")
-    return [
-        _score(entry, f"{source}{SCORES}: scores[{i}]")
-        for i, entry in enumerate(document["scores"])
-    ]
+    entries = document.get("scores")
+    if not isinstance(entries, list):
+        found = type(entries).__name__ if "scores" in document else "nothing"
+        raise ResultError(f"{source}{DOCUMENT}: scores: found {found}, expected a list")
+    return [_score(entry, f"{source}{DOCUMENT}: scores[{i}]") for i, entry in enumerate(entries)]
 
 
-def _score(entry: Mapping[str, Any], place: str) -> Score:
+def _score(entry: Any, place: str) -> Score:
+    if not isinstance(entry, dict):
+        raise ResultError(f"{place}: found {entry!r}, expected an object")
     known = {field.name for field in fields(Score)}
     if unknown := sorted(set(entry) - known):
         raise ResultError(f"{place}: found {unknown[0]}, expected only {', '.join(sorted(known))}")
     numbers = {k: np.nan if entry.get(k) is None else entry[k] for k in ("value", "low", "high")}
     try:
-        return Score(**{**entry, **numbers})
+        score = Score(**{**entry, **numbers})
     except TypeError as error:
         raise ResultError(f"{place}: {error}") from error
+    predictors = ["", *(p.key for p in columns.PREDICTORS)]
+    _known("score", score.score, list(SCORES), place)
+    _known("predictor", score.predictor, predictors, place)
+    return score
+
+
+def _known(key: str, found: str, expected: Sequence[str], place: str) -> None:
+    if found not in expected:
+        names = ", ".join(filter(None, expected))
+        raise ResultError(f"{place}: found {key} {found}, expected one of {names}")

@@ -60,11 +60,7 @@ def sentences(result: StudyResult, calibration: str) -> list[str]:
 
 
 def _sample(result: StudyResult, calibration: str) -> str:
-    judged = [
-        s
-        for s in result.scores
-        if (s.calibration, s.half, s.mission_class) == (calibration, UNSEEN, ALL)
-    ]
+    judged = [s for s in result.scores if (s.calibration, s.half) == (calibration, UNSEEN)]
     counts = " to ".join(f"{n:,}" for n in _ends([s.n for s in judged]))
     levels = " to ".join(f"{100 * level:g} %" for level in _ends([s.confidence for s in judged]))
     return f"In brackets: {levels} intervals; n = {counts} triads."

@@ -46,14 +46,15 @@ def mission(seed: int, times: int = 1) -> MissionWeights:
     )
 
 
-def triads(seed: int, count: int, spread: Array = SPREAD) -> Triads:
-    """Whose bench errs, whose maps drift, warm and make noise as stated above."""
+def triads(seed: int, count: int, spread: Array = SPREAD, exact_fit: bool = False) -> Triads:
+    """Whose bench errs, or fits exactly; whose maps drift, warm and make noise as stated above."""
     random = np.random.default_rng(seed)
     shape, c = (count, 2 * TERMS, 3), 2 * TERMS
     bench_map = spread[:, None] * random.normal(size=shape)
     start_angle = np.pi * random.random((count, 3))
-    known = bench_map + FIT[:, None] * random.normal(size=shape)
-    size = np.sqrt(np.mean(known[:, 1:TERMS] ** 2, axis=1, keepdims=True) + FIT[1] ** 2)
+    fit = np.zeros_like(FIT) if exact_fit else FIT
+    known = bench_map + fit[:, None] * random.normal(size=shape)
+    size = np.sqrt(np.mean(known[:, 1:TERMS] ** 2, axis=1, keepdims=True) + fit[1] ** 2)
     drifted = bench_map + DRIFT[:c, None] * size * random.normal(size=shape)
     warming = DRIFT[c:, None] * size * random.normal(size=shape)
     stability = np.sqrt(np.sum(bench_map[:, 1:TERMS] ** 2, axis=1) / 2)
@@ -65,7 +66,7 @@ def triads(seed: int, count: int, spread: Array = SPREAD) -> Triads:
         instability=np.zeros((count, 3)),
         walk=noise[:, 1],
         known=known,
-        covariance=np.broadcast_to(np.diag(FIT**2)[..., None], (count, c, c, 3)),
+        covariance=np.broadcast_to(np.diag(fit**2)[..., None], (count, c, c, 3)),
         start_angle=start_angle,
         started=started(drifted, start_angle),
         warming=started(warming, start_angle),

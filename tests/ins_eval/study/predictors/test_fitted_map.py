@@ -9,6 +9,7 @@ from scipy.stats import binom, chi2
 from ins_eval.study.predictors import block, fitted_map, oracle
 from ins_eval.study.predictors.knowledge import bench_knowledge
 from ins_eval.study.predictors.map_drift import NO_DRIFT
+from ins_eval.study.predictors.prediction import Normal
 from ins_eval.study.predictors.turned_maps import unstarted
 from ins_eval.study.predictors.unpredictable import unpredictable
 from tests.ins_eval.study.predictors import cases, flights
@@ -23,6 +24,7 @@ PREDICTED = block.predictions(WEIGHTS, TRIADS, LEARNT, seed=3)
 def test_errors_are_normal_about_the_expected_with_its_covariance() -> None:
     """Squared distances in units of the covariance are chi-square: mean of n within four sigmas."""
     found = PREDICTED["fitted_map"]
+    assert isinstance(found, Normal)
     missed = (flights.errors(TRIADS, WEIGHTS) - found.expected)[:, 0]
     squared = np.einsum("ri,rij,rj->r", missed, np.linalg.inv(found.covariance[:, 0]), missed)
     assert abs(squared.mean() - 2) < 4 * np.sqrt(4 / COUNT)

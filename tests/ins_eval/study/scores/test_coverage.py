@@ -26,7 +26,8 @@ def test_right_intervals_are_found_right() -> None:
     held = 0
     for seed in range(200):
         flown = RANDOM.exponential(size=(150, 3))
-        found = coverage(flown, *(np.full_like(flown, q) for q in QUANTILES), seed)
+        low, high = (np.full_like(flown, q) for q in QUANTILES)
+        found = coverage(flown, low, high, seed)
         held += found.low <= 0.9 <= found.high
     assert held >= 183
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from ins_eval.study.scores import measures
+from ins_eval.study.scores.resampling import Statistic
 
 N = 100_000
 RANDOM = np.random.default_rng(1)
@@ -88,8 +89,8 @@ def test_ranks() -> None:
     ],
 )
 def test_resamples_in_front_are_taken_one_by_one(
-    measure, count: int, last: tuple[int, ...]
-) -> None:  # type: ignore[no-untyped-def]
+    measure: Statistic, count: int, last: tuple[int, ...]
+) -> None:
     samples = np.exp(RANDOM.normal(size=(count, 5, 20, 3, *last)))
     together = measure(*samples)
     single = [measure(*samples[:, i]) for i in range(5)]

@@ -1,0 +1,56 @@
+"""All predictors of a block as columns."""
+
+import numpy as np
+import pytest
+
+from ins_eval.study import columns
+from ins_eval.study.flown import map_errors
+from ins_eval.study.predictors import block
+from ins_eval.study.predictors.turned_maps import started
+from tests.ins_eval.study.predictors import cases, flights
+
+TRIADS = cases.triads(seed=2, count=6)
+LEARNT = block.learnt(cases.triads(seed=1, count=20), cases.ACCELEROMETER_BIAS)
+
+
+@pytest.mark.parametrize("k", [0, 1, 2, -1, -3])
+def test_one_time_is_that_of_all(k: int) -> None:
+    """Flown parts without noise, and predictions, of a time alone and among others."""
+    weights = cases.mission(seed=1, times=3)
+    one = block.judged_at(weights, k)
+    assert one.time == weights.time[[k]]
+    every = block.predictions(weights, TRIADS, LEARNT, seed=1)
+    alone = block.predictions(one, TRIADS, LEARNT, seed=1)
+    assert set(every) == {p.key for p in columns.PREDICTORS}
+    for key, prediction in every.items():
+        radius = prediction.radius(0.5)[:, [k]]
+        np.testing.assert_allclose(alone[key].radius(0.5), radius, rtol=1e-6)
+
+
+def test_no_such_time() -> None:
+    with pytest.raises(IndexError):
+        block.judged_at(cases.mission(seed=1, times=3), 3)
+
+
+def test_columns_are_those_of_the_table() -> None:
+    weights = cases.mission(seed=1)
+    predicted = block.predictions(weights, TRIADS, LEARNT, seed=1)
+    table = {
+        **block.predicted_columns(predicted),
+        **block.ranking_columns(weights, TRIADS, LEARNT),
+    }
+    kinds = {column.name: column.kind for column in columns.COLUMNS}
+    for name, values in table.items():
+        assert values.shape == ((6, 3) if kinds[name] == "numbers" else (6,)), name
+        assert np.all(np.isfinite(values))
+
+
+def test_what_cannot_be_predicted_is_drift_and_noise() -> None:
+    """Flown less what the true map on the bench says: rms over 2000 triads within 5 %."""
+    weights, many = cases.mission(seed=1), cases.triads(seed=3, count=2000, exact_fit=True)
+    learnt = block.learnt(cases.triads(seed=1, count=500), cases.ACCELEROMETER_BIAS)
+    on_bench = map_errors(weights.gyros, started(many.known, many.start_angle))
+    missed = np.linalg.norm(flights.errors(many, weights) - on_bench, axis=-1)
+    found = block.ranking_columns(weights, many, learnt)[columns.UNPREDICTABLE]
+    rms = np.sqrt(np.mean(found**2))
+    assert rms == pytest.approx(np.sqrt(np.mean(missed**2)), rel=0.05)

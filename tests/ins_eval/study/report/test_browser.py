@@ -1,0 +1,184 @@
+"""The page in headless Chromium: clicked through, hovered, typed at, without scripts, printed."""
+
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+import pytest
+
+from ins_eval.study import columns as c
+from ins_eval.study.report.page import write
+from ins_eval.study.report.result import StudyResult
+from ins_eval.study.report.sections import SECTIONS
+from tests.ins_eval.study.report.synthetic import synthetic
+
+api = pytest.importorskip("playwright.sync_api")
+
+CHROMIUM = next(
+    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None
+)
+pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium: install `chromium`")
+
+
+@pytest.fixture(scope="module")
+def result() -> StudyResult:
+    return synthetic(20)
+
+
+@pytest.fixture(scope="module")
+def address(result: StudyResult, tmp_path_factory: pytest.TempPathFactory) -> str:
+    folder: Path = tmp_path_factory.mktemp("report")
+    write(result, folder)
+    return (folder / "report.html").as_uri()
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    with api.sync_playwright() as playwright:
+        running = playwright.chromium.launch(executable_path=CHROMIUM)
+        yield running
+        running.close()
+
+
+@pytest.fixture
+def page(browser: Any, address: str) -> Iterator[Any]:
+    """The open report; no error on the console, no request but for the file."""
+    opened = browser.new_page(viewport={"width": 1280, "height": 900})
+    complaints: list[str] = []
+    opened.on("console", lambda message: complaints.append(f"{message.type}: {message.text}"))
+    opened.on("pageerror", lambda error: complaints.append(str(error)))
+    opened.on("request", lambda request: complaints.append(request.url))
+    opened.goto(address)
+    assert complaints.pop(0) == address
+    yield opened
+    assert complaints == []
+    opened.close()
+
+
+def chosen(table: pd.DataFrame, **wanted: str) -> pd.DataFrame:
+    for column, value in wanted.items():
+        table = table[table[column] == value]
+    return table
+
+
+def test_the_page_opens_on_the_unseen_half(page: Any, result: StudyResult) -> None:
+    rows = chosen(result.table, calibration="map", half="test")
+    assert page.locator("h1").is_visible()
+    live = page.locator("[data-panel=fitted_map] .live").inner_text()
+    assert live.startswith(f"{len(rows)} flights; R² ")
+    shown = page.locator("[data-panel=fitted_map] .dots:visible").count()
+    assert shown == rows[c.CLASS].nunique()
+
+
+def test_every_choice_can_be_made(page: Any, result: StudyResult) -> None:
+    for name in ("calibration", "half", "class", "predictor"):
+        select = page.locator(f"select[name={name}]")
+        for value in select.locator("option").evaluate_all("all => all.map(o => o.value)"):
+            select.select_option(value)
+        select.select_option("all")
+    live = page.locator("[data-panel=oracle] .live").inner_text()
+    assert live.startswith(f"{len(result.table)} flights")
+
+
+def test_a_class_alone(page: Any, result: StudyResult) -> None:
+    page.locator("select[name=half]").select_option("all")
+    page.locator("select[name=class]").select_option("car")
+    rows = chosen(result.table, calibration="map", mission_class="car")
+    for predictor in c.PREDICTORS:
+        live = page.locator(f"[data-panel={predictor.key}] .live").inner_text()
+        assert live.startswith(f"{len(rows)} flights")
+    assert page.locator("[data-class=ship]:visible").count() == 0
+    assert page.locator("tr[data-class=car]:visible").count() > 0
+
+
+def test_a_predictor_alone(page: Any) -> None:
+    page.locator("select[name=predictor]").select_option("fitted_map")
+    visible = page.locator("#predictions figure:visible")
+    assert visible.evaluate_all("all => all.map(f => f.dataset.panel)") == ["fitted_map"]
+    assert visible.locator("svg").bounding_box()["width"] > 600
+
+
+def test_hovering_a_dot_tells_its_flight(page: Any, result: StudyResult) -> None:
+    page.locator("select[name=predictor]").select_option("fitted_map")
+    rows = chosen(result.table, calibration="map", half="test")
+    row = rows.loc[rows[c.FLOWN_RADIAL].idxmax()]
+    svg = page.locator("[data-panel=fitted_map] svg")
+    svg.scroll_into_view_if_needed()
+    place = svg.evaluate(
+        """(svg, [x, y]) => {
+          const [low, high] = svg.dataset.range.split(" ").map(Number).map(Math.log10);
+          const [left, right, bottom, top] = svg.dataset.plot.split(" ").map(Number);
+          const share = (v) => (Math.log10(v) - low) / (high - low);
+          const at = new DOMPoint(left + share(x) * (right - left),
+            bottom + share(y) * (top - bottom)).matrixTransform(svg.getScreenCTM());
+          return [at.x, at.y];
+        }""",
+        [row["fitted_map_median_m"], row[c.FLOWN_RADIAL]],
+    )
+    page.mouse.move(*place)
+    tip = page.locator("#tip").inner_text()
+    assert f"Triad {row[c.TRIAD]}, {row[c.MISSION]} ({row[c.CLASS]})" in tip
+    assert "map calibrated, test half" in tip
+    assert f"flown {float(f'{row[c.FLOWN_RADIAL]:.3g}'):,g} m" in tip
+    assert svg.locator(".mark").get_attribute("visibility") == "visible"
+    page.mouse.move(2, 2)
+    assert not page.locator("#tip").is_visible()
+
+
+def test_dots_can_be_stepped_through_with_the_keyboard(page: Any, result: StudyResult) -> None:
+    rows = chosen(result.table, calibration="map", half="test")
+    order = rows.sort_values(c.FLOWN_RADIAL)[c.TRIAD].tolist()
+    page.locator("[data-panel=oracle] svg").focus()
+    for triad in (order[0], order[1]):
+        page.keyboard.press("ArrowRight")
+        assert page.locator("#tip").inner_text().startswith(f"Triad {triad},")
+    page.keyboard.press("ArrowLeft")
+    assert page.locator("#tip").inner_text().startswith(f"Triad {order[0]},")
+    page.keyboard.press("Escape")
+    assert not page.locator("#tip").is_visible()
+
+
+def test_links_and_folds_open(page: Any) -> None:
+    for section in SECTIONS:
+        page.locator(f'nav a[href="#{section.name}"]').click()
+        assert page.locator(f"#{section.name} h2").is_visible()
+    for fold in page.locator("details:visible").all():
+        fold.locator("summary").click()
+        assert fold.get_attribute("open") is not None
+
+
+def test_without_scripts_every_figure_and_table_is_there(
+    browser: Any, address: str, result: StudyResult
+) -> None:
+    context = browser.new_context(java_script_enabled=False)
+    opened = context.new_page()
+    opened.goto(address)
+    assert not opened.locator("#filters").is_visible()
+    assert opened.locator("#predictions svg:visible").count() == len(c.PREDICTORS)
+    groups = result.table.groupby([c.CALIBRATION, c.HALF, c.CLASS]).ngroups
+    assert opened.locator("[data-panel=oracle] .dots").count() == groups
+    assert opened.locator("#coverage table:visible").count() > 1
+    context.close()
+
+
+@pytest.mark.parametrize(("scheme", "dark"), [("light", False), ("dark", True)])
+def test_light_and_dark(browser: Any, address: str, scheme: str, dark: bool) -> None:
+    opened = browser.new_page(color_scheme=scheme)
+    opened.goto(address)
+    back = opened.evaluate("getComputedStyle(document.body).backgroundColor")
+    light = [int(v) for v in back.strip("rgb()").split(",")]
+    assert (max(light) < 64) == dark
+    opened.emulate_media(media="print")
+    assert opened.evaluate("getComputedStyle(document.body).backgroundColor").startswith("rgb(255")
+    assert not opened.locator("#filters").is_visible()
+    opened.close()
+
+
+@pytest.mark.parametrize("width", [360, 800, 1600])
+def test_nothing_reaches_over_the_edge(browser: Any, address: str, width: int) -> None:
+    opened = browser.new_page(viewport={"width": width, "height": 800})
+    opened.goto(address)
+    assert opened.evaluate("document.documentElement.scrollWidth") <= width
+    opened.close()

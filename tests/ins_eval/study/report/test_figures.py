@@ -1,0 +1,67 @@
+"""The figures that the report works out itself: growth and budget."""
+
+from dataclasses import astuple
+
+import numpy as np
+import pandas as pd
+import pytest
+from scipy.stats import binom
+
+from ins_eval.study import columns as c
+from ins_eval.study.report.budget import rms, shares
+from ins_eval.study.report.growth import growth
+
+
+def flights(triads: int, missions: int, seed: int) -> pd.DataFrame:
+    """North and east standard normal: a radial rms of sqrt 2."""
+    generator = np.random.default_rng(seed)
+    return pd.DataFrame(
+        {
+            c.TRIAD: np.repeat(np.arange(triads), missions),
+            "north": generator.standard_normal(triads * missions),
+            "east": generator.standard_normal(triads * missions),
+        }
+    )
+
+
+def test_rms_is_that_of_the_radial_error() -> None:
+    rows = pd.DataFrame({c.TRIAD: [0, 1], "north": [3.0, 0.0], "east": [4.0, 5.0]})
+    assert rms(rows, "north", "east").value == pytest.approx(5.0)
+
+
+def test_rms_intervals_hold_the_truth_as_often_as_they_say() -> None:
+    n = 300
+    found = [rms(flights(200, 2, seed), "north", "east") for seed in range(n)]
+    held = sum(r.low <= np.sqrt(2) <= r.high for r in found)
+    low, high = binom.ppf([0.005, 0.995], n, 0.95)
+    assert low <= held <= high
+
+
+def test_flights_of_one_triad_count_as_one() -> None:
+    single = flights(60, 1, seed=1)
+    copied = pd.concat([single] * 4)
+    found, expected = rms(copied, "north", "east"), rms(single, "north", "east")
+    assert astuple(found) == pytest.approx(astuple(expected))
+
+
+def test_shares_add_up() -> None:
+    rows = flights(50, 1, seed=2)
+    part = rms(rows, "north", "east")
+    held = shares({"map": part, "noise": part})
+    assert held == {"map": 0.5, "noise": 0.5}
+
+
+def test_growth_is_the_quantiles_at_each_time() -> None:
+    errors = np.random.default_rng(4).rayleigh(1.0, (400, 1)) * np.arange(1, 13)
+    found = growth(pd.Series(list(errors)))
+    np.testing.assert_allclose(found.hours[[0, -1]], [1 / 6, 2])
+    np.testing.assert_allclose(found.quantiles[:, 1], np.median(errors, axis=0))
+    assert found.low < 12 * np.sqrt(2 * np.log(2)) < found.high
+    assert found.n == 400
+
+
+def test_a_flight_that_ends_sooner_counts_while_it_lasts() -> None:
+    found = growth(pd.Series([[1.0, 2.0], [3.0]]))
+    np.testing.assert_allclose(found.quantiles[:, 1], [2.0, 2.0])
+    assert found.n == 1
+    assert np.isnan(found.low)

@@ -1,0 +1,133 @@
+"""The page: whole, self-contained, small, the same bytes for the same study."""
+
+import json
+import re
+from dataclasses import replace
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+
+from ins_eval.study import columns as c
+from ins_eval.study.report.page import page, write
+from ins_eval.study.report.result import StudyResult
+from ins_eval.study.report.sections import SECTIONS
+from tests.ins_eval.study.report.synthetic import MISSIONS, synthetic
+
+MOST_BYTES = 3_000_000
+ROWS = 8000
+VOID = {"meta", "br"}
+
+
+@pytest.fixture(scope="module")
+def result() -> StudyResult:
+    return synthetic(12)
+
+
+@pytest.fixture(scope="module")
+def text(result: StudyResult) -> str:
+    return page(result)
+
+
+class Elements(HTMLParser):
+    """Collects every element; holds that each is closed where it should be."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.found: list[tuple[str, dict[str, str | None]]] = []
+        self.open: list[str] = []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.found.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.found.append((tag, dict(attrs)))
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+
+def elements(text: str) -> list[tuple[str, dict[str, str | None]]]:
+    parser = Elements()
+    parser.feed(text)
+    assert not parser.open
+    return parser.found
+
+
+def test_same_study_same_bytes(text: str) -> None:
+    assert page(synthetic(12)) == text
+
+
+def test_every_section_can_be_reached(text: str) -> None:
+    anchors = {attributes.get("id") for _, attributes in elements(text)}
+    links = {a["href"] for tag, a in elements(text) if tag == "a"}
+    assert links == {f"#{section.name}" for section in SECTIONS}
+    assert {str(link)[1:] for link in links} <= anchors
+
+
+def test_nothing_is_loaded_from_anywhere(text: str) -> None:
+    loading = {"src", "srcset", "data", "poster", "action", "xlink:href"}
+    for tag, attributes in elements(text):
+        assert not loading & set(attributes), tag
+        assert tag not in ("link", "img", "iframe", "object")
+    assert not re.search(r"https?://|@import|url\(|fetch\(|XMLHttpRequest", text)
+
+
+def test_drawings_are_told_to_those_who_do_not_see_them(text: str) -> None:
+    for tag, attributes in elements(text):
+        if tag == "svg":
+            assert attributes.get("aria-label") or attributes.get("aria-hidden") == "true"
+
+
+def test_a_study_of_8000_rows_is_small_enough() -> None:
+    large = synthetic(ROWS // len(MISSIONS) // 2)
+    assert len(large.table) == ROWS
+    assert len(page(large).encode()) <= MOST_BYTES
+
+
+def test_embedded_points_are_those_of_the_table(result: StudyResult, text: str) -> None:
+    embedded = re.search(r'<script type="application/json" id="study">(.*?)</script>', text)
+    assert embedded
+    study = json.loads(embedded[1])
+    assert study["triad"] == result.table[c.TRIAD].tolist()
+    assert study["numbers"][c.FLOWN_RADIAL] == pytest.approx(
+        result.table[c.FLOWN_RADIAL].tolist(), rel=6e-4
+    )
+    named = study["names"][c.MISSION]
+    assert [named["levels"][code] for code in named["codes"]] == result.table[c.MISSION].tolist()
+
+
+def test_missing_predictions_leave_a_word(result: StudyResult) -> None:
+    gone = {p: float("nan") for p in ("oracle_median_m", "oracle_q05_m", "oracle_q95_m")}
+    text = page(replace(result, table=result.table.assign(**gone)))
+    assert "No predictions." in text
+    elements(text)
+
+
+def test_a_study_without_scores_says_so(result: StudyResult) -> None:
+    text = page(replace(result, scores=[]))
+    assert "Nothing was asked of this study" in text
+    assert "Not scored in this study" in text
+    elements(text)
+
+
+def test_names_are_only_names(result: StudyResult) -> None:
+    evil = "</script><script>alert(1)</script>"
+    table = result.table.replace({c.MISSION: {"car": evil}, c.CLASS: {"car": evil}})
+    text = page(replace(result, table=table))
+    assert evil not in text
+    assert text.count("<script") == 2
+    elements(text)
+
+
+def test_written_whole_or_not_at_all(result: StudyResult, tmp_path: Path) -> None:
+    write(result, tmp_path)
+    assert [p.name for p in tmp_path.iterdir()] == ["report.html"]
+    before = (tmp_path / "report.html").read_bytes()
+    broken = replace(result, table=result.table.drop(columns=[c.GROWTH]))
+    with pytest.raises(KeyError):
+        write(broken, tmp_path)
+    assert [p.name for p in tmp_path.iterdir()] == ["report.html"]
+    assert (tmp_path / "report.html").read_bytes() == before

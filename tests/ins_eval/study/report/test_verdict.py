@@ -1,0 +1,100 @@
+"""The verdict says what the scores say, and nothing else."""
+
+from dataclasses import replace
+
+import pytest
+
+from ins_eval.study import score as scored
+from ins_eval.study.report.result import StudyResult
+from ins_eval.study.report.verdict import UNSEEN, headline, sentences
+from ins_eval.study.score import ALL, Score
+from tests.ins_eval.study.report.synthetic import synthetic
+
+BLANK = Score("", "", "map", ALL, UNSEEN, 0.0, 0.0, 0.0, 0.95, 100, 1)
+
+
+TABLE = synthetic(4).table
+
+
+def told(*scores: Score) -> str:
+    return " ".join(sentences(StudyResult(TABLE, scores, {}), "map"))
+
+
+def opening(*holds: bool | None, half: str = UNSEEN, shuffled: bool = False) -> str:
+    scores = [replace(BLANK, holds=h, half=half, shuffled=shuffled) for h in holds]
+    return headline(StudyResult(TABLE, scores, {}))
+
+
+def test_headline_counts_what_was_asked() -> None:
+    assert opening(True, True) == "The thesis holds: all 2 requirements on the unseen half are met."
+    assert opening(True, False, None) == "The thesis holds in part: 1 of 2 requirements are met."
+    assert opening(False) == "The thesis does not hold: of 1 requirements none is met."
+    assert opening(None).startswith("Nothing was asked")
+
+
+def test_headline_takes_no_credit_for_the_seen_half_and_for_controls() -> None:
+    assert opening(True, half="train").startswith("Nothing was asked")
+    assert opening(True, shuffled=True).startswith("Nothing was asked")
+
+
+@pytest.mark.parametrize(
+    ("value", "low", "high", "words"),
+    [
+        (15, 12, 19, "promised too much"),
+        (0.2, 0.1, 0.3, "promised too little"),
+        (1.1, 0.9, 1.4, "told the truth within a factor of 2"),
+        (1.9, 1.2, 2.6, "is consistent with the truth"),
+    ],
+)
+def test_promises(value: float, low: float, high: float, words: str) -> None:
+    ratio = replace(
+        BLANK, score=scored.MEDIAN_RATIO, predictor="fixed_rule", value=value, low=low, high=high
+    )
+    assert f"Fixed position {words}" in told(ratio)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "words"),
+    [
+        (0.93, 0.99, "nearly all"),
+        (0.3, 0.6, "part"),
+        (-0.2, 0.3, "no certain part"),
+        (0.01, 0.08, "next to nothing"),
+        (-4, -1, "none"),
+    ],
+)
+def test_explained_variance(low: float, high: float, words: str) -> None:
+    r2 = replace(BLANK, score=scored.R2_RADIAL, predictor="fitted_map", low=low, high=high)
+    assert f"Fitted map explains {words} of the differences" in told(r2)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "words"), [(0.86, 0.93, ", compatible"), (0.7, 0.8, ", not compatible")]
+)
+def test_coverage(low: float, high: float, words: str) -> None:
+    covered = replace(BLANK, score=scored.COVERAGE, predictor="fitted_map", low=low, high=high)
+    assert words in told(covered)
+
+
+def test_ranking_that_is_not_certain_is_said_so() -> None:
+    rank = replace(BLANK, score=scored.SPEARMAN, predictor="fixed_rule", low=-0.1, high=0.2)
+    assert "does not certainly rank gyros" in told(rank)
+
+
+def test_classes_that_fail_are_named() -> None:
+    asked = replace(BLANK, score=scored.R2_RADIAL, predictor="fitted_map", holds=True)
+    ship = replace(asked, mission_class="ship", holds=False)
+    assert "as asked in 1 of 2 unseen classes, not in ship." in told(
+        replace(asked, mission_class="car"), ship
+    )
+
+
+def test_a_control_that_shows_something_warns() -> None:
+    control = replace(BLANK, score=scored.SPEARMAN, predictor="fixed_rule", shuffled=True)
+    assert "none of 1 figures is above 0" in told(replace(control, low=-0.1, high=0.1))
+    assert "NOT nothing" in told(replace(control, low=0.1, high=0.3))
+
+
+def test_other_calibrations_and_the_seen_half_are_left_out() -> None:
+    r2 = replace(BLANK, score=scored.R2_RADIAL, predictor="fitted_map")
+    assert told(replace(r2, calibration="mean"), replace(r2, half="train")) == ""

@@ -46,8 +46,6 @@ def likeliest_tilting(turned: Array, step: float, errors: SensorErrors) -> Tilti
         return float(np.sum(np.log(density) + periodogram / density))
 
     spread = float(np.sqrt(np.mean(periodogram)))
-    start = np.clip(
-        np.log([spread * np.sqrt(step) + 1e-30, spread + 1e-30]), *np.log(BOUNDS).T
-    )
+    start = np.clip(np.log([spread * np.sqrt(step) + 1e-30, spread + 1e-30]), *np.log(BOUNDS).T)
     found = minimize(cost, start, method="Nelder-Mead", bounds=np.log(BOUNDS))
     return Tilting(*map(float, np.exp(found.x)))

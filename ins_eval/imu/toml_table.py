@@ -25,6 +25,12 @@ class TomlTable:
             f"{self.source}: {self.prefix}{key}: found {found!r}, expected {expected}"
         )
 
+    def missing(self, key: str, expected: str) -> SpecificationError:
+        """That a key is not there."""
+        return SpecificationError(
+            f"{self.source}: {self.prefix}{key}: found no such key, expected {expected}"
+        )
+
     def check_known(self, names: Collection[str]) -> None:
         """Refuse keys that are none of these.
 

@@ -27,7 +27,7 @@ from ins_eval.study.predictors.block import (
     ranking_columns,
 )
 from ins_eval.study.report import page
-from ins_eval.study.report.result import SCORES, result
+from ins_eval.study.report.result import DOCUMENT, result
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.run.identity import made_by
 from ins_eval.study.scores.judged import scores
@@ -38,7 +38,7 @@ from pyhrg.units import DEG_PER_H, HOUR, MICRO_G
 
 Array = NDArray[np.float64]
 
-FILES = (table.TABLE, page.PAGE, SCORES)
+FILES = (table.TABLE, page.PAGE, DOCUMENT)
 NEITHER = "neither"
 """Half of a known triad in an unseen class of missions, or the other way round."""
 SCHEMA = "hrg-study/1"
@@ -50,7 +50,7 @@ def conclude(study: Study, arrays: Arrays, folder: Path) -> None:
     table.write(rows, folder / table.TABLE)
     frame = rows.to_pandas()
     document = _document(study, frame)
-    (folder / SCORES).write_text(json.dumps(document, indent=1, allow_nan=False) + "\n")
+    (folder / DOCUMENT).write_text(json.dumps(document, indent=1, allow_nan=False) + "\n")
     page.write(result(frame, document), folder)
 
 

@@ -87,17 +87,20 @@ def settings(top: TomlTable) -> dict[str, Settings]:
         name: _section(top.table(name), SECTIONS[name]) for name in SECTIONS if name in top.values
     }
     for name, low, high in ORDERED:
-        section = read.get(name, {})
-        if low in section and high in section and section[low] > section[high]:
-            key = next(key.name for key in SECTIONS[name] if key.field == high)
-            table = top.table(name)
-            raise table.error(key, table.values[key], f"{low} or more")
-        if (low in section) != (high in section):
-            found = low if low in section else high
-            raise top.error(name, f"{found} alone", f"{low} and {high}")
+        if name in read:
+            _check_ends(top.table(name), read[name], low, high)
     return read
 
 
 def _section(table: TomlTable, known: tuple[Key, ...]) -> Settings:
     table.check_known([key.name for key in known])
     return {key.field: key.read(table) for key in known if key.name in table.values}
+
+
+def _check_ends(table: TomlTable, found: Settings, low: str, high: str) -> None:
+    keys = {key.field: key.name for key in SECTIONS[table.prefix.removesuffix(".")]}
+    for one, other in ((low, high), (high, low)):
+        if one in found and other not in found:
+            raise table.missing(keys[other], f"a number beside {keys[one]}")
+    if low in found and found[low] > found[high]:
+        raise table.error(keys[high], table.values[keys[high]], f"{keys[low]} or more")

@@ -84,7 +84,7 @@ def _built(kind: type[T], table: TomlTable, **others: Any) -> T:
     table.check_known(known)
     for key, (field, unit) in known.items():
         if key not in table.values and field.name not in others and field.default is MISSING:
-            raise _missing(table, key, unit.expected)
+            raise table.missing(key, unit.expected)
     values = {
         known[key][0].name: known[key][1].from_file(table.values[key]) for key in table.values
     }
@@ -94,18 +94,12 @@ def _built(kind: type[T], table: TomlTable, **others: Any) -> T:
         raise SpecificationError(f"{table.source}: {table.prefix}{error}") from None
 
 
-def _missing(table: TomlTable, key: str, expected: str) -> SpecificationError:
-    return SpecificationError(
-        f"{table.source}: {table.prefix}{key}: found no such key, expected {expected}"
-    )
-
-
 def _missions(top: TomlTable, folder: Path, hours: float) -> Iterator[PlannedMission]:
     listed = top.values.get("missions", [])
     if not isinstance(listed, list) or not all(isinstance(each, dict) for each in listed):
         raise top.error("missions", listed, "tables [[missions]]")
     if not listed:
-        raise _missing(top, "missions", "tables [[missions]]")
+        raise top.missing("missions", "tables [[missions]]")
     named: set[str] = set()
     for number, values in enumerate(listed, 1):
         table = TomlTable(top.source, f"missions {number}: ", values)
@@ -119,7 +113,7 @@ def _missions(top: TomlTable, folder: Path, hours: float) -> Iterator[PlannedMis
 def _mission(table: TomlTable, folder: Path, hours: float) -> PlannedMission:
     table.check_known(MISSION_KEYS)
     if "class" not in table.values:
-        raise _missing(table, "class", "the class of manoeuvre, text")
+        raise table.missing("class", "the class of manoeuvre, text")
     path = _file(table, folder)
     chosen = {key: table.values[key] for key in ("half", "hours") if key in table.values}
     try:
@@ -140,7 +134,7 @@ def _file(table: TomlTable, folder: Path) -> Path:
     if "file" in table.values:
         return folder / table.text("file", "")
     if "name" not in table.values:
-        raise _missing(table, "name", f"{' or '.join(catalogue.names())}, or a file")
+        raise table.missing("name", f"{' or '.join(catalogue.names())}, or a file")
     return catalogue.READY / f"{table.text('name', '', catalogue.names())}.toml"
 
 
@@ -157,7 +151,7 @@ def _check_halves(top: TomlTable, missions: tuple[PlannedMission, ...]) -> None:
             )
     for half in (TRAIN, TEST):
         if half not in halves.values():
-            raise _missing(top, f"missions of half {half!r}", "at least one")
+            raise top.missing(f"missions of half {half!r}", "at least one")
 
 
 def _check_triads(top: TomlTable, study: Study) -> None:

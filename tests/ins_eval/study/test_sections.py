@@ -54,10 +54,13 @@ def test_tables_reach_what_triads_are_drawn_from(tmp_path: Path) -> None:
         ("[drift]\nage_days = -1", "drift.age_days: found -1, expected 0 to 7300"),
         ("[bench]\nruns = 2.5", "bench.runs: found 2.5, expected a whole number"),
         ("[bench]\npositions = 4", "bench.positions: found 4, expected 8 to 720"),
-        ("[raw]\nsmallest_deg_h = 1", "raw: found smallest alone, expected smallest and largest"),
+        (
+            "[raw]\nsmallest_deg_h = 1",
+            "raw.largest_deg_h: found no such key, expected a number beside",
+        ),
         (
             "[raw]\nsmallest_deg_h = 2\nlargest_deg_h = 1",
-            "raw.largest_deg_h: found 1, expected smallest or more",
+            "raw.largest_deg_h: found 1, expected smallest_deg_h or more",
         ),
         ("[[raw]]\nx = 1", "raw: found [{'x': 1}], expected a table"),
     ],

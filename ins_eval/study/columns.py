@@ -63,6 +63,7 @@ PARTS = {
     "warming": "what the maps gain as the gyros warm",
     "accelerometers": "accelerometer biases",
     "noise": "gyro noise: white, flicker, random walk",
+    "alignment": "what aligning does beyond first order",
 }
 """Of the flown error, which they sum up to as vectors."""
 

@@ -1,0 +1,123 @@
+"""A small study from gyros to report: what blocks hold, what the table and study.json say."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import pytest
+from numpy.typing import NDArray
+
+from ins_eval.study import columns as c
+from ins_eval.study.conclusion import FILES, NEITHER, conclude
+from ins_eval.study.experiment import made
+from ins_eval.study.maker import METHODS
+from ins_eval.study.report.result import read
+from ins_eval.study.run import block
+from ins_eval.study.run.block import Arrays
+from ins_eval.study.specification import TEST, TRAIN, PlannedMission, Study
+from ins_eval.trajectories import catalogue
+
+PLAN = {"runs": 2, "positions": 8, "segments": 1, "fixed_segments": 2, "periods": 1}
+
+
+def planned(name: str, half: str) -> PlannedMission:
+    path = catalogue.READY / f"{name}.toml"
+    return PlannedMission(
+        name=name,
+        mission_class=name,
+        half=half,
+        hours=0.2,
+        file_name=path.name,
+        content=path.read_bytes(),
+    )
+
+
+STUDY = Study(
+    seed=5,
+    triads=24,
+    missions=(planned("car", TRAIN), planned("static-table", TEST)),
+    settings={"bench": PLAN, "calibration": {**PLAN, "runs": 1}},
+)
+
+
+@pytest.fixture(scope="module")
+def three() -> Arrays:
+    return block.joined([made(STUDY, range(0, 2)), made(STUDY, range(2, 3))])
+
+
+@pytest.fixture(scope="module")
+def arrays(three: Arrays) -> Arrays:
+    """Those three, and more that are as them in all but size: the bench takes its time."""
+    sizes = np.random.default_rng(1).uniform(0.5, 2.0, STUDY.triads)
+
+    def sized(values: NDArray[Any]) -> NDArray[Any]:
+        many = np.concatenate([values] * (STUDY.triads // 3))
+        if many.dtype.kind != "f":
+            return many
+        return np.asarray(many * sizes.reshape(-1, *[1] * (many.ndim - 1)))
+
+    return {name: sized(values) for name, values in three.items()}
+
+
+@pytest.fixture(scope="module")
+def folder(arrays: Arrays, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("study")
+    conclude(STUDY, arrays, path)
+    return path
+
+
+@pytest.fixture(scope="module")
+def table(folder: Path) -> pd.DataFrame:
+    return pd.read_parquet(folder / FILES[0])
+
+
+def test_triads_are_the_same_in_any_block(three: Arrays) -> None:
+    """But for the last bits of products of matrices, whose shape is the block's."""
+    alone = made(STUDY, range(1, 2))
+    assert alone.keys() == three.keys()
+    for name, values in alone.items():
+        np.testing.assert_allclose(three[name][1:2], values, rtol=1e-9, err_msg=name)
+
+
+def test_one_row_a_triad_calibration_and_mission(table: pd.DataFrame) -> None:
+    keys = table[[c.TRIAD, c.CALIBRATION, c.MISSION]]
+    assert len(table) == len(keys.drop_duplicates()) == STUDY.triads * len(METHODS) * 2
+    assert np.isfinite(table.select_dtypes("number").drop(columns=c.COSIMULATED)).all(axis=None)
+
+
+def test_parts_add_up(table: pd.DataFrame) -> None:
+    for axis, flown in (("north", c.FLOWN_NORTH), ("east", c.FLOWN_EAST)):
+        total = sum(table[c.part(name, axis)] for name in c.PARTS)
+        np.testing.assert_allclose(total, table[flown], rtol=1e-9, atol=1e-9)
+    np.testing.assert_allclose(
+        np.hypot(table[c.FLOWN_NORTH], table[c.FLOWN_EAST]), table[c.FLOWN_RADIAL]
+    )
+
+
+def test_halves_are_of_triads_and_classes(table: pd.DataFrame) -> None:
+    halves = table[table[c.CALIBRATION] == "map"].pivot(
+        index=c.TRIAD, columns=c.MISSION, values=c.HALF
+    )
+    assert halves["car"].tolist() == [TRAIN] * 12 + [NEITHER] * 12
+    assert halves["static-table"].tolist() == [NEITHER] * 12 + [TEST] * 12
+
+
+def test_growth_ends_every_ten_minutes(table: pd.DataFrame) -> None:
+    """Of 12 minutes, one."""
+    assert table[c.HOURS].unique() == pytest.approx([0.2])
+    assert {len(values) for values in table[c.GROWTH]} == {1}
+
+
+def test_scores_are_of_those_on_either_side_alone(folder: Path) -> None:
+    document = json.loads((folder / "study.json").read_text())
+    assert {score["half"] for score in document["scores"]} == {TRAIN, TEST}
+    assert (document["seed"], document["triads"]) == (5, 24)
+    assert read(folder).scores
+
+
+def test_same_arrays_give_the_same_bytes(arrays: Arrays, folder: Path, tmp_path: Path) -> None:
+    conclude(STUDY, arrays, tmp_path)
+    for name in FILES:
+        assert (tmp_path / name).read_bytes() == (folder / name).read_bytes()

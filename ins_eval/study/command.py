@@ -11,13 +11,9 @@ from tqdm import tqdm
 from fmu_build.cli import Command, UserError
 from ins_eval.imu.toml_table import SpecificationError
 from ins_eval.study import study_file
-from ins_eval.study.conclusion import FILES, conclude
-from ins_eval.study.experiment import made, prepare
 from ins_eval.study.run.errors import StudyRunError
 from ins_eval.study.run.run import Cluster, Experiment, run
 from ins_eval.study.specification import Study
-
-EXPERIMENT = Experiment(made=made, conclude=conclude, files=FILES, prepare=prepare)
 
 
 def _add_options(parser: argparse.ArgumentParser) -> None:
@@ -47,13 +43,22 @@ def _run(options: argparse.Namespace) -> None:
     cluster = Cluster(options.scheduler, options.workers)
     try:
         study = study_file.study(options.study, options.seed)
-        perform(study, options.out, EXPERIMENT, cluster)
+        whole = experiment()
+        perform(study, options.out, whole, cluster)
     except SpecificationError as error:
         raise UserError(str(error)) from error
-    print(f"written to {options.out}: {', '.join(EXPERIMENT.files)}")
+    print(f"written to {options.out}: {', '.join(whole.files)}")
 
 
-def perform(study: Study, out: Path, experiment: Experiment, cluster: Cluster) -> None:
+def experiment() -> Experiment:
+    """The study's own; loaded when it is wanted, so that no other command of `hrg` waits for it."""
+    from ins_eval.study.conclusion import FILES, conclude
+    from ins_eval.study.experiment import made, prepare
+
+    return Experiment(made=made, conclude=conclude, files=FILES, prepare=prepare)
+
+
+def perform(study: Study, out: Path, whole: Experiment, cluster: Cluster) -> None:
     """Run a study with a bar on stderr.
 
     Raises:
@@ -62,7 +67,7 @@ def perform(study: Study, out: Path, experiment: Experiment, cluster: Cluster) -
     """
     try:
         with _bar(study.triads) as done:
-            run(study, out, experiment, cluster, done)
+            run(study, out, whole, cluster, done)
     except StudyRunError as error:
         raise UserError(str(error)) from error
     except OSError as error:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import CancelledError
 from contextlib import contextmanager
 
+import dask
 from distributed import Client, KilledWorker, LocalCluster, as_completed
 
 from ins_eval.study.run.errors import StudyRunError
@@ -14,6 +15,10 @@ from ins_eval.study.run.errors import StudyRunError
 ADDRESS = r"(tcp|tls)://\S+:\d+"
 PATIENCE = 10.0
 """For a scheduler to answer, s."""
+
+
+ONE_AT_A_TIME = {"distributed.scheduler.worker-saturation": 1.0}
+"""No block waits at a worker, and is blamed for its death."""
 
 
 @contextmanager
@@ -36,7 +41,11 @@ def connected(scheduler: str | None, workers: int | None) -> Iterator[Client]:
             "dashboard_address": None,
             "silence_logs": logging.CRITICAL,
         }
-        with LocalCluster(**options) as local, Client(local, set_as_default=False) as client:
+        with (
+            dask.config.set(ONE_AT_A_TIME),
+            LocalCluster(**options) as local,
+            Client(local, set_as_default=False) as client,
+        ):
             yield client
         return
     if not re.fullmatch(ADDRESS, scheduler):

@@ -64,6 +64,6 @@ if __name__ == "__main__":
     from tests.ins_eval.study.run import cheap
 
     cli.entry_points = only_study  # type: ignore[assignment]
-    command.EXPERIMENT = cheap.CHEAP
+    command.experiment = lambda: cheap.CHEAP
     announcing()
     sys.exit(cli.main(sys.argv[1:]))

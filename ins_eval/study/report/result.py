@@ -71,9 +71,7 @@ def read(folder: Path) -> StudyResult:
         table = pd.read_parquet(folder / TABLE)
         document = json.loads((folder / SCORES).read_text())
     except (OSError, ValueError) as error:
-        raise ResultError(
-            f"{folder}: expected {TABLE} and {SCORES} of a study: {error}"
-        ) from error
+        raise ResultError(f"{folder}: expected {TABLE} and {SCORES} of a study: {error}") from error
     return result(table, document, f"{folder}/")
 
 

@@ -13,7 +13,7 @@ from ins_eval.study import columns
 from ins_eval.study import score as scored
 from ins_eval.study.score import Score
 
-TABLE, SCORES = "study.parquet", "study.json"
+TABLE, DOCUMENT = "study.parquet", "study.json"
 KINDS = {"int": "iu", "number": "f", "text": "OUT", "numbers": "O"}
 """numpy's kinds that a column's kind may be stored as."""
 
@@ -52,7 +52,7 @@ def result(table: pd.DataFrame, document: Mapping[str, Any], source: str = "") -
         ResultError: a column or key is missing or of another kind; there are no rows.
     """
     if not isinstance(document, dict):
-        raise ResultError(f"{source}{SCORES}: found {document!r}, expected an object")
+        raise ResultError(f"{source}{DOCUMENT}: found {document!r}, expected an object")
     if not len(table):
         raise ResultError(f"{source}{TABLE}: found no rows, expected one a triad and mission")
     for column in columns.COLUMNS:
@@ -69,9 +69,11 @@ def read(folder: Path) -> StudyResult:
     """
     try:
         table = pd.read_parquet(folder / TABLE)
-        document = json.loads((folder / SCORES).read_text())
+        document = json.loads((folder / DOCUMENT).read_text())
     except (OSError, ValueError) as error:
-        raise ResultError(f"{folder}: expected {TABLE} and {SCORES} of a study: {error}") from error
+        raise ResultError(
+            f"{folder}: expected {TABLE} and {DOCUMENT} of a study: {error}"
+        ) from error
     return result(table, document, f"{folder}/")
 
 
@@ -92,8 +94,8 @@ def _scores(document: Mapping[str, Any], source: str) -> list[Score]:
     entries = document.get("scores")
     if not isinstance(entries, list):
         found = type(entries).__name__ if "scores" in document else "nothing"
-        raise ResultError(f"{source}{SCORES}: scores: found {found}, expected a list")
-    return [_score(entry, f"{source}{SCORES}: scores[{i}]") for i, entry in enumerate(entries)]
+        raise ResultError(f"{source}{DOCUMENT}: scores: found {found}, expected a list")
+    return [_score(entry, f"{source}{DOCUMENT}: scores[{i}]") for i, entry in enumerate(entries)]
 
 
 def _score(entry: Any, place: str) -> Score:

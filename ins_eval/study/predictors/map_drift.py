@@ -1,8 +1,8 @@
 """How much maps change between bench and flight, and in it: learnt from the training half.
 
-Mechanisms age, warm and scatter in proportion to their own size. How large they are in a gyro shows
-in what the bench sees of its bias map, scatter over power-ons included; drift counts in units of
-that.
+Some mechanisms age, warm and scatter in proportion to their size, which shows in what the bench
+sees of a gyro's bias map, scatter over power-ons included; some are the same for all gyros. Drift
+has a part of either kind.
 """
 
 from dataclasses import dataclass
@@ -19,20 +19,23 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class MapDrift:
-    """relative: (4 TERMS, 4 TERMS) covariance of a gyro's map at power-on less the bench's, and of
-    what the map gains by warming, from pattern angle 0, per squared `map_size`;
-    gyros: how many it was learnt from."""
+    """Of a gyro's map at power-on less the bench's, and of what the map gains by warming, from
+    pattern angle 0: covariance (4 TERMS, 4 TERMS).
 
+    common: of all gyros; relative: per squared `map_size`; gyros: how many it was learnt from.
+    """
+
+    common: Array
     relative: Array
     gyros: int
 
     def covariance(self, bench: BenchKnowledge) -> Array:
         """(r, 4 TERMS, 4 TERMS, 3) of the drift of these gyros."""
-        size = map_size(bench)
-        return np.asarray(self.relative[..., None] * size[:, None, None] ** 2)
+        power = map_size(bench)[:, None, None] ** 2
+        return np.asarray(self.common[..., None] + self.relative[..., None] * power)
 
 
-NO_DRIFT = MapDrift(np.zeros((4 * TERMS, 4 * TERMS)), 0)
+NO_DRIFT = MapDrift(np.zeros((4 * TERMS, 4 * TERMS)), np.zeros((4 * TERMS, 4 * TERMS)), 0)
 
 
 def map_size(bench: BenchKnowledge) -> Array:
@@ -45,7 +48,8 @@ def map_size(bench: BenchKnowledge) -> Array:
 
 
 def learnt(bench: BenchKnowledge, started: Array, warming: Array, start_angle: Array) -> MapDrift:
-    """Second moments about zero, less what the fits' own uncertainty explains.
+    """Squares and products about zero, less what the fits' own uncertainty explains, regressed on
+    1 and the squared size; squares scatter as they are large, so that small gyros weigh more.
 
     Args:
         bench: of the training half.
@@ -54,11 +58,17 @@ def learnt(bench: BenchKnowledge, started: Array, warming: Array, start_angle: A
     """
     drifted = unstarted(started, start_angle) - bench.maps
     both = np.concatenate([drifted, unstarted(warming, start_angle)], axis=1)
-    size = map_size(bench)[:, None]
-    gyros, half = size.size, 2 * TERMS
-    moments = np.einsum("rca,rda->cd", both / size, both / size) / gyros
-    moments[:half, :half] -= np.mean(bench.covariance / size[:, None] ** 2, axis=(0, 3))
-    return MapDrift(_without_negative(moments), gyros)
+    products = np.einsum("rca,rda->racd", both, both)
+    half = 2 * TERMS
+    products[..., :half, :half] -= np.moveaxis(bench.covariance, -1, 1)
+    power = np.ravel(map_size(bench) ** 2)
+    unit = np.median(power)
+    weight = 1 / (1 + power / unit)
+    rows = np.stack([weight, weight * power / unit], axis=1)
+    values = weight[:, None] * products.reshape(len(power), -1)
+    found = np.linalg.lstsq(rows, values, rcond=None)[0].reshape(2, 2 * half, 2 * half)
+    common, relative = (_without_negative(part) for part in found)
+    return MapDrift(common, relative / unit, len(power))
 
 
 def _without_negative(moments: Array) -> Array:

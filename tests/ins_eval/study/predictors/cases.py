@@ -15,6 +15,8 @@ Array = NDArray[np.float64]
 
 SPREAD = np.repeat([0.1 * DEG_PER_H, 20e-6], TERMS)
 """Of a map's coefficients between devices: biases, scale factors."""
+WIDTH = np.log(3)
+"""Gyros are larger or smaller by up to this factor, log-uniform."""
 DRIFT = np.concatenate([0.1 * SPREAD, 0.05 * SPREAD]) / SPREAD[0]
 """Of a map between bench and flight, and of its warming, in units of the bias map's rms."""
 FIT = 0.03 * SPREAD
@@ -50,7 +52,8 @@ def triads(seed: int, count: int, spread: Array = SPREAD, exact_fit: bool = Fals
     """Whose bench errs, or fits exactly; whose maps drift, warm and make noise as stated above."""
     random = np.random.default_rng(seed)
     shape, c = (count, 2 * TERMS, 3), 2 * TERMS
-    bench_map = spread[:, None] * random.normal(size=shape)
+    factor = np.exp(random.uniform(-WIDTH, WIDTH, size=(count, 1, 3)))
+    bench_map = factor * spread[:, None] * random.normal(size=shape)
     start_angle = np.pi * random.random((count, 3))
     fit = np.zeros_like(FIT) if exact_fit else FIT
     known = bench_map + fit[:, None] * random.normal(size=shape)

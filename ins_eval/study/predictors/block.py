@@ -74,7 +74,7 @@ def predictions(
         weights: of the mission.
         triads: the block.
         learned: from other triads.
-        seed: of unknown power-on angles.
+        seed: of what is drawn.
     """
     bench, drift, angle = bench_knowledge(triads), learned.drift, triads.start_angle
     rest = unpredictable(weights, bench.noise, learned.accelerometer_bias)
@@ -85,7 +85,7 @@ def predictions(
         "fixed_rule": stability_rule.predict(bench.fixed_stability, weights.time),
         "circumference_rule": stability_rule.predict(new, weights.time),
         "manoeuvre_theory": manoeuvre_theory.predict(new, weights, rest, learned.shares),
-        "fitted_map": fitted_map.predict(bench, weights, drift, rest, angle),
+        "fitted_map": fitted_map.predict(bench, weights, drift, rest, angle, seed),
         "fitted_map_any_angle": fitted_map.predict_any_angle(bench, weights, drift, rest, seed),
         "oracle": oracle.predict(weights, *maps, true),
         "oracle_any_angle": oracle.predict_any_angle(weights, *maps, true, angle, seed),
@@ -124,7 +124,6 @@ def ranking_columns(weights: MissionWeights, triads: Triads, learned: Learnt) ->
 def _unpredictable_rms(weights: MissionWeights, triads: Triads, learned: Learnt) -> Array:
     """(r,) m: of drift, noise and accelerometers, not of the bench's own uncertainty."""
     bench = bench_knowledge(triads)
-    exact = replace(bench, covariance=np.zeros_like(bench.covariance))
     rest = unpredictable(weights, bench.noise, learned.accelerometer_bias)
-    lost = fitted_map.predict(exact, weights, learned.drift, rest, triads.start_angle)
-    return np.asarray(np.sqrt(np.trace(lost.covariance[:, 0], axis1=-2, axis2=-1)))
+    drift = fitted_map.drift_covariance(bench, weights, learned.drift, triads.start_angle)
+    return np.asarray(np.sqrt(np.trace((drift + rest)[:, 0], axis1=-2, axis2=-1)))

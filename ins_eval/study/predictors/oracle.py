@@ -5,8 +5,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.study.mission_weights import MissionWeights
+from ins_eval.study.predictors.drawn_errors import at_any_angle
 from ins_eval.study.predictors.expected_error import expected_error
-from ins_eval.study.predictors.mixed_angles import mixed
 from ins_eval.study.predictors.prediction import Drawn, Normal
 from ins_eval.study.predictors.turned_maps import unstarted
 
@@ -41,6 +41,6 @@ def predict_any_angle(
     """
     both = np.concatenate([started, warming], axis=1)
     maps = unstarted(both, start_angle)
-    r, c, axes = maps.shape
     carried = np.concatenate([weights.gyros, weights.warming], axis=2)
-    return mixed(carried, maps, np.zeros((r, c, c, axes)), rest, seed)
+    none = np.zeros((1, maps.shape[1]))
+    return at_any_angle(carried, maps, np.zeros_like(maps), none, rest, seed)

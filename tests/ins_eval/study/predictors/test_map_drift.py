@@ -3,6 +3,8 @@
 from dataclasses import replace
 
 import numpy as np
+import pytest
+from scipy.stats import kurtosis
 
 from ins_eval.study.gyro_map import TERMS
 from ins_eval.study.predictors.knowledge import bench_knowledge
@@ -17,34 +19,45 @@ def _learnt(training: Triads) -> MapDrift:
 
 
 def test_drift_is_found_apart_from_the_fits_uncertainty() -> None:
-    """Of 6000 gyros whose drift goes with their size, seed 1; of 784 products the worst was 0.11
-    off in five seeds. A variance too small to be told from none counts as the little it may be."""
+    """Of 6000 gyros whose drift goes with their size, seed 1: variance at the median size."""
     training = cases.triads(seed=1, count=2000)
     found = _learnt(training)
-    assert found.gyros == 6000
     power = np.median(map_size(bench_knowledge(training)) ** 2)
-    true = cases.DRIFT**2 * power
-    sigmas = np.sqrt(true + np.concatenate([cases.FIT**2, np.zeros(2 * TERMS)]))
-    error = (found.common + found.relative * power - np.diag(true)) / np.outer(sigmas, sigmas)
-    assert np.max(np.abs(error)) < 0.15
-    assert np.max(np.diag(found.common) / sigmas**2) < 0.1
+    variance = found.common + found.relative * power
+    np.testing.assert_allclose(variance, cases.DRIFT**2 * power, rtol=0.15)
+    assert np.mean(found.common / variance) < 0.05
 
 
 def test_drift_of_its_own_size_is_found_common() -> None:
-    """The same drift in every gyro, large and small; the worst was 13 % off in five seeds."""
+    """The same drift in every gyro, large and small."""
     training = cases.triads(seed=1, count=2000, exact_fit=True)
     same = np.median(map_size(bench_knowledge(training))) * cases.DRIFT[: 2 * TERMS]
     normal = np.random.default_rng(2).normal(size=training.known.shape)
-    still = np.zeros_like(training.start_angle)
     drifted = training.known + same[:, None] * normal
+    still = np.zeros_like(training.start_angle)
     found = _learnt(replace(training, started=drifted, start_angle=still))
-    half = np.diag(found.common)[: 2 * TERMS]
-    np.testing.assert_allclose(half, same**2, rtol=0.15)
+    np.testing.assert_allclose(found.common[: 2 * TERMS], same**2, rtol=0.15)
+
+
+def test_what_occurs_together_stays_together() -> None:
+    """Warming that follows the drift at power-on, and tails that are not normal."""
+    training = cases.triads(seed=1, count=500, exact_fit=True)
+    random = np.random.default_rng(2)
+    drifted = cases.SPREAD[:, None] * random.standard_t(6, size=training.known.shape)
+    still = np.zeros_like(training.start_angle)
+    found = _learnt(
+        replace(training, started=training.known + drifted, warming=2 * drifted, start_angle=still)
+    )
+    start, warm = np.split(found.standard, 2, axis=1)
+    assert np.corrcoef(start[:, 3], warm[:, 3])[0, 1] > 0.99
+    assert np.mean(kurtosis(found.standard)) > 1
+    assert np.mean(found.standard**2) == pytest.approx(1, abs=0.05)
 
 
 def test_a_fit_that_doubts_too_much_leaves_no_negative_variance() -> None:
     training = cases.triads(seed=1, count=20)
     found = _learnt(replace(training, covariance=1e4 * training.covariance))
-    for part in (found.common, found.relative):
-        scale = np.sqrt(np.maximum(np.diag(part), 1e-300))
-        assert np.linalg.eigvalsh(part / np.outer(scale, scale)).min() > -1e-9
+    assert np.all(found.common >= 0)
+    assert np.all(found.relative >= 0)
+    assert np.all(found.common[: 2 * TERMS] == 0)
+    assert np.all(np.isfinite(found.standard))

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ins_eval.study.mission_weights import MissionWeights
 from ins_eval.study.predictors.drawn_errors import at_angles, at_any_angle
 from ins_eval.study.predictors.expected_error import expected_error
+from ins_eval.study.predictors.flown_maps import flown_weights, not_warming
 from ins_eval.study.predictors.knowledge import BenchKnowledge
 from ins_eval.study.predictors.map_drift import MapDrift
 from ins_eval.study.predictors.prediction import Drawn
@@ -37,9 +38,9 @@ def predict(
         seed: of everything random.
     """
     maps = started(knowledge.maps, start_angle)
-    expected = expected_error(weights, maps, np.zeros_like(maps))
+    expected = expected_error(weights, not_warming(maps))
     sigma, standard = drift.missed(knowledge), drift.standard
-    return at_angles(_both(weights), expected, sigma, standard, rest, start_angle, seed)
+    return at_angles(flown_weights(weights), expected, sigma, standard, rest, start_angle, seed)
 
 
 def predict_any_angle(
@@ -50,20 +51,15 @@ def predict_any_angle(
     seed: int,
 ) -> Drawn:
     """Of triads whose gyros' power-on angles are anywhere; arguments as `predict`."""
-    maps = np.concatenate([knowledge.maps, np.zeros_like(knowledge.maps)], axis=1)
+    maps = not_warming(knowledge.maps)
     sigma = drift.missed(knowledge)
-    return at_any_angle(_both(weights), maps, sigma, drift.standard, rest, seed)
+    return at_any_angle(flown_weights(weights), maps, sigma, drift.standard, rest, seed)
 
 
 def drift_covariance(
     knowledge: BenchKnowledge, weights: MissionWeights, drift: MapDrift, start_angle: Array
 ) -> Array:
     """(r, k, 2, 2) of the errors that drift alone makes, m^2; arguments as `predict`."""
-    carried = np.moveaxis(weights_from(_both(weights), start_angle), -1, 0)
+    carried = np.moveaxis(weights_from(flown_weights(weights), start_angle), -1, 0)
     spread = np.moveaxis(drift.covariance(knowledge), -1, 0)[:, :, None]
     return np.asarray(np.sum(carried @ spread @ np.swapaxes(carried, -1, -2), axis=0))
-
-
-def _both(weights: MissionWeights) -> Array:
-    """(k, 2, COUNT, 3)"""
-    return np.concatenate([weights.gyros, weights.warming], axis=2)

@@ -14,13 +14,11 @@ from numpy.typing import NDArray
 from scipy.optimize import nnls
 
 from ins_eval.study.gyro_map import TERMS
+from ins_eval.study.predictors.flown_maps import COUNT, not_warming
 from ins_eval.study.predictors.knowledge import BenchKnowledge
 from ins_eval.study.predictors.turned_maps import unstarted
 
 Array = NDArray[np.float64]
-
-COUNT = 4 * TERMS
-"""Coefficients of a gyro's map at power-on, and of what the map gains by warming."""
 
 
 @dataclass(frozen=True)
@@ -62,26 +60,25 @@ def map_size(bench: BenchKnowledge) -> Array:
     return np.asarray(np.sqrt(power.mean(axis=1)))
 
 
-def learnt(bench: BenchKnowledge, started: Array, warming: Array, start_angle: Array) -> MapDrift:
+def learnt(bench: BenchKnowledge, in_flight: Array, start_angle: Array) -> MapDrift:
     """Squares, less what the fits' own uncertainty explains, regressed on 1 and the squared size;
     they scatter as they are large, so that small gyros weigh more.
 
     Args:
         bench: of the training half.
-        started, warming: (r, 2 TERMS, 3) their maps in flight, from their power-on angles.
+        in_flight: (r, COUNT, 3) their maps, as `flown_maps`.
         start_angle: (r, 3) rad.
     """
-    drifted = unstarted(started, start_angle) - bench.maps
-    both = np.concatenate([drifted, unstarted(warming, start_angle)], axis=1)
+    drifted = unstarted(in_flight, start_angle) - not_warming(bench.maps)
     power = np.ravel(map_size(bench) ** 2)
     unit = np.median(power)
     weight = 1 / (1 + power / unit)
     rows = np.stack([weight, weight * power / unit], axis=1)
-    squares = _by_gyro(both**2 - _fit_variance(bench))
+    squares = _by_gyro(drifted**2 - _fit_variance(bench))
     found = np.array([_positive(rows, weight * column) for column in squares.T])
     drift = MapDrift(found[:, 0], found[:, 1] / unit, NO_DRIFT.standard)
     sigma = _by_gyro(drift.missed(bench))
-    standard = _by_gyro(both) / np.where(sigma > 0, sigma, np.inf)
+    standard = _by_gyro(drifted) / np.where(sigma > 0, sigma, np.inf)
     return MapDrift(drift.common, drift.relative, standard)
 
 
@@ -94,7 +91,7 @@ def _positive(rows: Array, values: Array) -> Array:
 def _fit_variance(bench: BenchKnowledge) -> Array:
     """(r, COUNT, 3) of the bench's fit; none of warming, which it doesn't see."""
     fit = np.swapaxes(np.diagonal(bench.covariance, axis1=1, axis2=2), 1, 2)
-    return np.concatenate([fit, np.zeros_like(fit)], axis=1)
+    return not_warming(fit)
 
 
 def _by_gyro(values: Array) -> Array:

@@ -7,6 +7,7 @@ import pytest
 from scipy.stats import binom
 
 from ins_eval.study.predictors import block, fitted_map, oracle
+from ins_eval.study.predictors.flown_maps import flown_maps
 from ins_eval.study.predictors.knowledge import bench_knowledge
 from ins_eval.study.predictors.map_drift import NO_DRIFT
 from ins_eval.study.predictors.turned_maps import unstarted
@@ -68,7 +69,8 @@ def test_unknown_angles_are_known_angles_averaged() -> None:
 
 
 def test_with_the_true_map_and_no_drift_it_is_the_oracle() -> None:
-    still = replace(TRIADS, warming=np.zeros_like(TRIADS.warming))
+    none = np.zeros_like(TRIADS.warming)
+    still = replace(TRIADS, warming=none, curving=none)
     bench = replace(
         bench_knowledge(still),
         maps=unstarted(still.started, still.start_angle),
@@ -76,7 +78,7 @@ def test_with_the_true_map_and_no_drift_it_is_the_oracle() -> None:
     )
     rest = unpredictable(WEIGHTS, still.noise, cases.ACCELEROMETER_BIAS)
     found = fitted_map.predict(bench, WEIGHTS, NO_DRIFT, rest, still.start_angle, 3)
-    best = oracle.predict(WEIGHTS, still.started, still.warming, rest)
+    best = oracle.predict(WEIGHTS, flown_maps(still), rest)
     middle = found.expected - best.expected
     sigma = np.sqrt(np.trace(best.covariance, axis1=-2, axis2=-1) / len(found.draws[0]))
     assert np.max(np.abs(middle) / sigma[..., None]) < 5
@@ -89,6 +91,7 @@ def test_only_oracles_see_what_is_true_of_the_flights() -> None:
         few,
         started=other.started,
         warming=other.warming,
+        curving=other.curving,
         accelerometers=other.accelerometers,
         noise=2 * few.noise,
     )

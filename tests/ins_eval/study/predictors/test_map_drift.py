@@ -7,6 +7,7 @@ import pytest
 from scipy.stats import kurtosis
 
 from ins_eval.study.gyro_map import TERMS
+from ins_eval.study.predictors.flown_maps import flown_maps
 from ins_eval.study.predictors.knowledge import bench_knowledge
 from ins_eval.study.predictors.map_drift import MapDrift, learnt, map_size
 from ins_eval.study.triads import Triads
@@ -15,7 +16,7 @@ from tests.ins_eval.study.predictors import cases
 
 def _learnt(training: Triads) -> MapDrift:
     bench = bench_knowledge(training)
-    return learnt(bench, training.started, training.warming, training.start_angle)
+    return learnt(bench, flown_maps(training), training.start_angle)
 
 
 def test_drift_is_found_apart_from_the_fits_uncertainty() -> None:
@@ -46,9 +47,15 @@ def test_what_occurs_together_stays_together() -> None:
     drifted = cases.SPREAD[:, None] * random.standard_t(6, size=training.known.shape)
     still = np.zeros_like(training.start_angle)
     found = _learnt(
-        replace(training, started=training.known + drifted, warming=2 * drifted, start_angle=still)
+        replace(
+            training,
+            started=training.known + drifted,
+            warming=2 * drifted,
+            curving=drifted,
+            start_angle=still,
+        )
     )
-    start, warm = np.split(found.standard, 2, axis=1)
+    start, warm, _ = np.split(found.standard, 3, axis=1)
     assert np.corrcoef(start[:, 3], warm[:, 3])[0, 1] > 0.99
     assert np.mean(kurtosis(found.standard)) > 1
     assert np.mean(found.standard**2) == pytest.approx(1, abs=0.05)

@@ -14,6 +14,7 @@ from ins_eval.study.predictors import (
     oracle,
     stability_rule,
 )
+from ins_eval.study.predictors.flown_maps import flown_maps, flown_weights
 from ins_eval.study.predictors.knowledge import bench_knowledge
 from ins_eval.study.predictors.map_drift import MapDrift
 from ins_eval.study.predictors.prediction import INTERVAL, Prediction
@@ -40,7 +41,7 @@ def learnt(training: Triads, accelerometer_bias: float) -> Learnt:
     """From the triads of the training half, whose maps were read in flight."""
     bench = bench_knowledge(training)
     return Learnt(
-        drift=map_drift.learnt(bench, training.started, training.warming, training.start_angle),
+        drift=map_drift.learnt(bench, flown_maps(training), training.start_angle),
         shares=manoeuvre_theory.harmonic_shares(bench.maps),
         accelerometer_bias=accelerometer_bias,
     )
@@ -59,6 +60,7 @@ def judged_at(weights: MissionWeights, k: int) -> MissionWeights:
         time=weights.time[at],
         gyros=weights.gyros[at],
         warming=weights.warming[at],
+        curving=weights.curving[at],
         accelerometers=weights.accelerometers[at],
         noise=weights.noise[:, :, rows, rows],
         standing=replace(weights.standing, attitude=weights.standing.attitude[at]),
@@ -74,21 +76,21 @@ def predictions(
         weights: of the mission.
         triads: the block.
         learned: from other triads.
-        seed: of unknown power-on angles.
+        seed: of what is drawn.
     """
     bench, drift, angle = bench_knowledge(triads), learned.drift, triads.start_angle
     rest = unpredictable(weights, bench.noise, learned.accelerometer_bias)
     true = unpredictable(weights, triads.noise, learned.accelerometer_bias)
-    maps = triads.started, triads.warming
+    maps = flown_maps(triads)
     new = bench.circumference_stability
     return {
         "fixed_rule": stability_rule.predict(bench.fixed_stability, weights.time),
         "circumference_rule": stability_rule.predict(new, weights.time),
         "manoeuvre_theory": manoeuvre_theory.predict(new, weights, rest, learned.shares),
-        "fitted_map": fitted_map.predict(bench, weights, drift, rest, angle),
+        "fitted_map": fitted_map.predict(bench, weights, drift, rest, angle, seed),
         "fitted_map_any_angle": fitted_map.predict_any_angle(bench, weights, drift, rest, seed),
-        "oracle": oracle.predict(weights, *maps, true),
-        "oracle_any_angle": oracle.predict_any_angle(weights, *maps, true, angle, seed),
+        "oracle": oracle.predict(weights, maps, true),
+        "oracle_any_angle": oracle.predict_any_angle(weights, maps, true, angle, seed),
     }
 
 
@@ -108,13 +110,12 @@ def predicted_columns(predicted: dict[str, Prediction]) -> dict[str, Array]:
 def ranking_columns(weights: MissionWeights, triads: Triads, learned: Learnt) -> dict[str, Array]:
     """(r,) and (r, 3) columns of `columns` that rank triads and gyros, and say what can't be known,
     at one time; arguments as `predictions`."""
-    true = np.concatenate([triads.started, triads.warming], axis=1)
-    true = unstarted(true, triads.start_angle)
-    both = np.concatenate([weights.gyros, weights.warming], axis=2)
+    true = unstarted(flown_maps(triads), triads.start_angle)
+    carried = flown_weights(weights)
     return {
         columns.UNPREDICTABLE: _unpredictable_rms(weights, triads, learned),
-        columns.RMS_OVER_ANGLES: triad_rms_over_angles(both, true)[:, 0],
-        columns.GYROS_FLOWN: rms_over_angles(both, true)[:, 0],
+        columns.RMS_OVER_ANGLES: triad_rms_over_angles(carried, true)[:, 0],
+        columns.GYROS_FLOWN: rms_over_angles(carried, true)[:, 0],
         columns.GYROS_FITTED: rms_over_angles(weights.gyros, triads.known)[:, 0],
         columns.GYROS_FIXED: triads.fixed_stability / DEG_PER_H,
         columns.GYROS_CIRCUMFERENCE: triads.circumference_stability / DEG_PER_H,
@@ -124,7 +125,6 @@ def ranking_columns(weights: MissionWeights, triads: Triads, learned: Learnt) ->
 def _unpredictable_rms(weights: MissionWeights, triads: Triads, learned: Learnt) -> Array:
     """(r,) m: of drift, noise and accelerometers, not of the bench's own uncertainty."""
     bench = bench_knowledge(triads)
-    exact = replace(bench, covariance=np.zeros_like(bench.covariance))
     rest = unpredictable(weights, bench.noise, learned.accelerometer_bias)
-    lost = fitted_map.predict(exact, weights, learned.drift, rest, triads.start_angle)
-    return np.asarray(np.sqrt(np.trace(lost.covariance[:, 0], axis1=-2, axis2=-1)))
+    drift = fitted_map.drift_covariance(bench, weights, learned.drift, triads.start_angle)
+    return np.asarray(np.sqrt(np.trace((drift + rest)[:, 0], axis1=-2, axis2=-1)))

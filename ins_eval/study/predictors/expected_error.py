@@ -5,21 +5,21 @@ from numpy.typing import NDArray
 
 from ins_eval.study.flown import map_errors
 from ins_eval.study.mission_weights import MissionWeights
+from ins_eval.study.predictors.flown_maps import flown_weights
 from ins_eval.study.standing import beyond_first_order
 
 Array = NDArray[np.float64]
 
 
-def expected_error(weights: MissionWeights, started: Array, warming: Array) -> Array:
+def expected_error(weights: MissionWeights, maps: Array) -> Array:
     """(r, k, 2) m.
 
     Args:
         weights: of the mission.
-        started: (r, 2 TERMS, 3) maps from the power-on angles.
-        warming: (r, 2 TERMS, 3) what they gain as the gyros warm.
+        maps: (r, COUNT, 3) in flight, as `flown_maps`.
     """
-    linear = map_errors(weights.gyros, started) + map_errors(weights.warming, warming)
     standing = weights.standing
-    rate = np.einsum("ca,rca->ra", standing.started, started)
-    rate += np.einsum("ca,rca->ra", standing.warming, warming)
+    aligning = np.concatenate([standing.started, standing.warming, standing.curving])
+    rate = np.einsum("ca,rca->ra", aligning, maps)
+    linear = map_errors(flown_weights(weights), maps)
     return linear + beyond_first_order(standing, rate, np.zeros_like(rate))

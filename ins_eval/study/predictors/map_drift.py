@@ -1,16 +1,20 @@
 """How much maps change between bench and flight, and in it: learnt from the training half.
 
-Mechanisms age, warm and scatter in proportion to their own size. How large they are in a gyro shows
-in what the bench sees of its bias map, scatter over power-ons included; drift counts in units of
-that.
+Some mechanisms age, warm and scatter in proportion to their size, which shows in what the bench
+sees of a gyro's bias map, scatter over power-ons included; some are the same for all gyros. The
+variance of each coefficient has a part of either kind. Temperatures and mechanisms differ from gyro
+to gyro, so that drift is far from normal: those of the training half, in units of their standard
+deviations, are its distribution.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import nnls
 
 from ins_eval.study.gyro_map import TERMS
+from ins_eval.study.predictors.flown_maps import COUNT, not_warming
 from ins_eval.study.predictors.knowledge import BenchKnowledge
 from ins_eval.study.predictors.turned_maps import unstarted
 
@@ -19,51 +23,77 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class MapDrift:
-    """relative: (4 TERMS, 4 TERMS) covariance of a gyro's map at power-on less the bench's, and of
-    what the map gains by warming, from pattern angle 0, per squared `map_size`;
-    gyros: how many it was learnt from."""
+    """Of the coefficients of a gyro in flight less the bench's, from pattern angle 0.
 
+    common: (COUNT,) variance in all gyros; relative: (COUNT,) per squared `map_size`;
+    standard: (n, COUNT) drifts of the training half's gyros, the bench's error included, in units
+    of their standard deviations.
+    """
+
+    common: Array
     relative: Array
-    gyros: int
+    standard: Array
+
+    def sigma(self, bench: BenchKnowledge) -> Array:
+        """(r, COUNT, 3) standard deviations of the drift of these gyros."""
+        power = map_size(bench)[:, None] ** 2
+        return np.sqrt(self.common[:, None] + self.relative[:, None] * power)
+
+    def missed(self, bench: BenchKnowledge) -> Array:
+        """(r, COUNT, 3) those of drift and the bench's error together."""
+        return np.sqrt(self.sigma(bench) ** 2 + _fit_variance(bench))
 
     def covariance(self, bench: BenchKnowledge) -> Array:
-        """(r, 4 TERMS, 4 TERMS, 3) of the drift of these gyros."""
-        size = map_size(bench)
-        return np.asarray(self.relative[..., None] * size[:, None, None] ** 2)
+        """(r, COUNT, COUNT, 3) of the drift alone."""
+        together = self.standard.T @ self.standard / len(self.standard)
+        sigma = self.sigma(bench)
+        return np.asarray(together[..., None] * sigma[:, :, None] * sigma[:, None])
 
 
-NO_DRIFT = MapDrift(np.zeros((4 * TERMS, 4 * TERMS)), 0)
+NO_DRIFT = MapDrift(np.zeros(COUNT), np.zeros(COUNT), np.zeros((1, COUNT)))
 
 
 def map_size(bench: BenchKnowledge) -> Array:
     """(r, 3) root mean square of the bias map's harmonics in another power-on, rad/s."""
     harmonics = slice(1, TERMS)
-    scatter = np.diagonal(bench.covariance, axis1=1, axis2=2)
-    scatter = np.swapaxes(scatter, 1, 2)
-    power = bench.maps[:, harmonics] ** 2 + scatter[:, harmonics]
+    power = bench.maps[:, harmonics] ** 2 + _fit_variance(bench)[:, harmonics]
     return np.asarray(np.sqrt(power.mean(axis=1)))
 
 
-def learnt(bench: BenchKnowledge, started: Array, warming: Array, start_angle: Array) -> MapDrift:
-    """Second moments about zero, less what the fits' own uncertainty explains.
+def learnt(bench: BenchKnowledge, in_flight: Array, start_angle: Array) -> MapDrift:
+    """Squares, less what the fits' own uncertainty explains, regressed on 1 and the squared size;
+    they scatter as they are large, so that small gyros weigh more.
 
     Args:
         bench: of the training half.
-        started, warming: (r, 2 TERMS, 3) their maps in flight, from their power-on angles.
+        in_flight: (r, COUNT, 3) their maps, as `flown_maps`.
         start_angle: (r, 3) rad.
     """
-    drifted = unstarted(started, start_angle) - bench.maps
-    both = np.concatenate([drifted, unstarted(warming, start_angle)], axis=1)
-    size = map_size(bench)[:, None]
-    gyros, half = size.size, 2 * TERMS
-    moments = np.einsum("rca,rda->cd", both / size, both / size) / gyros
-    moments[:half, :half] -= np.mean(bench.covariance / size[:, None] ** 2, axis=(0, 3))
-    return MapDrift(_without_negative(moments), gyros)
+    drifted = unstarted(in_flight, start_angle) - not_warming(bench.maps)
+    power = np.ravel(map_size(bench) ** 2)
+    unit = np.median(power)
+    weight = 1 / (1 + power / unit)
+    rows = np.stack([weight, weight * power / unit], axis=1)
+    squares = _by_gyro(drifted**2 - _fit_variance(bench))
+    found = np.array([_positive(rows, weight * column) for column in squares.T])
+    drift = MapDrift(found[:, 0], found[:, 1] / unit, NO_DRIFT.standard)
+    sigma = _by_gyro(drift.missed(bench))
+    standard = _by_gyro(drifted) / np.where(sigma > 0, sigma, np.inf)
+    return MapDrift(drift.common, drift.relative, standard)
 
 
-def _without_negative(moments: Array) -> Array:
-    """The nearest covariance, in units in which the diagonal is 1."""
-    scale = np.sqrt(np.maximum(np.abs(np.diag(moments)), np.finfo(float).tiny))
-    values, axes = np.linalg.eigh(moments / np.outer(scale, scale))
-    kept = (axes * np.maximum(values, 0.0)) @ axes.T
-    return np.asarray(kept * np.outer(scale, scale))
+def _positive(rows: Array, values: Array) -> Array:
+    """Least squares without negative variances, in the values' own scale."""
+    scale = float(np.max(np.abs(values)))
+    return nnls(rows, values / scale)[0] * scale if scale > 0 else np.zeros(rows.shape[1])
+
+
+def _fit_variance(bench: BenchKnowledge) -> Array:
+    """(r, COUNT, 3) of the bench's fit; none of warming, which it doesn't see."""
+    fit = np.swapaxes(np.diagonal(bench.covariance, axis1=1, axis2=2), 1, 2)
+    return not_warming(fit)
+
+
+def _by_gyro(values: Array) -> Array:
+    """(3 r, COUNT) of values (r, COUNT, 3)."""
+    return np.moveaxis(values, 2, 1).reshape(-1, values.shape[1])

@@ -5,42 +5,36 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.study.mission_weights import MissionWeights
+from ins_eval.study.predictors.drawn_errors import at_any_angle
 from ins_eval.study.predictors.expected_error import expected_error
-from ins_eval.study.predictors.mixed_angles import mixed
+from ins_eval.study.predictors.flown_maps import flown_weights
 from ins_eval.study.predictors.prediction import Drawn, Normal
 from ins_eval.study.predictors.turned_maps import unstarted
 
 Array = NDArray[np.float64]
 
 
-def predict(weights: MissionWeights, started: Array, warming: Array, rest: Array) -> Normal:
+def predict(weights: MissionWeights, maps: Array, rest: Array) -> Normal:
     """Of triads.
 
     Args:
         weights: of the mission.
-        started, warming: (r, 2 TERMS, 3) true maps in flight, from the power-on angles.
+        maps: (r, COUNT, 3) true ones in flight, as `flown_maps`.
         rest: (r, k, 2, 2) covariance of what maps don't tell, m^2.
     """
-    return Normal(expected_error(weights, started, warming), rest)
+    return Normal(expected_error(weights, maps), rest)
 
 
 def predict_any_angle(
-    weights: MissionWeights,
-    started: Array,
-    warming: Array,
-    rest: Array,
-    start_angle: Array,
-    seed: int,
+    weights: MissionWeights, maps: Array, rest: Array, start_angle: Array, seed: int
 ) -> Drawn:
     """Of triads of which all is known but the power-on angles.
 
     Args:
-        weights, started, warming, rest: as `predict`.
-        start_angle: (r, 3) that `started` and `warming` begin at, rad: taken out again.
+        weights, maps, rest: as `predict`.
+        start_angle: (r, 3) that the maps begin at, rad: taken out again.
         seed: of the angles.
     """
-    both = np.concatenate([started, warming], axis=1)
-    maps = unstarted(both, start_angle)
-    r, c, axes = maps.shape
-    carried = np.concatenate([weights.gyros, weights.warming], axis=2)
-    return mixed(carried, maps, np.zeros((r, c, c, axes)), rest, seed)
+    known = unstarted(maps, start_angle)
+    none = np.zeros((1, maps.shape[1]))
+    return at_any_angle(flown_weights(weights), known, np.zeros_like(known), none, rest, seed)

@@ -15,8 +15,10 @@ Array = NDArray[np.float64]
 
 SPREAD = np.repeat([0.1 * DEG_PER_H, 20e-6], TERMS)
 """Of a map's coefficients between devices: biases, scale factors."""
-DRIFT = np.concatenate([0.1 * SPREAD, 0.05 * SPREAD]) / SPREAD[0]
-"""Of a map between bench and flight, and of its warming, in units of the bias map's rms."""
+WIDTH = np.log(3)
+"""Gyros are larger or smaller by up to this factor, log-uniform."""
+DRIFT = np.concatenate([0.1 * SPREAD, 0.05 * SPREAD, 0.02 * SPREAD]) / SPREAD[0]
+"""Of a map between bench and flight, of its warming and its square; units: the bias map's rms."""
 FIT = 0.03 * SPREAD
 """Uncertainty of the bench's fit."""
 WALK = 1e-4 * DEG_PER_SQRT_H
@@ -33,6 +35,7 @@ def mission(seed: int, times: int = 1) -> MissionWeights:
         time=HOUR * np.arange(1.0, times + 1),
         gyros=size * random.normal(size=(times, 2, 2 * TERMS, 3)),
         warming=size * random.normal(size=(times, 2, 2 * TERMS, 3)),
+        curving=size * random.normal(size=(times, 2, 2 * TERMS, 3)),
         accelerometers=random.normal(size=(times, 2, 3)) / MICRO_G,
         noise=(noise @ np.swapaxes(noise, -1, -2)) * (100 / WALK) ** 2,
         standing=Standing(
@@ -41,6 +44,7 @@ def mission(seed: int, times: int = 1) -> MissionWeights:
             mat_nb=np.eye(3),
             started=np.zeros((2 * TERMS, 3)),
             warming=np.zeros((2 * TERMS, 3)),
+            curving=np.zeros((2 * TERMS, 3)),
             attitude=np.zeros((times, 2, 3)),
         ),
     )
@@ -50,13 +54,15 @@ def triads(seed: int, count: int, spread: Array = SPREAD, exact_fit: bool = Fals
     """Whose bench errs, or fits exactly; whose maps drift, warm and make noise as stated above."""
     random = np.random.default_rng(seed)
     shape, c = (count, 2 * TERMS, 3), 2 * TERMS
-    bench_map = spread[:, None] * random.normal(size=shape)
+    factor = np.exp(random.uniform(-WIDTH, WIDTH, size=(count, 1, 3)))
+    bench_map = factor * spread[:, None] * random.normal(size=shape)
     start_angle = np.pi * random.random((count, 3))
     fit = np.zeros_like(FIT) if exact_fit else FIT
     known = bench_map + fit[:, None] * random.normal(size=shape)
     size = np.sqrt(np.mean(known[:, 1:TERMS] ** 2, axis=1, keepdims=True) + fit[1] ** 2)
     drifted = bench_map + DRIFT[:c, None] * size * random.normal(size=shape)
-    warming = DRIFT[c:, None] * size * random.normal(size=shape)
+    warming = DRIFT[c : 2 * c, None] * size * random.normal(size=shape)
+    curving = DRIFT[2 * c :, None] * size * random.normal(size=shape)
     stability = np.sqrt(np.sum(bench_map[:, 1:TERMS] ** 2, axis=1) / 2)
     noise = np.zeros((count, len(KINDS), 3))
     noise[:, 1] = WALK
@@ -70,6 +76,7 @@ def triads(seed: int, count: int, spread: Array = SPREAD, exact_fit: bool = Fals
         start_angle=start_angle,
         started=started(drifted, start_angle),
         warming=started(warming, start_angle),
+        curving=started(curving, start_angle),
         noise=noise,
         accelerometers=ACCELEROMETER_BIAS * random.normal(size=(count, 3)),
         seeds=random.integers(2**63, size=(count, 2), dtype=np.uint64),

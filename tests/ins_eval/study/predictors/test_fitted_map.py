@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy.stats import binom, chi2
+from scipy.stats import binom
 
 from ins_eval.study.predictors import block, fitted_map, oracle
+from ins_eval.study.predictors.flown_maps import flown_maps
 from ins_eval.study.predictors.knowledge import bench_knowledge
 from ins_eval.study.predictors.map_drift import NO_DRIFT
-from ins_eval.study.predictors.prediction import Normal
 from ins_eval.study.predictors.turned_maps import unstarted
 from ins_eval.study.predictors.unpredictable import unpredictable
 from tests.ins_eval.study.predictors import cases, flights
@@ -21,14 +21,16 @@ LEARNT = block.learnt(cases.triads(seed=1, count=1000), cases.ACCELEROMETER_BIAS
 PREDICTED = block.predictions(WEIGHTS, TRIADS, LEARNT, seed=3)
 
 
-def test_errors_are_normal_about_the_expected_with_its_covariance() -> None:
-    """Squared distances in units of the covariance are chi-square: mean of n within four sigmas."""
-    found = PREDICTED["fitted_map"]
-    assert isinstance(found, Normal)
-    missed = (flights.errors(TRIADS, WEIGHTS) - found.expected)[:, 0]
-    squared = np.einsum("ri,rij,rj->r", missed, np.linalg.inv(found.covariance[:, 0]), missed)
-    assert abs(squared.mean() - 2) < 4 * np.sqrt(4 / COUNT)
-    assert abs(np.mean(squared < chi2.ppf(0.9, 2)) - 0.9) < 4 * np.sqrt(0.09 / COUNT)
+def test_draws_have_the_closed_forms_covariance() -> None:
+    """Of normal drift: 2048 draws of each of 20 triads, summed over them, within 10 %."""
+    few = cases.triads(seed=4, count=20)
+    bench, angle = bench_knowledge(few), few.start_angle
+    rest = unpredictable(WEIGHTS, bench.noise, cases.ACCELEROMETER_BIAS)
+    sure = replace(bench, covariance=np.zeros_like(bench.covariance))
+    drawn = fitted_map.predict(sure, WEIGHTS, LEARNT.drift, rest, angle, seed=1).draws[:, :, 0]
+    found = np.mean([np.cov(errors.T) for errors in drawn], axis=0)
+    closed = rest + fitted_map.drift_covariance(sure, WEIGHTS, LEARNT.drift, angle)
+    np.testing.assert_allclose(found, closed[:, 0].mean(axis=0), atol=0.1 * np.max(found))
 
 
 @pytest.mark.parametrize(
@@ -45,7 +47,7 @@ def test_a_blind_predictor_would_fail_these_tests() -> None:
     """Without the drift that it learnt, the fitted map is too sure."""
     bench = bench_knowledge(TRIADS)
     rest = unpredictable(WEIGHTS, bench.noise, cases.ACCELEROMETER_BIAS)
-    sure = fitted_map.predict(bench, WEIGHTS, NO_DRIFT, rest, TRIADS.start_angle)
+    sure = fitted_map.predict(bench, WEIGHTS, NO_DRIFT, rest, TRIADS.start_angle, 3)
     radial = flights.radial(TRIADS, WEIGHTS)
     inside = np.sum((sure.radius(0.05) <= radial) & (radial <= sure.radius(0.95)))
     assert inside < binom.ppf(5e-6, COUNT, 0.9)
@@ -59,23 +61,28 @@ def test_unknown_angles_are_known_angles_averaged() -> None:
     drawn = fitted_map.predict_any_angle(bench, WEIGHTS, LEARNT.drift, rest, seed=1)
     axis = np.pi * np.arange(9) / 9
     grid = np.stack(np.meshgrid(axis, axis, axis), axis=-1).reshape(-1, 3)
-    known = [fitted_map.predict(bench, WEIGHTS, LEARNT.drift, rest, angle[None]) for angle in grid]
-    power = [np.sum(p.expected**2) + np.trace(p.covariance[0, 0]) for p in known]
+    known = [
+        fitted_map.predict(bench, WEIGHTS, LEARNT.drift, rest, angle[None], 1) for angle in grid
+    ]
+    power = [np.mean(np.sum(p.draws**2, axis=-1)) for p in known]
     assert np.mean(np.sum(drawn.draws**2, axis=-1)) == pytest.approx(np.mean(power), rel=0.05)
 
 
 def test_with_the_true_map_and_no_drift_it_is_the_oracle() -> None:
-    still = replace(TRIADS, warming=np.zeros_like(TRIADS.warming))
+    none = np.zeros_like(TRIADS.warming)
+    still = replace(TRIADS, warming=none, curving=none)
     bench = replace(
         bench_knowledge(still),
         maps=unstarted(still.started, still.start_angle),
         covariance=np.zeros_like(still.covariance),
     )
     rest = unpredictable(WEIGHTS, still.noise, cases.ACCELEROMETER_BIAS)
-    found = fitted_map.predict(bench, WEIGHTS, NO_DRIFT, rest, still.start_angle)
-    best = oracle.predict(WEIGHTS, still.started, still.warming, rest)
-    np.testing.assert_allclose(found.expected, best.expected, rtol=1e-9, atol=1e-6)
-    np.testing.assert_allclose(found.covariance, best.covariance)
+    found = fitted_map.predict(bench, WEIGHTS, NO_DRIFT, rest, still.start_angle, 3)
+    best = oracle.predict(WEIGHTS, flown_maps(still), rest)
+    middle = found.expected - best.expected
+    sigma = np.sqrt(np.trace(best.covariance, axis1=-2, axis2=-1) / len(found.draws[0]))
+    assert np.max(np.abs(middle) / sigma[..., None]) < 5
+    np.testing.assert_allclose(found.radius(0.95), best.radius(0.95), rtol=0.1)
 
 
 def test_only_oracles_see_what_is_true_of_the_flights() -> None:
@@ -84,6 +91,7 @@ def test_only_oracles_see_what_is_true_of_the_flights() -> None:
         few,
         started=other.started,
         warming=other.warming,
+        curving=other.curving,
         accelerometers=other.accelerometers,
         noise=2 * few.noise,
     )

@@ -1,30 +1,70 @@
 """Drift learnt from triads whose drift is known."""
 
+from dataclasses import replace
+
 import numpy as np
+import pytest
+from scipy.stats import kurtosis
 
 from ins_eval.study.gyro_map import TERMS
+from ins_eval.study.predictors.flown_maps import flown_maps
 from ins_eval.study.predictors.knowledge import bench_knowledge
-from ins_eval.study.predictors.map_drift import learnt
+from ins_eval.study.predictors.map_drift import MapDrift, learnt, map_size
+from ins_eval.study.triads import Triads
 from tests.ins_eval.study.predictors import cases
 
 
+def _learnt(training: Triads) -> MapDrift:
+    bench = bench_knowledge(training)
+    return learnt(bench, flown_maps(training), training.start_angle)
+
+
 def test_drift_is_found_apart_from_the_fits_uncertainty() -> None:
-    """Of 1500 gyros, seed 1, within five sigmas: variances, and nothing correlated."""
-    training = cases.triads(seed=1, count=500)
-    found = learnt(
-        bench_knowledge(training), training.started, training.warming, training.start_angle
+    """Of 6000 gyros whose drift goes with their size, seed 1: variance at the median size."""
+    training = cases.triads(seed=1, count=2000)
+    found = _learnt(training)
+    power = np.median(map_size(bench_knowledge(training)) ** 2)
+    variance = found.common + found.relative * power
+    np.testing.assert_allclose(variance, cases.DRIFT**2 * power, rtol=0.15)
+    assert np.mean(found.common / variance) < 0.05
+
+
+def test_drift_of_its_own_size_is_found_common() -> None:
+    """The same drift in every gyro, large and small."""
+    training = cases.triads(seed=1, count=2000, exact_fit=True)
+    same = np.median(map_size(bench_knowledge(training))) * cases.DRIFT[: 2 * TERMS]
+    normal = np.random.default_rng(2).normal(size=training.known.shape)
+    drifted = training.known + same[:, None] * normal
+    still = np.zeros_like(training.start_angle)
+    found = _learnt(replace(training, started=drifted, start_angle=still))
+    np.testing.assert_allclose(found.common[: 2 * TERMS], same**2, rtol=0.15)
+
+
+def test_what_occurs_together_stays_together() -> None:
+    """Warming that follows the drift at power-on, and tails that are not normal."""
+    training = cases.triads(seed=1, count=500, exact_fit=True)
+    random = np.random.default_rng(2)
+    drifted = cases.SPREAD[:, None] * random.standard_t(6, size=training.known.shape)
+    still = np.zeros_like(training.start_angle)
+    found = _learnt(
+        replace(
+            training,
+            started=training.known + drifted,
+            warming=2 * drifted,
+            curving=drifted,
+            start_angle=still,
+        )
     )
-    assert found.gyros == 1500
-    fit = np.concatenate([cases.FIT, np.zeros(2 * TERMS)]) / cases.SPREAD[0]
-    sigmas = np.hypot(cases.DRIFT, fit)
-    error = (found.relative - np.diag(cases.DRIFT**2)) / np.outer(sigmas, sigmas)
-    assert np.all(np.abs(error) < 5 * np.sqrt(2 / 1500))
+    start, warm, _ = np.split(found.standard, 3, axis=1)
+    assert np.corrcoef(start[:, 3], warm[:, 3])[0, 1] > 0.99
+    assert np.mean(kurtosis(found.standard)) > 1
+    assert np.mean(found.standard**2) == pytest.approx(1, abs=0.05)
 
 
 def test_a_fit_that_doubts_too_much_leaves_no_negative_variance() -> None:
     training = cases.triads(seed=1, count=20)
-    bench = bench_knowledge(training)
-    doubting = type(bench)(**{**vars(bench), "covariance": 1e4 * bench.covariance})
-    found = learnt(doubting, training.started, training.warming, training.start_angle)
-    scale = np.sqrt(np.maximum(np.diag(found.relative), 1e-300))
-    assert np.linalg.eigvalsh(found.relative / np.outer(scale, scale)).min() > -1e-9
+    found = _learnt(replace(training, covariance=1e4 * training.covariance))
+    assert np.all(found.common >= 0)
+    assert np.all(found.relative >= 0)
+    assert np.all(found.common[: 2 * TERMS] == 0)
+    assert np.all(np.isfinite(found.standard))

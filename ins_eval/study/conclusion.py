@@ -12,7 +12,7 @@ import pandas as pd
 import pyarrow as pa
 from numpy.typing import NDArray
 
-from ins_eval.study import columns, table
+from ins_eval.study import agreement, columns, table
 from ins_eval.study.experiment import cosimulated_of, flown_of, missions, triads_of
 from ins_eval.study.flown import Flown
 from ins_eval.study.gyro_map import TERMS
@@ -30,6 +30,7 @@ from ins_eval.study.report import page
 from ins_eval.study.report.result import DOCUMENT, result
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.run.identity import made_by
+from ins_eval.study.score import Score
 from ins_eval.study.scores.judged import scores
 from ins_eval.study.specification import TEST, TRAIN, PlannedMission, Study
 from ins_eval.study.triads import Triads
@@ -49,7 +50,7 @@ def conclude(study: Study, arrays: Arrays, folder: Path) -> None:
     rows = pa.concat_tables(list(_tables(study, arrays)))
     table.write(rows, folder / table.TABLE)
     frame = rows.to_pandas()
-    document = _document(study, frame)
+    document = _document(study, frame, agreement.scores(study, arrays))
     (folder / DOCUMENT).write_text(json.dumps(document, indent=1, allow_nan=False) + "\n")
     page.write(result(frame, document), folder)
 
@@ -136,7 +137,7 @@ def _predicted(weights: MissionWeights, triads: Triads, known: Learnt, seed: int
     return predicted | lists
 
 
-def _document(study: Study, frame: pd.DataFrame) -> dict[str, Any]:
+def _document(study: Study, frame: pd.DataFrame, others: list[Score]) -> dict[str, Any]:
     """study.json: what was studied, by what, and the scores of those on either side alone."""
     judged = frame[frame[columns.HALF].isin((TRAIN, TEST))]
     return {
@@ -146,7 +147,7 @@ def _document(study: Study, frame: pd.DataFrame) -> dict[str, Any]:
         "missions": len(study.missions),
         "hours": study.hours,
         "made_by": made_by(),
-        "scores": [_without_nan(asdict(score)) for score in scores(judged, study.seed)],
+        "scores": [_without_nan(asdict(s)) for s in (*scores(judged, study.seed), *others)],
     }
 
 

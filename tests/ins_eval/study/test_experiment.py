@@ -1,6 +1,7 @@
 """A small study from gyros to report: what blocks hold, what the table and study.json say."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -9,9 +10,10 @@ import pandas as pd
 import pytest
 from numpy.typing import NDArray
 
+from ins_eval.study import agreement
 from ins_eval.study import columns as c
 from ins_eval.study.conclusion import FILES, NEITHER, conclude
-from ins_eval.study.experiment import made
+from ins_eval.study.experiment import COSIMULATED, flown_of, made
 from ins_eval.study.maker import METHODS
 from ins_eval.study.report.result import read
 from ins_eval.study.run import block
@@ -121,3 +123,23 @@ def test_same_arrays_give_the_same_bytes(arrays: Arrays, folder: Path, tmp_path:
     conclude(STUDY, arrays, tmp_path)
     for name in FILES:
         assert (tmp_path / name).read_bytes() == (folder / name).read_bytes()
+
+
+def test_agreement_is_of_the_sample_without_noise(arrays: Arrays) -> None:
+    """Co-simulated errors that are 1 % larger than linear ones: 1/101 apart."""
+    study = replace(STUDY, cosimulated=6)
+    chosen = [study.is_cosimulated(triad) for triad in range(study.triads)]
+    flown = dict(arrays)
+    for method in METHODS:
+        for number in range(len(study.missions)):
+            error = flown_of(arrays, method, number)
+            sample = np.where(np.array(chosen)[:, None, None], 1.01, np.nan)
+            flown[f"{method}/{number}/{COSIMULATED}"] = sample * (error.error - error.noise)
+    found = agreement.scores(study, flown)
+    assert {(s.calibration, s.mission_class) for s in found} == {
+        (method, name) for method in METHODS for name in ("all", "car", "static-table")
+    }
+    for s in found:
+        assert (s.value, s.low, s.high) == pytest.approx((1 / 101,) * 3)
+        assert (s.n, s.holds) == (6, True)
+    assert agreement.scores(STUDY, arrays) == []

@@ -53,6 +53,9 @@ PREDICTORS = (
     ),
     Predictor("fitted_map", "Fitted map", "the bench's maps, power-on angle known"),
     Predictor("fitted_map_any_angle", "Fitted map, any angle", "the bench's maps, angle unknown"),
+    Predictor(
+        "bench_oracle", "Oracle, drift unknown", "true maps on the bench; no bench is better"
+    ),
     Predictor("oracle", "Oracle", "the true parameters; what no bench can know"),
     Predictor("oracle_any_angle", "Oracle, any angle", "the true parameters, angle unknown"),
 )

@@ -70,7 +70,7 @@ def judged_at(weights: MissionWeights, k: int) -> MissionWeights:
 def predictions(
     weights: MissionWeights, triads: Triads, learned: Learnt, seed: int
 ) -> dict[str, Prediction]:
-    """By key of `columns.PREDICTORS`; only oracles look at what is true of the flights.
+    """By key of `columns.PREDICTORS`; only oracles look at what is true.
 
     Args:
         weights: of the mission.
@@ -82,6 +82,7 @@ def predictions(
     rest = unpredictable(weights, bench.noise, learned.accelerometer_bias)
     true = unpredictable(weights, triads.noise, learned.accelerometer_bias)
     maps = flown_maps(triads)
+    best = replace(bench, maps=triads.true)
     new = bench.circumference_stability
     return {
         "fixed_rule": stability_rule.predict(bench.fixed_stability, weights.time),
@@ -89,6 +90,7 @@ def predictions(
         "manoeuvre_theory": manoeuvre_theory.predict(new, weights, rest, learned.shares),
         "fitted_map": fitted_map.predict(bench, weights, drift, rest, angle, seed),
         "fitted_map_any_angle": fitted_map.predict_any_angle(bench, weights, drift, rest, seed),
+        "bench_oracle": fitted_map.predict(best, weights, drift, rest, angle, seed),
         "oracle": oracle.predict(weights, maps, true),
         "oracle_any_angle": oracle.predict_any_angle(weights, maps, true, angle, seed),
     }

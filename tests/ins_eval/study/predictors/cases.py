@@ -73,6 +73,7 @@ def triads(seed: int, count: int, spread: Array = SPREAD, exact_fit: bool = Fals
         walk=noise[:, 1],
         known=known,
         covariance=np.broadcast_to(np.diag(fit**2)[..., None], (count, c, c, 3)),
+        true=bench_map,
         start_angle=start_angle,
         started=started(drifted, start_angle),
         warming=started(warming, start_angle),

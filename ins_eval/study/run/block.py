@@ -14,7 +14,7 @@ from ins_eval.study.run.identity import Identity, difference, made_by
 from ins_eval.study.specification import Study
 
 TRIADS = 20
-"""Of a block: the bench takes half a minute for them, which is what a kill may cost."""
+"""Of a block: the bench takes a minute or two for them, which is what a kill may cost."""
 MARK = "made_for"
 """Array of a block's file that says which block of which study it is."""
 

@@ -33,10 +33,17 @@ def static_alignment(record: Increments, latitude: float) -> Array:
             f"at latitude {np.rad2deg(latitude):.1f} deg; "
             f"expected about Earth's {earth.RATE:.2e} rad/s, away from the poles"
         )
-    roll = np.arctan2(-force[1], -force[2])
-    pitch = np.arctan2(force[0], np.hypot(force[1], force[2]))
-    level = mat_from_euler(roll, pitch, np.zeros_like(roll)) @ rate
-    return mat_from_euler(roll, pitch, np.arctan2(-level[1], level[0]))
+    return attitude_at_rest(rate, force)
+
+
+def attitude_at_rest(rate: Array, force: Array) -> Array:
+    """`mat_nb` (..., 3, 3) from mean rates (..., 3), rad/s, and mean specific forces (..., 3),
+    m/s^2, in body axes, of a vehicle at rest (Groves 2013, section 5.6.2)."""
+    roll = np.arctan2(-force[..., 1], -force[..., 2])
+    pitch = np.arctan2(force[..., 0], np.hypot(force[..., 1], force[..., 2]))
+    levelled = mat_from_euler(roll, pitch, np.zeros_like(roll))
+    level = np.einsum("...ij,...j->...i", levelled, rate)
+    return mat_from_euler(roll, pitch, np.arctan2(-level[..., 1], level[..., 0]))
 
 
 def analytic_alignment(record: Increments, position: Array, errors: SensorErrors) -> Alignment:

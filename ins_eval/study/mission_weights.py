@@ -2,9 +2,10 @@
 
 With the pattern angle th = th0 - k Psi(t), Psi the true turn about the axis, the map's harmonics
 are known signals along the mission; the linear error model, alignment included, makes of each its
-error over time. What any device does is then a sum (`flights`).
+error over time. What any device does is then a sum (`flown`).
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -19,19 +20,22 @@ from ins_eval.error_model.effects import (
     gyro_scale_factor,
     pick_off_map,
 )
-from ins_eval.error_model.linear_model import AXES, LinearModel, joined, linear_model
-from ins_eval.error_model.motion import Motion, along
-from ins_eval.error_model.states import COUNT
+from ins_eval.error_model.linear_model import AXES, LinearModel, linear_model
+from ins_eval.error_model.motion import PARTS, Motion, along, step_mean
+from ins_eval.error_model.states import ATTITUDE, COUNT
 from ins_eval.navigation.height import Clamped
 from ins_eval.study.gyro_map import HARMONICS, TERMS
+from ins_eval.study.missions import SETTLING, STILL, WARM_UP, StudyMission
+from ins_eval.study.noise_weights import error_weights, noise_covariances
+from ins_eval.study.standing import Standing
 from ins_eval.trajectories.trajectory import Trajectory
 
 Array = NDArray[np.float64]
 
 STEP = 1.0
 """Of the linear model, s."""
-KEPT = 600.0
-"""Between the times that errors are told at, s."""
+PIECE = 3600
+"""Steps that are modelled at once: bounds memory."""
 
 
 @dataclass(frozen=True)
@@ -41,9 +45,9 @@ class MissionWeights:
     pattern angle 0, of the gyro along each body axis;
     warming: the same for coefficients that grow as the gyro warms: times `warmth`;
     accelerometers: (k, 2, 3) m per m/s^2 of bias;
-    transition: (n, 10, 10) and per_rate: (n, 10, 3): the linear model's steps of STEP seconds,
-    alignment included, and what a gyro's mean rate error over one adds (per rad/s), for noise;
-    kept: (k,) steps after which errors are told.
+    noise: (KINDS, 3, 2 k, 2 k) covariance of the errors, m^2, north and east at each time in turn,
+    per squared unit of each kind of noise (`noise_weights`) of each gyro;
+    standing: the alignment, for what it does beyond first order.
     """
 
     name: str
@@ -51,87 +55,116 @@ class MissionWeights:
     gyros: Array
     warming: Array
     accelerometers: Array
-    transition: Array
-    per_rate: Array
-    kept: NDArray[np.int64]
+    noise: Array
+    standing: Standing
 
 
-def mission_weights(
-    trajectory: Trajectory, hours: float, still: float, settling: float, warm_up: float
-) -> MissionWeights:
-    """Weights of a mission.
-
-    Args:
-        trajectory: stands still from -`still` to 0.
-        hours: of navigation.
-        still: from power-on to the alignment's end, s.
-        settling: from power-on to the alignment's beginning, s.
-        warm_up: time constant of `warmth`, s.
-    """
-    model = _model(trajectory, round(hours * 3600 / STEP), still, settling, warm_up)
-    aligning = round((still - settling) / STEP)
-    kept = np.arange(aligning, len(model) + 1, round(KEPT / STEP))[1:]
-    carried = _carried(model, kept)
-    gyros, accelerometers = carried[:, :, :-1], carried[:, :, -1]
-    half = gyros.shape[2] // 2
+def mission_weights(mission: StudyMission) -> MissionWeights:
+    """Weights of a mission: about 10 s for two hours."""
+    trajectory = mission.trajectory()
+    aligning = round((STILL - SETTLING) / STEP)
+    steps = round(mission.hours * 3600 / STEP)
+    every = round(mission.kept / STEP)
+    kept = aligning + np.arange(every, steps + 1, every)
+    carried, transition, per_rate = _carried(_models(trajectory, steps), aligning, kept)
+    half = 2 * TERMS
+    by_coefficient, attitude = carried[:, :, :-AXES], carried[:, :, -AXES:]
+    effects = by_coefficient.reshape(len(kept), 2, -1, AXES)
+    weights = error_weights(transition, per_rate, kept)
     return MissionWeights(
-        name=trajectory.name,
-        time=KEPT * np.arange(1.0, len(kept) + 1),
-        gyros=gyros[:, :, :half],
-        warming=gyros[:, :, half:],
-        accelerometers=accelerometers,
-        transition=model.transition,
-        per_rate=model.constant_errors[:, :, :AXES],
-        kept=kept,
+        name=mission.name,
+        time=mission.kept * np.arange(1.0, len(kept) + 1),
+        gyros=effects[:, :, :half],
+        warming=effects[:, :, half : 2 * half],
+        accelerometers=effects[:, :, -1],
+        noise=noise_covariances(weights, STEP, round(SETTLING / STEP)),
+        standing=_standing(trajectory, attitude),
     )
 
 
-def warmth(time: Array, still: float, warm_up: float) -> Array:
+def warmth(time: Array) -> Array:
     """How far a gyro has warmed since power-on, 0 to 1."""
-    return np.asarray(1 - np.exp(-(time + still) / warm_up))
+    return np.asarray(1 - np.exp(-(time + STILL) / WARM_UP))
 
 
-def _model(
-    trajectory: Trajectory, steps: int, still: float, settling: float, warm_up: float
-) -> LinearModel:
-    start = settling - still
-    from_power_on = trajectory.increments(-still, STEP, round(settling / STEP)).rotation.sum(axis=0)
-    standing = _turned(along(trajectory, start, STEP, round(-start / STEP)), from_power_on)
-    flying = _turned(along(trajectory, 0.0, STEP, steps), standing.turned[-1])
-    effects = _effects(still, warm_up)
-    held = linear_model(flying, Clamped(np.zeros(1)), effects)
-    return joined(alignment_model(standing, effects), held)
+def _models(trajectory: Trajectory, steps: int) -> Iterator[LinearModel]:
+    """Of the alignment, then of the flight in pieces."""
+    standing = _at_rest(trajectory)
+    yield alignment_model(standing, EFFECTS)
+    turned = standing.turned[-1]
+    for first in range(0, steps, PIECE):
+        count = min(PIECE, steps - first)
+        flying = _turned(along(trajectory, STEP * first, STEP, count), turned)
+        turned = flying.turned[-1]
+        yield linear_model(flying, Clamped(np.zeros(1)), EFFECTS)
+
+
+def _at_rest(trajectory: Trajectory) -> Motion:
+    """During the alignment; the case has turned with the Earth since power-on."""
+    settled = trajectory.increments(-STILL, STEP, round(SETTLING / STEP))
+    start = SETTLING - STILL
+    return _turned(
+        along(trajectory, start, STEP, round(-start / STEP)), settled.rotation.sum(axis=0)
+    )
 
 
 def _turned(motion: Motion, before: Array) -> Motion:
     return replace(motion, turned=motion.turned + before)
 
 
-def _effects(still: float, warm_up: float) -> list[Effect]:
+def _effects() -> list[Effect]:
     """Those of `GyroMap`, in its order; those again, growing with warmth; accelerometers."""
     zero = np.zeros(AXES)
     constant = [gyro_bias(), *(e for h in HARMONICS for e in bias_map(h, zero))]
     constant += [gyro_scale_factor(), *(e for h in HARMONICS for e in pick_off_map(h, zero))]
     assert len(constant) == 2 * TERMS
-    growing = [_growing(effect, still, warm_up) for effect in constant]
+    growing = [_growing(effect) for effect in constant]
     return [*constant, *growing, accelerometer_bias()]
 
 
-def _growing(effect: Effect, still: float, warm_up: float) -> Effect:
+def _growing(effect: Effect) -> Effect:
     def regressor(motion: Motion) -> Array:
-        nodes = len(motion.rate)
-        time = np.linspace(motion.start, motion.start + motion.step * len(motion), nodes)
-        return np.asarray(effect.regressor(motion) * warmth(time, still, warm_up)[:, None])
+        time = motion.start + motion.step / PARTS * np.arange(len(motion.rate))
+        return np.asarray(effect.regressor(motion) * warmth(time)[:, None])
 
     return replace(effect, name=f"{effect.name}, warming", regressor=regressor)
 
 
-def _carried(model: LinearModel, kept: NDArray[np.int64]) -> Array:
-    """(k, 2, e, 3) error north and east per constant coefficient, after the kept steps."""
-    inputs = model.inputs.reshape(len(model), COUNT, -1)
-    carried, told = np.zeros(inputs.shape[1:]), []
-    for k, transition in enumerate(model.transition):
-        carried = transition @ carried + inputs[k]
-        if k + 1 in kept:
-            told.append(carried[:2].copy())
-    return np.stack(told).reshape(len(kept), 2, -1, AXES)
+EFFECTS = _effects()
+
+
+def _carried(
+    models: Iterator[LinearModel], aligning: int, kept: NDArray[np.int64]
+) -> tuple[Array, Array, Array]:
+    """(k, 2, e 3 + 3) error north and east after the kept steps, per constant coefficient, and
+    per attitude error after the alignment; and the steps, of `error_weights`."""
+    wanted = set(kept.tolist())
+    carried, told, steps = np.zeros((COUNT, AXES * (len(EFFECTS) + 1))), [], 0
+    transition, per_rate = [], []
+    for model in models:
+        inputs = model.inputs.reshape(len(model), COUNT, -1)
+        transition.append(model.transition)
+        per_rate.append(model.constant_errors[:, :, :AXES])
+        for step_transition, given in zip(model.transition, inputs, strict=True):
+            carried = step_transition @ carried
+            carried[:, :-AXES] += given
+            steps += 1
+            if steps == aligning:
+                carried[ATTITUDE, -AXES:] = np.eye(AXES)
+            if steps in wanted:
+                told.append(carried[:2].copy())
+    return np.stack(told), np.concatenate(transition), np.concatenate(per_rate)
+
+
+def _standing(trajectory: Trajectory, attitude: Array) -> Standing:
+    motion = _at_rest(trajectory)
+    means = [step_mean(effect.regressor(motion)).mean(axis=0) for effect in EFFECTS[:-1]]
+    half = 2 * TERMS
+    return Standing(
+        latitude=float(motion.latitude[0]),
+        height=float(motion.height[0]),
+        mat_nb=motion.mat_nb[0],
+        started=np.stack(means[:half]),
+        warming=np.stack(means[half:]),
+        attitude=attitude,
+    )

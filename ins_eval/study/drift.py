@@ -1,0 +1,104 @@
+"""From calibration to flight: age, another power-on, and warming up after it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ins_eval.study.gyro_map import GyroMap, characterised
+from pyhrg.device import LOOPS, Device
+from pyhrg.fmu import GyroFmu
+from pyhrg.units import YEAR
+
+AGEING = 0.02
+"""Of each mechanism's own size in a year, 1 sigma; grows with the root of time."""
+LEAKAGE = 0.05
+"""Of the decay time that is lost in a year at most."""
+SETTLED = 1.0
+"""Thermal lag of a gyro that is to be read off warm, s."""
+
+
+@dataclass(frozen=True)
+class Drift:
+    """age: time from calibration to flight, s; coolest, warmest: rise of the case at power-on
+    above the calibration's temperature, K, uniform between them; the resonator follows."""
+
+    age: float = YEAR / 2
+    coolest: float = 5.0
+    warmest: float = 25.0
+
+
+@dataclass(frozen=True)
+class Flight:
+    """One gyro in one flight.
+
+    device: as it is in this power-on, at the calibration's temperature;
+    temperature: of its case from power-on, K; power_on_angle: of its pattern, rad.
+    """
+
+    device: Device
+    temperature: float
+    power_on_angle: float
+
+    @property
+    def warm(self) -> Device:
+        """The gyro when it has warmed."""
+        return replace(self.warming, thermal_lag=SETTLED)
+
+    @property
+    def warming(self) -> Device:
+        """The gyro whose case is warm from power-on."""
+        model = {**self.device.model, "caseTemperature": self.temperature}
+        return replace(self.device, model=model)
+
+
+def flight(device: Device, drift: Drift, generator: np.random.Generator) -> Flight:
+    """What a calibrated gyro is in a flight: aged, turned on once more, from any angle."""
+    old = aged(device, drift.age, generator)
+    rise = generator.uniform(drift.coolest, drift.warmest)
+    angle = generator.uniform(0.0, np.pi)
+    parameters = old.turned_on(generator)
+    drawn = {name: parameters[name] for name in old.turn_on_scatter}
+    return Flight(
+        device=replace(old, model={**old.model, **drawn}, turn_on_scatter={}),
+        temperature=old.reference_temperature + rise,
+        power_on_angle=angle,
+    )
+
+
+def aged(device: Device, age: float, generator: np.random.Generator) -> Device:
+    """A gyro after some time, s: damping and electrodes wander as vectors, gas leaks in."""
+    share = AGEING * np.sqrt(age / YEAR)
+
+    def wandered(cosine: float, sine: float) -> tuple[float, float]:
+        step = generator.normal(0.0, share * np.hypot(cosine, sine), 2)
+        return cosine + float(step[0]), sine + float(step[1])
+
+    axis = 4 * device.damping_axis
+    d = device.damping_anisotropy
+    damping = wandered(d * np.cos(axis), d * np.sin(axis))
+    pickoff = wandered(device.pickoff_gain_mismatch, device.pickoff_nonorthogonality)
+    drive = wandered(device.drive_gain_mismatch, device.drive_nonorthogonality)
+    return replace(
+        device,
+        decay_time=device.decay_time * (1 - generator.uniform(0.0, LEAKAGE) * age / YEAR),
+        damping_anisotropy=float(np.hypot(*damping)),
+        damping_axis=float(np.arctan2(damping[1], damping[0])) / 4,
+        pickoff_gain_mismatch=pickoff[0],
+        pickoff_nonorthogonality=pickoff[1],
+        drive_gain_mismatch=drive[0],
+        drive_nonorthogonality=drive[1],
+    )
+
+
+def true_maps(fmu: GyroFmu, flown: Flight) -> tuple[GyroMap, GyroMap]:
+    """Maps at power-on, and what they gain when warm, read off the FMU `HRGSlow`."""
+    start = characterised(fmu, slow_parameters(flown.device))
+    warm = characterised(fmu, slow_parameters(flown.warm))
+    return start, GyroMap.of(warm.coefficients - start.coefficients)
+
+
+def slow_parameters(device: Device) -> Mapping[str, float]:
+    """Of `HRGSlow`, noise apart."""
+    parameters = device.without_noise().fmu_parameters()
+    return {name: value for name, value in parameters.items() if name not in LOOPS}

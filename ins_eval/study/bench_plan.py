@@ -1,11 +1,11 @@
 """The bench of the study: the paper's tests, shortened, on the fast gyro.
 
-    test                  here                               full procedure
-    fixed position        3 power-ons of 20 min              7 of an hour
-    full circumference    3 power-ons, 24 positions (8N),    7 power-ons, 24 positions,
-                          100 s at each                      300 s at each
-    scale factor          3 power-ons each way at 5 deg/s,   7 each way
-                          4 periods of the map
+test                  here                               full procedure
+fixed position        3 power-ons of 20 min              7 of an hour
+full circumference    3 power-ons, 24 positions (8N),    7 power-ons, 24 positions,
+                      100 s at each                      300 s at each
+scale factor          3 power-ons each way at 5 deg/s,   7 each way
+                      4 periods of the map
 """
 
 from dataclasses import dataclass

@@ -108,17 +108,19 @@ def gathered(fmu: GyroFmu, triads: list[Triad]) -> Triads:
         known=stacked([[gyro.map.coefficients for gyro in each.known] for each in triads]),
         covariance=stacked([[gyro.covariance for gyro in each.known] for each in triads]),
         start_angle=np.array([[f.power_on_angle for f in each.flights] for each in triads]),
-        started=stacked([[started for started, _ in each] for each in maps]),
-        warming=stacked([[warming for _, warming in each] for each in maps]),
+        started=stacked([[gyro[0] for gyro in each] for each in maps]),
+        warming=stacked([[gyro[1] for gyro in each] for each in maps]),
+        curving=stacked([[gyro[2] for gyro in each] for each in maps]),
         noise=stacked([[_noise(f.device) for f in each.flights] for each in triads]),
         accelerometers=np.array([each.accelerometers for each in triads]),
         seeds=np.array([each.seed for each in triads]),
     )
 
 
-def _flown_map(fmu: GyroFmu, flown: Flight) -> tuple[Array, Array]:
-    started, warming = (m.started_at(flown.power_on_angle) for m in true_maps(fmu, flown))
-    return started.coefficients, warming.coefficients
+def _flown_map(fmu: GyroFmu, flown: Flight) -> tuple[Array, ...]:
+    found, angle = true_maps(fmu, flown), flown.power_on_angle
+    maps = (found.started, found.warming, found.curving)
+    return tuple(m.started_at(angle).coefficients for m in maps)
 
 
 def _noise(device: Device) -> Array:

@@ -24,8 +24,8 @@ class Drift:
     above the calibration's temperature, K, uniform between them; the resonator follows."""
 
     age: float = YEAR / 2
-    coolest: float = 5.0
-    warmest: float = 25.0
+    coolest: float = 2.0
+    warmest: float = 15.0
 
 
 @dataclass(frozen=True)
@@ -41,15 +41,26 @@ class Flight:
     power_on_angle: float
 
     @property
-    def warm(self) -> Device:
-        """The gyro when it has warmed."""
-        return replace(self.warming, thermal_lag=SETTLED)
-
-    @property
     def warming(self) -> Device:
         """The gyro whose case is warm from power-on."""
         model = {**self.device.model, "caseTemperature": self.temperature}
         return replace(self.device, model=model)
+
+    def settled(self, warmth: float) -> Device:
+        """The gyro when it has warmed so far, 0 to 1."""
+        cool = self.device.reference_temperature
+        temperature = cool + warmth * (self.temperature - cool)
+        model = {**self.device.model, "caseTemperature": temperature}
+        return replace(self.device, model=model, thermal_lag=SETTLED)
+
+
+@dataclass(frozen=True)
+class TrueMaps:
+    """started: at power-on; warming, curving: gained with warmth w and w^2."""
+
+    started: GyroMap
+    warming: GyroMap
+    curving: GyroMap
 
 
 def flight(device: Device, drift: Drift, generator: np.random.Generator) -> Flight:
@@ -91,11 +102,14 @@ def aged(device: Device, age: float, generator: np.random.Generator) -> Device:
     )
 
 
-def true_maps(fmu: GyroFmu, flown: Flight) -> tuple[GyroMap, GyroMap]:
-    """Maps at power-on, and what they gain when warm, read off the FMU `HRGSlow`."""
-    start = characterised(fmu, slow_parameters(flown.device))
-    warm = characterised(fmu, slow_parameters(flown.warm))
-    return start, GyroMap.of(warm.coefficients - start.coefficients)
+def true_maps(fmu: GyroFmu, flown: Flight) -> TrueMaps:
+    """Read off the FMU `HRGSlow` cool, half warm and warm."""
+    cool, half, warm = (
+        characterised(fmu, slow_parameters(flown.settled(warmth))).coefficients
+        for warmth in (0.0, 0.5, 1.0)
+    )
+    curving = 2 * (cool + warm) - 4 * half
+    return TrueMaps(*map(GyroMap.of, (cool, warm - cool - curving, curving)))
 
 
 def slow_parameters(device: Device) -> Mapping[str, float]:

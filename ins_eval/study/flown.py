@@ -48,7 +48,8 @@ def flown(triads: Triads, weights: MissionWeights, mission: int) -> Flown:
     """
     return Flown(
         map=map_errors(weights.gyros, triads.started),
-        warming=map_errors(weights.warming, triads.warming),
+        warming=map_errors(weights.warming, triads.warming)
+        + map_errors(weights.curving, triads.curving),
         accelerometers=accelerometer_errors(weights, triads.accelerometers),
         noise=noise_errors(weights, triads.noise, triads.seeds, mission),
         alignment=alignment_errors(weights, triads),
@@ -71,6 +72,7 @@ def alignment_errors(weights: MissionWeights, triads: Triads) -> Array:
     standing = weights.standing
     rate = np.einsum("ca,rca->ra", standing.started, triads.started)
     rate += np.einsum("ca,rca->ra", standing.warming, triads.warming)
+    rate += np.einsum("ca,rca->ra", standing.curving, triads.curving)
     return beyond_first_order(standing, rate, triads.accelerometers)
 
 

@@ -58,9 +58,10 @@ def _turned(coefficients: Array, angle: float) -> Array:
     return turned
 
 
-RATE = 5 * DEG
-"""At which the table turns, either way, rad/s."""
-INTERVAL = 0.1
+RATE = 1 * DEG
+"""At which the table turns, either way, rad/s: slowly, since a delay of the loops makes of the
+scale factor's map a bias that grows with the square of the rate."""
+INTERVAL = 1.0
 """Between readings, s."""
 SETTLING = 10.0
 """Before the first reading, s."""

@@ -21,13 +21,14 @@ from ins_eval.error_model.effects import (
     pick_off_map,
 )
 from ins_eval.error_model.linear_model import AXES, LinearModel, linear_model
-from ins_eval.error_model.motion import PARTS, Motion, along, step_mean
+from ins_eval.error_model.motion import Motion, along, step_mean
 from ins_eval.error_model.states import ATTITUDE, COUNT
 from ins_eval.navigation.height import Clamped
 from ins_eval.study.gyro_map import HARMONICS, TERMS
-from ins_eval.study.missions import SETTLING, STILL, WARM_UP, StudyMission
+from ins_eval.study.missions import SETTLING, STILL, StudyMission
 from ins_eval.study.noise_weights import error_weights, noise_covariances
 from ins_eval.study.standing import Standing
+from ins_eval.study.warming import angle_errors, growing
 from ins_eval.trajectories.trajectory import Trajectory
 
 Array = NDArray[np.float64]
@@ -43,7 +44,7 @@ class MissionWeights:
     """name; time: (k,) s since alignment;
     gyros: (k, 2, 2 TERMS, 3) error north and east, m, per coefficient of `GyroMap`, started at
     pattern angle 0, of the gyro along each body axis;
-    warming: the same for coefficients that grow as the gyro warms: times `warmth`;
+    warming, curving: the same for coefficients that grow with warmth and its square (`warming`);
     accelerometers: (k, 2, 3) m per m/s^2 of bias;
     noise: (KINDS, 3, 2 k, 2 k) covariance of the errors, m^2, north and east at each time in turn,
     per squared unit of each kind of noise (`noise_weights`) of each gyro;
@@ -54,6 +55,7 @@ class MissionWeights:
     time: Array
     gyros: Array
     warming: Array
+    curving: Array
     accelerometers: Array
     noise: Array
     standing: Standing
@@ -76,15 +78,11 @@ def mission_weights(mission: StudyMission) -> MissionWeights:
         time=mission.kept * np.arange(1.0, len(kept) + 1),
         gyros=effects[:, :, :half],
         warming=effects[:, :, half : 2 * half],
+        curving=effects[:, :, 2 * half : 3 * half],
         accelerometers=effects[:, :, -1],
         noise=noise_covariances(weights, STEP, round(SETTLING / STEP)),
         standing=_standing(trajectory, attitude),
     )
-
-
-def warmth(time: Array) -> Array:
-    """How far a gyro has warmed since power-on, 0 to 1."""
-    return np.asarray(1 - np.exp(-(time + STILL) / WARM_UP))
 
 
 def _models(trajectory: Trajectory, steps: int) -> Iterator[LinearModel]:
@@ -115,19 +113,16 @@ def _turned(motion: Motion, before: Array) -> Motion:
 def _effects() -> list[Effect]:
     """Those of `GyroMap`, in its order; those again, growing with warmth; accelerometers."""
     zero = np.zeros(AXES)
-    constant = [gyro_bias(), *(e for h in HARMONICS for e in bias_map(h, zero))]
-    constant += [gyro_scale_factor(), *(e for h in HARMONICS for e in pick_off_map(h, zero))]
-    assert len(constant) == 2 * TERMS
-    growing = [_growing(effect) for effect in constant]
-    return [*constant, *growing, accelerometer_bias()]
-
-
-def _growing(effect: Effect) -> Effect:
-    def regressor(motion: Motion) -> Array:
-        time = motion.start + motion.step / PARTS * np.arange(len(motion.rate))
-        return np.asarray(effect.regressor(motion) * warmth(time)[:, None])
-
-    return replace(effect, name=f"{effect.name}, warming", regressor=regressor)
+    bias = [gyro_bias(), *(e for h in HARMONICS for e in bias_map(h, zero))]
+    scale = [gyro_scale_factor(), *(e for h in HARMONICS for e in pick_off_map(h, zero))]
+    assert len(bias) == len(scale) == TERMS
+    moving = [None] * (TERMS + 1) + angle_errors(zero)
+    warming = [
+        growing(effect, power, angle_error)
+        for power in (1, 2)
+        for effect, angle_error in zip((*bias, *scale), moving, strict=True)
+    ]
+    return [*bias, *scale, *warming, accelerometer_bias()]
 
 
 EFFECTS = _effects()
@@ -165,6 +160,7 @@ def _standing(trajectory: Trajectory, attitude: Array) -> Standing:
         height=float(motion.height[0]),
         mat_nb=motion.mat_nb[0],
         started=np.stack(means[:half]),
-        warming=np.stack(means[half:]),
+        warming=np.stack(means[half : 2 * half]),
+        curving=np.stack(means[2 * half :]),
         attitude=attitude,
     )

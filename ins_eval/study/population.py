@@ -64,6 +64,7 @@ class Population:
         device = Device(
             decay_time=generator.uniform(300.0, 600.0),
             thermal_lag=WARM_UP,
+            phase_loop=PHASE_LOOP,
             power_on_angle=generator.uniform(0.0, math.pi),
             power_on_scatter=0.5 * DEG,
         )
@@ -72,10 +73,12 @@ class Population:
         return replace(device, turn_on_scatter=_scatter(device))
 
 
-TRIMMED = Population(0.02 * DEG_PER_H, 0.2 * DEG_PER_H)
+TRIMMED = Population(0.01 * DEG_PER_H, 0.1 * DEG_PER_H)
 """Trimmed mechanically: what flies is the whole map, less its mean."""
 RAW = Population(0.3 * DEG_PER_H, 4 * DEG_PER_H)
 """For calibration by the map: what flies is what the map drifts by."""
+PHASE_LOOP = 400.0
+"""rad/s: it lags behind the frequency of a gyro that warms, 0.1 rad/s^2, by less than 1e-6 rad."""
 REPEATABILITY = 0.005
 """Of damping, pick-offs and drives, from one power-on to the next, as a share of each."""
 

@@ -22,7 +22,7 @@ class Triads:
     What flies:
     start_angle: (r, 3) pattern angle at power-on, rad;
     started: (r, 14, 3) coefficients of the true map over the pattern's turn from that angle;
-    warming: (r, 14, 3) what they gain when warm;
+    warming, curving: (r, 14, 3) what they gain with warmth and its square (`warming`);
     noise: (r, KINDS, 3) strengths of the noises (`noise_weights.KINDS`);
     accelerometers: (r, 3) biases, m/s^2;
     seeds: (r, 2) entropy of each triad's noise in flight.
@@ -37,6 +37,7 @@ class Triads:
     start_angle: Array
     started: Array
     warming: Array
+    curving: Array
     noise: Array
     accelerometers: Array
     seeds: NDArray[np.uint64]

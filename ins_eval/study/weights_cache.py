@@ -64,9 +64,7 @@ def _write(weights: MissionWeights, path: Path) -> None:
 def _read(path: Path) -> MissionWeights:
     with np.load(path) as stored:
         standing = {f.name: stored[f"standing_{f.name}"] for f in fields(Standing)}
-        arrays = {
-            f.name: stored[f.name] for f in fields(MissionWeights) if f.name in stored.files
-        }
+        arrays = {f.name: stored[f.name] for f in fields(MissionWeights) if f.name in stored.files}
     for name in ("latitude", "height"):
         standing[name] = float(standing[name])
     return MissionWeights(**{**arrays, "name": str(arrays["name"])}, standing=Standing(**standing))

@@ -17,8 +17,10 @@ IN_FLIGHT = ("great-circle", "weaving")
 SECONDS = {"missile": 850.0}
 NAMES = (
     "aircraft",
+    "airliner",
     "car",
     "great-circle",
+    "long-haul",
     "missile",
     "ship",
     "static-table",

@@ -21,6 +21,7 @@ def test_gyro_at_rest_reads_its_map_as_it_warms(slow_fmu: GyroFmu, moving: bool)
     """Within 2 % of the drift; not without the moving of the detected angle."""
     device = Device(
         damping_anisotropy=2e-6,
+        damping_anisotropy_per_kelvin=5e-3,
         decay_time_per_kelvin=-3e-3,
         pickoff_gain_per_kelvin=3e-6,
         thermal_lag=WARM_UP,
@@ -36,7 +37,7 @@ def test_gyro_at_rest_reads_its_map_as_it_warms(slow_fmu: GyroFmu, moving: bool)
         growth = (1 - warm) / WARM_UP
         expected = expected + growth * angle_error(maps.warming.scale)
         expected = expected + 2 * warm * growth * angle_error(maps.curving.scale)
-    apart = np.abs(rate - expected).max() / np.ptp(rate)
+    apart = float(np.abs(rate - expected).max() / np.ptp(rate))
     assert (apart < 0.02) is moving
 
 

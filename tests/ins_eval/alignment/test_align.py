@@ -84,7 +84,7 @@ def test_a_still_vehicle_is_aligned_no_worse_than_by_averaging(errors: SensorErr
     unbiased = replace(errors, gyro_bias=0.0, accelerometer_bias=0.0)
     squares, headings = [], []
     for _ in range(count):
-        record = measured(still(300.0, 0.1), unbiased, rng)
+        record = measured(still(300.0, 0.5), unbiased, rng)
         results = [f(record, POSITION, unbiased) for f in (align, analytic_alignment)]
         squares.append([normalised_square(result, MAT_NB) for result in results])
         headings.append([attitude_error(result.mat_nb, MAT_NB)[2] for result in results])

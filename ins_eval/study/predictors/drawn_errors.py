@@ -37,11 +37,11 @@ def at_angles(
     deviations = _drawn(standard, random).reshape(DRAWS, -1)
     others = random.standard_normal((DRAWS, 2))
     shape = (DRAWS, *weights.shape[:2])
-    draws = np.empty((len(expected), *shape))
+    draws = _noise(rest, others)
     for r, mean in enumerate(expected):
         carried = weights_from(weights, start_angle[r]) * sigma[r]
         errors = deviations @ carried.reshape(shape[1] * shape[2], -1).T
-        draws[r] = mean + errors.reshape(shape) + _noise(rest[r], others)
+        draws[r] += mean + errors.reshape(shape)
     return Drawn(draws)
 
 
@@ -57,14 +57,17 @@ def at_any_angle(
     deviations = _drawn(standard, random)
     others = random.standard_normal((DRAWS, 2))
     angles = np.pi * qmc.Sobol(maps.shape[2], rng=random).random(DRAWS)
-    shape = (DRAWS, *weights.shape[:2])
-    carried = weights_from(weights, angles).reshape(DRAWS, shape[1] * shape[2], -1)
-    draws = np.empty((len(maps), *shape))
-    for r, expected in enumerate(maps):
-        drawn = (expected + sigma[r] * deviations).reshape(DRAWS, -1)
-        errors = np.einsum("mic,mc->mi", carried, drawn)
-        draws[r] = errors.reshape(shape) + _noise(rest[r], others)
-    return Drawn(draws)
+    carried = weights_from(weights, angles)
+    deviating = carried * deviations[:, None, None]
+    errors = _product(maps, carried) + _product(sigma, deviating)
+    return Drawn(errors + _noise(rest, others))
+
+
+def _product(coefficients: Array, carried: Array) -> Array:
+    """(r, DRAWS, k, 2) of coefficients (r, c, 3) and weights (DRAWS, k, 2, c, 3)."""
+    r, shape = len(coefficients), carried.shape[:3]
+    flat = carried.reshape(-1, coefficients[0].size)
+    return np.asarray(coefficients.reshape(r, -1) @ flat.T).reshape(r, *shape)
 
 
 def _drawn(standard: Array, random: np.random.Generator) -> Array:
@@ -75,7 +78,7 @@ def _drawn(standard: Array, random: np.random.Generator) -> Array:
 
 
 def _noise(covariance: Array, normal: Array) -> Array:
-    """(DRAWS, k, 2) with this covariance (k, 2, 2) of normal pairs (DRAWS, 2)."""
+    """(r, DRAWS, k, 2) with this covariance (r, k, 2, 2) of normal pairs (DRAWS, 2)."""
     values, axes = np.linalg.eigh(covariance)
-    roots = axes * np.sqrt(np.maximum(values, 0.0))[:, None]
-    return np.asarray(np.einsum("kij,mj->mki", roots, normal))
+    roots = axes * np.sqrt(np.maximum(values, 0.0))[..., None, :]
+    return np.swapaxes(roots @ normal.T, 1, 3).swapaxes(2, 3).copy()

@@ -85,11 +85,12 @@ def _flights(
         "manoeuvre_theory": 1.18 * spread[:, 0],
         "fitted_map": np.hypot(*known.T),
         "fitted_map_any_angle": 1.18 * spread[:, 0],
+        "bench_oracle": np.hypot(*known.T),
         "oracle": np.hypot(*(known + rest["warming"]).T),
         "oracle_any_angle": 1.18 * spread[:, 0],
     }
     for key, median in typical.items():
-        width = 2.5 if key in ("fitted_map", "oracle") else 8.0
+        width = 2.5 if key in ("fitted_map", "bench_oracle", "oracle") else 8.0
         columns |= {
             f"{key}_median_m": median,
             f"{key}_q05_m": median / width,

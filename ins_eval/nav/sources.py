@@ -1,4 +1,4 @@
-"""What the command line names: trajectories, IMUs, recorded logs."""
+"""What the command line names: IMUs, recorded logs, and their truth."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -15,8 +15,7 @@ from ins_eval.imu.log import RecordedImu
 from ins_eval.nav.log_flight import Reference, at_rest
 from ins_eval.nav.place import Place
 from ins_eval.state import Track
-from ins_eval.trajectories import catalogue, recorded_drive
-from ins_eval.trajectories.errors import TrajectoryError
+from ins_eval.trajectories import recorded_drive
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 
 Array = NDArray[np.float64]
@@ -54,21 +53,6 @@ def imu(name: str, rate: int | None) -> Imu:
                 f"expected a multiple of the gyros' control period, {period}"
             )
     return found
-
-
-def trajectory(name: str, still: float, duration: float) -> Trajectory:
-    """A ready mission, a mission file or a recorded drive.
-
-    Raises:
-        TrajectoryError: none of them, a file that is wrong, or too short a mission.
-        UserError: a mission that starts in motion, to be aligned on.
-    """
-    try:
-        return catalogue.trajectory(name, still, duration)
-    except TrajectoryError as error:
-        if still > 0 and _flies(name, duration):
-            raise UserError(f"{error}; expected --start-from-truth") from error
-        raise
 
 
 def log(path: Path, place: Place) -> tuple[RecordedImu, Array]:
@@ -115,12 +99,3 @@ def reference(name: str, position: Array, first: float, last: float) -> Referenc
 def _by_spline(drive: recorded_drive.Drive, first: float) -> Callable[[Array], Track]:
     knots = Knots(drive.time + first, *drive.position.T, *drive.euler.T)
     return Trajectory(drive.name, knots).track
-
-
-def _flies(name: str, duration: float) -> bool:
-    """Whether it would do without standing still."""
-    try:
-        catalogue.trajectory(name, 0.0, duration)
-    except TrajectoryError:
-        return False
-    return True

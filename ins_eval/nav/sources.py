@@ -14,7 +14,7 @@ from ins_eval.imu.imu import Imu
 from ins_eval.imu.log import RecordedImu
 from ins_eval.nav.log_flight import Reference, at_rest
 from ins_eval.nav.place import Place
-from ins_eval.state import Track
+from ins_eval.state import Track, position_error
 from ins_eval.trajectories import recorded_drive
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 
@@ -22,6 +22,8 @@ Array = NDArray[np.float64]
 
 NONE, REST = "none", "rest"
 """References of a log: no truth, or a vehicle that stood all the time."""
+FARTHEST = 1000.0
+"""Beginning of a drive from the place that a log states, m: farther, it is another drive's."""
 
 
 def is_log(name: str) -> bool:
@@ -82,7 +84,7 @@ def reference(name: str, position: Array, first: float, last: float) -> Referenc
 
     Raises:
         TrajectoryError: an unreadable drive, or one that is wrong.
-        UserError: a drive that is shorter than the log.
+        UserError: a drive that is shorter than the log, or begins elsewhere.
     """
     if name == NONE:
         return None
@@ -92,6 +94,13 @@ def reference(name: str, position: Array, first: float, last: float) -> Referenc
     if drive.time[-1] < last - first - 1e-6:
         raise UserError(
             f"{name}: lasts {drive.time[-1]:g} s; expected all of the log, {last - first:g} s"
+        )
+    north, east, _ = position_error(drive.position[0], position)
+    apart = float(np.hypot(north, east))
+    if apart > FARTHEST:
+        raise UserError(
+            f"{name}: begins {apart / 1000:.4g} km from where the log was recorded; expected "
+            f"at most {FARTHEST / 1000:g} km"
         )
     return _by_spline(drive, first)
 

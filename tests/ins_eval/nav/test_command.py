@@ -221,6 +221,16 @@ def refusal(folder: Path, capsys: pytest.CaptureFixture[str], arguments: list[st
     return capsys.readouterr().err
 
 
+def test_reference_must_begin_with_the_log(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    log = written(tmp_path, 60.0)
+    drive = drives.written(tmp_path, drives.made_up_drive())
+    options = ["--imu", str(log), "--latitude-deg", "-40", "--align-s", "40"]
+    error = refusal(tmp_path, capsys, [*options, "--trajectory", str(drive)])
+    assert "km from where the log was recorded; expected at most 1 km" in error
+
+
 def test_reference_must_cover_the_log(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log = written(tmp_path, 400.0)
     drive = drives.written(tmp_path, drives.made_up_drive())

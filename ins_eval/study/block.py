@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.study.bench_plan import CALIBRATION, BenchPlan
-from ins_eval.study.drift import Drift, Flight, flight, true_maps
+from ins_eval.study.drift import Drift, Flight, flight, slow_parameters, true_maps
+from ins_eval.study.gyro_map import characterised
 from ins_eval.study.knowledge import Knowledge, knowledge
 from ins_eval.study.maker import Method, calibrated_gyro
 from ins_eval.study.population import TRIMMED, Population
@@ -47,6 +48,7 @@ class Triad:
     """
 
     known: tuple[Knowledge, ...]
+    benched: tuple[Device, ...]
     flights: tuple[Flight, ...]
     accelerometers: Array
     seed: NDArray[np.uint64]
@@ -75,19 +77,22 @@ def triad(fmu: GyroFmu, kind: Kind, seed: np.random.SeedSequence) -> Triad:
     generator = np.random.default_rng(seed)
     gyros = [_gyro(fmu, kind, generator) for _ in range(AXES)]
     return Triad(
-        known=tuple(known for known, _ in gyros),
-        flights=tuple(flown for _, flown in gyros),
+        known=tuple(known for known, _, _ in gyros),
+        benched=tuple(device for _, device, _ in gyros),
+        flights=tuple(flown for _, _, flown in gyros),
         accelerometers=generator.normal(0.0, kind.accelerometer_bias, AXES),
         seed=generator.integers(2**63, size=2).astype(np.uint64),
     )
 
 
-def _gyro(fmu: GyroFmu, kind: Kind, generator: np.random.Generator) -> tuple[Knowledge, Flight]:
+def _gyro(
+    fmu: GyroFmu, kind: Kind, generator: np.random.Generator
+) -> tuple[Knowledge, Device, Flight]:
     built = kind.population.draw(generator)
     maker, bench = generator.integers(2**63, size=2).tolist()
     device: Device = calibrated_gyro(fmu, built, kind.method, maker, kind.calibration)
     known = knowledge(fmu, device, kind.bench, bench)
-    return known, flight(device, kind.drift, generator)
+    return known, device, flight(device, kind.drift, generator)
 
 
 def gathered(fmu: GyroFmu, triads: list[Triad]) -> Triads:
@@ -107,6 +112,7 @@ def gathered(fmu: GyroFmu, triads: list[Triad]) -> Triads:
         walk=known("walk"),
         known=stacked([[gyro.map.coefficients for gyro in each.known] for each in triads]),
         covariance=stacked([[gyro.covariance for gyro in each.known] for each in triads]),
+        true=stacked([[_benched_map(fmu, gyro) for gyro in each.benched] for each in triads]),
         start_angle=np.array([[f.power_on_angle for f in each.flights] for each in triads]),
         started=stacked([[gyro[0] for gyro in each] for each in maps]),
         warming=stacked([[gyro[1] for gyro in each] for each in maps]),
@@ -115,6 +121,10 @@ def gathered(fmu: GyroFmu, triads: list[Triad]) -> Triads:
         accelerometers=np.array([each.accelerometers for each in triads]),
         seeds=np.array([each.seed for each in triads]),
     )
+
+
+def _benched_map(fmu: GyroFmu, device: Device) -> Array:
+    return characterised(fmu, slow_parameters(device)).coefficients
 
 
 def _flown_map(fmu: GyroFmu, flown: Flight) -> tuple[Array, ...]:

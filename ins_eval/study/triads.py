@@ -19,6 +19,8 @@ class Triads:
     known: (r, 14, 3) coefficients of its map, over the pattern angle itself;
     covariance: (r, 14, 14, 3) of their errors in another power-on.
 
+    true: (r, 14, 3) what the bench looked for: its map, noise and power-ons' scatter apart.
+
     What flies:
     start_angle: (r, 3) pattern angle at power-on, rad;
     started: (r, 14, 3) coefficients of the true map over the pattern's turn from that angle;
@@ -34,6 +36,7 @@ class Triads:
     walk: Array
     known: Array
     covariance: Array
+    true: Array
     start_angle: Array
     started: Array
     warming: Array

@@ -22,7 +22,11 @@ FASTEST_SWAY = 1.0
 
 
 def align(
-    record: Increments, position: Array, errors: SensorErrors, sway: float | None = None
+    record: Increments,
+    position: Array,
+    errors: SensorErrors,
+    sway: float | None = None,
+    steady: bool = True,
 ) -> Alignment:
     """Attitude at the end of a record of a vehicle that stands, people moving in it, or sways.
 
@@ -36,6 +40,8 @@ def align(
         errors: of the sensors; the covariance rests on them.
         sway: standard deviation of the vehicle's level displacement on each axis, m; None takes
             it from the record.
+        steady: see `fine.fine_alignment`; False for a vehicle whose tilt may creep by less than
+            its accelerometers show.
 
     Raises:
         AlignmentError: a record that can't be aligned on.
@@ -43,7 +49,7 @@ def align(
     _check(record, position)
     fit = inertial_frame_fit(record, position)
     _check_standing(fit, float(earth.gravity(position[0], position[2])))
-    return fine_alignment(record, position, errors, fit.mat_ib, sway)
+    return fine_alignment(record, position, errors, fit.mat_ib, sway, steady)
 
 
 def _check(record: Increments, position: Array) -> None:

@@ -1,7 +1,8 @@
 """The alignment filter's states: those of `standing`, and what wanders during the record.
 
-Rotation since the record's start as computed (2), about north and east, rad; bias instability of gyros (9), rad/s, and level accelerometers (6), m/s^2, about and
-along north, east, down: like processes of like sensors look the same in any axes.
+Rotation since the record's start as computed (2), about north and east, rad; bias instability of
+gyros (9), rad/s, and level accelerometers (6), m/s^2, about and along north, east, down: like
+processes of like sensors look the same in any axes.
 """
 
 import numpy as np

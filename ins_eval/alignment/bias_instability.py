@@ -15,9 +15,9 @@ RATIO = 10.0
 
 
 def correlation_times(longest: float) -> Array:
-    """(3,) of the Gauss-Markov processes whose sum stands for flicker: the longest, s, and a
-    tenth and a hundredth of it."""
-    return longest / RATIO ** np.arange(PROCESSES)
+    """(3,) of the Gauss-Markov processes whose sum stands for flicker: the longest, s, a tenth and
+    a hundredth of it. What is faster yet is left to the sensors' white noise."""
+    return np.asarray(longest / RATIO ** np.arange(PROCESSES))
 
 
 def process_variance(coefficient: float) -> float:

@@ -17,7 +17,7 @@ from ins_eval.state import State, Track, position_error
 
 Array = NDArray[np.float64]
 
-STEP = 1.0
+STEP = 2.0
 """Time between measurements, s."""
 MOST_STEPS = 300
 """More than so many measurements are not taken: the steps lengthen."""

@@ -31,7 +31,9 @@ SETTLED = 1e-4
 """Correction of the start attitude below which the linear model holds, rad."""
 MOST_PASSES = 6
 MOST_APART = 3.0
-"""Headings with and without a steady tilt, in sigma of the difference."""
+"""Attitudes with and without a steady tilt, in sigma of the difference."""
+NO_ODDS = 1e-6
+"""Of a variance: less than this is rounding."""
 SWAY_BOUNDS = (1e-6, 100.0)
 """Between which the vehicle's displacement is looked for, m."""
 TOLERANCE = 0.05
@@ -122,15 +124,16 @@ def settled(
 def steadied(run: Reckoning, errors: SensorErrors, sway: float, free: Filtered) -> Filtered:
     """With the knowledge that the vehicle's tilt stays where it is, as far as the gyros show it.
 
-    A tilt that creeps at a steady rate looks like another heading. It parts the heading from that
-    of the accelerometers, which don't mind: where the two differ by more than chance, the steady
-    one is dropped. Their difference has the difference of their variances (Hausman 1978).
+    A tilt that creeps at a steady rate looks like another rate of Earth. It parts the attitude from
+    that of the accelerometers, which don't mind: where the two differ by more than chance, the
+    steady one is dropped. Their difference has the difference of their variances (Hausman 1978).
     """
     steady = filtered(run, errors, sway, likeliest_tilting(run.turned, run.step, errors))
-    heading = standing.ATTITUDE.stop - 1
-    difference = steady.state[-1, heading] - free.state[-1, heading]
-    variance = (free.covariance - steady.covariance)[-1, heading, heading]
-    return steady if difference**2 < MOST_APART**2 * variance else free
+    attitude = standing.ATTITUDE
+    difference = steady.state[-1, attitude] - free.state[-1, attitude]
+    before, after = (np.diag(r.covariance[-1])[attitude] for r in (free, steady))
+    variance = np.maximum(before - after, NO_ODDS * before)
+    return steady if np.all(difference**2 < MOST_APART**2 * variance) else free
 
 
 def filtered(

@@ -114,3 +114,7 @@ def _turning(latitude: float, turn: float, duration: float) -> Trajectory:
     return Trajectory(
         "turn", Knots(time, np.full_like(time, latitude), still, still, still, still, yaw)
     )
+
+
+if __name__ == "__main__":
+    draw(40 * DEG, 0.01 * DEG_PER_H, 7200.0, Path("hidden-bias.png"))

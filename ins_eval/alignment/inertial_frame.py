@@ -157,7 +157,7 @@ def inertial_frame_covariance(
     force = (errors.velocity_random_walk**2 / span) * np.eye(len(u))
     force += bounded / span**2 * (2 * np.eye(len(u)) - neighbour)
     force += errors.accelerometer_bias**2
-    ends = span * np.arange(len(u) + 1)
+    ends = span * np.arange(len(u) + 1.0)
     wandered = integral_covariance(errors.accelerometer_bias_instability, ends)
     force += np.diff(np.diff(wandered, axis=0), axis=1) / span**2
 

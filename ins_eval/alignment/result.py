@@ -17,7 +17,8 @@ class AlignmentError(Exception):
 
 @dataclass(frozen=True)
 class Biases:
-    """Gyro (3,), rad/s, and accelerometer (3,), m/s^2, biases as estimated, body axes.
+    """Gyro (3,), rad/s, and accelerometer (3,), m/s^2, biases as estimated, body axes: what
+    is constant over the record.
 
     covariance: (6, 6) of the estimates' errors, gyros first.
     """

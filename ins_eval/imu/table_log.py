@@ -104,6 +104,8 @@ def _csv(frame: pd.DataFrame) -> bytes:
 
 def _columns(source: str, header: list[str]) -> list[str]:
     """Those that are used: time, gyros, accelerometers."""
+    if not header:
+        raise LogError(f"{source}: found an empty file, expected a header and values")
     if TIME not in header:
         raise LogError(f"{source}: found no column {TIME} among {', '.join(header)}, expected it")
     kinds = (chosen(source, header, among) for among in (GYROS, ACCELEROMETERS))

@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 
 from fmu_build.cli import Command, UserError
-from ins_eval.alignment.align import align
+from ins_eval.alignment.align import SHORTEST, align
 from ins_eval.nav import align_report, sources
 from ins_eval.nav.options import number, whole
 from ins_eval.nav.place import FLAGS, add_options, place, refuse_options_of_logs
@@ -33,7 +33,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def _run(options: argparse.Namespace) -> None:
-    seconds = number("--seconds", options.seconds, 10, 7200)
+    seconds = number("--seconds", options.seconds, SHORTEST, 7200)
     first = number("--from-s", options.from_s or "0", 0, 1e6)
     seed = whole("--seed", options.seed or "1", 0, 2**63 - 1)
     where = place(options)

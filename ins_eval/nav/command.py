@@ -14,6 +14,8 @@ from ins_eval.nav.log_flight import fly_log
 from ins_eval.nav.refusals import REFUSALS
 from ins_eval.nav.truth import still
 from ins_eval.staging import staging
+from ins_eval.trajectories import catalogue
+from ins_eval.trajectories.errors import MovingStartError
 
 TRAJECTORY, IMU = "car", "simple"
 """Unless options say otherwise."""
@@ -57,7 +59,10 @@ def _simulated(options: argparse.Namespace) -> Flown:
     asked = plans.of_simulation(options, imu.interval)
     _, zero = still(asked.alignment, asked.interval)
     path = options.trajectory or TRAJECTORY
-    trajectory = sources.trajectory(path, zero * asked.interval, asked.duration)
+    try:
+        trajectory = catalogue.trajectory(path, zero * asked.interval, asked.duration)
+    except MovingStartError as error:
+        raise UserError(f"{error}; or --start-from-truth") from error
     layout = "{desc} {percentage:3.0f}%|{bar}| {n}/{total} flights [{elapsed}]"
     total = asked.runs + 1
     with tqdm(total=total, desc="navigation", bar_format=layout, delay=2, file=sys.stderr) as bar:

@@ -32,8 +32,9 @@ from ins_eval.sensor_errors import SensorErrors
 
 Array = NDArray[np.float64]
 
-STEP = 1.0
-"""Of the linear model, s, about."""
+STEP = 0.5
+"""Of the linear model, s, about: through city traffic recorded at 1 Hz, steps of 1 s leave out 3 %
+of the final error, these 1 %."""
 MOST_STEPS = 20_000
 """Longer flights take longer steps."""
 

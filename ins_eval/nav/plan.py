@@ -17,8 +17,8 @@ class Plan:
 
     interval: of the increments, s; count: of increments from time 0 on; keep_every: increments
     between rows of the result; samples: increments a navigation step, 2 to 4; height: what holds
-    it; alignment: duration before time 0, without the warm-up, s, or None to start from the true attitude; seed: of
-    everything random; runs: flights, each with an IMU of its own.
+    it; alignment: duration before time 0, without the warm-up, s, or None to start from the true
+    attitude; seed: of everything random; runs: flights, each with an IMU of its own.
     """
 
     interval: float

@@ -4,6 +4,7 @@ import argparse
 from typing import Any
 
 from fmu_build.cli import UserError
+from ins_eval.alignment.align import SHORTEST
 from ins_eval.increments import Increments
 from ins_eval.nav.options import minutes, number, whole
 from ins_eval.nav.plan import WARM_UP, Plan, rows
@@ -105,4 +106,4 @@ def _samples(options: argparse.Namespace) -> int:
 
 
 def _alignment(options: argparse.Namespace, warm_up: float = 0.0) -> float:
-    return number("--align-s", options.align_s or ALIGNMENT, warm_up + 10, 7200)
+    return number("--align-s", options.align_s or ALIGNMENT, warm_up + SHORTEST, 7200)

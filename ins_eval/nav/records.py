@@ -13,6 +13,7 @@ from ins_eval.nav import sources
 from ins_eval.nav.flight import run_seeds
 from ins_eval.nav.place import Place
 from ins_eval.nav.plan import WARM_UP
+from ins_eval.trajectories import catalogue
 
 Array = NDArray[np.float64]
 
@@ -57,7 +58,7 @@ def simulated(imu: Imu, trajectory: str, seconds: float, seed: int) -> Record:
     interval = imu.interval
     warm_up, count = round(WARM_UP / interval), round(seconds / interval)
     still = (warm_up + count) * interval
-    truth = sources.trajectory(trajectory, still, 60.0)
+    truth = catalogue.trajectory(trajectory, still, 60.0)
     increments = truth.increments(-still, interval, warm_up + count)
     (run_seed,) = run_seeds(seed, 1)
     measured = imu.measure(increments, run_seed).increments

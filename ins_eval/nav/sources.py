@@ -1,4 +1,4 @@
-"""What the command line names: trajectories, IMUs, recorded logs."""
+"""What the command line names: IMUs, recorded logs, and their truth."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -14,15 +14,16 @@ from ins_eval.imu.imu import Imu
 from ins_eval.imu.log import RecordedImu
 from ins_eval.nav.log_flight import Reference, at_rest
 from ins_eval.nav.place import Place
-from ins_eval.state import Track
-from ins_eval.trajectories import catalogue, recorded_drive
-from ins_eval.trajectories.errors import TrajectoryError
+from ins_eval.state import Track, position_error
+from ins_eval.trajectories import recorded_drive
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 
 Array = NDArray[np.float64]
 
 NONE, REST = "none", "rest"
 """References of a log: no truth, or a vehicle that stood all the time."""
+FARTHEST = 1000.0
+"""Beginning of a drive from the place that a log states, m: farther, it is another drive's."""
 
 
 def is_log(name: str) -> bool:
@@ -56,21 +57,6 @@ def imu(name: str, rate: int | None) -> Imu:
     return found
 
 
-def trajectory(name: str, still: float, duration: float) -> Trajectory:
-    """A ready mission, a mission file or a recorded drive.
-
-    Raises:
-        TrajectoryError: none of them, a file that is wrong, or too short a mission.
-        UserError: a mission that starts in motion, to be aligned on.
-    """
-    try:
-        return catalogue.trajectory(name, still, duration)
-    except TrajectoryError as error:
-        if still > 0 and _flies(name, duration):
-            raise UserError(f"{error}; expected --start-from-truth") from error
-        raise
-
-
 def log(path: Path, place: Place) -> tuple[RecordedImu, Array]:
     """A recorded log, and (3,) latitude, longitude (rad), height (m) that it was recorded at.
 
@@ -98,7 +84,7 @@ def reference(name: str, position: Array, first: float, last: float) -> Referenc
 
     Raises:
         TrajectoryError: an unreadable drive, or one that is wrong.
-        UserError: a drive that is shorter than the log.
+        UserError: a drive that is shorter than the log, or begins elsewhere.
     """
     if name == NONE:
         return None
@@ -109,18 +95,16 @@ def reference(name: str, position: Array, first: float, last: float) -> Referenc
         raise UserError(
             f"{name}: lasts {drive.time[-1]:g} s; expected all of the log, {last - first:g} s"
         )
+    north, east, _ = position_error(drive.position[0], position)
+    apart = float(np.hypot(north, east))
+    if apart > FARTHEST:
+        raise UserError(
+            f"{name}: begins {apart / 1000:.4g} km from where the log was recorded; expected "
+            f"at most {FARTHEST / 1000:g} km"
+        )
     return _by_spline(drive, first)
 
 
 def _by_spline(drive: recorded_drive.Drive, first: float) -> Callable[[Array], Track]:
     knots = Knots(drive.time + first, *drive.position.T, *drive.euler.T)
     return Trajectory(drive.name, knots).track
-
-
-def _flies(name: str, duration: float) -> bool:
-    """Whether it would do without standing still."""
-    try:
-        catalogue.trajectory(name, 0.0, duration)
-    except TrajectoryError:
-        return False
-    return True

@@ -42,9 +42,10 @@ def navigate(
             or a flight that reaches the pole or diverges.
     """
     count = len(increments)
-    if count % samples or keep_every % samples or keep_every < 1:
+    if count % samples or keep_every % samples or not 1 <= keep_every <= count:
         raise ValueError(
-            f"{count} intervals, every {keep_every} kept: both must be multiples of {samples}"
+            f"{count} intervals, every {keep_every} kept: both must be multiples of {samples}, "
+            "and the second not above the first"
         )
     check_start(start)
     check_increments(increments)
@@ -80,9 +81,15 @@ def check_start(start: State) -> None:
     """
     latitude = np.rad2deg(start.latitude)
     if not abs(start.latitude) < kernel.LIMIT:
+        hint = "; is it in degrees where radians are meant?" if abs(latitude) > 90 else ""
         raise NavigationError(
             f"start at latitude {latitude:.4g} deg; "
             f"expected within {np.rad2deg(kernel.LIMIT):g} deg of the equator, short of the poles"
+            f"{hint}"
+        )
+    if np.shape(start.velocity) != (3,):
+        raise NavigationError(
+            f"start with a velocity of shape {np.shape(start.velocity)}: expected (3,)"
         )
     values = [start.longitude, start.height, *start.velocity]
     if not np.all(np.isfinite(values)):

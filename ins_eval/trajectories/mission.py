@@ -9,7 +9,7 @@ import numpy as np
 
 from ins_eval import earth
 from ins_eval.trajectories import path
-from ins_eval.trajectories.errors import TrajectoryError
+from ins_eval.trajectories.errors import MovingStartError, TrajectoryError
 from ins_eval.trajectories.keys import Checked, quantity
 from ins_eval.trajectories.manoeuvre import Entry, Leg, Manoeuvre
 from ins_eval.trajectories.overlays import Overlay
@@ -69,8 +69,8 @@ def trajectory(mission: Mission, still: float, duration: float) -> Trajectory:
 
     Raises:
         TrajectoryError: times below 0; a manoeuvre that can't be entered; a mission shorter than
-            the duration, in motion when it should stand, or beyond 89 deg of latitude; heights,
-            forces or rates that no vehicle has.
+            the duration or beyond 89 deg of latitude; heights, forces or rates that no vehicle has.
+        MovingStartError: in motion when it should stand.
     """
     if not (0 <= still < math.inf and 0 < duration < math.inf):
         raise TrajectoryError(
@@ -78,9 +78,9 @@ def trajectory(mission: Mission, still: float, duration: float) -> Trajectory:
             "more and above 0"
         )
     if still > 0 and mission.start.speed > 0:
-        raise TrajectoryError(
-            f"{mission.name}: starts at {mission.start.speed:g} m/s: it can't stand still for "
-            f"{still:g} s before; ask for 0 s"
+        raise MovingStartError(
+            f"{mission.name}: starts at {mission.start.speed:g} m/s, expected at rest: it can't "
+            f"stand still for {still:g} s before"
         )
     legs = _legs(mission, duration + BEYOND)
     lasts = _length(legs)

@@ -7,6 +7,7 @@ from scipy.stats import chi2
 
 from ins_eval import earth
 from ins_eval.alignment.result import Alignment
+from ins_eval.imu.triad import Constant, Triad
 from ins_eval.increments import Increments
 from ins_eval.rotation import mat_from_euler
 from ins_eval.sensor_errors import SensorErrors
@@ -93,17 +94,32 @@ def _moving(
     return record, trajectory.mat_nb(np.array(seconds))
 
 
+def creeping(seconds: float, interval: float, rng: np.random.Generator) -> tuple[Increments, Array]:
+    """The same of a vehicle that sinks on one side at a steady rate, by some 1 mrad in all."""
+    time = _knots(seconds)
+    still = np.zeros_like(time)
+    roll, pitch = rng.normal(0, 1e-3, 2)[:, None] * time / seconds
+    return _moving(time, [still, still, still], [roll, pitch, still], seconds, interval)
+
+
 def measured(ideal: Increments, errors: SensorErrors, rng: np.random.Generator) -> Increments:
-    """With biases drawn once and white noise."""
-    gyro, force = errors.gyro_bias, errors.accelerometer_bias
-    root = np.sqrt(ideal.interval)
-    rotation = rng.normal(0, 1, 3) * gyro * ideal.interval
-    velocity = rng.normal(0, 1, 3) * force * ideal.interval
-    shape = ideal.rotation.shape
+    """With biases drawn once, white noise, bias instability and counts."""
+    gyros = Triad(
+        bias=Constant(deviation=errors.gyro_bias),
+        white=errors.angle_random_walk,
+        bias_instability=errors.gyro_bias_instability,
+        quantum=errors.angle_quantum,
+    )
+    accelerometers = Triad(
+        bias=Constant(deviation=errors.accelerometer_bias),
+        white=errors.velocity_random_walk,
+        bias_instability=errors.accelerometer_bias_instability,
+        quantum=errors.velocity_quantum,
+    )
     return Increments(
         ideal.interval,
-        ideal.rotation + rotation + rng.normal(0, 1, shape) * errors.angle_random_walk * root,
-        ideal.velocity + velocity + rng.normal(0, 1, shape) * errors.velocity_random_walk * root,
+        gyros.measure(ideal.rotation, ideal.interval, rng),
+        accelerometers.measure(ideal.velocity, ideal.interval, rng),
         ideal.start,
     )
 

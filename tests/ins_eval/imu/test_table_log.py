@@ -100,7 +100,7 @@ def test_what_is_wrong_is_named(tmp_path: Path, table: pd.DataFrame, message: st
 @pytest.mark.parametrize(
     ("data", "message"),
     [
-        (b"", "found no column time_s"),
+        (b"", "found an empty file, expected a header"),
         (b"\xff\xfe\x00", "found what is no text"),
         (b"\x1f\x8b\x08damaged gzip", "found damaged gzipped data|cut off"),
         (b"PAR1damaged", "found damaged Parquet"),

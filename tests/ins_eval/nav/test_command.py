@@ -157,11 +157,11 @@ def test_recorded_ring_laser_drifts(tmp_path: Path) -> None:
         (["--samples", "5"], "--samples 5: expected a whole number from 2 to 4"),
         (["--runs", "0"], "--runs 0: expected a whole number from 1 to 1000"),
         (["--height", "up"], "argument --height: invalid choice: 'up'"),
-        (["--align-s", "x"], "--align-s x: expected a number from 30 to 7200"),
+        (["--align-s", "x"], "--align-s x: expected a number from 50 to 7200"),
         (["--align-s", "60", "--start-from-truth"], "not allowed with argument"),
         (["--trajectory", "nowhere"], "nowhere: found no such mission, expected aircraft, car"),
         (["--trajectory", "nowhere.csv"], "nowhere.csv: can't be read: No such file"),
-        (["--trajectory", "weaving"], "can't stand still for 300 s before; ask for 0 s; expected"),
+        (["--trajectory", "weaving"], "stand still for 300 s before; or --start-from-truth"),
         (["--trajectory", "missile"], "shorter than the 3600 s asked for"),
         (["--imu", "nothing"], "nothing: found no such file, expected one or ideal, simple"),
         (["--imu", "nothing.toml"], "nothing.toml: found no such file"),
@@ -219,6 +219,16 @@ def refusal(folder: Path, capsys: pytest.CaptureFixture[str], arguments: list[st
         status = int(str(stop.code))
     assert status == 2
     return capsys.readouterr().err
+
+
+def test_reference_must_begin_with_the_log(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    log = written(tmp_path, 60.0)
+    drive = drives.written(tmp_path, drives.made_up_drive())
+    options = ["--imu", str(log), "--latitude-deg", "-40", "--align-s", "40"]
+    error = refusal(tmp_path, capsys, [*options, "--trajectory", str(drive)])
+    assert "km from where the log was recorded; expected at most 1 km" in error
 
 
 def test_reference_must_cover_the_log(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -27,6 +27,21 @@ def test_start_at_a_pole(latitude_deg: float) -> None:
         navigate(start, four(), CLAMP, 2)
 
 
+def test_latitude_in_degrees_is_named() -> None:
+    with pytest.raises(NavigationError, match="is it in degrees where radians are meant"):
+        navigate(replace(START, latitude=45.0), four(), CLAMP, 2)
+
+
+def test_velocity_of_another_shape() -> None:
+    with pytest.raises(NavigationError, match=r"velocity of shape \(2,\): expected \(3,\)"):
+        navigate(replace(START, velocity=np.zeros(2)), four(), CLAMP, 2)
+
+
+def test_no_row_to_keep() -> None:
+    with pytest.raises(ValueError, match="4 intervals, every 6 kept"):
+        navigate(START, four(), CLAMP, 6)
+
+
 def test_start_that_is_not_finite() -> None:
     with pytest.raises(NavigationError, match=r"start at .*nan.*: expected finite"):
         navigate(replace(START, velocity=np.array([0, np.nan, 0])), four(), CLAMP, 2)

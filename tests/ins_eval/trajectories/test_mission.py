@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from ins_eval.trajectories.errors import TrajectoryError
+from ins_eval.trajectories.errors import MovingStartError, TrajectoryError
 from ins_eval.trajectories.manoeuvre import Manoeuvre
 from ins_eval.trajectories.mission import Mission, Start, length, trajectory
 from ins_eval.trajectories.overlays import Sway
@@ -36,7 +36,9 @@ def test_sea_begins_when_the_ship_leaves() -> None:
 
 def test_motion_is_not_asked_to_stand() -> None:
     mission = Mission(name="m", start=MOVING, course=(Straight(duration=100.0),))
-    with pytest.raises(TrajectoryError, match=r"m: starts at 20 m/s: .* for 320 s before; ask"):
+    with pytest.raises(
+        MovingStartError, match=r"m: starts at 20 m/s, expected .* for 320 s before"
+    ):
         trajectory(mission, 320.0, 60.0)
 
 

@@ -1,0 +1,90 @@
+"""Bias instability of the filter and of the closed forms against the flicker that is simulated."""
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from ins_eval.alignment.bias_instability import (
+    correlation_times,
+    integral_covariance,
+    mean_variance,
+    process_variance,
+)
+from ins_eval.imu.flicker import half_integral
+
+Array = NDArray[np.float64]
+
+DURATION, INTERVAL = 300.0, 0.25
+COUNT = round(DURATION / INTERVAL)
+TIMES = INTERVAL * np.arange(1.0, COUNT + 1)
+COEFFICIENT = 2.0
+
+
+def simulated() -> Array:
+    """(1200, 1200) covariance of the simulated flicker's integral at TIMES; exact, as the
+    simulation is linear in white noise."""
+    response = half_integral(COUNT)
+    lag = np.subtract.outer(np.arange(COUNT), np.arange(COUNT))
+    integral = INTERVAL * np.cumsum(np.where(lag >= 0, response[np.abs(lag)], 0.0), axis=0)
+    return np.asarray(COEFFICIENT**2 * integral @ integral.T)
+
+
+def modelled() -> Array:
+    """The same of the filter's Gauss-Markov processes."""
+    a, b = np.meshgrid(TIMES, TIMES)
+    total = np.zeros_like(a)
+    for t in correlation_times(DURATION):
+        tails = 1 - np.exp(-a / t) - np.exp(-b / t) + np.exp(-np.abs(a - b) / t)
+        total += t**2 * (2 * np.minimum(a, b) / t - tails)
+    return process_variance(COEFFICIENT) * total
+
+
+def slope_weights() -> Array:
+    """Of the integral at TIMES in its own slope by least squares."""
+    centred = TIMES - TIMES.mean()
+    return np.asarray(centred / (centred @ centred))
+
+
+def allan_variance(covariance: Array, cluster: float) -> float:
+    """Mean over the record."""
+    n = round(cluster / INTERVAL)
+    ends = np.pad(covariance, ((1, 0), (1, 0)))[::n, ::n]
+    seconds = np.diff(np.diff(ends, n=2, axis=0), n=2, axis=1)
+    return float(np.mean(np.diag(seconds)) / (2 * cluster**2))
+
+
+def test_the_integrals_closed_form_is_the_simulations() -> None:
+    """To what intervals of 0.25 s leave of continuous time."""
+    found, expected = simulated(), integral_covariance(COEFFICIENT, TIMES)
+    scale = np.sqrt(np.outer(np.diag(expected), np.diag(expected)))
+    later = slice(round(20.0 / INTERVAL), None)
+    assert np.abs((found - expected) / scale)[later, later].max() < 0.01
+    assert integral_covariance(COEFFICIENT, np.array([0.0]))[0, 0] == 0.0
+
+
+def test_the_mean_over_the_record() -> None:
+    expected = mean_variance(COEFFICIENT)
+    assert simulated()[-1, -1] / DURATION**2 == pytest.approx(expected, rel=0.005)
+    assert modelled()[-1, -1] / DURATION**2 == pytest.approx(expected, rel=0.1)
+
+
+def test_the_slope_of_the_integral() -> None:
+    """What the inertial-frame method takes for a rate of tilt."""
+    weights = slope_weights()
+    expected = weights @ simulated() @ weights
+    assert weights @ modelled() @ weights == pytest.approx(expected, rel=0.1)
+
+
+def test_the_slope_of_the_bias() -> None:
+    """What fine alignment takes for a rate of tilt where it is the accelerometers'."""
+    mean_rate = np.diff(np.eye(COUNT), axis=0, prepend=0.0) / INTERVAL
+    weights = slope_weights() @ mean_rate
+    expected = weights @ simulated() @ weights
+    assert weights @ modelled() @ weights == pytest.approx(expected, rel=0.15)
+
+
+@pytest.mark.parametrize("cluster", [10.0, 30.0, 100.0])
+def test_the_allan_variance(cluster: float) -> None:
+    """At shorter times than the fastest process the model has less."""
+    expected = allan_variance(simulated(), cluster)
+    assert allan_variance(modelled(), cluster) == pytest.approx(expected, rel=0.15)

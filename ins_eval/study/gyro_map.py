@@ -69,13 +69,14 @@ BRYAN_FACTOR = 0.277
 
 
 def characterised(fmu: GyroFmu, parameters: Mapping[str, float]) -> GyroMap:
-    """The map of a gyro without noise, over one turn of the pattern at +RATE and one at -RATE.
+    """The map of a gyro without noise, over half a turn of the pattern each way: a period
+    of the second harmonic.
 
     Args:
         fmu: `HRGSlow`.
         parameters: of the FMU, SI, with every noise zero.
     """
-    count = round(2 * np.pi / (BRYAN_FACTOR * RATE) / INTERVAL)
+    count = round(np.pi / (BRYAN_FACTOR * RATE) / INTERVAL)
     waiting = np.zeros(round(SETTLING / INTERVAL))
     rows, errors = [], []
     for rate in (RATE, -RATE):

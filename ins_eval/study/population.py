@@ -11,7 +11,7 @@ that shares are comparable; the map that results is read off the FMU.
     drive gain and non-orthogonality            0.4, as a vector
     frequency split with phase error            0.4; split 0.1 to 1 mHz, any axis
     frequency split with residual quadrature    0.3
-    demodulation offset (second harmonic)       0.2
+    demodulation offset (second harmonic)       0.05
     pick-off cubic (eighth, scale factor)       0.2 of the pick-off's gain
 
     not of the map, or not by share             distribution
@@ -75,7 +75,7 @@ class Population:
 
 TRIMMED = Population(0.01 * DEG_PER_H, 0.1 * DEG_PER_H)
 """Trimmed mechanically: what flies is the whole map, less its mean."""
-RAW = Population(0.3 * DEG_PER_H, 4 * DEG_PER_H)
+RAW = Population(0.3 * DEG_PER_H, 1.5 * DEG_PER_H)
 """For calibration by the map: what flies is what the map drifts by."""
 PHASE_LOOP = 400.0
 """rad/s: it lags behind the frequency of a gyro that warms, 0.1 rad/s^2, by less than 1e-6 rad."""
@@ -119,7 +119,7 @@ def _electronics(device: Device, size: float, generator: Generator) -> Device:
     offset = 2 * device.bryan_factor * device.decay_time * size
     return replace(
         device,
-        demodulation_offset=generator.normal(0.0, 0.2 * offset),
+        demodulation_offset=generator.normal(0.0, 0.05 * offset),
         differential_phase=generator.normal(0.0, 5e-5),
         loop_delay=generator.uniform(0.0, 5e-4),
     )

@@ -37,7 +37,8 @@ def growing(effect: Effect, power: int, angle_error: Regressor | None = None) ->
     """
 
     def regressor(motion: Motion) -> Array:
-        time = motion.start + motion.step / PARTS * np.arange(len(motion.rate))
+        nodes = np.arange(len(motion.rate), dtype=np.float64)
+        time = np.asarray(motion.start + motion.step / PARTS * nodes)
         warm = warmth(time)[:, None]
         grown = effect.regressor(motion) * warm**power
         if angle_error is None:

@@ -15,8 +15,9 @@ from ins_eval.study.mission_weights import MissionWeights, mission_weights
 from ins_eval.study.missions import StudyMission, file_of
 from ins_eval.study.standing import Standing
 
-CODE = ("alignment", "error_model", "study", "trajectories")
-"""Packages that weights come from, beside the modules that they share."""
+PACKAGES = ("alignment", "error_model", "trajectories")
+MODULES = ("gyro_map", "mission_weights", "missions", "noise_weights", "standing", "warming")
+"""Of the study: with the packages, and the modules that all share, the code that makes weights."""
 
 
 def kept_weights(mission: StudyMission, folder: Path | None = None) -> MissionWeights:
@@ -42,7 +43,8 @@ def digest(mission: StudyMission) -> str:
 @cache
 def _code() -> str:
     root = Path(ins_eval.__file__).parent
-    files = [*root.glob("*.py"), *(p for name in CODE for p in (root / name).rglob("*.py"))]
+    files = [*root.glob("*.py"), *(p for name in PACKAGES for p in (root / name).rglob("*.py"))]
+    files += [root / "study" / f"{name}.py" for name in MODULES]
     return hashlib.sha256(b"".join(path.read_bytes() for path in sorted(files))).hexdigest()
 
 

@@ -17,8 +17,10 @@ IN_FLIGHT = ("great-circle", "weaving")
 SECONDS = {"missile": 850.0}
 NAMES = (
     "aircraft",
+    "airliner",
     "car",
     "great-circle",
+    "long-haul",
     "missile",
     "ship",
     "static-table",
@@ -101,7 +103,7 @@ def test_files_are_told_by_their_endings(tmp_path: Path) -> None:
 
 
 def test_unknown_name_is_told_the_known_ones() -> None:
-    with pytest.raises(TrajectoryError, match="lorry: found no such mission, expected aircraft, c"):
+    with pytest.raises(TrajectoryError, match="lorry: found no such mission, expected aircraft, a"):
         catalogue.trajectory("lorry", 0.0, 60.0)
 
 

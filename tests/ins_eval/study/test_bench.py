@@ -1,0 +1,42 @@
+"""What the maker takes out, and what the bench then knows."""
+
+import numpy as np
+import pytest
+
+from ins_eval.study.bench_plan import BenchPlan
+from ins_eval.study.drift import slow_parameters
+from ins_eval.study.gyro_map import TERMS, characterised
+from ins_eval.study.knowledge import knowledge
+from ins_eval.study.maker import METHODS, Method, calibrated_gyro
+from ins_eval.study.population import RAW
+from pyhrg.device import Device
+from pyhrg.fmu import GyroFmu
+
+
+@pytest.fixture(scope="module")
+def raw() -> Device:
+    return RAW.draw(np.random.default_rng(5))
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_maker_takes_out_what_he_should(slow_fmu: GyroFmu, raw: Device, method: Method) -> None:
+    before = characterised(slow_fmu, slow_parameters(raw))
+    device = calibrated_gyro(slow_fmu, raw, method, seed=1)
+    left = characterised(slow_fmu, slow_parameters(device))
+    for was, now in ((before.bias, left.bias), (before.scale, left.scale)):
+        assert abs(now[0]) < 0.1 * np.linalg.norm(was)
+        harmonics = np.linalg.norm(now[1:]) / np.linalg.norm(was[1:])
+        assert harmonics < 0.05 if method == "map" else 0.95 < harmonics < 1.05
+
+
+def test_bench_knows_the_gyro(slow_fmu: GyroFmu, raw: Device) -> None:
+    """Every coefficient within 4.5 standard deviations of the map that the FMU has."""
+    device = calibrated_gyro(slow_fmu, raw, "map", seed=1)
+    true = characterised(slow_fmu, slow_parameters(device))
+    known = knowledge(slow_fmu, device, BenchPlan(), seed=2)
+    deviation = np.sqrt(np.diag(known.covariance))
+    assert np.all(np.abs(known.map.coefficients - true.coefficients) < 4.5 * deviation)
+    assert known.walk == pytest.approx(device.angle_random_walk, rel=0.3)
+    spread = np.linalg.norm(true.bias[1:]) / np.sqrt(2)
+    assert known.circumference_stability > 0.8 * spread
+    assert deviation.shape == (2 * TERMS,)

@@ -8,6 +8,8 @@ from ins_eval.study.report.marks import colour, marked
 from ins_eval.study.report.result import StudyResult
 
 KEYS = [c.CALIBRATION, c.HALF, c.CLASS]
+SMALL, LARGE, MANY = 2.5, 5.0, 3000
+"""Diameters of dots, user units: of more than MANY, and of fewer."""
 
 
 def positive(rows: pd.DataFrame, x: str, y: str) -> pd.DataFrame:
@@ -31,4 +33,5 @@ def dots(
         f'd="{svg.points(across(flights[column_x]), up(flights[column_y]))}"/>'
         for (calibration, half, mission_class), flights in rows.groupby(KEYS, sort=True)
     )
-    return f'<g transform="scale({1 / svg.FINENESS:g})">{groups}</g>'
+    size = svg.FINENESS * (SMALL if len(rows) > MANY else LARGE)
+    return f'<g transform="scale({1 / svg.FINENESS:g})" stroke-width="{size:g}">{groups}</g>'

@@ -9,9 +9,10 @@ from ins_eval.staging import staging
 from ins_eval.study import columns as c
 from ins_eval.study.report.embedded import embedded
 from ins_eval.study.report.marks import calibration_title
+from ins_eval.study.report.requirements import UNSEEN
 from ins_eval.study.report.result import StudyResult
 from ins_eval.study.report.sections import SECTIONS, markup
-from ins_eval.study.report.verdict import UNSEEN, headline, verdict
+from ins_eval.study.report.verdict import headline, verdict
 from ins_eval.study.score import ALL
 from pyhrg.bench.reporting.markup import paragraph
 
@@ -55,7 +56,8 @@ def _verdict(result: StudyResult) -> str:
     )
     scope = "All figures: gyros and mission classes that no predictor was made on."
     return (
-        f'<p class="headline">{html.escape(headline(result))}</p>'
+        f'<p class="headline">{html.escape(headline(result))} '
+        '<a href="#breaks">Which, and where not.</a></p>'
         f'<div class="verdicts">{told}</div>{paragraph(scope, "weak")}'
     )
 

@@ -10,7 +10,8 @@ import numpy as np
 import pandas as pd
 
 from ins_eval.study import columns
-from ins_eval.study.score import SCORES, Score
+from ins_eval.study import score as scored
+from ins_eval.study.score import Score
 
 TABLE, DOCUMENT = "study.parquet", "study.json"
 KINDS = {"int": "iu", "number": "f", "text": "OUT", "numbers": "O"}
@@ -109,7 +110,7 @@ def _score(entry: Any, place: str) -> Score:
     except TypeError as error:
         raise ResultError(f"{place}: {error}") from error
     predictors = ["", *(p.key for p in columns.PREDICTORS)]
-    _known("score", score.score, list(SCORES), place)
+    _known("score", score.score, list(scored.SCORES), place)
     _known("predictor", score.predictor, predictors, place)
     return score
 

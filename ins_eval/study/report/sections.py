@@ -2,10 +2,11 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 from ins_eval.study import columns as c
 from ins_eval.study import score as scored
-from ins_eval.study.report.breaks import breaks
+from ins_eval.study.report.breaks import breaks, controls
 from ins_eval.study.report.budget import budget
 from ins_eval.study.report.growth import panels
 from ins_eval.study.report.matrix import Axis, matrices
@@ -69,24 +70,26 @@ def _breaks(result: StudyResult) -> str:
 
 
 def _control(result: StudyResult) -> str:
-    return "".join(
+    return controls(result) + "".join(
         matrices(result, score, axis, shuffled=True)
         for score, axis in ((scored.SPEARMAN, CORRELATION), (scored.R2_COMPONENTS, R2))
     )
 
 
 def _method(result: StudyResult) -> str:
-    facts = tuple(
-        (key, ", ".join(map(str, value)) if isinstance(value, list) else str(value))
-        for key, value in result.about.items()
-        if not isinstance(value, dict)
-    )
+    facts = tuple((key, _fact(value)) for key, value in result.about.items())
     rows = tuple((column.name, column.unit or "–", column.what) for column in c.COLUMNS)
     return (
         _wide(Table("What was studied", ("", ""), facts))
         + matrices(result, scored.AGREEMENT, DIFFERENCE)
         + _folded("Columns of study.parquet", _wide(Table("Columns", ("name", "unit", ""), rows)))
     )
+
+
+def _fact(value: Any) -> str:
+    if isinstance(value, dict):
+        return ", ".join(f"{key} {_fact(inner)}" for key, inner in value.items())
+    return ", ".join(map(_fact, value)) if isinstance(value, list) else str(value)
 
 
 def _folded(title: str, content: str) -> str:

@@ -4,9 +4,8 @@ from collections.abc import Sequence
 
 from ins_eval.study import columns as c
 from ins_eval.study.report.marks import calibration_title
-from ins_eval.study.report.matrix import TITLES
+from ins_eval.study.report.requirements import asked, figure, unseen
 from ins_eval.study.report.result import StudyResult
-from ins_eval.study.report.svg import number
 from ins_eval.study.score import (
     ALL,
     COVERAGE,
@@ -19,84 +18,74 @@ from ins_eval.study.score import (
 )
 from ins_eval.validation.verdict import WORDS, Ratio
 
-UNSEEN = "test"
 LARGE_SHARE, SMALL_SHARE = 0.9, 0.1
 """Of explained variance: from here "nearly all", up to here "next to nothing"."""
+PROMISING = ("fixed_rule", "circumference_rule")
 EXPLAINING = ("circumference_rule", "fitted_map", "oracle")
-"""Whose explained variance the verdict tells; the tables tell all."""
-INTERVALS = ("fitted_map", "fitted_map_any_angle")
-"""Whose coverage."""
+COVERING = ("fitted_map", "fitted_map_any_angle")
+"""Predictors whose ratios, explained variance and coverage the verdict tells; tables tell all."""
+TITLES = {p.key: p.title for p in c.PREDICTORS}
 
 
 def headline(result: StudyResult) -> str:
-    """Whether what was asked of the study holds on the unseen half; controls stand apart."""
-    asked = _asked(result)
-    held = sum(bool(s.holds) for s in asked)
-    if not asked:
+    """Whether what was asked of the study holds."""
+    scores = asked(result)
+    held = sum(bool(s.holds) for s in scores)
+    if not scores:
         return "Nothing was asked of this study: figures without a verdict."
-    if held == len(asked):
+    if held == len(scores):
         return f"The thesis holds: all {held} requirements on the unseen half are met."
     if not held:
-        return f"The thesis does not hold: of {len(asked)} requirements none is met."
-    return f"The thesis holds in part: {held} of {len(asked)} requirements are met."
+        return f"The thesis does not hold: of {len(scores)} requirements none is met."
+    return f"The thesis holds in part: {held} of {len(scores)} requirements are met."
 
 
-def _asked(result: StudyResult) -> list[Score]:
-    return [s for s in result.scores if s.holds is not None and s.half == UNSEEN and not s.shuffled]
+def verdict(result: StudyResult) -> Sequence[tuple[str, list[str]]]:
+    """Sentences by calibration."""
+    return [
+        (calibration_title(key), sentences(result, key)) for key in result.values(c.CALIBRATION)
+    ]
 
 
 def sentences(result: StudyResult, calibration: str) -> list[str]:
     """On gyros calibrated so, over all unseen classes; nothing on what was not scored."""
+    scores = [s for s in unseen(result) if s.calibration == calibration]
+    overall = [s for s in scores if s.mission_class == ALL]
     told = [
-        *_promises(result, calibration),
-        *_explained(result, calibration),
-        *_beyond(result, calibration),
-        *_ranked(result, calibration),
-        *_covered(result, calibration),
-        *_requirements(result, calibration),
-        *_control(result, calibration),
+        *_promises(overall),
+        *_explained(overall),
+        *_beyond(overall),
+        *_ranked(overall),
+        *_covered(overall),
+        *_control(overall),
     ]
-    return [*told, _sample(result, calibration)] if told else []
+    return [*told, _sample(scores)] if told else []
 
 
-def _sample(result: StudyResult, calibration: str) -> str:
-    judged = [s for s in result.scores if (s.calibration, s.half) == (calibration, UNSEEN)]
-    counts = " to ".join(f"{n:,}" for n in _ends([s.n for s in judged]))
-    levels = " to ".join(f"{100 * level:g} %" for level in _ends([s.confidence for s in judged]))
-    return f"In brackets: {levels} intervals; n = {counts} triads."
-
-
-def _ends(values: Sequence[float]) -> list[float]:
-    return sorted({min(values), max(values)})
-
-
-def _one(result: StudyResult, score: str, calibration: str, predictor: str) -> list[Score]:
-    return result.picked(
-        score,
-        calibration=calibration,
-        predictor=predictor,
-        mission_class=ALL,
-        half=UNSEEN,
-    )
-
-
-def _promises(result: StudyResult, calibration: str) -> list[str]:
+def _picked(scores: Sequence[Score], score: str, predictors: Sequence[str]) -> list[Score]:
     return [
-        f"{predictor.title} {WORDS[Ratio(s.value, s.low, s.high).word]}: the median error flown is "
-        f"{_figure(s)} times the predicted."
-        for predictor in c.PREDICTORS[:2]
-        for s in _one(result, MEDIAN_RATIO, calibration, predictor.key)
+        s
+        for key in predictors
+        for s in scores
+        if (s.score, s.predictor) == (score, key)
+        if not s.shuffled
     ]
 
 
-def _explained(result: StudyResult, calibration: str) -> list[str]:
+def _promises(scores: Sequence[Score]) -> list[str]:
     return [
-        f"{predictor.title} explains {_share(s)} of the differences between flights: R2 "
-        f"{_figure(s)}."
-        for predictor in c.PREDICTORS
-        if predictor.key in EXPLAINING
-        for s in _one(result, R2_RADIAL, calibration, predictor.key)
+        f"{TITLES[s.predictor]} {WORDS[Ratio(s.value, s.low, s.high).word]}: the median error "
+        f"flown is {figure(s)} times the predicted."
+        for s in _picked(scores, MEDIAN_RATIO, PROMISING)
     ]
+
+
+def _explained(scores: Sequence[Score]) -> list[str]:
+    told = [
+        f"{TITLES[s.predictor]} {_share(s)}, R2 {figure(s)}"
+        for s in _picked(scores, R2_RADIAL, EXPLAINING)
+    ]
+    return [f"Differences between flights that are explained: {'; '.join(told)}."] if told else []
 
 
 def _share(score: Score) -> str:
@@ -109,54 +98,33 @@ def _share(score: Score) -> str:
     return "part" if score.low > 0 else "no certain part"
 
 
-def _beyond(result: StudyResult, calibration: str) -> list[str]:
+def _beyond(scores: Sequence[Score]) -> list[str]:
     return [
-        f"Mission by mission the fitted map removes {_figure(s)} of the variance that the "
+        f"Mission by mission the fitted map removes {figure(s)} of the variance that the "
         "full-circumference figure leaves."
-        for s in _one(result, VARIANCE_REMOVED, calibration, "fitted_map")
+        for s in _picked(scores, VARIANCE_REMOVED, ["fitted_map"])
     ]
 
 
-def _ranked(result: StudyResult, calibration: str) -> list[str]:
-    return [
-        f"{predictor.title} {'ranks' if s.low > 0 else 'does not certainly rank'} gyros as they "
-        f"fly: Spearman {_figure(s)}."
-        for predictor in c.PREDICTORS
-        for s in _one(result, SPEARMAN, calibration, predictor.key)
+def _ranked(scores: Sequence[Score]) -> list[str]:
+    told = [
+        f"{TITLES[s.predictor]} {'yes' if s.low > 0 else 'not certainly'}, Spearman {figure(s)}"
+        for s in _picked(scores, SPEARMAN, list(TITLES))
     ]
+    return [f"Gyros are ranked as they fly: {'; '.join(told)}."] if told else []
 
 
-def _covered(result: StudyResult, calibration: str) -> list[str]:
-    return [
-        f"{predictor.title}: 90 % intervals held {_figure(s)} of the errors flown, "
-        f"{'compatible' if s.low <= 0.9 <= s.high else 'not compatible'} with 0.9."
-        for predictor in c.PREDICTORS
-        if predictor.key in INTERVALS
-        for s in _one(result, COVERAGE, calibration, predictor.key)
+def _covered(scores: Sequence[Score]) -> list[str]:
+    told = [
+        f"{TITLES[s.predictor]} {figure(s)}, "
+        f"{'compatible' if s.low <= 0.9 <= s.high else 'not compatible'} with 0.9"
+        for s in _picked(scores, COVERAGE, COVERING)
     ]
+    return [f"Share of flown errors inside 90 % intervals: {'; '.join(told)}."] if told else []
 
 
-def _requirements(result: StudyResult, calibration: str) -> list[str]:
-    by_class = [
-        s for s in _asked(result) if s.calibration == calibration and s.mission_class != ALL
-    ]
-    kinds = dict.fromkeys((s.score, s.predictor) for s in by_class)
-    return [_requirement([s for s in by_class if (s.score, s.predictor) == kind]) for kind in kinds]
-
-
-def _requirement(scores: Sequence[Score]) -> str:
-    failed = [s.mission_class for s in scores if not s.holds]
-    what = f"{TITLES[scores[0].predictor]}, {SCORES[scores[0].score]}"
-    held = f"as asked in {len(scores) - len(failed)} of {len(scores)} unseen classes"
-    return f"{what}: {held}{', not in ' if failed else ''}{', '.join(failed)}."
-
-
-def _control(result: StudyResult, calibration: str) -> list[str]:
-    controls = [
-        s
-        for s in result.scores
-        if s.shuffled and (s.calibration, s.half, s.mission_class) == (calibration, UNSEEN, ALL)
-    ]
+def _control(scores: Sequence[Score]) -> list[str]:
+    controls = [s for s in scores if s.shuffled]
     shown = [SCORES[s.score] for s in controls if s.low > 0]
     if not controls:
         return []
@@ -165,12 +133,11 @@ def _control(result: StudyResult, calibration: str) -> list[str]:
     return [f"Negative control, devices shuffled: none of {len(controls)} figures is above 0."]
 
 
-def _figure(score: Score) -> str:
-    return f"{number(score.value)} ({number(score.low)} to {number(score.high)})"
+def _sample(scores: Sequence[Score]) -> str:
+    counts = " to ".join(f"{n:,}" for n in _ends([s.n for s in scores]))
+    levels = " to ".join(f"{100 * level:g} %" for level in _ends([s.confidence for s in scores]))
+    return f"In brackets: {levels} intervals; n = {counts} triads."
 
 
-def verdict(result: StudyResult) -> Sequence[tuple[str, list[str]]]:
-    """Sentences by calibration."""
-    return [
-        (calibration_title(key), sentences(result, key)) for key in result.values(c.CALIBRATION)
-    ]
+def _ends(values: Sequence[float]) -> list[float]:
+    return sorted({min(values), max(values)})

@@ -5,8 +5,10 @@ from dataclasses import replace
 import pytest
 
 from ins_eval.study import score as scored
+from ins_eval.study.report.breaks import breaks, controls
+from ins_eval.study.report.requirements import UNSEEN, requirements
 from ins_eval.study.report.result import StudyResult
-from ins_eval.study.report.verdict import UNSEEN, headline, sentences
+from ins_eval.study.report.verdict import headline, sentences
 from ins_eval.study.score import ALL, Score
 from tests.ins_eval.study.report.synthetic import synthetic
 
@@ -21,7 +23,8 @@ def told(*scores: Score) -> str:
 
 
 def opening(*holds: bool | None, half: str = UNSEEN, shuffled: bool = False) -> str:
-    scores = [replace(BLANK, holds=h, half=half, shuffled=shuffled) for h in holds]
+    asked = replace(BLANK, mission_class="ship", half=half, shuffled=shuffled)
+    scores = [replace(asked, holds=h) for h in holds]
     return headline(StudyResult(TABLE, scores, {}))
 
 
@@ -65,7 +68,7 @@ def test_promises(value: float, low: float, high: float, words: str) -> None:
 )
 def test_explained_variance(low: float, high: float, words: str) -> None:
     r2 = replace(BLANK, score=scored.R2_RADIAL, predictor="fitted_map", low=low, high=high)
-    assert f"Fitted map explains {words} of the differences" in told(r2)
+    assert f"explained: Fitted map {words}, R2" in told(r2)
 
 
 @pytest.mark.parametrize(
@@ -78,15 +81,41 @@ def test_coverage(low: float, high: float, words: str) -> None:
 
 def test_ranking_that_is_not_certain_is_said_so() -> None:
     rank = replace(BLANK, score=scored.SPEARMAN, predictor="fixed_rule", low=-0.1, high=0.2)
-    assert "does not certainly rank gyros" in told(rank)
+    assert "Fixed position not certainly, Spearman" in told(rank)
 
 
-def test_classes_that_fail_are_named() -> None:
-    asked = replace(BLANK, score=scored.R2_RADIAL, predictor="fitted_map", holds=True)
-    ship = replace(asked, mission_class="ship", holds=False)
-    assert "as asked in 1 of 2 unseen classes, not in ship." in told(
-        replace(asked, mission_class="car"), ship
+def test_classes_that_fail_are_named_with_their_figures() -> None:
+    asked = replace(
+        BLANK, score=scored.R2_RADIAL, predictor="fitted_map", holds=True, asked=">= 0.95"
     )
+    ship = replace(asked, mission_class="ship", holds=False, value=0.9, low=0.85, high=0.94)
+    made = StudyResult(TABLE, [replace(asked, mission_class="car"), ship], {})
+    (row,) = requirements(made).rows
+    assert row[2:] == ("1 of 2; not in ship: 0.9 (0.85 to 0.94), asked >= 0.95", "–")
+    assert "1 of 2; not in ship" in breaks(made)
+
+
+def test_an_oracle_that_fails_does_not_break_the_thesis() -> None:
+    oracle = replace(
+        BLANK, score=scored.COVERAGE, predictor="oracle", mission_class="ship", holds=False
+    )
+    assert headline(StudyResult(TABLE, [oracle], {})).startswith("Nothing was asked")
+
+
+def test_notes_are_told_once_with_every_class() -> None:
+    note = replace(BLANK, score=scored.ADVANTAGE, predictor="circumference_rule", note="No gain.")
+    made = StudyResult(TABLE, [replace(note, mission_class=name) for name in ("car", "ship")], {})
+    text = breaks(made)
+    assert text.count("No gain.") == 1
+    assert "car: 0 (0 to 0); ship: 0 (0 to 0)" in text
+
+
+def test_controls_that_show_something_are_counted() -> None:
+    control = replace(BLANK, score=scored.SPEARMAN, predictor="fixed_rule", shuffled=True)
+    made = [replace(control, holds=True), replace(control, holds=False, mission_class="car")]
+    text = controls(StudyResult(TABLE, made, {}))
+    assert "Of 2 negative controls on the unseen half 1 show something" in text
+    assert "car: 0 (0 to 0)" in text
 
 
 def test_a_control_that_shows_something_warns() -> None:

@@ -54,7 +54,7 @@ PREDICTORS = (
     Predictor("fitted_map", "Fitted map", "the bench's maps, power-on angle known"),
     Predictor("fitted_map_any_angle", "Fitted map, any angle", "the bench's maps, angle unknown"),
     Predictor(
-        "bench_oracle", "Oracle, drift unknown", "true maps on the bench; no bench is better"
+        "bench_oracle", "Oracle, drift unknown", "true maps on the bench, spread as the fit's"
     ),
     Predictor("oracle", "Oracle", "the true parameters; what no bench can know"),
     Predictor("oracle_any_angle", "Oracle, any angle", "the true parameters, angle unknown"),

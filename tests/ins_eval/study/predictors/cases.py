@@ -21,6 +21,7 @@ DRIFT = np.concatenate([0.1 * SPREAD, 0.05 * SPREAD, 0.02 * SPREAD]) / SPREAD[0]
 """Of a map between bench and flight, of its warming and its square; units: the bias map's rms."""
 FIT = 0.03 * SPREAD
 """Uncertainty of the bench's fit."""
+EXACT = 0 * FIT
 WALK = 1e-4 * DEG_PER_SQRT_H
 ACCELEROMETER_BIAS = 10 * MICRO_G
 
@@ -50,14 +51,13 @@ def mission(seed: int, times: int = 1) -> MissionWeights:
     )
 
 
-def triads(seed: int, count: int, spread: Array = SPREAD, exact_fit: bool = False) -> Triads:
-    """Whose bench errs, or fits exactly; whose maps drift, warm and make noise as stated above."""
+def triads(seed: int, count: int, spread: Array = SPREAD, fit: Array = FIT) -> Triads:
+    """Whose bench errs by `fit`; whose maps drift, warm and make noise as stated above."""
     random = np.random.default_rng(seed)
     shape, c = (count, 2 * TERMS, 3), 2 * TERMS
     factor = np.exp(random.uniform(-WIDTH, WIDTH, size=(count, 1, 3)))
     bench_map = factor * spread[:, None] * random.normal(size=shape)
     start_angle = np.pi * random.random((count, 3))
-    fit = np.zeros_like(FIT) if exact_fit else FIT
     known = bench_map + fit[:, None] * random.normal(size=shape)
     size = np.sqrt(np.mean(known[:, 1:TERMS] ** 2, axis=1, keepdims=True) + fit[1] ** 2)
     drifted = bench_map + DRIFT[:c, None] * size * random.normal(size=shape)

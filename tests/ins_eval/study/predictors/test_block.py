@@ -47,7 +47,7 @@ def test_columns_are_those_of_the_table() -> None:
 
 def test_what_cannot_be_predicted_is_drift_and_noise() -> None:
     """Flown less what the true map on the bench says: rms over 2000 triads within 5 %."""
-    weights, many = cases.mission(seed=1), cases.triads(seed=3, count=2000, exact_fit=True)
+    weights, many = cases.mission(seed=1), cases.triads(seed=3, count=2000, fit=cases.EXACT)
     learnt = block.learnt(cases.triads(seed=1, count=500), cases.ACCELEROMETER_BIAS)
     on_bench = map_errors(weights.gyros, started(many.known, many.start_angle))
     missed = np.linalg.norm(flights.errors(many, weights) - on_bench, axis=-1)

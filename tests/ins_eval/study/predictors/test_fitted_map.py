@@ -34,7 +34,7 @@ def test_draws_have_the_closed_forms_covariance() -> None:
 
 
 @pytest.mark.parametrize(
-    "key", ["fitted_map", "fitted_map_any_angle", "bench_oracle", "oracle", "oracle_any_angle"]
+    "key", ["fitted_map", "fitted_map_any_angle", "oracle", "oracle_any_angle"]
 )
 @pytest.mark.parametrize("share", [0.05, 0.5, 0.95])
 def test_quantiles_hold_their_share(key: str, share: float) -> None:

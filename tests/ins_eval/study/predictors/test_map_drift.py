@@ -21,7 +21,7 @@ def _learnt(training: Triads) -> MapDrift:
 
 def test_drift_is_found_apart_from_the_fits_uncertainty() -> None:
     """Of 6000 gyros whose drift goes with their size, seed 1: variance at the median size."""
-    training = cases.triads(seed=1, count=2000)
+    training = cases.triads(seed=1, count=2000, fit=0.1 * cases.SPREAD)
     found = _learnt(training)
     power = np.median(map_size(bench_knowledge(training)) ** 2)
     variance = found.common + found.relative * power
@@ -31,7 +31,7 @@ def test_drift_is_found_apart_from_the_fits_uncertainty() -> None:
 
 def test_drift_of_its_own_size_is_found_common() -> None:
     """The same drift in every gyro, large and small."""
-    training = cases.triads(seed=1, count=2000, exact_fit=True)
+    training = cases.triads(seed=1, count=2000, fit=cases.EXACT)
     same = np.median(map_size(bench_knowledge(training))) * cases.DRIFT[: 2 * TERMS]
     normal = np.random.default_rng(2).normal(size=training.known.shape)
     drifted = training.known + same[:, None] * normal
@@ -42,7 +42,7 @@ def test_drift_of_its_own_size_is_found_common() -> None:
 
 def test_what_occurs_together_stays_together() -> None:
     """Warming that follows the drift at power-on, and tails that are not normal."""
-    training = cases.triads(seed=1, count=500, exact_fit=True)
+    training = cases.triads(seed=1, count=500, fit=cases.EXACT)
     random = np.random.default_rng(2)
     drifted = cases.SPREAD[:, None] * random.standard_t(6, size=training.known.shape)
     still = np.zeros_like(training.start_angle)

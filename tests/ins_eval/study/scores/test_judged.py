@@ -102,6 +102,12 @@ def test_a_missing_row_is_named(flown: pd.DataFrame) -> None:
         scores(twice, seed=7)
 
 
+def test_a_row_that_is_there_twice(flown: pd.DataFrame) -> None:
+    one = flown[flown[columns.MISSION] == flown[columns.MISSION].iloc[0]]
+    with pytest.raises(ValueError, match="80 triads, 1 missions and 81 rows"):
+        scores(pd.concat([one, one.iloc[[5]]]), seed=7)
+
+
 def test_too_few_triads(flown: pd.DataFrame) -> None:
     with pytest.raises(ValueError, match="1 triads: expected 2 or more"):
         scores(flown[flown[columns.TRIAD] == 0], seed=7)

@@ -21,6 +21,13 @@ def test_interval_of_r2_holds_it() -> None:
     assert binom.ppf(1e-4, times, 0.91) <= held <= binom.isf(1e-4, times, 0.96)
 
 
+def test_interval_of_a_mean_is_students() -> None:
+    """Of 2000 triads: 1.96 sigmas either way, within 10 %."""
+    sample = np.random.default_rng(4).normal(size=(2000, 1))
+    found = bootstrapped(lambda a: np.mean(a, axis=(-2, -1)), [sample], seed=1)
+    assert found.high - found.low == pytest.approx(2 * 1.96 / np.sqrt(2000), rel=0.1)
+
+
 def test_a_triads_missions_stay_together() -> None:
     """The same mission flown four times tells nothing more: the interval stays, to the bit."""
     random = np.random.default_rng(2)

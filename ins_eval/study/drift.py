@@ -1,5 +1,6 @@
 """From calibration to flight: age, another power-on, and warming up after it."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
@@ -26,6 +27,13 @@ class Drift:
     age: float = YEAR / 2
     coolest: float = 2.0
     warmest: float = 15.0
+
+    def __post_init__(self) -> None:
+        if not (0 <= self.age < math.inf and 0 <= self.coolest <= self.warmest < math.inf):
+            raise ValueError(
+                f"found {self.age:g} s of age and {self.coolest:g} to {self.warmest:g} K of "
+                "warming, expected 0 or more, the least first"
+            )
 
 
 @dataclass(frozen=True)

@@ -52,7 +52,12 @@ def knowledge(fmu: GyroFmu, device: Device, plan: BenchPlan, seed: int) -> Knowl
         device: calibrated.
         plan: of the bench.
         seed: of the tests' noise, from 0.
+
+    Raises:
+        ValueError: a plan of a single power-on, which shows no scatter.
     """
+    if plan.runs < 2:
+        raise ValueError(f"found {plan.runs} power-on of each test, expected 2 or more")
     return known_from(campaign(fmu, device, plan, seed))
 
 

@@ -40,3 +40,8 @@ def test_bench_knows_the_gyro(slow_fmu: GyroFmu, raw: Device) -> None:
     spread = np.linalg.norm(true.bias[1:]) / np.sqrt(2)
     assert known.circumference_stability > 0.8 * spread
     assert deviation.shape == (2 * TERMS,)
+
+
+def test_one_power_on_shows_no_scatter(slow_fmu: GyroFmu, raw: Device) -> None:
+    with pytest.raises(ValueError, match="found 1 power-on of each test, expected 2 or more"):
+        knowledge(slow_fmu, raw, BenchPlan(runs=1), seed=2)

@@ -4,9 +4,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval import earth
+from ins_eval.alignment.corruption import check_explained, check_samples
 from ins_eval.alignment.fine import fine_alignment
 from ins_eval.alignment.inertial_frame import Fit, inertial_frame_fit, swaying_speed
 from ins_eval.alignment.result import Alignment, AlignmentError
+from ins_eval.alignment.shown_latitude import check_latitude
 from ins_eval.increments import Increments
 from ins_eval.sensor_errors import SensorErrors
 
@@ -47,9 +49,13 @@ def align(
         AlignmentError: a record that can't be aligned on.
     """
     _check(record, position)
+    check_samples(record)
+    check_latitude(record, float(position[0]), errors)
     fit = inertial_frame_fit(record, position)
     _check_standing(fit, float(earth.gravity(position[0], position[2])))
-    return fine_alignment(record, position, errors, fit.mat_ib, sway, steady)
+    found = fine_alignment(record, position, errors, fit.mat_ib, sway, steady)
+    check_explained(found, stated=sway is not None)
+    return found
 
 
 def _check(record: Increments, position: Array) -> None:

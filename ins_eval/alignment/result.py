@@ -10,6 +10,9 @@ from pyhrg.units import DEG
 
 Array = NDArray[np.float64]
 
+NEAREST_VERTICAL = np.deg2rad(1.0)
+"""Of the nose: nearer, heading and roll have no meaning apart."""
+
 
 class AlignmentError(Exception):
     """The record can't be aligned on."""
@@ -62,7 +65,12 @@ class Alignment:
 
     @property
     def heading_deg(self) -> float:
-        """Clockwise from north, 0 to 360."""
+        """Clockwise from north, 0 to 360.
+
+        Raises:
+            AlignmentError: the nose points along the vertical; so do roll and all the sigmas.
+        """
+        self._check_readable()
         return float(np.rad2deg(euler_from_mat(self.mat_nb)[2]) % 360)
 
     @property
@@ -73,11 +81,13 @@ class Alignment:
     @property
     def roll_deg(self) -> float:
         """Right side down."""
+        self._check_readable()
         return float(np.rad2deg(euler_from_mat(self.mat_nb)[0]))
 
     @property
     def euler_sigma_deg(self) -> Array:
         """(3,) one-sigma of roll, pitch, heading."""
+        self._check_readable()
         turns = euler_from_rotation_vector(self.mat_nb)
         return np.sqrt(np.diag(turns @ self.covariance @ turns.T)) / DEG
 
@@ -89,6 +99,13 @@ class Alignment:
             f"roll {self.roll_deg:.4f} +- {roll:.4f} deg "
             f"(one sigma; {self.method}, at {self.time:.2f} s)"
         )
+
+    def _check_readable(self) -> None:
+        if abs(self.pitch_deg * DEG) > np.pi / 2 - NEAREST_VERTICAL:
+            raise AlignmentError(
+                f"pitch {self.pitch_deg:.4g} deg: heading and roll have no meaning apart within "
+                f"{np.rad2deg(NEAREST_VERTICAL):g} deg of the vertical; use mat_nb and covariance"
+            )
 
 
 def euler_from_rotation_vector(mat_nb: Array) -> Array:

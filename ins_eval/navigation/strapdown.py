@@ -103,6 +103,7 @@ def check_rotation(matrix: Array) -> None:
     Raises:
         NavigationError: says by how much.
     """
+    matrix = np.asarray(matrix)
     if np.shape(matrix) != (3, 3) or not np.all(np.isfinite(matrix)):
         raise NavigationError(f"attitude of shape {np.shape(matrix)}: expected a finite 3 x 3")
     skewed = float(np.max(np.abs(matrix @ matrix.T - np.eye(3))))

@@ -32,7 +32,8 @@ MOST_SURPRISING = 12.0
 DRIFTING = 10
 """Successive innovations that are looked at together."""
 MOST_DRIFTING = 6.5
-"""Of their mean, in its sigma; swaying and boarded vehicles reach 5.8, a turn by 3 deg that gyros make up 7."""
+"""Of their mean, in its sigma; swaying and boarded vehicles reach 5.8, a turn by 3 deg
+that gyros make up 7."""
 
 
 def check_samples(record: Increments) -> None:

@@ -35,6 +35,7 @@ def align(
     Gravity's turning in the inertial frame gives the coarse attitude, a Kalman filter the fine one.
     A vehicle that moves steadily on a straight line feels the same forces as one that stands: it
     can't be told, and its heading comes out wrong by its speed over that of Earth's surface.
+    Nor can a wrong latitude of a vehicle that swings in heading: see `shown_latitude`.
 
     Args:
         record: all of it is used.
@@ -54,7 +55,7 @@ def align(
     fit = inertial_frame_fit(record, position)
     _check_standing(fit, float(earth.gravity(position[0], position[2])))
     found = fine_alignment(record, position, errors, fit.mat_ib, sway, steady)
-    check_explained(found, stated=sway is not None)
+    check_explained(found)
     return found
 
 

@@ -102,6 +102,15 @@ def creeping(seconds: float, interval: float, rng: np.random.Generator) -> tuple
     return _moving(time, [still, still, still], [roll, pitch, still], seconds, interval)
 
 
+def turned(seconds: float, interval: float, turn: float) -> tuple[Increments, Array]:
+    """The same of a vehicle that stands on a turntable, which turns for 20 s half-way, rad."""
+    time = _knots(seconds)
+    s = np.clip((time - seconds / 2) / 20.0, 0, 1)
+    still = np.zeros_like(time)
+    yaw = turn * s**3 * (10 - 15 * s + 6 * s**2)
+    return _moving(time, [still, still, still], [still, still, yaw], seconds, interval)
+
+
 def measured(ideal: Increments, errors: SensorErrors, rng: np.random.Generator) -> Increments:
     """With biases drawn once, white noise, bias instability and counts."""
     gyros = Triad(

@@ -1,10 +1,12 @@
 """The result in readable form."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from ins_eval.alignment.align import align
-from ins_eval.alignment.result import Alignment, euler_from_rotation_vector
+from ins_eval.alignment.result import Alignment, AlignmentError, euler_from_rotation_vector
 from ins_eval.rotation import euler_from_mat, mat_from_euler
 from ins_eval.sensor_errors import SensorErrors
 from pyhrg.units import DEG, DEG_PER_H
@@ -36,3 +38,31 @@ def test_a_still_vehicle_is_aligned_with_the_sigma_of_its_east_gyro() -> None:
     assert result.euler_sigma_deg[2] == pytest.approx(
         0.01 / 15.041 / np.cos(40 * DEG) / DEG, rel=1e-3
     )
+
+
+@pytest.mark.parametrize("side", [-1, 1])
+def test_heading_and_roll_of_a_nose_along_the_vertical_are_refused(side: int) -> None:
+    """89.5 deg; at 88.5 deg they are stated."""
+
+    def pitched(pitch_deg: float) -> Alignment:
+        mat_nb = mat_from_euler(*map(np.array, (0.1, side * pitch_deg * DEG, 0.5)))
+        return Alignment("stated", 300.0, mat_nb, 1e-8 * np.eye(3))
+
+    vertical = pitched(89.5)
+    assert vertical.pitch_deg == pytest.approx(side * 89.5)
+    for name in ("heading_deg", "roll_deg", "euler_sigma_deg", "__str__"):
+        with pytest.raises(AlignmentError, match=r"pitch -?89.5 deg: heading and roll have no"):
+            getattr(vertical, name)()
+    assert pitched(88.5).heading_deg == pytest.approx(0.5 / DEG)
+
+
+def test_a_nose_along_the_vertical_is_aligned_all_the_same() -> None:
+    errors = SensorErrors(gyro_bias=0.01 * DEG_PER_H)
+    level = at_rest(40 * DEG, 0.0, 60, np.zeros(3), yaw=1.0)
+    upward = mat_from_euler(*map(np.array, (0.0, 90 * DEG, 0.0)))
+    record = replace(level, rotation=level.rotation @ upward, velocity=level.velocity @ upward)
+    place = np.array([40 * DEG, 0.0, 0.0])
+    result = align(record, place, errors)
+    assert result.mat_nb == pytest.approx(align(level, place, errors).mat_nb @ upward, abs=1e-6)
+    with pytest.raises(AlignmentError, match="no meaning apart"):
+        str(result)

@@ -106,6 +106,23 @@ def test_a_span_agrees_with_the_whole(log: RecordedImu, noise: MeasuredNoise) ->
     assert abs(difference) < 3 * np.sqrt(first.covariance[2, 2])
 
 
+def test_a_spoiled_span_is_refused(log: RecordedImu, noise: MeasuredNoise) -> None:
+    """Latitude's sign, reversed gyros, gyros that stick for 100 s, a heading step in them alone."""
+    record = spans(log.increments)[0]
+    stuck, step = record.rotation.copy(), record.rotation.copy()
+    stuck[15000:25000] = stuck[15000]
+    step[15000:15500, 2] += 3 * DEG / 500
+    spoiled = [
+        (record.rotation, -1, "latitude 3[34].* expected the stated -34.25 deg.*latitude's sign"),
+        (-record.rotation, 1, "latitude -3[34].* expected the stated 34.25 deg.*gyros reversed"),
+        (stuck, 1, "rotation stuck from 150.00 s: the same sample for 99.99 s"),
+        (step, 1, "displacement (drifts|jumps)"),
+    ]
+    for rotation, sign, message in spoiled:
+        with pytest.raises(AlignmentError, match=message):
+            align(replace(record, rotation=rotation), log.position * [sign, 1, 1], noise.errors)
+
+
 def test_figure(log: RecordedImu, tmp_path: Path) -> None:
     errors = replace(STATED, angle_random_walk=1e-7, velocity_random_walk=1e-4)
     result = align(spans(log.increments)[0], log.position, errors)

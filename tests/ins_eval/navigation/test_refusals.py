@@ -7,7 +7,7 @@ import pytest
 
 from ins_eval.increments import Increments
 from ins_eval.navigation.height import Clamped, Free
-from ins_eval.navigation.strapdown import NavigationError, navigate
+from ins_eval.navigation.strapdown import NavigationError, check_rotation, navigate
 from ins_eval.state import State
 from ins_eval.trajectories.weave import Weave
 from tests.ins_eval.cases import at_rest
@@ -59,6 +59,12 @@ def test_start_that_is_not_finite() -> None:
 def test_attitude_that_is_no_rotation(matrix: np.ndarray, what: str) -> None:
     with pytest.raises(NavigationError, match=what):
         navigate(replace(START, mat_nb=matrix), four(), CLAMP, 2)
+
+
+def test_attitude_may_be_a_list() -> None:
+    check_rotation(np.eye(3).tolist())  # type: ignore[arg-type]
+    with pytest.raises(NavigationError, match=r"no rotation.*determinant -1"):
+        check_rotation(np.diag([1.0, 1.0, -1.0]).tolist())  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf])

@@ -159,7 +159,7 @@ def test_recorded_ring_laser_drifts(tmp_path: Path) -> None:
         (["--height", "up"], "argument --height: invalid choice: 'up'"),
         (["--align-s", "x"], "--align-s x: expected a number from 50 to 7200"),
         (["--align-s", "60", "--start-from-truth"], "not allowed with argument"),
-        (["--trajectory", "nowhere"], "nowhere: found no such mission, expected aircraft, car"),
+        (["--trajectory", "nowhere"], "nowhere: found no such mission, expected aircraft, "),
         (["--trajectory", "nowhere.csv"], "nowhere.csv: can't be read: No such file"),
         (["--trajectory", "weaving"], "stand still for 300 s before; or --start-from-truth"),
         (["--trajectory", "missile"], "shorter than the 3600 s asked for"),

@@ -47,6 +47,7 @@ def _flights(
     rest = {
         "warming": 0.1 * spread * generator.standard_normal((triads, 2)),
         "accelerometers": 8.0 * generator.standard_normal((triads, 2)),
+        "alignment": 2.0 * generator.standard_normal((triads, 2)),
         "noise": 15.0 * generator.standard_normal((triads, 2)),
     }
     parts = {"map": known} | rest

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from fmu_build.cli import UserError
-from ins_eval.nav.options import number
+from ins_eval.command_line import number
 
 FLAGS = ("--latitude-deg", "--longitude-deg", "--height-m")
 HIGHEST_LATITUDE_DEG = 89.0

@@ -5,8 +5,8 @@ from typing import Any
 
 from fmu_build.cli import UserError
 from ins_eval.alignment.align import SHORTEST
+from ins_eval.command_line import minutes, number, whole
 from ins_eval.increments import Increments
-from ins_eval.nav.options import minutes, number, whole
 from ins_eval.nav.plan import WARM_UP, Plan, rows
 
 HOURS, SAMPLES, ALIGNMENT, SEED, RUNS = "1", "2", "300", "1", "1"

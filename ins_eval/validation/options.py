@@ -13,6 +13,7 @@ from fmu_build.bundle import built_fmu
 from fmu_build.cli import UserError
 from fmu_build.platforms import BuildError
 from fmu_build.translate import TranslationError
+from ins_eval.command_line import whole
 from ins_eval.metrics import FEWEST_FOR_MEDIAN
 from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.errors import TrajectoryError
@@ -46,8 +47,8 @@ def seed_and_triads(options: argparse.Namespace) -> tuple[int, int]:
     Raises:
         UserError: no such whole number.
     """
-    seed = _whole("--seed", options.seed, 0, 2**63 - 1)
-    return seed, _whole("--triads", options.triads, FEWEST_FOR_MEDIAN, 10_000)
+    seed = whole("--seed", options.seed, 0, 2**63 - 1)
+    return seed, whole("--triads", options.triads, FEWEST_FOR_MEDIAN, 10_000)
 
 
 def chosen_mission(options: argparse.Namespace) -> Mission:
@@ -91,16 +92,6 @@ def _trajectory(name_or_path: str, duration: float) -> Trajectory:
         return catalogue.trajectory(name_or_path, STILL, duration)
     except TrajectoryError as error:
         raise UserError(str(error)) from error
-
-
-def _whole(option: str, text: str, low: int, high: int) -> int:
-    try:
-        value = int(text)
-    except ValueError:
-        value = low - 1
-    if not low <= value <= high:
-        raise UserError(f"{option} {text}: expected a whole number from {low} to {high}")
-    return value
 
 
 def _hours(text: str) -> float:

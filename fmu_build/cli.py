@@ -6,7 +6,7 @@ import signal
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from importlib.metadata import entry_points, version
+from importlib.metadata import EntryPoint, entry_points, version
 from typing import NoReturn
 
 
@@ -60,7 +60,7 @@ def _dispatch(arguments: Sequence[str] | None) -> int:
     parser.add_argument("--version", action="version", version=version("hrg"))
     subparsers = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     commands = {}
-    for entry in sorted(entry_points(group="hrg.commands"), key=lambda e: e.name):
+    for entry in _asked_for(sys.argv[1:] if arguments is None else arguments):
         command: Command = entry.load()
         commands[entry.name] = command
         command.add_options(
@@ -69,3 +69,10 @@ def _dispatch(arguments: Sequence[str] | None) -> int:
     options = parser.parse_args(arguments)
     commands[options.command].run(options)
     return 0
+
+
+def _asked_for(arguments: Sequence[str]) -> list[EntryPoint]:
+    """The subcommand that the arguments begin with, alone: others bring libraries that take
+    seconds to load. All, to say what there is, where they begin otherwise."""
+    every = sorted(entry_points(group="hrg.commands"), key=lambda e: e.name)
+    return [entry for entry in every if entry.name in arguments[:1]] or every

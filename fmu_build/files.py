@@ -1,11 +1,28 @@
-"""Files and folders that appear whole or not at all."""
+"""Files and folders that appear whole or not at all; files that are read or refused."""
 
 import os
 import shutil
 import tempfile
+import tomllib
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
+
+
+def toml_of(path: Path, refused: type[Exception]) -> dict[str, Any]:
+    """Content of a TOML file.
+
+    Args:
+        path: of the file.
+        refused: what is raised, with one line about the file, where it can't be read or is none.
+    """
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise refused(f"{path}: can't be read: {error.strerror or error}") from error
+    except ValueError as error:
+        raise refused(f"{path}: found what is no TOML: {error}") from error
 
 
 def write_whole(path: Path, data: bytes) -> None:
@@ -43,3 +60,34 @@ def replaced_folder(folder: Path) -> Iterator[Path]:
         aside.rename(folder)
     finally:
         shutil.rmtree(aside, ignore_errors=True)
+
+
+@contextmanager
+def staging(out: Path, names: tuple[str, ...]) -> Iterator[Path]:
+    """A folder aside, within `out`, whose files move up when the block succeeds.
+
+    Args:
+        out: output folder; made if it isn't there, and removed again if the block fails.
+        names: of the files that the block is going to write.
+
+    Raises:
+        OSError: on entry, if the folder can't be written or a name is taken by a folder.
+    """
+    made = [p for p in (out, *out.parents) if not p.exists()]
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        for name in names:
+            if (out / name).is_dir():
+                raise IsADirectoryError(21, f"{name} is a folder")
+        aside = Path(tempfile.mkdtemp(prefix=".partial-", dir=out))
+        try:
+            yield aside
+            for name in names:
+                (aside / name).replace(out / name)
+        finally:
+            shutil.rmtree(aside, ignore_errors=True)
+    except BaseException:
+        for folder in made:
+            if folder.is_dir():
+                folder.rmdir()
+        raise

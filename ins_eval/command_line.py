@@ -1,6 +1,7 @@
 """Numbers on the command line."""
 
 import math
+from collections.abc import Callable
 
 from fmu_build.cli import UserError
 
@@ -11,13 +12,10 @@ def whole(option: str, text: str, low: int, high: int) -> int:
     Raises:
         UserError: names the option, what was found and what is expected.
     """
-    try:
-        value = int(text)
-    except ValueError:
-        value = low - 1
+    value = _read(int, text)
     if not low <= value <= high:
         raise UserError(f"{option} {text}: expected a whole number from {low} to {high}")
-    return value
+    return int(value)
 
 
 def number(option: str, text: str, low: float, high: float) -> float:
@@ -26,10 +24,7 @@ def number(option: str, text: str, low: float, high: float) -> float:
     Raises:
         UserError: names the option, what was found and what is expected.
     """
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
+    value = _read(float, text)
     if not low <= value <= high:
         raise UserError(f"{option} {text}: expected a number from {low:g} to {high:g}")
     return value
@@ -41,12 +36,17 @@ def minutes(option: str, hours: str, most: float) -> int:
     Raises:
         UserError: names the option, what was found and what is expected.
     """
-    try:
-        value = float(hours) * 60
-    except ValueError:
-        value = math.nan
+    value = _read(float, hours) * 60
     if not 0.98 <= value <= most * 60 or abs(value - round(value)) > 0.02:
         raise UserError(
             f"{option} {hours}: expected hours up to {most:g}, in whole minutes (1 min is 0.0167)"
         )
     return round(value)
+
+
+def _read(kind: Callable[[str], float], text: str) -> float:
+    """Its value; NaN, which lies in no range, if it is none."""
+    try:
+        return kind(text)
+    except ValueError:
+        return math.nan

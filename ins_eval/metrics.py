@@ -6,8 +6,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.stats import binom, ttest_1samp
 
-from ins_eval.radial_error import radius_at
-
 Array = NDArray[np.float64]
 
 FEWEST_FOR_MEDIAN = 6
@@ -29,11 +27,6 @@ def median_interval(sample: ArrayLike, confidence: float = 0.95) -> tuple[float,
     if below < 0:
         raise ValueError(f"{n} values can't hold the median with {confidence:.0%} confidence")
     return float(ordered[below]), float(ordered[n - 1 - below])
-
-
-def median_radius(covariance: Array) -> float:
-    """Radius that a zero-mean normal pair with this covariance (2, 2) exceeds half of the time."""
-    return float(radius_at(0.5, np.zeros(2), covariance))
 
 
 @dataclass(frozen=True)

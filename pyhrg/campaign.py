@@ -23,7 +23,7 @@ ROLES = ("fit", "holdout")
 """May be used to diagnose; only to verify."""
 GRAVITY = (9.7, 9.9)
 """On Earth, m/s2."""
-_FILE_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9._-]*")
+FILE_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9._-]*")
 
 
 @dataclass(frozen=True)
@@ -148,7 +148,7 @@ def write(campaign: Campaign, folder: Path) -> None:
 def _check_names(path: Path, tests: tuple[Test, ...]) -> None:
     names = [test.id for test in tests]
     for name in names:
-        if not _FILE_NAME.fullmatch(name) or names.count(name) > 1:
+        if not FILE_NAME.fullmatch(name) or names.count(name) > 1:
             raise CampaignError(f"{path}: test {name!r}: expected a file name, each once")
 
 
@@ -172,7 +172,7 @@ def _test(folder: Path, entry: Entry, site: Site) -> Test:
     if role not in ROLES:
         raise entry.error("role", f"expected {' or '.join(ROLES)}")
     file = entry.text("file")
-    if not _FILE_NAME.fullmatch(file):
+    if not FILE_NAME.fullmatch(file):
         raise entry.error("file", "expected the name of a file in the campaign's folder")
     interval = entry.number("interval_s", 1e-6, 1e6)
     n = entry.number("n", 0, 1e9)

@@ -2,7 +2,6 @@
 
 import difflib
 import sys
-import tomllib
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, fields
 from pathlib import Path
@@ -10,7 +9,7 @@ from typing import Any
 
 import tomli_w
 
-from fmu_build.files import write_whole
+from fmu_build.files import toml_of, write_whole
 from pyhrg.device import FMU_NAMES, AngleMap, Device
 from pyhrg.device_keys import KEYS, MAPS, SITE_KEYS, Key
 from pyhrg.site import Site
@@ -57,7 +56,7 @@ def read(path: Path, fmu_names: Collection[str] | None = None) -> Device:
         DeviceError: an unreadable file; a key that is unknown or said twice; a value that is no
             finite number or out of range.
     """
-    return from_table(_parsed(path), str(path), fmu_names)
+    return from_table(toml_of(path, DeviceError), str(path), fmu_names)
 
 
 def from_table(
@@ -102,15 +101,6 @@ def nominal(device: Device) -> dict[str, float]:
     """What a test engineer believes of the gyro before any test, by the keys of a campaign."""
     by_name = {key.name: key for key in KEYS}
     return {name: by_name[name].from_si(getattr(device, by_name[name].field)) for name in NOMINAL}
-
-
-def _parsed(path: Path) -> dict[str, Any]:
-    try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise DeviceError(f"{path}: can't be read: {error.strerror or error}") from error
-    except ValueError as error:
-        raise DeviceError(f"{path}: found what is no TOML: {error}") from error
 
 
 @dataclass(frozen=True)

@@ -40,6 +40,8 @@ class GyroError(Exception):
 
 _LOADING = threading.Lock()
 """FMPy changes the working directory while it loads a library."""
+CONTROL_PERIOD = 1e-3
+"""Of the gyro's electronics, s."""
 CHUNK = 20_000
 """Steps of a drive between looks at `GyroFmu.stop`: a second or two at 10 ms."""
 
@@ -58,6 +60,7 @@ class GyroFmu:
         self.references = {v.name: v.valueReference for v in self.description.modelVariables}
         self.kinds = {v.name: v.type for v in self.description.modelVariables}
         self._prepared = False
+        self._idle: list[_Instance] = []
         self.stop: threading.Event | None = None
         """Set from another thread, it ends every drive under way with `GyroError`."""
 
@@ -72,15 +75,22 @@ class GyroFmu:
         Raises:
             GyroError: a value that the FMU refuses.
         """
+        return Gyro(self, self._instance(), {**parameters, "startAngle": start_angle}, seed)
+
+    def _instance(self) -> "_Instance":
+        """One that was switched off, as new, or a new one: FMPy takes long to look up functions."""
         with _LOADING:
-            slave = FMU2Slave(
-                guid=self.description.guid,
-                unzipDirectory=str(self.folder),
-                modelIdentifier=self.description.coSimulation.modelIdentifier,
-                instanceName="gyro",
-            )
-            loops = _compiled(slave.dll._name)
-        return Gyro(self, slave, loops, {**parameters, "startAngle": start_angle}, seed)
+            return self._idle.pop() if self._idle else _Instance(self)
+
+    def give_back(self, instance: "_Instance") -> None:
+        """Keep an instance that was reset for the next power-on."""
+        with _LOADING:
+            self._idle.append(instance)
+
+    @property
+    def is_sampled(self) -> bool:
+        """Whether loops run once in a control period; else they are at rest at any time."""
+        return "controller.amplitudeLoop.naturalFrequency" in self.references
 
     def prepare(self) -> None:
         """Compile the loops now: in the main thread, that an interruption ends at once."""
@@ -106,21 +116,16 @@ class Gyro:
     """One gyro that is switched on; a context manager that switches it off."""
 
     def __init__(
-        self,
-        fmu: GyroFmu,
-        slave: FMU2Slave,
-        loops: Loops,
-        parameters: Mapping[str, float],
-        seed: int,
+        self, fmu: GyroFmu, instance: "_Instance", parameters: Mapping[str, float], seed: int
     ) -> None:
         self._fmu = fmu
-        self._slave = slave
-        self._loops = loops
-        self._messages: list[str] = []
-        self._callbacks = self._logging_callbacks()
+        self._instance = instance
+        self._slave = instance.slave
+        self._loops = instance.loops
+        self._messages = instance.messages
         self.time = 0.0
         """Time since power-on, s."""
-        slave.instantiate(callbacks=self._callbacks)
+        slave = instance.slave
         try:
             self._call(slave.setupExperiment, startTime=0.0)
             self._call(slave.enterInitializationMode)
@@ -140,10 +145,16 @@ class Gyro:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        try:
-            self._slave.terminate()
-        finally:
+        if error is not None:
             self._slave.freeInstance()
+            return
+        try:
+            self._call(self._slave.terminate)
+            self._call(self._slave.reset)
+        except GyroError:
+            self._slave.freeInstance()
+            raise
+        self._fmu.give_back(self._instance)
 
     def advance(self, rate: float, duration: float) -> float:
         """Turn the case at a constant inertial rate.
@@ -194,10 +205,14 @@ class Gyro:
 
         Args:
             moving: (n, m) values of inputs by name, SI, in each of a row's m steps.
-            held: (n,) values of other inputs by name, SI, each held for a row.
+            held: (n,) values of other inputs by name, SI, each held for a row: from its first tick
+                on, so that a sampled gyro's electronics are told a control period before; or
+                (n + 1,) with what follows.
             step: communication step, s.
             ends: outputs to be read at the end of each row.
-            means: outputs to be averaged over the ends of each row's steps.
+            means: outputs to be averaged over each row. What the electronics of a sampled gyro
+                command holds from one tick to the next, so that a row's mean is that of the ticks
+                from its start on; steps of several ticks count as if it changed evenly.
 
         Returns:
             (n, len(ends)) and (n, len(means)), SI.
@@ -207,16 +222,21 @@ class Gyro:
         """
         moved = np.ascontiguousarray(np.stack(list(moving.values()), axis=-1))
         rows, steps, _ = moved.shape
-        fixed = np.column_stack([*held.values(), np.empty((rows, 0))])
+        told = [np.append(values, values[-1:])[: rows + 1] for values in held.values()]
+        fixed = np.column_stack([*told, np.empty((rows + 1, 0))])
         at_end, averaged = (np.zeros((rows, len(names))) for names in (ends, means))
         references = [self._references(names) for names in (moving, held, ends, means)]
         chunk = max(1, CHUNK // steps)
+        tick = CONTROL_PERIOD if self._fmu.is_sampled else 0.0
         for first in range(0, rows, chunk):
             self._check_stop()
             part = slice(first, first + chunk)
             begin = self.time + first * steps * step
-            arrays = (moved[part], fixed[part], at_end[part], averaged[part])
-            done = self._loops.record(self._slave.component, begin, step, *references, *arrays)
+            commands = fixed[first : first + chunk + 1]
+            arrays = (moved[part], commands, at_end[part], averaged[part])
+            done = self._loops.record(
+                self._slave.component, begin, step, tick, *references, *arrays
+            )
             if done != len(moved[part]):
                 raise GyroError(self._explain(f"row {first + done} of {rows} failed"))
         self.time += step * steps * rows
@@ -253,9 +273,27 @@ class Gyro:
         self._messages.clear()
         return text
 
-    def _logging_callbacks(self) -> fmi2CallbackFunctions:
+
+class _Instance:
+    """An instance of the FMU that is not yet set up, and what it logs."""
+
+    def __init__(self, fmu: GyroFmu) -> None:
+        self.slave = FMU2Slave(
+            guid=fmu.description.guid,
+            unzipDirectory=str(fmu.folder),
+            modelIdentifier=fmu.description.coSimulation.modelIdentifier,
+            instanceName="gyro",
+        )
+        self.loops = _compiled(self.slave.dll._name)
+        self.messages: list[str] = []
+        self._callbacks = self._logging()
+        self.slave.instantiate(callbacks=self._callbacks)
+
+    def _logging(self) -> fmi2CallbackFunctions:
+        messages = self.messages
+
         def log(env: Any, name: bytes, status: int, category: bytes, message: bytes) -> None:
-            self._messages.append(message.decode())
+            messages.append(message.decode())
 
         callbacks = fmi2CallbackFunctions()
         callbacks.logger = fmi2CallbackLoggerTYPE(log)
@@ -307,10 +345,27 @@ def _compiled(library: str) -> Loops:
         return len(rates)
 
     @numba.njit(nogil=True)
+    def summed(
+        component: Any, time: Any, step: Any, tick: Any, mean: Any, now: Any, sums: Any
+    ) -> bool:
+        """A step, its integrals added: what a tick commands holds from its start."""
+        for k in range(len(mean)):
+            sums[k] += now[k] * (step + tick) / 2
+        if (
+            do_step(component, time, step, 1) != ok
+            or get_real(component, mean.ctypes, len(mean), now.ctypes) != ok
+        ):
+            return False
+        for k in range(len(mean)):
+            sums[k] += now[k] * (step - tick) / 2
+        return True
+
+    @numba.njit(nogil=True)
     def record(
         component: Any,
         start: Any,
         step: Any,
+        tick: Any,
         moving: Any,
         held: Any,
         end: Any,
@@ -322,18 +377,27 @@ def _compiled(library: str) -> Loops:
     ) -> int:
         rows, steps = moved.shape[:2]
         now = np.empty(len(mean))
+        if get_real(component, mean.ctypes, len(mean), now.ctypes) != ok:
+            return 0
         for i in range(rows):
             if set_real(component, held.ctypes, len(held), fixed[i].ctypes) != ok:
                 return i
             for j in range(steps):
-                time = start + (i * steps + j) * step
-                if (
-                    set_real(component, moving.ctypes, len(moving), moved[i, j].ctypes) != ok
-                    or do_step(component, time, step, 1) != ok
-                    or get_real(component, mean.ctypes, len(mean), now.ctypes) != ok
-                ):
+                time, rest = start + (i * steps + j) * step, step
+                if set_real(component, moving.ctypes, len(moving), moved[i, j].ctypes) != ok:
                     return i
-                means[i] += now / steps
+                if tick > 0.0 and j == steps - 1:
+                    if step > 1.5 * tick:
+                        rest = step - tick
+                        if not summed(component, time, rest, tick, mean, now, means[i]):
+                            return i
+                        time, rest = time + rest, tick
+                    if set_real(component, held.ctypes, len(held), fixed[i + 1].ctypes) != ok:
+                        return i
+                if not summed(component, time, rest, tick, mean, now, means[i]):
+                    return i
+            for k in range(len(mean)):
+                means[i, k] /= steps * step
             if get_real(component, end.ctypes, len(end), ends[i].ctypes) != ok:
                 return i
         return rows

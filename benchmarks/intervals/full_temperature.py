@@ -68,7 +68,7 @@ def at(device: Device, kelvin: float) -> Device:
     warmth = 1 + device.damping_anisotropy_per_kelvin * kelvin
     return replace(
         device,
-        decay_time=device.decay_time * float(np.exp(device.decay_time_per_kelvin * kelvin)),
+        decay_time=device.decay_time * (1 + device.decay_time_per_kelvin * kelvin),
         damping_anisotropy=device.damping_anisotropy * warmth,
         phase_error=device.phase_error + device.phase_per_kelvin * kelvin,
         pickoff_gain_mismatch=device.pickoff_gain_mismatch

@@ -11,9 +11,9 @@ import numpy as np
 
 from benchmarks.navigation import peer, speed
 from benchmarks.navigation.motions import Flight, coning, static, weaving
+from benchmarks.navigation.weave import Weave
 from ins_eval.navigation.coefficients import SAMPLES
 from ins_eval.state import Track
-from ins_eval.trajectories.weave import Weave
 from pyhrg.units import DEG_PER_H
 
 HOUR = 3600

@@ -7,12 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from benchmarks.navigation.weave import Weave
 from ins_eval import earth
 from ins_eval.increments import Increments
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.state import State, Track, TrackError, track_error
-from ins_eval.trajectories.weave import Weave
 
 Array = NDArray[np.float64]
 

@@ -79,6 +79,10 @@ class FmuGyros:
             devices = [starting_up(each) for each in devices]
         return measured(fmu, devices, truth, mounting, generator, self.calibrated)
 
+    def from_power_on(self) -> "FmuGyros":
+        """See `Gyros`."""
+        return replace(self, start_up=True)
+
     @property
     def errors(self) -> SensorErrors:
         """See `Gyros`; the bias is that of the map at an unknown pattern angle."""

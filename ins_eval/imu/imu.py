@@ -13,6 +13,10 @@ from ins_eval.sensor_errors import SensorErrors
 from pyhrg.units import STANDARD_GRAVITY
 
 
+class StartUpError(Exception):
+    """Gyros aren't ready when they are needed."""
+
+
 @dataclass(frozen=True)
 class Measured:
     """increments: body axes; pattern_angle: (n, 3) of the gyros at the end of each interval, rad,
@@ -66,6 +70,10 @@ class Imu:
             truth.interval, mounting.decoded(reading.rotation), velocity, truth.start
         )
         return Measured(increments, reading.pattern_angle, reading.ready)
+
+    def from_power_on(self) -> "Imu":
+        """The same, for a record that begins when it is switched on."""
+        return replace(self, gyros=self.gyros.from_power_on())
 
     @property
     def errors(self) -> SensorErrors:

@@ -1,31 +1,44 @@
-"""Any log of an IMU that is known, told by what is in the file."""
+"""Recorded IMUs, with the attitude that their logs state."""
 
+from dataclasses import dataclass
 from pathlib import Path
 
-from ins_eval.imu import psins
-from ins_eval.imu.log import LogError, RecordedImu, content, decoded
-from ins_eval.imu.table_log import PARQUET, read_csv, read_parquet, write
+import numpy as np
+from numpy.typing import NDArray
+
+from ins_eval.increments import Increments
+from ins_eval.rotation import mat_from_euler
+from pyhrg.imu_records import recorded
+from pyhrg.imu_records.log import LogError
+from pyhrg.imu_records.recorded import write
 
 __all__ = ["LogError", "RecordedImu", "read", "write"]
 
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class RecordedImu:
+    """A log of an IMU.
+
+    increments: body axes forward, right, down;
+    position: (3,) latitude, longitude, rad, height, m, if the log says where it was taken;
+    mat_nb: (3, 3) attitude at the start as the log states it, coarse, if it does;
+    source: the file.
+    """
+
+    increments: Increments
+    position: Array | None
+    mat_nb: Array | None
+    source: str
+
 
 def read(path: Path, trusted: bool = False) -> RecordedImu:
-    """The log in a file: PSINS text, CSV or Parquet with the columns of `columns`, gzipped or not.
-
-    Args:
-        path: the file.
-        trusted: whether units and axes are taken as stated though gravity or Earth's rate speak
-            against them.
+    """The log in a file, as `pyhrg.imu_records.recorded.read`.
 
     Raises:
-        LogError: unreadable or cut off; a column that is missing or stands there twice; a row with
-            too few or too many fields; a field that is no finite number; time that stands, runs
-            back or steps unevenly; too few rows; another unit, axis or column than stated.
+        LogError: likewise.
     """
-    data = content(path)
-    if data.startswith(PARQUET):
-        return read_parquet(str(path), data, trusted)
-    lines = decoded(str(path), data)
-    if lines and lines[0].startswith(psins.COMMENT):
-        return psins.read(str(path), lines, trusted)
-    return read_csv(str(path), lines, trusted)
+    log = recorded.read(path, trusted)
+    mat_nb = None if log.attitude is None else mat_from_euler(*log.attitude)
+    return RecordedImu(log.increments, log.position, mat_nb, log.source)

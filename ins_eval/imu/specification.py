@@ -1,13 +1,13 @@
 """IMUs as TOML files."""
 
-import tomllib
 from pathlib import Path
 
+from fmu_build.files import toml_of
+from fmu_build.toml_table import SpecificationError, TomlTable
 from ins_eval.imu.gyros import DeviceError, FmuGyros, device, difference
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.mounting import ORTHOGONAL, Mounting, MountingError, mounted
 from ins_eval.imu.stated_gyros import Gyros, StatedGyros
-from ins_eval.imu.toml_table import SpecificationError, TomlTable
 from ins_eval.imu.triad import Triad
 from ins_eval.imu.triad_keys import ACCELEROMETERS, GYROS, read_triad, triad_keys
 from pyhrg.units import ARCSEC
@@ -53,13 +53,7 @@ def read(path: Path) -> Imu:
     Raises:
         SpecificationError: an unreadable file, an unknown key, a value that is of no use.
     """
-    try:
-        document = tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise SpecificationError(f"{path}: can't be read: {error.strerror or error}") from error
-    except ValueError as error:
-        raise SpecificationError(f"{path}: found what is no TOML: {error}") from error
-    table = TomlTable(str(path), "", document)
+    table = TomlTable(str(path), "", toml_of(path, SpecificationError))
     table.check_known(("name", "rate_hz", "gyros", "accelerometers"))
     mounting = table.table("gyros").table("mounting")
     return Imu(

@@ -33,6 +33,9 @@ class Gyros(Protocol):
     ) -> GyroReading:
         """What they make of the true motion."""
 
+    def from_power_on(self) -> "Gyros":
+        """The same, for a record that begins when they are switched on."""
+
     @property
     def errors(self) -> SensorErrors:
         """What a linear model should believe of one of them."""
@@ -50,6 +53,10 @@ class StatedGyros:
         """See `Gyros`."""
         sensed = mounting.sensed(truth.rotation)
         return GyroReading(self.triad.measure(sensed, truth.interval, generator))
+
+    def from_power_on(self) -> "StatedGyros":
+        """They need no start."""
+        return self
 
     @property
     def errors(self) -> SensorErrors:

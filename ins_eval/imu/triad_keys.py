@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Any
 
-from ins_eval.imu.toml_table import TomlTable
+from fmu_build.toml_table import TomlTable
 from ins_eval.imu.triad import Constant, Triad
 from pyhrg.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G, PPM
 

@@ -4,13 +4,13 @@ import argparse
 from pathlib import Path
 
 from fmu_build.cli import Command, UserError
+from fmu_build.files import staging
 from ins_eval.alignment.align import SHORTEST, align
 from ins_eval.command_line import number, whole
 from ins_eval.nav import align_report, sources
 from ins_eval.nav.place import FLAGS, add_options, place, refuse_options_of_logs
 from ins_eval.nav.records import recorded, simulated
 from ins_eval.nav.refusals import REFUSALS
-from ins_eval.staging import staging
 
 TRAJECTORY = "car"
 """Unless options say otherwise."""

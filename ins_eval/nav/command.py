@@ -7,13 +7,13 @@ from pathlib import Path
 from tqdm import tqdm
 
 from fmu_build.cli import Command, UserError
+from fmu_build.files import staging
 from ins_eval.nav import place, plans, report, sources
 from ins_eval.nav.experiment import experiment
 from ins_eval.nav.flown import Flown
 from ins_eval.nav.log_flight import fly_log
 from ins_eval.nav.refusals import REFUSALS
 from ins_eval.nav.truth import still
-from ins_eval.staging import staging
 from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.errors import MovingStartError
 

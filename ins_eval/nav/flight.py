@@ -8,8 +8,7 @@ from numpy.typing import NDArray
 
 from ins_eval.alignment.align import align
 from ins_eval.alignment.result import Alignment
-from ins_eval.imu.gyros import FmuGyros
-from ins_eval.imu.imu import Imu, Measured
+from ins_eval.imu.imu import Imu, Measured, StartUpError
 from ins_eval.increments import Increments
 from ins_eval.nav.plan import WARM_UP, Plan
 from ins_eval.nav.truth import Truth
@@ -19,10 +18,6 @@ from ins_eval.sensor_errors import SensorErrors
 from ins_eval.state import Track
 
 Array = NDArray[np.float64]
-
-
-class StartUpError(Exception):
-    """Gyros aren't ready when they are needed."""
 
 
 @dataclass(frozen=True)
@@ -56,8 +51,8 @@ def fly(plan: Plan, truth: Truth, imu: Imu, done: Callable[[], object] = lambda:
         NavigationError: the navigator can't start or go on.
         StartUpError: gyros that aren't ready after the warm-up, or fail in flight.
     """
-    if plan.alignment is not None and isinstance(imu.gyros, FmuGyros):
-        imu = replace(imu, gyros=replace(imu.gyros, start_up=True))
+    if plan.alignment is not None:
+        imu = imu.from_power_on()
     own = _navigated(plan, truth, truth.increments, None)
     done()
     alignments, tracks = [], []

@@ -4,11 +4,11 @@ from fmu_build.platforms import BuildError
 from fmu_build.translate import TranslationError
 from ins_eval.alignment.result import AlignmentError
 from ins_eval.imu.gyros import GyroError
-from ins_eval.imu.log import LogError
+from ins_eval.imu.imu import StartUpError
 from ins_eval.imu.specification import SpecificationError
-from ins_eval.nav.flight import StartUpError
 from ins_eval.navigation.strapdown import NavigationError
 from ins_eval.trajectories.errors import TrajectoryError
+from pyhrg.imu_records.log import LogError
 
 REFUSALS = (
     AlignmentError,

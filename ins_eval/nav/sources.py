@@ -11,7 +11,7 @@ from fmu_build.cli import UserError
 from ins_eval.imu import recorded, specification
 from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
-from ins_eval.imu.log import RecordedImu
+from ins_eval.imu.recorded import RecordedImu
 from ins_eval.nav.log_flight import Reference, at_rest
 from ins_eval.nav.place import Place
 from ins_eval.state import Track, position_error

@@ -13,8 +13,8 @@ from ins_eval.imu.triad import Triad
 from ins_eval.metrics import PairedRatio, paired_ratio
 from ins_eval.parallel import in_parallel
 from ins_eval.parking.gyro import mapped
+from ins_eval.parking.mission import Mission
 from ins_eval.parking.triad import DRIVES, TriadFlights, fly_triad
-from ins_eval.validation.mission import Mission
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.positions import Plan
 from pyhrg.fmu import GyroFmu

@@ -11,7 +11,7 @@ from ins_eval.imu.gyros import GyroFlight
 from ins_eval.increments import Increments
 from ins_eval.parking.case import CASES, LIMIT, Case, Known, Start
 from ins_eval.parking.gyro import MappedGyro
-from ins_eval.validation.mission import INTERVAL, STILL, Mission, since
+from ins_eval.parking.mission import INTERVAL, STILL, Mission, since
 
 Array = NDArray[np.float64]
 

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.study import score
-from ins_eval.study.experiment import cosimulated_of, flown_of
-from ins_eval.study.maker import METHODS, Method
+from ins_eval.study.experiment import cosimulated_of, flown_of, methods
+from ins_eval.study.maker import Method
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.score import ALL, Score
 from ins_eval.study.scores.resampling import CONFIDENCE, bootstrapped
@@ -32,7 +32,7 @@ def apart(linear: Array, nonlinear: Array) -> Array:
 
 def _scores(study: Study, arrays: Arrays) -> Iterator[Score]:
     classes = dict.fromkeys(mission.mission_class for mission in study.missions)
-    for method in METHODS:
+    for method in methods(study):
         for name in (ALL, *classes):
             flying = [
                 number

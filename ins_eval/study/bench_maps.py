@@ -8,7 +8,8 @@ err by: least squares on rates are as good and cost a hundredth.
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study.gyro_map import BRYAN_FACTOR, HARMONICS, TERMS, terms
+from ins_eval.error_model.effects import BRYAN_FACTOR
+from ins_eval.study.gyro_map import HARMONICS, TERMS, terms
 from pyhrg.bench.bias import full_circumference
 from pyhrg.bench.readings.turns import Turn
 from pyhrg.bench.scale_factor.rate_tests import rate_turns

@@ -6,12 +6,14 @@ full circumference    3 power-ons, 24 positions (8N),    7 power-ons, 24 positio
                       100 s at each                      300 s at each
 scale factor          3 power-ons each way at 5 deg/s,   7 each way
                       4 periods of the map
+maps, warm            one power-on of each of the latter   soaks over the range of temperatures
+                      two, 15 K warmer
 """
 
 from dataclasses import dataclass
 from functools import cache
 
-from ins_eval.study.gyro_map import BRYAN_FACTOR
+from ins_eval.error_model.effects import BRYAN_FACTOR
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias import fixed_position, full_circumference
 from pyhrg.bench.bias.positions import Plan, chosen
@@ -23,6 +25,8 @@ from pyhrg.units import DEG
 
 STEP = 0.1
 """Of the fast gyro, s."""
+WARMER = 15.0
+"""Than at the calibration, K: where the maps are taken that tell how they change with it."""
 RATE = 5 * DEG
 """Of the table in scale-factor tests, rad/s."""
 

@@ -10,12 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.study.bench_plan import CALIBRATION, BenchPlan
-from ins_eval.study.drift import Drift, Flight, flight, slow_parameters, true_maps
-from ins_eval.study.gyro_map import characterised
+from ins_eval.study.drift import Drift, Flight, flight
 from ins_eval.study.knowledge import Knowledge, knowledge
 from ins_eval.study.maker import Method, calibrated_gyro
 from ins_eval.study.population import TRIMMED, Population
 from ins_eval.study.triads import Triads
+from ins_eval.study.true_maps import coefficients, started_at, turning
 from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.units import MICRO_G
@@ -97,7 +97,7 @@ def _gyro(
 
 def gathered(fmu: GyroFmu, triads: list[Triad]) -> Triads:
     """As arrays; the true maps read off the FMU `HRGSlow`."""
-    maps = [[_flown_map(fmu, flown) for flown in each.flights] for each in triads]
+    flights = [[_in_flight(fmu, flown) for flown in each.flights] for each in triads]
 
     def known(name: str) -> Array:
         return np.array([[getattr(gyro, name) for gyro in each.known] for each in triads])
@@ -111,26 +111,28 @@ def gathered(fmu: GyroFmu, triads: list[Triad]) -> Triads:
         instability=known("instability"),
         walk=known("walk"),
         known=stacked([[gyro.map.coefficients for gyro in each.known] for each in triads]),
-        covariance=stacked([[gyro.covariance for gyro in each.known] for each in triads]),
-        true=stacked([[_benched_map(fmu, gyro) for gyro in each.benched] for each in triads]),
+        gain=stacked([[gyro.gain.coefficients for gyro in each.known] for each in triads]),
+        variance=stacked([[gyro.variance for gyro in each.known] for each in triads]),
+        true=stacked([_on_bench(fmu, each) for each in triads]),
         start_angle=np.array([[f.power_on_angle for f in each.flights] for each in triads]),
-        started=stacked([[gyro[0] for gyro in each] for each in maps]),
-        warming=stacked([[gyro[1] for gyro in each] for each in maps]),
-        curving=stacked([[gyro[2] for gyro in each] for each in maps]),
+        rise=np.array([[f.rise for f in each.flights] for each in triads]),
+        in_flight=stacked([[gyro[0] for gyro in each] for each in flights]),
+        turning=stacked([[gyro[1] for gyro in each] for each in flights]),
         noise=stacked([[_noise(f.device) for f in each.flights] for each in triads]),
         accelerometers=np.array([each.accelerometers for each in triads]),
         seeds=np.array([each.seed for each in triads]),
     )
 
 
-def _benched_map(fmu: GyroFmu, device: Device) -> Array:
-    return characterised(fmu, slow_parameters(device)).coefficients
+def _on_bench(fmu: GyroFmu, drawn: Triad) -> list[Array]:
+    gyros = zip(drawn.benched, drawn.flights, strict=True)
+    return [coefficients(fmu, device, flown.rise) for device, flown in gyros]
 
 
-def _flown_map(fmu: GyroFmu, flown: Flight) -> tuple[Array, ...]:
-    found, angle = true_maps(fmu, flown), flown.power_on_angle
-    maps = (found.started, found.warming, found.curving)
-    return tuple(m.started_at(angle).coefficients for m in maps)
+def _in_flight(fmu: GyroFmu, flown: Flight) -> tuple[Array, Array]:
+    """Coefficients, and those that turn the pattern, from the power-on angle."""
+    found, angle = coefficients(fmu, flown.device, flown.rise), flown.power_on_angle
+    return started_at(found, angle), turning(flown.device, found, angle)
 
 
 def _noise(device: Device) -> Array:

@@ -32,13 +32,13 @@ class Predictor:
 
     @property
     def low(self) -> str:
-        """Column of its 5 % quantile."""
-        return f"{self.key}_q05_m"
+        """Column of its interval's lower end."""
+        return f"{self.key}_low_m"
 
     @property
     def high(self) -> str:
-        """Column of its 95 % quantile."""
-        return f"{self.key}_q95_m"
+        """Column of its interval's upper end."""
+        return f"{self.key}_high_m"
 
 
 PREDICTORS = (
@@ -51,7 +51,7 @@ PREDICTORS = (
         "Manoeuvre theory",
         "full-circumference stability through a theory that knows the manoeuvre",
     ),
-    Predictor("fitted_map", "Fitted map", "the bench's maps, power-on angle known"),
+    Predictor("fitted_map", "Fitted map", "the bench's maps, temperature and power-on angle known"),
     Predictor("fitted_map_any_angle", "Fitted map, any angle", "the bench's maps, angle unknown"),
     Predictor(
         "bench_oracle", "Oracle, drift unknown", "true maps on the bench, spread as the fit's"
@@ -64,6 +64,8 @@ PREDICTORS = (
 PARTS = {
     "map": "bias and scale-factor maps at power-on",
     "warming": "what the maps gain as the gyros warm",
+    "environment": "what the maps gain with specific force, heating and fast turning",
+    "drift": "the patterns' own drift",
     "accelerometers": "accelerometer biases",
     "noise": "gyro noise: white, flicker, random walk",
     "alignment": "what aligning does beyond first order",
@@ -122,8 +124,8 @@ COLUMNS = (
         for p in PREDICTORS
         for column in (
             Column(p.median, "number", "m", f"predicted horizontal error, median: {p.what}"),
-            Column(p.low, "number", "m", f"5 % quantile: {p.what}"),
-            Column(p.high, "number", "m", f"95 % quantile: {p.what}"),
+            Column(p.low, "number", "m", f"lower end of its interval: {p.what}"),
+            Column(p.high, "number", "m", f"upper end of its interval: {p.what}"),
         )
     ),
     *(

@@ -9,7 +9,7 @@ from pathlib import Path
 from tqdm import tqdm
 
 from fmu_build.cli import Command, UserError
-from ins_eval.imu.toml_table import SpecificationError
+from fmu_build.toml_table import SpecificationError
 from ins_eval.study import study_file
 from ins_eval.study.run.errors import StudyRunError
 from ins_eval.study.run.run import Cluster, Experiment, run
@@ -28,6 +28,11 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         "--out", type=Path, default=Path("hrg-study"), metavar="DIR", help="output folder"
     )
     parser.add_argument("--seed", type=int, metavar="N", help="instead of the study's")
+    add_cluster_options(parser)
+
+
+def add_cluster_options(parser: argparse.ArgumentParser) -> None:
+    """Who does the work."""
     where = parser.add_mutually_exclusive_group()
     where.add_argument(
         "--workers", type=int, metavar="N", help="processes on this machine (default: all cores)"
@@ -37,14 +42,25 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _run(options: argparse.Namespace) -> None:
+def cluster(options: argparse.Namespace) -> Cluster:
+    """That the options ask for.
+
+    Raises:
+        UserError: no number of workers.
+    """
     if options.workers is not None and options.workers < 1:
         raise UserError(f"--workers {options.workers}: expected a whole number from 1")
-    cluster = Cluster(options.scheduler, options.workers)
+    return Cluster(options.scheduler, options.workers)
+
+
+def _run(options: argparse.Namespace) -> None:
+    where = cluster(options)
     try:
         study = study_file.study(options.study, options.seed)
+        for name in study.left_out:
+            print(f"{name} is not here and left out; HRG_REAL says where recorded drives are")
         whole = experiment()
-        perform(study, options.out, whole, cluster)
+        perform(study, options.out, whole, where)
     except SpecificationError as error:
         raise UserError(str(error)) from error
     print(f"written to {options.out}: {', '.join(whole.files)}")
@@ -58,7 +74,7 @@ def experiment() -> Experiment:
     return Experiment(made=made, conclude=conclude, files=FILES, prepare=prepare)
 
 
-def perform(study: Study, out: Path, whole: Experiment, cluster: Cluster) -> None:
+def perform(study: Study, out: Path, whole: Experiment, where: Cluster) -> None:
     """Run a study with a bar on stderr.
 
     Raises:
@@ -67,7 +83,7 @@ def perform(study: Study, out: Path, whole: Experiment, cluster: Cluster) -> Non
     """
     try:
         with _bar(study.triads) as done:
-            run(study, out, whole, cluster, done)
+            run(study, out, whole, where, done)
     except StudyRunError as error:
         raise UserError(str(error)) from error
     except OSError as error:

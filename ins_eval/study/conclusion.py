@@ -13,10 +13,18 @@ import pyarrow as pa
 from numpy.typing import NDArray
 
 from ins_eval.study import agreement, columns, table
-from ins_eval.study.experiment import cosimulated_of, flown_of, missions, triads_of
+from ins_eval.study.conditions import CONDITIONS
+from ins_eval.study.experiment import (
+    cosimulated_of,
+    flown_of,
+    in_condition,
+    methods,
+    missions,
+    triads_of,
+)
 from ins_eval.study.flown import Flown
 from ins_eval.study.gyro_map import TERMS
-from ins_eval.study.maker import METHODS, Method
+from ins_eval.study.maker import Method
 from ins_eval.study.mission_weights import MissionWeights
 from ins_eval.study.predictors.block import (
     Learnt,
@@ -27,12 +35,13 @@ from ins_eval.study.predictors.block import (
     ranking_columns,
 )
 from ins_eval.study.report import page
-from ins_eval.study.report.result import DOCUMENT, result
+from ins_eval.study.report.result import CONDITIONS as CONDITIONS_KEY
+from ins_eval.study.report.result import DOCUMENT, INTERVAL_PERCENT, result
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.run.identity import made_by
-from ins_eval.study.score import Score
+from ins_eval.study.score import ALL, Score
 from ins_eval.study.scores.judged import scores
-from ins_eval.study.specification import TEST, TRAIN, PlannedMission, Study
+from ins_eval.study.specification import CONDITION, MEAN, TEST, TRAIN, PlannedMission, Study
 from ins_eval.study.triads import Triads
 from ins_eval.study.weights_cache import kept_weights
 from pyhrg.units import DEG_PER_H, HOUR, MICRO_G
@@ -58,7 +67,7 @@ def conclude(study: Study, arrays: Arrays, folder: Path) -> None:
 def _tables(study: Study, arrays: Arrays) -> Iterator[pa.Table]:
     with missions(study) as flying:
         weights = [kept_weights(mission) for mission in flying]
-    for method in METHODS:
+    for method in methods(study):
         triads = triads_of(arrays, method)
         known = learnt(_training(study, triads), study.accelerometer_bias_micro_g * MICRO_G)
         for number, mission in enumerate(study.missions):
@@ -68,8 +77,31 @@ def _tables(study: Study, arrays: Arrays) -> Iterator[pa.Table]:
                 | _flown(error, weights[number])
                 | _cosimulated(cosimulated_of(arrays, method, number))
                 | _benched(triads)
-                | _predicted(weights[number], triads, known, study.seed)
+                | _predicted(weights[number], triads, known, study)
             )
+        if method == MEAN and study.conditions:
+            yield from _conditions(study, arrays, known)
+
+
+def _conditions(study: Study, arrays: Arrays, known: Learnt) -> Iterator[pa.Table]:
+    for place, condition in enumerate(CONDITIONS):
+        numbers, triads, error = in_condition(arrays, place)
+        mission = condition.flying(study)
+        weights = kept_weights(mission)
+        identified: dict[str, Any] = {
+            columns.CALIBRATION: [MEAN] * len(numbers),
+            columns.MISSION: [mission.name] * len(numbers),
+            columns.CLASS: [condition.title] * len(numbers),
+            columns.HALF: [CONDITION] * len(numbers),
+        }
+        yield table.table(
+            identified
+            | {columns.TRIAD: numbers}
+            | _flown(error, weights)
+            | {columns.COSIMULATED: np.full(len(numbers), np.nan)}
+            | _benched(triads)
+            | _predicted(weights, triads, known, study)
+        )
 
 
 def _training(study: Study, triads: Triads) -> Triads:
@@ -128,10 +160,13 @@ def _benched(triads: Triads) -> dict[str, Any]:
     }
 
 
-def _predicted(weights: MissionWeights, triads: Triads, known: Learnt, seed: int) -> dict[str, Any]:
+def _predicted(
+    weights: MissionWeights, triads: Triads, known: Learnt, study: Study
+) -> dict[str, Any]:
     """Of the error at the end."""
     end = judged_at(weights, -1)
-    predicted = predicted_columns(predictions(end, triads, known, seed))
+    found = predictions(end, triads, known, study.seed)
+    predicted = predicted_columns(found, study.interval_percent / 100)
     ranked = ranking_columns(end, triads, known)
     lists = {name: list(v) if v.ndim > 1 else v for name, v in ranked.items()}
     return predicted | lists
@@ -140,15 +175,29 @@ def _predicted(weights: MissionWeights, triads: Triads, known: Learnt, seed: int
 def _document(study: Study, frame: pd.DataFrame, others: list[Score]) -> dict[str, Any]:
     """study.json: what was studied, by what, and the scores of those on either side alone."""
     judged = frame[frame[columns.HALF].isin((TRAIN, TEST))]
+    apart = frame[frame[columns.HALF] == CONDITION]
+    inside = study.interval_percent / 100
+    own = scores(judged, study.seed, inside)
+    found = [*own, *_apart(apart, study.seed, inside), *others]
     return {
         "schema": SCHEMA,
         "seed": study.seed,
         "triads": study.triads,
         "missions": len(study.missions),
         "hours": study.hours,
+        "left_out": list(study.left_out),
+        "calibrations": list(study.calibrations),
+        INTERVAL_PERCENT: study.interval_percent,
+        CONDITIONS_KEY: {c.title: c.what for c in CONDITIONS} if study.conditions else {},
         "made_by": made_by(),
-        "scores": [_without_nan(asdict(s)) for s in (*scores(judged, study.seed), *others)],
+        "scores": [_without_nan(asdict(s)) for s in found],
     }
+
+
+def _apart(flights: pd.DataFrame, seed: int, inside: float) -> Iterator[Score]:
+    """Each condition by itself."""
+    for _, rows in flights.groupby(columns.CLASS, sort=False):
+        yield from (s for s in scores(rows, seed, inside) if s.mission_class != ALL)
 
 
 def _without_nan(values: dict[str, Any]) -> dict[str, Any]:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.alignment.analytic import static_alignment
+from ins_eval.imu.gyros import case_force
 from ins_eval.increments import Increments
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
@@ -17,7 +18,7 @@ from ins_eval.state import State, position_error
 from ins_eval.study.block import Triad
 from ins_eval.study.drift import Flight
 from ins_eval.study.missions import SETTLING, STILL, StudyMission
-from pyhrg.device import Device
+from ins_eval.study.true_maps import slow_parameters
 from pyhrg.fmu import GyroFmu
 
 Array = NDArray[np.float64]
@@ -55,18 +56,18 @@ class Truth:
     kept: int
 
 
-def truth(mission: StudyMission) -> Truth:
-    """Of a mission from power-on."""
+def truth(mission: StudyMission, interval: float = INTERVAL) -> Truth:
+    """Of a mission from power-on, in increments of this interval, s."""
     trajectory = mission.trajectory()
     duration = mission.hours * 3600
-    steps = round(duration / INTERVAL)
-    kept = round(mission.kept / INTERVAL)
+    steps = round(duration / interval)
+    kept = round(mission.kept / interval)
     time = mission.kept * np.arange(1.0, steps // kept + 1)
-    before = round(STILL / INTERVAL)
+    before = round(STILL / interval)
     return Truth(
-        increments=trajectory.increments(-STILL, INTERVAL, before + steps),
+        increments=trajectory.increments(-STILL, interval, before + steps),
         start=trajectory.state(0.0),
-        height=trajectory.position(INTERVAL * np.arange(steps + 1.0))[:, 2],
+        height=trajectory.position(interval * np.arange(steps + 1.0))[:, 2],
         position=trajectory.position(time),
         kept=kept,
     )
@@ -76,17 +77,18 @@ def cosimulated(fmu: GyroFmu, flying: Truth, triad: Triad) -> Array:
     """(k, 2) error north and east, m, of one triad without noise.
 
     Args:
-        fmu: `HRG`.
+        fmu: `HRG`, or `HRGSlow`, whose loops are at rest.
         flying: the mission.
         triad: what flies.
     """
     true = flying.increments
     rotation = np.stack(
-        [_measured(fmu, f, true.rotation[:, axis]) for axis, f in enumerate(triad.flights)], axis=-1
+        [_measured(fmu, f, true, axis) for axis, f in enumerate(triad.flights)], axis=-1
     )
-    velocity = true.velocity + INTERVAL * triad.accelerometers
-    measured = Increments(INTERVAL, rotation, velocity, -STILL)
-    begin, zero = round(SETTLING / INTERVAL), round(STILL / INTERVAL)
+    interval = true.interval
+    velocity = true.velocity + interval * triad.accelerometers
+    measured = Increments(interval, rotation, velocity, -STILL)
+    begin, zero = round(SETTLING / interval), round(STILL / interval)
     start = flying.start
     mat_nb = static_alignment(measured.between(begin, zero), start.latitude)
     state = State(start.latitude, start.longitude, start.height, start.velocity, mat_nb)
@@ -106,9 +108,19 @@ def agreement(linear: Array, nonlinear: Array) -> Agreement:
     )
 
 
-def _measured(fmu: GyroFmu, flown: Flight, rotation: Array) -> Array:
-    """(n,) increments of a gyro's angle, rad."""
-    quiet: Device = flown.warming.without_noise()
-    with fmu.power_on(quiet.fmu_parameters(), seed=0, start_angle=flown.power_on_angle) as gyro:
-        angle = gyro.drive(rotation / INTERVAL, INTERVAL)
+def _measured(fmu: GyroFmu, flown: Flight, true: Increments, axis: int) -> Array:
+    """(n,) increments of a gyro's angle along a body axis, rad; its case warms."""
+    input_axis = np.eye(3)[axis]
+    inputs = {
+        "angularRate": true.rotation[:, axis] / true.interval,
+        "caseTemperature": flown.case_temperature(true.bounds[:-1]),
+    }
+    force = case_force(true, input_axis)
+    inputs |= {f"acceleration{name}": force[:, i] for i, name in enumerate("XYZ")}
+    moving = {name: values[:, None] for name, values in inputs.items()}
+    quiet = flown.device.without_noise().fmu_parameters()
+    if not fmu.is_sampled:
+        quiet = {**slow_parameters(flown.device), "samplePeriod": true.interval}
+    with fmu.power_on(quiet, seed=0, start_angle=flown.power_on_angle) as gyro:
+        angle = gyro.record(moving, {}, true.interval, ["gyroAngle"])[0][:, 0]
     return np.diff(angle, prepend=0.0)

@@ -1,28 +1,27 @@
 """From calibration to flight: age, another power-on, and warming up after it."""
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ins_eval.study.gyro_map import GyroMap, characterised
-from pyhrg.device import LOOPS, Device
-from pyhrg.fmu import GyroFmu
+from ins_eval.study.warming import case_warmth
+from pyhrg.device import Device
 from pyhrg.units import YEAR
+
+Array = NDArray[np.float64]
 
 AGEING = 0.02
 """Of each mechanism's own size in a year, 1 sigma; grows with the root of time."""
 LEAKAGE = 0.05
 """Of the decay time that is lost in a year at most."""
-SETTLED = 1.0
-"""Thermal lag of a gyro that is to be read off warm, s."""
 
 
 @dataclass(frozen=True)
 class Drift:
-    """age: time from calibration to flight, s; coolest, warmest: rise of the case at power-on
-    above the calibration's temperature, K, uniform between them; the resonator follows."""
+    """age: time from calibration to flight, s; coolest, warmest: rise of the case after
+    power-on above the calibration's temperature, K, uniform between them (`warming`)."""
 
     age: float = YEAR / 2
     coolest: float = 2.0
@@ -41,34 +40,16 @@ class Flight:
     """One gyro in one flight.
 
     device: as it is in this power-on, at the calibration's temperature;
-    temperature: of its case from power-on, K; power_on_angle: of its pattern, rad.
+    rise: of its temperature in the end, K; power_on_angle: of its pattern, rad.
     """
 
     device: Device
-    temperature: float
+    rise: float
     power_on_angle: float
 
-    @property
-    def warming(self) -> Device:
-        """The gyro whose case is warm from power-on."""
-        model = {**self.device.model, "caseTemperature": self.temperature}
-        return replace(self.device, model=model)
-
-    def settled(self, warmth: float) -> Device:
-        """The gyro when it has warmed so far, 0 to 1."""
-        cool = self.device.reference_temperature
-        temperature = cool + warmth * (self.temperature - cool)
-        model = {**self.device.model, "caseTemperature": temperature}
-        return replace(self.device, model=model, thermal_lag=SETTLED)
-
-
-@dataclass(frozen=True)
-class TrueMaps:
-    """started: at power-on; warming, curving: gained with warmth w and w^2."""
-
-    started: GyroMap
-    warming: GyroMap
-    curving: GyroMap
+    def case_temperature(self, time: Array) -> Array:
+        """K; time: s since alignment."""
+        return self.device.reference_temperature + self.rise * case_warmth(time)
 
 
 def flight(device: Device, drift: Drift, generator: np.random.Generator) -> Flight:
@@ -80,7 +61,7 @@ def flight(device: Device, drift: Drift, generator: np.random.Generator) -> Flig
     drawn = {name: parameters[name] for name in old.turn_on_scatter}
     return Flight(
         device=replace(old, model={**old.model, **drawn}, turn_on_scatter={}),
-        temperature=old.reference_temperature + rise,
+        rise=rise,
         power_on_angle=angle,
     )
 
@@ -108,19 +89,3 @@ def aged(device: Device, age: float, generator: np.random.Generator) -> Device:
         drive_gain_mismatch=drive[0],
         drive_nonorthogonality=drive[1],
     )
-
-
-def true_maps(fmu: GyroFmu, flown: Flight) -> TrueMaps:
-    """Read off the FMU `HRGSlow` cool, half warm and warm."""
-    cool, half, warm = (
-        characterised(fmu, slow_parameters(flown.settled(warmth))).coefficients
-        for warmth in (0.0, 0.5, 1.0)
-    )
-    curving = 2 * (cool + warm) - 4 * half
-    return TrueMaps(*map(GyroMap.of, (cool, warm - cool - curving, curving)))
-
-
-def slow_parameters(device: Device) -> Mapping[str, float]:
-    """Of `HRGSlow`, noise apart."""
-    parameters = device.without_noise().fmu_parameters()
-    return {name: value for name, value in parameters.items() if name not in LOOPS}

@@ -13,6 +13,7 @@ from fmu_build.bundle import built_fmu
 from fmu_build.roots import ROOTS
 from ins_eval.study.bench_plan import CALIBRATION, BenchPlan
 from ins_eval.study.block import Kind, Triad, gathered, triad, triad_seed
+from ins_eval.study.conditions import CONDITIONS, Sample
 from ins_eval.study.cosimulated import cosimulated, truth
 from ins_eval.study.drift import Drift
 from ins_eval.study.flown import Flown, flown
@@ -20,7 +21,7 @@ from ins_eval.study.maker import METHODS, Method
 from ins_eval.study.missions import StudyMission, study_mission
 from ins_eval.study.population import RAW, TRIMMED
 from ins_eval.study.run.block import Arrays
-from ins_eval.study.specification import Study
+from ins_eval.study.specification import CONDITION, MEAN, Study
 from ins_eval.study.triads import Triads
 from ins_eval.study.weights_cache import kept_weights
 from pyhrg.fmu import GyroFmu
@@ -39,6 +40,7 @@ DEFAULTS: dict[str, Any] = {
 POPULATION: dict[Method, str] = {"mean": "trimmed", "map": "raw"}
 """What a maker calibrates by its mean has been trimmed."""
 COSIMULATED = "cosimulated"
+NUMBERS, FLOWN = "numbers", "flown"
 
 
 def kind(study: Study, method: Method) -> Kind:
@@ -58,7 +60,7 @@ def made(study: Study, triads: range) -> Arrays:
     """All of a block's triads by name: `Triads`, and `Flown` in each mission."""
     arrays: dict[str, NDArray[Any]] = {}
     with missions(study) as flying:
-        for method in METHODS:
+        for method in methods(study):
             drawn = _drawn(study, method, triads)
             block = gathered(fmu("HRGSlow"), drawn)
             arrays |= _named(block, method)
@@ -66,7 +68,14 @@ def made(study: Study, triads: range) -> Arrays:
                 path = f"{method}/{number}"
                 arrays |= _named(flown(block, kept_weights(mission), number), path)
                 arrays[f"{path}/{COSIMULATED}"] = _sample(study, mission, triads, drawn)
+            if method == MEAN:
+                arrays |= _in_conditions(study, dict(zip(triads, drawn, strict=True)), block)
     return arrays
+
+
+def methods(study: Study) -> list[Method]:
+    """Its calibrations."""
+    return [method for method in METHODS if method in study.calibrations]
 
 
 def triads_of(arrays: Arrays, method: Method) -> Triads:
@@ -82,6 +91,15 @@ def flown_of(arrays: Arrays, method: Method, mission: int) -> Flown:
 def cosimulated_of(arrays: Arrays, method: Method, mission: int) -> Array:
     """(r, k, 2) m; NaN where it wasn't done."""
     return arrays[f"{method}/{mission}/{COSIMULATED}"]
+
+
+def in_condition(arrays: Arrays, place: int) -> tuple[list[int], Triads, Flown]:
+    """Numbers of the triads that flew in a condition, by its place in `CONDITIONS`; the triads;
+    their flights."""
+    path = f"{CONDITION}/{place}"
+    triads = Triads(**{f.name: arrays[f"{path}/{f.name}"] for f in fields(Triads)})
+    flights = Flown(**{f.name: arrays[f"{path}/{FLOWN}/{f.name}"] for f in fields(Flown)})
+    return arrays[f"{CONDITION}/{NUMBERS}"].tolist(), triads, flights
 
 
 @contextmanager
@@ -102,6 +120,9 @@ def prepare(study: Study) -> None:
     with missions(study) as flying:
         for mission in flying:
             kept_weights(mission)
+    if study.conditions:
+        for condition in CONDITIONS:
+            kept_weights(condition.flying(study))
 
 
 @cache
@@ -113,6 +134,23 @@ def fmu(root: str) -> GyroFmu:
 def _drawn(study: Study, method: Method, triads: range) -> list[Triad]:
     own = kind(study, method)
     return [triad(fmu("HRGSlow"), own, triad_seed(study.seed, number)) for number in triads]
+
+
+def _in_conditions(study: Study, drawn: dict[int, Triad], block: Triads) -> dict[str, NDArray[Any]]:
+    """Of those of a block's triads that fly in conditions."""
+    sample = {number: each for number, each in drawn.items() if study.is_in_conditions(number)}
+    if not sample:
+        return {}
+    arrays: dict[str, NDArray[Any]] = {f"{CONDITION}/{NUMBERS}": np.array([*sample])}
+    rows = [place for place, number in enumerate(drawn) if number in sample]
+    whole = Sample(study, kind(study, MEAN), fmu("HRGSlow"), sample, block.chosen(rows))
+    for place, condition in enumerate(CONDITIONS):
+        triads, path = condition.triads(whole), f"{CONDITION}/{place}"
+        weights = kept_weights(condition.flying(study))
+        noise = len(study.missions) + place
+        arrays |= _named(triads, path)
+        arrays |= _named(flown(triads, weights, noise), f"{path}/{FLOWN}")
+    return arrays
 
 
 def _named(block: Triads | Flown, path: str) -> dict[str, NDArray[Any]]:

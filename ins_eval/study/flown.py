@@ -1,12 +1,14 @@
 """Position errors of many triads in one mission, by the linear error model, in parts."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.study.mission_weights import MissionWeights
 from ins_eval.study.noise_weights import KINDS, factors
+from ins_eval.study.pattern_drift import drift_products
+from ins_eval.study.signals import ENVIRONMENT, STEADY, WARMING, coefficients_of
 from ins_eval.study.standing import beyond_first_order
 from ins_eval.study.triads import Triads
 
@@ -18,11 +20,15 @@ class Flown:
     """Error north and east, m, of r triads at k times, each (r, k, 2); its parts add up.
 
     map: of the gyros' maps as at power-on; warming: of what the maps gain as they warm;
-    accelerometers; noise: of the gyros; alignment: what aligning does beyond first order.
+    environment: of what they gain with specific force, while the case heats, and turning fast;
+    drift: of the patterns' own drift (`pattern_drift`); accelerometers; noise: of the gyros;
+    alignment: what aligning does beyond first order.
     """
 
     map: Array
     warming: Array
+    environment: Array
+    drift: Array
     accelerometers: Array
     noise: Array
     alignment: Array
@@ -30,7 +36,7 @@ class Flown:
     @property
     def error(self) -> Array:
         """All together."""
-        return self.map + self.warming + self.accelerometers + self.noise + self.alignment
+        return np.asarray(sum(getattr(self, field.name) for field in fields(self)))
 
     @property
     def radial(self) -> Array:
@@ -46,10 +52,16 @@ def flown(triads: Triads, weights: MissionWeights, mission: int) -> Flown:
         weights: of the mission.
         mission: its number in the study: of each triad's noise in it.
     """
+
+    def part(of: slice) -> Array:
+        chosen = coefficients_of(of)
+        return map_errors(weights.maps[:, :, chosen], triads.in_flight[:, chosen])
+
     return Flown(
-        map=map_errors(weights.gyros, triads.started),
-        warming=map_errors(weights.warming, triads.warming)
-        + map_errors(weights.curving, triads.curving),
+        map=part(STEADY),
+        warming=part(WARMING),
+        environment=part(ENVIRONMENT),
+        drift=map_errors(weights.drift, drift_products(triads.in_flight, triads.turning)),
         accelerometers=accelerometer_errors(weights, triads.accelerometers),
         noise=noise_errors(weights, triads.noise, triads.seeds, mission),
         alignment=alignment_errors(weights, triads),
@@ -57,7 +69,7 @@ def flown(triads: Triads, weights: MissionWeights, mission: int) -> Flown:
 
 
 def map_errors(weights: Array, coefficients: Array) -> Array:
-    """(r, k, 2) m of coefficients (r, 2 TERMS, 3) with weights (k, 2, 2 TERMS, 3)."""
+    """(r, k, 2) m of coefficients (r, c, 3) with weights (k, 2, c, 3)."""
     k, r = len(weights), len(coefficients)
     return (coefficients.reshape(r, -1) @ weights.reshape(2 * k, -1).T).reshape(r, k, 2)
 
@@ -69,11 +81,8 @@ def accelerometer_errors(weights: MissionWeights, biases: Array) -> Array:
 
 def alignment_errors(weights: MissionWeights, triads: Triads) -> Array:
     """(r, k, 2) m that alignment does beyond first order; noise, averaged over it, left out."""
-    standing = weights.standing
-    rate = np.einsum("ca,rca->ra", standing.started, triads.started)
-    rate += np.einsum("ca,rca->ra", standing.warming, triads.warming)
-    rate += np.einsum("ca,rca->ra", standing.curving, triads.curving)
-    return beyond_first_order(standing, rate, triads.accelerometers)
+    rate = np.einsum("ca,rca->ra", weights.standing.rates, triads.in_flight)
+    return beyond_first_order(weights.standing, rate, triads.accelerometers)
 
 
 def noise_errors(

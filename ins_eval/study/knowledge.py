@@ -1,14 +1,16 @@
 """What the bench knows of a gyro: nothing that it did not measure."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.study.bench_maps import bias_maps, scale_maps
-from ins_eval.study.bench_plan import BenchPlan, campaign
+from ins_eval.study.bench_plan import WARMER, BenchPlan, campaign
 from ins_eval.study.gyro_map import TERMS, GyroMap
+from ins_eval.study.pattern_drift import TURNING
+from ins_eval.study.true_maps import soaked
 from pyhrg.bench.bias import fixed_position, full_circumference
 from pyhrg.bench.bias.bias_test import bias_test
 from pyhrg.bench.procedure import tests_of
@@ -30,16 +32,18 @@ class Knowledge:
     """Of one gyro, SI.
 
     fixed_stability, circumference_stability: bias stability at one position and over all, rad/s;
-    map: mean over the power-ons;
-    covariance: (2 TERMS, 2 TERMS) of the errors of its coefficients in another power-on: scatter
-    over power-ons, pooled over the bias' terms and over the scale factor's, no correlation;
+    map: mean over the power-ons; gain: what it gains per K;
+    variance: (2 TERMS,) of the errors of the map's coefficients in another power-on: scatter over
+    power-ons, pooled over the terms that power-ons move, mean and fourth harmonic, and over the
+    others, of the bias and of the scale factor;
     walk: angle random walk, rad/sqrt(s); instability: flicker beyond it at 100 s, rad/s.
     """
 
     fixed_stability: float
     circumference_stability: float
     map: GyroMap
-    covariance: Array
+    gain: GyroMap
+    variance: Array
     walk: float
     instability: float
 
@@ -58,11 +62,12 @@ def knowledge(fmu: GyroFmu, device: Device, plan: BenchPlan, seed: int) -> Knowl
     """
     if plan.runs < 2:
         raise ValueError(f"found {plan.runs} power-on of each test, expected 2 or more")
-    return known_from(campaign(fmu, device, plan, seed))
+    warm = campaign(fmu, soaked(device, WARMER), replace(plan, runs=1), seed + 1, fixed=False)
+    return known_from(campaign(fmu, device, plan, seed), warm)
 
 
-def known_from(tests: Campaign) -> Knowledge:
-    """What a campaign of the three tests tells.
+def known_from(tests: Campaign, warm: Campaign) -> Knowledge:
+    """What a campaign of the three tests tells, and one of the maps' two that is `WARMER`.
 
     Raises:
         BenchError: one is missing, or not what it must be.
@@ -70,20 +75,32 @@ def known_from(tests: Campaign) -> Knowledge:
     fixed = fixed_position.runs_of(tests)
     scale = scale_maps(tests)
     bias = bias_maps(tests, scale.mean(axis=0))
+    found = GyroMap(bias.mean(axis=0), scale.mean(axis=0))
     walk = _walk(tests)
     return Knowledge(
         fixed_stability=bias_test(fixed).stability,
         circumference_stability=full_circumference.measured(tests).stability,
-        map=GyroMap(bias.mean(axis=0), scale.mean(axis=0)),
-        covariance=np.diag(np.repeat([_scatter(bias), _scatter(scale)], TERMS)),
+        map=found,
+        gain=_gain(found, warm),
+        variance=np.concatenate([_scatter(bias), _scatter(scale)]),
         walk=walk,
         instability=_instability([run.rate for run in fixed], walk),
     )
 
 
-def _scatter(values: Array) -> float:
-    """Variance of one more power-on (runs, terms) less their mean, pooled over the terms."""
-    return float(np.var(values, axis=0, ddof=1).mean() * (1 + 1 / len(values)))
+def _gain(cool: GyroMap, warm: Campaign) -> GyroMap:
+    scale = scale_maps(warm).mean(axis=0)
+    bias = bias_maps(warm, scale).mean(axis=0)
+    return GyroMap((bias - cool.bias) / WARMER, (scale - cool.scale) / WARMER)
+
+
+def _scatter(values: Array) -> Array:
+    """(TERMS,) variance of one more power-on (runs, terms) less their mean, pooled."""
+    pooled = np.empty(TERMS)
+    moved = np.isin(np.arange(TERMS), TURNING)
+    for group in (moved, ~moved):
+        pooled[group] = np.var(values[:, group], axis=0, ddof=1).mean() * (1 + 1 / len(values))
+    return pooled
 
 
 def _walk(tests: Campaign) -> float:

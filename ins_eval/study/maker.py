@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from ins_eval.study.bench_maps import bias_maps, scale_maps
 from ins_eval.study.bench_plan import CALIBRATION, BenchPlan, campaign
-from ins_eval.study.gyro_map import HARMONICS, GyroMap
+from ins_eval.study.gyro_map import HARMONICS, NAMES, GyroMap
 from pyhrg.bench.calibration.calibration_maps import calibrated
 from pyhrg.device import AngleMap, Device
 from pyhrg.fmu import GyroFmu
@@ -56,5 +56,6 @@ def _angle_errors(scale: Array) -> Array:
 
 
 def _angle_map(coefficients: Array) -> AngleMap:
-    mean, cos2, sin2, cos4, sin4, cos8, sin8 = coefficients.tolist()
-    return AngleMap(mean, cos2, sin2, cos4, sin4, cos8, sin8)
+    """What the electronics can hold of a map: the sixth harmonic stays in flight."""
+    named = dict(zip(NAMES, coefficients.tolist(), strict=True))
+    return AngleMap(**{name: named[name] for name in vars(AngleMap())})

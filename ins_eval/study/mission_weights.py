@@ -5,46 +5,39 @@ are known signals along the mission; the linear error model, alignment included,
 error over time. What any device does is then a sum (`flown`).
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.error_model.aligning import alignment_model
-from ins_eval.error_model.effects import (
-    Effect,
-    accelerometer_bias,
-    bias_map,
-    gyro_bias,
-    gyro_scale_factor,
-    pick_off_map,
-)
+from ins_eval.error_model.effects import Effect, accelerometer_bias
 from ins_eval.error_model.linear_model import AXES, LinearModel, linear_model
 from ins_eval.error_model.motion import Motion, along, step_mean
 from ins_eval.error_model.states import ATTITUDE, COUNT
 from ins_eval.navigation.height import Clamped
-from ins_eval.study.gyro_map import HARMONICS, TERMS
+from ins_eval.study import pattern_drift, signals
+from ins_eval.study.gyro_map import TERMS
 from ins_eval.study.missions import SETTLING, STILL, StudyMission
 from ins_eval.study.noise_weights import error_weights, noise_covariances
 from ins_eval.study.standing import Standing
-from ins_eval.study.warming import angle_errors, growing
 from ins_eval.trajectories.trajectory import Trajectory
 
 Array = NDArray[np.float64]
 
 STEP = 1.0
 """Of the linear model, s."""
-PIECE = 3600
+PIECE = 1200
 """Steps that are modelled at once: bounds memory."""
 
 
 @dataclass(frozen=True)
 class MissionWeights:
     """name; time: (k,) s since alignment;
-    gyros: (k, 2, 2 TERMS, 3) error north and east, m, per coefficient of `GyroMap`, started at
-    pattern angle 0, of the gyro along each body axis;
-    warming, curving: the same for coefficients that grow with warmth and its square (`warming`);
+    maps: (k, 2, COUNT, 3) error north and east, m, per coefficient of `signals`, started at pattern
+    angle 0, of the gyro along each body axis;
+    drift: (k, 2, pattern_drift.COUNT, 3) the same per product of `pattern_drift`;
     accelerometers: (k, 2, 3) m per m/s^2 of bias;
     noise: (KINDS, 3, 2 k, 2 k) covariance of the errors, m^2, north and east at each time in turn,
     per squared unit of each kind of noise (`noise_weights`) of each gyro;
@@ -53,48 +46,53 @@ class MissionWeights:
 
     name: str
     time: Array
-    gyros: Array
-    warming: Array
-    curving: Array
+    maps: Array
+    drift: Array
     accelerometers: Array
     noise: Array
     standing: Standing
 
+    @property
+    def gyros(self) -> Array:
+        """(k, 2, 2 TERMS, 3) of a `GyroMap` that stays as it is."""
+        return self.maps[:, :, : 2 * TERMS]
+
 
 def mission_weights(mission: StudyMission) -> MissionWeights:
-    """Weights of a mission: about 10 s for two hours."""
+    """Weights of a mission: half a minute for two hours."""
     trajectory = mission.trajectory()
+    by = pattern_drift.swept(trajectory, -STILL, mission.hours * 3600)
+    effects = [*signals.signal_effects(), *pattern_drift.drift_effects(by), accelerometer_bias()]
     aligning = round((STILL - SETTLING) / STEP)
     steps = round(mission.hours * 3600 / STEP)
     every = round(mission.kept / STEP)
     kept = aligning + np.arange(every, steps + 1, every)
-    carried, transition, per_rate = _carried(_models(trajectory, steps), aligning, kept)
-    half = 2 * TERMS
+    models = _models(trajectory, steps, effects)
+    carried, transition, per_rate = _carried(models, len(effects), aligning, kept)
     by_coefficient, attitude = carried[:, :, :-AXES], carried[:, :, -AXES:]
-    effects = by_coefficient.reshape(len(kept), 2, -1, AXES)
+    by_effect = by_coefficient.reshape(len(kept), 2, -1, AXES)
     weights = error_weights(transition, per_rate, kept)
     return MissionWeights(
         name=mission.name,
         time=mission.kept * np.arange(1.0, len(kept) + 1),
-        gyros=effects[:, :, :half],
-        warming=effects[:, :, half : 2 * half],
-        curving=effects[:, :, 2 * half : 3 * half],
-        accelerometers=effects[:, :, -1],
+        maps=by_effect[:, :, : signals.COUNT],
+        drift=by_effect[:, :, signals.COUNT : -1],
+        accelerometers=by_effect[:, :, -1],
         noise=noise_covariances(weights, STEP, round(SETTLING / STEP)),
-        standing=_standing(trajectory, attitude),
+        standing=_standing(trajectory, effects[: signals.COUNT], attitude),
     )
 
 
-def _models(trajectory: Trajectory, steps: int) -> Iterator[LinearModel]:
+def _models(trajectory: Trajectory, steps: int, effects: Sequence[Effect]) -> Iterator[LinearModel]:
     """Of the alignment, then of the flight in pieces."""
     standing = _at_rest(trajectory)
-    yield alignment_model(standing, EFFECTS)
+    yield alignment_model(standing, effects)
     turned = standing.turned[-1]
     for first in range(0, steps, PIECE):
         count = min(PIECE, steps - first)
         flying = _turned(along(trajectory, STEP * first, STEP, count), turned)
         turned = flying.turned[-1]
-        yield linear_model(flying, Clamped(np.zeros(1)), EFFECTS)
+        yield linear_model(flying, Clamped(np.zeros(1)), effects)
 
 
 def _at_rest(trajectory: Trajectory) -> Motion:
@@ -110,31 +108,13 @@ def _turned(motion: Motion, before: Array) -> Motion:
     return replace(motion, turned=motion.turned + before)
 
 
-def _effects() -> list[Effect]:
-    """Those of `GyroMap`, in its order; those again, growing with warmth; accelerometers."""
-    zero = np.zeros(AXES)
-    bias = [gyro_bias(), *(e for h in HARMONICS for e in bias_map(h, zero))]
-    scale = [gyro_scale_factor(), *(e for h in HARMONICS for e in pick_off_map(h, zero))]
-    assert len(bias) == len(scale) == TERMS
-    moving = [None] * (TERMS + 1) + angle_errors(zero)
-    warming = [
-        growing(effect, power, angle_error)
-        for power in (1, 2)
-        for effect, angle_error in zip((*bias, *scale), moving, strict=True)
-    ]
-    return [*bias, *scale, *warming, accelerometer_bias()]
-
-
-EFFECTS = _effects()
-
-
 def _carried(
-    models: Iterator[LinearModel], aligning: int, kept: NDArray[np.int64]
+    models: Iterator[LinearModel], effects: int, aligning: int, kept: NDArray[np.int64]
 ) -> tuple[Array, Array, Array]:
     """(k, 2, e 3 + 3) error north and east after the kept steps, per constant coefficient, and
     per attitude error after the alignment; and the steps, of `error_weights`."""
     wanted = set(kept.tolist())
-    carried, told, steps = np.zeros((COUNT, AXES * (len(EFFECTS) + 1))), [], 0
+    carried, told, steps = np.zeros((COUNT, AXES * (effects + 1))), [], 0
     transition, per_rate = [], []
     for model in models:
         inputs = model.inputs.reshape(len(model), COUNT, -1)
@@ -151,16 +131,12 @@ def _carried(
     return np.stack(told), np.concatenate(transition), np.concatenate(per_rate)
 
 
-def _standing(trajectory: Trajectory, attitude: Array) -> Standing:
+def _standing(trajectory: Trajectory, effects: Sequence[Effect], attitude: Array) -> Standing:
     motion = _at_rest(trajectory)
-    means = [step_mean(effect.regressor(motion)).mean(axis=0) for effect in EFFECTS[:-1]]
-    half = 2 * TERMS
     return Standing(
         latitude=float(motion.latitude[0]),
         height=float(motion.height[0]),
         mat_nb=motion.mat_nb[0],
-        started=np.stack(means[:half]),
-        warming=np.stack(means[half : 2 * half]),
-        curving=np.stack(means[2 * half :]),
+        rates=np.stack([step_mean(effect.regressor(motion)).mean(axis=0) for effect in effects]),
         attitude=attitude,
     )

@@ -16,7 +16,9 @@ STILL = 300.0
 SETTLING = 20.0
 """From power-on to the alignment's beginning, s."""
 WARM_UP = 600.0
-"""Time constant with which gyros warm, s: their `thermal_lag`."""
+"""Time constant with which a resonator follows its case, s: the `thermal_lag` of gyros."""
+CASE_WARM_UP = 300.0
+"""Time constant with which the case warms after power-on, s."""
 LONGEST = 10.0
 """Hours that a mission of the study may last."""
 CLASSES = (

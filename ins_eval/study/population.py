@@ -22,13 +22,19 @@ that shares are comparable; the map that results is read off the FMU.
     loop delay                                  0 to 0.5 ms
     decay time and damping per kelvin           -0.3 +- 0.2 %, 0 +- 0.3 %
     pick-off gain, phase per kelvin             0.1 % of the gain, 1 % of the phase (1 sigma)
+    bias per specific force on the input axis   4e-4 deg/h a g (1 sigma)
+    pick-off gain per specific force across it  that makes as much bias (1 sigma)
+    bias per rate of the case's temperature     1e-4 deg/h for each kelvin in 600 s (1 sigma)
     power-on: damping, pick-offs, drives        0.5 % of the mechanism (1 sigma)
     angle random walk                           1e-4 to 1e-3 deg/sqrt(h), log-uniform
     bias instability                            5e-4 to 5e-3 deg/h, log-uniform
     rate random walk                            5e-4 to 5e-3 deg/h in an hour, log-uniform
     angle white noise                           0.01 to 0.05 arcsec, log-uniform
 
-Sensitivity to specific force and to the rate of temperature is zero: gyros are compensated for it.
+Sensitivities to specific force and to the rate of temperature are what compensation leaves: raw
+ones are 1e-3 to 2e-2 deg/h, to a g or a kelvin. At 3e-4 deg/sqrt(h) an hour's tumble tells them
+within 4e-4 deg/h a g; an hour's ramp of a kelvin a minute within 3e-5 deg/h a kelvin, hysteresis
+apart.
 """
 
 import math
@@ -38,7 +44,16 @@ import numpy as np
 
 from ins_eval.study.missions import WARM_UP
 from pyhrg.device import Device
-from pyhrg.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, HOUR, HZ, PPM
+from pyhrg.units import (
+    ARCSEC,
+    DEG,
+    DEG_PER_H,
+    DEG_PER_SQRT_H,
+    HOUR,
+    HZ,
+    PPM,
+    STANDARD_GRAVITY,
+)
 
 Generator = np.random.Generator
 
@@ -65,10 +80,19 @@ class Population:
             decay_time=generator.uniform(300.0, 600.0),
             thermal_lag=WARM_UP,
             phase_loop=PHASE_LOOP,
+            quadrature_loop=QUADRATURE_LOOP,
+            amplitude_loop=AMPLITUDE_LOOP,
             power_on_angle=generator.uniform(0.0, math.pi),
             power_on_scatter=0.5 * DEG,
         )
-        for mechanisms in (_resonator, _electrodes, _electronics, _temperature, _noise):
+        for mechanisms in (
+            _resonator,
+            _electrodes,
+            _electronics,
+            _temperature,
+            _sensitivity,
+            _noise,
+        ):
             device = mechanisms(device, size, generator)
         return replace(device, turn_on_scatter=_scatter(device))
 
@@ -79,6 +103,15 @@ RAW = Population(0.3 * DEG_PER_H, 1.5 * DEG_PER_H)
 """For calibration by the map: what flies is what the map drifts by."""
 PHASE_LOOP = 400.0
 """rad/s: it lags behind the frequency of a gyro that warms, 0.1 rad/s^2, by less than 1e-6 rad."""
+QUADRATURE_LOOP = 60.0
+"""rad/s: by its lag a split of 1 mHz makes a scale factor of 5e-9 (`pyhrg.theory`); 6 rad/s would
+make it 5e-7, which a gyro that rolls shows."""
+AMPLITUDE_LOOP = 30.0
+"""rad/s."""
+PER_G = 4e-4 * DEG_PER_H
+PER_KELVIN = 1e-4 * DEG_PER_H
+"""Bias by specific force, and by the case's change of temperature in `WARM_UP`, that compensation
+leaves, 1 sigma, rad/s."""
 REPEATABILITY = 0.005
 """Of damping, pick-offs and drives, from one power-on to the next, as a share of each."""
 
@@ -134,6 +167,17 @@ def _temperature(device: Device, size: float, generator: Generator) -> Device:
         frequency_per_kelvin=generator.normal(85e-6, 2e-6),
         pickoff_gain_per_kelvin=generator.normal(0.0, 1e-3 * gain),
         phase_per_kelvin=generator.normal(0.0, 1e-2 * abs(device.phase_error)),
+    )
+
+
+def _sensitivity(device: Device, size: float, generator: Generator) -> Device:
+    bias, gain = generator.normal(0.0, PER_G, 2).tolist()
+    gain_of_bias = 4 * device.bryan_factor * device.decay_time
+    return replace(
+        device,
+        bias_per_acceleration=bias / STANDARD_GRAVITY,
+        pickoff_gain_per_acceleration=gain_of_bias * gain / STANDARD_GRAVITY,
+        bias_per_temperature_rate=generator.normal(0.0, PER_KELVIN) * WARM_UP,
     )
 
 

@@ -7,7 +7,7 @@ ALL = "all"
 
 R2_RADIAL, R2_COMPONENTS = "r2_radial", "r2_components"
 MEDIAN_RATIO, OPTIMISM = "median_ratio", "optimism"
-VARIANCE_REMOVED, COVERAGE, WIDTH = "variance_removed", "coverage_90", "width_to_oracle"
+VARIANCE_REMOVED, COVERAGE, WIDTH = "variance_removed", "coverage", "width_to_oracle"
 SPEARMAN, AGREEMENT = "spearman", "linear_to_cosimulated"
 ADVANTAGE, UNPREDICTABLE_SHARE = "advantage_of_circumference", "unpredictable_share"
 
@@ -17,8 +17,8 @@ SCORES = {
     MEDIAN_RATIO: "median of flown / predicted",
     OPTIMISM: "rms flown / rms predicted",
     VARIANCE_REMOVED: "variance removed of what the circumference rule, refitted, leaves",
-    COVERAGE: "share of flown errors inside the 90 % interval",
-    WIDTH: "median width of the 90 % interval / the oracle's",
+    COVERAGE: "share of flown errors inside the predicted interval",
+    WIDTH: "median width of the predicted interval / the oracle's",
     SPEARMAN: "rank correlation of the bench's figure and the flown rms over power-on angles",
     ADVANTAGE: "mean |ln(flown / predicted)| of the fixed rule less that of the circumference rule",
     UNPREDICTABLE_SHARE: "rms of drift, noise and accelerometers / rms of the predicted error",

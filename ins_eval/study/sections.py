@@ -8,7 +8,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from ins_eval.imu.toml_table import TomlTable
+from fmu_build.toml_table import TomlTable
 from pyhrg.units import DEG_PER_H, HOUR
 
 UNITS = {"deg_h": DEG_PER_H, "days": 24 * HOUR, "K": 1.0, "": 1.0}
@@ -50,7 +50,7 @@ class Key:
 _POPULATION = (Key("smallest", "deg_h", 1e-4, 100), Key("largest", "deg_h", 1e-4, 100))
 _PLAN = (
     Key("runs", "", 1, 100, whole=True),
-    Key("positions", "", 8, 720, whole=True),
+    Key("positions", "", 16, 720, whole=True),  # nine terms of a map
     Key("segments", "", 1, 36, whole=True),
     Key("fixed_segments", "", 2, 360, whole=True),
     Key("periods", "", 1, 100, whole=True),

@@ -6,11 +6,16 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Final
 
 from ins_eval.study.sections import Settings
 from ins_eval.trajectories.keys import Checked, quantity, required_choice, whole
 
-TRAIN, TEST = "train", "test"
+TRAIN, TEST, CONDITION = "train", "test", "condition"
+"""Halves of triads and classes; conditions stand apart from both."""
+MEAN: Final = "mean"
+CALIBRATIONS = (MEAN, "map")
+"""By the maker: bias and scale factor at the mean; or the whole maps of both."""
 LONGEST_HOURS = 10.0
 MOST_TRIADS = 1_000_000
 SIGNIFICANCE = 0.05
@@ -57,7 +62,11 @@ class Study(Checked):
         interval_percent: of predicted errors, whose coverage is judged.
         accelerometer_bias_micro_g: 1 sigma of each.
         cosimulated: triads of the sample that is flown without linearising, of each calibration.
+        conditions: triads of the half that is judged that are also flown in each of
+            `conditions.CONDITIONS`.
         missions: in the order of the results.
+        left_out: recorded drives that the study names and this machine doesn't have.
+        calibrations: some of `CALIBRATIONS`.
         settings: of `sections.SECTIONS`, by field, SI; only what differs from the defaults.
     """
 
@@ -67,7 +76,10 @@ class Study(Checked):
     interval_percent: float = quantity("", 50.0, 99.0, 90.0)
     accelerometer_bias_micro_g: float = quantity("", 0.0, 1e4, 10.0)
     cosimulated: int = whole(0, MOST_TRIADS, 0)
+    conditions: int = whole(0, MOST_TRIADS, 0)
     missions: tuple[PlannedMission, ...]
+    left_out: tuple[str, ...] = ()
+    calibrations: tuple[str, ...] = CALIBRATIONS
     settings: Mapping[str, Settings] = field(default_factory=dict)
 
     def half_of(self, triad: int) -> str:
@@ -78,8 +90,20 @@ class Study(Checked):
         """Whether a triad is of the sample, which is spread over all."""
         return triad * self.cosimulated % self.triads < self.cosimulated
 
+    def is_in_conditions(self, triad: int) -> bool:
+        """Whether a triad is of the sample of the judged half that is flown in conditions."""
+        first = self.triads // 2
+        judged = self.triads - first
+        place = triad - first
+        return place >= 0 and place * self.conditions % judged < self.conditions
+
+
+def fewest_judged(interval_percent: float) -> int:
+    """With fewer, no count whatever of covered errors refutes intervals that are too wide:
+    share^n stays above half the significance."""
+    return math.ceil(math.log(SIGNIFICANCE / 2) / math.log(interval_percent / 100))
+
 
 def fewest_triads(interval_percent: float) -> int:
-    """With fewer, no count whatever of covered errors in the half that is judged refutes intervals
-    that are too wide: share^n stays above half the significance."""
-    return 2 * math.ceil(math.log(SIGNIFICANCE / 2) / math.log(interval_percent / 100))
+    """Of a study, half of which is judged."""
+    return 2 * fewest_judged(interval_percent)

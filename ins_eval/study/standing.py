@@ -22,16 +22,14 @@ Array = NDArray[np.float64]
 @dataclass(frozen=True)
 class Standing:
     """A vehicle at rest. latitude: rad; height: m; mat_nb: (3, 3);
-    started, warming, curving: (2 TERMS, 3) mean rate error over the alignment per coefficient as
-    in `MissionWeights`; attitude: (k, 2, 3) later position error, m, per attitude error at its end.
+    rates: (COUNT, 3) mean rate error over the alignment per coefficient of `MissionWeights.maps`;
+    attitude: (k, 2, 3) later position error, m, per attitude error at its end.
     """
 
     latitude: float
     height: float
     mat_nb: Array
-    started: Array
-    warming: Array
-    curving: Array
+    rates: Array
     attitude: Array
 
 

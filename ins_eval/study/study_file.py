@@ -1,14 +1,16 @@
 """Studies as TOML: read, and refused with file, key, what was found and what was expected."""
 
-import tomllib
 from collections.abc import Iterator
 from dataclasses import MISSING, replace
 from pathlib import Path
 from typing import Any, TypeVar
 
-from ins_eval.imu.toml_table import SpecificationError, TomlTable
+from fmu_build.files import toml_of
+from fmu_build.toml_table import SpecificationError, TomlTable
 from ins_eval.study.sections import SECTIONS, settings
 from ins_eval.study.specification import (
+    CALIBRATIONS,
+    MEAN,
     TEST,
     TRAIN,
     PlannedMission,
@@ -18,12 +20,13 @@ from ins_eval.study.specification import (
 from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.keys import Checked, keys
+from ins_eval.trajectories.recordings import recording
 
 _FOLDER = Path(__file__).with_name("ready")
 READY = tuple(sorted(path.stem for path in _FOLDER.glob("*.toml")))
 """Names of the studies that come with the package; each is a file in `ready`."""
 
-MISSION_KEYS = ("name", "file", "class", "half", "hours")
+MISSION_KEYS = ("name", "file", "recorded", "class", "half", "hours")
 
 T = TypeVar("T", bound=Checked)
 
@@ -48,7 +51,8 @@ def read(path: Path, seed: int | None = None) -> Study:
 
     Args:
         path: TOML. At the top the keys of `Study`; `[[missions]]`, each with `name` (of a ready
-            mission) or `file` (from the folder of this one), `class`, `half` and, if it has its
+            mission), `file` (from the folder of this one) or `recorded` (of `recordings`, left out
+            where it is not there), `class`, `half` and, if it has its
             own, `hours`; tables as `sections.SECTIONS` says.
         seed: instead of the file's.
 
@@ -56,26 +60,48 @@ def read(path: Path, seed: int | None = None) -> Study:
         SpecificationError: an unreadable file; a key that is unknown or missing; a value out of
             range; a class in both halves, a half without missions; too few triads for the interval.
     """
-    document = _parsed(path)
+    document = toml_of(path, SpecificationError)
     if seed is not None:
         document["seed"] = seed
     top = TomlTable(str(path), "", document)
-    top.check_known([*(key for key, _, _ in keys(Study)), "missions", *SECTIONS])
+    top.check_known([*(key for key, _, _ in keys(Study)), "calibrations", "missions", *SECTIONS])
     plain = {key: document[key] for key, _, _ in keys(Study) if key in document}
-    bare = _built(Study, TomlTable(str(path), "", plain), missions=())
+    calibrations = _calibrations(top)
+    bare = _built(Study, TomlTable(str(path), "", plain), missions=(), calibrations=calibrations)
     missions = tuple(_missions(top, path.parent, bare.hours))
+    left_out = tuple(values["recorded"] for values in top.values["missions"] if _absent(values))
     _check_halves(top, missions)
-    _check_triads(top, bare)
-    return replace(bare, missions=missions, settings=settings(top))
+    check_triads(bare, top.source)
+    return replace(bare, missions=missions, left_out=left_out, settings=settings(top))
 
 
-def _parsed(path: Path) -> dict[str, Any]:
-    try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise SpecificationError(f"{path}: can't be read: {error.strerror or error}") from error
-    except ValueError as error:
-        raise SpecificationError(f"{path}: found what is no TOML: {error}") from error
+def check_triads(study: Study, source: str) -> None:
+    """Refuse what can't be judged.
+
+    Args:
+        study: without regard to its missions.
+        source: put before what is wrong.
+
+    Raises:
+        SpecificationError: too few triads for the interval; conditions of too few, of more than
+            the judged half has, or without gyros that are calibrated at the mean.
+    """
+    top = TomlTable(source, "", {})
+    few = fewest_triads(study.interval_percent)
+    refutes = f"with fewer, nothing refutes intervals of {study.interval_percent:g} % that are"
+    if study.triads < few:
+        raise top.error("triads", study.triads, f"{few} or more: {refutes} too wide")
+    judged, fewest = study.triads - study.triads // 2, few // 2
+    if study.conditions and not fewest <= study.conditions <= judged:
+        raise top.error(
+            "conditions",
+            study.conditions,
+            f"0, or {fewest} to {judged}, the half that is judged: {refutes} too wide",
+        )
+    if study.conditions and MEAN not in study.calibrations:
+        raise top.error(
+            "conditions", study.conditions, f"0 without {MEAN!r} among the calibrations"
+        )
 
 
 def _built(kind: type[T], table: TomlTable, **others: Any) -> T:
@@ -94,6 +120,18 @@ def _built(kind: type[T], table: TomlTable, **others: Any) -> T:
         raise SpecificationError(f"{table.source}: {table.prefix}{error}") from None
 
 
+def _calibrations(top: TomlTable) -> tuple[str, ...]:
+    found = top.values.get("calibrations", list(CALIBRATIONS))
+    if (
+        not isinstance(found, list)
+        or not found
+        or any(name not in CALIBRATIONS for name in found)
+        or len(set(found)) < len(found)
+    ):
+        raise top.error("calibrations", found, f"some of {', '.join(CALIBRATIONS)}, each once")
+    return tuple(found)
+
+
 def _missions(top: TomlTable, folder: Path, hours: float) -> Iterator[PlannedMission]:
     listed = top.values.get("missions", [])
     if not isinstance(listed, list) or not all(isinstance(each, dict) for each in listed):
@@ -103,6 +141,8 @@ def _missions(top: TomlTable, folder: Path, hours: float) -> Iterator[PlannedMis
     named: set[str] = set()
     for number, values in enumerate(listed, 1):
         table = TomlTable(top.source, f"missions {number}: ", values)
+        if _absent(values):
+            continue
         mission = _mission(table, folder, hours)
         if mission.name in named:
             raise table.error("name", mission.name, "a name that no other mission has")
@@ -111,6 +151,7 @@ def _missions(top: TomlTable, folder: Path, hours: float) -> Iterator[PlannedMis
 
 
 def _mission(table: TomlTable, folder: Path, hours: float) -> PlannedMission:
+    """Of a table of `MISSION_KEYS`."""
     table.check_known(MISSION_KEYS)
     if "class" not in table.values:
         raise table.missing("class", "the class of manoeuvre, text")
@@ -130,7 +171,15 @@ def _mission(table: TomlTable, folder: Path, hours: float) -> PlannedMission:
     )
 
 
+def _absent(values: dict[str, Any]) -> bool:
+    """Whether it names a recorded drive that is not there."""
+    name = values.get("recorded")
+    return isinstance(name, str) and recording(name) is None
+
+
 def _file(table: TomlTable, folder: Path) -> Path:
+    if "recorded" in table.values:
+        return recording(table.text("recorded", "")) or Path(table.text("recorded", ""))
     if "file" in table.values:
         return folder / table.text("file", "")
     if "name" not in table.values:
@@ -152,14 +201,3 @@ def _check_halves(top: TomlTable, missions: tuple[PlannedMission, ...]) -> None:
     for half in (TRAIN, TEST):
         if half not in halves.values():
             raise top.missing(f"missions of half {half!r}", "at least one")
-
-
-def _check_triads(top: TomlTable, study: Study) -> None:
-    fewest = fewest_triads(study.interval_percent)
-    if study.triads < fewest:
-        raise top.error(
-            "triads",
-            study.triads,
-            f"{fewest} or more: with fewer, nothing refutes intervals of "
-            f"{study.interval_percent:g} % that are too wide",
-        )

@@ -16,15 +16,17 @@ class Triads:
 
     What the bench knows of each gyro, after calibration (`Knowledge`):
     fixed_stability, circumference_stability, instability: (r, 3) rad/s; walk: (r, 3) rad/sqrt(s);
-    known: (r, 14, 3) coefficients of its map, over the pattern angle itself;
-    covariance: (r, 14, 14, 3) of their errors in another power-on.
+    known: (r, 2 TERMS, 3) coefficients of its map, over the pattern angle itself;
+    gain: (r, 2 TERMS, 3) what they gain per K;
+    variance: (r, 2 TERMS, 3) of their errors in another power-on.
 
-    true: (r, 14, 3) what the bench looked for: its map, noise and power-ons' scatter apart.
+    true: (r, COUNT, 3) what the bench looked for: what flies of it as it was on the bench, noise,
+    age and power-ons' scatter apart, over the pattern angle itself.
 
     What flies:
-    start_angle: (r, 3) pattern angle at power-on, rad;
-    started: (r, 14, 3) coefficients of the true map over the pattern's turn from that angle;
-    warming, curving: (r, 14, 3) what they gain with warmth and its square (`warming`);
+    start_angle: (r, 3) pattern angle at power-on, rad; rise: (r, 3) of temperature in the end, K;
+    in_flight: (r, COUNT, 3) coefficients of `signals` over the pattern's turn from that angle;
+    turning: (r, TURNING, 3) bias that turns the pattern (`pattern_drift`), from that angle, rad/s;
     noise: (r, KINDS, 3) strengths of the noises (`noise_weights.KINDS`);
     accelerometers: (r, 3) biases, m/s^2;
     seeds: (r, 2) entropy of each triad's noise in flight.
@@ -35,18 +37,23 @@ class Triads:
     instability: Array
     walk: Array
     known: Array
-    covariance: Array
+    gain: Array
+    variance: Array
     true: Array
     start_angle: Array
-    started: Array
-    warming: Array
-    curving: Array
+    rise: Array
+    in_flight: Array
+    turning: Array
     noise: Array
     accelerometers: Array
     seeds: NDArray[np.uint64]
 
     def __len__(self) -> int:
         return len(self.start_angle)
+
+    def chosen(self, rows: Sequence[int]) -> "Triads":
+        """Some of them."""
+        return Triads(**{f.name: getattr(self, f.name)[rows] for f in fields(Triads)})
 
     def save(self, path: Path) -> None:
         """Into one npz, uncompressed: the same bytes from the same triads."""

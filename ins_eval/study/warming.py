@@ -1,68 +1,39 @@
-"""What a map does while it changes: a gyro warms after power-on, and its coefficients with it.
+"""How a gyro's case and resonator warm after power-on.
 
-A harmonic of the scale factor is the error of the detected pattern angle, as rate. When it grows,
-the angle that is read moves by itself, turning or not: at rest 3 ppm/K of an electrode's gain make
-a bias of 0.02 deg/h while the gyro warms by 2 K in a minute. Coefficients grow with warmth w as
-a w + b w^2: a calibrated gyro flies the small difference of large terms, each of its own curve.
+The case approaches its final temperature with `CASE_WARM_UP`, the resonator the case with
+`WARM_UP`; both begin at the temperature of the calibration.
 """
-
-from collections.abc import Callable
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.error_model.effects import BRYAN_FACTOR, Effect, pattern_angle
-from ins_eval.error_model.motion import PARTS, Motion
-from ins_eval.study.gyro_map import HARMONICS
-from ins_eval.study.missions import STILL, WARM_UP
+from ins_eval.study.missions import CASE_WARM_UP, STILL, WARM_UP
 
 Array = NDArray[np.float64]
-Regressor = Callable[[Motion], Array]
+
+
+def case_warmth(time: Array) -> Array:
+    """How far the case has warmed since power-on, 0 to 1; time: s since alignment."""
+    return np.asarray(1 - np.exp(-(time + STILL) / CASE_WARM_UP))
+
+
+def heating(time: Array) -> Array:
+    """Rate of that, 1/s."""
+    return np.asarray(np.exp(-(time + STILL) / CASE_WARM_UP) / CASE_WARM_UP)
 
 
 def warmth(time: Array) -> Array:
-    """How far a gyro has warmed since power-on, 0 to 1; time: s since alignment."""
-    return np.asarray(1 - np.exp(-(time + STILL) / WARM_UP))
+    """How far the resonator has warmed, 0 to 1."""
+    resonator, case = _left(time)
+    return np.asarray(1 - (WARM_UP * resonator - CASE_WARM_UP * case) / (WARM_UP - CASE_WARM_UP))
 
 
-def growing(effect: Effect, power: int, angle_error: Regressor | None = None) -> Effect:
-    """An effect whose coefficient grows with a power of warmth.
-
-    Args:
-        effect: as it is when warm.
-        power: 1 or 2.
-        angle_error: its integral over the turn, (m, 3) rad per coefficient, if it is the rate of
-            an angle's error.
-    """
-
-    def regressor(motion: Motion) -> Array:
-        nodes = np.arange(len(motion.rate), dtype=np.float64)
-        time = np.asarray(motion.start + motion.step / PARTS * nodes)
-        warm = warmth(time)[:, None]
-        grown = effect.regressor(motion) * warm**power
-        if angle_error is None:
-            return np.asarray(grown)
-        return np.asarray(grown + angle_error(motion) * _growth(warm, power))
-
-    return replace(effect, name=f"{effect.name}, warming {power}", regressor=regressor)
+def growth(time: Array) -> Array:
+    """Rate of that, 1/s."""
+    resonator, case = _left(time)
+    return np.asarray((resonator - case) / (WARM_UP - CASE_WARM_UP))
 
 
-def _growth(warm: Array, power: int) -> Array:
-    """Rate of change of a power of warmth, 1/s."""
-    return np.asarray(power * warm ** (power - 1) * (1 - warm) / WARM_UP)
-
-
-def angle_errors(first_angle: Array) -> list[Regressor]:
-    """Angle errors whose rates are the harmonics of the scale factor, cosine and sine in turn.
-
-    Args:
-        first_angle: (3,) pattern angles at the motion's start, rad.
-    """
-
-    def error(harmonic: int, sign: float, wave: Callable[[Array], Array]) -> Regressor:
-        factor = sign / (harmonic * BRYAN_FACTOR)
-        return lambda motion: factor * wave(harmonic * pattern_angle(motion, first_angle))
-
-    waves = ((-1.0, np.sin), (1.0, np.cos))
-    return [error(h, sign, wave) for h in HARMONICS for sign, wave in waves]
+def _left(time: Array) -> tuple[Array, Array]:
+    since = time + STILL
+    return np.exp(-since / WARM_UP), np.exp(-since / CASE_WARM_UP)

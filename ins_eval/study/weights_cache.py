@@ -16,7 +16,16 @@ from ins_eval.study.missions import StudyMission, file_of
 from ins_eval.study.standing import Standing
 
 PACKAGES = ("alignment", "error_model", "trajectories")
-MODULES = ("gyro_map", "mission_weights", "missions", "noise_weights", "standing", "warming")
+MODULES = (
+    "gyro_map",
+    "mission_weights",
+    "missions",
+    "noise_weights",
+    "pattern_drift",
+    "signals",
+    "standing",
+    "warming",
+)
 """Of the study: with the packages, and the modules that all share, the code that makes weights."""
 
 

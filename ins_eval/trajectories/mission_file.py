@@ -1,12 +1,12 @@
 """Missions as TOML: read, and refused with file, manoeuvre, key, what was found and expected."""
 
 import difflib
-import tomllib
 from collections.abc import Collection, Mapping
 from dataclasses import MISSING, dataclass
 from pathlib import Path
 from typing import Any, TypeVar
 
+from fmu_build.files import toml_of
 from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.keys import Checked, keys
 from ins_eval.trajectories.mission import Mission, Start
@@ -32,7 +32,7 @@ def read(path: Path) -> Mission:
         MissionError: an unreadable file; a key that is unknown or missing; a value of the wrong
             type or out of range.
     """
-    document = _parsed(path)
+    document = toml_of(path, MissionError)
     reader = _Reader(str(path))
     reader.known(document, TOP, "")
     course = reader.listed(document, "course", MANOEUVRES)
@@ -46,15 +46,6 @@ def read(path: Path) -> Mission:
         overlays=reader.listed(document, "overlays", OVERLAYS),
         repeat=reader.repeat(document.get("repeat", 1)),
     )
-
-
-def _parsed(path: Path) -> dict[str, Any]:
-    try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise MissionError(f"{path}: can't be read: {error.strerror or error}") from error
-    except ValueError as error:
-        raise MissionError(f"{path}: found what is no TOML: {error}") from error
 
 
 @dataclass(frozen=True)

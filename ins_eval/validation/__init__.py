@@ -1,1 +1,1 @@
-"""The experiment: which bench test predicts the navigator's error."""
+"""The small study, its verdict on the terminal and a figure: which bench test told the truth."""

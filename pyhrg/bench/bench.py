@@ -14,7 +14,7 @@ from pyhrg.bench.store import Store, key_of
 from pyhrg.campaign import Campaign, Test
 from pyhrg.device import LOOPS, Device
 from pyhrg.device_file import nominal
-from pyhrg.fmu import Gyro, GyroFmu
+from pyhrg.fmu import CONTROL_PERIOD, Gyro, GyroFmu
 from pyhrg.records import Log
 
 Array = NDArray[np.float64]
@@ -138,6 +138,7 @@ class Bench:
                 list(MEANS.values()),
             )
         outputs = dict(zip((*ENDS, *MEANS), [*ends.T, *means.T], strict=True))
+        outputs["amplitude"] = detected(outputs["amplitude"], programme.interval)
         columns = {
             "time": np.arange(1, len(programme) + 1) * programme.interval,
             "table_angle": programme.table_angle,
@@ -162,19 +163,36 @@ class Bench:
         rate = between(programme.table_rate, share)
         begun = np.concatenate(([0.0], programme.table_angle[:-1]))[:, None]
         swept = programme.interval * share * between(programme.table_rate, share / 2)
-        earth = self.earth_rate(programme.held("axis_up")[:, None], begun + swept)
+        earth = earth_rate(self.device, programme.held("axis_up")[:, None], begun + swept)
         return {
             "angularRate": rate + earth,
             "caseTemperature": between(programme.temperature, share),
         }
 
-    def earth_rate(self, axis_up: Array, table_angle: Array) -> Array:
-        """Earth's rate on the input axis, rad/s; a misaligned axis leans north once a turn."""
-        site, device = self.device.site, self.device
-        north = np.cos(table_angle + device.misalignment_direction)
-        up = axis_up * np.cos(device.misalignment)
-        lean = np.sin(device.misalignment) * north
-        return np.asarray(site.vertical_rate * up + site.horizontal_rate * lean)
+
+def detected(amplitude: Array, interval: float) -> Array:
+    """What a log has of an amplitude: that of one control period before each row's end.
+
+    Args:
+        amplitude: (n,) at the rows' ends.
+        interval: of the rows, s.
+    """
+    change = np.diff(amplitude, prepend=amplitude[0])
+    return np.asarray(amplitude - change * CONTROL_PERIOD / interval)
+
+
+def earth_rate(device: Device, axis_up: Array, table_angle: Array) -> Array:
+    """Earth's rate on the input axis, rad/s; a misaligned axis leans north once a turn.
+
+    Args:
+        device: its misalignment, and where it is tested.
+        axis_up: projection of the table's axis on local up.
+        table_angle: rad.
+    """
+    north = np.cos(table_angle + device.misalignment_direction)
+    up = axis_up * np.cos(device.misalignment)
+    lean = np.sin(device.misalignment) * north
+    return np.asarray(device.site.vertical_rate * up + device.site.horizontal_rate * lean)
 
 
 LOGGED = tuple(name for name in ("axis_up", *INPUTS) if name not in ("vibration", "bias_voltage"))

@@ -110,6 +110,13 @@ class Programme:
             self._append(0.0, begin + (temperature - begin) * row / rows)
         return self
 
+    def tempered(self, temperatures: Array) -> "Programme":
+        """Set the temperature of the case at the bounds of the rows so far, (n + 1,), K."""
+        if len(temperatures) != len(self) + 1:
+            raise ValueError(f"expected {len(self) + 1} temperatures, found {len(temperatures)}")
+        self._temperatures = temperatures.tolist()
+        return self
+
     def held(self, name: str) -> Array:
         """(n,) values of what holds over each row."""
         return np.array([row[name] for row in self._rows])

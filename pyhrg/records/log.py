@@ -106,7 +106,16 @@ def read(path: Path, interval: float | None = None, latitude: float | None = Non
             runs back, steps that contradict the interval, values in another unit than the
             header says.
     """
-    table = timing.ordered(read_table(path))
+    return checked(read_table(path), interval, latitude)
+
+
+def checked(table: Table, interval: float | None = None, latitude: float | None = None) -> Log:
+    """The log that a table holds; see `read`.
+
+    Raises:
+        LogError: what is wrong with rows or values, as `read`.
+    """
+    table = timing.ordered(table)
     interval = timing.interval_of(table, interval)
     table = timing.with_gaps_noted(_with_missing_noted(table), interval)
     table = saturation.without_saturation(table, interval)

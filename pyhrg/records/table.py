@@ -70,7 +70,7 @@ def read_table(path: Path) -> Table:
             time, no rows, a row with too few or too many fields, a field that is no number or is
             out of range.
     """
-    text = _text(path)
+    text = text_of(path)
     header = [name.strip() for name in next(csv.reader(text.splitlines()[:1]), [])]
     _check_header(path, header)
     rows, values = _quickly(text, header) or _carefully(path, text, header)
@@ -79,7 +79,7 @@ def read_table(path: Path) -> Table:
     columns = {column.field: np.full(len(rows), np.nan) for column in COLUMNS}
     for column in COLUMNS:
         if column.name in header:
-            _check_range(path, column, rows, values[column.name])
+            check_range(path.name, column, rows, values[column.name])
             columns[column.field] = column.factor * values[column.name] + column.offset
     names = [column.name for column in COLUMNS]
     expected = [column.name for column in COLUMNS if not column.optional]
@@ -88,10 +88,15 @@ def read_table(path: Path) -> Table:
     return Table(path.name, rows, columns, tuple(notes))
 
 
-def _text(path: Path) -> str:
+def text_of(path: Path, encoding: str = "utf-8-sig") -> str:
+    """A file's text, gzip undone whatever its name.
+
+    Raises:
+        LogError: unreadable, cut off, or not in that encoding.
+    """
     try:
         data = path.read_bytes()
-        return (gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data).decode("utf-8-sig")
+        return (gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data).decode(encoding)
     except (OSError, EOFError, zlib.error, UnicodeDecodeError) as error:
         reason = getattr(error, "strerror", None) or error
         raise LogError(f"{path}: can't be read: {reason}") from error
@@ -148,12 +153,17 @@ def _number(path: Path, name: str, row: int, text: str) -> float:
         raise LogError(f"{path.name}: row {row}, {name}: {text!r}; expected a number") from None
 
 
-def _check_range(path: Path, column: Column, rows: NDArray[np.int64], values: Array) -> None:
+def check_range(source: str, column: Column, rows: NDArray[np.int64], values: Array) -> None:
+    """Refuse values (n,) in the file's unit that make no sense.
+
+    Raises:
+        LogError: at the first one, by its row.
+    """
     wrong = np.isinf(values) | (values < column.lowest) | (values > column.highest)
     if wrong.any():
         i = int(np.argmax(wrong))
         limits = math.isfinite(column.lowest) or math.isfinite(column.highest)
         expected = f"{column.lowest:g} to {column.highest:g}" if limits else "a finite number"
         raise LogError(
-            f"{path.name}: row {rows[i]}, {column.name}: {values[i]:.9g}; expected {expected}"
+            f"{source}: row {rows[i]}, {column.name}: {values[i]:.9g}; expected {expected}"
         )

@@ -4,8 +4,8 @@ import numpy as np
 
 from ins_eval import earth
 from ins_eval.increments import Increments
+from ins_eval.parking.mission import STILL, Mission, mission
 from ins_eval.trajectories.catalogue import trajectory
-from ins_eval.validation.mission import STILL, Mission, mission
 
 
 def at_rest(

@@ -1,6 +1,7 @@
 """The compiled driver against FMPy's own calls."""
 
 import numpy as np
+import pytest
 from fmpy import simulate_fmu
 
 from pyhrg.fmu import GyroFmu
@@ -34,3 +35,19 @@ def test_same_seed_same_numbers_and_other_seed_others(fmu: GyroFmu) -> None:
 
     assert run(5) == run(5)
     assert run(5) != run(6)
+
+
+@pytest.mark.parametrize("step", [1e-3, 1e-2, 1e-1])
+def test_a_row_s_commands_hold_from_its_first_tick(fmu: GyroFmu, step: float) -> None:
+    """Whatever the steps: with the drive off the amplitude falls for whole rows."""
+    rows, off = 6, 2
+    drive = np.where(np.arange(rows) < off, 1.0, 0.0)
+    still = np.zeros((rows, round(1 / step)))
+    with fmu.power_on({"resonator.material.decayTime": 100.0}, seed=0, start_angle=0.3) as gyro:
+        ends, means = gyro.record(
+            {"angularRate": still}, {"driveOn": drive}, step, ["amplitude"], ["amplitudeForce"]
+        )
+    falling = np.log(ends[off:, 0] / ends[off - 1, 0]) * 100.0
+    np.testing.assert_allclose(falling, -np.arange(1, rows - off + 1), rtol=1e-4)
+    assert (means[:off, 0] > 0).all()
+    np.testing.assert_array_equal(means[off:, 0], 0.0)

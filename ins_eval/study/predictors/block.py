@@ -14,10 +14,9 @@ from ins_eval.study.predictors import (
     oracle,
     stability_rule,
 )
-from ins_eval.study.predictors.flown_maps import flown_maps, flown_weights
 from ins_eval.study.predictors.knowledge import bench_knowledge
 from ins_eval.study.predictors.map_drift import MapDrift
-from ins_eval.study.predictors.prediction import INTERVAL, Prediction
+from ins_eval.study.predictors.prediction import Prediction
 from ins_eval.study.predictors.rms_over_angles import rms_over_angles, triad_rms_over_angles
 from ins_eval.study.predictors.turned_maps import unstarted
 from ins_eval.study.predictors.unpredictable import unpredictable
@@ -29,7 +28,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Learnt:
-    """From the training half: how maps drift, and the share (3,) of each harmonic in the variance
+    """From the training half: how maps drift, and the share (4,) of each harmonic in the variance
     of bias maps; and what a data sheet says of accelerometers' biases, 1 sigma, m/s^2."""
 
     drift: MapDrift
@@ -41,7 +40,7 @@ def learnt(training: Triads, accelerometer_bias: float) -> Learnt:
     """From the triads of the training half, whose maps were read in flight."""
     bench = bench_knowledge(training)
     return Learnt(
-        drift=map_drift.learnt(bench, flown_maps(training), training.start_angle),
+        drift=map_drift.learnt(bench, training.in_flight, training.start_angle),
         shares=manoeuvre_theory.harmonic_shares(bench.maps),
         accelerometer_bias=accelerometer_bias,
     )
@@ -58,9 +57,8 @@ def judged_at(weights: MissionWeights, k: int) -> MissionWeights:
     return replace(
         weights,
         time=weights.time[at],
-        gyros=weights.gyros[at],
-        warming=weights.warming[at],
-        curving=weights.curving[at],
+        maps=weights.maps[at],
+        drift=weights.drift[at],
         accelerometers=weights.accelerometers[at],
         noise=weights.noise[:, :, rows, rows],
         standing=replace(weights.standing, attitude=weights.standing.attitude[at]),
@@ -81,7 +79,6 @@ def predictions(
     bench, drift, angle = bench_knowledge(triads), learned.drift, triads.start_angle
     rest = unpredictable(weights, bench.noise, learned.accelerometer_bias)
     true = unpredictable(weights, triads.noise, learned.accelerometer_bias)
-    maps = flown_maps(triads)
     best = replace(bench, maps=triads.true)
     new = bench.circumference_stability
     return {
@@ -91,18 +88,23 @@ def predictions(
         "fitted_map": fitted_map.predict(bench, weights, drift, rest, angle, seed),
         "fitted_map_any_angle": fitted_map.predict_any_angle(bench, weights, drift, rest, seed),
         "bench_oracle": fitted_map.predict(best, weights, drift, rest, angle, seed),
-        "oracle": oracle.predict(weights, maps, true),
-        "oracle_any_angle": oracle.predict_any_angle(weights, maps, true, angle, seed),
+        "oracle": oracle.predict(weights, triads.in_flight, true),
+        "oracle_any_angle": oracle.predict_any_angle(weights, triads.in_flight, true, angle, seed),
     }
 
 
-def predicted_columns(predicted: dict[str, Prediction]) -> dict[str, Array]:
-    """(r,) columns of `columns`, of predictions at one time."""
-    table = {}
+def predicted_columns(predicted: dict[str, Prediction], inside: float) -> dict[str, Array]:
+    """(r,) columns of `columns`, of predictions at one time.
+
+    Args:
+        predicted: by key.
+        inside: probability of the intervals, as much outside on either side.
+    """
+    table, ends = {}, ((1 - inside) / 2, (1 + inside) / 2)
     for predictor in columns.PREDICTORS:
         radius = predicted[predictor.key].radius
         table[predictor.median] = radius(0.5)[:, 0]
-        table[predictor.low], table[predictor.high] = (radius(end)[:, 0] for end in INTERVAL)
+        table[predictor.low], table[predictor.high] = (radius(end)[:, 0] for end in ends)
     for key in ("fitted_map", "oracle"):
         for place, axis in enumerate(("north", "east")):
             table[f"{key}_{axis}_m"] = predicted[key].expected[:, 0, place]
@@ -112,12 +114,11 @@ def predicted_columns(predicted: dict[str, Prediction]) -> dict[str, Array]:
 def ranking_columns(weights: MissionWeights, triads: Triads, learned: Learnt) -> dict[str, Array]:
     """(r,) and (r, 3) columns of `columns` that rank triads and gyros, and say what can't be known,
     at one time; arguments as `predictions`."""
-    true = unstarted(flown_maps(triads), triads.start_angle)
-    carried = flown_weights(weights)
+    true = unstarted(triads.in_flight, triads.start_angle)
     return {
         columns.UNPREDICTABLE: _unpredictable_rms(weights, triads, learned),
-        columns.RMS_OVER_ANGLES: triad_rms_over_angles(carried, true)[:, 0],
-        columns.GYROS_FLOWN: rms_over_angles(carried, true)[:, 0],
+        columns.RMS_OVER_ANGLES: triad_rms_over_angles(weights.maps, true)[:, 0],
+        columns.GYROS_FLOWN: rms_over_angles(weights.maps, true)[:, 0],
         columns.GYROS_FITTED: rms_over_angles(weights.gyros, triads.known)[:, 0],
         columns.GYROS_FIXED: triads.fixed_stability / DEG_PER_H,
         columns.GYROS_CIRCUMFERENCE: triads.circumference_stability / DEG_PER_H,

@@ -1,7 +1,8 @@
 """Predictor (4): the fitted map of this device, through the linear error model of this manoeuvre.
 
-Bias map and scale-factor map as the bench fitted them say where the error is expected; the bench's
-uncertainty, the drift of maps between bench and flight, noise and accelerometers how far about.
+Bias map and scale-factor map as the bench fitted them, and what they gain as the gyros warm, say
+where the error is expected; the bench's uncertainty, the drift of maps between bench and flight,
+noise and accelerometers how far about.
 """
 
 import numpy as np
@@ -10,7 +11,6 @@ from numpy.typing import NDArray
 from ins_eval.study.mission_weights import MissionWeights
 from ins_eval.study.predictors.drawn_errors import at_angles, at_any_angle
 from ins_eval.study.predictors.expected_error import expected_error
-from ins_eval.study.predictors.flown_maps import flown_weights, not_warming
 from ins_eval.study.predictors.knowledge import BenchKnowledge
 from ins_eval.study.predictors.map_drift import MapDrift
 from ins_eval.study.predictors.prediction import Drawn
@@ -37,10 +37,9 @@ def predict(
         start_angle: (r, 3) pattern angles at power-on, rad.
         seed: of everything random.
     """
-    maps = started(knowledge.maps, start_angle)
-    expected = expected_error(weights, not_warming(maps))
+    expected = expected_error(weights, started(knowledge.maps, start_angle))
     sigma, standard = drift.missed(knowledge), drift.standard
-    return at_angles(flown_weights(weights), expected, sigma, standard, rest, start_angle, seed)
+    return at_angles(weights.maps, expected, sigma, standard, rest, start_angle, seed)
 
 
 def predict_any_angle(
@@ -51,15 +50,15 @@ def predict_any_angle(
     seed: int,
 ) -> Drawn:
     """Of triads whose gyros' power-on angles are anywhere; arguments as `predict`."""
-    maps = not_warming(knowledge.maps)
     sigma = drift.missed(knowledge)
-    return at_any_angle(flown_weights(weights), maps, sigma, drift.standard, rest, seed)
+    return at_any_angle(weights.maps, knowledge.maps, sigma, drift.standard, rest, seed)
 
 
 def drift_covariance(
     knowledge: BenchKnowledge, weights: MissionWeights, drift: MapDrift, start_angle: Array
 ) -> Array:
     """(r, k, 2, 2) of the errors that drift alone makes, m^2; arguments as `predict`."""
-    carried = np.moveaxis(weights_from(flown_weights(weights), start_angle), -1, 0)
-    spread = np.moveaxis(drift.covariance(knowledge), -1, 0)[:, :, None]
-    return np.asarray(np.sum(carried @ spread @ np.swapaxes(carried, -1, -2), axis=0))
+    sigma = drift.sigma(knowledge)[:, None, None]
+    carried = np.moveaxis(weights_from(weights.maps, start_angle) * sigma, -1, 0)
+    together = carried @ drift.together @ np.swapaxes(carried, -1, -2)
+    return np.asarray(np.sum(together, axis=0))

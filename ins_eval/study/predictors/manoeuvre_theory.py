@@ -14,7 +14,7 @@ from ins_eval.study.predictors.prediction import Normal
 
 Array = NDArray[np.float64]
 
-FOURTH = np.array([0.0, 1.0, 0.0])
+FOURTH = np.array([float(h == 4) for h in HARMONICS])
 """Share of a map's variance in each of `HARMONICS` when nothing else is known."""
 
 
@@ -30,7 +30,7 @@ def predict(
         stability: (r, 3) rad/s.
         weights: of the mission.
         rest: (r, k, 2, 2) covariance of what maps don't tell, m^2.
-        shares: (3,) of the variance in each of `HARMONICS`; their sum is 1.
+        shares: (4,) of the variance in each of `HARMONICS`; their sum is 1.
     """
     waves = weights.gyros[:, :, 1:TERMS]
     power = np.einsum("kica,c,kjca->kija", waves, np.repeat(shares, 2), waves)
@@ -39,7 +39,7 @@ def predict(
 
 
 def harmonic_shares(maps: Array) -> Array:
-    """(3,) share of each of `HARMONICS` in the variance of bias maps (r, 2 TERMS, 3): of those of
-    the training half."""
+    """(4,) share of each of `HARMONICS` in the variance of bias maps (r, c, 3), c TERMS or
+    more: of those of the training half."""
     power = np.mean(maps[:, 1:TERMS] ** 2, axis=(0, 2)).reshape(len(HARMONICS), 2).sum(axis=1)
     return np.asarray(power / power.sum())

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from scipy.optimize import nnls
 
 from ins_eval.study.gyro_map import TERMS
-from ins_eval.study.predictors.flown_maps import COUNT, not_warming
 from ins_eval.study.predictors.knowledge import BenchKnowledge
 from ins_eval.study.predictors.turned_maps import unstarted
+from ins_eval.study.signals import COUNT
 
 Array = NDArray[np.float64]
 
@@ -27,7 +27,7 @@ class MapDrift:
 
     common: (COUNT,) variance in all gyros; relative: (COUNT,) per squared `map_size`;
     standard: (n, COUNT) drifts of the training half's gyros, the bench's error included, in units
-    of their standard deviations.
+    of their standard deviations; what errs together in one gyro stays together.
     """
 
     common: Array
@@ -41,13 +41,12 @@ class MapDrift:
 
     def missed(self, bench: BenchKnowledge) -> Array:
         """(r, COUNT, 3) those of drift and the bench's error together."""
-        return np.sqrt(self.sigma(bench) ** 2 + _fit_variance(bench))
+        return np.sqrt(self.sigma(bench) ** 2 + bench.variance)
 
-    def covariance(self, bench: BenchKnowledge) -> Array:
-        """(r, COUNT, COUNT, 3) of the drift alone."""
-        together = self.standard.T @ self.standard / len(self.standard)
-        sigma = self.sigma(bench)
-        return np.asarray(together[..., None] * sigma[:, :, None] * sigma[:, None])
+    @property
+    def together(self) -> Array:
+        """(COUNT, COUNT) mean products of the drifts, in units of their standard deviations."""
+        return np.asarray(self.standard.T @ self.standard / len(self.standard))
 
 
 NO_DRIFT = MapDrift(np.zeros(COUNT), np.zeros(COUNT), np.zeros((1, COUNT)))
@@ -56,7 +55,7 @@ NO_DRIFT = MapDrift(np.zeros(COUNT), np.zeros(COUNT), np.zeros((1, COUNT)))
 def map_size(bench: BenchKnowledge) -> Array:
     """(r, 3) root mean square of the bias map's harmonics in another power-on, rad/s."""
     harmonics = slice(1, TERMS)
-    power = bench.maps[:, harmonics] ** 2 + _fit_variance(bench)[:, harmonics]
+    power = bench.maps[:, harmonics] ** 2 + bench.variance[:, harmonics]
     return np.asarray(np.sqrt(power.mean(axis=1)))
 
 
@@ -66,15 +65,15 @@ def learnt(bench: BenchKnowledge, in_flight: Array, start_angle: Array) -> MapDr
 
     Args:
         bench: of the training half.
-        in_flight: (r, COUNT, 3) their maps, as `flown_maps`.
+        in_flight: (r, COUNT, 3) their maps.
         start_angle: (r, 3) rad.
     """
-    drifted = unstarted(in_flight, start_angle) - not_warming(bench.maps)
+    drifted = unstarted(in_flight, start_angle) - bench.maps
     power = np.ravel(map_size(bench) ** 2)
     unit = np.median(power)
     weight = 1 / (1 + power / unit)
     rows = np.stack([weight, weight * power / unit], axis=1)
-    squares = _by_gyro(drifted**2 - _fit_variance(bench))
+    squares = _by_gyro(drifted**2 - bench.variance)
     found = np.array([_positive(rows, weight * column) for column in squares.T])
     drift = MapDrift(found[:, 0], found[:, 1] / unit, NO_DRIFT.standard)
     sigma = _by_gyro(drift.missed(bench))
@@ -86,12 +85,6 @@ def _positive(rows: Array, values: Array) -> Array:
     """Least squares without negative variances, in the values' own scale."""
     scale = float(np.max(np.abs(values)))
     return nnls(rows, values / scale)[0] * scale if scale > 0 else np.zeros(rows.shape[1])
-
-
-def _fit_variance(bench: BenchKnowledge) -> Array:
-    """(r, COUNT, 3) of the bench's fit; none of warming, which it doesn't see."""
-    fit = np.swapaxes(np.diagonal(bench.covariance, axis1=1, axis2=2), 1, 2)
-    return not_warming(fit)
 
 
 def _by_gyro(values: Array) -> Array:

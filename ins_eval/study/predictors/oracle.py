@@ -7,7 +7,6 @@ from numpy.typing import NDArray
 from ins_eval.study.mission_weights import MissionWeights
 from ins_eval.study.predictors.drawn_errors import at_any_angle
 from ins_eval.study.predictors.expected_error import expected_error
-from ins_eval.study.predictors.flown_maps import flown_weights
 from ins_eval.study.predictors.prediction import Drawn, Normal
 from ins_eval.study.predictors.turned_maps import unstarted
 
@@ -19,7 +18,7 @@ def predict(weights: MissionWeights, maps: Array, rest: Array) -> Normal:
 
     Args:
         weights: of the mission.
-        maps: (r, COUNT, 3) true ones in flight, as `flown_maps`.
+        maps: (r, COUNT, 3) true ones in flight.
         rest: (r, k, 2, 2) covariance of what maps don't tell, m^2.
     """
     return Normal(expected_error(weights, maps), rest)
@@ -37,4 +36,4 @@ def predict_any_angle(
     """
     known = unstarted(maps, start_angle)
     none = np.zeros((1, maps.shape[1]))
-    return at_any_angle(flown_weights(weights), known, np.zeros_like(known), none, rest, seed)
+    return at_any_angle(weights.maps, known, np.zeros_like(known), none, rest, seed)

@@ -6,12 +6,9 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.radial_error import mean_radius, radius_at
+from ins_eval.radial_error import radius_at
 
 Array = NDArray[np.float64]
-
-INTERVAL = (0.05, 0.95)
-"""Shares between which a predicted radial error lies with 90 %."""
 
 
 class Prediction(Protocol):
@@ -24,10 +21,6 @@ class Prediction(Protocol):
 
     def radius(self, share: float) -> Array:
         """(r, k) radial error that isn't exceeded with this probability."""
-        ...
-
-    def expected_radius(self) -> Array:
-        """(r, k) mean radial error."""
         ...
 
 
@@ -46,10 +39,6 @@ class Normal:
         """
         return radius_at(share, self.expected, self.covariance)
 
-    def expected_radius(self) -> Array:
-        """As `Prediction`."""
-        return mean_radius(self.expected, self.covariance)
-
 
 @dataclass(frozen=True)
 class Drawn:
@@ -65,7 +54,3 @@ class Drawn:
     def radius(self, share: float) -> Array:
         """As `Prediction`; of m draws the probability is right within sqrt(share (1 - share)/m)."""
         return np.asarray(np.quantile(np.linalg.norm(self.draws, axis=-1), share, axis=1))
-
-    def expected_radius(self) -> Array:
-        """As `Prediction`."""
-        return np.asarray(np.linalg.norm(self.draws, axis=-1).mean(axis=1))

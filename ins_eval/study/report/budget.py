@@ -11,16 +11,16 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from ins_eval.study import columns as c
-from ins_eval.study.report import svg
 from ins_eval.study.report.marks import calibration_title, marked
 from ins_eval.study.report.result import StudyResult
+from pyhrg.pages import svg
 
 Array = NDArray[np.float64]
 
 RESAMPLES = 1000
 SEED = 0
 """Of the intervals' bootstrap."""
-BAR = 200
+BAR = 140
 """Width of a stacked bar, px."""
 
 

@@ -3,9 +3,9 @@
 import pandas as pd
 
 from ins_eval.study import columns as c
-from ins_eval.study.report import svg
 from ins_eval.study.report.marks import colour, marked
 from ins_eval.study.report.result import StudyResult
+from pyhrg.pages import svg
 
 KEYS = [c.CALIBRATION, c.HALF, c.CLASS]
 SMALL, LARGE, MANY = 2.5, 5.0, 3000

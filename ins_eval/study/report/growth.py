@@ -9,9 +9,10 @@ from numpy.typing import NDArray
 
 from ins_eval.metrics import FEWEST_FOR_MEDIAN, median_interval
 from ins_eval.study import columns as c
-from ins_eval.study.report import svg
 from ins_eval.study.report.marks import calibration_title, colour, marked
 from ins_eval.study.report.result import StudyResult
+from pyhrg.bench.reporting.markup import paragraph
+from pyhrg.pages import svg
 
 Array = NDArray[np.float64]
 
@@ -48,14 +49,21 @@ def panels(result: StudyResult) -> str:
     """A panel a class, and the figures at the end as a table."""
     grown = {
         (str(mission_class), str(calibration)): growth(rows[c.GROWTH])
-        for (mission_class, calibration), rows in result.table.groupby([c.CLASS, c.CALIBRATION])
+        for (mission_class, calibration), rows in _lasting(result).groupby([c.CLASS, c.CALIBRATION])
     }
+    if not grown:
+        return paragraph("All flights are shorter than 10 min.")
     limits = svg.decades(np.concatenate([g.quantiles.ravel() for g in grown.values()]))
     drawn = "".join(
         _figure(result, name, {k: g for (n, k), g in grown.items() if n == name}, limits)
-        for name in result.values(c.CLASS)
+        for name in dict.fromkeys(name for name, _ in grown)
     )
     return f'<div class="panels">{drawn}</div>{_table(grown)}'
+
+
+def _lasting(result: StudyResult) -> pd.DataFrame:
+    """Flights of a step at least."""
+    return result.table[result.table[c.GROWTH].map(len) > 0]
 
 
 def _figure(

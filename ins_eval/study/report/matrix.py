@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from ins_eval.study import columns as c
 from ins_eval.study.report.marks import calibration_title, marked
 from ins_eval.study.report.result import StudyResult
-from ins_eval.study.report.svg import Scale, number
-from ins_eval.study.score import ALL, COVERAGE, SCORES, Score
+from ins_eval.study.score import ALL, COVERAGE, SCORES, WIDTH, Score
+from pyhrg.pages.svg import Scale, number
 
 BAR = 96
 """Width of a drawn interval, px."""
@@ -38,12 +38,11 @@ def matrices(result: StudyResult, score: str, axis: Axis, shuffled: bool = False
     if not kinds:
         what = SCORES[score] + (", devices shuffled" if shuffled else "")
         return f"<p>Not scored in this study: {html.escape(what)}.</p>"
-    return "".join(
-        _table([s for s in scores if (s.calibration, s.half) == kind], axis) for kind in kinds
-    )
+    tables = ([s for s in scores if (s.calibration, s.half) == kind] for kind in kinds)
+    return "".join(_table(group, axis, _caption(group, result.level)) for group in tables)
 
 
-def _table(scores: Sequence[Score], axis: Axis) -> str:
+def _table(scores: Sequence[Score], axis: Axis, caption: str) -> str:
     first = scores[0]
     order = [key for key in TITLES if any(s.predictor == key for s in scores)]
     classes = sorted({s.mission_class for s in scores}, key=lambda name: (name != ALL, name))
@@ -51,20 +50,21 @@ def _table(scores: Sequence[Score], axis: Axis) -> str:
     rows = "".join(_row(scores, name, order, axis) for name in classes)
     return (
         f'<div class="wide"{marked(ALL, first.calibration, first.half)}><table class="matrix">'
-        f"<caption>{html.escape(_caption(scores))}</caption>"
+        f"<caption>{html.escape(caption)}</caption>"
         f'<thead><tr><th scope="col">Class</th>{head}<th scope="col">triads</th></tr></thead>'
         f"<tbody>{rows}</tbody></table></div>"
     )
 
 
-def _caption(scores: Sequence[Score]) -> str:
+def _caption(scores: Sequence[Score], level: float) -> str:
     first = scores[0]
+    asked = f", {level:g} % asked" if first.score in (COVERAGE, WIDTH) else ""
     seeds = sorted({s.seed for s in scores if s.seed is not None})
     seeded = f", seed {', '.join(map(str, seeds))}" if seeds else ""
     shuffled = ", devices shuffled" if first.shuffled else ""
     of = f"{calibration_title(first.calibration)}, {first.half} half"
     intervals = f"{100 * first.confidence:g} % intervals, {_method(first)}{seeded}"
-    return f"{SCORES[first.score]}{shuffled}; {of}; {intervals}"
+    return f"{SCORES[first.score]}{asked}{shuffled}; {of}; {intervals}"
 
 
 def _method(score: Score) -> str:

@@ -5,8 +5,9 @@ from collections.abc import Sequence
 from importlib.resources import files
 from pathlib import Path
 
-from ins_eval.staging import staging
+from fmu_build.files import staging
 from ins_eval.study import columns as c
+from ins_eval.study.report.apart import sentence
 from ins_eval.study.report.embedded import embedded
 from ins_eval.study.report.marks import calibration_title
 from ins_eval.study.report.requirements import UNSEEN
@@ -15,10 +16,10 @@ from ins_eval.study.report.sections import SECTIONS, markup
 from ins_eval.study.report.verdict import headline, verdict
 from ins_eval.study.score import ALL
 from pyhrg.bench.reporting.markup import paragraph
+from pyhrg.pages.shell import POLICY, base_style
 
 PAGE = "report.html"
 TITLE = "Does the full circumference predict the navigator's error?"
-POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
 
 
 def page(result: StudyResult) -> str:
@@ -28,7 +29,7 @@ def page(result: StudyResult) -> str:
         '<!doctype html><html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width,initial-scale=1">'
         f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">'
-        f"<title>{TITLE}</title><style>{_asset('page.css')}</style></head><body>"
+        f"<title>{TITLE}</title><style>{base_style()}{_asset('page.css')}</style></head><body>"
         f"<header><h1>{TITLE}</h1>{_verdict(result)}</header>"
         f'<nav aria-label="Sections"><ul>{contents}</ul></nav>{_filters(result)}'
         f"<main>{''.join(markup(section, result) for section in SECTIONS)}</main>"
@@ -58,8 +59,14 @@ def _verdict(result: StudyResult) -> str:
     return (
         f'<p class="headline">{html.escape(headline(result))} '
         '<a href="#breaks">Which, and where not.</a></p>'
+        f"{_elsewhere(result)}"
         f'<div class="verdicts">{told}</div>{paragraph(scope, "weak")}'
     )
+
+
+def _elsewhere(result: StudyResult) -> str:
+    told = sentence(result)
+    return paragraph(told) if told else ""
 
 
 def _items(sentences: Sequence[str]) -> str:

@@ -3,9 +3,9 @@
 import html
 
 from ins_eval.study import columns as c
-from ins_eval.study.report import svg
 from ins_eval.study.report.dots import KEYS, dots, positive
 from ins_eval.study.report.result import StudyResult
+from pyhrg.pages import svg
 
 RANKED_BY = {
     "fixed_rule": (c.GYROS_FIXED, "Fixed-position stability", "deg/h"),

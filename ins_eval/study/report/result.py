@@ -12,8 +12,13 @@ import pandas as pd
 from ins_eval.study import columns
 from ins_eval.study import score as scored
 from ins_eval.study.score import Score
+from ins_eval.study.specification import CONDITION
 
 TABLE, DOCUMENT = "study.parquet", "study.json"
+INTERVAL_PERCENT = "interval_percent"
+"""Key of the document: of predicted intervals."""
+CONDITIONS = "conditions"
+"""Key of the document: what is special in each, by its title."""
 KINDS = {"int": "iu", "number": "f", "text": "OUT", "numbers": "O"}
 """numpy's kinds that a column's kind may be stored as."""
 
@@ -24,11 +29,18 @@ class ResultError(Exception):
 
 @dataclass(frozen=True)
 class StudyResult:
-    """table: columns of `columns.COLUMNS`; scores; about: plain facts (seed, triads, ...)."""
+    """table: columns of `columns.COLUMNS`; scores; about: plain facts (seed, triads, ...); apart:
+    flights and scores in conditions that are judged by themselves."""
 
     table: pd.DataFrame
     scores: Sequence[Score]
     about: Mapping[str, Any]
+    apart: "StudyResult | None" = None
+
+    @property
+    def level(self) -> float:
+        """Of predicted intervals, percent."""
+        return float(self.about[INTERVAL_PERCENT])
 
     def values(self, column: str) -> list[str]:
         """Those of a text column, sorted."""
@@ -58,7 +70,24 @@ def result(table: pd.DataFrame, document: Mapping[str, Any], source: str = "") -
     for column in columns.COLUMNS:
         _check(table, column, source)
     about = {k: v for k, v in document.items() if k != "scores"}
-    return StudyResult(table, _scores(document, source), about)
+    scores = _scores(document, source)
+    _check_level(about.get(INTERVAL_PERCENT), source)
+    within = table[columns.HALF] == CONDITION
+    apart = StudyResult(table[within], [s for s in scores if s.half == CONDITION], about)
+    return StudyResult(
+        table[~within],
+        [s for s in scores if s.half != CONDITION],
+        about,
+        apart if within.any() else None,
+    )
+
+
+def _check_level(found: Any, source: str) -> None:
+    if not isinstance(found, int | float) or not 0 < found < 100:
+        raise ResultError(
+            f"{source}{DOCUMENT}: {INTERVAL_PERCENT}: found {found!r}, expected a number between "
+            "0 and 100"
+        )
 
 
 def read(folder: Path) -> StudyResult:

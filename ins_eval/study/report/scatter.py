@@ -6,10 +6,10 @@ import numpy as np
 import pandas as pd
 
 from ins_eval.study import columns as c
-from ins_eval.study.report import svg
 from ins_eval.study.report.dots import dots, positive
 from ins_eval.study.report.marks import legend
 from ins_eval.study.report.result import StudyResult
+from pyhrg.pages import svg
 
 
 def predictions(result: StudyResult) -> str:

@@ -6,19 +6,19 @@ from typing import Any
 
 from ins_eval.study import columns as c
 from ins_eval.study import score as scored
+from ins_eval.study.report.apart import apart
 from ins_eval.study.report.breaks import breaks, controls
 from ins_eval.study.report.budget import budget
 from ins_eval.study.report.growth import panels
 from ins_eval.study.report.matrix import Axis, matrices
 from ins_eval.study.report.ranking import ranking
-from ins_eval.study.report.result import StudyResult
+from ins_eval.study.report.result import CONDITIONS, StudyResult
 from ins_eval.study.report.scatter import predictions
 from pyhrg.bench.outcome import Table
 from pyhrg.bench.reporting.markup import paragraph, table
 
 R2 = Axis(-0.2, 1.0, 1.0)
 RATIO = Axis(0.1, 100.0, 1.0, log=True)
-COVERED = Axis(0.5, 1.0, 0.9)
 CORRELATION = Axis(-0.5, 1.0, 0.0)
 ADVANTAGE = Axis(-1.0, 4.0, 0.0)
 UNPREDICTABLE = Axis(0.01, 10.0, 0.1, log=True)
@@ -58,12 +58,20 @@ def _ranking(result: StudyResult) -> str:
 
 
 def _coverage(result: StudyResult) -> str:
-    return matrices(result, scored.COVERAGE, COVERED) + matrices(result, scored.WIDTH, RATIO)
+    level = result.level / 100
+    covered = Axis(min(0.5, level / 2), 1.0, level)
+    asked = paragraph(f"Intervals that are to hold {result.level:g} % of the errors flown.")
+    return (
+        asked + matrices(result, scored.COVERAGE, covered) + matrices(result, scored.WIDTH, RATIO)
+    )
 
 
 def _breaks(result: StudyResult) -> str:
     return (
         breaks(result)
+        + "<h3>Conditions in which it may fail, judged apart</h3>"
+        + apart(result)
+        + "<h3>Class by class</h3>"
         + matrices(result, scored.ADVANTAGE, ADVANTAGE)
         + matrices(result, scored.UNPREDICTABLE_SHARE, UNPREDICTABLE)
     )
@@ -77,7 +85,7 @@ def _control(result: StudyResult) -> str:
 
 
 def _method(result: StudyResult) -> str:
-    facts = tuple((key, _fact(value)) for key, value in result.about.items())
+    facts = tuple((key, _fact(value)) for key, value in result.about.items() if key != CONDITIONS)
     rows = tuple((column.name, column.unit or "–", column.what) for column in c.COLUMNS)
     return (
         _wide(Table("What was studied", ("", ""), facts))
@@ -105,7 +113,7 @@ SECTIONS = (
         "predicted",
         "Predicted against flown",
         "Each dot is a triad's flight. On the dashed line the error flown is the one predicted; "
-        "above it the predictor promised too much.",
+        "above it the predictor was too optimistic.",
         _predicted,
     ),
     Section(
@@ -136,7 +144,7 @@ SECTIONS = (
     Section(
         "coverage",
         "Intervals and how often they hold",
-        "A 90 % interval should hold nine errors of ten, and be no wider than it must.",
+        "A predicted interval should hold its share of errors, and be no wider than it must.",
         _coverage,
     ),
     Section("breaks", "What breaks the thesis", "", _breaks),

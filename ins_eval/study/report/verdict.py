@@ -4,19 +4,20 @@ from collections.abc import Sequence
 
 from ins_eval.study import columns as c
 from ins_eval.study.report.marks import calibration_title
+from ins_eval.study.report.promise import WORDS, Ratio
 from ins_eval.study.report.requirements import asked, figure, unseen
 from ins_eval.study.report.result import StudyResult
 from ins_eval.study.score import (
     ALL,
     COVERAGE,
     MEDIAN_RATIO,
+    R2_COMPONENTS,
     R2_RADIAL,
     SCORES,
     SPEARMAN,
     VARIANCE_REMOVED,
     Score,
 )
-from ins_eval.validation.verdict import WORDS, Ratio
 
 LARGE_SHARE, SMALL_SHARE = 0.9, 0.1
 """Of explained variance: from here "nearly all", up to here "next to nothing"."""
@@ -24,6 +25,8 @@ PROMISING = ("fixed_rule", "circumference_rule")
 EXPLAINING = ("circumference_rule", "fitted_map", "oracle")
 COVERING = ("fitted_map", "fitted_map_any_angle")
 """Predictors whose ratios, explained variance and coverage the verdict tells; tables tell all."""
+CONTROLLED = {R2_COMPONENTS: "R2", SPEARMAN: "Spearman"}
+"""Scores of the negative control."""
 TITLES = {p.key: p.title for p in c.PREDICTORS}
 
 
@@ -56,7 +59,7 @@ def sentences(result: StudyResult, calibration: str) -> list[str]:
         *_explained(overall),
         *_beyond(overall),
         *_ranked(overall),
-        *_covered(overall),
+        *_covered(overall, result.level),
         *_control(overall),
     ]
     return [*told, _sample(scores)] if told else []
@@ -114,13 +117,16 @@ def _ranked(scores: Sequence[Score]) -> list[str]:
     return [f"Gyros are ranked as they fly: {'; '.join(told)}."] if told else []
 
 
-def _covered(scores: Sequence[Score]) -> list[str]:
+def _covered(scores: Sequence[Score], level: float) -> list[str]:
+    inside = level / 100
     told = [
         f"{TITLES[s.predictor]} {figure(s)}, "
-        f"{'compatible' if s.low <= 0.9 <= s.high else 'not compatible'} with 0.9"
+        f"{'compatible' if s.low <= inside <= s.high else 'not compatible'} with {inside:g}"
         for s in _picked(scores, COVERAGE, COVERING)
     ]
-    return [f"Share of flown errors inside 90 % intervals: {'; '.join(told)}."] if told else []
+    return (
+        [f"Share of flown errors inside {level:g} % intervals: {'; '.join(told)}."] if told else []
+    )
 
 
 def _control(scores: Sequence[Score]) -> list[str]:
@@ -128,9 +134,9 @@ def _control(scores: Sequence[Score]) -> list[str]:
     shown = [SCORES[s.score] for s in controls if s.low > 0]
     if not controls:
         return []
-    if shown:
-        return [f"Negative control, devices shuffled: NOT nothing in {'; '.join(shown)}. Be wary."]
-    return [f"Negative control, devices shuffled: none of {len(controls)} figures is above 0."]
+    told = "; ".join(f"{TITLES[s.predictor]} {CONTROLLED[s.score]} {figure(s)}" for s in controls)
+    found = f"NOT nothing in {'; '.join(shown)}. Be wary" if shown else "none is above 0"
+    return [f"Negative control, devices shuffled: {found}: {told}."]
 
 
 def _sample(scores: Sequence[Score]) -> str:

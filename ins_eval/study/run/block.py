@@ -13,8 +13,10 @@ from ins_eval.study.run.errors import StudyRunError
 from ins_eval.study.run.identity import Identity, difference, made_by
 from ins_eval.study.specification import Study
 
-TRIADS = 20
-"""Of a block: the bench takes a minute or two for them, which is what a kill may cost."""
+MOST = 20
+"""Triads of a block: the bench takes a minute for them, which is what a kill may cost."""
+BLOCKS = 16
+"""Of a study that is small: for as many workers, and a bar that moves."""
 MARK = "made_for"
 """Array of a block's file that says which block of which study it is."""
 
@@ -47,14 +49,20 @@ class BlockWork:
         return packed(arrays, self.identity, number)
 
 
+def size(study: Study) -> int:
+    """Triads of each of its blocks but the last."""
+    return min(MOST, -(-study.triads // BLOCKS))
+
+
 def count(study: Study) -> int:
     """Of a study's blocks."""
-    return -(-study.triads // TRIADS)
+    return -(-study.triads // size(study))
 
 
 def triads_of(study: Study, number: int) -> range:
     """Triads of a block, both counted from 0."""
-    return range(number * TRIADS, min((number + 1) * TRIADS, study.triads))
+    first = number * size(study)
+    return range(first, min(first + size(study), study.triads))
 
 
 def packed(arrays: Arrays, identity: Identity, number: int) -> bytes:
@@ -77,8 +85,9 @@ def unpacked(file: bytes, identity: Identity, number: int) -> Arrays | None:
 
 
 def joined(blocks: list[Arrays]) -> Arrays:
-    """Of all triads, in the order of the blocks."""
-    return {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
+    """Of all triads, in the order of the blocks; some names may be of a few blocks alone."""
+    names = dict.fromkeys(name for block in blocks for name in block)
+    return {name: np.concatenate([b[name] for b in blocks if name in b]) for name in names}
 
 
 def _mark(identity: Identity, number: int) -> str:

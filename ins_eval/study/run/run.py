@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from ins_eval.staging import staging
+from fmu_build.files import staging
 from ins_eval.study.run import block
 from ins_eval.study.run.block import Arrays, BlockWork, Made
 from ins_eval.study.run.errors import StudyRunError

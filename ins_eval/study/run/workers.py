@@ -6,15 +6,21 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import CancelledError
 from contextlib import contextmanager
+from queue import Empty, SimpleQueue
+from signal import SIGINT, SIGTERM, signal
+from threading import Event, current_thread, main_thread
+from typing import Any
 
 import dask
-from distributed import Client, KilledWorker, LocalCluster, as_completed
+from distributed import Client, Future, KilledWorker, LocalCluster
 
 from ins_eval.study.run.errors import StudyRunError
 
 ADDRESS = r"(tcp|tls)://\S+:\d+"
+ATTENTION = 0.2
+"""Between looks at signals, s."""
 PATIENCE = 10.0
-"""For a scheduler to answer, s."""
+"""For a scheduler or a result to arrive, s."""
 
 
 ONE_AT_A_TIME = {"distributed.scheduler.worker-saturation": 1.0}
@@ -78,19 +84,71 @@ def spread(
         StudyRunError: a block takes its workers down; the scheduler is gone.
     """
     keys = [f"{name}-{number}" for number in numbers]
-    number_of = dict(zip(keys, numbers, strict=True))
+    number_of: dict[Any, int] = dict(zip(keys, numbers, strict=True))
     futures = client.map(work, numbers, key=keys, retries=0)
-    coming = as_completed(futures, loop=client.loop)
-    del futures  # a result that is still referred to is computed again when its worker dies
-    for future in coming:
-        number = number_of[future.key]
+    with _signals() as interrupted:
+        for future in _as_completed(futures, interrupted):
+            number = number_of[future.key]
+            try:
+                file = _result(future, interrupted)
+            except KilledWorker as error:
+                raise StudyRunError(f"block {number}: found its workers killed: {error}") from error
+            except CancelledError as error:
+                raise StudyRunError(
+                    f"block {number}: the scheduler is gone; the same command goes on from here"
+                ) from error
+            done(number, file)
+            del future
+
+
+def _as_completed(futures: list[Future[bytes]], interrupted: Event) -> Iterator[Future[bytes]]:
+    """As they end; forgets them, since a result that is still referred to is computed again when
+    its worker dies.
+
+    Raises:
+        KeyboardInterrupt: interrupted.
+    """
+    ended: SimpleQueue[Future[bytes]] = SimpleQueue()
+    left = len(futures)
+    while futures:
+        futures.pop().add_done_callback(ended.put)
+    while left:
+        if interrupted.is_set():
+            raise KeyboardInterrupt
         try:
-            file = future.result()
-        except KilledWorker as error:
-            raise StudyRunError(f"block {number}: found its workers killed: {error}") from error
-        except CancelledError as error:
-            raise StudyRunError(
-                f"block {number}: the scheduler is gone; the same command goes on from here"
-            ) from error
-        done(number, file)
+            future = ended.get(timeout=ATTENTION)
+        except Empty:
+            continue
+        left -= 1
+        yield future
         del future
+
+
+def _result(future: Future[bytes], interrupted: Event) -> bytes:
+    """Of one that has ended; its worker may have died since, and it is computed again.
+
+    Raises:
+        KeyboardInterrupt: interrupted.
+    """
+    while not interrupted.is_set():
+        try:
+            return future.result(timeout=PATIENCE)
+        except TimeoutError:
+            continue
+    raise KeyboardInterrupt
+
+
+@contextmanager
+def _signals() -> Iterator[Event]:
+    """Set by SIGINT and SIGTERM while this lasts. Their exception could end in a destructor, of a
+    future for one, which swallows it."""
+    interrupted = Event()
+    if current_thread() is not main_thread():
+        yield interrupted
+        return
+    before = {number: signal(number, lambda *_: interrupted.set()) for number in (SIGINT, SIGTERM)}
+    try:
+        yield interrupted
+    finally:
+        for number, handler in before.items():
+            signal(number, handler)

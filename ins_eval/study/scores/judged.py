@@ -27,22 +27,21 @@ PREDICTABLE = 0.1
 LEAST_R2 = 0.95
 BEHIND_ORACLE = 0.03
 """What the fitted map's R2 may lack elsewhere to an oracle's that does not know drift either."""
-COVERED = 0.9
-"""By intervals from the 5 % to the 95 % quantile."""
 
 
-def scores(table: pd.DataFrame, seed: int) -> list[Score]:
+def scores(table: pd.DataFrame, seed: int, inside: float = 0.9) -> list[Score]:
     """Of a table of `columns`, by calibration, half and class.
 
     Args:
         table: one row a triad, calibration and mission.
         seed: of bootstraps and shuffles.
+        inside: probability that predicted intervals promise.
 
     Raises:
         ValueError: a triad lacks a mission or has one twice, or a group has fewer than two triads.
     """
     parts = (_agreement, _control, _promises, _intervals, _ranking, _limits)
-    sheets = [Sheet(group, seed) for group in groups(table)]
+    sheets = [Sheet(group, seed, inside) for group in groups(table)]
     return [found for sheet in sheets for part in parts for found in part(sheet)]
 
 
@@ -91,8 +90,8 @@ def _intervals(sheet: Sheet) -> Iterator[Score]:
         yield sheet.score(score.COVERAGE, key, found)
     for key in (*ORACLE_OF, *ORACLE_OF.values()):
         found = coverage(sheet.flown, *sheet.ends(key), seed=sheet.seed)
-        holds = found.low <= COVERED <= found.high
-        asked = f"{COVERED:g} within its interval"
+        holds = found.low <= sheet.inside <= found.high
+        asked = f"{sheet.inside:g} within its interval"
         yield sheet.score(score.COVERAGE, key, found, asked=asked, holds=holds)
     for key, oracle in ORACLE_OF.items():
         ends = [*sheet.ends(key), *sheet.ends(oracle)]

@@ -32,7 +32,8 @@ def bootstrapped(
     statistic: Statistic, samples: Sequence[Array], seed: int, draws: int = DRAWS
 ) -> Estimate:
     """A statistic of samples (r, m, ...), and its percentile interval over triads drawn with
-    replacement (Davison and Hinkley 1997, section 5.3.1; clusters: section 3.8)."""
+    replacement (Davison and Hinkley 1997, section 5.3.1; clusters: section 3.8). Resamples that
+    can't tell it, as NaN says, don't count."""
     value = float(statistic(*samples))
     chosen = np.random.default_rng(seed).integers(len(samples[0]), size=(draws, len(samples[0])))
     parts = [statistic(*(sample[rows] for sample in samples)) for rows in _parts(chosen, samples)]
@@ -83,5 +84,6 @@ def _parts(chosen: NDArray[np.intp], samples: Sequence[Array]) -> Iterator[NDArr
 
 def _estimate(value: float, values: Array) -> Estimate:
     tail = (1 - CONFIDENCE) / 2
-    low, high = np.quantile(values, [tail, 1 - tail])
+    told = values[np.isfinite(values)]
+    low, high = np.quantile(told, [tail, 1 - tail]) if len(told) else (np.nan, np.nan)
     return Estimate(value, float(low), float(high))

@@ -16,10 +16,12 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Sheet:
-    """group: what is judged; seed: of bootstraps and shuffles."""
+    """group: what is judged; seed: of bootstraps and shuffles; inside: probability that predicted
+    intervals promise."""
 
     group: Group
     seed: int
+    inside: float
 
     @property
     def flown(self) -> Array:
@@ -31,8 +33,8 @@ class Sheet:
         return self.group.of(f"{key}_median_m")
 
     def ends(self, key: str) -> tuple[Array, Array]:
-        """(r, m) of a predictor's 90 % interval, m."""
-        return self.group.of(f"{key}_q05_m"), self.group.of(f"{key}_q95_m")
+        """(r, m) of a predictor's interval, m."""
+        return self.group.of(f"{key}_low_m"), self.group.of(f"{key}_high_m")
 
     def bootstrapped(
         self, name: str, key: str, statistic: Statistic, samples: Sequence[Array]

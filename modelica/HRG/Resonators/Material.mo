@@ -53,7 +53,7 @@ protected
   Units.Ratio warmth "Factor of the damping anisotropy";
   Units.Ratio voltageChange "Change of the squared bias voltage";
 equation
-  damping = exp(decayTimeAgeing*age - decayTimePerKelvin*temperature)/decayTime;
+  damping = exp(decayTimeAgeing*age)/(decayTime*stretched(decayTimePerKelvin*temperature));
   warmth = 1 + dampingAnisotropyPerKelvin*temperature;
   dampingCos = ownCos*warmth + mountingCos;
   dampingSin = ownSin*warmth + mountingSin;
@@ -69,11 +69,12 @@ equation
   annotation (Documentation(info="<html>
 <p>With T the temperature above the reference, V the bias voltage over the nominal one, f the specific force and {c, s} = {cos, sin} of four
 times an axis,</p>
-<pre>1/tau = exp(decayTimeAgeing age - decayTimePerKelvin T)/decayTime
+<pre>1/tau = exp(decayTimeAgeing age)/(decayTime (1 + decayTimePerKelvin T))
 (D/2) {ct, st} = (dampingAnisotropy/2)(1 + dampingAnisotropyPerKelvin T) {c, s} + (mountingDamping/2) {c, s}
 (dw/2) {cw, sw} = (frequencySplit/2) {c, s} + (electrostaticSplit/2)(V^2 - 1) {c, s} + (splitPerAcceleration f/2) {1, 0}
 mean frequency = frequency (1 + frequencyPerKelvin T) - electrostaticShift (V^2 - 1)
 k = bryanFactor (1 + bryanFactorPerKelvin T)</pre>
+<p>A decay time would be below half at decayTimePerKelvin T &lt; -1/2: there <code>stretched</code> keeps it above zero.</p>
 <p>Mechanisms 1, 9, 14, 16, 23 to 26, 28 and 31 of the catalogue: what slowly changes the coefficients of the
 motion. At the nominal bias voltage the electrostatic terms are part of the nominal values.</p>
 </html>"));

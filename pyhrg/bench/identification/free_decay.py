@@ -11,6 +11,7 @@ from pyhrg.bench.estimation.row_fit import Part, RowFit, row_fit
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.output_rows import FEWEST
 from pyhrg.bench.readings.segments import AT_REST
+from pyhrg.fmu import CONTROL_PERIOD
 from pyhrg.free_orbit import Array, FreeShell
 from pyhrg.records import Log
 from pyhrg.site import Site
@@ -69,7 +70,8 @@ def decays(log: Log, site: Site, k: float) -> list[Decay]:
 
 
 def _decay(log: Log, before: int, last: int, site: Site, k: float) -> Decay:
-    """Of the rows after `before`, the last one with the drive on."""
+    """Of the rows after `before`, the last one with the drive on; the amplitude led to their ends,
+    a control period after it was detected."""
     free = slice(before + 1, last)
     if np.ptp(log.table_angle[before:last]) > AT_REST:
         raise BenchError(
@@ -78,12 +80,13 @@ def _decay(log: Log, before: int, last: int, site: Site, k: float) -> Decay:
         )
     if np.min(log.amplitude[free]) <= 0:
         raise BenchError(f"{log.source}: amplitude 0 or less after {log.time[before]:g} s")
+    since = np.diff(log.amplitude[before:last]) * CONTROL_PERIOD / log.interval
     return Decay(
         source=log.source,
         interval=log.interval,
         time=log.time[free] - log.time[before],
         turned=-k * (log.gyro_angle[free] - log.gyro_angle[before]),
-        amplitude=log.amplitude[free],
+        amplitude=log.amplitude[free] + since,
         angle_at_start=_angle(log, slice(before, last), k),
         rotation=site.vertical_rate * float(np.mean(log.axis_up[free])),
     )

@@ -14,7 +14,7 @@ from ins_eval.alignment.analytic import AlignmentError, static_alignment
 from ins_eval.alignment.inertial_frame import inertial_frame_fit
 from ins_eval.alignment.measured_noise import MeasuredNoise, measured_noise
 from ins_eval.imu import recorded
-from ins_eval.imu.log import RecordedImu
+from ins_eval.imu.recorded import RecordedImu
 from ins_eval.increments import Increments
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate

@@ -9,12 +9,12 @@ import pandas as pd
 import pytest
 
 from ins_eval.imu import recorded
-from ins_eval.imu.columns import ACCELEROMETERS, GYROS, ROTATION, VELOCITY, Quantity
-from ins_eval.imu.log import LogError
-from ins_eval.imu.plausibility import Readings, check
 from ins_eval.imu.specification import imu
 from ins_eval.increments import Increments
 from ins_eval.trajectories.catalogue import names, trajectory
+from pyhrg.imu_records.columns import ACCELEROMETERS, GYROS, ROTATION, VELOCITY, Quantity
+from pyhrg.imu_records.log import LogError
+from pyhrg.imu_records.plausibility import Readings, check
 from pyhrg.units import DEG, STANDARD_GRAVITY
 from tests.ins_eval.imu.logs import (
     FORCE_G,

@@ -9,8 +9,8 @@ import pytest
 
 from ins_eval import earth
 from ins_eval.imu import recorded
-from ins_eval.imu.log import LogError
 from ins_eval.rotation import euler_from_mat
+from pyhrg.imu_records.log import LogError
 from pyhrg.units import ARCSEC, DEG
 
 REAL = Path(__file__).parents[4] / "shared" / "real"

@@ -7,9 +7,9 @@ import pandas as pd
 import pytest
 
 from ins_eval.imu import recorded
-from ins_eval.imu.columns import ACCELEROMETERS, GYROS, Quantity
-from ins_eval.imu.log import LogError
 from ins_eval.increments import Increments
+from pyhrg.imu_records.columns import ACCELEROMETERS, GYROS, Quantity
+from pyhrg.imu_records.log import LogError
 from tests.ins_eval.imu.logs import frame, resting, saved
 
 RANDOM = Increments(

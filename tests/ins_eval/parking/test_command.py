@@ -11,9 +11,9 @@ import pytest
 from fmu_build.cli import main
 from ins_eval.parking import report, study
 from ins_eval.parking.case import CASES
+from ins_eval.parking.mission import Mission
 from ins_eval.parking.study import Comparison
 from ins_eval.parking.triad import RECORDS
-from ins_eval.validation.mission import Mission
 
 
 def made_up(triads: int, seed: int, mission: Mission) -> Comparison:

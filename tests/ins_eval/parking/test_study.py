@@ -8,8 +8,8 @@ import pytest
 from ins_eval.increments import Increments
 from ins_eval.parking.case import CASES, Known, Start
 from ins_eval.parking.gyro import mapped
+from ins_eval.parking.mission import INTERVAL, STILL
 from ins_eval.parking.study import Comparison, compare, ratios
-from ins_eval.validation.mission import INTERVAL, STILL
 from pyhrg import theory
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.full_circumference import SHORTEST

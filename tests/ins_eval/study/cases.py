@@ -17,7 +17,7 @@ def planned(name: str, half: str) -> PlannedMission:
 
 
 def study(seed: int = 3, triads: int = 75, cosimulated: int = 0) -> Study:
-    """Four blocks, the last of them not full."""
+    """Fifteen blocks of five."""
     missions = (planned("car", "train"), planned("ship", "test"))
     return Study(seed=seed, triads=triads, cosimulated=cosimulated, missions=missions)
 

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from ins_eval.study.bench_plan import BenchPlan
-from ins_eval.study.drift import slow_parameters
+from ins_eval.study.bench_plan import WARMER, BenchPlan
 from ins_eval.study.gyro_map import TERMS, characterised
 from ins_eval.study.knowledge import knowledge
 from ins_eval.study.maker import METHODS, Method, calibrated_gyro
 from ins_eval.study.population import RAW
+from ins_eval.study.true_maps import slow_parameters, soaked
 from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
 
@@ -34,12 +34,26 @@ def test_bench_knows_the_gyro(slow_fmu: GyroFmu, raw: Device) -> None:
     device = calibrated_gyro(slow_fmu, raw, "map", seed=1)
     true = characterised(slow_fmu, slow_parameters(device))
     known = knowledge(slow_fmu, device, BenchPlan(), seed=2)
-    deviation = np.sqrt(np.diag(known.covariance))
+    deviation = np.sqrt(known.variance)
     assert np.all(np.abs(known.map.coefficients - true.coefficients) < 4.5 * deviation)
     assert known.walk == pytest.approx(device.angle_random_walk, rel=0.3)
     spread = np.linalg.norm(true.bias[1:]) / np.sqrt(2)
     assert known.circumference_stability > 0.8 * spread
     assert deviation.shape == (2 * TERMS,)
+
+
+def test_bench_knows_what_the_map_gains(slow_fmu: GyroFmu, raw: Device) -> None:
+    """Every coefficient's gain within 4.5 standard deviations of that which the FMU has; the gain
+    of the bias is seen, far above them."""
+    device = calibrated_gyro(slow_fmu, raw, "map", seed=1)
+    cool, warm = (
+        characterised(slow_fmu, slow_parameters(soaked(device, rise))).coefficients
+        for rise in (0.0, WARMER)
+    )
+    known = knowledge(slow_fmu, device, BenchPlan(), seed=2)
+    true, deviation = (warm - cool) / WARMER, np.sqrt(known.variance) / WARMER
+    assert np.all(np.abs(known.gain.coefficients - true) < 4.5 * deviation)
+    assert np.max(np.abs(true[:TERMS])) > 5 * deviation[0]
 
 
 def test_one_power_on_shows_no_scatter(slow_fmu: GyroFmu, raw: Device) -> None:

@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
-from ins_eval.study.drift import Drift, flight, slow_parameters
+from ins_eval.study.drift import Drift, flight
 from ins_eval.study.gyro_map import characterised
 from ins_eval.study.population import RAW
+from ins_eval.study.true_maps import slow_parameters
 from pyhrg.fmu import GyroFmu
 from pyhrg.units import YEAR
 

@@ -21,7 +21,7 @@ from ins_eval.study.run.block import Arrays
 from ins_eval.study.specification import TEST, TRAIN, PlannedMission, Study
 from ins_eval.trajectories import catalogue
 
-PLAN = {"runs": 2, "positions": 8, "segments": 1, "fixed_segments": 2, "periods": 1}
+PLAN = {"runs": 2, "positions": 16, "segments": 1, "fixed_segments": 2, "periods": 1}
 
 
 def planned(name: str, half: str) -> PlannedMission:

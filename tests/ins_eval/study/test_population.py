@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from ins_eval.study.drift import slow_parameters
 from ins_eval.study.gyro_map import characterised
 from ins_eval.study.population import RAW, TRIMMED, Population
+from ins_eval.study.true_maps import slow_parameters
 from pyhrg.fmu import GyroFmu
 from pyhrg.units import DEG_PER_H
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from ins_eval.imu.toml_table import SpecificationError
+from fmu_build.toml_table import SpecificationError
 from ins_eval.study import study_file
 from ins_eval.study.experiment import DEFAULTS, kind
 from ins_eval.study.sections import SECTIONS
@@ -53,7 +53,7 @@ def test_tables_reach_what_triads_are_drawn_from(tmp_path: Path) -> None:
         ("[drift]\nage = 3", "drift.age: found an unknown key, expected drift.age_days"),
         ("[drift]\nage_days = -1", "drift.age_days: found -1, expected 0 to 7300"),
         ("[bench]\nruns = 2.5", "bench.runs: found 2.5, expected a whole number"),
-        ("[bench]\npositions = 4", "bench.positions: found 4, expected 8 to 720"),
+        ("[bench]\npositions = 4", "bench.positions: found 4, expected 16 to 720"),
         (
             "[raw]\nsmallest_deg_h = 1",
             "raw.largest_deg_h: found no such key, expected a number beside",

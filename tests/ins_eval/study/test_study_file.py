@@ -5,8 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from ins_eval.imu.toml_table import SpecificationError
+from fmu_build.toml_table import SpecificationError
 from ins_eval.study import study_file
+from ins_eval.study.run.identity import identity
 from ins_eval.study.specification import TEST, TRAIN, fewest_triads
 from ins_eval.trajectories import catalogue
 from tests.ins_eval.study import cases
@@ -23,6 +24,12 @@ def test_study_is_read(tmp_path: Path) -> None:
     assert [study.half_of(triad) for triad in (0, 36, 37, 74)] == [TRAIN, TRAIN, TEST, TEST]
 
 
+def test_calibrations_may_be_chosen(tmp_path: Path) -> None:
+    assert study_file.read(cases.study_file(tmp_path)).calibrations == ("mean", "map")
+    chosen = cases.study_file(tmp_path, ("hours = 1", 'hours = 1\ncalibrations = ["map"]'))
+    assert study_file.read(chosen).calibrations == ("map",)
+
+
 def test_seed_may_be_given_beside_the_file(tmp_path: Path) -> None:
     path = cases.study_file(tmp_path, ("seed = 3\n", ""))
     assert study_file.read(path, seed=8).seed == 8
@@ -37,6 +44,22 @@ def test_mission_from_a_file_is_placed_as_it_was(tmp_path: Path) -> None:
         assert placed.name == "drive.csv.gz"
         assert placed.read_bytes() == b"recorded"
     assert not placed.exists()
+
+
+def test_recorded_drive_is_flown_where_it_is(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Else it is left out, which makes another study of it; half without missions is refused."""
+    monkeypatch.setenv("HRG_REAL", str(tmp_path))
+    drive = '{ recorded = "drive.csv.gz", class = "drive", half = "test" },\n]'
+    path = cases.study_file(tmp_path, ("]\n", f"  {drive}\n"))
+    less = study_file.read(path)
+    assert (len(less.missions), less.left_out) == (2, ("drive.csv.gz",))
+    (tmp_path / "drive.csv.gz").write_bytes(b"recorded")
+    whole = study_file.read(path)
+    assert (len(whole.missions), whole.left_out) == (3, ())
+    assert (whole.missions[2].name, whole.missions[2].content) == ("drive", b"recorded")
+    assert identity(less) != identity(whole)
 
 
 @pytest.mark.parametrize("name", study_file.READY)
@@ -73,6 +96,16 @@ def test_ready_study_can_be_flown(name: str) -> None:
         ('half = "test"', 'half = "test", hours = 0', "missions 2: hours: found 0, expected 0.1"),
         ("missions = [", "missions = 3\nx = [", "x: found an unknown key"),
         ("hours = 1", "hours 1", "found what is no TOML"),
+        ("hours = 1", "conditions = 35", "conditions: found 35, expected 0, or 36 to 38, the half"),
+        ("hours = 1", "conditions = 39", "conditions: found 39, expected 0, or 36 to 38, the half"),
+        (
+            "hours = 1",
+            'conditions = 38\ncalibrations = ["map"]',
+            "conditions: found 38, expected 0 without 'mean' among the calibrations",
+        ),
+        ("hours = 1", 'calibrations = "mean"', "calibrations: found 'mean', expected some of mean"),
+        ("hours = 1", 'calibrations = ["best"]', "calibrations: found ['best'], expected some of"),
+        ("hours = 1", "calibrations = []", "calibrations: found [], expected some of mean, map"),
     ],
 )
 def test_what_is_wrong_is_named(tmp_path: Path, old: str, new: str, message: str) -> None:

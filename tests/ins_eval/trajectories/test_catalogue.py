@@ -25,6 +25,7 @@ NAMES = (
     "missile",
     "ship",
     "static-table",
+    "straight-and-level",
     "weaving",
 )
 LIMIT = 1e-3

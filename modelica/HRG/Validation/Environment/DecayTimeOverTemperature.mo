@@ -7,9 +7,9 @@ model DecayTimeOverTemperature "The decay time follows the temperature: more for
   parameter Units.TemperatureDifference warming = 10 "Above the reference";
   parameter Units.PerKelvin coefficient = -0.003 "Relative change per kelvin";
 equation
-  expected = (exp(-coefficient*warming) - 1)/tau;
+  expected = (1/(1 + coefficient*warming) - 1)/tau;
   scale = abs(coefficient*warming)/tau;
   annotation (experiment(StopTime = 30), Documentation(info="<html>
-<p>The decay time goes as exp(c (T - T_0)), so that no temperature makes it zero: G = exp(-c (T - T_0))/tau. Mechanism 24.</p>
+<p>The decay time goes as 1 + c (T - T_0): G = 1/(tau (1 + c (T - T_0))). Mechanism 24.</p>
 </html>"));
 end DecayTimeOverTemperature;

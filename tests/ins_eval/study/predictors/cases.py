@@ -3,10 +3,13 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from ins_eval.study import pattern_drift, signals
+from ins_eval.study.bench_plan import WARMER
 from ins_eval.study.gyro_map import TERMS
 from ins_eval.study.mission_weights import MissionWeights
 from ins_eval.study.noise_weights import KINDS
 from ins_eval.study.predictors.turned_maps import started
+from ins_eval.study.signals import COUNT
 from ins_eval.study.standing import Standing
 from ins_eval.study.triads import Triads
 from pyhrg.units import DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G
@@ -17,8 +20,11 @@ SPREAD = np.repeat([0.1 * DEG_PER_H, 20e-6], TERMS)
 """Of a map's coefficients between devices: biases, scale factors."""
 WIDTH = np.log(3)
 """Gyros are larger or smaller by up to this factor, log-uniform."""
-DRIFT = np.concatenate([0.1 * SPREAD, 0.05 * SPREAD, 0.02 * SPREAD]) / SPREAD[0]
-"""Of a map between bench and flight, of its warming and its square; units: the bias map's rms."""
+SHARES = (0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001)
+DRIFT = np.concatenate([share * SPREAD for share in SHARES]) / SPREAD[0]
+"""Of a map between bench and flight, for each of `signals.SIGNALS`; units: the bias map's rms."""
+GAIN = 1e-3
+"""Of a map's coefficients per K, as a share of `SPREAD`."""
 FIT = 0.03 * SPREAD
 """Uncertainty of the bench's fit."""
 EXACT = 0 * FIT
@@ -34,25 +40,23 @@ def mission(seed: int, times: int = 1) -> MissionWeights:
     return MissionWeights(
         name="paper",
         time=HOUR * np.arange(1.0, times + 1),
-        gyros=size * random.normal(size=(times, 2, 2 * TERMS, 3)),
-        warming=size * random.normal(size=(times, 2, 2 * TERMS, 3)),
-        curving=size * random.normal(size=(times, 2, 2 * TERMS, 3)),
+        maps=np.tile(size, (len(signals.SIGNALS), 1)) * random.normal(size=(times, 2, COUNT, 3)),
+        drift=np.zeros((times, 2, pattern_drift.COUNT, 3)),
         accelerometers=random.normal(size=(times, 2, 3)) / MICRO_G,
         noise=(noise @ np.swapaxes(noise, -1, -2)) * (100 / WALK) ** 2,
         standing=Standing(
             latitude=0.7,
             height=0.0,
             mat_nb=np.eye(3),
-            started=np.zeros((2 * TERMS, 3)),
-            warming=np.zeros((2 * TERMS, 3)),
-            curving=np.zeros((2 * TERMS, 3)),
+            rates=np.zeros((COUNT, 3)),
             attitude=np.zeros((times, 2, 3)),
         ),
     )
 
 
 def triads(seed: int, count: int, spread: Array = SPREAD, fit: Array = FIT) -> Triads:
-    """Whose bench errs by `fit`; whose maps drift, warm and make noise as stated above."""
+    """Whose bench errs by `fit`; whose maps drift, warm and make noise as stated above. What the
+    bench expects of their warming is true, but for the drift."""
     random = np.random.default_rng(seed)
     shape, c = (count, 2 * TERMS, 3), 2 * TERMS
     factor = np.exp(random.uniform(-WIDTH, WIDTH, size=(count, 1, 3)))
@@ -60,9 +64,13 @@ def triads(seed: int, count: int, spread: Array = SPREAD, fit: Array = FIT) -> T
     start_angle = np.pi * random.random((count, 3))
     known = bench_map + fit[:, None] * random.normal(size=shape)
     size = np.sqrt(np.mean(known[:, 1:TERMS] ** 2, axis=1, keepdims=True) + fit[1] ** 2)
-    drifted = bench_map + DRIFT[:c, None] * size * random.normal(size=shape)
-    warming = DRIFT[c : 2 * c, None] * size * random.normal(size=shape)
-    curving = DRIFT[2 * c :, None] * size * random.normal(size=shape)
+    gain = GAIN * spread[:, None] * random.normal(size=shape)
+    rise = random.uniform(2.0, 15.0, size=(count, 3))
+    true = np.zeros((count, COUNT, 3))
+    true[:, :c], true[:, c : 2 * c] = bench_map, gain * rise[:, None]
+    drifted = true + DRIFT[:, None] * size * random.normal(size=true.shape)
+    variance = np.broadcast_to(fit[:, None] ** 2, shape)
+    told = gain + np.sqrt(variance) / WARMER * random.normal(size=shape)
     stability = np.sqrt(np.sum(bench_map[:, 1:TERMS] ** 2, axis=1) / 2)
     noise = np.zeros((count, len(KINDS), 3))
     noise[:, 1] = WALK
@@ -72,12 +80,13 @@ def triads(seed: int, count: int, spread: Array = SPREAD, fit: Array = FIT) -> T
         instability=np.zeros((count, 3)),
         walk=noise[:, 1],
         known=known,
-        covariance=np.broadcast_to(np.diag(fit**2)[..., None], (count, c, c, 3)),
-        true=bench_map,
+        gain=told,
+        variance=variance,
+        true=true,
         start_angle=start_angle,
-        started=started(drifted, start_angle),
-        warming=started(warming, start_angle),
-        curving=started(curving, start_angle),
+        rise=rise,
+        in_flight=started(drifted, start_angle),
+        turning=np.zeros((count, len(pattern_drift.TURNING), 3)),
         noise=noise,
         accelerometers=ACCELEROMETER_BIAS * random.normal(size=(count, 3)),
         seeds=random.integers(2**63, size=(count, 2), dtype=np.uint64),

@@ -6,6 +6,7 @@ import pytest
 from ins_eval.study import columns
 from ins_eval.study.flown import map_errors
 from ins_eval.study.predictors import block
+from ins_eval.study.predictors.prediction import Drawn
 from ins_eval.study.predictors.turned_maps import started
 from tests.ins_eval.study.predictors import cases, flights
 
@@ -36,7 +37,7 @@ def test_columns_are_those_of_the_table() -> None:
     weights = cases.mission(seed=1)
     predicted = block.predictions(weights, TRIADS, LEARNT, seed=1)
     table = {
-        **block.predicted_columns(predicted),
+        **block.predicted_columns(predicted, 0.9),
         **block.ranking_columns(weights, TRIADS, LEARNT),
     }
     kinds = {column.name: column.kind for column in columns.COLUMNS}
@@ -45,11 +46,26 @@ def test_columns_are_those_of_the_table() -> None:
         assert np.all(np.isfinite(values))
 
 
+def test_intervals_are_of_the_level_asked() -> None:
+    """Half of what is drawn inside 50 %, as much outside on either side."""
+    predicted = block.predictions(cases.mission(seed=1), TRIADS, LEARNT, seed=1)
+    wide, half = (block.predicted_columns(predicted, inside) for inside in (0.9, 0.5))
+    for p in columns.PREDICTORS:
+        assert np.all(wide[p.low] < half[p.low])
+        assert np.all(half[p.high] < wide[p.high])
+    fitted = predicted["fitted_map"]
+    assert isinstance(fitted, Drawn)
+    draws = np.linalg.norm(fitted.draws[:, :, 0], axis=-1)
+    for name, share in (("fitted_map_low_m", 0.25), ("fitted_map_high_m", 0.75)):
+        found = np.mean(draws <= half[name][:, None], axis=1)
+        np.testing.assert_allclose(found, share, atol=0.001)
+
+
 def test_what_cannot_be_predicted_is_drift_and_noise() -> None:
     """Flown less what the true map on the bench says: rms over 2000 triads within 5 %."""
     weights, many = cases.mission(seed=1), cases.triads(seed=3, count=2000, fit=cases.EXACT)
     learnt = block.learnt(cases.triads(seed=1, count=500), cases.ACCELEROMETER_BIAS)
-    on_bench = map_errors(weights.gyros, started(many.known, many.start_angle))
+    on_bench = map_errors(weights.maps, started(many.true, many.start_angle))
     missed = np.linalg.norm(flights.errors(many, weights) - on_bench, axis=-1)
     found = block.ranking_columns(weights, many, learnt)[columns.UNPREDICTABLE]
     rms = np.sqrt(np.mean(found**2))

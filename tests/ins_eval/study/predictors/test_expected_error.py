@@ -9,7 +9,6 @@ from ins_eval.study.flown import flown
 from ins_eval.study.mission_weights import MissionWeights, mission_weights
 from ins_eval.study.missions import study_mission
 from ins_eval.study.predictors.expected_error import expected_error
-from ins_eval.study.predictors.flown_maps import flown_maps
 from tests.ins_eval.study.predictors import cases
 
 
@@ -26,6 +25,6 @@ def test_it_is_flown_without_noise_and_accelerometers(car: MissionWeights) -> No
         accelerometers=np.zeros_like(triads.accelerometers),
     )
     parts = flown(quiet, car, mission=0)
-    found = expected_error(car, flown_maps(triads))
+    found = expected_error(car, triads.in_flight)
     np.testing.assert_allclose(found, parts.error, rtol=1e-9, atol=1e-6)
     assert np.max(np.abs(parts.alignment)) > 1.0

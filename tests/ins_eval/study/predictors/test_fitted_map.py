@@ -7,7 +7,6 @@ import pytest
 from scipy.stats import binom
 
 from ins_eval.study.predictors import block, fitted_map, oracle
-from ins_eval.study.predictors.flown_maps import flown_maps
 from ins_eval.study.predictors.knowledge import bench_knowledge
 from ins_eval.study.predictors.map_drift import NO_DRIFT
 from ins_eval.study.predictors.turned_maps import unstarted
@@ -26,7 +25,7 @@ def test_draws_have_the_closed_forms_covariance() -> None:
     few = cases.triads(seed=4, count=20)
     bench, angle = bench_knowledge(few), few.start_angle
     rest = unpredictable(WEIGHTS, bench.noise, cases.ACCELEROMETER_BIAS)
-    sure = replace(bench, covariance=np.zeros_like(bench.covariance))
+    sure = replace(bench, variance=np.zeros_like(bench.variance))
     drawn = fitted_map.predict(sure, WEIGHTS, LEARNT.drift, rest, angle, seed=1).draws[:, :, 0]
     found = np.mean([np.cov(errors.T) for errors in drawn], axis=0)
     closed = rest + fitted_map.drift_covariance(sure, WEIGHTS, LEARNT.drift, angle)
@@ -69,16 +68,15 @@ def test_unknown_angles_are_known_angles_averaged() -> None:
 
 
 def test_with_the_true_map_and_no_drift_it_is_the_oracle() -> None:
-    none = np.zeros_like(TRIADS.warming)
-    still = replace(TRIADS, warming=none, curving=none)
+    known = bench_knowledge(TRIADS)
     bench = replace(
-        bench_knowledge(still),
-        maps=unstarted(still.started, still.start_angle),
-        covariance=np.zeros_like(still.covariance),
+        known,
+        maps=unstarted(TRIADS.in_flight, TRIADS.start_angle),
+        variance=np.zeros_like(known.variance),
     )
-    rest = unpredictable(WEIGHTS, still.noise, cases.ACCELEROMETER_BIAS)
-    found = fitted_map.predict(bench, WEIGHTS, NO_DRIFT, rest, still.start_angle, 3)
-    best = oracle.predict(WEIGHTS, flown_maps(still), rest)
+    rest = unpredictable(WEIGHTS, TRIADS.noise, cases.ACCELEROMETER_BIAS)
+    found = fitted_map.predict(bench, WEIGHTS, NO_DRIFT, rest, TRIADS.start_angle, 3)
+    best = oracle.predict(WEIGHTS, TRIADS.in_flight, rest)
     middle = found.expected - best.expected
     sigma = np.sqrt(np.trace(best.covariance, axis1=-2, axis2=-1) / len(found.draws[0]))
     assert np.max(np.abs(middle) / sigma[..., None]) < 5
@@ -89,9 +87,8 @@ def test_only_oracles_see_what_is_true_of_the_flights() -> None:
     few, other = cases.triads(seed=4, count=20), cases.triads(seed=9, count=20)
     swapped = replace(
         few,
-        started=other.started,
-        warming=other.warming,
-        curving=other.curving,
+        in_flight=other.in_flight,
+        turning=other.turning,
         true=other.true,
         accelerometers=other.accelerometers,
         noise=2 * few.noise,

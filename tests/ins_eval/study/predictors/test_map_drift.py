@@ -7,16 +7,16 @@ import pytest
 from scipy.stats import kurtosis
 
 from ins_eval.study.gyro_map import TERMS
-from ins_eval.study.predictors.flown_maps import flown_maps
 from ins_eval.study.predictors.knowledge import bench_knowledge
 from ins_eval.study.predictors.map_drift import MapDrift, learnt, map_size
+from ins_eval.study.signals import SIGNALS
 from ins_eval.study.triads import Triads
 from tests.ins_eval.study.predictors import cases
 
 
 def _learnt(training: Triads) -> MapDrift:
     bench = bench_knowledge(training)
-    return learnt(bench, flown_maps(training), training.start_angle)
+    return learnt(bench, training.in_flight, training.start_angle)
 
 
 def test_drift_is_found_apart_from_the_fits_uncertainty() -> None:
@@ -34,9 +34,10 @@ def test_drift_of_its_own_size_is_found_common() -> None:
     training = cases.triads(seed=1, count=2000, fit=cases.EXACT)
     same = np.median(map_size(bench_knowledge(training))) * cases.DRIFT[: 2 * TERMS]
     normal = np.random.default_rng(2).normal(size=training.known.shape)
-    drifted = training.known + same[:, None] * normal
+    drifted = training.in_flight.copy()
+    drifted[:, : 2 * TERMS] = training.known + same[:, None] * normal
     still = np.zeros_like(training.start_angle)
-    found = _learnt(replace(training, started=drifted, start_angle=still))
+    found = _learnt(replace(training, in_flight=drifted, start_angle=still))
     np.testing.assert_allclose(found.common[: 2 * TERMS], same**2, rtol=0.15)
 
 
@@ -46,16 +47,9 @@ def test_what_occurs_together_stays_together() -> None:
     random = np.random.default_rng(2)
     drifted = cases.SPREAD[:, None] * random.standard_t(6, size=training.known.shape)
     still = np.zeros_like(training.start_angle)
-    found = _learnt(
-        replace(
-            training,
-            started=training.known + drifted,
-            warming=2 * drifted,
-            curving=drifted,
-            start_angle=still,
-        )
-    )
-    start, warm, _ = np.split(found.standard, 3, axis=1)
+    in_flight = np.tile(drifted, (1, len(SIGNALS), 1)) + bench_knowledge(training).maps
+    found = _learnt(replace(training, in_flight=in_flight, start_angle=still))
+    start, warm = np.split(found.standard, len(SIGNALS), axis=1)[:2]
     assert np.corrcoef(start[:, 3], warm[:, 3])[0, 1] > 0.99
     assert np.mean(kurtosis(found.standard)) > 1
     assert np.mean(found.standard**2) == pytest.approx(1, abs=0.05)
@@ -63,7 +57,7 @@ def test_what_occurs_together_stays_together() -> None:
 
 def test_a_fit_that_doubts_too_much_leaves_no_negative_variance() -> None:
     training = cases.triads(seed=1, count=20)
-    found = _learnt(replace(training, covariance=1e4 * training.covariance))
+    found = _learnt(replace(training, variance=1e4 * training.variance))
     assert np.all(found.common >= 0)
     assert np.all(found.relative >= 0)
     assert np.all(found.common[: 2 * TERMS] == 0)

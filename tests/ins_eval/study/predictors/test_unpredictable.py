@@ -16,13 +16,11 @@ COUNT = 4000
 def test_covariance_of_flights_without_maps(noisy: float, biased: float) -> None:
     """Of 4000 triads at three times: products of errors within five sigmas."""
     weights, triads = cases.mission(seed=1, times=3), cases.triads(seed=2, count=COUNT)
-    none = np.zeros_like(triads.started)
+    none = np.zeros_like(triads.in_flight)
     noise = noisy * np.abs(np.random.default_rng(3).normal(size=triads.noise.shape)) * cases.WALK
     bare = replace(
         triads,
-        started=none,
-        warming=none,
-        curving=none,
+        in_flight=none,
         noise=noise,
         accelerometers=biased * triads.accelerometers,
     )

@@ -68,6 +68,14 @@ def test_scores_that_are_none_are_named(document: Any, message: str) -> None:
         result(synthetic(4).table, document)
 
 
+@pytest.mark.parametrize("level", [None, "90", 0, 100])
+def test_level_of_intervals_that_is_none_is_named(level: Any) -> None:
+    document = {"scores": []} if level is None else {"scores": [], "interval_percent": level}
+    message = f"study.json: interval_percent: found {level!r}, expected a number between 0 and 100"
+    with pytest.raises(ResultError, match=f"^{message}$"):
+        result(synthetic(4).table, document)
+
+
 def test_an_unknown_score_is_named() -> None:
     made = synthetic(4)
     entry = asdict(made.scores[0]) | {"score": "beauty"}

@@ -16,16 +16,17 @@ BLANK = Score("", "", "map", ALL, UNSEEN, 0.0, 0.0, 0.0, 0.95, 100, 1)
 
 
 TABLE = synthetic(4).table
+ABOUT = {"interval_percent": 90}
 
 
 def told(*scores: Score) -> str:
-    return " ".join(sentences(StudyResult(TABLE, scores, {}), "map"))
+    return " ".join(sentences(StudyResult(TABLE, scores, ABOUT), "map"))
 
 
 def opening(*holds: bool | None, half: str = UNSEEN, shuffled: bool = False) -> str:
     asked = replace(BLANK, mission_class="ship", half=half, shuffled=shuffled)
     scores = [replace(asked, holds=h) for h in holds]
-    return headline(StudyResult(TABLE, scores, {}))
+    return headline(StudyResult(TABLE, scores, ABOUT))
 
 
 def test_headline_counts_what_was_asked() -> None:
@@ -43,8 +44,8 @@ def test_headline_takes_no_credit_for_the_seen_half_and_for_controls() -> None:
 @pytest.mark.parametrize(
     ("value", "low", "high", "words"),
     [
-        (15, 12, 19, "promised too much"),
-        (0.2, 0.1, 0.3, "promised too little"),
+        (15, 12, 19, "is too optimistic"),
+        (0.2, 0.1, 0.3, "is too pessimistic"),
         (1.1, 0.9, 1.4, "told the truth within a factor of 2"),
         (1.9, 1.2, 2.6, "is consistent with the truth"),
     ],
@@ -79,6 +80,13 @@ def test_coverage(low: float, high: float, words: str) -> None:
     assert words in told(covered)
 
 
+def test_coverage_is_held_to_the_level_asked() -> None:
+    covered = replace(BLANK, score=scored.COVERAGE, predictor="fitted_map", low=0.7, high=0.8)
+    text = " ".join(sentences(StudyResult(TABLE, [covered], {"interval_percent": 75}), "map"))
+    assert "inside 75 % intervals" in text
+    assert ", compatible with 0.75" in text
+
+
 def test_ranking_that_is_not_certain_is_said_so() -> None:
     rank = replace(BLANK, score=scored.SPEARMAN, predictor="fixed_rule", low=-0.1, high=0.2)
     assert "Fixed position not certainly, Spearman" in told(rank)
@@ -89,7 +97,7 @@ def test_classes_that_fail_are_named_with_their_figures() -> None:
         BLANK, score=scored.R2_RADIAL, predictor="fitted_map", holds=True, asked=">= 0.95"
     )
     ship = replace(asked, mission_class="ship", holds=False, value=0.9, low=0.85, high=0.94)
-    made = StudyResult(TABLE, [replace(asked, mission_class="car"), ship], {})
+    made = StudyResult(TABLE, [replace(asked, mission_class="car"), ship], ABOUT)
     (row,) = requirements(made).rows
     assert row[2:] == ("1 of 2; not in ship: 0.9 (0.85 to 0.94), asked >= 0.95", "–")
     assert "1 of 2; not in ship" in breaks(made)
@@ -99,12 +107,14 @@ def test_an_oracle_that_fails_does_not_break_the_thesis() -> None:
     oracle = replace(
         BLANK, score=scored.COVERAGE, predictor="oracle", mission_class="ship", holds=False
     )
-    assert headline(StudyResult(TABLE, [oracle], {})).startswith("Nothing was asked")
+    assert headline(StudyResult(TABLE, [oracle], ABOUT)).startswith("Nothing was asked")
 
 
 def test_notes_are_told_once_with_every_class() -> None:
     note = replace(BLANK, score=scored.ADVANTAGE, predictor="circumference_rule", note="No gain.")
-    made = StudyResult(TABLE, [replace(note, mission_class=name) for name in ("car", "ship")], {})
+    made = StudyResult(
+        TABLE, [replace(note, mission_class=name) for name in ("car", "ship")], ABOUT
+    )
     text = breaks(made)
     assert text.count("No gain.") == 1
     assert "car: 0 (0 to 0); ship: 0 (0 to 0)" in text
@@ -113,14 +123,15 @@ def test_notes_are_told_once_with_every_class() -> None:
 def test_controls_that_show_something_are_counted() -> None:
     control = replace(BLANK, score=scored.SPEARMAN, predictor="fixed_rule", shuffled=True)
     made = [replace(control, holds=True), replace(control, holds=False, mission_class="car")]
-    text = controls(StudyResult(TABLE, made, {}))
+    text = controls(StudyResult(TABLE, made, ABOUT))
     assert "Of 2 negative controls on the unseen half 1 show something" in text
     assert "car: 0 (0 to 0)" in text
 
 
 def test_a_control_that_shows_something_warns() -> None:
     control = replace(BLANK, score=scored.SPEARMAN, predictor="fixed_rule", shuffled=True)
-    assert "none of 1 figures is above 0" in told(replace(control, low=-0.1, high=0.1))
+    nothing = told(replace(control, low=-0.1, high=0.1))
+    assert "shuffled: none is above 0: Fixed position Spearman 0 (−0.1 to 0.1)." in nothing
     assert "NOT nothing" in told(replace(control, low=0.1, high=0.3))
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ins_eval.study.run.block import TRIADS, Arrays
+from ins_eval.study.run.block import Arrays, size
 from ins_eval.study.run.folder import StudyFolder
 from ins_eval.study.run.run import Experiment
 from ins_eval.study.specification import Study
@@ -19,12 +19,20 @@ from ins_eval.study.specification import Study
 GATE = "HRG_TEST_GATE"
 """Environment variable: port at which a test lets blocks through, one by one."""
 
+CONCLUSION = "HRG_TEST_CONCLUSION"
+"""Likewise: number with which the conclusion, half done, asks for leave."""
 
-def made(study: Study, triads: range) -> Arrays:
+
+def ask(what: int) -> None:
+    """At the gate, if there is one, and wait there."""
     if port := os.environ.get(GATE):
         with socket.create_connection(("127.0.0.1", int(port))) as test:
-            test.sendall(f"{triads.start // TRIADS} {os.getpid()}\n".encode())
+            test.sendall(f"{what} {os.getpid()}\n".encode())
             assert test.recv(1), "the test has gone"
+
+
+def made(study: Study, triads: range) -> Arrays:
+    ask(triads.start // size(study))
     seeds = [np.random.SeedSequence(study.seed, spawn_key=(triad,)) for triad in triads]
     return {
         "triad": np.array(triads),
@@ -34,6 +42,8 @@ def made(study: Study, triads: range) -> Arrays:
 
 def conclude(study: Study, arrays: Arrays, folder: Path) -> None:
     (folder / "triads.txt").write_text(" ".join(map(str, arrays["triad"])))
+    if CONCLUSION in os.environ:
+        ask(int(os.environ[CONCLUSION]))
     (folder / "draws.json").write_text(json.dumps(arrays["draw"].tolist()))
 
 

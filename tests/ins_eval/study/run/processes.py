@@ -6,8 +6,9 @@ import signal
 import socket
 import subprocess
 import sys
+import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -68,6 +69,17 @@ class Gate:
             visitor = self.visitor()
             numbers.append(visitor.number)
             visitor.pass_through()
+        return numbers
+
+    def pass_until_ended(self, run: "subprocess.Popen[str]") -> list[int]:
+        """Let all through until a command ends; their numbers."""
+        numbers, deadline = [], time.monotonic() + PATIENCE
+        self.server.settimeout(0.2)
+        while run.poll() is None:
+            assert time.monotonic() < deadline
+            with suppress(TimeoutError):
+                numbers += self.pass_all(1)
+        self.server.settimeout(PATIENCE)
         return numbers
 
 

@@ -22,6 +22,8 @@ from tests.ins_eval.study.run.processes import (
     worker,
 )
 
+BLOCKS = block.count(cases.study())
+
 
 @pytest.fixture
 def gate() -> Iterator[Gate]:
@@ -57,10 +59,42 @@ def test_killed_command_goes_on_from_what_it_kept(file: Path, tmp_path: Path, ga
             orphan.wait_until_gone()
     assert set(contents(out)) == {"identity.json", f"blocks/{second.number:06d}.npz"}
     with study_command(file, out, "--workers", "1", environment=gate.environment) as run:
-        again = gate.pass_all(3)
+        again = gate.pass_all(BLOCKS - 1)
         assert run.wait(60) == 0
-    assert sorted([second.number, *again]) == [0, 1, 2, 3]
+    assert sorted([second.number, *again]) == list(range(BLOCKS))
     assert contents(out) == undisturbed(study_file.read(file), tmp_path / "undisturbed")
+
+
+def test_command_killed_in_its_conclusion_does_no_block_again(
+    file: Path, tmp_path: Path, gate: Gate
+) -> None:
+    out, last = tmp_path / "out", BLOCKS
+    environment = {**gate.environment, cheap.CONCLUSION: str(last)}
+    with study_command(file, out, "--workers", "1", environment=environment) as run:
+        gate.pass_all(BLOCKS)
+        concluding = gate.visitor()
+        assert concluding.number == last
+        run.kill()
+        concluding.wait_until_gone()
+    assert not {"triads.txt", "draws.json"} & set(contents(out))
+    with study_command(file, out, "--workers", "1", environment=environment) as run:
+        assert gate.pass_all(1) == [last]
+        assert run.wait(60) == 0
+    assert contents(out) == undisturbed(study_file.read(file), tmp_path / "undisturbed")
+
+
+def test_terminated_command_says_how_to_go_on(file: Path, tmp_path: Path, gate: Gate) -> None:
+    out = tmp_path / "out"
+    with study_command(file, out, "--workers", "1", environment=gate.environment) as run:
+        (first,) = gate.pass_all(1)
+        assert said(run) == f"kept {first}\n"
+        visitor = gate.visitor()
+        run.terminate()
+        errors = run.communicate(timeout=60)[1]
+        visitor.wait_until_gone()
+    assert run.returncode == 130
+    assert errors.endswith("hrg: interrupted; the same command goes on from here\n"), errors
+    assert set(contents(out)) == {"identity.json", f"blocks/{first:06d}.npz"}
 
 
 def test_interrupted_command_says_how_to_go_on(file: Path, tmp_path: Path, gate: Gate) -> None:
@@ -91,9 +125,31 @@ def test_cluster_that_loses_its_workers_goes_on(file: Path, tmp_path: Path, gate
         assert said(run) == f"kept {first}\n"
         gate.visitor().kill()
         with worker(address, gate.environment), worker(address, gate.environment):
-            passed = gate.pass_all(3)
+            passed = gate.pass_all(BLOCKS - 1)
             assert run.wait(60) == 0
-    assert sorted([first, *passed]) == [0, 1, 2, 3]
+    assert sorted([first, *passed]) == list(range(BLOCKS))
+    assert contents(out) == undisturbed(study_file.read(file), tmp_path / "undisturbed")
+
+
+def test_killed_command_goes_on_with_the_same_cluster(
+    file: Path, tmp_path: Path, gate: Gate
+) -> None:
+    """Blocks that the worker had begun for the killed command may be done again; none that was
+    kept is."""
+    out = tmp_path / "out"
+    with scheduler() as (_, address), worker(address, gate.environment):
+        with study_command(file, out, "--scheduler", address) as run:
+            (first,) = gate.pass_all(1)
+            assert said(run) == f"kept {first}\n"
+            under_way = gate.visitor()
+            run.kill()
+        under_way.pass_through()
+        with study_command(file, out, "--scheduler", address) as run:
+            passed = gate.pass_until_ended(run)
+        assert run.returncode == 0
+    assert first not in passed
+    assert set(passed) | {first, under_way.number} == set(range(BLOCKS))
+    assert len(passed) <= BLOCKS + 1
     assert contents(out) == undisturbed(study_file.read(file), tmp_path / "undisturbed")
 
 

@@ -34,7 +34,7 @@ def table(count: int, spread: float = 1.0, seed: int = 2) -> pd.DataFrame:
                         columns.FLOWN_NORTH: errors[:, 0],
                         columns.FLOWN_EAST: errors[:, 1],
                         columns.FLOWN_RADIAL: np.hypot(*errors.T),
-                        **block.predicted_columns(predicted),
+                        **block.predicted_columns(predicted, 0.9),
                         **{key: list(values) for key, values in ranked.items()},
                     }
                 )

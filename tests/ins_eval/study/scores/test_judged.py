@@ -57,6 +57,12 @@ def test_the_fitted_map_is_held_to_its_oracle_and_holds(judged: list[Score]) -> 
     assert _one(judged, score.WIDTH, "fitted_map").low > 1
 
 
+def test_coverage_is_held_to_the_level_asked(flown: pd.DataFrame) -> None:
+    """Intervals of 90 % are no intervals of 50 %."""
+    found = _one(scores(flown, seed=7, inside=0.5), score.COVERAGE, "fitted_map")
+    assert (found.asked, found.holds) == ("0.5 within its interval", False)
+
+
 def test_shuffled_devices_show_nothing(judged: list[Score]) -> None:
     for key in ("fixed_rule", "circumference_rule", "fitted_map"):
         none = _one(judged, score.SPEARMAN, key, shuffled=True)
@@ -82,7 +88,7 @@ def test_where_noise_dominates_the_thesis_does_not_hold() -> None:
 
 
 def test_where_both_rules_say_the_same_there_is_no_advantage(flown: pd.DataFrame) -> None:
-    same = {f"fixed_rule_{q}_m": flown[f"circumference_rule_{q}_m"] for q in ("median", "q05")}
+    same = {f"fixed_rule_{q}_m": flown[f"circumference_rule_{q}_m"] for q in ("median", "low")}
     found = _one(scores(flown.assign(**same), seed=7), score.ADVANTAGE, "circumference_rule")
     assert (found.value, found.holds) == (0.0, False)
     assert "as well here" in found.note

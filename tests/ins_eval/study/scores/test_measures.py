@@ -95,3 +95,12 @@ def test_resamples_in_front_are_taken_one_by_one(
     together = measure(*samples)
     single = [measure(*samples[:, i]) for i in range(5)]
     np.testing.assert_allclose(together, single)
+
+
+def test_a_sample_without_spread_tells_nothing() -> None:
+    """As a resample may be: NaN, and no division by zero."""
+    same, none = np.full((3, 1), 5.0), np.zeros((3, 1))
+    assert np.isnan(measures.r2(same, 0.9 * same))
+    assert np.isnan(measures.variance_removed(same, 0.9 * same, same))
+    assert np.isnan(measures.optimism(same, none))
+    assert np.isnan(measures.spearman(np.ones((3, 1, 3)), np.ones((3, 1, 3))))

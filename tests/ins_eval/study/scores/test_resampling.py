@@ -65,6 +65,13 @@ def test_shuffled_predictions_show_nothing() -> None:
     assert found.value == pytest.approx(-1, abs=0.02)
 
 
+def test_resamples_that_tell_nothing_do_not_count() -> None:
+    """Of two triads half of the resamples are one triad twice, whose R2 nobody knows."""
+    flown, predicted = np.array([[1.0], [2.0]]), np.array([[1.1], [2.1]])
+    found = bootstrapped(measures.r2, [flown, predicted], seed=1)
+    assert (found.low, found.value, found.high) == pytest.approx((0.96,) * 3)
+
+
 def test_nobody_keeps_his_own() -> None:
     who = np.arange(3.0)[:, None]
     own = shuffled(lambda a, b: np.sum(a == b, axis=(-2, -1)), who, [who], seed=1)

@@ -8,7 +8,6 @@ import pytest
 from pyhrg import theory
 from pyhrg.bench.bias import fixed_position, full_circumference
 from pyhrg.bench.bias.bias_test import BiasRun, BiasTest
-from pyhrg.bench.bias.comparison import bias_table
 from pyhrg.bench.bias.positions import Plan
 from pyhrg.bench.outcome import BenchError
 from pyhrg.device import Device
@@ -114,14 +113,6 @@ def test_stability_and_repeatability_are_the_papers() -> None:
     assert test.stability == pytest.approx((np.sqrt(2) + np.sqrt(8)) / 2)
     assert test.repeatability == pytest.approx(np.sqrt(2))
     assert test.bias == pytest.approx(3.0)
-
-
-def test_table_holds_every_run() -> None:
-    test = BiasTest((BiasRun(np.array([1.0, 3.0]) * DEG_PER_H),) * 2)
-    lines = bias_table(test, test).splitlines()
-    assert len(lines) == 6
-    assert lines[2].split() == ["1", "2.00000", "1.41421", "2.00000", "1.41421"]
-    assert lines[4].split() == ["bias", "stability", "1.41421", "1.41421"]
 
 
 def test_positions_45_degrees_apart_show_no_harmonic_at_all(slow_fmu: GyroFmu) -> None:

@@ -1,0 +1,1 @@
+"""Campaigns whose gap is hidden from the diagnosis, and what the diagnoses score."""

@@ -1,0 +1,172 @@
+"""One case of a challenge: a campaign, and its truth."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+
+import numpy as np
+
+from pyhrg.campaign import Campaign, Test
+from pyhrg.device import Device
+from pyhrg.fmu import GyroFmu
+from pyhrg.gap.catalogue import NAMES
+from pyhrg.gap.challenge.course import Course, course_of
+from pyhrg.gap.challenge.gyro import TrueGyro
+from pyhrg.gap.challenge.instruments import Instruments
+from pyhrg.gap.challenge.meter import Meter
+from pyhrg.gap.challenge.nominal import believed, drawn_nominal, drawn_site
+from pyhrg.gap.challenge.plans import Plan, further, plans
+from pyhrg.gap.challenge.truth import Drawing, Strength, TrueState, Truth
+from pyhrg.site import Site
+from pyhrg.units import ARCSEC
+
+CampaignStrength = Callable[[Campaign, str, Mapping[str, float]], float]
+"""Sigmas of an effect, by its name and parameters, on the inputs of a campaign."""
+SLOW_STEP = 1.0
+"""Communication step of what only looks at slow things, s."""
+STEPS = 100
+"""Communication steps in a row of the true gyro."""
+
+
+@dataclass(frozen=True)
+class Case:
+    """One case: its name says nothing of its kind.
+
+    strengths: sigmas that effects are drawn from.
+    without: effects that the diagnosis' catalogue lacks; of these the case's effect is drawn.
+    """
+
+    name: str
+    kind: str
+    seed: int
+    strengths: tuple[float, float]
+    without: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Fmus:
+    """The gyro's models.
+
+    sampled: `HRG`, of the truth. `HRGCarrier` is no truth here: 40 s at 100 deg/s show the next
+        terms of the average, 2 k W/w of the forces, which the format's nominal gyro has not.
+    slow: `HRGSlow`, of the strengths.
+    """
+
+    sampled: GyroFmu
+    slow: GyroFmu
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """A case before its tests are made."""
+
+    case: Case
+    nominal: Mapping[str, float]
+    site: Site
+    device: Device
+    own: Instruments
+    plans: list[Plan]
+    state: TrueState
+
+    def recorded(self, plans: Sequence[Plan], fmu: GyroFmu, stream: int) -> list[Test]:
+        """Tests of the true gyro."""
+        noise = _generator(self.case, stream)
+        gyro = TrueGyro(fmu, self.state.device, self.own, self.state.disturbance)
+        return [_recorded(plan, gyro, noise) for plan in plans]
+
+    def holdout_noise(self, tests: Sequence[Test], fmu: GyroFmu) -> float:
+        """Root mean square of what noise makes of the output angle on held-out tests, rad."""
+        gyro = TrueGyro(fmu, self.state.device, self.own, self.state.disturbance)
+        squares = []
+        for plan, test in zip(self.plans, tests, strict=True):
+            if test.is_holdout:
+                course, still = _course(plan), np.zeros((1, 1))
+                exact = gyro.exact(plan.id, course, plan.start_angle, still)
+                angle = self.state.disturbance.shown(exact).gyro_angle
+                squares.append((test.log.gyro_angle - angle) ** 2)
+        return float(np.sqrt(np.mean(np.concatenate(squares))))
+
+    def campaign(self, tests: Sequence[Test]) -> Campaign:
+        """Tests, with what is believed of the gyro."""
+        return Campaign(self.case.name, self.site, self.nominal, tuple(tests))
+
+
+GYRO, BENCH, EFFECT, NOISE, NEXT_BENCH, NEXT_NOISE = range(6)
+"""Streams of random numbers: gyro, tests and noise are drawn apart from the effect, so that they
+tell nothing of it."""
+
+
+def prepared(case: Case, slow: GyroFmu, strength: CampaignStrength | None = None) -> Prepared:
+    """Draw a case: the same wherever it is done.
+
+    Args:
+        case: to be drawn.
+        slow: `HRGSlow`.
+        strength: of an effect; by `Meter` if None.
+    """
+    gyro = _generator(case, GYRO)
+    nominal, site = drawn_nominal(gyro), drawn_site(gyro)
+    device, own = believed(nominal, site), Instruments().drawn(gyro)
+    made = plans(device, _generator(case, BENCH), complete=bool(case.without))
+    fitted = [(_slow_course(p), p.start_angle) for p in made if p.role == "fit"]
+    meter = Meter(slow, device, fitted, own)
+    sigmas: Strength = meter.sigmas_of
+    if strength is not None:
+        tests = tuple(_planned(plan, device, slow) for plan in made)
+        sigmas = partial(strength, Campaign(case.name, site, nominal, tests))
+    effects = case.without or NAMES
+    drawing = Drawing(meter, sigmas, _generator(case, EFFECT), case.strengths, effects)
+    return Prepared(case, nominal, site, device, own, made, drawing.state(case.kind))
+
+
+def generated(
+    case: Case, fmus: Fmus, strength: CampaignStrength | None = None
+) -> tuple[Campaign, Truth]:
+    """Simulate a case: the same bytes wherever it is done. Arguments as of `prepared`."""
+    drawn = prepared(case, fmus.slow, strength)
+    tests = drawn.recorded(drawn.plans, fmus.sampled, NOISE)
+    noise = drawn.holdout_noise(tests, fmus.sampled) / ARCSEC
+    return drawn.campaign(tests), replace(drawn.state.truth, holdout_noise_arcsec=noise)
+
+
+def with_next_test(
+    case: Case,
+    campaign: Campaign,
+    kind: str,
+    hours: float,
+    fmus: Fmus,
+    strength: CampaignStrength | None = None,
+) -> Campaign:
+    """A case's campaign with so many hours more of the tests of one kind.
+
+    Raises:
+        ValueError: no such kind of test.
+    """
+    drawn = prepared(case, fmus.slow, strength)
+    more = further(kind, hours, drawn.device, _generator(case, NEXT_BENCH))
+    tests = drawn.recorded(more, fmus.sampled, NEXT_NOISE)
+    return drawn.campaign((*campaign.tests, *tests))
+
+
+def _generator(case: Case, stream: int) -> np.random.Generator:
+    return np.random.default_rng(np.random.SeedSequence(case.seed, spawn_key=(stream,)))
+
+
+def _slow_course(plan: Plan) -> Course:
+    return course_of(plan.programme, min(SLOW_STEP, plan.programme.interval))
+
+
+def _planned(plan: Plan, device: Device, slow: GyroFmu) -> Test:
+    """The test with what the believed gyro would answer."""
+    course, still = _slow_course(plan), np.zeros((1, 1))
+    log = TrueGyro(slow, device).exact(plan.id, course, plan.start_angle, still)
+    return Test(plan.id, plan.kind, plan.role, log)
+
+
+def _recorded(plan: Plan, gyro: TrueGyro, noise: np.random.Generator) -> Test:
+    log = gyro.log(plan.id, _course(plan), plan.start_angle, noise)
+    return Test(plan.id, plan.kind, plan.role, log)
+
+
+def _course(plan: Plan) -> Course:
+    return course_of(plan.programme, plan.programme.interval / STEPS)

@@ -1,0 +1,85 @@
+"""One test as the gyro goes through it: what the bench does in each communication step."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.bench.bench import INPUTS, between
+from pyhrg.bench.programme import Programme
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Course:
+    """A test of n rows of m communication steps each; SI. Arrays by step are (n, m), at the
+    steps' middles."""
+
+    interval: float
+    """Length of a row, s."""
+    step: float
+    """Communication step, s."""
+    table_rate: Array
+    """(n + 1,) at the rows' bounds, linear between them."""
+    case_temperature: Array
+    """(n + 1,) at the rows' bounds, linear between them."""
+    held: Mapping[str, Array]
+    """(n,) what holds over a row, by its name in a programme."""
+
+    def __len__(self) -> int:
+        return len(self.table_rate) - 1
+
+    @property
+    def steps(self) -> int:
+        """Communication steps in a row."""
+        return round(self.interval / self.step)
+
+    @cached_property
+    def share(self) -> Array:
+        """(m,) of a row that is over at the middle of each step."""
+        return (np.arange(self.steps) + 0.5) / self.steps
+
+    @cached_property
+    def time(self) -> Array:
+        """Since power-on."""
+        return (np.arange(len(self))[:, None] + self.share) * self.interval
+
+    @cached_property
+    def rate(self) -> Array:
+        """Of the table."""
+        return between(self.table_rate, self.share)
+
+    @cached_property
+    def table_angle_at_ends(self) -> Array:
+        """(n,) at the rows' ends."""
+        means = (self.table_rate[1:] + self.table_rate[:-1]) / 2
+        return np.asarray(np.cumsum(means) * self.interval)
+
+    @cached_property
+    def table_angle(self) -> Array:
+        """Of the table, 0 at start."""
+        begun = np.concatenate(([0.0], self.table_angle_at_ends[:-1]))[:, None]
+        return begun + self.interval * self.share * between(self.table_rate, self.share / 2)
+
+    @cached_property
+    def temperature(self) -> Array:
+        """Of the case."""
+        return between(self.case_temperature, self.share)
+
+    def each(self, name: str) -> Array:
+        """What holds over a row."""
+        return np.broadcast_to(self.held[name][:, None], (len(self), self.steps))
+
+    def integrated(self, rate: Array) -> Array:
+        """Integral of a rate, from the start to the middle of each step."""
+        total = np.cumsum(rate.ravel()) * self.step
+        return np.asarray((total - rate.ravel() * self.step / 2).reshape(rate.shape))
+
+
+def course_of(programme: Programme, step: float) -> Course:
+    """The course of a programme, whose rows are multiples of the step."""
+    held = {name: programme.held(name) for name in ("axis_up", *INPUTS)}
+    return Course(programme.interval, step, programme.table_rate, programme.temperature, held)

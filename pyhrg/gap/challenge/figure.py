@@ -1,0 +1,66 @@
+"""A figure of merit: its estimate, how sure it is, and what it is held to."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from scipy.stats import beta, binom
+
+CONFIDENCE = 0.95
+Sense = Literal["at most", "at least", "about"]
+
+
+@dataclass(frozen=True)
+class Figure:
+    """One figure, its 95 % interval, and its target; a figure without a case has no value.
+
+    It passes when the interval includes the target, or is better.
+    """
+
+    name: str
+    n: int
+    value: float
+    low: float
+    high: float
+    sense: Sense
+    target: float
+
+    @property
+    def passed(self) -> bool | None:
+        """Whether the target is met; None where there is no case."""
+        if not self.n:
+            return None
+        meets_high, meets_low = self.low <= self.target, self.high >= self.target
+        if self.sense == "at most":
+            return meets_high
+        return meets_low if self.sense == "at least" else meets_high and meets_low
+
+
+def proportion(name: str, outcomes: Sequence[bool], sense: Sense, target: float) -> Figure:
+    """A share of cases, with the exact interval of C. Clopper and E. Pearson (1934)."""
+    n, hits = len(outcomes), sum(outcomes)
+    if not n:
+        return Figure(name, 0, math.nan, 0.0, 1.0, sense, target)
+    tail = (1 - CONFIDENCE) / 2
+    low = float(beta.ppf(tail, hits, n - hits + 1)) if hits else 0.0
+    high = float(beta.isf(tail, hits + 1, n - hits)) if hits < n else 1.0
+    return Figure(name, n, hits / n, low, high, sense, target)
+
+
+def quantile(
+    name: str, values: Sequence[float], share: float, sense: Sense, target: float
+) -> Figure:
+    """A quantile of values, its interval between order statistics: exact whatever the values'
+    distribution (W. Thompson, 1936), open where there are too few."""
+    n = len(values)
+    if not n:
+        return Figure(name, 0, math.nan, -math.inf, math.inf, sense, target)
+    ordered = np.sort(values)
+    tail = (1 - CONFIDENCE) / 2
+    below = int(binom.ppf(tail, n, share)) - 1
+    above = int(binom.ppf(1 - tail, n, share))
+    low = float(ordered[below]) if below >= 0 else -math.inf
+    high = float(ordered[above]) if above < n else math.inf
+    return Figure(name, n, float(np.quantile(ordered, share)), low, high, sense, target)

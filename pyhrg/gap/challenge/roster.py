@@ -1,0 +1,141 @@
+"""The cases of a challenge, and its folder: what is published, what is sealed, what was said."""
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from fmu_build.files import write_whole
+from pyhrg.gap.catalogue import NAMES
+from pyhrg.gap.challenge.case import Case
+from pyhrg.gap.challenge.truth import KINDS, LEAST
+
+SCHEMA = "hrg-challenge/1"
+STRONG = (LEAST, 10 * LEAST)
+WEAK = (1.0, LEAST)
+"""Ranges of strengths, sigmas."""
+
+
+class ChallengeError(Exception):
+    """The folder is another challenge's, or a result in it can't be used."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What decides a challenge.
+
+    counts: cases by kind.
+    seed: of everything.
+    strongest: sigmas that effects are drawn up to.
+    """
+
+    counts: Mapping[str, int]
+    seed: int
+    strongest: float = STRONG[1]
+
+    def cases(self) -> list[Case]:
+        """Every case; names and order tell nothing of the kinds."""
+        kinds = [kind for kind in KINDS for _ in range(self.counts.get(kind, 0))]
+        generator = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(0,)))
+        order = generator.permutation(len(kinds)).tolist()
+        seeds = np.random.SeedSequence(self.seed, spawn_key=(1,)).generate_state(len(kinds))
+        left_out = iter(range(len(kinds)))
+        effects = {i: NAMES[next(left_out) % len(NAMES)] for i in order if kinds[i] == "left_out"}
+        return [
+            Case(
+                name=f"unit-{place:04d}",
+                kind=kinds[i],
+                seed=int(seed),
+                strengths=WEAK if kinds[i] == "weak" else (LEAST, self.strongest),
+                without=(effects[i],) if i in effects else (),
+            )
+            for place, (i, seed) in enumerate(zip(order, seeds.tolist(), strict=True), 1)
+        ]
+
+
+@dataclass(frozen=True)
+class Folder:
+    """A challenge's folder. Truths are apart from the campaigns, and hashed in the index."""
+
+    root: Path
+
+    @property
+    def index(self) -> Path:
+        """What is published before anything is diagnosed."""
+        return self.root / "challenge.json"
+
+    @property
+    def score(self) -> Path:
+        """The figures."""
+        return self.root / "score.json"
+
+    @property
+    def settings(self) -> Path:
+        """What the folder was begun with."""
+        return self.root / "settings.json"
+
+    def campaign(self, name: str) -> Path:
+        """Of a case: all that its diagnosis sees."""
+        return self.root / "campaigns" / name
+
+    def truth(self, name: str) -> Path:
+        """Of a case, sealed."""
+        return self.root / "truths" / f"{name}.json"
+
+    def diagnosis(self, name: str) -> Path:
+        """Of a case."""
+        return self.root / "diagnoses" / name
+
+    def next_campaign(self, name: str) -> Path:
+        """A case with the suggested next test."""
+        return self.root / "next" / "campaigns" / name
+
+    def next_diagnosis(self, name: str) -> Path:
+        """Of a case with the suggested next test."""
+        return self.root / "next" / "diagnoses" / name
+
+    def begin(self, settings: Settings) -> None:
+        """Begin a challenge, or go on with the same one.
+
+        Raises:
+            ChallengeError: the folder is another challenge's.
+            OSError: it can't be written.
+        """
+        for folder in (self.root / "campaigns", self.root / "truths", self.root / "diagnoses"):
+            folder.mkdir(parents=True, exist_ok=True)
+        text = as_json(
+            {"seed": settings.seed, "counts": dict(settings.counts), "to": settings.strongest}
+        )
+        if self.settings.exists() and self.settings.read_bytes() != text:
+            raise ChallengeError(
+                f"{self.settings}: another challenge was begun here; "
+                "expected the same seed and counts, or an empty folder"
+            )
+        write_whole(self.settings, text)
+
+    def publish(self, cases: Sequence[Case], hashes: Sequence[str]) -> dict[str, str]:
+        """Write the index, or hold to the one that is there.
+
+        Returns:
+            The published hash by case.
+
+        Raises:
+            ChallengeError: a truth isn't the one that was published.
+        """
+        listed = [
+            {"name": case.name, "sha256": digest, "without": list(case.without)}
+            for case, digest in zip(cases, hashes, strict=True)
+        ]
+        text = as_json({"schema": SCHEMA, "cases": listed})
+        if self.index.exists() and self.index.read_bytes() != text:
+            raise ChallengeError(f"{self.index}: truths are not those that it has published")
+        write_whole(self.index, text)
+        return {case.name: digest for case, digest in zip(cases, hashes, strict=True)}
+
+
+def as_json(values: Mapping[str, Any]) -> bytes:
+    """Bytes of a JSON file: the same for the same values."""
+    return (json.dumps(values, indent=1, sort_keys=True) + "\n").encode()

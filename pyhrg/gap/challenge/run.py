@@ -1,0 +1,169 @@
+"""A challenge from its settings to its score: generate, publish, diagnose, test again, score."""
+
+import hashlib
+import multiprocessing
+import sys
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cache, partial
+from pathlib import Path
+from typing import TypeVar
+
+from tqdm import tqdm
+
+from fmu_build.bundle import built_fmu
+from fmu_build.files import replaced_folder
+from fmu_build.roots import ROOTS
+from pyhrg import campaign as campaigns
+from pyhrg.campaign_index import CampaignError
+from pyhrg.fmu import GyroFmu
+from pyhrg.gap.challenge import diagnosis, seal
+from pyhrg.gap.challenge.case import CampaignStrength, Case, Fmus, generated, with_next_test
+from pyhrg.gap.challenge.diagnosis import Diagnosis
+from pyhrg.gap.challenge.report import Score, write
+from pyhrg.gap.challenge.roster import ChallengeError, Folder, Settings
+from pyhrg.gap.challenge.score import Judged
+
+Diagnose = Callable[[Path, Path, Sequence[str]], None]
+"""Diagnoses the campaign of a folder into `diagnosis.json` of another, its catalogue without the
+effects of these names; importable by name, for other processes."""
+Item = TypeVar("Item")
+Result = TypeVar("Result")
+Work = Callable[[Item], Result]
+
+
+@dataclass(frozen=True)
+class Challenge:
+    """One challenge.
+
+    strength: of an effect on a campaign; by `meter.Meter` if None.
+    """
+
+    folder: Folder
+    settings: Settings
+    diagnose: Diagnose
+    strength: CampaignStrength | None = None
+
+    def run(self, workers: int) -> Score:
+        """Do what is not done yet, and score; the same bytes on any number of workers.
+
+        Raises:
+            ChallengeError: the folder is another challenge's, or a diagnosis can't be used.
+            OSError: it can't be written.
+        """
+        cases = self.settings.cases()
+        self.folder.begin(self.settings)
+        with _shared(workers) as share:
+            hashes = share("generated", partial(_generate, self), cases)
+            published = self.folder.publish(cases, list(hashes))
+            list(share("diagnosed", partial(_diagnose, self), cases))
+            asked = [case for case in cases if self._is_to_be_settled(case)]
+            list(share("tested again", partial(_diagnose_next, self), asked))
+        score = Score(self.settings, [self._judged(case, published[case.name]) for case in cases])
+        write(score, self.folder.score)
+        return score
+
+    def said(self, folder: Path) -> Diagnosis:
+        """What a diagnosis says.
+
+        Raises:
+            ChallengeError: it can't be used.
+        """
+        try:
+            return diagnosis.read(folder / diagnosis.FILE)
+        except CampaignError as error:
+            raise ChallengeError(str(error)) from error
+
+    def _is_to_be_settled(self, case: Case) -> bool:
+        """Whether something is confounded, and a test that is made here would settle it."""
+        said = self.said(self.folder.diagnosis(case.name))
+        return case.kind in ("single", "pair") and said.next_test is not None
+
+    def _judged(self, case: Case, published: str) -> Judged:
+        try:
+            truth = seal.opened(self.folder.truth(case.name), published)
+        except seal.SealError as error:
+            raise ChallengeError(str(error)) from error
+        again = self.folder.next_diagnosis(case.name)
+        then = self.said(again) if (again / diagnosis.FILE).exists() else None
+        return Judged(case.name, truth, self.said(self.folder.diagnosis(case.name)), then)
+
+
+def _generate(challenge: Challenge, case: Case) -> str:
+    """Make a case's campaign and seal its truth, unless that is done; its hash."""
+    truth, campaign = challenge.folder.truth(case.name), challenge.folder.campaign(case.name)
+    if truth.exists() and (campaign / campaigns.INDEX).exists():
+        return seal.hash_of(truth)
+    made, answer = generated(case, _fmus(), challenge.strength)
+    with replaced_folder(campaign) as aside:
+        campaigns.write(made, aside)
+    salt = hashlib.sha256(f"salt {challenge.settings.seed} {case.seed}".encode()).digest()
+    return seal.sealed(answer, salt, truth)
+
+
+def _diagnose(challenge: Challenge, case: Case) -> None:
+    folder = challenge.folder
+    _said_of(challenge, case, folder.campaign(case.name), folder.diagnosis(case.name))
+
+
+def _diagnose_next(challenge: Challenge, case: Case) -> None:
+    """Make the test that was suggested, and diagnose again."""
+    folder = challenge.folder
+    said = challenge.said(folder.diagnosis(case.name))
+    kind, hours = str(said.next_test), said.next_hours
+    extended = folder.next_campaign(case.name)
+    if not (extended / campaigns.INDEX).exists():
+        before = campaigns.read(folder.campaign(case.name))
+        try:
+            made = with_next_test(case, before, kind, hours, _fmus(), challenge.strength)
+        except ValueError as error:
+            raise ChallengeError(f"{case.name}: next_test: {error}") from error
+        with replaced_folder(extended) as aside:
+            campaigns.write(made, aside)
+    _said_of(challenge, case, extended, folder.next_diagnosis(case.name))
+
+
+def _said_of(challenge: Challenge, case: Case, campaign: Path, out: Path) -> None:
+    """Diagnose, unless that is done."""
+    if (out / diagnosis.FILE).exists():
+        return
+    with replaced_folder(out) as aside:
+        challenge.diagnose(campaign, aside, case.without)
+        if not (aside / diagnosis.FILE).exists():
+            raise ChallengeError(f"{campaign}: the diagnosis has written no {diagnosis.FILE}")
+
+
+@cache
+def _fmus() -> Fmus:
+    """The models, once a process."""
+    sampled, slow = (GyroFmu(built_fmu(root=ROOTS[name])) for name in ("HRG", "HRGSlow"))
+    sampled.prepare()
+    slow.prepare()
+    return Fmus(sampled, slow)
+
+
+@contextmanager
+def _shared(
+    workers: int,
+) -> Iterator[Callable[[str, Work[Item, Result], Sequence[Item]], list[Result]]]:
+    """Work shared among processes, one after the other in this one where there is one worker."""
+    if workers == 1:
+        yield lambda title, work, items: _told(title, map(work, items), len(items))
+        return
+    _fmus()  # built before others ask for it
+    with ProcessPoolExecutor(workers, multiprocessing.get_context("spawn")) as pool:
+        try:
+            yield lambda title, work, items: _told(title, pool.map(work, items), len(items))
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise
+
+
+def _told(title: str, results: Iterable[Result], count: int) -> list[Result]:
+    """With a bar on a terminal, and a line that stays when all are done."""
+    done = list(tqdm(results, title, count, leave=False, disable=None if count else True))
+    if count:
+        print(f"{title}: {count} campaign{'' if count == 1 else 's'}", file=sys.stderr)
+    return done

@@ -1,0 +1,51 @@
+"""The gyro as it is believed, and with what was found in it."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from pyhrg.campaign import Campaign
+from pyhrg.device import Device
+from pyhrg.device_file import from_table
+from pyhrg.device_keys import KEYS
+from pyhrg.gap.attribution import Attribution
+from pyhrg.gap.catalogue import EFFECTS, Effect
+from pyhrg.gap.diagnosis import DiagnosisError
+
+
+def believed_device(campaign: Campaign) -> Device:
+    """The gyro that a campaign's nominal values state, those aside that are not known.
+
+    Raises:
+        DeviceError: they are no gyro's.
+    """
+    names = {key.name for key in KEYS}
+    nominal = {name: value for name, value in campaign.nominal.items() if name in names}
+    stated = from_table(nominal, f"{campaign.device}: nominal")
+    return replace(stated, site=campaign.site)
+
+
+def closed_device(found: Attribution) -> Device:
+    """The believed gyro with the causes in it."""
+    device = found.believed
+    for group, value in zip(found.ranked.best.groups, found.ranked.best.values, strict=True):
+        if isinstance(group, Effect):
+            device = group.put(device, group.vector(found.believed) + value)
+    totals: dict[str, Any] = {added.effect.field: added.total for added in found.noise.added}
+    return replace(device, **totals)
+
+
+def with_causes(believed: Device, causes: Mapping[str, Mapping[str, float]]) -> Device:
+    """The believed gyro with causes as a file has them, noise aside.
+
+    Raises:
+        DiagnosisError: a parameter is missing.
+    """
+    device = believed
+    for name, parameters in causes.items():
+        if name in EFFECTS:
+            missing = [key.name for key in EFFECTS[name].keys if key.name not in parameters]
+            if missing:
+                raise DiagnosisError(f"causes: {name}: {missing[0]}: missing; expected a number")
+            device = EFFECTS[name].put(device, EFFECTS[name].vector_of(parameters))
+    return device

@@ -1,0 +1,169 @@
+"""From a campaign to its diagnosis: quantify, localise, attribute, close, verify."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.campaign import Campaign, CampaignError
+from pyhrg.device import Device
+from pyhrg.gap.attribution import Attribution, attributed
+from pyhrg.gap.catalogue import DETERMINISTIC, Effect
+from pyhrg.gap.channel_noise import ChannelNoise, angle_noise
+from pyhrg.gap.closing import believed_device, closed_device
+from pyhrg.gap.design import design
+from pyhrg.gap.diagnosis import Diagnosis, Where
+from pyhrg.gap.free_pattern import steady
+from pyhrg.gap.gap_figures import gap_figures
+from pyhrg.gap.judgement import judged, unnamed
+from pyhrg.gap.localisation import Place, located
+from pyhrg.gap.next_test import rivals, suggested
+from pyhrg.gap.observations import CHANNELS, Observed, observed
+from pyhrg.gap.quantity import Size, sizes
+from pyhrg.gap.quantum import counted
+from pyhrg.gap.replay import tells_start
+from pyhrg.gap.simulation import Answers, Simulation
+from pyhrg.gap.soundness import sound
+
+Array = NDArray[np.float64]
+Residuals = Mapping[str, Array]
+
+NO_START = "{}: not used: gyro_angle_deg and wave_angle_deg are needed, to tell the start angle"
+
+
+@dataclass(frozen=True)
+class Diagnosed:
+    """A diagnosis and what it rests on.
+
+    believed: the gyro before.
+    closed: the gyro with what was found.
+    tests: all that were looked at, held-out ones last.
+    before, after: (n,) residual by channel for each test, record less simulation, SI; NaN where
+        they are not compared.
+    """
+
+    diagnosis: Diagnosis
+    attribution: Attribution
+    believed: Device
+    closed: Device
+    tests: tuple[Observed, ...]
+    before: tuple[Residuals, ...]
+    after: tuple[Residuals, ...]
+
+    @property
+    def noise(self) -> ChannelNoise:
+        """Of all channels, with what was found of the output angle's."""
+        return replace(self.attribution.channel_noise, angle=self.attribution.noise.noise)
+
+
+def diagnosed(
+    campaign: Campaign,
+    simulation: Simulation,
+    effects: Sequence[Effect] = DETERMINISTIC,
+    say: Callable[[str], None] = lambda text: None,
+) -> Diagnosed:
+    """Diagnose a campaign.
+
+    Args:
+        campaign: as it was read.
+        simulation: both fidelities.
+        effects: the catalogue; all of it unless one is left out to be missed.
+        say: told how far it is.
+
+    Raises:
+        CampaignError: nothing can be said of it.
+        DeviceError: its nominal values are no gyro's.
+        LogError: a log can't be used.
+        GyroError: a gyro that the FMU refuses.
+    """
+    usable, excluded = sound(campaign)
+    believed = believed_device(usable)
+    told = [test for test in usable.tests if tells_start(test.log)]
+    excluded += tuple(NO_START.format(test.id) for test in usable.tests if test not in told)
+    tests = [steady(simulation, believed, observed(test, believed)) for test in told]
+    fitted = [t for t in tests if not t.test.is_holdout]
+    if not fitted:
+        raise CampaignError("; ".join(["no test can be fitted to", *excluded]))
+    found = attributed(simulation, believed, fitted, effects, say)
+    noise = counted(found.noise, fitted, believed.angle_quantum)
+    found = replace(found, noise=noise)
+    closed = closed_device(found)
+    say("closing")
+    ordered = (*fitted, *(t for t in tests if t.test.is_holdout))
+    before, after = _left(simulation, found, closed, ordered)
+    say("verifying, and looking for the next test")
+    return Diagnosed(
+        Diagnosis(
+            campaign.device,
+            *judged(found, effects),
+            where=_where(found),
+            sizes=_sizes(found, before, after),
+            gap=gap_figures(ordered, _angles(before), _angles(after), found),
+            next_test=suggested(simulation, found, rivals(found, effects)),
+            unnamed=unnamed(found),
+            excluded=excluded,
+            settled=found.settled,
+        ),
+        found,
+        believed,
+        closed,
+        ordered,
+        before,
+        after,
+    )
+
+
+def _left(
+    simulation: Simulation, found: Attribution, closed: Device, tests: Sequence[Observed]
+) -> tuple[tuple[Residuals, ...], tuple[Residuals, ...]]:
+    """Residuals of the believed gyro and of the closed one. Tests that were fitted to come first:
+    both were simulated, or next to it, when the search ended."""
+    believed = found.believed
+    before, after = list(found.believed_answers), []
+    for part in found.parts:
+        change = simulation.difference(part.device, closed, part.test)
+        after.append({name: part.answers[name] + change[name] for name in CHANNELS})
+    for test in tests[len(found.parts) :]:
+        before.append(simulation.answers(believed, test))
+        after.append(simulation.answers(closed, test))
+    return (
+        tuple(_residuals(simulation, believed, *pair) for pair in zip(tests, before, strict=True)),
+        tuple(_residuals(simulation, closed, *pair) for pair in zip(tests, after, strict=True)),
+    )
+
+
+def _residuals(
+    simulation: Simulation, device: Device, test: Observed, answers: Answers
+) -> Residuals:
+    """As evidence compares them: channels beside the angle where the pattern is as measured."""
+    slopes = simulation.slope_over_angle(device, test)
+    residuals = {name: getattr(test.log, name) - answers[name] for name in CHANNELS}
+    turned = device.bryan_factor * residuals["gyro_angle"]
+    for name in CHANNELS[1:]:
+        residuals[name] = residuals[name] + slopes[name] * turned
+    return {name: np.where(test.rows[name], residuals[name], np.nan) for name in CHANNELS}
+
+
+def _where(found: Attribution) -> tuple[Where, ...]:
+    noise = replace(found.channel_noise, angle=angle_noise(found.believed))
+    places = located(design(found.parts, noise))
+    return tuple(_told(place) for place in places)
+
+
+def _sizes(
+    found: Attribution, before: Sequence[Residuals], after: Sequence[Residuals]
+) -> tuple[Size, ...]:
+    noise = replace(found.channel_noise, angle=angle_noise(found.believed))
+    tests = [part.test for part in found.parts]
+    return sizes(tests, before[: len(tests)], after[: len(tests)], noise)
+
+
+def _told(place: Place) -> Where:
+    return Where(
+        place.test, place.channel, place.coordinate, place.share, place.sigmas, place.harmonic
+    )
+
+
+def _angles(residuals: Sequence[Residuals]) -> list[Array]:
+    return [of["gyro_angle"] for of in residuals]

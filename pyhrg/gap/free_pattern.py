@@ -1,0 +1,32 @@
+"""A pattern that nothing holds: its own motion makes more of any noise that turns it."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from pyhrg.device import Device
+from pyhrg.gap.observations import Observed
+from pyhrg.gap.simulation import Simulation
+
+GROWN = 0.2
+"""Share by which noise of the angle may have grown and still be compared."""
+
+
+def steady(simulation: Simulation, believed: Device, test: Observed) -> Observed:
+    """The test without those rows of a free pattern in which what turned it before has grown or
+    shrunk: with a split, a ring-down of minutes makes several times as much of it.
+
+    Args:
+        simulation: both fidelities.
+        believed: whose split and anisotropy move a free pattern.
+        test: observed.
+
+    Raises:
+        GyroError: a gyro that the FMU refuses.
+    """
+    if test.log.drive_on.all():
+        return test
+    slope = simulation.slope_over_angle(believed, test)["gyro_angle"]
+    grown = (test.log.drive_on <= 0) & (np.abs(believed.bryan_factor * slope) > GROWN)
+    kept = ~np.logical_or.accumulate(grown)
+    return replace(test, rows={name: rows & kept for name, rows in test.rows.items()})

@@ -1,0 +1,110 @@
+"""Noise of the output angle and sets of effects, weighed together.
+
+What wanders may be noise, or something that nobody has a name for: each noise is given the sets
+that go with it, and the likelier of them is taken.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.device import Device
+from pyhrg.gap import unknown
+from pyhrg.gap.catalogue import Effect
+from pyhrg.gap.channel_noise import ChannelNoise, angle_noise, believed_noise
+from pyhrg.gap.design import Design, Evidence, Group, design, tempered
+from pyhrg.gap.evidence import Fit
+from pyhrg.gap.noise_search import AngleRecord, NoiseFound, alike, noise_found
+from pyhrg.gap.search import Ranked, ranked
+
+Array = NDArray[np.float64]
+Taken = Mapping[Group, Array]
+"""Sizes of what is taken out of a record, by group."""
+
+NOMINAL = 0.05
+"""Share by which an amplitude may be off and still be the nominal one."""
+
+
+@dataclass(frozen=True)
+class Hypothesis:
+    """Sets ranked under a noise of the output angle.
+
+    channel_noise: of all channels.
+    design: whitened with it.
+    """
+
+    noise: NoiseFound
+    channel_noise: ChannelNoise
+    design: Design
+    ranked: Ranked
+
+    @property
+    def log_posterior(self) -> float:
+        """Of noise and sets together, but for a constant."""
+        return self.design.log_likelihood + self.ranked.log_evidence + self.noise.log_prior
+
+
+def ranked_under(noise: NoiseFound, believed: Device, parts: Sequence[Evidence]) -> Hypothesis:
+    """Sets under one noise.
+
+    Args:
+        noise: of the output angle.
+        believed: the gyro before the diagnosis.
+        parts: of each test.
+    """
+    tests, residuals = [p.test for p in parts], [p.residual for p in parts]
+    channels = replace(believed_noise(believed, tests, residuals), angle=noise.noise)
+    summed = tempered(design(parts, channels))
+    return Hypothesis(noise, channels, summed, ranked(summed))
+
+
+def weighed(first: Hypothesis, believed: Device, parts: Sequence[Evidence]) -> Hypothesis:
+    """The likeliest of a hypothesis and those with the noise that is left when all that it found is
+    taken out, or only what has a name, or nothing.
+
+    Args:
+        first: around a gyro so close that what is left is no leftover of a linear search.
+        believed: the gyro before the diagnosis.
+        parts: of each test.
+    """
+    best, tried = first, [first.noise.noise]
+    for taken in _unlike(_every(first.ranked.best), _named(first.ranked.best), {}):
+        noise = noise_found(_angles_left(parts, taken, believed), angle_noise(believed))
+        if not any(alike(noise.noise, one) for one in tried):
+            tried.append(noise.noise)
+            rival = ranked_under(noise, believed, parts)
+            best = max(best, rival, key=lambda hypothesis: hypothesis.log_posterior)
+    return best
+
+
+def _unlike(*taken: Taken) -> list[Taken]:
+    return list({tuple(one): one for one in taken}.values())
+
+
+def _every(found: Fit) -> Taken:
+    return dict(zip(found.groups, found.values, strict=True))
+
+
+def _named(found: Fit) -> Taken:
+    return {group: value for group, value in _every(found).items() if isinstance(group, Effect)}
+
+
+def _angles_left(parts: Sequence[Evidence], taken: Taken, believed: Device) -> list[AngleRecord]:
+    """Output angles without what is taken out, while the amplitude is nominal: at a smaller one all
+    noise is larger."""
+    records = []
+    for index, part in enumerate(parts):
+        left = part.residual["gyro_angle"].copy()
+        elements = dict(unknown.columns(part.where, "gyro_angle", len(parts), index))
+        for group, value in taken.items():
+            if isinstance(group, Effect):
+                left -= part.secants[group]["gyro_angle"] @ value
+            elif group in elements:
+                left -= elements[group] @ value
+        log = part.test.log
+        driven = np.abs(log.amplitude_setpoint - believed.amplitude) < NOMINAL * believed.amplitude
+        rows = part.test.rows["gyro_angle"] & driven & (log.drive_on > 0)
+        records.append(AngleRecord(left[rows], np.diff(log.time[rows], prepend=0.0)))
+    return records

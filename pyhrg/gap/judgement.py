@@ -1,0 +1,103 @@
+"""What a search comes to: verdict, causes with their intervals, what has no name."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.device_keys import Key
+from pyhrg.gap.attribution import Attribution
+from pyhrg.gap.catalogue import Effect
+from pyhrg.gap.diagnosis import Cause, Verdict
+from pyhrg.gap.equivalents import equivalents
+from pyhrg.gap.noise_search import AddedNoise
+
+Array = NDArray[np.float64]
+
+LIKELY = 0.5
+"""Probability from which a cause is named."""
+NORMAL_95 = 1.96
+CERTAIN = 700.0
+"""Log odds beyond which a probability is one."""
+
+
+def judged(
+    found: Attribution, effects: Sequence[Effect]
+) -> tuple[Verdict, tuple[Cause, ...], float]:
+    """Verdict, causes, and the probability that something outside the catalogue takes part.
+
+    Args:
+        found: by the search.
+        effects: the catalogue.
+    """
+    causes = [*_named(found, effects), *(_noise(added) for added in found.noise.added)]
+    unknown = min(1.0, found.ranked.unknown_probability)
+    if unknown >= LIKELY:
+        verdict: Verdict = "unexplained"
+    elif not causes:
+        verdict = "no_gap"
+    else:
+        verdict = "ambiguous" if any(c.equivalents for c in causes) else "explained"
+    return verdict, tuple(causes), unknown
+
+
+def _named(found: Attribution, effects: Sequence[Effect]) -> list[Cause]:
+    causes, begin = [], 0
+    best = found.ranked.best
+    for group, value in zip(best.groups, best.values, strict=True):
+        part = slice(begin, begin + len(value))
+        begin = part.stop
+        if isinstance(group, Effect):
+            total = group.vector(found.believed) + value
+            others = equivalents(found.design, best, group, effects)
+            causes.append(
+                Cause(
+                    group.name,
+                    min(1.0, found.ranked.probability(group, *others)),
+                    group.parameters(total),
+                    _intervals(group, total, best.covariance[part, part]),
+                    tuple(e.name for e in others),
+                )
+            )
+    return causes
+
+
+def _intervals(effect: Effect, vector: Array, covariance: Array) -> dict[str, tuple[float, float]]:
+    """95 %, each parameter alone: a magnitude along the vector, its angle across it."""
+    if not effect.periods:
+        (key,) = effect.keys
+        spread = NORMAL_95 * math.sqrt(float(covariance[0, 0]))
+        return {key.name: _in_units(key, float(vector[0]), spread)}
+    magnitude, angle = effect.keys
+    length = float(np.hypot(*vector))
+    along = vector / length if length else np.array([1.0, 0.0])
+    across = np.array([-along[1], along[0]])
+    half = math.pi / effect.periods
+    spreads = [NORMAL_95 * math.sqrt(float(d @ covariance @ d)) for d in (along, across)]
+    turn = min(spreads[1] / (length * effect.periods), half) if length else half
+    direction = angle.to_si(effect.parameters(vector)[angle.name])
+    low, high = _in_units(magnitude, length, spreads[0])
+    return {magnitude.name: (max(low, 0.0), high), angle.name: _in_units(angle, direction, turn)}
+
+
+def _in_units(key: Key, value: float, spread: float) -> tuple[float, float]:
+    return key.from_si(value - spread), key.from_si(value + spread)
+
+
+def _noise(added: AddedNoise) -> Cause:
+    key = added.effect.key
+    low, high = (key.from_si(end) for end in added.interval)
+    return Cause(
+        added.effect.name,
+        1 / (1 + math.exp(-min(added.log_odds, CERTAIN))),
+        {key.name: key.from_si(added.total)},
+        {key.name: (low, high)},
+    )
+
+
+def unnamed(found: Attribution) -> dict[str, float]:
+    """What takes part outside the catalogue, in words, with probabilities."""
+    groups = {g for f in found.ranked.fits for g in f.groups if not isinstance(g, Effect)}
+    probabilities = {g.words: found.ranked.probability(g) for g in groups}
+    return dict(sorted(((w, p) for w, p in probabilities.items() if p > 0.01), key=lambda x: -x[1]))

@@ -1,0 +1,112 @@
+"""What of a campaign's logs is compared with the simulation: channels, and rows at rest."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.campaign import Test
+from pyhrg.device import Device
+from pyhrg.gap.replay import HELD, Replayable, replayable
+from pyhrg.records import Log
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+CHANNELS = (
+    "gyro_angle",
+    "amplitude",
+    "amplitude_force",
+    "quadrature_force",
+    "frequency_offset",
+)
+"""Fields of a log that are compared. The wave angle says nothing that the output doesn't."""
+FORCES = ("amplitude_force", "quadrature_force")
+"""Zero while the drive is off."""
+STEPS = ("drive_on", "virtual_rotation", "amplitude_setpoint", "phase_offset")
+"""Commands whose change moves the loops, and by them the pattern."""
+COMMANDS = ("axis_up", *(name for name in HELD if not name.startswith("acceleration")))
+LEAST = 4.0
+"""Time in which any change has settled at the earliest, s."""
+CONSTANTS = 24
+"""Time constants of the slowest loop after which a change is settled."""
+STEADY = 1e-3
+"""Change of the table's rate from row to row below which loops follow, rad/s^2."""
+SLOW = 0.02
+"""Rate of the table below which a replay with loops at rest shows how they follow, rad/s."""
+COARSE_STEP = 1.0
+"""Longest step by which a small difference between two gyros with loops at rest is taken, s."""
+COARSE_STEPS = 20
+"""Steps in which quadrature has come to rest in such a gyro, but for 0.2 %."""
+FINE = 0.2
+"""Rows shorter than this show how loops follow, s; a gyro with sampled loops is replayed."""
+
+
+@dataclass(frozen=True)
+class Observed:
+    """A test, its inputs, and which rows of each channel are compared.
+
+    rows: (n,) by channel, where the angle is there too: it tells where the pattern was.
+    loops_move: whether its replay needs loops that run.
+    """
+
+    test: Test
+    inputs: Replayable
+    rows: Mapping[str, Mask]
+    loops_move: bool
+
+    @property
+    def log(self) -> Log:
+        """Its log."""
+        return self.inputs.log
+
+
+def settling(device: Device) -> float:
+    """Time that loops take to settle after a command or a change of the table's rate, s."""
+    slowest = min(device.amplitude_loop, device.quadrature_loop, device.phase_loop)
+    return max(LEAST, CONSTANTS / slowest)
+
+
+def observed(test: Test, believed: Device) -> Observed:
+    """What a test has to compare.
+
+    Args:
+        test: with a log of complete inputs.
+        believed: for the start angle.
+    """
+    log = test.log
+    inputs = replayable(log, believed)
+    moved = [np.ptp(getattr(log, name)) > 0 for name in STEPS]
+    loops_move = log.interval < FINE or any(moved) or bool(_jolts(inputs).any())
+    coarse = COARSE_STEPS * min(COARSE_STEP, log.interval)
+    settled = _settled(log, inputs, max(settling(believed), coarse))
+    rows = {}
+    for name in CHANNELS:
+        there = np.isfinite(getattr(log, name)) & np.isfinite(log.gyro_angle)
+        if name != "gyro_angle":
+            there &= settled
+        if name in FORCES:
+            there &= log.drive_on > 0
+        rows[name] = there
+    rows["temperature"] = np.isfinite(log.temperature)
+    return Observed(test, inputs, rows, loops_move)
+
+
+def _settled(log: Log, inputs: Replayable, time: float) -> Mask:
+    """(n,) rows that no command or change of the table's motion precedes by less than a time."""
+    changed = np.zeros(len(log.time), dtype=bool)
+    changed[0] = True
+    for name in COMMANDS:
+        changed |= np.diff(getattr(log, name), prepend=getattr(log, name)[0]) != 0
+    if log.interval >= FINE:
+        changed |= _jolts(inputs)
+        changed |= np.maximum(*np.abs([inputs.rates[1:], inputs.rates[:-1]])) > SLOW
+    since = np.where(changed, log.time, -np.inf)
+    last = np.maximum.accumulate(since)
+    return np.asarray(log.time - last >= time)
+
+
+def _jolts(inputs: Replayable) -> Mask:
+    """(n,) rows in which the table's rate changes."""
+    return np.abs(np.diff(inputs.rates)) / inputs.log.interval > STEADY

@@ -1,0 +1,137 @@
+"""A test's inputs, as its log has them, put to the simulated gyro."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.bench.bench import ENDS, INPUTS, MEANS, between, detected, earth_rate
+from pyhrg.device import LOOPS, Device
+from pyhrg.fmu import GyroFmu
+from pyhrg.gap.table_motion import rates_at_bounds
+from pyhrg.records import COLUMNS, Log
+
+Array = NDArray[np.float64]
+
+HELD = tuple(name for name in INPUTS if name not in ("vibration", "bias_voltage"))
+MAD = 1.4826
+"""Standard deviation over the median of magnitudes, of normal numbers."""
+LEAST = 10
+"""Readings below which a thermometer's noise can't be told."""
+STEADY = 2.0
+"""Spread of a thermometer's readings, over their noise, that is no change of temperature."""
+OUTPUTS = tuple(name for name in (*ENDS, *MEANS) if name != "valid")
+"""Fields of a log that the simulation answers with."""
+
+
+@dataclass(frozen=True)
+class Replayable:
+    """The inputs of a log, ready for any simulated gyro.
+
+    start_angle: true pattern angle at power-on, rad.
+    rates: (n + 1,) of the table at the rows' bounds, rad/s.
+    temperatures: (n + 1,) of the case at the rows' bounds, K.
+    """
+
+    log: Log
+    start_angle: float
+    rates: Array
+    temperatures: Array
+
+    def table_angle(self, share: Array) -> Array:
+        """(n, m) table angle at shares (m,) of each row, rad."""
+        begun = np.concatenate(([0.0], self.log.table_angle[:-1]))[:, None]
+        return begun + self.log.interval * share * between(self.rates, share / 2)
+
+    def first(self, rows: int) -> "Replayable":
+        """The inputs of the first rows alone."""
+        columns: dict[str, Any] = {c.field: getattr(self.log, c.field)[:rows] for c in COLUMNS}
+        return Replayable(
+            replace(self.log, **columns),
+            self.start_angle,
+            self.rates[: rows + 1],
+            self.temperatures[: rows + 1],
+        )
+
+
+def replayable(log: Log, believed: Device) -> Replayable:
+    """Inputs of a log whose rows are complete.
+
+    Args:
+        log: of one power-on, from its start.
+        believed: Bryan factor and reference temperature are used.
+    """
+    return Replayable(
+        log,
+        start_angle(log, believed.bryan_factor),
+        rates_at_bounds(log.table_angle, log.interval),
+        _told(np.append(log.temperature[0], log.temperature)),
+    )
+
+
+def _told(temperature: Array) -> Array:
+    """A log's temperature; its mean where it shows no more than the thermometer's noise, which
+    effects of temperature would else be fitted to."""
+    noise = MAD * np.median(np.abs(np.diff(temperature, 2))) / np.sqrt(6)
+    if len(temperature) < LEAST or np.std(temperature) > STEADY * noise:
+        return temperature
+    return np.full(len(temperature), np.mean(temperature))
+
+
+def tells_start(log: Log) -> bool:
+    """Whether `start_angle` has rows with both angles."""
+    return bool(np.isfinite(log.wave_angle + log.gyro_angle).any())
+
+
+def start_angle(log: Log, bryan_factor: float) -> float:
+    """True pattern angle at power-on, rad: what the output's definition leaves of wave angle and
+    commanded rotation."""
+    commanded = bryan_factor * np.cumsum(log.virtual_rotation) * log.interval
+    return float(np.nanmean(log.wave_angle + bryan_factor * log.gyro_angle - commanded))
+
+
+def replayed(fmu: GyroFmu, device: Device, inputs: Replayable, step: float) -> dict[str, Array]:
+    """What the simulated gyro, without noise, answers to a log's inputs.
+
+    Args:
+        fmu: `HRG`, or `HRGSlow` for loops that are at rest.
+        device: the gyro, its mounting, and where it stands.
+        step: communication step, s, that rows are multiples of.
+
+    Returns:
+        (n,) SI by field of a log: angle, amplitude, forces and frequency.
+
+    Raises:
+        GyroError: parameters or inputs that the FMU refuses.
+    """
+    steps = round(inputs.log.interval / step)
+    share = np.asarray((np.arange(steps) + 0.5) / steps, dtype=np.float64)
+    with fmu.power_on(_parameters(fmu, device, step), seed=0, start_angle=inputs.start_angle) as on:
+        ends, means = on.record(
+            _moving(device, inputs, share),
+            {INPUTS[name]: getattr(inputs.log, name) for name in HELD},
+            step,
+            list(ENDS.values()),
+            [MEANS[name] for name in MEANS if name in OUTPUTS],
+        )
+    answers = dict(zip(OUTPUTS, [*ends.T, *means.T], strict=True))
+    return {**answers, "amplitude": detected(answers["amplitude"], inputs.log.interval)}
+
+
+def _parameters(fmu: GyroFmu, device: Device, step: float) -> Mapping[str, float]:
+    values = replace(device.without_noise(), angle_quantum=0.0).fmu_parameters()
+    if fmu.is_sampled:
+        return values
+    at_rest = {name: value for name, value in values.items() if name not in LOOPS}
+    return {**at_rest, "samplePeriod": step}
+
+
+def _moving(device: Device, inputs: Replayable, share: Array) -> dict[str, Array]:
+    up = inputs.log.axis_up[:, None]
+    earth = earth_rate(device, up, inputs.table_angle(share))
+    return {
+        "angularRate": between(inputs.rates, share) + earth,
+        "caseTemperature": between(inputs.temperatures, share),
+    }

@@ -1,0 +1,1 @@
+"""report.html: a diagnosis as people look at it first."""

@@ -1,0 +1,93 @@
+"""What was found, and the sets of effects by probability."""
+
+import html
+
+from pyhrg.bench.reporting.markup import paragraph
+from pyhrg.device_keys import KEYS
+from pyhrg.gap.diagnose import Diagnosed
+from pyhrg.gap.diagnosis import Cause
+from pyhrg.gap.report.words import (
+    bar,
+    effect_words,
+    group_words,
+    markup_table,
+    percent,
+    unit_of,
+    value_words,
+)
+from pyhrg.pages.svg import number
+
+SETS, GROUPS = 10, 10
+"""Listed at most."""
+LEAST = 1e-3
+"""Probability below which an effect isn't listed."""
+
+
+def causes(found: Diagnosed) -> str:
+    """A row a parameter."""
+    said = found.diagnosis
+    parts = []
+    if said.causes:
+        rows = [row for cause in said.causes for row in _rows(cause, found)]
+        header = ("Effect", "Probability", "Parameter", "Value (95 % interval)", "Believed", "Unit")
+        title = "Total values, as after.toml has them"
+        parts.append(markup_table(title, (*header, "Can't be told from"), rows))
+    else:
+        parts.append(paragraph("No effect of the catalogue is needed."))
+    if said.unnamed:
+        listed = [(html.escape(w), percent(p)) for w, p in said.unnamed.items()]
+        parts.append(markup_table("Without a name", ("What it follows", "Probability"), listed))
+    return "".join(parts)
+
+
+def _rows(cause: Cause, found: Diagnosed) -> list[tuple[str, ...]]:
+    rows: list[tuple[str, ...]] = []
+    for i, (name, value) in enumerate(cause.parameters.items()):
+        words, unit, scale = unit_of(name)
+        key = next(k for k in KEYS if k.name == name)
+        believed = key.from_si(getattr(found.believed, key.field)) * scale
+        low, high = (scale * end for end in cause.interval_95[name])
+        told = value_words(scale * value, low, high)
+        others = ", ".join(effect_words(e) for e in cause.equivalents) or "–"
+        first = (f"<b>{effect_words(cause.effect)}</b>", percent(cause.probability))
+        last = others if not i else ""
+        lead = first if not i else ("", "")
+        rows.append((*lead, words, told, number(believed), unit, last))
+    return rows
+
+
+def ranking(found: Diagnosed) -> str:
+    """Sets, then effects."""
+    return _sets(found) + _effects(found)
+
+
+def _sets(found: Diagnosed) -> str:
+    ranked = found.attribution.ranked
+    best = ranked.best.log_evidence
+    pairs = list(zip(ranked.fits, ranked.probabilities, strict=True))
+    rows = [
+        (
+            html.escape(" + ".join(group_words(g) for g in fit.groups) or "nothing at all"),
+            percent(probability),
+            bar(probability),
+            number(fit.log_evidence - best),
+            str(sum(len(v) for v in fit.values)),
+        )
+        for fit, probability in pairs[:SETS]
+    ]
+    rest = sum(p for _, p in pairs[SETS:])
+    if rest:
+        rows.append((f"{len(pairs) - SETS} other sets", percent(rest), bar(rest), "", ""))
+    header = ("Set", "Probability", "", "ln evidence, less the best's", "Numbers fitted")
+    return markup_table("Sets of effects, the most probable first", header, rows)
+
+
+def _effects(found: Diagnosed) -> str:
+    ranked = found.attribution.ranked
+    groups = {g for fit in ranked.fits for g in fit.groups}
+    chances = sorted(((ranked.probability(g), group_words(g)) for g in groups), reverse=True)
+    rows = [(html.escape(w), percent(p), bar(p)) for p, w in chances[:GROUPS] if p > LEAST]
+    if not rows:
+        return ""
+    title = f"Each effect alone, in whatever set; from {percent(LEAST)}"
+    return markup_table(title, ("Effect", "Probability", ""), rows)

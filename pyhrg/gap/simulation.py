@@ -1,0 +1,174 @@
+"""Noise-free answers of a device to observed tests, by the two fidelities that a replay needs."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import signal
+
+from pyhrg.device import Device
+from pyhrg.fmu import GyroFmu
+from pyhrg.gap.observations import CHANNELS, COARSE_STEP, FINE, FORCES, Observed, settling
+from pyhrg.gap.replay import Replayable, replayed
+
+Array = NDArray[np.float64]
+Answers = Mapping[str, Array]
+
+ANGLES = ("gyro_angle", "wave_angle")
+FAST_STEP = 1e-3
+"""Least step of the gyro with sampled loops, s: its control period."""
+FAST_STEPS = 100
+"""Steps that a row is made of where it is long enough."""
+SLOW_STEP = 0.1
+"""Step of the gyro with quasi-steady loops, s."""
+SHIFTS = (-1e-3, 1e-3)
+"""Of the pattern, rad, between which a slope is taken."""
+FINE_STEPS = 5
+"""In a short row, which shows how loops follow: a gyro with loops at rest lags by three of them."""
+LEAST_SHIFT = 0.5
+"""Of a shift of the start angle that must be left for a slope to be told by it."""
+SMALL_LAG = 1e-9
+"""Of the phase, that is none, rad."""
+
+
+@dataclass(frozen=True)
+class Simulation:
+    """Both fidelities of the gyro.
+
+    sampled: `HRG`.
+    quasi_steady: `HRGSlow`.
+    """
+
+    sampled: GyroFmu
+    quasi_steady: GyroFmu
+
+    def answers(self, device: Device, test: Observed) -> dict[str, Array]:
+        """(n,) by field: with running loops where they move, else with loops that follow once
+        they are at rest.
+
+        Raises:
+            GyroError: parameters or inputs that the FMU refuses.
+        """
+        if test.loops_move:
+            return self._running(device, test.inputs)
+        at_rest = self._at_rest(device, test)
+        return _led(self._started(at_rest, device, test), device, test)
+
+    def _running(self, device: Device, inputs: Replayable) -> dict[str, Array]:
+        """With loops that run; what a row holds is held in steps of whole control periods."""
+        periods = round(inputs.log.interval / FAST_STEP)
+        each = next(n for n in range(max(periods // FAST_STEPS, 1), 0, -1) if periods % n == 0)
+        return replayed(self.sampled, device, inputs, each * FAST_STEP)
+
+    def _at_rest(self, device: Device, test: Observed) -> dict[str, Array]:
+        """With loops that follow; that of the phase lags a frequency that drifts."""
+        step = min(SLOW_STEP, test.log.interval)
+        found = replayed(self.quasi_steady, device, test.inputs, step)
+        drift = np.gradient(found["frequency_offset"], test.log.interval)
+        lag = drift / device.phase_loop**2
+        if np.abs(lag).max() < SMALL_LAG:
+            return found
+        log = replace(test.log, phase_offset=test.log.phase_offset - lag)
+        return replayed(self.quasi_steady, device, replace(test.inputs, log=log), step)
+
+    def _started(
+        self, at_rest: dict[str, Array], device: Device, test: Observed
+    ) -> dict[str, Array]:
+        """Angles with what the loops leave of them while they come to rest after power-on."""
+        n = len(test.log.time)
+        rows = min(n, math.ceil(settling(device) / test.log.interval))
+        running = self._running(device, test.inputs.first(rows))
+        for name in ANGLES:
+            left = running[name] - at_rest[name][:rows]
+            at_rest[name] = at_rest[name] + np.append(left, np.full(n - rows, left[-1]))
+        return at_rest
+
+    def difference(self, low: Device, high: Device, test: Observed) -> dict[str, Array]:
+        """(n,) by channel: answer of `high` less that of `low`, for devices that differ little.
+
+        Raises:
+            GyroError: as `answers`.
+        """
+        return self._change((low, test.inputs), (high, test.inputs), test)
+
+    def slope_over_angle(self, device: Device, test: Observed) -> dict[str, Array]:
+        """(n,) by channel: change of the answer with the pattern's present angle, per rad; of the
+        output angle with the start angle: what a bias that depends on the angle makes of a shift,
+        over the Bryan factor.
+
+        Raises:
+            GyroError: as `answers`.
+        """
+        ends = [replace(test.inputs, start_angle=test.inputs.start_angle + s) for s in SHIFTS]
+        change = self._change((device, ends[0]), (device, ends[1]), test)
+        slopes = {name: values / np.ptp(SHIFTS) for name, values in change.items()}
+        grown = 1 - device.bryan_factor * slopes["gyro_angle"]
+        shift = np.where(grown > LEAST_SHIFT, grown, 1.0)
+        return {n: s if n == "gyro_angle" else s / shift for n, s in slopes.items()}
+
+    def _change(
+        self, low: tuple[Device, Replayable], high: tuple[Device, Replayable], test: Observed
+    ) -> dict[str, Array]:
+        fine = test.log.interval < FINE
+        step = test.log.interval / FINE_STEPS if fine else min(COARSE_STEP, test.log.interval)
+        first, last = (replayed(self.quasi_steady, *end, step) for end in (low, high))
+        return _led({name: last[name] - first[name] for name in CHANNELS}, high[0], test)
+
+
+def _led(answers: dict[str, Array], device: Device, test: Observed) -> dict[str, Array]:
+    """Forces of loops at rest led through the loops' own response, and how far they let the
+    amplitude go."""
+    let = let_go(answers["amplitude_force"], device.amplitude_loop, test.log.interval)
+    answers["amplitude"] = answers["amplitude"] - device.amplitude * let
+    loops = (device.amplitude_loop, device.quadrature_loop)
+    for name, frequency in zip(FORCES, loops, strict=True):
+        answers[name] = followed(answers[name], frequency, test.log.interval)
+    return answers
+
+
+def followed(force: Array, natural_frequency: float, interval: float) -> Array:
+    """Force of a critically damped loop where one at rest would give `force`.
+
+    Closed loop (2 w s + w^2)/(s + w)^2, a series linear between rows.
+
+    Args:
+        force: (n,) at rest.
+        natural_frequency: w, rad/s.
+        interval: of the rows, s.
+    """
+    w = natural_frequency
+    return _through(((2 * w, w * w), (1.0, 2 * w, w * w)), force, interval)
+
+
+def let_go(force: Array, natural_frequency: float, interval: float) -> Array:
+    """What a critically damped loop loses of what it holds while the force that it needs changes.
+
+    Closed loop s/(s + w)^2, a series linear between rows.
+
+    Args:
+        force: (n,) at rest, 1/s.
+        natural_frequency: w, rad/s.
+        interval: of the rows, s.
+    """
+    w = natural_frequency
+    return _through(((1.0, 0.0), (1.0, 2 * w, w * w)), force, interval)
+
+
+Transfer = tuple[tuple[float, ...], tuple[float, ...]]
+"""Coefficients of a numerator and of a denominator."""
+
+
+def _through(transfer: Transfer, force: Array, interval: float) -> Array:
+    numerator, denominator, rest = _sampled(transfer, interval)
+    return np.asarray(signal.lfilter(numerator, denominator, force, zi=rest * force[0])[0])
+
+
+@cache
+def _sampled(transfer: Transfer, interval: float) -> tuple[Array, Array, Array]:
+    """Coefficients for a series linear between rows, and the state that one unit rests in."""
+    loop = signal.cont2discrete(transfer, interval, method="foh")
+    numerator, denominator = np.ravel(loop[0]), loop[1]
+    return numerator, denominator, signal.lfilter_zi(numerator, denominator)

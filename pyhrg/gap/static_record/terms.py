@@ -1,0 +1,77 @@
+"""Noise terms of gyros and of accelerometers: names and units."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from pyhrg.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G
+
+
+@dataclass(frozen=True)
+class Term:
+    """A term: its level in SI is value * factor, with the value under `parameter` in files."""
+
+    effect: str
+    parameter: str
+    factor: float
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of sensor.
+
+    table: in a file of beliefs;
+    terms: four noises of its integrated readings, in the order of `noise_likelihood.POWERS`;
+    ramp: of its bias; warmth: what temperature, less its mean, adds to its bias;
+    quantum: step of the integrated readings;
+    rate_unit, rate_scale: of its readings as rates, and SI of it.
+    """
+
+    name: str
+    table: str
+    terms: tuple[Term, Term, Term, Term]
+    ramp: Term
+    warmth: Term
+    quantum: Term
+    rate_unit: str
+    rate_scale: float
+
+    @property
+    def of_file(self) -> Mapping[str, Term]:
+        """What a file of beliefs may state, by parameter."""
+        return {term.parameter: term for term in (*self.terms, self.ramp, self.quantum)}
+
+
+GYRO = Kind(
+    name="gyro",
+    table="gyros",
+    terms=(
+        Term("angle_white_noise", "angle_white_noise_arcsec", ARCSEC),
+        Term("angle_random_walk", "angle_random_walk_deg_sqrt_h", DEG_PER_SQRT_H),
+        Term("bias_instability", "bias_instability_deg_h", DEG_PER_H),
+        Term("rate_random_walk", "rate_random_walk_deg_h_sqrt_h", DEG_PER_H / HOUR**0.5),
+    ),
+    ramp=Term("rate_ramp", "rate_ramp_deg_h_h", DEG_PER_H / HOUR),
+    warmth=Term("bias_temperature", "bias_deg_h_per_K", DEG_PER_H),
+    quantum=Term("angle_quantisation", "quantum_arcsec", ARCSEC),
+    rate_unit="deg/h",
+    rate_scale=DEG_PER_H,
+)
+ACCELEROMETER = Kind(
+    name="accelerometer",
+    table="accelerometers",
+    terms=(
+        Term("velocity_white_noise", "velocity_white_noise_m_s", 1.0),
+        Term("velocity_random_walk", "velocity_random_walk_m_s_sqrt_h", HOUR**-0.5),
+        Term("bias_instability", "bias_instability_micro_g", MICRO_G),
+        Term(
+            *("acceleration_random_walk", "acceleration_random_walk_micro_g_sqrt_h"),
+            MICRO_G / HOUR**0.5,
+        ),
+    ),
+    ramp=Term("acceleration_ramp", "acceleration_ramp_micro_g_h", MICRO_G / HOUR),
+    warmth=Term("bias_temperature", "bias_micro_g_per_K", MICRO_G),
+    quantum=Term("velocity_quantisation", "quantum_m_s", 1.0),
+    rate_unit="micro-g",
+    rate_scale=MICRO_G,
+)
+KINDS = (GYRO, ACCELEROMETER)

@@ -1,0 +1,184 @@
+"""What nobody has a name for: a response that follows one coordinate of the test.
+
+Each element is a small block of columns in one channel, over pattern angle, table angle,
+temperature and its rate, input rate, acceleration, amplitude or time. In the output angle an
+element is an error of the angle itself, or a bias, whose integral it is.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.device import Device
+from pyhrg.gap.observations import Observed
+
+Array = NDArray[np.float64]
+
+PATTERN_HARMONICS = (1, 2, 3, 4, 5, 6, 8, 10, 12, 16)
+TABLE_HARMONICS = (1, 2, 3, 4, 8)
+FOLLOWED = (1, 2, 4)
+"""Harmonics of the pattern angle that loops follow as it turns, in proportion to the rate."""
+POWERS = (1, 2, 3)
+WARM_UPS = (60.0, 300.0, 1200.0, 6000.0)
+"""Time constants of what settles after power-on, s."""
+EACH_POWER_ON = "a value for each power-on"
+
+
+@dataclass(frozen=True)
+class Element:
+    """A block of columns of one channel.
+
+    coordinate: of the campaign format.
+    harmonic: where the coordinate is an angle.
+    of: what function of the coordinate it is.
+    """
+
+    channel: str
+    coordinate: str
+    of: str
+    harmonic: int | None = None
+
+    @property
+    def foretells(self) -> bool:
+        """Whether it says anything of a test that is yet to be made."""
+        return not self.of.endswith(EACH_POWER_ON)
+
+    @property
+    def words(self) -> str:
+        """What it is, for people."""
+        return f"{self.of} ({self.channel})"
+
+
+@dataclass(frozen=True)
+class Coordinates:
+    """Where a test was, row by row; (n,) each.
+
+    pattern_angle: rad, by simulation.
+    table_angle: rad.
+    table_rate: rad/s, mean over the row.
+    case, resonator: temperatures above the reference, K.
+    case_rate: K/s, smoothed.
+    """
+
+    test: Observed
+    pattern_angle: Array
+    table_angle: Array
+    table_rate: Array
+    case: Array
+    resonator: Array
+    case_rate: Array
+
+
+def coordinates(test: Observed, pattern_angle: Array, believed: Device) -> Coordinates:
+    """Where a test was.
+
+    Args:
+        test: of a campaign.
+        pattern_angle: (n,) rad.
+        believed: thermal lag and reference temperature are used.
+    """
+    log = test.log
+    case = test.inputs.temperatures - believed.reference_temperature
+    kept = np.exp(-log.interval / believed.thermal_lag)
+    resonator = np.zeros(len(case))
+    for i in range(1, len(case)):
+        resonator[i] = kept * resonator[i - 1] + (1 - kept) * (case[i] + case[i - 1]) / 2
+    return Coordinates(
+        test,
+        pattern_angle,
+        log.table_angle,
+        (test.inputs.rates[1:] + test.inputs.rates[:-1]) / 2,
+        case[1:],
+        resonator[1:],
+        _slope(case, log.interval)[1:],
+    )
+
+
+SMOOTHING = 300.0
+"""Time over which the slope of a noisy temperature log is taken, s."""
+
+
+def _slope(series: Array, interval: float) -> Array:
+    half = max(1, round(SMOOTHING / interval / 2))
+    n = len(series)
+    low, high = np.maximum(np.arange(n) - half, 0), np.minimum(np.arange(n) + half, n - 1)
+    return np.asarray((series[high] - series[low]) / ((high - low) * interval))
+
+
+def columns(
+    where: Coordinates, channel: str, tests: int, index: int
+) -> list[tuple[Element, Array]]:
+    """Elements of a channel in one test: (n, b) each, in the same order for every test.
+
+    Args:
+        where: the test's coordinates.
+        channel: a field of a log.
+        tests: number of the campaign's tests.
+        index: of this one.
+    """
+    found = []
+    for coordinate, of, harmonic, block in _functions(where, tests, index):
+        if channel != "gyro_angle":
+            found.append((Element(channel, coordinate, of, harmonic), block))
+            continue
+        bias = np.cumsum(block, axis=0) * where.test.log.interval
+        found.append((Element(channel, coordinate, f"bias: {of}", harmonic), bias))
+        if harmonic is not None:
+            found.append((Element(channel, coordinate, f"angle: {of}", harmonic), block))
+    return found
+
+
+def _functions(
+    where: Coordinates, tests: int, index: int
+) -> Iterator[tuple[str, str, int | None, Array]]:
+    """Coordinate, words, harmonic, and (n, b) values."""
+    log = where.test.log
+    for m in PATTERN_HARMONICS:
+        yield "wave_angle", f"harmonic {m} of the pattern angle", m, _turn(m * where.pattern_angle)
+    for m in TABLE_HARMONICS:
+        yield "table_angle", f"harmonic {m} of the table angle", m, _turn(m * where.table_angle)
+    for p in POWERS:
+        yield "temperature", f"temperature^{p}", None, _column((where.resonator / 10) ** p)
+    fourth = _turn(4 * where.pattern_angle)
+    yield "temperature", "temperature, 4th harmonic", None, fourth * where.resonator[:, None] / 10
+    yield "temperature", "temperature of the case", None, _column(where.case / 10)
+    yield "temperature_rate", "temperature rate", None, _column(where.case_rate * 60)
+    yield "temperature_rate", "its magnitude", None, _column(np.abs(where.case_rate) * 60)
+    yield "temperature_rate", "its square", None, _column((where.case_rate * 60) ** 2)
+    rate = where.table_rate
+    for m in FOLLOWED:
+        words = f"harmonic {m} of the pattern angle, times the rate"
+        yield "rate", words, None, _turn(m * where.pattern_angle) * rate[:, None]
+    for p, words in ((1, "rate"), (2, "rate squared"), (3, "rate cubed")):
+        yield "rate", words, None, _column(rate**p)
+    yield "rate", "magnitude of the rate", None, _column(np.abs(rate))
+    virtual = log.virtual_rotation
+    yield "rate", "commanded rotation", None, _column(virtual)
+    yield "rate", "its magnitude", None, _column(np.abs(virtual))
+    force = {axis: getattr(log, f"acceleration_{axis}") / 10 for axis in "xyz"}
+    for axis in "xyz":
+        yield "acceleration", f"acceleration {axis}", None, _column(force[axis])
+        yield "acceleration", f"acceleration {axis} squared", None, _column(force[axis] ** 2)
+    for pair in ("xy", "xz", "yz"):
+        product = force[pair[0]] * force[pair[1]]
+        yield "acceleration", f"acceleration {pair[0]} times {pair[1]}", None, _column(product)
+    change = log.amplitude_setpoint - 1
+    yield "amplitude", "amplitude", None, _column(change)
+    yield "amplitude", "amplitude squared", None, _column(change**2)
+    yield "time", "time since power-on", None, _column(log.time / 3600)
+    for constant in WARM_UPS:
+        settling = np.exp(-log.time / constant)
+        yield "time", f"settling in {constant:g} s", None, _column(settling)
+    own = np.zeros((len(log.time), tests))
+    own[:, index] = 1.0
+    yield "time", EACH_POWER_ON, None, own
+
+
+def _turn(angle: Array) -> Array:
+    return np.column_stack([np.cos(angle), np.sin(angle)])
+
+
+def _column(values: Array) -> Array:
+    return np.asarray(values)[:, None]

@@ -1,0 +1,1 @@
+"""Logs of IMUs, in the formats that are known: what their sensors handed over, checked."""

@@ -1,0 +1,1 @@
+"""Pages of HTML: what their drawings and looks have in common."""

@@ -1,0 +1,50 @@
+"""Five minutes from power-on: what alignment uses of them."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from ins_eval import earth
+from ins_eval.parking.mission import INTERVAL, STILL, Mission, StartUpError, since
+from tests.ins_eval.cases import short_mission
+
+START_UP = 12.0
+"""s."""
+
+
+@pytest.fixture(scope="module")
+def flight() -> Mission:
+    return short_mission(0.1)
+
+
+def test_start_up_is_left_out_of_alignment(flight: Mission) -> None:
+    """An east gyro's bias of start-up turns the heading by its share of the five minutes
+    (Groves 2013, section 5.6.2), unless alignment begins after it."""
+    mat_nb = flight.align(flight.truth)
+    east_b = mat_nb.T @ np.array([0.0, 1.0, 0.0])
+    bias, latitude = 1e-6, flight.start[0]
+    rotation = flight.truth.rotation.copy()
+    rotation[: round(START_UP / INTERVAL)] += bias * INTERVAL * east_b
+    measured = replace(flight.truth, rotation=rotation)
+    turned = -START_UP / STILL * bias / (earth.RATE * np.cos(latitude))
+    assert flight.heading_error(measured) == pytest.approx(turned, rel=1e-3)
+    assert abs(flight.heading_error(measured, START_UP - STILL)) < 1e-6 * abs(turned)
+
+
+def test_nothing_of_the_drive_is_aligned_on(flight: Mission) -> None:
+    zero = round(STILL / INTERVAL)
+    spoilt = flight.truth.rotation.copy()
+    spoilt[zero:] = np.nan
+    measured = replace(flight.truth, rotation=spoilt)
+    assert np.array_equal(flight.align(measured), flight.align(flight.truth))
+
+
+def test_start_up_ends_with_the_last_interval_that_is_not_good() -> None:
+    good = np.ones(40_000, dtype=bool)
+    assert since(good) == since(None) == -STILL
+    good[[3, 1199, 35_000]] = False
+    assert since(good) == pytest.approx(12.0 - STILL)
+    good[29_999] = False
+    with pytest.raises(StartUpError, match="not ready 300 s after power-on"):
+        since(good)

@@ -1,0 +1,26 @@
+"""The study's own experiment, by one worker and by two: processes of their own."""
+
+from dataclasses import replace
+from pathlib import Path
+
+from ins_eval.study.command import experiment
+from ins_eval.study.run.run import Cluster, run
+from tests.ins_eval.study.run.processes import contents
+from tests.ins_eval.study.test_experiment import STUDY
+
+SMALL = replace(
+    STUDY,
+    triads=4,
+    cosimulated=1,
+    calibrations=("mean",),
+    missions=tuple(replace(mission, hours=0.1) for mission in STUDY.missions),
+)
+"""Four blocks."""
+
+
+def test_same_bytes_by_any_number_of_workers(tmp_path: Path) -> None:
+    for workers in (1, 2):
+        run(SMALL, tmp_path / str(workers), experiment(), Cluster(workers=workers))
+    one, two = (contents(tmp_path / str(workers)) for workers in (1, 2))
+    assert {"study.parquet", "study.json", "report.html"} < set(one)
+    assert one == two

@@ -1,0 +1,94 @@
+"""Conditions in which the thesis may fail: each is what it says it is."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from ins_eval.study.block import Kind, Triad, gathered, triad, triad_seed
+from ins_eval.study.conditions import CONDITIONS, NOISY, Sample
+from ins_eval.study.population import TRIMMED
+from ins_eval.study.specification import TEST
+from ins_eval.study.triads import Triads
+from pyhrg.bench.calibration.calibration_maps import calibrated
+from pyhrg.device import AngleMap
+from pyhrg.fmu import GyroFmu
+from pyhrg.units import DEG_PER_H
+from tests.ins_eval.study.cases import study
+
+KIND = Kind(TRIMMED, "mean")
+STUDY = study(triads=80)
+NUMBERS = (40, 41)
+
+
+@pytest.fixture(scope="module")
+def drawn(slow_fmu: GyroFmu) -> dict[int, Triad]:
+    return {n: triad(slow_fmu, KIND, triad_seed(STUDY.seed, n)) for n in NUMBERS}
+
+
+@pytest.fixture(scope="module")
+def flying(slow_fmu: GyroFmu, drawn: dict[int, Triad]) -> dict[str, Triads]:
+    sample = Sample(STUDY, KIND, slow_fmu, drawn, gathered(slow_fmu, [*drawn.values()]))
+    return {condition.title: condition.triads(sample) for condition in CONDITIONS}
+
+
+def test_straight_and_level_flies_the_gyros_of_the_study(
+    slow_fmu: GyroFmu, drawn: dict[int, Triad], flying: dict[str, Triads]
+) -> None:
+    own = vars(gathered(slow_fmu, [*drawn.values()]))
+    for name, values in vars(flying["straight and level for an hour"]).items():
+        np.testing.assert_array_equal(values, own[name], err_msg=name)
+
+
+def at_start(triads: Triads) -> np.ndarray:
+    """(r, 3) bias at power-on, rad/s: the mean and the cosines of the map from there."""
+    return triads.in_flight[:, [0, 1, 3, 5, 7]].sum(axis=1)
+
+
+def test_bias_at_power_on_is_what_the_bench_missed(flying: dict[str, Triads]) -> None:
+    """What is left is drift and the bench's noise: a small part of what was there."""
+    there = at_start(flying["straight and level for an hour"])
+    left = at_start(flying["straight and level for an hour, bias at power-on taken out"])
+    assert np.sqrt(np.mean(left**2)) < 0.2 * np.sqrt(np.mean(there**2))
+
+
+def test_self_calibrated_gyros_fly_small_maps_that_the_bench_saw_large(
+    flying: dict[str, Triads],
+) -> None:
+    before, after = flying["straight and level for an hour"], flying["self-calibrated"]
+    np.testing.assert_array_equal(after.known, before.known)
+    np.testing.assert_array_equal(after.circumference_stability, before.circumference_stability)
+    power = [np.mean(triads.in_flight[:, 1:9] ** 2) for triads in (before, after)]
+    assert power[1] < 0.05 * power[0]
+
+
+def test_drive_noise_hides_maps_from_both_tests(flying: dict[str, Triads]) -> None:
+    """Both show the noise of 100 s means; neither the map, of at most 0.01 deg/h or so."""
+    noisy = flying["drive noise dominating"]
+    walk = noisy.noise[:, 1]
+    assert np.all((walk >= NOISY.least) & (walk <= NOISY.most))
+    expected = walk / np.sqrt(100.0)
+    np.testing.assert_allclose(noisy.fixed_stability, expected, rtol=0.5, atol=0.01 * DEG_PER_H)
+    ratio = noisy.circumference_stability / noisy.fixed_stability
+    assert np.all((ratio > 0.5) & (ratio < 2))
+
+
+def test_a_constant_taken_out_of_the_electronics_is_the_maps_mean(
+    slow_fmu: GyroFmu, drawn: dict[int, Triad]
+) -> None:
+    """The sign of what conditions take out."""
+    one = drawn[NUMBERS[0]]
+    mean = AngleMap(mean=1 * DEG_PER_H)
+    flights = tuple(replace(f, device=calibrated(f.device, mean, AngleMap())) for f in one.flights)
+    before, after = gathered(slow_fmu, [one]), gathered(slow_fmu, [replace(one, flights=flights)])
+    np.testing.assert_allclose(
+        after.in_flight[:, 0] - before.in_flight[:, 0], -1 * DEG_PER_H, rtol=1e-3
+    )
+
+
+def test_sample_is_of_the_judged_half() -> None:
+    for conditions in (0, 36, 40):
+        chosen = replace(STUDY, conditions=conditions)
+        numbers = [n for n in range(chosen.triads) if chosen.is_in_conditions(n)]
+        assert len(numbers) == conditions
+        assert all(chosen.half_of(n) == TEST for n in numbers)

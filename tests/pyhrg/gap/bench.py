@@ -1,0 +1,73 @@
+"""Short campaigns of the gyro with sampled loops, noise of its own and of a thermometer."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from pyhrg import device_file
+from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.programme import Programme
+from pyhrg.campaign import Campaign, Test
+from pyhrg.device import Device
+from pyhrg.device_keys import KEYS
+from pyhrg.fmu import GyroFmu
+from pyhrg.units import DEG
+from tests.pyhrg.gap.soundness.conftest import BELIEVED
+
+THERMOMETER = 5e-3
+"""Noise of a reading, K."""
+
+
+def recorded(
+    fmu: GyroFmu,
+    device: Device,
+    believed: Device = BELIEVED,
+    seed: int = 1,
+    power_ons: Sequence[PowerOn] | None = None,
+) -> Campaign:
+    """What the bench brings home of one gyro, where another is believed in."""
+    bench = Bench(fmu, device, seed=seed)
+    campaign = bench.campaign(bench.run(short(bench) if power_ons is None else power_ons))
+    generator = np.random.default_rng(seed)
+    tests = [_read(test, generator) for test in campaign.tests]
+    return replace(campaign, nominal=stated(believed), tests=tuple(tests))
+
+
+def short(bench: Bench) -> list[PowerOn]:
+    """Rest, eight positions, both ways at 5 deg/s, without drive, commanded rotation, a ride."""
+    begun = bench.programme
+    positions = begun().rest(40)
+    for _ in range(7):
+        positions.turn(81.2 * DEG, 20 * DEG).rest(40)
+    return [
+        PowerOn("still", "static", begun().rest(600)),
+        PowerOn("positions", "positions", positions),
+        PowerOn("pos", "rate", begun(0.1).rest(5).spin(5 * DEG, 66)),
+        PowerOn("neg", "rate", begun(0.1).rest(5).spin(-5 * DEG, 66)),
+        PowerOn("ring", "ring_down", begun().rest(20).command(drive_on=0.0).rest(100)),
+        PowerOn("virtual", "virtual_rotation", _virtual(bench)),
+        PowerOn("ride", "manoeuvre", begun(0.5).rest(5).turn(90 * DEG, 10 * DEG).rest(220)),
+    ]
+
+
+def _virtual(bench: Bench) -> Programme:
+    return bench.programme().rest(20).command(virtual_rotation=1 * DEG).rest(100)
+
+
+def stated(device: Device) -> dict[str, float]:
+    """All that differs from an ideal gyro, as a campaign's nominal values have it."""
+    values = device_file.nominal(device)
+    fields = {key.field for key in KEYS if key.name in values}
+    for key in KEYS:
+        if key.field not in fields and getattr(device, key.field) != getattr(Device(), key.field):
+            values[key.name] = key.from_si(getattr(device, key.field))
+            fields.add(key.field)
+    return values
+
+
+def _read(test: Test, generator: np.random.Generator) -> Test:
+    log = test.log
+    read = log.temperature + THERMOMETER * generator.normal(size=len(log.time))
+    role = "holdout" if test.kind == "manoeuvre" else "fit"
+    return replace(test, role=role, recording=replace(log, temperature=read))

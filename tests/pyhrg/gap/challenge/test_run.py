@@ -1,0 +1,153 @@
+"""A whole challenge on short campaigns, with a diagnosis that says the same of all."""
+
+import argparse
+import json
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+
+from fmu_build.cli import UserError
+from pyhrg import campaign
+from pyhrg.gap.challenge import command, seal
+from pyhrg.gap.challenge.roster import ChallengeError, Folder, Settings
+from pyhrg.gap.challenge.run import Challenge
+from tests.pyhrg.gap.challenge.short import quick_cases  # noqa: F401
+
+SETTINGS = Settings({"none": 2, "single": 1}, seed=3)
+NO_GAP = {
+    "schema": "hrg-diagnosis/1",
+    "verdict": "no_gap",
+    "causes": [],
+    "unknown_probability": 0.02,
+    "where": [],
+    "gap": {},
+    "next_test": None,
+}
+NEXT = {"kind": "tumble", "why": "", "hours": 0.5}
+CONFOUNDED = {**NO_GAP, "verdict": "ambiguous", "next_test": NEXT}
+
+
+def says_no_gap(campaign: Path, out: Path, without: Sequence[str]) -> None:
+    (out / "diagnosis.json").write_text(json.dumps(NO_GAP))
+
+
+def asks_for_a_test(campaign: Path, out: Path, without: Sequence[str]) -> None:
+    (out / "diagnosis.json").write_text(json.dumps(CONFOUNDED))
+
+
+def says_nothing(campaign: Path, out: Path, without: Sequence[str]) -> None:
+    """As a diagnosis that failed without a word."""
+
+
+def files(root: Path) -> dict[str, bytes]:
+    return {
+        str(path.relative_to(root)): path.read_bytes() for path in root.rglob("*") if path.is_file()
+    }
+
+
+@pytest.mark.usefixtures("quick_cases")
+def test_same_bytes_again_and_resumed(tmp_path: Path) -> None:
+    Challenge(Folder(tmp_path / "a"), SETTINGS, says_no_gap).run(1)
+    with pytest.raises(ChallengeError, match=r"has written no diagnosis\.json"):
+        Challenge(Folder(tmp_path / "b"), SETTINGS, says_nothing).run(1)
+    assert not (tmp_path / "b" / "score.json").exists()
+    Challenge(Folder(tmp_path / "b"), SETTINGS, says_no_gap).run(1)
+    assert files(tmp_path / "a") == files(tmp_path / "b")
+
+
+@pytest.mark.usefixtures("quick_cases")
+def test_what_is_diagnosed_tells_nothing_of_the_truth(tmp_path: Path) -> None:
+    seen: list[Path] = []
+
+    def looking(folder: Path, out: Path, without: Sequence[str]) -> None:
+        seen.append(folder)
+        assert (tmp_path / "challenge.json").exists()
+        names = {path.name for path in folder.iterdir()}
+        assert names == {"campaign.json", "rate.csv.gz", "manoeuvre.csv.gz"}
+        assert not any(
+            word in (folder / "campaign.json").read_text() for word in ("truth", "kind:")
+        )
+        says_no_gap(folder, out, without)
+
+    score = Challenge(Folder(tmp_path), SETTINGS, looking).run(1)
+    assert [folder.name for folder in seen] == ["unit-0001", "unit-0002", "unit-0003"]
+    assert sorted(case.truth.kind for case in score.cases) == ["none", "none", "single"]
+    index = json.loads((tmp_path / "challenge.json").read_text())
+    assert set(index["cases"][0]) == {"name", "sha256", "without"}
+
+
+@pytest.mark.usefixtures("quick_cases")
+def test_a_truth_that_was_changed_is_refused(tmp_path: Path) -> None:
+    folder = Folder(tmp_path)
+    Challenge(folder, SETTINGS, says_no_gap).run(1)
+    path = folder.truth("unit-0001")
+    path.write_text(path.read_text().replace("{", "{ ", 1))
+    with pytest.raises(ChallengeError, match="truths are not those that it has published"):
+        Challenge(folder, SETTINGS, says_no_gap).run(1)
+    assert seal.hash_of(path)
+
+
+@pytest.mark.usefixtures("quick_cases")
+def test_a_suggested_test_is_made_and_diagnosed(tmp_path: Path) -> None:
+    folder = Folder(tmp_path)
+    settings = Settings({"single": 1}, seed=3)
+    score = Challenge(folder, settings, asks_for_a_test).run(1)
+    (case,) = score.cases
+    extended = campaign.read(folder.next_campaign(case.name))
+    assert [test.kind for test in extended.tests] == ["rate", "manoeuvre", "tumble"]
+    settled = next(f for f in score.figures if f.name.startswith("next test"))
+    assert (settled.n, settled.value) == (1, 0.0)
+
+
+@pytest.mark.usefixtures("quick_cases")
+def test_another_challenge_is_not_mixed_in(tmp_path: Path) -> None:
+    Folder(tmp_path).begin(SETTINGS)
+    with pytest.raises(ChallengeError, match="another challenge was begun here"):
+        Folder(tmp_path).begin(Settings({"none": 1}, seed=3))
+
+
+def test_names_and_order_tell_nothing_of_the_kinds() -> None:
+    counts = {"none": 30, "single": 30, "outside": 30, "left_out": 3}
+    cases = Settings(counts, seed=1).cases()
+    assert [case.name for case in cases] == [f"unit-{i:04d}" for i in range(1, 94)]
+    kinds = [case.kind for case in cases]
+    assert sorted(kinds) != kinds
+    assert {kind: kinds.count(kind) for kind in counts} == counts
+    assert len({case.seed for case in cases}) == len(cases)
+    assert len({case.without for case in cases if case.without}) == 3
+    assert Settings(counts, seed=2).cases()[0].seed != cases[0].seed
+
+
+def options(*arguments: str) -> argparse.Namespace:
+    parser = argparse.ArgumentParser()
+    command.add_parser(parser.add_subparsers())
+    return parser.parse_args(["challenge", *arguments])
+
+
+@pytest.mark.usefixtures("quick_cases")
+def test_command_prints_the_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    few = ("--none", "1", "--single", "0", "--pairs", "0", "--outside", "0")
+    command.run(options("--out", str(tmp_path), *few, "--workers", "1"), says_no_gap)
+    shown = capsys.readouterr().out
+    assert "false alarm without a gap" in shown
+    assert "<= 0.02  pass" in shown
+    assert "no case" in shown
+    figures = json.loads((tmp_path / "score.json").read_text())["figures"]
+    assert figures[0]["n"] == 1
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--none", "-1"), "--none -1: expected a whole number from 0"),
+        (("--seed", "-1"), "--seed -1: expected"),
+        (("--workers", "0"), "--workers 0: expected"),
+        (("--strongest", "6"), "--strongest 6: expected more than 6"),
+    ],
+)
+def test_options_out_of_range_are_refused(
+    tmp_path: Path, arguments: tuple[str, ...], message: str
+) -> None:
+    with pytest.raises(UserError, match=message):
+        command.run(options("--out", str(tmp_path), *arguments), says_no_gap)

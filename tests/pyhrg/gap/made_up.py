@@ -1,0 +1,34 @@
+"""Designs of made-up columns, white noise of one."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.gap.design import Block, Design, Group
+
+Array = NDArray[np.float64]
+
+
+def design_of(
+    columns: Mapping[Group, Array], residual: Array, channel: str = "gyro_angle"
+) -> Design:
+    """One channel of one test.
+
+    Args:
+        columns: (n, size) of each group.
+        residual: (n,) in deviations of the noise.
+    """
+    all_columns = np.column_stack(list(columns.values()))
+    ends = np.cumsum([block.shape[1] for block in columns.values()])
+    places = {
+        group: np.arange(end - block.shape[1], end)
+        for (group, block), end in zip(columns.items(), ends, strict=True)
+    }
+    lengths = np.linalg.norm(all_columns, axis=0)
+    unit = all_columns / lengths
+    both = np.column_stack([all_columns, residual])
+    block = Block("test", channel, both.T @ both, len(residual), 0.0)
+    return Design(
+        unit.T @ unit, unit.T @ residual, float(residual @ residual), places, lengths, (block,)
+    )

@@ -1,0 +1,119 @@
+"""The page in headless Chromium: picked from, without scripts, printed, narrow and wide."""
+
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from pyhrg.gap.diagnose import Diagnosed
+from pyhrg.gap.report.page import page as drawn
+from pyhrg.gap.report.panels import panels
+from pyhrg.gap.report.views import VIEWS
+
+api = pytest.importorskip("playwright.sync_api")
+
+CHROMIUM = next(
+    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None
+)
+pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium: install `chromium`")
+
+
+@pytest.fixture(scope="module")
+def address(with_gap: Diagnosed, tmp_path_factory: pytest.TempPathFactory) -> str:
+    file: Path = tmp_path_factory.mktemp("report") / "report.html"
+    file.write_text(drawn(with_gap), encoding="utf-8")
+    return file.as_uri()
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    with api.sync_playwright() as playwright:
+        running = playwright.chromium.launch(executable_path=CHROMIUM)
+        yield running
+        running.close()
+
+
+@pytest.fixture
+def page(browser: Any, address: str) -> Iterator[Any]:
+    """The open report; no error on the console, no request but for the file."""
+    opened = browser.new_page(viewport={"width": 1280, "height": 900})
+    complaints: list[str] = []
+    opened.on("console", lambda message: complaints.append(f"{message.type}: {message.text}"))
+    opened.on("pageerror", lambda error: complaints.append(str(error)))
+    opened.on("request", lambda request: complaints.append(request.url))
+    opened.goto(address)
+    assert complaints.pop(0) == address
+    yield opened
+    assert complaints == []
+    opened.close()
+
+
+def visible(page: Any) -> list[dict[str, str]]:
+    figures = page.locator("#residuals figure:visible")
+    return list(figures.evaluate_all("all => all.map(f => ({...f.dataset}))"))
+
+
+def test_the_page_opens_on_the_channel_with_most_of_the_gap(page: Any) -> None:
+    shown = visible(page)
+    assert shown
+    assert {f["test"] for f in shown} == {"all"}
+    assert {f["view"] for f in shown} == {page.locator("select[name=view]").input_value()}
+
+
+def test_every_choice_shows_its_panels(page: Any, with_gap: Diagnosed) -> None:
+    made = panels(with_gap).panels
+    for view in VIEWS:
+        page.locator("select[name=view]").select_option(view.key)
+        for test in ("all", *(t.test.id for t in with_gap.tests)):
+            page.locator("select[name=test]").select_option(test)
+            wanted = [p.axis.key for p in made if p.view == view and p.test == test]
+            assert [f["axis"] for f in visible(page)] == wanted
+
+
+def test_a_coordinate_alone_is_large(page: Any) -> None:
+    page.locator("select[name=axis]").select_option("wave_angle")
+    assert len(visible(page)) == 1
+    assert page.locator("#residuals svg:visible").bounding_box()["width"] > 600
+
+
+def test_a_test_that_stands_still_says_so(page: Any) -> None:
+    assert not page.locator("#none").is_visible()
+    page.locator("select[name=test]").select_option("still")
+    page.locator("select[name=axis]").select_option("rate")
+    assert visible(page) == []
+    assert page.locator("#none").is_visible()
+
+
+def test_without_scripts_all_channels_are_there(browser: Any, address: str) -> None:
+    context = browser.new_context(java_script_enabled=False)
+    opened = context.new_page()
+    opened.goto(address)
+    assert not opened.locator("#filters").is_visible()
+    shown = opened.locator("#residuals figure:visible")
+    views = set(shown.evaluate_all("all => all.map(f => f.dataset.view)"))
+    assert views == {view.key for view in VIEWS}
+    assert set(shown.evaluate_all("all => all.map(f => f.dataset.test)")) == {"all"}
+    context.close()
+
+
+@pytest.mark.parametrize(("scheme", "dark"), [("light", False), ("dark", True)])
+def test_light_and_dark(browser: Any, address: str, scheme: str, dark: bool) -> None:
+    opened = browser.new_page(color_scheme=scheme)
+    opened.goto(address)
+    back = opened.evaluate("getComputedStyle(document.body).backgroundColor")
+    light = [int(v) for v in back.strip("rgb()").split(",")]
+    assert (max(light) < 64) == dark
+    opened.emulate_media(media="print")
+    assert opened.evaluate("getComputedStyle(document.body).backgroundColor").startswith("rgb(255")
+    assert not opened.locator("#filters").is_visible()
+    opened.close()
+
+
+@pytest.mark.parametrize("width", [360, 800, 1600])
+def test_nothing_reaches_over_the_edge(browser: Any, address: str, width: int) -> None:
+    opened = browser.new_page(viewport={"width": width, "height": 800})
+    opened.goto(address)
+    assert opened.evaluate("document.documentElement.scrollWidth") <= width
+    opened.close()

@@ -1,0 +1,140 @@
+"""The page: whole, self-contained, small, the same bytes for the same diagnosis."""
+
+import re
+from dataclasses import replace
+
+import pytest
+
+from pyhrg.gap.diagnose import Diagnosed
+from pyhrg.gap.diagnosis import Cause, NextTest
+from pyhrg.gap.report.page import page
+from pyhrg.gap.report.verdict import UNSETTLED
+from pyhrg.gap.sections import Section
+from tests.elements import elements
+
+MOST_BYTES = 3_000_000
+SECTIONS = ("causes", "ranking", "where", "residuals", "held-out", "closing", "next", "data")
+
+
+@pytest.fixture(scope="module")
+def text(with_gap: Diagnosed) -> str:
+    return page(with_gap)
+
+
+def test_same_diagnosis_same_bytes(text: str, with_gap: Diagnosed) -> None:
+    assert page(with_gap) == text
+
+
+def test_every_section_can_be_reached(text: str) -> None:
+    found = elements(text)
+    links = [a["href"] for tag, a in found if tag == "a"]
+    assert links == [f"#{name}" for name in SECTIONS]
+    assert set(SECTIONS) <= {a.get("id") for _, a in found}
+
+
+def test_nothing_is_loaded_from_anywhere(text: str) -> None:
+    loading = {"src", "srcset", "data", "poster", "action", "xlink:href"}
+    for tag, attributes in elements(text):
+        assert not loading & set(attributes), tag
+        assert tag not in ("link", "img", "iframe", "object")
+    assert not re.search(r"https?://|@import|url\(|fetch\(|XMLHttpRequest", text)
+
+
+def test_drawings_are_told_to_those_who_do_not_see_them(text: str) -> None:
+    for tag, attributes in elements(text):
+        if tag == "svg":
+            assert attributes.get("aria-label") or attributes.get("aria-hidden") == "true"
+
+
+def test_small_enough(text: str) -> None:
+    assert len(text.encode()) < MOST_BYTES
+
+
+def test_no_value_is_undefined(text: str) -> None:
+    drawn = " ".join(str(a["d"]) for tag, a in elements(text) if tag == "path")
+    assert drawn
+    assert "nan" not in drawn
+    assert "inf" not in drawn
+
+
+def test_the_cause_is_told_with_its_interval(text: str) -> None:
+    assert "The gap is explained: damping anisotropy makes it." in text
+    told = re.search(r"Damping anisotropy: ([\d.e−]+) \(", text)
+    assert told
+    assert float(told[1].replace("−", "-")) == pytest.approx(3e-6, rel=0.02)
+
+
+def test_a_search_that_did_not_come_to_rest_is_told(with_gap: Diagnosed, text: str) -> None:
+    assert UNSETTLED not in text
+    restless = replace(with_gap.diagnosis, settled=False)
+    assert UNSETTLED in page(replace(with_gap, diagnosis=restless))
+
+
+def test_no_gap_has_no_after(without_gap: Diagnosed) -> None:
+    text = page(without_gap)
+    elements(text)
+    assert "No gap: the gyro answers as its simulation does" in text
+    assert "No effect of the catalogue is needed." in text
+    assert "gyro as believed" in text
+    assert "with what was found" not in text
+
+
+def test_without_held_out_tests(with_gap: Diagnosed) -> None:
+    kept = [i for i, t in enumerate(with_gap.tests) if not t.test.is_holdout]
+    gap = replace(
+        with_gap.diagnosis.gap,
+        holdout_angle_arcsec=None,
+        holdout_rate_deg_h=None,
+        shrink_percent=None,
+        whiteness=None,
+    )
+    text = page(
+        replace(
+            with_gap,
+            diagnosis=replace(with_gap.diagnosis, gap=gap),
+            tests=tuple(with_gap.tests[i] for i in kept),
+            before=tuple(with_gap.before[i] for i in kept),
+            after=tuple(with_gap.after[i] for i in kept),
+        )
+    )
+    elements(text)
+    assert "No test was held out" in text
+
+
+def test_what_is_confounded_and_what_would_tell(with_gap: Diagnosed) -> None:
+    cause = replace(with_gap.diagnosis.causes[0], equivalents=("drive_frame_rotation",))
+    said = replace(
+        with_gap.diagnosis,
+        verdict="ambiguous",
+        causes=(cause,),
+        next_test=NextTest("phase_step", "It turns one and not the other.", 2.5),
+    )
+    text = page(replace(with_gap, diagnosis=said))
+    assert "these data can&#x27;t tell it from drive frame rotation" in text
+    assert "<b>phase step</b>: It turns one and not the other." in text
+
+
+def test_noises_are_causes_too(with_gap: Diagnosed) -> None:
+    name = "angle_random_walk_deg_sqrt_h"
+    noise = Cause("angle_random_walk", 0.97, {name: 1e-3}, {name: (8e-4, 1.2e-3)})
+    text = page(replace(with_gap, diagnosis=replace(with_gap.diagnosis, causes=(noise,))))
+    assert "Angle random walk: 0.001 (0.0008 to 0.0012) deg/√h; probability 97.0" in text
+
+
+def test_names_are_only_names(with_gap: Diagnosed) -> None:
+    evil = "</script><script>alert(1)</script>"
+    first = with_gap.tests[0]
+    tests = (replace(first, test=replace(first.test, id=evil)), *with_gap.tests[1:])
+    where = tuple(replace(w, test=evil) for w in with_gap.diagnosis.where)
+    said = replace(with_gap.diagnosis, device=evil, where=where, excluded=(evil,))
+    text = page(replace(with_gap, diagnosis=said, tests=tests))
+    assert evil not in text
+    assert text.count("<script") == 1
+    elements(text)
+
+
+def test_sections_of_others_stand_before_the_next_test(with_gap: Diagnosed) -> None:
+    text = page(with_gap, {"position": Section("Position", "<p>12 m</p>", {})})
+    elements(text)
+    assert text.index('id="closing"') < text.index('id="position"') < text.index('id="next"')
+    assert "<p>12 m</p>" in text

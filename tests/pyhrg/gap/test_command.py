@@ -1,0 +1,136 @@
+"""`hrg gap diagnose` and `hrg gap predict`, from the command line."""
+
+import json
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from fmu_build.cli import main
+from pyhrg import campaign, records
+from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.fmu import GyroFmu
+from pyhrg.units import ARCSEC, DEG
+from tests.pyhrg.gap.bench import recorded
+from tests.pyhrg.gap.soundness.conftest import BELIEVED
+
+
+@pytest.fixture(scope="session")
+def made(fmu: GyroFmu, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A campaign of two tests, without a gap, on disk."""
+    folder = tmp_path_factory.mktemp("campaign")
+    begun = Bench(fmu, BELIEVED).programme
+    power_ons = [
+        PowerOn("still", "static", begun().rest(100)),
+        PowerOn("ride", "manoeuvre", begun(0.5).rest(5).turn(90 * DEG, 10 * DEG).rest(120)),
+    ]
+    campaign.write(recorded(fmu, BELIEVED, power_ons=power_ons), folder)
+    return folder
+
+
+@pytest.fixture
+def folder(made: Path, tmp_path: Path) -> Path:
+    shutil.copytree(made, tmp_path / "campaign")
+    return tmp_path / "campaign"
+
+
+def edit(folder: Path, change: Callable[[dict[str, Any]], object]) -> None:
+    index = json.loads((folder / "campaign.json").read_text())
+    change(index)
+    (folder / "campaign.json").write_text(json.dumps(index))
+
+
+def diagnose(folder: Path, out: Path) -> int:
+    return main(["gap", "diagnose", str(folder), "--out", str(out)])
+
+
+def test_the_truth_is_never_read(folder: Path, tmp_path: Path) -> None:
+    """A lie, or what can't be read at all: the same bytes."""
+    (folder / "truth.json").write_text('{"effects": ["loop_delay"], "parameters": {}}')
+    assert diagnose(folder, tmp_path / "lie") == 0
+    (folder / "truth.json").unlink()
+    (folder / "truth.json").mkdir()
+    assert diagnose(folder, tmp_path / "folder") == 0
+    lie, none = [(tmp_path / n / "diagnosis.json").read_bytes() for n in ("lie", "folder")]
+    assert lie == none
+    assert json.loads(none)["verdict"] == "no_gap"
+
+
+def test_the_closed_simulation_answers_to_a_log(folder: Path, tmp_path: Path) -> None:
+    edit(folder, lambda index: index["nominal"].update(colour=3.0))
+    causes = [{"effect": "loop_delay", "parameters": {"loop_delay_s": 0.01}}]
+    (tmp_path / "d.json").write_text(json.dumps({"schema": "hrg-diagnosis/1", "causes": causes}))
+    (tmp_path / "none.json").write_text(json.dumps({"schema": "hrg-diagnosis/1", "causes": []}))
+    log = records.read(folder / "ride.csv.gz")
+    answers = {}
+    for name in ("d", "none"):
+        given = [str(tmp_path / f"{name}.json"), str(folder / "ride.csv.gz")]
+        out = tmp_path / f"{name}.csv"
+        assert main(["gap", "predict", *given, "--campaign", str(folder), "--out", str(out)]) == 0
+        assert out.read_text().startswith("time_s,gyro_angle_deg\n")
+        time, answers[name] = np.loadtxt(out, delimiter=",", skiprows=1).T
+        np.testing.assert_allclose(time, log.time)
+    left = answers["none"] * DEG - log.gyro_angle
+    assert np.abs(left).max() < 3 * ARCSEC
+    assert np.abs(answers["d"] - answers["none"]).max() * DEG > 1 * ARCSEC
+
+
+def refused(capsys: pytest.CaptureFixture[str]) -> str:
+    lines = [line for line in capsys.readouterr().err.splitlines() if line.startswith("hrg")]
+    assert len(lines) == 1
+    return lines[0]
+
+
+BAD: list[tuple[Callable[[dict[str, Any]], object], str]] = [
+    (lambda index: index["nominal"].pop("decay_time_s"), "nominal.decay_time_s: missing"),
+    (lambda index: index["nominal"].update(decay_time_s=-1.0), "decay_time_s: found -1.0"),
+    (lambda index: index.update(tests=index["tests"][1:]), "no test that may be fitted"),
+    (lambda index: index["tests"][0].update(file="gone.csv.gz"), "gone.csv.gz"),
+]
+
+
+@pytest.mark.parametrize(("change", "message"), BAD)
+def test_a_bad_campaign_is_refused_in_one_line(
+    folder: Path,
+    tmp_path: Path,
+    change: Callable[[dict[str, Any]], object],
+    message: str,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    edit(folder, change)
+    assert diagnose(folder, tmp_path / "out") != 0
+    assert message in refused(capsys)
+    assert not (tmp_path / "out").exists()
+
+
+def test_no_campaign_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "empty").mkdir()
+    assert diagnose(tmp_path / "empty", tmp_path / "out") != 0
+    assert "campaign.json" in refused(capsys)
+
+
+def test_logs_without_the_angle_are_refused(
+    folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    given = campaign.read(folder)
+    for test in given.tests:
+        log = test.log
+        log.gyro_angle[:] = np.nan
+        records.write(log, folder / f"{test.id}.csv.gz")
+    assert diagnose(folder, tmp_path / "out") != 0
+    assert "gyro_angle_deg" in refused(capsys)
+
+
+def test_a_bad_diagnosis_is_refused(
+    folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    causes = [{"effect": "frequency_split", "parameters": {"frequency_split_Hz": 1.0}}]
+    (tmp_path / "d.json").write_text(json.dumps({"schema": "hrg-diagnosis/1", "causes": causes}))
+    given = [str(tmp_path / "d.json"), str(folder / "ride.csv.gz")]
+    out = tmp_path / "p.csv"
+    assert main(["gap", "predict", *given, "--campaign", str(folder), "--out", str(out)]) != 0
+    assert "frequency_split: stiffness_axis_deg: missing" in refused(capsys)
+    assert not out.exists()

@@ -1,0 +1,123 @@
+"""Diagnoses of short campaigns that the gyro with sampled loops made: what is there is found, and
+where nothing is, nothing.
+
+Larger numbers of seeds: `benchmarks/gap_controls.py`.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.campaign import Campaign, CampaignError
+from pyhrg.device import Device
+from pyhrg.gap.catalogue import EFFECTS
+from pyhrg.gap.diagnose import Diagnosed, diagnosed
+from pyhrg.gap.simulation import Simulation
+from pyhrg.records import Log
+from pyhrg.units import DEG
+from tests.pyhrg.gap.bench import recorded
+from tests.pyhrg.gap.soundness.conftest import BELIEVED
+from tests.pyhrg.gap.soundness.spoil import Change, at, removed, spoilt
+
+FEW = tuple(
+    EFFECTS[name]
+    for name in (
+        *("damping_anisotropy", "drive_gain_mismatch", "pickoff_gain_mismatch"),
+        *("demodulation_phase_error", "phase_temperature", "coriolis_factor_error"),
+    )
+)
+"""Enough of the catalogue for a test's time."""
+
+
+def diagnosed_few(simulation: Simulation, campaign: Campaign) -> Diagnosed:
+    return diagnosed(campaign, simulation, FEW)
+
+
+def tiny(simulation: Simulation, device: Device = BELIEVED, seed: int = 1) -> Campaign:
+    bench = Bench(simulation.sampled, device)
+    begun = bench.programme
+    power_ons = [
+        PowerOn("still", "static", begun().rest(200)),
+        PowerOn("pos", "rate", begun(0.1).rest(5).spin(5 * DEG, 66)),
+        PowerOn("ride", "manoeuvre", begun(0.5).rest(5).turn(90 * DEG, 10 * DEG).rest(220)),
+    ]
+    return recorded(simulation.sampled, device, seed=seed, power_ons=power_ons)
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_no_gap(simulation: Simulation, seed: int) -> None:
+    """None of three: by a benchmark of many, a false alarm is rarer than one in fifty."""
+    found = diagnosed_few(simulation, tiny(simulation, seed=seed)).diagnosis
+    assert found.verdict == "no_gap"
+    assert found.causes == ()
+
+
+def test_an_effect_is_found_and_closed(simulation: Simulation) -> None:
+    true = replace(BELIEVED, drive_gain_mismatch=1e-3)
+    found = diagnosed_few(simulation, recorded(simulation.sampled, true)).diagnosis
+    assert found.verdict == "explained"
+    assert [cause.effect for cause in found.causes] == ["drive_gain_mismatch"]
+    low, high = found.causes[0].interval_95["drive_gain_mismatch"]
+    assert abs(1e-3 - (low + high) / 2) < 1.3 * (high - low) / 2
+    held = found.gap.holdout_angle_arcsec
+    assert held is not None
+    assert held.before > 3 * held.floor_95[1]
+    assert held.after < held.floor_95[1]
+
+
+def test_backwards_in_time_no_effect_explains(simulation: Simulation) -> None:
+    """The residual of an effect, reversed: something is there that no name explains."""
+    true = replace(BELIEVED, drive_gain_mismatch=1e-3)
+    given, honest = (tiny(simulation, device) for device in (true, BELIEVED.without_noise()))
+    tests = []
+    for test, clean in zip(given.tests, honest.tests, strict=True):
+        residual = test.log.gyro_angle - clean.log.gyro_angle
+        turned = residual[-1] - np.concatenate([[0.0], residual[:0:-1]])
+        angle = clean.log.gyro_angle + turned
+        wave = clean.log.wave_angle - BELIEVED.bryan_factor * turned
+        log = replace(clean.log, gyro_angle=angle, wave_angle=wave)
+        tests.append(replace(test, recording=log))
+    found = diagnosed_few(simulation, replace(given, tests=tuple(tests))).diagnosis
+    assert found.verdict == "unexplained"
+
+
+SPOILT: list[Change] = [
+    at(slice(50, 60), np.nan, "gyro_angle"),
+    at(slice(0, 1), np.nan, "gyro_angle"),
+    at(slice(50, 60), np.nan, "amplitude"),
+    removed("amplitude"),
+    removed("amplitude_force", "frequency_offset"),
+    removed("temperature"),
+]
+
+
+@pytest.mark.parametrize("change", SPOILT)
+def test_what_is_missing_makes_no_gap(simulation: Simulation, change: Change) -> None:
+    found = diagnosed_few(simulation, spoilt(tiny(simulation), change)).diagnosis
+    assert found.verdict == "no_gap"
+    found.document()
+
+
+def test_a_thermometer_without_noise(simulation: Simulation) -> None:
+    def exact(log: Log) -> Log:
+        return replace(log, temperature=np.full(len(log.time), 298.15))
+
+    assert diagnosed_few(simulation, spoilt(tiny(simulation), exact)).diagnosis.verdict == "no_gap"
+
+
+def test_tests_without_one_of_the_angles_are_left_out(simulation: Simulation) -> None:
+    given = tiny(simulation)
+    found = diagnosed_few(simulation, spoilt(given, removed("wave_angle"), "pos")).diagnosis
+    assert [s for s in found.excluded if s.startswith("pos: not used: gyro_angle_deg and wave")]
+    with pytest.raises(CampaignError, match="no test can be fitted to; still: not used"):
+        diagnosed_few(simulation, spoilt(given, removed("wave_angle")))
+
+
+def test_one_short_test_is_enough_to_say_something(simulation: Simulation) -> None:
+    given = tiny(simulation)
+    found = diagnosed_few(simulation, replace(given, tests=given.tests[1:2])).diagnosis
+    assert found.gap.fit_rate_deg_h is None
+    assert found.gap.holdout_angle_arcsec is None
+    assert "no test is held out: a diagnosis can't be verified" in found.excluded

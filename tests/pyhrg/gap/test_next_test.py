@@ -1,0 +1,161 @@
+"""What tells apart what a test at rest leaves alike."""
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+
+from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.campaign import Test
+from pyhrg.device import Device
+from pyhrg.fmu import GyroFmu
+from pyhrg.gap.attribution import Attribution, attributed, evidence
+from pyhrg.gap.candidate_tests import candidates
+from pyhrg.gap.catalogue import EFFECTS, Effect
+from pyhrg.gap.design import design
+from pyhrg.gap.evidence import Fit, fit
+from pyhrg.gap.next_test import SURE, rivals, separations, suggested
+from pyhrg.gap.observations import Observed, observed
+from pyhrg.gap.simulation import Simulation
+from pyhrg.units import ARCSEC, DEG, DEG_PER_SQRT_H, HOUR, HZ
+
+BELIEVED = Device(
+    damping_anisotropy=1e-6,
+    damping_axis=20 * DEG,
+    frequency_split=5e-4 * HZ,
+    stiffness_axis=65 * DEG,
+    angle_random_walk=3e-4 * DEG_PER_SQRT_H,
+    pickoff_noise=0.036 * ARCSEC,
+)
+NOISE = {
+    "temperature": 5e-3,
+    "amplitude": 1e-6,
+    "amplitude_force": 1e-6,
+    "quadrature_force": 1e-6,
+    "frequency_offset": 1e-3,
+}
+"""Of a row, SI, of the channels whose noise the FMU doesn't make."""
+TRUTH = replace(BELIEVED, drive_gain_mismatch=3e-4)
+START = 17 * DEG
+
+Static = Callable[..., Attribution]
+
+
+@pytest.fixture(scope="module")
+def simulation(fmu: GyroFmu, slow_fmu: GyroFmu) -> Simulation:
+    return Simulation(fmu, slow_fmu)
+
+
+def recorded(simulation: Simulation, truth: Device, power_on: PowerOn) -> Observed:
+    bench = Bench(simulation.quasi_steady, truth, step=0.1)
+    log = bench.log(power_on).log
+    generator = np.random.default_rng(5)
+    noisy = {
+        name: getattr(log, name) + generator.normal(0.0, deviation, len(log.time))
+        for name, deviation in NOISE.items()
+    }
+    test = Test(power_on.id, power_on.kind, "fit", replace(log, **noisy))
+    return observed(test, BELIEVED)
+
+
+@pytest.fixture(scope="module")
+def static(simulation: Simulation) -> Static:
+    """What half an hour at rest says, to a catalogue of some effects."""
+
+    @cache
+    def found(truth: Device, *names: str) -> Attribution:
+        rest = Bench(simulation.quasi_steady, truth).programme(10.0).rest(HOUR / 2)
+        test = recorded(simulation, truth, PowerOn("still", "static", rest, START))
+        return attributed(simulation, BELIEVED, [test], [EFFECTS[name] for name in names])
+
+    return found
+
+
+def alone(found: Attribution, *names: str) -> Fit:
+    fitted = fit(found.design, [EFFECTS[name] for name in names])
+    assert fitted is not None
+    return fitted
+
+
+def test_drive_gain_and_damping_are_alike_at_rest_and_part_where_drives_are_off_or_work(
+    simulation: Simulation, static: Static
+) -> None:
+    names = ("drive_gain_mismatch", "damping_anisotropy")
+    found = static(TRUTH, *names)
+    alike = [alone(found, name) for name in names]
+    assert alike[0].explained == pytest.approx(alike[1].explained, abs=25)
+    sigmas = {s.kind: s.sigmas[0, 1] for s in separations(simulation, found, alike)}
+    assert max(sigmas[kind] for kind in ("static", "positions", "tumble", "rate")) < 40
+    assert min(sigmas[kind] for kind in ("ring_down", "virtual_rotation", "amplitude")) > 150
+    said = suggested(simulation, found, alike)
+    assert said is not None
+    assert said.kind in ("ring_down", "virtual_rotation", "amplitude")
+    assert "drive_gain_mismatch from damping_anisotropy" in said.why
+
+
+def test_a_bias_of_gravity_and_one_of_the_force_frame_part_in_the_tumble(
+    simulation: Simulation, static: Static
+) -> None:
+    names = ("drive_frame_rotation", "g_sensitive_bias")
+    found = static(replace(BELIEVED, drive_frame_rotation=1e-4), *names)
+    both = [alone(found, name) for name in names]
+    said = suggested(simulation, found, both)
+    assert said is not None
+    assert said.kind == "tumble"
+    as_long = separations(simulation, found, both, said.hours * HOUR)
+    parted = next(s for s in as_long if s.kind == "tumble").sigmas[0, 1]
+    assert parted >= SURE
+
+
+def test_pick_off_and_drive_part_when_the_table_turns(
+    simulation: Simulation, static: Static
+) -> None:
+    names = ("pickoff_gain_mismatch", "drive_gain_mismatch")
+    found = static(TRUTH, *names)
+    sigmas = separations(simulation, found, [alone(found, name) for name in names])
+    rate = next(s for s in sigmas if s.kind == "rate")
+    still = next(s for s in sigmas if s.kind == "static")
+    assert rate.sigmas[0, 1] > 3 * still.sigmas[0, 1]
+
+
+def test_what_a_rival_can_imitate_by_other_sizes_counts_for_nothing(
+    simulation: Simulation, static: Static
+) -> None:
+    names = ("drive_gain_mismatch", "damping_anisotropy")
+    found = static(TRUTH, *names)
+    nested = [alone(found, names[0]), alone(found, *names)]
+    assert max(s.sigmas[0, 1] for s in separations(simulation, found, nested)) < 0.01
+    assert suggested(simulation, found, nested) is None
+
+
+def test_one_hypothesis_needs_no_test(simulation: Simulation, static: Static) -> None:
+    found = static(BELIEVED, "drive_gain_mismatch", "damping_anisotropy")
+    assert found.ranked.best.groups == ()
+    assert rivals(found, [EFFECTS["drive_gain_mismatch"]]) == [found.ranked.best]
+    assert suggested(simulation, found, [found.ranked.best]) is None
+
+
+@pytest.mark.parametrize("kind", ["positions", "virtual_rotation"])
+def test_the_test_then_made_parts_them_by_as_much_as_was_expected(
+    kind: str, simulation: Simulation, static: Static
+) -> None:
+    effects = [EFFECTS[name] for name in ("drive_gain_mismatch", "damping_anisotropy")]
+    found = static(TRUTH, *(effect.name for effect in effects))
+    alike = [alone(found, effect.name) for effect in effects]
+    power_ons = candidates(Bench(simulation.quasi_steady, TRUTH), START)[kind]
+    expected = separations(simulation, found, alike, sum(p.programme.time for p in power_ons))
+
+    def parted(truth: Effect, rival: Effect) -> float:
+        (size,) = alone(found, truth.name).values
+        device = truth.put(BELIEVED, truth.vector(BELIEVED) + size)
+        tests = [found.parts[0].test, *(recorded(simulation, device, p) for p in power_ons)]
+        parts = evidence(simulation, BELIEVED, found.device, tests, effects)
+        fits = [fit(design(parts, found.channel_noise), [effect]) for effect in (truth, rival)]
+        right, wrong = (each.explained for each in fits if each is not None)
+        return math.sqrt(right - wrong)
+
+    made = min(parted(*effects), parted(*effects[::-1]))
+    assert abs(made - next(s for s in expected if s.kind == kind).sigmas[0, 1]) < 4

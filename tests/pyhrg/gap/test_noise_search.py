@@ -1,0 +1,44 @@
+"""Levels of noise as drawn; what is believed is not found again."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pyhrg.gap.noise_draws import drawn
+from pyhrg.gap.noise_search import AngleRecord, alike, noise_found
+from pyhrg.gap.whitening import SlowNoise
+from pyhrg.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR
+
+BELIEVED = SlowNoise(0.036 * ARCSEC, walk=3e-4 * DEG_PER_SQRT_H)
+ROWS = (3000, 2000)
+
+
+def records(noise: SlowNoise, seed: int) -> list[AngleRecord]:
+    generator = np.random.default_rng(seed)
+    return [AngleRecord(drawn(noise, n, 1.0, generator), np.ones(n)) for n in ROWS]
+
+
+PLANTED = [
+    ("angle_random_walk", replace(BELIEVED, walk=6e-4 * DEG_PER_SQRT_H), "walk"),
+    ("rate_random_walk", replace(BELIEVED, rate_walk=0.03 * DEG_PER_H / HOUR**0.5), "rate_walk"),
+    ("bias_instability", replace(BELIEVED, flicker=1e-2 * DEG_PER_H), "flicker"),
+    ("angle_white_noise", replace(BELIEVED, white=0.08 * ARCSEC), "white"),
+]
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize(("name", "noise", "part"), PLANTED)
+def test_a_noise_is_found_alone(name: str, noise: SlowNoise, part: str, seed: int) -> None:
+    """By its level too: within twice the 95 % interval, so that 8 of 8 hold."""
+    (added,) = noise_found(records(noise, seed), BELIEVED).added
+    assert added.effect.name == name
+    half = np.log(added.interval[1] / added.interval[0]) / 2
+    assert abs(np.log(added.total / getattr(noise, part))) < 2 * half
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_believed_noise_is_enough(seed: int) -> None:
+    found = noise_found(records(BELIEVED, seed), BELIEVED)
+    assert found.added == ()
+    assert alike(found.noise, BELIEVED) or found.noise.walk == pytest.approx(BELIEVED.walk, rel=0.1)

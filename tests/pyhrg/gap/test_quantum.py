@@ -1,0 +1,58 @@
+"""A step of the output angle, seen where there is one and only there."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pyhrg.campaign import Test
+from pyhrg.device import Device
+from pyhrg.gap.catalogue import NOISES
+from pyhrg.gap.noise_search import AddedNoise, NoiseFound
+from pyhrg.gap.observations import Observed, observed
+from pyhrg.gap.quantum import counted, quantum
+from pyhrg.gap.whitening import SlowNoise
+from pyhrg.units import ARCSEC, DEG_PER_H
+from tests.pyhrg.records.made_up import made_up_log
+
+
+def at_rest(step: float, rate: float = 9.67 * DEG_PER_H, jump: float = 0.0) -> Observed:
+    """An hour of a gyro at rest whose rate changes once; noise of 0.04 arcsec and a walk."""
+    log = made_up_log(3600)
+    generator = np.random.default_rng(6)
+    noise = np.cumsum(generator.normal(0, 0.02, 3600)) + generator.normal(0, 0.04, 3600)
+    angle = rate * log.time + jump * np.maximum(log.time - 1800, 0) + noise * ARCSEC
+    if step:
+        angle = step * np.round(angle / step)
+    still = np.zeros(3600)
+    given = replace(log, gyro_angle=angle, table_angle=still, virtual_rotation=still)
+    return observed(Test("still", "static", "fit", given), Device())
+
+
+@pytest.mark.parametrize("arcsec", [0.1, 0.3, 1.0])
+def test_a_step_is_found(arcsec: float) -> None:
+    found = quantum([at_rest(arcsec * ARCSEC)])
+    assert found is not None
+    assert found[0] == pytest.approx(arcsec * ARCSEC, abs=3 * found[1])
+    assert found[1] < 1e-4 * found[0]
+
+
+def test_no_step_is_found_where_there_is_none() -> None:
+    assert quantum([at_rest(0.0)]) is None
+    assert quantum([]) is None
+
+
+def test_a_change_of_rate_is_no_step() -> None:
+    assert quantum([at_rest(0.0, jump=15 * ARCSEC)] * 2) is None
+
+
+def test_a_step_is_told_in_place_of_its_white_noise() -> None:
+    white = next(noise for noise in NOISES if noise.name == "angle_white_noise")
+    level = 0.1 * ARCSEC
+    found = NoiseFound(SlowNoise(level), (AddedNoise(white, level, (level, level), 9.0, -5.0),))
+    step = 0.3 * ARCSEC
+    (added,) = counted(found, [at_rest(step)], 0.0).added
+    assert added.effect.name == "angle_quantisation"
+    assert added.interval[0] < step < added.interval[1]
+    assert counted(found, [at_rest(step)], step) == found
+    assert counted(found, [at_rest(0.0)], 0.0) == found

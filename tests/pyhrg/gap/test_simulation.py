@@ -1,0 +1,94 @@
+"""Replays of logs that the bench made without noise: nothing is left, in any channel."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.programme import Programme
+from pyhrg.campaign import Test
+from pyhrg.device import Device
+from pyhrg.gap.channel_noise import RESOLVED
+from pyhrg.gap.observations import CHANNELS, observed
+from pyhrg.gap.replay import start_angle
+from pyhrg.gap.simulation import Simulation, followed, let_go
+from pyhrg.units import DEG
+from tests.pyhrg.gap.soundness.conftest import BELIEVED
+
+QUIET = replace(BELIEVED.without_noise(), phase_error=5e-3, pickoff_gain_mismatch=1e-3)
+SAMPLED = {**RESOLVED, "gyro_angle": 1e-8}
+"""What sampled loops leave, SI: a command within a period, the table's rate within a row."""
+FOLLOWING = {**RESOLVED, "gyro_angle": 1e-7}
+
+
+def logged(simulation: Simulation, device: Device, programme: Programme, angle: float) -> Test:
+    bench = Bench(simulation.sampled, device)
+    (test,) = bench.run([PowerOn("test", "static", programme, start_angle=angle)])
+    return test
+
+
+def check(
+    simulation: Simulation, device: Device, test: Test, most: dict[str, float], moves: bool
+) -> None:
+    seen = observed(test, device)
+    assert seen.loops_move == moves
+    answers = simulation.answers(device, seen)
+    for name in CHANNELS:
+        left = np.abs(getattr(test.log, name) - answers[name])[seen.rows[name]]
+        assert left.max() < most[name], name
+
+
+def programme(interval: float = 1.0) -> Programme:
+    return Bench.programme(Bench(None, QUIET), interval)  # type: ignore[arg-type]
+
+
+COMMANDS = [
+    {"drive_on": 0.0},
+    {"virtual_rotation": 1 * DEG},
+    {"amplitude_setpoint": 0.9},
+    {"phase_offset": 0.05},
+]
+
+
+@pytest.mark.parametrize("command", COMMANDS, ids=lambda command: next(iter(command)))
+def test_commands(simulation: Simulation, command: dict[str, float]) -> None:
+    given = programme().rest(30).command(**command).rest(40)
+    test = logged(simulation, QUIET, given, angle=0.3)
+    assert start_angle(test.log, QUIET.bryan_factor) == pytest.approx(0.3, abs=1e-5)
+    check(simulation, QUIET, test, SAMPLED, moves=True)
+
+
+@pytest.mark.parametrize("interval", [0.1, 1.0])
+def test_turns_of_the_table(simulation: Simulation, interval: float) -> None:
+    given = programme(interval).rest(30).turn(60 * DEG, 10 * DEG).rest(30)
+    test = logged(simulation, QUIET, given, angle=-0.2)
+    bent = {"amplitude_force": 1e-7, "quadrature_force": 3e-8}  # by a rate that bends within a row
+    seen = {**SAMPLED, **bent}
+    check(simulation, QUIET, test, seen, moves=True)
+
+
+@pytest.mark.parametrize("loop", [2.0, 6.0, 20.0])
+def test_power_on_and_rest(simulation: Simulation, loop: float) -> None:
+    device = replace(QUIET, amplitude_loop=loop, quadrature_loop=loop, phase_loop=100.0)
+    test = logged(simulation, device, programme().rest(60).attitude(-1.0).rest(60), angle=0.5)
+    check(simulation, device, test, FOLLOWING, moves=False)
+
+
+@pytest.mark.parametrize("loop", [2.0, 6.0])
+def test_warming(simulation: Simulation, loop: float) -> None:
+    """Loops lag a frequency and a decay time that drift; temperature itself comes 10 ms late."""
+    device = replace(QUIET, amplitude_loop=loop, phase_loop=100.0)
+    given = programme(2.0).rest(20).heat(QUIET.reference_temperature + 20, 200).rest(60)
+    test = logged(simulation, device, given, angle=0.5)
+    check(simulation, device, test, FOLLOWING | {"frequency_offset": 3e-3}, moves=False)
+
+
+def test_loops_follow_a_step_and_a_ramp() -> None:
+    """(2 w s + w^2)/(s + w)^2 and s/(s + w)^2 of a ramp in closed form."""
+    w, time = 2.0, np.arange(0, 20, 0.1)
+    np.testing.assert_allclose(followed(np.full(50, 3.0), w, 0.1), 3.0)
+    ramp = followed(time, w, 0.1)
+    np.testing.assert_allclose(ramp, time - time * np.exp(-w * time), atol=1e-9)
+    let = (1 - np.exp(-w * time) * (1 + w * time)) / w**2
+    np.testing.assert_allclose(let_go(time, w, 0.1), let, atol=1e-9)

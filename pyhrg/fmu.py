@@ -206,13 +206,13 @@ class Gyro:
         Args:
             moving: (n, m) values of inputs by name, SI, in each of a row's m steps.
             held: (n,) values of other inputs by name, SI, each held for a row: from its first tick
-                on, so that a sampled gyro's electronics are told a control period before; or
-                (n + 1,) with what follows.
+                on, so that a sampled gyro's electronics are told a control period before.
             step: communication step, s.
             ends: outputs to be read at the end of each row.
             means: outputs to be averaged over each row. What the electronics of a sampled gyro
                 command holds from one tick to the next, so that a row's mean is that of the ticks
-                from its start on; steps of several ticks count as if it changed evenly.
+                from its start on. A row whose commands are new is stepped tick by tick; elsewhere
+                steps of several ticks count as if it changed evenly.
 
         Returns:
             (n, len(ends)) and (n, len(means)), SI.
@@ -222,8 +222,9 @@ class Gyro:
         """
         moved = np.ascontiguousarray(np.stack(list(moving.values()), axis=-1))
         rows, steps, _ = moved.shape
-        told = [np.append(values, values[-1:])[: rows + 1] for values in held.values()]
+        told = [np.append(values, values[-1:]) for values in held.values()]
         fixed = np.column_stack([*told, np.empty((rows + 1, 0))])
+        fresh = np.append(True, (np.diff(fixed, axis=0) != 0).any(axis=1))
         at_end, averaged = (np.zeros((rows, len(names))) for names in (ends, means))
         references = [self._references(names) for names in (moving, held, ends, means)]
         chunk = max(1, CHUNK // steps)
@@ -233,7 +234,7 @@ class Gyro:
             part = slice(first, first + chunk)
             begin = self.time + first * steps * step
             commands = fixed[first : first + chunk + 1]
-            arrays = (moved[part], commands, at_end[part], averaged[part])
+            arrays = (moved[part], commands, fresh[part], at_end[part], averaged[part])
             done = self._loops.record(
                 self._slave.component, begin, step, tick, *references, *arrays
             )
@@ -372,6 +373,7 @@ def _compiled(library: str) -> Loops:
         mean: Any,
         moved: Any,
         fixed: Any,
+        fresh: Any,
         ends: Any,
         means: Any,
     ) -> int:
@@ -386,14 +388,15 @@ def _compiled(library: str) -> Loops:
                 time, rest = start + (i * steps + j) * step, step
                 if set_real(component, moving.ctypes, len(moving), moved[i, j].ctypes) != ok:
                     return i
-                if tick > 0.0 and j == steps - 1:
-                    if step > 1.5 * tick:
-                        rest = step - tick
-                        if not summed(component, time, rest, tick, mean, now, means[i]):
-                            return i
-                        time, rest = time + rest, tick
-                    if set_real(component, held.ctypes, len(held), fixed[i + 1].ctypes) != ok:
+                last = tick > 0.0 and j == steps - 1
+                while rest > 1.5 * tick > 0.0 and (last or fresh[i]):
+                    part = tick if fresh[i] else rest - tick
+                    if not summed(component, time, part, tick, mean, now, means[i]):
                         return i
+                    time, rest = time + part, rest - part
+                told = fixed[i + 1]
+                if last and set_real(component, held.ctypes, len(held), told.ctypes) != ok:
+                    return i
                 if not summed(component, time, rest, tick, mean, now, means[i]):
                     return i
             for k in range(len(mean)):

@@ -15,7 +15,7 @@ from pyhrg.device import Device
 from pyhrg.gap.catalogue import DETERMINISTIC, Effect
 from pyhrg.gap.channel_noise import ChannelNoise, angle_noise
 from pyhrg.gap.design import Design, Evidence, Group
-from pyhrg.gap.hypothesis import Hypothesis, ranked_under, weighed
+from pyhrg.gap.hypothesis import FIDELITY, Hypothesis, ranked_under, weighed
 from pyhrg.gap.noise_search import NoiseFound, alike
 from pyhrg.gap.observations import CHANNELS, Observed
 from pyhrg.gap.search import Ranked
@@ -71,8 +71,8 @@ def attributed(
 ) -> Attribution:
     """Find the effects of a campaign.
 
-    Noise beyond belief is looked for once the gyro has come close: what a linear search leaves of a
-    large effect is no noise.
+    What a linear search leaves of a large effect is neither noise nor another effect: noise and all
+    that stands out of it are looked for once the gyro has come close.
 
     Args:
         simulation: both fidelities.
@@ -85,6 +85,7 @@ def attributed(
         GyroError: a gyro that the FMU refuses.
     """
     device, taken, close = believed, believed, False
+    share = LINEAR
     noise = NoiseFound(angle_noise(believed), ())
     parts: list[Evidence] = []
     first: tuple[Answers, ...] = ()
@@ -95,8 +96,10 @@ def attributed(
         parts = evidence(simulation, believed, device, tests, effects, parts, fresh)
         first = first or tuple(part.answers for part in parts)
         say(f"round {round_}: searching")
-        hypothesis = ranked_under(noise, believed, parts)
-        close = close or _step(believed, device, hypothesis) < CLOSE
+        hypothesis = ranked_under(noise, believed, parts, share)
+        if share > FIDELITY and _step(believed, device, hypothesis) < CLOSE:
+            share, hypothesis = FIDELITY, ranked_under(noise, believed, parts)
+        close = close or (share == FIDELITY and _step(believed, device, hypothesis) < CLOSE)
         if close and hypothesis.ranked.best.groups != heard:
             hypothesis = weighed(hypothesis, believed, parts)
             heard = hypothesis.ranked.best.groups

@@ -175,20 +175,21 @@ def _assembled(
     return Design(total * np.outer(unit, unit), pull * unit, power, places, lengths, blocks)
 
 
-def tempered(whole: Design) -> Design:
-    """The same equations where the simulation, too, is only believed to `FIDELITY`: what it gets
-    wrong of a large response counts as noise.
+def tempered(whole: Design, share: float) -> Design:
+    """The same equations where what they leave of a large response counts as noise.
 
     The response's power is what the residual has beyond its rows.
+
+    Args:
+        whole: as it would be if simulation and linear equations were exact.
+        share: of the response's power that they get wrong.
     """
     beyond = max(whole.power - sum(block.rows for block in whole.blocks), 0.0)
-    root = float(np.sqrt(1 + FIDELITY**2 * beyond))
+    root = float(np.sqrt(1 + share * beyond))
     return replace(
         whole, pull=whole.pull / root, power=whole.power / root**2, lengths=whole.lengths / root
     )
 
 
-FIDELITY = 1e-4
-"""Of a response: agreement of simulators of one physics that were written apart."""
 VISIBLE = 1e-9
 """A column shorter than this is none."""

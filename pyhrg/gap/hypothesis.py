@@ -23,6 +23,11 @@ Array = NDArray[np.float64]
 Taken = Mapping[Group, Array]
 """Sizes of what is taken out of a record, by group."""
 
+FIDELITY = 1e-8
+"""Share of a response's power that a simulation gets wrong: simulators of one physics that were
+written apart agree to 1e-4."""
+PLAIN = 1e4
+"""Power that is explained, in deviations of the noise squared, which no noise would let be."""
 NOMINAL = 0.05
 """Share by which an amplitude may be off and still be the nominal one."""
 
@@ -46,23 +51,27 @@ class Hypothesis:
         return self.design.log_likelihood + self.ranked.log_evidence + self.noise.log_prior
 
 
-def ranked_under(noise: NoiseFound, believed: Device, parts: Sequence[Evidence]) -> Hypothesis:
+def ranked_under(
+    noise: NoiseFound, believed: Device, parts: Sequence[Evidence], share: float = FIDELITY
+) -> Hypothesis:
     """Sets under one noise.
 
     Args:
         noise: of the output angle.
         believed: the gyro before the diagnosis.
         parts: of each test.
+        share: of the response's power that simulation and linear equations get wrong.
     """
     tests, residuals = [p.test for p in parts], [p.residual for p in parts]
     channels = replace(believed_noise(believed, tests, residuals), angle=noise.noise)
-    summed = tempered(design(parts, channels))
-    return Hypothesis(noise, channels, summed, ranked(summed))
+    exact = design(parts, channels)
+    rough = tempered(exact, share)
+    return Hypothesis(noise, channels, tempered(exact, FIDELITY), ranked(rough))
 
 
 def weighed(first: Hypothesis, believed: Device, parts: Sequence[Evidence]) -> Hypothesis:
     """The likeliest of a hypothesis and those with the noise that is left when all that it found is
-    taken out, or only what has a name, or nothing.
+    taken out, or only what has a name, or, where it might be noise, nothing.
 
     Args:
         first: around a gyro so close that what is left is no leftover of a linear search.
@@ -70,7 +79,9 @@ def weighed(first: Hypothesis, believed: Device, parts: Sequence[Evidence]) -> H
         parts: of each test.
     """
     best, tried = first, [first.noise.noise]
-    for taken in _unlike(_every(first.ranked.best), _named(first.ranked.best), {}):
+    found = first.ranked.best
+    nothing: list[Taken] = [{}] if found.explained < PLAIN else []
+    for taken in _unlike(_every(found), _named(found), *nothing):
         noise = noise_found(_angles_left(parts, taken, believed), angle_noise(believed))
         if not any(alike(noise.noise, one) for one in tried):
             tried.append(noise.noise)

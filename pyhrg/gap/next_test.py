@@ -23,6 +23,7 @@ from pyhrg.gap.design import Design, Evidence, Group, design, tempered
 from pyhrg.gap.diagnosis import NextTest
 from pyhrg.gap.equivalents import ALIKE, equivalents
 from pyhrg.gap.evidence import Fit
+from pyhrg.gap.hypothesis import FIDELITY
 from pyhrg.gap.observations import CHANNELS, COARSE_STEP, Observed, observed
 from pyhrg.gap.simulation import Simulation
 from pyhrg.gap.unknown import coordinates
@@ -124,7 +125,7 @@ def separations(
         tests = [_recorded(bench, power_on) for power_on in power_ons]
         parts = [_expected(simulation, found, test, foretold[0], groups) for test in tests]
         noise = replace(found.channel_noise, angle=found.noise.noise)
-        new = _information(tempered(design(parts, noise)), groups, found.design) * share
+        new = _information(tempered(design(parts, noise), FIDELITY), groups, found.design) * share
         kinds.append(Separation(kind, _parted(foretold, groups, found.design, old, new)))
     return kinds
 

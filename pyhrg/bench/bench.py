@@ -2,9 +2,10 @@
 
 import threading
 import zlib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,6 +40,8 @@ MEANS = {
     "valid": "valid",
 }
 """Outputs of the FMU by their field of a log: at a row's end, and averaged over the row."""
+FORCES = tuple(name for name in MEANS if name != "valid")
+"""Means that say something of the gyro."""
 
 
 @dataclass(frozen=True)
@@ -130,16 +133,9 @@ class Bench:
     def _recorded(self, power_on: PowerOn) -> Log:
         programme = power_on.programme
         with self.power_on(power_on.id, power_on.start_angle) as gyro:
-            ends, means = gyro.record(
-                self._moving(programme),
-                {INPUTS[name]: programme.held(name) for name in INPUTS},
-                self.step,
-                list(ENDS.values()),
-                list(MEANS.values()),
-            )
-        outputs = dict(zip((*ENDS, *MEANS), [*ends.T, *means.T], strict=True))
-        outputs["amplitude"] = detected(outputs["amplitude"], programme.interval)
-        columns = {
+            held = {name: programme.held(name) for name in INPUTS}
+            outputs = recorded(gyro, self._moving(programme), held, self.step)
+        columns: dict[str, Any] = {
             "time": np.arange(1, len(programme) + 1) * programme.interval,
             "table_angle": programme.table_angle,
             "temperature": programme.temperature[1:],
@@ -170,15 +166,31 @@ class Bench:
         }
 
 
-def detected(amplitude: Array, interval: float) -> Array:
-    """What a log has of an amplitude: that of one control period before each row's end.
+def recorded(
+    gyro: Gyro,
+    moving: Mapping[str, Array],
+    held: Mapping[str, Array],
+    step: float,
+    means: Sequence[str] = tuple(MEANS),
+) -> dict[str, Array]:
+    """(n,) what a log shows of a gyro, by field, SI; of the amplitude, that of one control period
+    before each row's end.
 
     Args:
-        amplitude: (n,) at the rows' ends.
-        interval: of the rows, s.
+        gyro: that is switched on.
+        moving: (n, m) inputs in each of a row's m steps, by the FMU's names, SI.
+        held: (n,) inputs that hold over a row, by their names in a programme, SI.
+        step: communication step, s.
+        means: fields that are averaged over a row.
     """
-    change = np.diff(amplitude, prepend=amplitude[0])
-    return np.asarray(amplitude - change * CONTROL_PERIOD / interval)
+    commands = {INPUTS[name]: values for name, values in held.items()}
+    averaged = [MEANS[name] for name in means]
+    ends, rows = gyro.record(moving, commands, step, list(ENDS.values()), averaged)
+    fields = dict(zip((*ENDS, *means), [*ends.T, *rows.T], strict=True))
+    change = np.diff(fields["amplitude"], prepend=fields["amplitude"][0])
+    interval = step * next(iter(moving.values())).shape[1]
+    fields["amplitude"] = np.asarray(fields["amplitude"] - change * CONTROL_PERIOD / interval)
+    return fields
 
 
 def earth_rate(device: Device, axis_up: Array, table_angle: Array) -> Array:

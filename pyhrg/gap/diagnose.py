@@ -120,13 +120,14 @@ def _left(
     """Residuals of the believed gyro and of the closed one. Tests that were fitted to come first:
     both were simulated, or next to it, when the search ended."""
     believed = found.believed
-    before, after = list(found.believed_answers), []
+    before, after = list(found.believed_answers), list[Answers]()
     for part in found.parts:
         change = simulation.difference(part.device, closed, part.test)
         after.append({name: part.answers[name] + change[name] for name in CHANNELS})
+    as_believed = closed.without_noise() == believed.without_noise()
     for test in tests[len(found.parts) :]:
         before.append(simulation.answers(believed, test))
-        after.append(simulation.answers(closed, test))
+        after.append(before[-1] if as_believed else simulation.answers(closed, test))
     return (
         tuple(_residuals(simulation, believed, *pair) for pair in zip(tests, before, strict=True)),
         tuple(_residuals(simulation, closed, *pair) for pair in zip(tests, after, strict=True)),

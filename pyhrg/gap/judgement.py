@@ -5,21 +5,19 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.special import expit
 
 from pyhrg.device_keys import Key
 from pyhrg.gap.attribution import Attribution
 from pyhrg.gap.catalogue import Effect
 from pyhrg.gap.diagnosis import Cause, Verdict
 from pyhrg.gap.equivalents import equivalents
-from pyhrg.gap.noise_search import AddedNoise
+from pyhrg.gap.noise_search import NORMAL_95, AddedNoise
 
 Array = NDArray[np.float64]
 
 LIKELY = 0.5
 """Probability from which a cause is named."""
-NORMAL_95 = 1.96
-CERTAIN = 700.0
-"""Log odds beyond which a probability is one."""
 
 
 def judged(
@@ -90,7 +88,7 @@ def _noise(added: AddedNoise) -> Cause:
     low, high = (key.from_si(end) for end in added.interval)
     return Cause(
         added.effect.name,
-        1 / (1 + math.exp(-min(added.log_odds, CERTAIN))),
+        float(expit(added.log_odds)),
         {key.name: key.from_si(added.total)},
         {key.name: (low, high)},
     )

@@ -30,6 +30,7 @@ TOLERANCE = 0.03
 SAME_LEVEL = 0.02
 PASSES = 2
 """Of levels that are found each beside the others."""
+NORMAL_95 = 1.96
 CURVATURE = 0.1
 """Step of the logarithm by which the likelihood's curvature is taken."""
 
@@ -217,7 +218,7 @@ def _added(
     peak = gain(best)
     curvature = -(gain(best + CURVATURE) - 2 * peak + gain(best - CURVATURE)) / CURVATURE**2
     spread = 1 / math.sqrt(max(curvature, 1 / (high - low) ** 2))
-    ends = [math.hypot(own, math.exp(best + s * 1.96 * spread)) for s in (-1, 1)]
+    ends = [math.hypot(own, math.exp(best + s * NORMAL_95 * spread)) for s in (-1, 1)]
     log_prior = math.log(PRIOR_ODDS * spread * math.sqrt(2 * math.pi) / (high - low))
     total = math.hypot(own, math.exp(best))
     return AddedNoise(effect, total, (ends[0], ends[1]), peak + log_prior, log_prior)

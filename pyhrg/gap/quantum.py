@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.gap.catalogue import NOISES
-from pyhrg.gap.noise_search import AddedNoise, NoiseFound
+from pyhrg.gap.noise_search import NORMAL_95, AddedNoise, NoiseFound
 from pyhrg.gap.observations import Observed
 from pyhrg.units import ARCSEC
 
@@ -27,11 +27,8 @@ LATTICE = 0.98
 """Length of the mean phasor of angles on a lattice; of noise that spreads over steps it is less."""
 FEW_STEPS = 20
 """Steps from zero up to which the step is fitted."""
-CERTAIN = 700.0
-"""Log odds of what is seen, and not inferred."""
 KNOWN = 0.05
 """Share by which a believed step may differ from the one that is seen."""
-NORMAL_95 = 1.96
 
 
 def counted(found: NoiseFound, tests: Sequence[Observed], believed: float) -> NoiseFound:
@@ -48,7 +45,7 @@ def counted(found: NoiseFound, tests: Sequence[Observed], believed: float) -> No
     value, spread = step
     ends = (value - NORMAL_95 * spread, value + NORMAL_95 * spread)
     others = [added for added in found.added if added.effect.name != "angle_white_noise"]
-    return replace(found, added=(*others, AddedNoise(COUNTED, value, ends, CERTAIN, 0.0)))
+    return replace(found, added=(*others, AddedNoise(COUNTED, value, ends, math.inf, 0.0)))
 
 
 def quantum(tests: Sequence[Observed]) -> tuple[float, float] | None:

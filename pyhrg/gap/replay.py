@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.bench import ENDS, INPUTS, MEANS, between, detected, earth_rate
+from pyhrg.bench.bench import FORCES, INPUTS, between, earth_rate, recorded
 from pyhrg.device import LOOPS, Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.gap.table_motion import rates_at_bounds
@@ -22,8 +22,6 @@ LEAST = 10
 """Readings below which a thermometer's noise can't be told."""
 STEADY = 2.0
 """Spread of a thermometer's readings, over their noise, that is no change of temperature."""
-OUTPUTS = tuple(name for name in (*ENDS, *MEANS) if name != "valid")
-"""Fields of a log that the simulation answers with."""
 
 
 @dataclass(frozen=True)
@@ -109,15 +107,8 @@ def replayed(fmu: GyroFmu, device: Device, inputs: Replayable, step: float) -> d
     steps = round(inputs.log.interval / step)
     share = np.asarray((np.arange(steps) + 0.5) / steps, dtype=np.float64)
     with fmu.power_on(_parameters(fmu, device, step), seed=0, start_angle=inputs.start_angle) as on:
-        ends, means = on.record(
-            _moving(device, inputs, share),
-            {INPUTS[name]: getattr(inputs.log, name) for name in HELD},
-            step,
-            list(ENDS.values()),
-            [MEANS[name] for name in MEANS if name in OUTPUTS],
-        )
-    answers = dict(zip(OUTPUTS, [*ends.T, *means.T], strict=True))
-    return {**answers, "amplitude": detected(answers["amplitude"], inputs.log.interval)}
+        held = {name: getattr(inputs.log, name) for name in HELD}
+        return recorded(on, _moving(device, inputs, share), held, step, FORCES)
 
 
 def _parameters(fmu: GyroFmu, device: Device, step: float) -> Mapping[str, float]:

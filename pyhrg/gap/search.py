@@ -99,8 +99,8 @@ def _next_best(
     """Sets to be extended: of the best ones those that are not yet, and that are not hopeless."""
     order = sorted(found, key=lambda key: -found[key][1])[:BEAM]
     least = found[order[0]][1] - HOPELESS
-    small = len(extended) <= BEAM
-    return [k for k in order if k not in extended and (small or found[k][1] > least)]
+    are_first = len(extended) <= BEAM
+    return [k for k in order if k not in extended and (are_first or found[k][1] > least)]
 
 
 def _promising(

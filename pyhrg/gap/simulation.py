@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from scipy import signal
 
 from pyhrg.device import Device
-from pyhrg.fmu import GyroFmu
+from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
 from pyhrg.gap.observations import CHANNELS, COARSE_STEP, FINE, FORCES, Observed, settling
 from pyhrg.gap.replay import Replayable, replayed
 
@@ -18,8 +18,6 @@ Array = NDArray[np.float64]
 Answers = Mapping[str, Array]
 
 ANGLES = ("gyro_angle", "wave_angle")
-FAST_STEP = 1e-3
-"""Least step of the gyro with sampled loops, s: its control period."""
 FAST_STEPS = 100
 """Steps that a row is made of where it is long enough."""
 SLOW_STEP = 0.1
@@ -59,9 +57,9 @@ class Simulation:
 
     def _running(self, device: Device, inputs: Replayable) -> dict[str, Array]:
         """With loops that run; what a row holds is held in steps of whole control periods."""
-        periods = round(inputs.log.interval / FAST_STEP)
+        periods = round(inputs.log.interval / CONTROL_PERIOD)
         each = next(n for n in range(max(periods // FAST_STEPS, 1), 0, -1) if periods % n == 0)
-        return replayed(self.sampled, device, inputs, each * FAST_STEP)
+        return replayed(self.sampled, device, inputs, each * CONTROL_PERIOD)
 
     def _at_rest(self, device: Device, test: Observed) -> dict[str, Array]:
         """With loops that follow; that of the phase lags a frequency that drifts."""

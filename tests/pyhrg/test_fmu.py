@@ -51,3 +51,20 @@ def test_a_row_s_commands_hold_from_its_first_tick(fmu: GyroFmu, step: float) ->
     np.testing.assert_allclose(falling, -np.arange(1, rows - off + 1), rtol=1e-4)
     assert (means[:off, 0] > 0).all()
     np.testing.assert_array_equal(means[off:, 0], 0.0)
+
+
+def test_means_of_a_row_with_a_new_command_do_not_depend_on_the_steps(fmu: GyroFmu) -> None:
+    """The phase loop makes up for 2 mrad within the row: 2 mrad/s for a second."""
+    offset = np.array([0.0, 0.0, 2e-3, 2e-3])
+    means = []
+    for step in (1e-3, 1e-2, 1e-1):
+        still = np.zeros((len(offset), round(1 / step)))
+        with fmu.power_on({}, seed=0, start_angle=0.3) as gyro:
+            moving, held = (
+                {"angularRate": still},
+                {"phaseOffset": offset, "driveOn": still[:, 0] + 1},
+            )
+            _, mean = gyro.record(moving, held, step, means=["frequencyOffset"])
+        means.append(mean[:, 0])
+    np.testing.assert_allclose(means[1:], [means[0]] * 2, atol=1e-9)
+    assert abs(means[0][2] - means[0][1]) == pytest.approx(2e-3, rel=5e-3)

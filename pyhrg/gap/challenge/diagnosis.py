@@ -122,7 +122,7 @@ def _names(entry: Entry, key: str) -> list[str]:
 
 def _after(gap: Entry) -> float | None:
     """Held-out residual of the output angle after closing."""
-    leaves = dict(_leaves(gap.values)).items()
+    leaves = _leaves(gap.values)
     said = [v for path, v in leaves if "after" in path and _is_held_out_angle(path)]
     if len(said) != 1 or not isinstance(said[0], int | float) or not 0 < said[0] < math.inf:
         return None

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.bench import ENDS, INPUTS, LOGGED, MEANS, Bench, detected, earth_rate
+from pyhrg.bench.bench import FORCES, INPUTS, LOGGED, Bench, earth_rate, recorded
 from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.gap.challenge.course import Course
@@ -16,8 +16,6 @@ from pyhrg.gap.challenge.rate_noise import rate_noise
 from pyhrg.records import Log
 
 Array = NDArray[np.float64]
-FORCES = {name: output for name, output in MEANS.items() if name != "valid"}
-"""Means over a row, by field of a log."""
 
 
 @dataclass(frozen=True)
@@ -76,17 +74,14 @@ class TrueGyro:
             noise: (n, m) or (1, 1) input rate beside the bench's and Earth's, rad/s.
         """
         held = {**course.held, **self.disturbance.inputs(course, start_angle)}
-        commands = {INPUTS[name]: held[name] for name in INPUTS}
+        commands = {name: held[name] for name in INPUTS}
         bench = Bench(self.fmu, self._quiet(commands, course.step), step=course.step)
         earth = earth_rate(self.device, course.each("axis_up"), course.table_angle)
         added = noise + self.disturbance.rate(course, start_angle)
         moving = {"angularRate": course.rate + earth + added, "caseTemperature": course.temperature}
         with bench.power_on(source, start_angle) as gyro:
-            outputs = (list(ENDS.values()), list(FORCES.values()))
-            ends, means = gyro.record(moving, commands, course.step, *outputs)
-        shown = dict(zip((*ENDS, *FORCES), [*ends.T, *means.T], strict=True))
-        shown["amplitude"] = detected(shown["amplitude"], course.interval)
-        columns: dict[str, Any] = {name: course.held[name] for name in LOGGED}
+            shown = recorded(gyro, moving, commands, course.step, FORCES)
+        columns: dict[str, Any] = {**{name: course.held[name] for name in LOGGED}, **shown}
         return Log(
             source=source,
             interval=course.interval,
@@ -95,12 +90,11 @@ class TrueGyro:
             temperature=course.case_temperature[1:],
             valid=np.full(len(course), np.nan),
             **columns,
-            **shown,
         )
 
     def _quiet(self, commands: Mapping[str, Array], step: float) -> Device:
         """The device without noise, its first commands in force from time 0."""
-        first = {name: float(values[0]) for name, values in commands.items()}
+        first = {INPUTS[name]: float(values[0]) for name, values in commands.items()}
         quiet = self.device.without_noise()
         rest = {} if self.fmu.is_sampled else {"samplePeriod": step}
         model = {**quiet.model, **self.disturbance.model, **first, **rest}

@@ -67,6 +67,20 @@ def test_an_effect_is_found_and_closed(simulation: Simulation) -> None:
     assert held.after < held.floor_95[1]
 
 
+def test_what_a_linear_search_leaves_of_a_large_effect_has_no_name(simulation: Simulation) -> None:
+    """The pattern turns by degrees while the gyro warms: 2 % of it are not linear."""
+    true = replace(BELIEVED, phase_per_kelvin=-2.5e-4)
+    bench = Bench(simulation.sampled, true)
+    warm = BELIEVED.reference_temperature + np.append(np.linspace(0, 30, 1201), np.full(400, 30))
+    power_ons = [
+        PowerOn("still", "static", bench.programme().rest(600)),
+        PowerOn("ramp", "thermal_ramp", bench.programme().rest(1600).tempered(warm)),
+    ]
+    given = recorded(simulation.sampled, true, power_ons=power_ons)
+    found = diagnosed_few(simulation, given).diagnosis
+    assert [cause.effect for cause in found.causes] == ["phase_temperature"]
+
+
 def test_backwards_in_time_no_effect_explains(simulation: Simulation) -> None:
     """The residual of an effect, reversed: something is there that no name explains."""
     true = replace(BELIEVED, drive_gain_mismatch=1e-3)

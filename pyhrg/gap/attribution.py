@@ -17,15 +17,13 @@ from pyhrg.gap.channel_noise import ChannelNoise, angle_noise
 from pyhrg.gap.design import Design, Evidence, Group
 from pyhrg.gap.hypothesis import FIDELITY, Hypothesis, ranked_under, weighed
 from pyhrg.gap.noise_search import NoiseFound, alike
-from pyhrg.gap.observations import CHANNELS, Observed
+from pyhrg.gap.observations import Observed
 from pyhrg.gap.search import Ranked
-from pyhrg.gap.simulation import Answers, Simulation
-from pyhrg.gap.unknown import coordinates
+from pyhrg.gap.secants import evidence, secants
+from pyhrg.gap.simulation import Answers, Simulation, added
 
 Array = NDArray[np.float64]
 
-TOLERANCE = 0.1
-"""Of an effect's scale, by which its secants are taken."""
 ROUNDS = 10
 SETTLED = 0.1
 """Move of the gyro, in deviations of the noise, that is none."""
@@ -33,6 +31,8 @@ CLOSE = 30.0
 """Move up to which what is left is no leftover of a linear search."""
 STALE = 300.0
 """Distance of the gyro from where all secants were taken, from which they are taken anew."""
+FAR = 10.0
+"""The same of the one that was simulated with running loops where they move."""
 LINEAR = 1e-3
 """Share of a move's power that may be left because effects are not linear."""
 
@@ -71,9 +71,6 @@ def attributed(
 ) -> Attribution:
     """Find the effects of a campaign.
 
-    What a linear search leaves of a large effect is neither noise nor another effect: noise and all
-    that stands out of it are looked for once the gyro has come close.
-
     Args:
         simulation: both fidelities.
         believed: the gyro before the diagnosis.
@@ -84,124 +81,136 @@ def attributed(
     Raises:
         GyroError: a gyro that the FMU refuses.
     """
-    device, taken, close = believed, believed, False
-    share = LINEAR
-    noise = NoiseFound(angle_noise(believed), ())
-    parts: list[Evidence] = []
-    first: tuple[Answers, ...] = ()
-    fresh = list(effects)
-    heard: tuple[Group, ...] | None = None
+    approach = _Approach(simulation, believed, tests, effects)
     for round_ in range(1, ROUNDS + 1):
         say(f"round {round_}: simulating")
-        parts = evidence(simulation, believed, device, tests, effects, parts, fresh)
-        first = first or tuple(part.answers for part in parts)
+        approach.simulate()
         say(f"round {round_}: searching")
-        hypothesis = ranked_under(noise, believed, parts, share)
-        if share > FIDELITY and _step(believed, device, hypothesis) < CLOSE:
-            share, hypothesis = FIDELITY, ranked_under(noise, believed, parts)
-        close = close or (share == FIDELITY and _step(believed, device, hypothesis) < CLOSE)
-        if close and hypothesis.ranked.best.groups != heard:
-            hypothesis = weighed(hypothesis, believed, parts)
-            heard = hypothesis.ranked.best.groups
-        found, summed = hypothesis.ranked, hypothesis.design
-        moved = _moved(believed, device, found, summed)
-        step = _distance(device, moved, summed)
-        say(f"round {round_}: moved by {step:.3g} deviations")
-        there = _distance(taken, device, summed) < STALE
-        settled = step < SETTLED and alike(noise.noise, hypothesis.noise.noise) and there
-        noise = hypothesis.noise
+        hypothesis = approach.searched()
+        say(f"round {round_}: moved by {approach.step(hypothesis):.3g} deviations")
+        settled = approach.settles(hypothesis)
+        approach.noise = hypothesis.noise
         if settled:
             break
-        fresh = [] if there else [g for g in found.best.groups if isinstance(g, Effect)]
-        if step < CLOSE and _distance(taken, moved, summed) >= STALE:
-            taken, fresh = moved, list(effects)
-        device = moved
-    channels = hypothesis.channel_noise
+        approach.move(hypothesis)
     return Attribution(
-        believed, device, found, noise, summed, tuple(parts), channels, first, settled
+        believed,
+        approach.device,
+        hypothesis.ranked,
+        hypothesis.noise,
+        hypothesis.design,
+        tuple(approach.parts),
+        hypothesis.channel_noise,
+        approach.believed_answers,
+        settled,
     )
 
 
-def evidence(
-    simulation: Simulation,
-    believed: Device,
-    device: Device,
-    tests: Sequence[Observed],
-    effects: Sequence[Effect],
-    before: Sequence[Evidence] = (),
-    fresh: Collection[Effect] = (),
-) -> list[Evidence]:
-    """Residuals and secants around a device; residuals as they would be around the believed one if
-    effects were linear.
+class _Approach:
+    """The way from the believed gyro to the one that makes the records.
 
-    Args:
-        simulation: both fidelities.
-        believed: the gyro before the diagnosis.
-        device: the gyro that is simulated.
-        tests: observed.
-        effects: that have secants.
-        before: around another device, for what needn't be taken anew.
-        fresh: effects whose secants are, where there is a before.
+    What a linear search leaves of a large effect is neither noise nor another effect: noise and all
+    that stands out of it are looked for once the gyro has come close.
     """
-    return [
-        _evidence(
-            simulation,
-            believed,
-            device,
-            test,
-            {
-                effect: before[i].secants[effect]
-                if before and effect not in fresh
-                else secants(simulation, device, test, effect)
-                for effect in effects
-            },
-        )
-        for i, test in enumerate(tests)
-    ]
+
+    def __init__(
+        self,
+        simulation: Simulation,
+        believed: Device,
+        tests: Sequence[Observed],
+        effects: Sequence[Effect],
+    ) -> None:
+        self._simulation = simulation
+        self._believed = believed
+        self._tests = tests
+        self._effects = effects
+        self._fresh: Collection[Effect] = effects
+        self._taken = believed
+        self._simulated: Device | None = None
+        self._share = LINEAR
+        self._is_close = False
+        self._heard: tuple[Group, ...] | None = None
+        self.device = believed
+        self.noise = NoiseFound(angle_noise(believed), ())
+        self.parts: list[Evidence] = []
+        self.believed_answers: tuple[Answers, ...] = ()
+
+    def simulate(self) -> None:
+        """Take residuals around the gyro, and the secants that are due."""
+        if self.parts and self.parts[0].device is self.device and not self._fresh:
+            return
+        answers = self._answers()
+        self.parts = [
+            evidence(
+                self._simulation, self._believed, self.device, test, answers[i], self._secants(i)
+            )
+            for i, test in enumerate(self._tests)
+        ]
+        self.believed_answers = self.believed_answers or tuple(answers)
+
+    def _answers(self) -> list[Answers]:
+        """Of the gyro; beside one that was simulated, loops at rest tell the difference."""
+        simulation, device = self._simulation, self.device
+        if self._simulated is None:
+            self._simulated = device
+            return [simulation.answers(device, test) for test in self._tests]
+        return [
+            added(part.answers, simulation.difference(part.device, device, part.test))
+            for part in self.parts
+        ]
+
+    def _secants(self, index: int) -> dict[Effect, Mapping[str, Array]]:
+        test, device = self._tests[index], self.device
+        return {
+            effect: secants(self._simulation, device, test, effect)
+            if effect in self._fresh
+            else self.parts[index].secants[effect]
+            for effect in self._effects
+        }
+
+    def searched(self) -> Hypothesis:
+        """What explains the residuals; noises weighed anew where the sets have changed."""
+        hypothesis = ranked_under(self.noise, self._believed, self.parts, self._share)
+        if self._share > FIDELITY and self.step(hypothesis) < CLOSE:
+            self._share = FIDELITY
+            hypothesis = ranked_under(self.noise, self._believed, self.parts)
+        if self._share == FIDELITY and self.step(hypothesis) < CLOSE:
+            self._is_close = True
+        if self._is_close and hypothesis.ranked.best.groups != self._heard:
+            hypothesis = weighed(hypothesis, self._believed, self.parts)
+            self._heard = hypothesis.ranked.best.groups
+        return hypothesis
+
+    def step(self, hypothesis: Hypothesis) -> float:
+        """How far a hypothesis moves the gyro, in deviations of the noise."""
+        moved = _moved(self._believed, self.device, hypothesis)
+        return _distance(self.device, moved, hypothesis.design)
+
+    def settles(self, hypothesis: Hypothesis) -> bool:
+        """Whether it moves neither gyro nor noise, and secants are as they should be."""
+        known = alike(self.noise.noise, hypothesis.noise.noise)
+        return known and self._has_near_secants(hypothesis) and self.step(hypothesis) < SETTLED
+
+    def move(self, hypothesis: Hypothesis) -> None:
+        """To where the hypothesis has the gyro."""
+        moved = _moved(self._believed, self.device, hypothesis)
+        named = [g for g in hypothesis.ranked.best.groups if isinstance(g, Effect)]
+        self._fresh = [] if self._has_near_secants(hypothesis) else named
+        is_far = _distance(self._taken, moved, hypothesis.design) >= STALE
+        if is_far and self.step(hypothesis) < CLOSE:
+            self._taken, self._fresh = moved, self._effects
+        if self._simulated and _distance(self._simulated, moved, hypothesis.design) >= FAR:
+            self._simulated = None
+        self.device = moved
+
+    def _has_near_secants(self, hypothesis: Hypothesis) -> bool:
+        return _distance(self._taken, self.device, hypothesis.design) < STALE
 
 
-def _evidence(
-    simulation: Simulation,
-    believed: Device,
-    device: Device,
-    test: Observed,
-    columns: Mapping[Effect, Mapping[str, Array]],
-) -> Evidence:
-    answers = simulation.answers(device, test)
-    residual = {name: getattr(test.log, name) - answers[name] for name in CHANNELS}
-    for effect, own in columns.items():
-        away = effect.vector(device) - effect.vector(believed)
-        for name in CHANNELS:
-            residual[name] = residual[name] + own[name] @ away
-    where = coordinates(test, answers["wave_angle"], believed)
-    slopes = simulation.slope_over_angle(device, test)
-    return Evidence(test, device, answers, residual, columns, where, slopes, believed.bryan_factor)
-
-
-def secants(
-    simulation: Simulation, device: Device, test: Observed, effect: Effect
-) -> Mapping[str, Array]:
-    """(n, d) by channel: change of the answer per unit of an effect's vector around a device.
-
-    Raises:
-        GyroError: a gyro that the FMU refuses.
-    """
-    here = effect.vector(device)
-    columns: dict[str, list[Array]] = {name: [] for name in CHANNELS}
-    for i in range(effect.size):
-        step = np.zeros(effect.size)
-        step[i] = TOLERANCE * effect.scale
-        low, high = (effect.put(device, here + sign * step) for sign in (-1, 1))
-        apart = (effect.vector(high) - effect.vector(low))[i]
-        change = simulation.difference(low, high, test)
-        for name in CHANNELS:
-            columns[name].append(change[name] / apart)
-    return {name: np.column_stack(found) for name, found in columns.items()}
-
-
-def _moved(believed: Device, device: Device, found: Ranked, summed: Design) -> Device:
+def _moved(believed: Device, device: Device, hypothesis: Hypothesis) -> Device:
     """The believed gyro with the named effects of the most probable set, as far as they stand out
     of what a move this far may leave behind because effects are not linear."""
+    found, summed = hypothesis.ranked, hypothesis.design
     named = [
         (group, group.vector(believed) + value)
         for group, value in zip(found.best.groups, found.best.values, strict=True)
@@ -216,11 +225,6 @@ def _moved(believed: Device, device: Device, found: Ranked, summed: Design) -> D
         if _distance(believed, effect.put(believed, vector), summed) ** 2 > left:
             moved = effect.put(moved, vector)
     return moved
-
-
-def _step(believed: Device, device: Device, hypothesis: Hypothesis) -> float:
-    moved = _moved(believed, device, hypothesis.ranked, hypothesis.design)
-    return _distance(device, moved, hypothesis.design)
 
 
 def _distance(old: Device, new: Device, summed: Design) -> float:

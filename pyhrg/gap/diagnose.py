@@ -23,7 +23,7 @@ from pyhrg.gap.observations import CHANNELS, Observed, observed
 from pyhrg.gap.quantity import Size, sizes
 from pyhrg.gap.quantum import counted
 from pyhrg.gap.replay import tells_start
-from pyhrg.gap.simulation import Answers, Simulation
+from pyhrg.gap.simulation import Answers, Simulation, added
 from pyhrg.gap.soundness import sound
 
 Array = NDArray[np.float64]
@@ -123,7 +123,7 @@ def _left(
     before, after = list(found.believed_answers), list[Answers]()
     for part in found.parts:
         change = simulation.difference(part.device, closed, part.test)
-        after.append({name: part.answers[name] + change[name] for name in CHANNELS})
+        after.append(added(part.answers, change))
     as_believed = closed.without_noise() == believed.without_noise()
     for test in tests[len(found.parts) :]:
         before.append(simulation.answers(believed, test))

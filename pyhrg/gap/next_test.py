@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from scipy.special import logsumexp
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.gap.attribution import Attribution, secants
+from pyhrg.gap.attribution import Attribution
 from pyhrg.gap.candidate_tests import candidates
 from pyhrg.gap.catalogue import Effect
 from pyhrg.gap.design import Design, Evidence, Group, design, tempered
@@ -25,6 +25,7 @@ from pyhrg.gap.equivalents import ALIKE, equivalents
 from pyhrg.gap.evidence import Fit
 from pyhrg.gap.hypothesis import FIDELITY
 from pyhrg.gap.observations import CHANNELS, COARSE_STEP, Observed, observed
+from pyhrg.gap.secants import secants
 from pyhrg.gap.simulation import Simulation
 from pyhrg.gap.unknown import coordinates
 from pyhrg.units import HOUR

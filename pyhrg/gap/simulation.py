@@ -116,6 +116,11 @@ class Simulation:
         return _led({name: last[name] - first[name] for name in CHANNELS}, high[0], test)
 
 
+def added(answers: Answers, difference: Answers) -> dict[str, Array]:
+    """Answers of a gyro that differs little from another."""
+    return {name: values + difference.get(name, 0.0) for name, values in answers.items()}
+
+
 def _led(answers: dict[str, Array], device: Device, test: Observed) -> dict[str, Array]:
     """Forces of loops at rest led through the loops' own response, and how far they let the
     amplitude go."""

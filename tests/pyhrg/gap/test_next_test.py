@@ -1,7 +1,7 @@
 """What tells apart what a test at rest leaves alike."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache
 
@@ -12,13 +12,14 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.campaign import Test
 from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
-from pyhrg.gap.attribution import Attribution, attributed, evidence
+from pyhrg.gap.attribution import Attribution, attributed
 from pyhrg.gap.candidate_tests import candidates
 from pyhrg.gap.catalogue import EFFECTS, Effect
-from pyhrg.gap.design import design
+from pyhrg.gap.design import Evidence, design
 from pyhrg.gap.evidence import Fit, fit
 from pyhrg.gap.next_test import SURE, rivals, separations, suggested
 from pyhrg.gap.observations import Observed, observed
+from pyhrg.gap.secants import evidence, secants
 from pyhrg.gap.simulation import Simulation
 from pyhrg.units import ARCSEC, DEG, DEG_PER_SQRT_H, HOUR, HZ
 
@@ -138,6 +139,14 @@ def test_one_hypothesis_needs_no_test(simulation: Simulation, static: Static) ->
     assert suggested(simulation, found, [found.ranked.best]) is None
 
 
+def around(
+    simulation: Simulation, device: Device, test: Observed, effects: Sequence[Effect]
+) -> Evidence:
+    columns = {effect: secants(simulation, device, test, effect) for effect in effects}
+    answers = simulation.answers(device, test)
+    return evidence(simulation, BELIEVED, device, test, answers, columns)
+
+
 @pytest.mark.parametrize("kind", ["positions", "virtual_rotation"])
 def test_the_test_then_made_parts_them_by_as_much_as_was_expected(
     kind: str, simulation: Simulation, static: Static
@@ -152,7 +161,7 @@ def test_the_test_then_made_parts_them_by_as_much_as_was_expected(
         (size,) = alone(found, truth.name).values
         device = truth.put(BELIEVED, truth.vector(BELIEVED) + size)
         tests = [found.parts[0].test, *(recorded(simulation, device, p) for p in power_ons)]
-        parts = evidence(simulation, BELIEVED, found.device, tests, effects)
+        parts = [around(simulation, found.device, test, effects) for test in tests]
         fits = [fit(design(parts, found.channel_noise), [effect]) for effect in (truth, rival)]
         right, wrong = (each.explained for each in fits if each is not None)
         return math.sqrt(right - wrong)

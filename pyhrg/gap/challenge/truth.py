@@ -2,14 +2,16 @@
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import cache, partial
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from pyhrg.device import Device
+from pyhrg.fmu import GyroError
 from pyhrg.gap.catalogue import EFFECTS, NAMES, NOISES, Effect
 from pyhrg.gap.challenge.form import Form, forms
 from pyhrg.gap.challenge.gyro import Disturbance
@@ -26,6 +28,8 @@ LEAST = 6.0
 """Sigmas from which a diagnosis is held to find a gap."""
 SMALLEST, LARGEST = 1e-9, 30.0
 """Sizes over an effect's scale that are looked at."""
+SMALLER = math.log(2)
+"""By which the largest is made smaller where the FMU can't simulate it."""
 BY_NAME = {noise.name: noise for noise in NOISES}
 
 Strength = Callable[[str, Mapping[str, float]], float]
@@ -195,15 +199,26 @@ Sized = Callable[[float], tuple[Change, dict[str, float]]]
 
 
 def solved(strength: Callable[[float], float], sigmas: float) -> float | None:
-    """The size of an effect that has a strength, to a percent; None where none has.
+    """The size of an effect that has a strength, to a percent; None where none has that the FMU can
+    simulate.
 
     Three digits, so that no rounding of the strengths is in it.
     """
 
+    @cache
     def excess(logarithm: float) -> float:
         return math.log(max(strength(math.exp(logarithm)), 1e-12) / sigmas)
 
+    def is_simulated(logarithm: float) -> bool:
+        with suppress(GyroError):
+            return math.isfinite(excess(logarithm))
+        return False
+
     low, high = math.log(SMALLEST), math.log(LARGEST)
+    while not is_simulated(high):
+        high -= SMALLER
+        if high < low:
+            return None
     if excess(high) < 0:
         return None
     return float(f"{math.exp(float(brentq(excess, low, high, xtol=0.01))):.3g}")

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pyhrg.bench.programme import Programme
-from pyhrg.fmu import GyroFmu
+from pyhrg.fmu import GyroError, GyroFmu
 from pyhrg.gap.catalogue import NAMES
 from pyhrg.gap.challenge.course import course_of
 from pyhrg.gap.challenge.instruments import Instruments
@@ -79,3 +79,14 @@ def test_what_tests_cannot_show_is_refused(meter: Meter) -> None:
 def test_size_is_solved() -> None:
     assert solved(lambda size: 1e4 * size, 8.0) == pytest.approx(8e-4, rel=0.01)
     assert solved(lambda size: 1e-3 * size, 8.0) is None
+
+
+@pytest.mark.parametrize(("most", "found"), [(2.0, True), (0.1, False), (1e-10, False)])
+def test_sizes_that_cannot_be_simulated_are_none(most: float, found: bool) -> None:
+    def strength(size: float) -> float:
+        if size > most:
+            raise GyroError("gyroAngle is no longer finite at 62 s")
+        return 8.0 * size
+
+    size = solved(strength, 8.0)
+    assert size == (pytest.approx(1.0, rel=0.01) if found else None)

@@ -18,7 +18,7 @@ from fmu_build.files import replaced_folder
 from fmu_build.roots import ROOTS
 from pyhrg import campaign as campaigns
 from pyhrg.campaign_index import CampaignError
-from pyhrg.fmu import GyroFmu
+from pyhrg.fmu import GyroError, GyroFmu
 from pyhrg.gap.challenge import diagnosis, seal
 from pyhrg.gap.challenge.case import CampaignStrength, Case, Fmus, generated, with_next_test
 from pyhrg.gap.challenge.diagnosis import Diagnosis
@@ -96,7 +96,10 @@ def _generate(challenge: Challenge, case: Case) -> str:
     truth, campaign = challenge.folder.truth(case.name), challenge.folder.campaign(case.name)
     if truth.exists() and (campaign / campaigns.INDEX).exists():
         return seal.hash_of(truth)
-    made, answer = generated(case, _fmus(), challenge.strength)
+    try:
+        made, answer = generated(case, _fmus(), challenge.strength)
+    except GyroError as error:
+        raise ChallengeError(f"{case.name}: {error}") from error
     with replaced_folder(campaign) as aside:
         campaigns.write(made, aside)
     salt = hashlib.sha256(f"salt {challenge.settings.seed} {case.seed}".encode()).digest()
@@ -118,7 +121,7 @@ def _diagnose_next(challenge: Challenge, case: Case) -> None:
         before = campaigns.read(folder.campaign(case.name))
         try:
             made = with_next_test(case, before, kind, hours, _fmus(), challenge.strength)
-        except ValueError as error:
+        except (ValueError, GyroError) as error:
             raise ChallengeError(f"{case.name}: next_test: {error}") from error
         with replaced_folder(extended) as aside:
             campaigns.write(made, aside)

@@ -106,8 +106,11 @@ def replayed(fmu: GyroFmu, device: Device, inputs: Replayable, step: float) -> d
     """
     steps = round(inputs.log.interval / step)
     share = np.asarray((np.arange(steps) + 0.5) / steps, dtype=np.float64)
-    with fmu.power_on(_parameters(fmu, device, step), seed=0, start_angle=inputs.start_angle) as on:
-        held = {name: getattr(inputs.log, name) for name in HELD}
+    held = {name: getattr(inputs.log, name) for name in HELD}
+    first = {INPUTS[name]: float(values[0]) for name, values in held.items()}
+    first["caseTemperature"] = float(inputs.temperatures[0])
+    parameters = {**_parameters(fmu, device, step), **first}
+    with fmu.power_on(parameters, seed=0, start_angle=inputs.start_angle) as on:
         return recorded(on, _moving(device, inputs, share), held, step, FORCES)
 
 

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device import Device
+from pyhrg.fmu import GyroError
 from pyhrg.gap.catalogue import Effect
 from pyhrg.gap.design import Evidence
 from pyhrg.gap.observations import CHANNELS, Observed
@@ -62,7 +63,10 @@ def secants(
         step[i] = TOLERANCE * effect.scale
         low, high = (effect.put(device, here + sign * step) for sign in (-1, 1))
         apart = (effect.vector(high) - effect.vector(low))[i]
-        change = simulation.difference(low, high, test)
+        try:
+            change = simulation.difference(low, high, test)
+        except GyroError as error:
+            raise GyroError(f"{test.test.id}, with {effect.name}: {error}") from error
         for name in CHANNELS:
             columns[name].append(change[name] / apart)
     return {name: np.column_stack(found) for name, found in columns.items()}

@@ -151,16 +151,19 @@ class Drawing:
         return lambda size: self.strength(name, sized(size)[1])
 
     def _left(self, name: str, other: str, device: Device) -> float:
-        """Sigmas of one effect of a device, alone, where another takes as much as it can. Noise
-        can't stand in for what moves the simulation, nor that for noise."""
+        """Sigmas of one effect of a device, alone, where another takes as much as it can. What
+        moves the simulation can't stand in for noise; noise hides it."""
         meter, believed = self.meter, self.meter.believed
-        if (name in BY_NAME) != (other in BY_NAME):
-            return math.inf
         if name in BY_NAME:
             noise = BY_NAME[name]
             alone = noise_put(believed, noise, getattr(device, noise.field))
-            return meter.sigmas_of_noise_beyond(BY_NAME[other], alone)
+            is_noise = other in BY_NAME
+            return meter.sigmas_of_noise_beyond(BY_NAME[other], alone) if is_noise else math.inf
         effect = EFFECTS[name]
+        if other in BY_NAME:
+            noise = BY_NAME[other]
+            noisy = noise_put(believed, noise, getattr(device, noise.field))
+            return meter.sigmas(effect.put(noisy, effect.vector(device)))
         gap = meter.residual(effect.put(believed, effect.vector(device)))
         return meter.sigmas_beyond(EFFECTS[other], gap)
 

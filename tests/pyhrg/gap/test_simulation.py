@@ -9,9 +9,11 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.programme import Programme
 from pyhrg.campaign import Test
 from pyhrg.device import Device
+from pyhrg.gap.catalogue import EFFECTS
 from pyhrg.gap.channel_noise import RESOLVED
 from pyhrg.gap.observations import CHANNELS, observed
 from pyhrg.gap.replay import start_angle
+from pyhrg.gap.secants import secants
 from pyhrg.gap.simulation import Simulation, followed, let_go
 from pyhrg.units import DEG
 from tests.pyhrg.gap.soundness.conftest import BELIEVED
@@ -82,6 +84,25 @@ def test_warming(simulation: Simulation, loop: float) -> None:
     given = programme(2.0).rest(20).heat(QUIET.reference_temperature + 20, 200).rest(60)
     test = logged(simulation, device, given, angle=0.5)
     check(simulation, device, test, FOLLOWING | {"frequency_offset": 3e-3}, moves=False)
+
+
+def test_a_thermometer_off_by_little_is_no_rate_of_temperature(simulation: Simulation) -> None:
+    """At power-on the case is where it is: it doesn't come from the reference temperature."""
+    given = programme(0.1).command(amplitude_setpoint=0.6).rest(30)
+    test = logged(simulation, QUIET, given, angle=0.3)
+    warm = replace(test.log, temperature=test.log.temperature + 0.1)
+    seen = observed(replace(test, recording=warm), QUIET)
+    moved = secants(simulation, QUIET, seen, EFFECTS["temperature_rate_bias"])["gyro_angle"]
+    np.testing.assert_allclose(moved, 0.0, atol=1e-12)
+
+
+def test_a_free_pattern_of_a_large_split_has_secants(simulation: Simulation) -> None:
+    """Quadrature is not controlled for ten minutes: steps of a second would blow it up."""
+    device = replace(QUIET, frequency_split=3.9e-3, decay_time=422.0)
+    given = programme().rest(20).command(drive_on=0.0).rest(600)
+    seen = observed(logged(simulation, device, given, angle=0.5), device)
+    moved = secants(simulation, device, seen, EFFECTS["duffing_stiffness"])
+    assert all(np.isfinite(values).all() for values in moved.values())
 
 
 def test_loops_follow_a_step_and_a_ramp() -> None:

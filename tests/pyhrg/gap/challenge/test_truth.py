@@ -1,11 +1,13 @@
 """What is drawn, and how strong it is."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from pyhrg.bench.programme import Programme
 from pyhrg.fmu import GyroError, GyroFmu
-from pyhrg.gap.catalogue import NAMES
+from pyhrg.gap.catalogue import EFFECTS, NAMES
 from pyhrg.gap.challenge.course import course_of
 from pyhrg.gap.challenge.instruments import Instruments
 from pyhrg.gap.challenge.meter import Meter
@@ -51,6 +53,15 @@ def test_a_pair_is_two_that_cannot_stand_in_for_each_other(meter: Meter) -> None
     noises = ("angle_white_noise", "angle_quantisation")
     with pytest.raises(ValueError, match="pair: the tests show nothing"):
         drawing(meter, 1, noises).state("pair")
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_an_effect_beside_noise_stands_out_of_it(meter: Meter, seed: int) -> None:
+    state = drawing(meter, seed, ("angle_random_walk", "coriolis_factor_error")).state("pair")
+    walking = replace(GYRO, angle_random_walk=state.device.angle_random_walk)
+    coriolis = EFFECTS["coriolis_factor_error"]
+    beside = coriolis.put(walking, coriolis.vector(state.device))
+    assert 6 <= meter.sigmas(beside) < meter.sigmas(coriolis.put(GYRO, coriolis.vector(beside)))
 
 
 def test_outside_names_its_form(meter: Meter) -> None:

@@ -10,11 +10,14 @@ from pyhrg.gap.simulation import Simulation
 
 GROWN = 0.2
 """Share by which noise of the angle may have grown and still be compared."""
+LEAST = 10
+"""Rows that are simulated, compared or not."""
 
 
 def steady(simulation: Simulation, believed: Device, test: Observed) -> Observed:
-    """The test without those rows of a free pattern in which what turned it before has grown or
-    shrunk: with a split, a ring-down of minutes makes several times as much of it.
+    """The test up to those rows of a free pattern in which what turned it before has grown or
+    shrunk: with a split, a ring-down of minutes makes several times as much of it, and ends in a
+    circle, whose pattern has no angle.
 
     Args:
         simulation: both fidelities.
@@ -29,4 +32,6 @@ def steady(simulation: Simulation, believed: Device, test: Observed) -> Observed
     slope = simulation.slope_over_angle(believed, test)["gyro_angle"]
     grown = (test.log.drive_on <= 0) & (np.abs(believed.bryan_factor * slope) > GROWN)
     kept = ~np.logical_or.accumulate(grown)
-    return replace(test, rows={name: rows & kept for name, rows in test.rows.items()})
+    count = max(int(kept.sum()), LEAST)
+    rows = {name: (there & kept)[:count] for name, there in test.rows.items()}
+    return replace(test, inputs=test.inputs.first(count), rows=rows)

@@ -13,7 +13,6 @@ from pyhrg.device import Device
 from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
 from pyhrg.gap.observations import CHANNELS, COARSE_STEP, FINE, FORCES, Observed, settling
 from pyhrg.gap.replay import Replayable, replayed
-from pyhrg.records import Log
 
 Array = NDArray[np.float64]
 Answers = Mapping[str, Array]
@@ -111,18 +110,10 @@ class Simulation:
     def _change(
         self, low: tuple[Device, Replayable], high: tuple[Device, Replayable], test: Observed
     ) -> dict[str, Array]:
-        step = _small_enough(test.log)
+        fine = test.log.interval < FINE
+        step = test.log.interval / FINE_STEPS if fine else min(COARSE_STEP, test.log.interval)
         first, last = (replayed(self.quasi_steady, *end, step) for end in (low, high))
         return _led({name: last[name] - first[name] for name in CHANNELS}, high[0], test)
-
-
-def _small_enough(log: Log) -> float:
-    """Step by which a small difference is taken, s. A free pattern's quadrature grows: no step
-    takes it away, and long ones add to it."""
-    if log.interval < FINE:
-        return log.interval / FINE_STEPS
-    is_free = (log.drive_on <= 0).any()
-    return min(SLOW_STEP if is_free else COARSE_STEP, log.interval)
 
 
 def added(answers: Answers, difference: Answers) -> dict[str, Array]:

@@ -161,12 +161,8 @@ class _Approach:
 
     def _secants(self, index: int) -> dict[Effect, Mapping[str, Array]]:
         test, device = self._tests[index], self.device
-        return {
-            effect: secants(self._simulation, device, test, effect)
-            if effect in self._fresh
-            else self.parts[index].secants[effect]
-            for effect in self._effects
-        }
+        kept = self.parts[index].secants if self.parts else {}
+        return {**kept, **secants(self._simulation, device, test, self._fresh)}
 
     def searched(self) -> Hypothesis:
         """What explains the residuals; noises weighed anew where the sets have changed."""

@@ -150,7 +150,7 @@ def _expected(
 ) -> Evidence:
     """What would be put together for a test, were it made and this hypothesis the truth."""
     device = found.device
-    columns = {g: secants(simulation, device, test, g) for g in groups if isinstance(g, Effect)}
+    columns = secants(simulation, device, test, [g for g in groups if isinstance(g, Effect)])
     response = {name: np.zeros(len(test.log.time)) for name in CHANNELS}
     for effect, own in columns.items():
         for name in CHANNELS if effect in truth else ():

@@ -1,6 +1,6 @@
 """What a campaign's residuals are, and what effects do to them, through the FMU."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,24 +49,36 @@ def evidence(
 
 
 def secants(
-    simulation: Simulation, device: Device, test: Observed, effect: Effect
-) -> Mapping[str, Array]:
-    """(n, d) by channel: change of the answer per unit of an effect's vector around a device.
+    simulation: Simulation, device: Device, test: Observed, effects: Iterable[Effect]
+) -> dict[Effect, dict[str, Array]]:
+    """Change of the answer per unit of the effects' vectors from a device on.
+
+    Returns:
+        (n, d) by channel for each effect, of size d.
 
     Raises:
         GyroError: a gyro that the FMU refuses.
     """
-    here = effect.vector(device)
-    columns: dict[str, list[Array]] = {name: [] for name in CHANNELS}
-    for i in range(effect.size):
-        step = np.zeros(effect.size)
-        step[i] = TOLERANCE * effect.scale
-        low, high = (effect.put(device, here + sign * step) for sign in (-1, 1))
-        apart = (effect.vector(high) - effect.vector(low))[i]
+    change_to = simulation.changes(device, test)
+    found = {}
+    for effect in effects:
         try:
-            change = simulation.difference(low, high, test)
+            columns = [_secant(change_to, device, effect, unit) for unit in np.eye(effect.size)]
         except GyroError as error:
             raise GyroError(f"{test.test.id}, with {effect.name}: {error}") from error
-        for name in CHANNELS:
-            columns[name].append(change[name] / apart)
-    return {name: np.column_stack(found) for name, found in columns.items()}
+        found[effect] = {
+            name: np.column_stack([column[name] for column in columns]) for name in CHANNELS
+        }
+    return found
+
+
+def _secant(
+    change_to: Callable[[Device], Answers], device: Device, effect: Effect, unit: Array
+) -> dict[str, Array]:
+    """(n,) by channel, along one direction; backwards where there is no way on."""
+    here, step = effect.vector(device), TOLERANCE * effect.scale
+    ways = (effect.put(device, here + sign * step * unit) for sign in (1, -1))
+    moved = next(way for way in ways if (effect.vector(way) - here) @ unit != 0)
+    apart = (effect.vector(moved) - here) @ unit
+    change = change_to(moved)
+    return {name: change[name] / apart for name in CHANNELS}

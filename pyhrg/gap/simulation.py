@@ -1,7 +1,7 @@
 """Noise-free answers of a device to observed tests, by the two fidelities that a replay needs."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 
@@ -90,7 +90,16 @@ class Simulation:
         Raises:
             GyroError: as `answers`.
         """
-        return self._change((low, test.inputs), (high, test.inputs), test)
+        return self.changes(low, test)(high)
+
+    def changes(self, device: Device, test: Observed) -> Callable[[Device], dict[str, Array]]:
+        """What gyros that differ little from a device, which is simulated once, answer beyond it.
+
+        Raises:
+            GyroError: as `answers`, here and when it is called.
+        """
+        first = self._coarse(device, test.inputs)
+        return lambda other: _apart(first, self._coarse(other, test.inputs), other, test)
 
     def slope_over_angle(self, device: Device, test: Observed) -> dict[str, Array]:
         """(n,) by channel: change of the answer with the pattern's present angle, per rad; of the
@@ -101,19 +110,22 @@ class Simulation:
             GyroError: as `answers`.
         """
         ends = [replace(test.inputs, start_angle=test.inputs.start_angle + s) for s in SHIFTS]
-        change = self._change((device, ends[0]), (device, ends[1]), test)
+        low, high = (self._coarse(device, end) for end in ends)
+        change = _apart(low, high, device, test)
         slopes = {name: values / np.ptp(SHIFTS) for name, values in change.items()}
         grown = 1 - device.bryan_factor * slopes["gyro_angle"]
         shift = np.where(grown > LEAST_SHIFT, grown, 1.0)
         return {n: s if n == "gyro_angle" else s / shift for n, s in slopes.items()}
 
-    def _change(
-        self, low: tuple[Device, Replayable], high: tuple[Device, Replayable], test: Observed
-    ) -> dict[str, Array]:
-        fine = test.log.interval < FINE
-        step = test.log.interval / FINE_STEPS if fine else min(COARSE_STEP, test.log.interval)
-        first, last = (replayed(self.quasi_steady, *end, step) for end in (low, high))
-        return _led({name: last[name] - first[name] for name in CHANNELS}, high[0], test)
+    def _coarse(self, device: Device, inputs: Replayable) -> dict[str, Array]:
+        """With loops at rest, in steps that do for small differences."""
+        interval = inputs.log.interval
+        step = interval / FINE_STEPS if interval < FINE else min(COARSE_STEP, interval)
+        return replayed(self.quasi_steady, device, inputs, step)
+
+
+def _apart(first: Answers, last: Answers, device: Device, test: Observed) -> dict[str, Array]:
+    return _led({name: last[name] - first[name] for name in CHANNELS}, device, test)
 
 
 def added(answers: Answers, difference: Answers) -> dict[str, Array]:

@@ -139,7 +139,9 @@ def write(log: Log, path: Path) -> None:
     rows = zip(*(v.tolist() for v in values), strict=True)
     lines = [",".join(c.name for c in columns), *(form % row for row in rows)]
     data = "".join(f"{line}\n" for line in lines).encode()
-    write_whole(path, gzip.compress(data, mtime=0) if path.suffix == ".gz" else data)
+    write_whole(
+        path, gzip.compress(data, compresslevel=6, mtime=0) if path.suffix == ".gz" else data
+    )
 
 
 def _with_missing_noted(table: Table) -> Table:

@@ -40,10 +40,15 @@ RESTING = {
     "pickOff.feedthrough",
     "controller.startUp.firstTime",
     "controller.startUp.fullTime",
+    "noise.angleRandomWalk",
+    "noise.rateRandomWalk",
+    "noise.biasInstability",
+    "noise.virtualRotation",
 }
-"""At the start time warming, forces and the ramp are zero, and these are multiplied by them."""
+"""At the start time warming, forces and the ramp are zero, and these are multiplied by them; noise
+that has moved nothing yet only decides whether any is drawn."""
 
-STILL = {"valid", "gyroRate"}
+STILL = {"valid", "gyroRate", "noise.isMade"}
 """Outputs that jump at thresholds, or are zero until a second sample."""
 
 

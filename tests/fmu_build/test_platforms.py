@@ -11,7 +11,7 @@ import fmpy
 import pytest
 
 from fmu_build.bundle import built_fmu
-from fmu_build.platforms import COMPILER, PLATFORMS
+from fmu_build.platforms import COMPILER, FLAGS, PLATFORMS
 from fmu_build.roots import ROOTS
 from tests.fmu_build import native
 
@@ -59,10 +59,10 @@ def models(
 
 
 def _host(folder: Path, fmi: int, name: str) -> Path:
-    """The host program for a platform."""
+    """The host program for a platform; compiled like libraries, to share their C runtime."""
     platform = PLATFORMS[name]
     program = folder / f"host-{name}.exe"
-    flags = ["-target", platform.target, "-std=c99", "-O1", f"-DFMI={fmi}", f"-I{native.HEADERS}"]
+    flags = ["-target", platform.target, *FLAGS, "-s", f"-DFMI={fmi}", f"-I{native.HEADERS}"]
     libraries = [] if platform.suffix == ".dll" else ["-ldl"]
     source = native.HERE / "host.c"
     native.run([*COMPILER, *flags, source, *libraries, "-o", program], seconds=300)

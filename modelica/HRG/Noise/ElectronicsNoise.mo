@@ -25,13 +25,15 @@ protected
   final parameter Units.AngularRate flickerScale = bryanFactor*biasInstability*2.0794415416798357/Constants.pi
     "Of the sum of lags, ln 8/pi";
   final parameter Units.Ratio rotationDeviation = sqrt(virtualRotation/samplePeriod) "Standard deviation of the rotation's noise";
+  final parameter Units.Ratio isMade = if angleRandomWalk > 0 or pickOff > 0 or rateRandomWalk > 0 or biasInstability > 0 or virtualRotation > 0 then 1 else 0
+    "1 where there is any noise: else nothing is drawn for it";
   final parameter Units.Ratio decays[16] = lagDecays(samplePeriod) "Of the lags over a period, and weights of their input";
   discrete Units.Ratio memory[84](start = start, each fixed = true) "States of the generators, and the last deviates";
   discrete Units.Ratio lags[8](each start = 0, each fixed = true) "Flicker noise";
   discrete Units.AngularRate walk(start = 0, fixed = true) "Rate random walk";
 equation
   when sample(0, samplePeriod) then
-    memory = deviates(pre(memory));
+    memory = drawn(pre(memory), isMade);
     lags = flicker(pre(lags), decays, memory[81]);
     walk = pre(walk) + walkDeviation*memory[82];
   end when;

@@ -142,7 +142,7 @@ def test_one_hypothesis_needs_no_test(simulation: Simulation, static: Static) ->
 def around(
     simulation: Simulation, device: Device, test: Observed, effects: Sequence[Effect]
 ) -> Evidence:
-    columns = {effect: secants(simulation, device, test, effect) for effect in effects}
+    columns = secants(simulation, device, test, effects)
     answers = simulation.answers(device, test)
     return evidence(simulation, BELIEVED, device, test, answers, columns)
 

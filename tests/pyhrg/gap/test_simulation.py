@@ -93,7 +93,8 @@ def test_a_thermometer_off_by_little_is_no_rate_of_temperature(simulation: Simul
     test = logged(simulation, QUIET, given, angle=0.3)
     warm = replace(test.log, temperature=test.log.temperature + 0.1)
     seen = observed(replace(test, recording=warm), QUIET)
-    moved = secants(simulation, QUIET, seen, EFFECTS["temperature_rate_bias"])["gyro_angle"]
+    effect = EFFECTS["temperature_rate_bias"]
+    moved = secants(simulation, QUIET, seen, [effect])[effect]["gyro_angle"]
     np.testing.assert_allclose(moved, 0.0, atol=1e-12)
 
 
@@ -108,7 +109,8 @@ def test_a_free_pattern_is_simulated_no_further_than_it_is_compared(
     kept = steady(simulation, circling, seen)
     assert 20 < len(kept.log.time) < 440
     assert all(len(rows) == len(kept.log.time) for rows in kept.rows.values())
-    moved = secants(simulation, circling, kept, EFFECTS["duffing_stiffness"])
+    effect = EFFECTS["duffing_stiffness"]
+    moved = secants(simulation, circling, kept, [effect])[effect]
     assert all(np.isfinite(values).all() for values in moved.values())
 
 

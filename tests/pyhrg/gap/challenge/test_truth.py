@@ -47,10 +47,13 @@ def test_none_is_the_believed_gyro(meter: Meter) -> None:
     assert state.truth.effects == ()
 
 
-def test_a_pair_is_two_that_cannot_stand_in_for_each_other(meter: Meter) -> None:
+def test_a_pair_is_two_that_cannot_stand_in_for_each_other(
+    meter: Meter, monkeypatch: pytest.MonkeyPatch
+) -> None:
     state = drawing(meter, 4).state("pair")
     assert len(set(state.truth.effects)) == 2
     noises = ("angle_white_noise", "angle_quantisation")
+    monkeypatch.setattr("pyhrg.gap.challenge.truth.TRIES", 10)
     with pytest.raises(ValueError, match="pair: the tests show nothing"):
         drawing(meter, 1, noises).state("pair")
 

@@ -55,6 +55,15 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
         "--seed", type=int, default=1, metavar="N", help="of everything random (default 1)"
     )
     parser.add_argument(
+        "--with",
+        dest="others",
+        type=Path,
+        nargs="+",
+        default=[],
+        metavar="DIR",
+        help="folders of finished challenges, of other seeds, to be scored together with this one",
+    )
+    parser.add_argument(
         "--workers", type=int, metavar="N", help="campaigns at a time (default: all cores)"
     )
 
@@ -76,7 +85,7 @@ def run(
     workers = options.workers or len(os.sched_getaffinity(0))
     challenge = Challenge(Folder(options.out), settings, diagnose, strength)
     try:
-        score = challenge.run(workers)
+        score = challenge.run(workers, [Folder(other) for other in options.others])
     except REFUSALS as error:
         raise UserError(str(error)) from error
     except OSError as error:

@@ -14,21 +14,36 @@ from pyhrg.gap.challenge.roster import Settings, as_json
 from pyhrg.gap.challenge.score import Judged, Point
 from pyhrg.gap.challenge.truth import LEAST
 
-SCHEMA = "hrg-challenge-score/1"
+SCHEMA = "hrg-challenge-score/2"
 SIGNS = {"at most": "<=", "at least": ">=", "about": "="}
 
 
 @dataclass(frozen=True)
-class Score:
-    """Every case with its answer, and what they come to."""
+class Finished:
+    """One challenge's cases with their answers."""
 
     settings: Settings
     cases: Sequence[Judged]
 
+
+@dataclass(frozen=True)
+class Score:
+    """What challenges come to, taken together.
+
+    challenges: one at least.
+    """
+
+    challenges: Sequence[Finished]
+
+    @property
+    def cases(self) -> list[Judged]:
+        """Of all."""
+        return [case for challenge in self.challenges for case in challenge.cases]
+
     @cached_property
     def figures(self) -> list[Figure]:
-        """What the challenge is held to."""
-        return score.figures(self.cases, self.settings.seed)
+        """What a challenge is held to."""
+        return score.figures(self.cases, self.challenges[0].settings.seed)
 
     @cached_property
     def curve(self) -> list[Point]:
@@ -47,18 +62,14 @@ def write(result: Score, path: Path) -> None:
     Raises:
         OSError: the folder can't be written.
     """
-    settings = result.settings
     write_whole(
         path,
         as_json(
             {
                 "schema": SCHEMA,
-                "seed": settings.seed,
-                "counts": dict(settings.counts),
-                "strengths_sigmas": [LEAST, settings.strongest],
                 "figures": [_figure(figure) for figure in result.figures],
                 "curve": [_point(point) for point in result.curve],
-                "cases": [_case(case) for case in result.cases],
+                "challenges": [_finished(challenge) for challenge in result.challenges],
             }
         ),
     )
@@ -97,6 +108,16 @@ def _point(point: Point) -> dict[str, Any]:
     numbers = {"low_sigmas": point.low, "high_sigmas": point.high, "n": point.right.n}
     right = {"right": point.right.value, "low": point.right.low, "high": point.right.high}
     return _finite({**numbers, **right})
+
+
+def _finished(challenge: Finished) -> dict[str, Any]:
+    settings = challenge.settings
+    return {
+        "seed": settings.seed,
+        "counts": dict(settings.counts),
+        "strengths_sigmas": [LEAST, settings.strongest],
+        "cases": [_case(case) for case in challenge.cases],
+    }
 
 
 def _case(case: Judged) -> dict[str, Any]:

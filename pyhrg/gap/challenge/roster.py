@@ -116,11 +116,25 @@ class Folder:
             )
         write_whole(self.settings, text)
 
-    def publish(self, cases: Sequence[Case], hashes: Sequence[str]) -> dict[str, str]:
-        """Write the index, or hold to the one that is there.
+    def begun(self) -> Settings:
+        """What the folder was begun with.
 
-        Returns:
-            The published hash by case.
+        Raises:
+            ChallengeError: it holds no challenge.
+        """
+        values = _read(self.settings, "seed", "counts", "to")
+        return Settings(values["counts"], values["seed"], values["to"])
+
+    def published(self) -> dict[str, str]:
+        """The published hash of each truth, by case.
+
+        Raises:
+            ChallengeError: nothing is published here yet.
+        """
+        return {case["name"]: case["sha256"] for case in _read(self.index, "cases")["cases"]}
+
+    def publish(self, cases: Sequence[Case], hashes: Sequence[str]) -> None:
+        """Write the index, or hold to the one that is there.
 
         Raises:
             ChallengeError: a truth isn't the one that was published.
@@ -133,9 +147,18 @@ class Folder:
         if self.index.exists() and self.index.read_bytes() != text:
             raise ChallengeError(f"{self.index}: truths are not those that it has published")
         write_whole(self.index, text)
-        return {case.name: digest for case, digest in zip(cases, hashes, strict=True)}
 
 
 def as_json(values: Mapping[str, Any]) -> bytes:
     """Bytes of a JSON file: the same for the same values."""
     return (json.dumps(values, indent=1, sort_keys=True) + "\n").encode()
+
+
+def _read(path: Path, *names: str) -> dict[str, Any]:
+    try:
+        values = json.loads(path.read_bytes())
+        return {name: values[name] for name in names}
+    except OSError as error:
+        raise ChallengeError(f"{path}: {error.strerror or error}; expected a challenge") from error
+    except (ValueError, KeyError, TypeError) as error:
+        raise ChallengeError(f"{path}: expected {', '.join(names)} of a challenge") from error

@@ -22,7 +22,7 @@ from pyhrg.fmu import GyroError, GyroFmu
 from pyhrg.gap.challenge import diagnosis, seal
 from pyhrg.gap.challenge.case import CampaignStrength, Case, Fmus, generated, with_next_test
 from pyhrg.gap.challenge.diagnosis import Diagnosis
-from pyhrg.gap.challenge.report import Score, write
+from pyhrg.gap.challenge.report import Finished, Score, write
 from pyhrg.gap.challenge.roster import ChallengeError, Folder, Settings
 from pyhrg.gap.challenge.score import Judged
 
@@ -46,49 +46,77 @@ class Challenge:
     diagnose: Diagnose
     strength: CampaignStrength | None = None
 
-    def run(self, workers: int) -> Score:
+    def run(self, workers: int, others: Sequence[Folder] = ()) -> Score:
         """Do what is not done yet, and score; the same bytes on any number of workers.
 
+        Args:
+            workers: processes.
+            others: challenges that are finished, to be scored together with this one.
+
         Raises:
-            ChallengeError: the folder is another challenge's, or a diagnosis can't be used.
+            ChallengeError: the folder is another challenge's, a diagnosis can't be used, or another
+                challenge is not finished or has a seed that is there already.
             OSError: it can't be written.
         """
+        known = self._others(others)
         cases = self.settings.cases()
         self.folder.begin(self.settings)
         with _shared(workers) as share:
             hashes = share("generated", partial(_generate, self), cases)
-            published = self.folder.publish(cases, list(hashes))
+            self.folder.publish(cases, list(hashes))
             list(share("diagnosed", partial(_diagnose, self), cases))
             asked = [case for case in cases if self._is_to_be_settled(case)]
             list(share("tested again", partial(_diagnose_next, self), asked))
-        score = Score(self.settings, [self._judged(case, published[case.name]) for case in cases])
+        score = Score([finished(self.folder), *known])
         write(score, self.folder.score)
         return score
 
-    def said(self, folder: Path) -> Diagnosis:
-        """What a diagnosis says.
-
-        Raises:
-            ChallengeError: it can't be used.
-        """
-        try:
-            return diagnosis.read(folder / diagnosis.FILE)
-        except CampaignError as error:
-            raise ChallengeError(str(error)) from error
+    def _others(self, folders: Sequence[Folder]) -> list[Finished]:
+        others = [finished(folder) for folder in folders]
+        seeds = {self.settings.seed}
+        for folder, other in zip(folders, others, strict=True):
+            if other.settings.seed in seeds:
+                raise ChallengeError(f"{folder.root}: seed {other.settings.seed} is scored already")
+            seeds.add(other.settings.seed)
+        return others
 
     def _is_to_be_settled(self, case: Case) -> bool:
         """Whether something is confounded, and a test that is made here would settle it."""
-        said = self.said(self.folder.diagnosis(case.name))
+        said = _said(self.folder.diagnosis(case.name))
         return case.kind in ("single", "pair") and said.next_test is not None
 
-    def _judged(self, case: Case, published: str) -> Judged:
-        try:
-            truth = seal.opened(self.folder.truth(case.name), published)
-        except seal.SealError as error:
-            raise ChallengeError(str(error)) from error
-        again = self.folder.next_diagnosis(case.name)
-        then = self.said(again) if (again / diagnosis.FILE).exists() else None
-        return Judged(case.name, truth, self.said(self.folder.diagnosis(case.name)), then)
+
+def finished(folder: Folder) -> Finished:
+    """A challenge all of whose cases are diagnosed.
+
+    Raises:
+        ChallengeError: it isn't, or a truth is not the one that was published.
+    """
+    settings, published = folder.begun(), folder.published()
+    cases = [_judged(folder, case.name, published[case.name]) for case in settings.cases()]
+    return Finished(settings, cases)
+
+
+def _judged(folder: Folder, name: str, published: str) -> Judged:
+    try:
+        truth = seal.opened(folder.truth(name), published)
+    except seal.SealError as error:
+        raise ChallengeError(str(error)) from error
+    again = folder.next_diagnosis(name)
+    then = _said(again) if (again / diagnosis.FILE).exists() else None
+    return Judged(name, truth, _said(folder.diagnosis(name)), then)
+
+
+def _said(folder: Path) -> Diagnosis:
+    """What a diagnosis says.
+
+    Raises:
+        ChallengeError: it can't be used.
+    """
+    try:
+        return diagnosis.read(folder / diagnosis.FILE)
+    except CampaignError as error:
+        raise ChallengeError(str(error)) from error
 
 
 def _generate(challenge: Challenge, case: Case) -> str:
@@ -114,7 +142,7 @@ def _diagnose(challenge: Challenge, case: Case) -> None:
 def _diagnose_next(challenge: Challenge, case: Case) -> None:
     """Make the test that was suggested, and diagnose again."""
     folder = challenge.folder
-    said = challenge.said(folder.diagnosis(case.name))
+    said = _said(folder.diagnosis(case.name))
     kind, hours = str(said.next_test), said.next_hours
     extended = folder.next_campaign(case.name)
     if not (extended / campaigns.INDEX).exists():

@@ -3,6 +3,7 @@
 import argparse
 import json
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -98,6 +99,28 @@ def test_a_suggested_test_is_made_and_diagnosed(tmp_path: Path) -> None:
     assert [test.kind for test in extended.tests] == ["rate", "manoeuvre", "tumble"]
     settled = next(f for f in score.figures if f.name.startswith("next test"))
     assert (settled.n, settled.value) == (1, 0.0)
+
+
+@pytest.mark.usefixtures("quick_cases")
+def test_challenges_of_other_seeds_are_scored_together(tmp_path: Path) -> None:
+    one, two, same, begun = (Folder(tmp_path / name) for name in ("1", "2", "same", "begun"))
+    Challenge(one, SETTINGS, says_no_gap).run(1)
+    other = Challenge(two, replace(SETTINGS, seed=4), says_no_gap)
+    score = other.run(1, [one])
+    assert [len(challenge.cases) for challenge in score.challenges] == [3, 3]
+    assert [figure.n for figure in score.figures[:2]] == [4, 2]
+    listed = json.loads(two.score.read_text())["challenges"]
+    assert [(of["seed"], len(of["cases"])) for of in listed] == [(4, 3), (3, 3)]
+    with pytest.raises(ChallengeError, match="1: seed 3 is scored already"):
+        Challenge(same, SETTINGS, says_no_gap).run(1, [one])
+    with pytest.raises(ChallengeError, match=r"settings\.json: No such file.*expected a challenge"):
+        other.run(1, [begun])
+    begun.begin(SETTINGS)
+    with pytest.raises(ChallengeError, match=r"challenge\.json: No such file"):
+        other.run(1, [begun])
+    begun.index.write_text("{}")
+    with pytest.raises(ChallengeError, match=r"challenge\.json: expected cases of a challenge"):
+        other.run(1, [begun])
 
 
 @pytest.mark.usefixtures("quick_cases")

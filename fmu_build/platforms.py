@@ -74,7 +74,11 @@ def chosen(names: Sequence[str], fmi: int) -> list[str]:
 
 
 def compile_library(
-    folder: Path, sources: Sequence[str], identifier: str, target: Platform
+    folder: Path,
+    sources: Sequence[str],
+    identifier: str,
+    target: Platform,
+    flags: Sequence[str] = FLAGS,
 ) -> bytes:
     """Shared library of the C sources in a folder.
 
@@ -88,7 +92,7 @@ def compile_library(
     if target.suffix == ".dylib":
         link.append(f"-Wl,-install_name,@rpath/{library.name}")
     output = f"{target.name}/{library.name}"
-    command = [*COMPILER, "-target", target.target, *FLAGS, *link, f"-I{headers}", "-o", output]
+    command = [*COMPILER, "-target", target.target, *flags, *link, f"-I{headers}", "-o", output]
     command += [*sources, "-lm"]
     run = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     if run.returncode != 0:

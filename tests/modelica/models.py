@@ -12,11 +12,13 @@ import pymoca.parser
 from fmpy.fmi2 import FMU2Slave
 
 from fmu_build.bundle import SHELLS, SOURCES, modelica_library, write_sources
-from fmu_build.platforms import PLATFORMS, compile_library, host
+from fmu_build.platforms import FLAGS, PLATFORMS, compile_library, host
 from fmu_build.roots import ROOTS, Root
 from fmu_build.translate import translate
 
 IDENTIFIER = "Model"
+SHORT = 60.0
+"""Stop time up to which a model is compiled longer than it runs, s."""
 
 
 @dataclass(frozen=True)
@@ -151,7 +153,8 @@ def _write(model: Model, folder: Path) -> None:
     root = Root(IDENTIFIER, model.name, model.name, model.integrator, "0.01")
     dae = translate(modelica_library(), model.name, "" if model.is_own else model.text)
     description = write_sources(dae, folder, 2, root)
-    library = compile_library(folder, [*SOURCES, SHELLS[2]], IDENTIFIER, platform)
+    flags = [*FLAGS, "-O0"] if model.stop_time <= SHORT else FLAGS
+    library = compile_library(folder, [*SOURCES, SHELLS[2]], IDENTIFIER, platform, flags)
     (folder / "modelDescription.xml").write_text(description)
     binaries = folder / "binaries" / str(platform.fmi2_folder)
     binaries.mkdir(parents=True)

@@ -30,10 +30,10 @@ def typical(fmu_path: Path) -> Comparison:
 def test_same_seed_same_result_on_any_number_of_workers(
     fmu_path: Path, typical: Comparison
 ) -> None:
-    """The first two triads of the six, one after the other."""
-    again = compare(fmu_path, short_mission(0.1), 2, 2, plan=SHORTEST, workers=1)
+    """The first triad of the six, by itself."""
+    again = compare(fmu_path, short_mission(0.1), 1, 2, plan=SHORTEST, workers=1)
     for name in ("radial", "heading", "ready", "start_up"):
-        assert np.array_equal(getattr(again, name), getattr(typical, name)[:, :2]), name
+        assert np.array_equal(getattr(again, name), getattr(typical, name)[:, :1]), name
 
 
 def test_knowing_more_buys_more(typical: Comparison) -> None:

@@ -93,7 +93,8 @@ def finished(folder: Folder) -> Finished:
         ChallengeError: it isn't, or a truth is not the one that was published.
     """
     settings, published = folder.begun(), folder.published()
-    cases = [_judged(folder, case.name, published[case.name]) for case in settings.cases()]
+    names = [case.name for case in settings.cases()]
+    cases = [_judged(folder, name, published.get(name, "nothing")) for name in names]
     return Finished(settings, cases)
 
 

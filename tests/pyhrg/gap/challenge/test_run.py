@@ -121,6 +121,9 @@ def test_challenges_of_other_seeds_are_scored_together(tmp_path: Path) -> None:
     begun.index.write_text("{}")
     with pytest.raises(ChallengeError, match=r"challenge\.json: expected cases of a challenge"):
         other.run(1, [begun])
+    begun.index.write_text('{"cases": []}')
+    with pytest.raises(ChallengeError, match=r"unit-0001\.json: can't be read"):
+        other.run(1, [begun])
 
 
 @pytest.mark.usefixtures("quick_cases")

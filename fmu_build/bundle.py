@@ -117,6 +117,7 @@ def sources_digest() -> str:
         (package, "*.py"),
         (package, "*.css"),
         (package, "c/*"),
+        (package, "windows/*"),
     ):
         for file in sorted(root.glob(pattern)):
             digest.update(file.relative_to(root).as_posix().encode())

@@ -85,7 +85,7 @@ class Sample:
     every: int
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Dae:
     """A flat model whose periodic clocks tick at whole multiples of one base period.
 

@@ -9,10 +9,15 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import fmpy
+import ziglang
 
 COMPILER = [sys.executable, "-m", "ziglang", "cc"]
 PORTABLE_FLAGS = ["-O2", "-ffp-contract=off", "-fno-math-errno", "-fvisibility=hidden"]
 FLAGS = ["-std=c99", *PORTABLE_FLAGS, "-fno-sanitize=all", "-Wall", "-Wextra"]
+UCRT = ("stdio", "heap", "string", "math", "convert", "private")
+"""Parts of Windows' own C runtime that are used."""
+WINDOWS_RUNTIME = Path(__file__).parent / "windows" / "runtime.c"
+WINDOWS_HEADERS = Path(ziglang.__file__).parent / "lib/libc/include/any-windows-any"
 
 
 @dataclass(frozen=True)
@@ -24,6 +29,14 @@ class Platform:
     fmi2_folder: str | None
     suffix: str
     link: tuple[str, ...] = ("-shared", "-s")
+
+    @property
+    def runtime(self) -> list[str]:
+        """Arguments of the compiler for the C runtime."""
+        if self.suffix != ".dll":
+            return ["-lm"]
+        parts = [f"-lapi-ms-win-crt-{part}-l1-1-0" for part in UCRT]
+        return ["-nostdlib", "-isystem", str(WINDOWS_HEADERS), str(WINDOWS_RUNTIME), *parts]
 
 
 PLATFORMS = {
@@ -93,7 +106,7 @@ def compile_library(
         link.append(f"-Wl,-install_name,@rpath/{library.name}")
     output = f"{target.name}/{library.name}"
     command = [*COMPILER, "-target", target.target, *flags, *link, f"-I{headers}", "-o", output]
-    command += [*sources, "-lm"]
+    command += [*sources, *target.runtime]
     run = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     if run.returncode != 0:
         raise BuildError(f"the C compiler failed for {target.name}:\n{run.stderr}")

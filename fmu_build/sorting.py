@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 from fmu_build.dae import Dae, Sample
 
@@ -47,6 +48,7 @@ class Schedule:
     tick: tuple[Assignment, ...]
 
 
+@lru_cache(maxsize=1)
 def schedule(dae: Dae) -> Schedule:
     """Order the model's equations.
 

@@ -9,7 +9,7 @@ import pytest
 
 from tests.fmu_build import native
 
-RUNS = [(2, "HRG", 30_000), (3, "HRG", 30_000), (3, "HRGSlow", 20_000), (3, "HRGCarrier", 1_000)]
+RUNS = [(2, "HRG", 15_000), (3, "HRG", 15_000), (3, "HRGSlow", 10_000), (3, "HRGCarrier", 1_000)]
 
 
 @pytest.mark.parametrize(("fmi", "root", "calls"), RUNS)

@@ -59,13 +59,18 @@ def models(
 
 
 def _host(folder: Path, fmi: int, name: str) -> Path:
-    """The host program for a platform; compiled like libraries, to share their C runtime."""
+    """The host program for a platform."""
     platform = PLATFORMS[name]
     program = folder / f"host-{name}.exe"
     flags = ["-target", platform.target, *FLAGS, "-s", f"-DFMI={fmi}", f"-I{native.HEADERS}"]
-    libraries = [] if platform.suffix == ".dll" else ["-ldl"]
-    source = native.HERE / "host.c"
-    native.run([*COMPILER, *flags, source, *libraries, "-o", program], seconds=300)
+    sources = [native.HERE / "host.c"]
+    if platform.suffix == ".dll":
+        sources.append(native.HERE / "windows_start.c")
+        flags += ["-Wl,-e,mainCRTStartup", *platform.runtime]
+        flags += ["-lapi-ms-win-crt-runtime-l1-1-0", "-lkernel32"]
+    else:
+        flags.append("-ldl")
+    native.run([*COMPILER, *sources, *flags, "-o", program])
     return program
 
 

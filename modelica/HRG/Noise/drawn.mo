@@ -6,6 +6,6 @@ function drawn "The next deviates, where they are needed"
 algorithm
   result := if isNeeded > 0.5 then deviates(memory) else memory;
   annotation (Documentation(info="<html>
-<p>A gyro without noise is simulated in half the time.</p>
+<p>A gyro without noise is simulated in three quarters of the time.</p>
 </html>"));
 end drawn;

@@ -78,9 +78,9 @@ def test_covariance_on_moving_vehicles_is_consistent(motion: Motion) -> None:
 
 @pytest.mark.parametrize("errors", [SIMPLE, HRG])
 def test_a_still_vehicle_is_aligned_no_worse_than_by_averaging(errors: SensorErrors) -> None:
-    """40 vehicles, biases apart, which both methods feel alike: errors normalised by each one's
+    """20 vehicles, biases apart, which both methods feel alike: errors normalised by each one's
     covariance, 99 % interval, and headings that scatter by at most a fifth more; seed 6."""
-    rng, count = np.random.default_rng(6), 40
+    rng, count = np.random.default_rng(6), 20
     unbiased = replace(errors, gyro_bias=0.0, accelerometer_bias=0.0)
     squares, headings = [], []
     for _ in range(count):

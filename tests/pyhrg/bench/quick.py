@@ -12,7 +12,7 @@ from pyhrg.campaign import Test
 from tests.pyhrg.bench.cases import QUICK_PLAN
 
 RUNS = 3
-LONG = 16
+LONG = 20
 """Power-ons of the test that is long enough to be interrupted."""
 
 

@@ -1,21 +1,27 @@
-"""`hrg bench all`, on the typical gyro and on a recorded campaign: every procedure, end to end."""
+"""`hrg bench all`, on a typical gyro that is soon warm and on a recorded campaign: every procedure,
+end to end."""
 
 import json
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from fmu_build.cli import main
+from pyhrg import device_file
 from pyhrg.bench.catalogue import PROCEDURES
 from pyhrg.bench.reporting.parameter_system import TABLE_1
+from pyhrg.parameters import TYPICAL
 
 
 @pytest.fixture(scope="module")
 def out(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("bench") / "out"
-    assert main(["bench", "all", "--out", str(folder)]) == 0
-    return folder
+    folder = tmp_path_factory.mktemp("bench")
+    device = folder / "gyro.toml"
+    device_file.write(replace(TYPICAL, thermal_lag=30.0), device)
+    assert main(["bench", "all", "--device", str(device), "--out", str(folder / "out")]) == 0
+    return folder / "out"
 
 
 def findings(out: Path, procedure: str) -> dict[str, dict[str, object]]:

@@ -16,15 +16,18 @@ from pyhrg.gap.design import design
 from pyhrg.gap.diagnosis import Diagnosis, Where
 from pyhrg.gap.free_pattern import steady
 from pyhrg.gap.gap_figures import gap_figures
+from pyhrg.gap.hypothesis import FIDELITY
 from pyhrg.gap.judgement import judged, unnamed
 from pyhrg.gap.localisation import Place, located
 from pyhrg.gap.next_test import rivals, suggested
 from pyhrg.gap.observations import CHANNELS, Observed, observed
 from pyhrg.gap.quantity import Size, sizes
 from pyhrg.gap.quantum import counted
+from pyhrg.gap.remainder import Remainder, remainders
 from pyhrg.gap.replay import tells_start
 from pyhrg.gap.simulation import Answers, Simulation, added
 from pyhrg.gap.soundness import sound
+from pyhrg.gap.unsteady import unsteady
 
 Array = NDArray[np.float64]
 Residuals = Mapping[str, Array]
@@ -92,16 +95,17 @@ def diagnosed(
     say("closing")
     ordered = (*fitted, *(t for t in tests if t.test.is_holdout))
     before, after = _left(simulation, found, closed, ordered)
+    rest = unsteady(_rest(found), FIDELITY * found.ranked.best.explained)
     say("verifying, and looking for the next test")
     return Diagnosed(
         Diagnosis(
             campaign.device,
-            *judged(found, effects),
+            *judged(found, effects, rest),
             where=_where(found),
             sizes=_sizes(found, before, after),
             gap=gap_figures(ordered, _angles(before), _angles(after), found),
             next_test=suggested(simulation, found, rivals(found, effects)),
-            unnamed=unnamed(found),
+            unnamed=unnamed(found, rest),
             excluded=excluded,
             settled=found.settled,
         ),
@@ -144,6 +148,13 @@ def _residuals(
     for name in CHANNELS[1:]:
         residuals[name] = residuals[name] + slopes[name] * turned
     return {name: np.where(test.rows[name], residuals[name], np.nan) for name in CHANNELS}
+
+
+def _rest(found: Attribution) -> list[Remainder]:
+    best = found.ranked.best
+    taken = dict(zip(best.groups, best.values, strict=True))
+    noise = replace(found.channel_noise, angle=found.noise.noise)
+    return remainders(found.parts, taken, noise, found.believed)
 
 
 def _where(found: Attribution) -> tuple[Where, ...]:

@@ -79,6 +79,19 @@ def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
     )
 
 
+def log_evidence(power: Array, size: int) -> Array:
+    """Of groups whose columns are at right angles, over that of nothing.
+
+    Args:
+        power: of the residual that each explains, in deviations of the noise squared.
+        size: columns of each.
+    """
+    length = np.sqrt(np.maximum(power, size))
+    surface = math.log(2) + size / 2 * math.log(math.pi) - float(gammaln(size / 2))
+    prior = -surface - size * np.log(length) - math.log(math.log(LARGEST))
+    return np.asarray(power / 2 + size / 2 * math.log(2 * math.pi) + prior)
+
+
 def least_left(group: Group) -> float:
     """Share of variance that a group's columns must have left beside others."""
     return ALIKE if isinstance(group, Element) else SAME

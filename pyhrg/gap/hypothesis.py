@@ -4,32 +4,28 @@ What wanders may be noise, or something that nobody has a name for: each noise i
 that go with it, and the likelier of them is taken.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device import Device
-from pyhrg.gap import unknown
 from pyhrg.gap.catalogue import Effect
 from pyhrg.gap.channel_noise import ChannelNoise, angle_noise, believed_noise
-from pyhrg.gap.design import Design, Evidence, Group, design, tempered
+from pyhrg.gap.design import Design, Evidence, design, tempered
 from pyhrg.gap.evidence import Fit
 from pyhrg.gap.noise_search import AngleRecord, NoiseFound, alike, noise_found
+from pyhrg.gap.remainder import Taken, remainders
 from pyhrg.gap.search import Ranked, ranked
 
 Array = NDArray[np.float64]
-Taken = Mapping[Group, Array]
-"""Sizes of what is taken out of a record, by group."""
 
 FIDELITY = 1e-8
 """Share of a response's power that a simulation gets wrong: simulators of one physics that were
 written apart agree to 1e-4."""
 PLAIN = 1e4
 """Power that is explained, in deviations of the noise squared, which no noise would let be."""
-NOMINAL = 0.05
-"""Share by which an amplitude may be off and still be the nominal one."""
 
 
 @dataclass(frozen=True)
@@ -82,7 +78,9 @@ def weighed(first: Hypothesis, believed: Device, parts: Sequence[Evidence]) -> H
     found = first.ranked.best
     nothing: list[Taken] = [{}] if found.explained < PLAIN else []
     for taken in _unlike(_every(found), _named(found), *nothing):
-        noise = noise_found(_angles_left(parts, taken, believed), angle_noise(believed))
+        noise = noise_found(
+            _angles(parts, taken, first.channel_noise, believed), angle_noise(believed)
+        )
         if not any(alike(noise.noise, one) for one in tried):
             tried.append(noise.noise)
             rival = ranked_under(noise, believed, parts)
@@ -102,20 +100,8 @@ def _named(found: Fit) -> Taken:
     return {group: value for group, value in _every(found).items() if isinstance(group, Effect)}
 
 
-def _angles_left(parts: Sequence[Evidence], taken: Taken, believed: Device) -> list[AngleRecord]:
-    """Output angles without what is taken out, while the amplitude is nominal: at a smaller one all
-    noise is larger."""
-    records = []
-    for index, part in enumerate(parts):
-        left = part.residual["gyro_angle"].copy()
-        elements = dict(unknown.columns(part.where, "gyro_angle", len(parts), index))
-        for group, value in taken.items():
-            if isinstance(group, Effect):
-                left -= part.secants[group]["gyro_angle"] @ value
-            elif group in elements:
-                left -= elements[group] @ value
-        log = part.test.log
-        driven = np.abs(log.amplitude_setpoint - believed.amplitude) < NOMINAL * believed.amplitude
-        rows = part.test.rows["gyro_angle"] & driven & (log.drive_on > 0)
-        records.append(AngleRecord(left[rows], np.diff(log.time[rows], prepend=0.0)))
-    return records
+def _angles(
+    parts: Sequence[Evidence], taken: Taken, noise: ChannelNoise, believed: Device
+) -> list[AngleRecord]:
+    left = remainders(parts, taken, noise, believed, ("gyro_angle",))
+    return [AngleRecord(r.values, r.steps) for r in left]

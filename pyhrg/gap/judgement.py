@@ -13,6 +13,7 @@ from pyhrg.gap.catalogue import Effect
 from pyhrg.gap.diagnosis import Cause, Verdict
 from pyhrg.gap.equivalents import equivalents
 from pyhrg.gap.noise_search import NORMAL_95, AddedNoise
+from pyhrg.gap.unsteady import Unsteady
 
 Array = NDArray[np.float64]
 
@@ -21,16 +22,18 @@ LIKELY = 0.5
 
 
 def judged(
-    found: Attribution, effects: Sequence[Effect]
+    found: Attribution, effects: Sequence[Effect], rest: Sequence[Unsteady]
 ) -> tuple[Verdict, tuple[Cause, ...], float]:
     """Verdict, causes, and the probability that something outside the catalogue takes part.
 
     Args:
         found: by the search.
         effects: the catalogue.
+        rest: what is left may be.
     """
     causes = [*_named(found, effects), *(_noise(added) for added in found.noise.added)]
-    unknown = min(1.0, found.ranked.unknown_probability)
+    known = [1 - min(1.0, found.ranked.unknown_probability), *(1 - one.probability for one in rest)]
+    unknown = 1 - math.prod(known)
     if unknown >= LIKELY:
         verdict: Verdict = "unexplained"
     elif not causes:
@@ -94,8 +97,9 @@ def _noise(added: AddedNoise) -> Cause:
     )
 
 
-def unnamed(found: Attribution) -> dict[str, float]:
+def unnamed(found: Attribution, rest: Sequence[Unsteady]) -> dict[str, float]:
     """What takes part outside the catalogue, in words, with probabilities."""
     groups = {g for f in found.ranked.fits for g in f.groups if not isinstance(g, Effect)}
     probabilities = {g.words: found.ranked.probability(g) for g in groups}
+    probabilities |= {one.words: one.probability for one in rest}
     return dict(sorted(((w, p) for w, p in probabilities.items() if p > 0.01), key=lambda x: -x[1]))

@@ -17,6 +17,7 @@ from pyhrg.gap.catalogue import DETERMINISTIC, EFFECTS, NOISES, Effect, NoiseEff
 from pyhrg.gap.challenge.course import Course
 from pyhrg.gap.challenge.gyro import Disturbance, TrueGyro
 from pyhrg.gap.challenge.instruments import Instruments
+from pyhrg.gap.challenge.unsteadiness import unsteadiness
 from pyhrg.gap.observations import Mask, observed
 from pyhrg.gap.replay import replayable, replayed
 from pyhrg.gap.whitening import SlowNoise, whitened
@@ -129,9 +130,17 @@ class Meter:
 
     def residual(self, device: Device, disturbance: Disturbance = NOTHING) -> Array:
         """(n,) whitened, of all tests and channels."""
+        return np.concatenate(self._residuals(device, disturbance))
+
+    def sigmas_of_unsteady(self, disturbance: Disturbance) -> float:
+        """Strength of noise that comes and goes, beyond that of steady noise."""
+        return unsteadiness(self._residuals(self.believed, disturbance))
+
+    def _residuals(self, device: Device, disturbance: Disturbance) -> list[Array]:
+        """(n,) whitened, of each channel of each test."""
         logs = self._logs(device, disturbance)
         every = zip(logs, self._seen, self._expected, strict=True)
-        return np.concatenate([self._white(device, *each) for each in every])
+        return [series for each in every for series in self._white(device, *each)]
 
     def _logs(self, device: Device, disturbance: Disturbance) -> list[Log]:
         gyro = TrueGyro(self.fmu, device, self.instruments, disturbance)
@@ -140,7 +149,7 @@ class Meter:
             disturbance.shown(gyro.exact("", course, start, still)) for course, start in self.tests
         ]
 
-    def _white(self, device: Device, log: Log, seen: Seen, expected: Residual) -> Array:
+    def _white(self, device: Device, log: Log, seen: Seen, expected: Residual) -> list[Array]:
         noises = self._noises(device, log)
         pieces = []
         for name, residual in self._residual(log, seen).items():
@@ -148,7 +157,7 @@ class Meter:
             gap = (residual - expected[name])[rows, None]
             steps = np.diff(log.time[rows], prepend=0.0)
             pieces.append(whitened(gap, steps, noises[name]).series[:, 0])
-        return np.concatenate(pieces)
+        return pieces
 
     @cached_property
     def _seen(self) -> list[Seen]:

@@ -192,6 +192,8 @@ class Drawing:
     def _beyond(self, form: Form, freedom: int, size: float) -> float:
         believed = self.meter.believed
         disturbance = form.disturbance(believed, size, np.random.default_rng(freedom))
+        if form.coordinate == "noise":
+            return self.meter.sigmas_of_unsteady(disturbance)
         gap = self.meter.residual(believed, disturbance)
         return self.meter.sigmas_beyond_catalogue(gap)
 

@@ -1,0 +1,108 @@
+"""What is left of the records when effects and elements of stated sizes are taken out."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.device import Device
+from pyhrg.gap import unknown
+from pyhrg.gap.catalogue import Effect
+from pyhrg.gap.channel_noise import ChannelNoise
+from pyhrg.gap.design import Evidence, Group
+from pyhrg.gap.observations import CHANNELS, Mask
+from pyhrg.gap.whitening import SlowNoise, whitened
+
+Array = NDArray[np.float64]
+Taken = Mapping[Group, Array]
+"""Sizes of what is taken out of a record, by group."""
+
+NOMINAL = 0.05
+"""Share by which an amplitude may be off and still be the nominal one."""
+
+
+@dataclass(frozen=True)
+class Remainder:
+    """What is left of one channel in one test.
+
+    values: (n,) SI.
+    steps: (n,) time from the reading before, s.
+    noise: that it should be.
+    """
+
+    test: str
+    channel: str
+    values: Array
+    steps: Array
+    noise: SlowNoise
+
+    @cached_property
+    def white(self) -> Array:
+        """(n,) in deviations of the noise."""
+        return whitened(self.values[:, None], self.steps, self.noise).series[:, 0]
+
+    @property
+    def times(self) -> Array:
+        """(n,) s."""
+        return np.cumsum(self.steps)
+
+    @property
+    def interval(self) -> float:
+        """Length of a row, s."""
+        return round(float(np.median(self.steps[1:])), 9)
+
+
+def remainders(
+    parts: Sequence[Evidence],
+    taken: Taken,
+    noise: ChannelNoise,
+    believed: Device,
+    channels: Sequence[str] = CHANNELS,
+) -> list[Remainder]:
+    """Of channels, all tests of each; of the output angle while the amplitude is nominal: at a
+    smaller one all its noise is larger."""
+    named: Taken = {g: value for g, value in taken.items() if isinstance(g, Effect)}
+    found = []
+    for index, part in enumerate(parts):
+        turned = _left(part, named, "gyro_angle", 1, 0)[:, None]
+        for channel in channels:
+            left = _left(part, taken, channel, len(parts), index)[:, None]
+            values = part.at_measured_angle(left, turned, channel)[:, 0]
+            rows = part.test.rows[channel]
+            if channel == "gyro_angle":
+                rows = rows & _is_nominal(part, believed)
+            steps = np.diff(part.test.log.time[rows], prepend=0.0)
+            own = noise.of(channel, part.test)
+            found.append(Remainder(part.test.test.id, channel, values[rows], steps, own))
+    return found
+
+
+def _left(part: Evidence, taken: Taken, channel: str, tests: int, index: int) -> Array:
+    """(n,) of a channel's residual.
+
+    Args:
+        part: of one test.
+        taken: out of it.
+        channel: a field of a log.
+        tests: number of the campaign's tests.
+        index: of this one.
+    """
+    left = part.residual[channel].copy()
+    elements = {
+        g: v for g, v in taken.items() if not isinstance(g, Effect) and g.channel == channel
+    }
+    columns = dict(unknown.columns(part.where, channel, tests, index)) if elements else {}
+    for group, value in taken.items():
+        if isinstance(group, Effect):
+            left -= part.secants[group][channel] @ value
+        elif group in elements:
+            left -= columns[group] @ value
+    return left
+
+
+def _is_nominal(part: Evidence, believed: Device) -> Mask:
+    log = part.test.log
+    near = np.abs(log.amplitude_setpoint - believed.amplitude) < NOMINAL * believed.amplitude
+    return np.asarray(near & (log.drive_on > 0))

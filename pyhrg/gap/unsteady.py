@@ -1,0 +1,124 @@
+"""What is left when all that has a name is taken out, and is no steady noise: a line, or a stretch
+of a test whose noise is another. No coordinate of a test foretells either.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import expit, logsumexp
+
+from pyhrg.gap.evidence import log_evidence
+from pyhrg.gap.remainder import Remainder
+
+Array = NDArray[np.float64]
+
+ODDS = 0.025
+"""Prior odds of a line, and of a stretch."""
+SHORTEST = 16
+"""Readings of a stretch."""
+BLOCKS = (1, 8, 64)
+"""Rows that add up to a reading: over more of them, noise that wanders stands out."""
+LOUDEST = 10.0
+"""Noise of a stretch over that of its test, or the other way round."""
+TOLERANCE = 0.03
+"""By which noise may be steady and its level off, of its logarithm."""
+CYCLES = 5
+"""In the longest test, of what is a line and no drift."""
+PADDING = 2
+"""Frequencies in the width of a line."""
+
+
+@dataclass(frozen=True)
+class Unsteady:
+    """What a remainder may be beside steady noise.
+
+    words: what and where, for people.
+    log_odds: that it is there.
+    """
+
+    words: str
+    log_odds: float
+
+    @property
+    def probability(self) -> float:
+        """That it is there."""
+        return float(expit(self.log_odds))
+
+
+def unsteady(remainders: Sequence[Remainder], wrong: float = 0.0) -> tuple[Unsteady, ...]:
+    """The likeliest line and the likeliest stretch, each by itself, there or not.
+
+    Args:
+        remainders: of all tests and channels; those of a few rows say nothing.
+        wrong: power that the simulation may get wrong, in deviations of the noise squared.
+    """
+    long = [r for r in remainders if len(r.values) >= 2 * SHORTEST]
+    alternatives = [list(_lines(long, wrong)), list(_stretches(long))]
+    return tuple(_likeliest(found) for found in alternatives if found)
+
+
+def _likeliest(alternatives: Sequence[Unsteady]) -> Unsteady:
+    """One of several that are as likely beforehand: its words, the odds of all."""
+    best = max(alternatives, key=lambda one: one.log_odds)
+    every = float(logsumexp([one.log_odds for one in alternatives]))
+    return Unsteady(best.words, every - math.log(len(alternatives)) + math.log(ODDS))
+
+
+def _lines(remainders: Sequence[Remainder], wrong: float) -> Iterator[Unsteady]:
+    """A frequency of a channel, in one test alone or in all tests of one row length."""
+    kinds = sorted(remainders, key=lambda r: (r.channel, r.interval))
+    for (channel, interval), group in groupby(kinds, key=lambda r: (r.channel, r.interval)):
+        those = list(group)
+        rows = [np.round(r.times / interval).astype(int) for r in those]
+        size = 1 << math.ceil(math.log2(PADDING * (max(row[-1] for row in rows) + 1)))
+        powers = [_spectrum(r.white, row, size) for r, row in zip(those, rows, strict=True)]
+        sets = [([r.test], power) for r, power in zip(those, powers, strict=True)]
+        if len(those) > 1:
+            sets.append(([r.test for r in those], np.sum(powers, axis=0)))
+        for tests, power in sets:
+            score = log_evidence(power / (1 + wrong), 2 * len(tests))
+            period = size * interval / (int(np.argmax(score)) + CYCLES * PADDING)
+            where = tests[0] if len(tests) == 1 else f"{len(tests)} tests"
+            yield Unsteady(
+                f"periodic in {period:.4g} s in {where} ({channel})",
+                float(logsumexp(score)) - math.log(len(score)),
+            )
+
+
+def _spectrum(white: Array, rows: NDArray[np.int64], size: int) -> Array:
+    """Power that a line of each frequency explains, but the slowest and the highest."""
+    series = np.zeros(size)
+    series[rows] = white
+    return np.asarray(2 * np.abs(np.fft.rfft(series)[CYCLES * PADDING : -1]) ** 2 / len(white))
+
+
+def _stretches(remainders: Sequence[Remainder]) -> Iterator[Unsteady]:
+    """Halves of a test, quarters, and so on, each beside the level of the whole test."""
+    for r in remainders:
+        for rows in BLOCKS:
+            count = len(r.white) // rows
+            readings = r.white[: count * rows].reshape(count, rows).sum(axis=1)
+            summed = np.concatenate([[0.0], np.cumsum(readings**2)])
+            length = count // 2
+            while length >= SHORTEST:
+                begins = np.arange(0, count - length + 1, length // 2)
+                level = (summed[begins + length] - summed[begins]) / length
+                score = _another_level(level * count / summed[-1], length)
+                first = r.times[begins[int(np.argmax(score))] * rows]
+                yield Unsteady(
+                    f"noise of its own in {r.test} from {first:.0f} s ({r.channel})",
+                    float(logsumexp(score)) - math.log(len(score)),
+                )
+                length //= 2
+
+
+def _another_level(level: Array, readings: int) -> Array:
+    """Log evidence that noise of a mean square has a level of its own, flat in its logarithm."""
+    off = np.log(level) / 2
+    off = np.sign(off) * np.maximum(np.abs(off) - TOLERANCE, 0.0)
+    likelier = readings / 2 * (np.exp(2 * off) - 1 - 2 * off)
+    return np.asarray(likelier + math.log(math.pi / readings) / 2 - math.log(2 * math.log(LOUDEST)))

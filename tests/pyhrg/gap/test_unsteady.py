@@ -1,0 +1,102 @@
+"""A line, and a stretch with noise of its own, stand out of steady noise; steady noise doesn't."""
+
+import re
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from pyhrg.gap.remainder import Remainder
+from pyhrg.gap.unsteady import Unsteady, unsteady
+from pyhrg.gap.whitening import SlowNoise
+
+Array = NDArray[np.float64]
+
+ROWS = 4000
+TESTS = 6
+WHITE = SlowNoise(1.0)
+KINDS = ("line", "stretch")
+
+
+def found(series: list[Array], noise: SlowNoise = WHITE, wrong: float = 0.0) -> list[Unsteady]:
+    """A line and a stretch, in tests of 1 s a row."""
+    steps = np.ones(ROWS)
+    rest = [Remainder(f"t{i}", "gyro_angle", x, steps, noise) for i, x in enumerate(series)]
+    return list(unsteady(rest, wrong))
+
+
+def steady(seed: int) -> list[Array]:
+    generator = np.random.default_rng(seed)
+    return list(generator.standard_normal((TESTS, ROWS)))
+
+
+def test_steady_noise_is_steady() -> None:
+    """Negative control: of 40 campaigns, seeds 0 to 39, none has odds of one in ten."""
+    odds = [one.log_odds for seed in range(40) for one in found(steady(seed))]
+    assert max(odds) < np.log(0.1)
+
+
+def test_a_walk_is_steady_noise() -> None:
+    noise = SlowNoise(1.0, walk=0.5)
+    generator = np.random.default_rng(1)
+    walks = [x + 0.5 * np.cumsum(generator.standard_normal(ROWS)) for x in steady(2)]
+    assert all(one.log_odds < np.log(0.1) for one in found(walks, noise))
+
+
+def test_a_line_is_found_whatever_its_phase_in_each_test() -> None:
+    """10 sigma in all, 4 in a test; its period to half a line's width."""
+    generator = np.random.default_rng(3)
+    time = np.arange(ROWS)
+    size = 10 * np.sqrt(2 / (ROWS * TESTS))
+    series = [x + size * np.sin(2 * np.pi * (time / 17.3 + generator.random())) for x in steady(4)]
+    line, stretch = found(series)
+    assert line.log_odds > 5
+    told = re.fullmatch(r"periodic in (.*) s in 6 tests \(gyro_angle\)", line.words)
+    assert told
+    assert float(told[1]) == pytest.approx(17.3, abs=17.3**2 / ROWS / 2)
+    assert stretch.log_odds < 0
+
+
+def test_what_a_simulation_gets_wrong_is_no_line() -> None:
+    series = steady(5)
+    series[0] = series[0] + 0.3 * np.sin(np.arange(ROWS))
+    assert found(series)[0].log_odds > 20
+    assert found(series, wrong=10.0)[0].log_odds < 0
+
+
+def test_a_slow_drift_is_no_line() -> None:
+    series = steady(6)
+    series[1] = series[1] + 0.3 * np.cos(2 * np.pi * np.arange(ROWS) / ROWS)
+    assert found(series)[0].log_odds < 0
+
+
+@pytest.mark.parametrize("factor", [0.5, 1.5])
+def test_a_stretch_is_found_where_it_is(factor: float) -> None:
+    series = steady(7)
+    series[2][1000:1500] *= factor
+    line, stretch = found(series)
+    assert stretch.log_odds > 10
+    assert stretch.words.startswith("noise of its own in t2 from 1")
+    assert line.log_odds < 0
+
+
+def test_noise_that_wanders_for_a_while_is_seen_in_means_over_rows() -> None:
+    """A fifth of the rows' deviation in each, which over 64 rows is more than theirs."""
+    series = steady(8)
+    series[3][2000:] += 0.2 * np.cumsum(np.random.default_rng(9).standard_normal(2000))
+    noise = SlowNoise(1.0, walk=0.02)
+    _, stretch = found(series, noise)
+    assert stretch.log_odds > 10
+    assert "in t3" in stretch.words
+
+
+def test_a_level_that_is_off_by_as_much_as_levels_are_is_no_stretch() -> None:
+    series = steady(10)
+    for x in series:
+        x[: ROWS // 2] *= 1.03
+    assert found(series)[1].log_odds < 0
+
+
+def test_a_few_rows_say_nothing() -> None:
+    rest = [Remainder("t", "amplitude", np.ones(20), np.ones(20), WHITE)]
+    assert unsteady(rest) == ()

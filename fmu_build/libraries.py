@@ -8,7 +8,7 @@ from pathlib import Path
 import platformdirs
 
 from fmu_build.files import write_whole
-from fmu_build.platforms import FLAGS, WINDOWS_RUNTIME, Platform, compile_library
+from fmu_build.platforms import FLAGS, UCRT, WINDOWS_RUNTIME, Platform, compile_library
 
 
 def kept_library(
@@ -36,7 +36,7 @@ def kept_library(
 
 
 def _digest(folder: Path, sources: Sequence[str], identifier: str, target: Platform) -> str:
-    digest = hashlib.sha256(f"{version('ziglang')} {FLAGS} {target} {identifier}".encode())
+    digest = hashlib.sha256(f"{version('ziglang')} {FLAGS} {UCRT} {target} {identifier}".encode())
     digest.update(WINDOWS_RUNTIME.read_bytes())
     headers = sorted(f.name for f in folder.glob("*.h"))
     for name in (*sources, *headers):

@@ -19,7 +19,7 @@ int snprintf(char *text, size_t size, const char *format, ...) {
 }
 
 int __fpclassify(double value) {
-  return __builtin_isnan(value) ? FP_NAN : __builtin_isinf(value) ? FP_INFINITE : FP_NORMAL;
+  return __builtin_fpclassify(FP_NAN, FP_INFINITE, FP_NORMAL, FP_SUBNORMAL, FP_ZERO, value);
 }
 
 int DllMainCRTStartup(void *library, unsigned long reason, void *reserved) {

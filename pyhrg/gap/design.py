@@ -44,6 +44,8 @@ class Design:
     places: columns of each group.
     lengths: (p,) norms of the columns before, in deviations of the noise per unit of the column.
     blocks: what each channel of each test adds.
+    wrong: power that simulation and linear equations may get wrong, in deviations of the noise
+        squared.
     """
 
     gram: Array
@@ -52,6 +54,7 @@ class Design:
     places: Mapping[Group, NDArray[np.int64]]
     lengths: Array
     blocks: tuple[Block, ...]
+    wrong: float = 0.0
 
     @property
     def log_likelihood(self) -> float:
@@ -185,9 +188,14 @@ def tempered(whole: Design, share: float) -> Design:
         share: of the response's power that they get wrong.
     """
     beyond = max(whole.power - sum(block.rows for block in whole.blocks), 0.0)
-    root = float(np.sqrt(1 + share * beyond))
+    wrong = share * beyond
+    root = float(np.sqrt(1 + wrong))
     return replace(
-        whole, pull=whole.pull / root, power=whole.power / root**2, lengths=whole.lengths / root
+        whole,
+        pull=whole.pull / root,
+        power=whole.power / root**2,
+        lengths=whole.lengths / root,
+        wrong=wrong,
     )
 
 

@@ -16,7 +16,6 @@ from pyhrg.gap.design import design
 from pyhrg.gap.diagnosis import Diagnosis, Where
 from pyhrg.gap.free_pattern import steady
 from pyhrg.gap.gap_figures import gap_figures
-from pyhrg.gap.hypothesis import FIDELITY
 from pyhrg.gap.judgement import judged, unnamed
 from pyhrg.gap.localisation import Place, located
 from pyhrg.gap.next_test import rivals, suggested
@@ -95,7 +94,7 @@ def diagnosed(
     say("closing")
     ordered = (*fitted, *(t for t in tests if t.test.is_holdout))
     before, after = _left(simulation, found, closed, ordered)
-    rest = unsteady(_rest(found), FIDELITY * found.ranked.best.explained)
+    rest = unsteady(_rest(found), found.design.wrong)
     say("verifying, and looking for the next test")
     return Diagnosed(
         Diagnosis(

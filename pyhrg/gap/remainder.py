@@ -29,6 +29,7 @@ class Remainder:
 
     values: (n,) SI.
     steps: (n,) time from the reading before, s.
+    interval: length of a row, s.
     noise: that it should be.
     """
 
@@ -36,6 +37,7 @@ class Remainder:
     channel: str
     values: Array
     steps: Array
+    interval: float
     noise: SlowNoise
 
     @cached_property
@@ -47,11 +49,6 @@ class Remainder:
     def times(self) -> Array:
         """(n,) s."""
         return np.cumsum(self.steps)
-
-    @property
-    def interval(self) -> float:
-        """Length of a row, s."""
-        return round(float(np.median(self.steps[1:])), 9)
 
 
 def remainders(
@@ -75,7 +72,8 @@ def remainders(
                 rows = rows & _is_nominal(part, believed)
             steps = np.diff(part.test.log.time[rows], prepend=0.0)
             own = noise.of(channel, part.test)
-            found.append(Remainder(part.test.test.id, channel, values[rows], steps, own))
+            name, interval = part.test.test.id, part.test.log.interval
+            found.append(Remainder(name, channel, values[rows], steps, interval, own))
     return found
 
 

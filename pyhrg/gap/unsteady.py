@@ -24,6 +24,8 @@ BLOCKS = (1, 8, 64)
 """Rows that add up to a reading: over more of them, noise that wanders stands out."""
 LOUDEST = 10.0
 """Noise of a stretch over that of its test, or the other way round."""
+GAUSSIAN = 2.0
+"""Variance of squares of normal numbers; of noise with heavier tails they scatter more."""
 TOLERANCE = 0.03
 """By which noise may be steady and its level off, of its logarithm."""
 CYCLES = 5
@@ -53,11 +55,12 @@ def unsteady(remainders: Sequence[Remainder], wrong: float = 0.0) -> tuple[Unste
     """The likeliest line and the likeliest stretch, each by itself, there or not.
 
     Args:
-        remainders: of all tests and channels; those of a few rows say nothing.
+        remainders: of all tests and channels; those of a few rows, or without any noise, say
+            nothing.
         wrong: power that the simulation may get wrong, in deviations of the noise squared.
     """
-    long = [r for r in remainders if len(r.values) >= 2 * SHORTEST]
-    alternatives = [list(_lines(long, wrong)), list(_stretches(long))]
+    telling = [r for r in remainders if len(r.values) >= 2 * SHORTEST and r.values.any()]
+    alternatives = [list(_lines(telling, wrong)), list(_stretches(telling, wrong))]
     return tuple(_likeliest(found) for found in alternatives if found)
 
 
@@ -74,40 +77,49 @@ def _lines(remainders: Sequence[Remainder], wrong: float) -> Iterator[Unsteady]:
     for (channel, interval), group in groupby(kinds, key=lambda r: (r.channel, r.interval)):
         those = list(group)
         rows = [np.round(r.times / interval).astype(int) for r in those]
-        size = 1 << math.ceil(math.log2(PADDING * (max(row[-1] for row in rows) + 1)))
-        powers = [_spectrum(r.white, row, size) for r, row in zip(those, rows, strict=True)]
-        sets = [([r.test], power) for r, power in zip(those, powers, strict=True)]
+        spans = [int(row[-1]) + 1 for row in rows]
+        size = 1 << math.ceil(math.log2(PADDING * max(spans)))
+        slowest = [math.ceil(CYCLES * size / span) for span in spans]
+        powers = [_spectrum(*each, size) for each in zip(those, rows, slowest, strict=True)]
+        sets = [([k], power) for k, power in enumerate(powers)]
         if len(those) > 1:
-            sets.append(([r.test for r in those], np.sum(powers, axis=0)))
+            sets.append((list(range(len(those))), np.sum(powers, axis=0)))
         for tests, power in sets:
-            score = log_evidence(power / (1 + wrong), 2 * len(tests))
-            period = size * interval / (int(np.argmax(score)) + CYCLES * PADDING)
-            where = tests[0] if len(tests) == 1 else f"{len(tests)} tests"
+            first = min(slowest[k] for k in tests)
+            score = log_evidence(power[first:-1] / (1 + wrong), 2 * len(tests))
+            period = size * interval / (first + int(np.argmax(score)))
+            where = those[tests[0]].test if len(tests) == 1 else f"{len(tests)} tests"
             yield Unsteady(
                 f"periodic in {period:.4g} s in {where} ({channel})",
                 float(logsumexp(score)) - math.log(len(score)),
             )
 
 
-def _spectrum(white: Array, rows: NDArray[np.int64], size: int) -> Array:
-    """Power that a line of each frequency explains, but the slowest and the highest."""
+def _spectrum(r: Remainder, rows: NDArray[np.int64], slowest: int, size: int) -> Array:
+    """(size / 2 + 1,) power that a line of each frequency explains, in deviations of the noise that
+    there is; none below the slowest."""
     series = np.zeros(size)
-    series[rows] = white
-    return np.asarray(2 * np.abs(np.fft.rfft(series)[CYCLES * PADDING : -1]) ** 2 / len(white))
+    series[rows] = r.white
+    level = max(float(np.mean(r.white**2)), 1.0)
+    power = 2 * np.abs(np.fft.rfft(series)) ** 2 / (len(rows) * level)
+    power[:slowest] = 0.0
+    return np.asarray(power)
 
 
-def _stretches(remainders: Sequence[Remainder]) -> Iterator[Unsteady]:
+def _stretches(remainders: Sequence[Remainder], wrong: float) -> Iterator[Unsteady]:
     """Halves of a test, quarters, and so on, each beside the level of the whole test."""
     for r in remainders:
         for rows in BLOCKS:
             count = len(r.white) // rows
             readings = r.white[: count * rows].reshape(count, rows).sum(axis=1)
-            summed = np.concatenate([[0.0], np.cumsum(readings**2)])
+            squares = readings**2 / np.mean(readings**2)
+            worth = min(1.0, GAUSSIAN / float(np.var(squares))) / (1 + wrong)
+            summed = np.concatenate([[0.0], np.cumsum(squares)])
             length = count // 2
             while length >= SHORTEST:
                 begins = np.arange(0, count - length + 1, length // 2)
                 level = (summed[begins + length] - summed[begins]) / length
-                score = _another_level(level * count / summed[-1], length)
+                score = _another_level(level, length, worth)
                 first = r.times[begins[int(np.argmax(score))] * rows]
                 yield Unsteady(
                     f"noise of its own in {r.test} from {first:.0f} s ({r.channel})",
@@ -116,9 +128,16 @@ def _stretches(remainders: Sequence[Remainder]) -> Iterator[Unsteady]:
                 length //= 2
 
 
-def _another_level(level: Array, readings: int) -> Array:
-    """Log evidence that noise of a mean square has a level of its own, flat in its logarithm."""
+def _another_level(level: Array, readings: int, worth: float) -> Array:
+    """Log evidence that noise of a mean square has a level of its own, flat in its logarithm.
+
+    Args:
+        level: mean square over a stretch, over that of its test.
+        readings: of a stretch.
+        worth: share of a Gaussian reading's information that one of these has.
+    """
     off = np.log(level) / 2
     off = np.sign(off) * np.maximum(np.abs(off) - TOLERANCE, 0.0)
-    likelier = readings / 2 * (np.exp(2 * off) - 1 - 2 * off)
-    return np.asarray(likelier + math.log(math.pi / readings) / 2 - math.log(2 * math.log(LOUDEST)))
+    n = readings * worth
+    likelier = n / 2 * (np.exp(2 * off) - 1 - 2 * off)
+    return np.asarray(likelier + math.log(math.pi / n) / 2 - math.log(2 * math.log(LOUDEST)))

@@ -1,7 +1,8 @@
 /* Loads an FMU's library by its path, runs one scenario, prints every output as bytes.
 
    `host LIBRARY TOKEN SETTING...`, where a setting is KIND:REFERENCE:VALUE. Kinds: `p` and `n` a real
-   and an integer parameter, `i` an input that swings between plus and minus its value, `o` an output.
+   and an integer parameter, `i` an input that swings between plus and minus its value, `o` an output,
+   `x` an input that must be refused; messages are printed after a `#`.
    Uneven steps, and a second half that is run again from a saved, serialized state. */
 #ifdef _WIN32
 #include <windows.h>
@@ -36,7 +37,7 @@ static Setting settings[MOST];
 static int setting_count;
 
 static void on_message(int is_error, const char *category, const char *message) {
-  if (is_error) fprintf(stderr, "%s: %s\n", category, message);
+  if (is_error) printf("# %s: %s\n", category, message);
 }
 
 static void need(int success, const char *what) {
@@ -120,7 +121,11 @@ int main(int count, char **arguments) {
   run(c, half, STEPS / 2, STEPS);
   need(door_restore(c, again), "restoring");
   run(c, half, STEPS / 2, STEPS);
-  need(door_drop(c, &state) && door_drop(c, &again) && door_terminate(c), "the end");
+  need(door_drop(c, &state) && door_drop(c, &again), "forgetting");
+  for (int i = 0; i < setting_count; i++)
+    if (settings[i].kind == 'x')
+      need(!door_set(c, &settings[i].reference, 1, 0, &settings[i].value), "a refusal");
+  door_terminate(c);
   door_free(c);
   return 0;
 }

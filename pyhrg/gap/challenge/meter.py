@@ -130,17 +130,23 @@ class Meter:
 
     def residual(self, device: Device, disturbance: Disturbance = NOTHING) -> Array:
         """(n,) whitened, of all tests and channels."""
-        return np.concatenate(self._residuals(device, disturbance))
+        residuals = self._residuals(device, disturbance)
+        return np.concatenate([series for test in residuals for series in test.values()])
 
     def sigmas_of_unsteady(self, disturbance: Disturbance) -> float:
         """Strength of noise that comes and goes, beyond that of steady noise."""
-        return unsteadiness(self._residuals(self.believed, disturbance))
+        kinds: dict[tuple[str, float], list[Array]] = {}
+        tests = zip(self.tests, self._residuals(self.believed, disturbance), strict=True)
+        for (course, _), residuals in tests:
+            for channel, series in residuals.items():
+                kinds.setdefault((channel, course.interval), []).append(series)
+        return unsteadiness(list(kinds.values()))
 
-    def _residuals(self, device: Device, disturbance: Disturbance) -> list[Array]:
-        """(n,) whitened, of each channel of each test."""
+    def _residuals(self, device: Device, disturbance: Disturbance) -> list[Residual]:
+        """Whitened, of each test."""
         logs = self._logs(device, disturbance)
         every = zip(logs, self._seen, self._expected, strict=True)
-        return [series for each in every for series in self._white(device, *each)]
+        return [self._white(device, *each) for each in every]
 
     def _logs(self, device: Device, disturbance: Disturbance) -> list[Log]:
         gyro = TrueGyro(self.fmu, device, self.instruments, disturbance)
@@ -149,15 +155,15 @@ class Meter:
             disturbance.shown(gyro.exact("", course, start, still)) for course, start in self.tests
         ]
 
-    def _white(self, device: Device, log: Log, seen: Seen, expected: Residual) -> list[Array]:
+    def _white(self, device: Device, log: Log, seen: Seen, expected: Residual) -> Residual:
         noises = self._noises(device, log)
-        pieces = []
+        white = {}
         for name, residual in self._residual(log, seen).items():
             rows = seen.rows[name]
             gap = (residual - expected[name])[rows, None]
             steps = np.diff(log.time[rows], prepend=0.0)
-            pieces.append(whitened(gap, steps, noises[name]).series[:, 0])
-        return pieces
+            white[name] = whitened(gap, steps, noises[name]).series[:, 0]
+        return white
 
     @cached_property
     def _seen(self) -> list[Seen]:

@@ -11,7 +11,7 @@ CELL = 16
 """Coefficients of one time scale over which a level is taken."""
 
 
-def unsteadiness(series: Sequence[Array]) -> float:
+def unsteadiness(kinds: Sequence[Sequence[Array]]) -> float:
     """Root of twice the divergence between white noise with and without what is added to it, sigmas
     of a mean with the same evidence, where steady noise of any spectrum may stand in for it.
 
@@ -19,8 +19,14 @@ def unsteadiness(series: Sequence[Array]) -> float:
     added power is that of 16 coefficients, what these scatter by chance taken off.
 
     Args:
-        series: (n,) each, what is added, in deviations of the white noise.
+        kinds: of series, those of a kind with one steady spectrum; (n,) each, what is added, in
+            deviations of the white noise.
     """
+    return float(np.sqrt(max(sum(map(_divergence, kinds)), 0.0)))
+
+
+def _divergence(series: Sequence[Array]) -> float:
+    """Twice that of series of one kind."""
     scales = [_cells(one) for one in series]
     total = 0.0
     for scale in range(max(map(len, scales), default=0)):
@@ -29,7 +35,7 @@ def unsteadiness(series: Sequence[Array]) -> float:
         ratio = (1 + added) / (1 + level)
         chance = (level / (1 + level)) ** 2
         total += float(np.sum(CELL * (ratio - 1 - np.log(ratio)) - chance))
-    return float(np.sqrt(max(total, 0.0)))
+    return total
 
 
 def _cells(series: Array) -> list[Array]:

@@ -48,8 +48,9 @@ def diagnose(folder: Path, out: Path) -> int:
 
 
 def test_the_truth_is_never_read(folder: Path, tmp_path: Path) -> None:
-    """It can't be: a folder has its name."""
-    (folder / "truth.json").mkdir()
+    """It lies: the loops' delay is as believed."""
+    lie = {"effects": ["loop_delay"], "parameters": {"loop_delay_s": 0.01}}
+    (folder / "truth.json").write_text(json.dumps(lie))
     assert diagnose(folder, tmp_path / "out") == 0
     assert json.loads((tmp_path / "out" / "diagnosis.json").read_text())["verdict"] == "no_gap"
 

@@ -20,8 +20,10 @@ KINDS = ("line", "stretch")
 
 def found(series: list[Array], noise: SlowNoise = WHITE, wrong: float = 0.0) -> list[Unsteady]:
     """A line and a stretch, in tests of 1 s a row."""
-    steps = np.ones(ROWS)
-    rest = [Remainder(f"t{i}", "gyro_angle", x, steps, noise) for i, x in enumerate(series)]
+    rest = [
+        Remainder(f"t{i}", "gyro_angle", x, np.ones(len(x)), 1.0, noise)
+        for i, x in enumerate(series)
+    ]
     return list(unsteady(rest, wrong))
 
 
@@ -64,10 +66,33 @@ def test_what_a_simulation_gets_wrong_is_no_line() -> None:
     assert found(series, wrong=10.0)[0].log_odds < 0
 
 
-def test_a_slow_drift_is_no_line() -> None:
+@pytest.mark.parametrize("rows", [4000, 4100])
+def test_a_slow_drift_is_no_line(rows: int) -> None:
+    """2.6 cycles, whatever the length of the transform."""
     series = steady(6)
-    series[1] = series[1] + 0.3 * np.cos(2 * np.pi * np.arange(ROWS) / ROWS)
+    drift = 0.5 * np.cos(2 * np.pi * 2.6 * np.arange(rows) / rows)
+    series[1] = np.random.default_rng(7).standard_normal(rows) + drift
     assert found(series)[0].log_odds < 0
+
+
+def test_an_offset_in_a_short_test_is_no_line() -> None:
+    series = [*steady(8), np.random.default_rng(9).standard_normal(200) + 0.35]
+    assert found(series)[0].log_odds < 0
+
+
+def test_a_loud_stretch_is_no_line() -> None:
+    series = steady(10)
+    series[0][:500] *= 6
+    line, stretch = found(series)
+    assert line.log_odds < 0 < 50 < stretch.log_odds
+
+
+def test_steady_noise_with_heavy_tails_is_steady() -> None:
+    """Student's, 6 degrees of freedom; 20 campaigns."""
+    generator = np.random.default_rng(11)
+    for _ in range(20):
+        series = list(generator.standard_t(6, (TESTS, ROWS)) / np.sqrt(1.5))
+        assert all(one.log_odds < 0 for one in found(series))
 
 
 @pytest.mark.parametrize("factor", [0.5, 1.5])
@@ -91,12 +116,22 @@ def test_noise_that_wanders_for_a_while_is_seen_in_means_over_rows() -> None:
 
 
 def test_a_level_that_is_off_by_as_much_as_levels_are_is_no_stretch() -> None:
-    series = steady(10)
-    for x in series:
-        x[: ROWS // 2] *= 1.03
+    """6 %, half of it each way: of so many rows, plain to see."""
+    series = [np.random.default_rng(12).standard_normal(100_000)]
+    series[0][:50_000] *= 1.06
+    assert found(series)[0].log_odds < 0
     assert found(series)[1].log_odds < 0
+    series[0][:50_000] *= 1.06
+    assert found(series)[1].log_odds > 5
 
 
-def test_a_few_rows_say_nothing() -> None:
-    rest = [Remainder("t", "amplitude", np.ones(20), np.ones(20), WHITE)]
-    assert unsteady(rest) == ()
+def test_what_a_simulation_gets_wrong_is_no_stretch() -> None:
+    series = steady(13)
+    series[4][1000:1032] += 4.0
+    assert found(series)[1].log_odds > 20
+    assert found(series, wrong=32 * 4.0**2)[1].log_odds < 0
+
+
+@pytest.mark.parametrize("values", [np.ones(20), np.zeros(1000)])
+def test_a_few_rows_or_none_but_zeros_say_nothing(values: Array) -> None:
+    assert unsteady([Remainder("t", "amplitude", values, np.ones(len(values)), 1.0, WHITE)]) == ()

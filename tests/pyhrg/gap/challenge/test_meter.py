@@ -90,3 +90,24 @@ def test_quantisation_and_white_noise_stand_in_for_each_other(slow_fmu: GyroFmu)
     assert measuring.sigmas_of_noise(coarse) > 10
     assert measuring.sigmas_of_noise_beyond(by_name["angle_white_noise"], coarse) < 0.1
     assert measuring.sigmas_of_noise_beyond(by_name["rate_random_walk"], coarse) > 10
+
+
+def test_noise_that_comes_is_as_strong_as_its_divergence_from_steady_noise(
+    slow_fmu: GyroFmu,
+) -> None:
+    """Five times the random walk's power in every other stretch of 256 s, beside none: walk is all
+    the noise, r over the mean of 3.5. Loud everywhere, it is steady."""
+    device = replace(GYRO, pickoff_noise=1e-12, frequency_split=0.0, damping_anisotropy=0.0)
+    course = course_of(Programme(1.0, GRAVITY).spin(0.0, 8192), 1.0)
+    measuring = Meter(slow_fmu, device, [(course, 0.3)], Instruments())
+    loud = np.arange(len(course)) // 256 % 2 == 0
+    noise = np.random.default_rng(1).standard_normal(len(course))
+
+    def sigmas(where: np.ndarray) -> float:
+        rate = math.sqrt(5) * device.angle_random_walk * (where * noise)[:, None]
+        return measuring.sigmas_of_unsteady(Disturbance(rate=lambda course, start: rate))
+
+    ratio = np.where(loud, 6.0, 1.0) / 3.5
+    expected = math.sqrt(float(np.sum(ratio - 1 - np.log(ratio))))
+    assert sigmas(loud) == pytest.approx(expected, rel=0.1)
+    assert sigmas(np.ones(len(course))) < 0.2 * expected

@@ -21,7 +21,7 @@ from pyhrg.gap.localisation import Place, located
 from pyhrg.gap.next_test import rivals, suggested
 from pyhrg.gap.observations import CHANNELS, Observed, observed
 from pyhrg.gap.quantity import Size, sizes
-from pyhrg.gap.quantum import counted
+from pyhrg.gap.quantum import counted, is_rough
 from pyhrg.gap.remainder import Remainder, remainders
 from pyhrg.gap.replay import tells_start
 from pyhrg.gap.simulation import Answers, Simulation, added
@@ -153,7 +153,8 @@ def _rest(found: Attribution) -> list[Remainder]:
     best = found.ranked.best
     taken = dict(zip(best.groups, best.values, strict=True))
     noise = replace(found.channel_noise, angle=found.noise.noise)
-    return remainders(found.parts, taken, noise, found.believed)
+    channels = CHANNELS[1:] if is_rough(found.noise, found.believed) else CHANNELS
+    return remainders(found.parts, taken, noise, found.believed, channels)
 
 
 def _where(found: Attribution) -> tuple[Where, ...]:

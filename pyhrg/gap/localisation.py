@@ -1,7 +1,7 @@
 """Where a gap lives: test, channel and coordinate, with shares of its power that add up."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +10,7 @@ from pyhrg.gap.design import Block, Design
 from pyhrg.gap.unknown import Element
 
 Array = NDArray[np.float64]
+Columns = Mapping[Element, NDArray[np.int64]]
 
 PLAIN = 25.0
 """Power, in deviations of the noise squared, below which no coordinate is seen."""
@@ -36,35 +37,71 @@ class Place:
 def located(design: Design) -> tuple[Place, ...]:
     """Where the residual has more power than its noise, the largest share first.
 
-    Within a channel of a test, elements are taken out one by one, each with all that only it
-    explains; what no element explains is `noise`.
+    Within a channel, elements are taken out one by one: first of all tests together, with one size,
+    then of tests that have more. What no element explains is `noise`.
 
     Args:
         design: whitened by the believed noise.
     """
     elements = [g for g in design.places if isinstance(g, Element)]
     found: dict[tuple[str, str, str, int | None], float] = {}
-    for block in design.blocks:
-        for coordinate, harmonic, power in _parts(block, elements, design):
-            key = (block.test, block.channel, coordinate, harmonic)
+    for channel in dict.fromkeys(block.channel for block in design.blocks):
+        blocks = [block for block in design.blocks if block.channel == channel]
+        columns = _columns([e for e in elements if e.channel == channel], design, blocks[0])
+        shared, blocks = _shared(blocks, columns)
+        own = [(block.test, *part) for block in blocks for part in _parts(block, columns)]
+        for test, coordinate, harmonic, power in (*shared, *own):
+            key = (test, channel, coordinate, harmonic)
             found[key] = found.get(key, 0.0) + power
     whole = sum(found.values())
     places = [Place(*key, float(np.sqrt(p)), p / whole) for key, p in found.items()]
     return tuple(sorted(places, key=lambda place: -place.share))
 
 
-def _parts(
-    block: Block, elements: Sequence[Element], design: Design
-) -> list[tuple[str, int | None, float]]:
-    excess = float(block.gram[-1, -1]) - block.rows
-    if excess < 5 * np.sqrt(2 * block.rows):
-        return []
-    own = [e for e in elements if e.channel == block.channel]
-    first = len(block.gram) - 1 - sum(len(design.places[e]) for e in own)
-    columns, begin = {}, first
-    for element in own:
+def _columns(elements: Sequence[Element], design: Design, block: Block) -> Columns:
+    """Where a channel's elements are in its blocks."""
+    begin = len(block.gram) - 1 - sum(len(design.places[e]) for e in elements)
+    columns = {}
+    for element in elements:
         columns[element] = np.arange(begin, begin + len(design.places[element]))
         begin += len(design.places[element])
+    return columns
+
+
+def _shared(
+    blocks: Sequence[Block], columns: Columns
+) -> tuple[list[tuple[str, str, int | None, float]], list[Block]]:
+    """Test, coordinate, harmonic, and power of what elements explain of all; what they leave."""
+    parts = []
+    candidates = {e: where for e, where in columns.items() if e.foretells}
+    least = max(PLAIN, REST * sum(_excess(block) for block in blocks))
+    while candidates:
+        total = np.sum([block.gram for block in blocks], axis=0)
+        powers = {e: _power(total, where) for e, where in candidates.items()}
+        best = max(powers, key=lambda e: powers[e])
+        if powers[best] < least:
+            break
+        where = candidates.pop(best)
+        after = [replace(b, gram=_less(b.gram, where, _sizes(total, where))) for b in blocks]
+        gained = [max(_excess(b) - _excess(a), 0.0) for b, a in zip(blocks, after, strict=True)]
+        for block, power in zip(blocks, gained, strict=True):
+            if power > 0:
+                share = power / sum(gained)
+                parts.append((block.test, best.coordinate, best.harmonic, share * powers[best]))
+        blocks = after
+    return parts, list(blocks)
+
+
+def _excess(block: Block) -> float:
+    """Power of a residual beyond that of its noise."""
+    return float(block.gram[-1, -1]) - block.rows
+
+
+def _parts(block: Block, columns: Columns) -> list[tuple[str, int | None, float]]:
+    excess = _excess(block)
+    if excess < 5 * np.sqrt(2 * block.rows):
+        return []
+    columns = dict(columns)
     parts: list[tuple[str, int | None, float]] = []
     left, gram = excess, block.gram.copy()
     while left > max(PLAIN, REST * excess) and columns:
@@ -83,8 +120,20 @@ def _parts(
 
 def _power(gram: Array, where: NDArray[np.int64]) -> float:
     """Of the residual that these columns explain."""
-    pull = gram[where, -1]
-    return float(pull @ np.linalg.pinv(gram[np.ix_(where, where)], hermitian=True) @ pull)
+    return float(gram[where, -1] @ _sizes(gram, where))
+
+
+def _sizes(gram: Array, where: NDArray[np.int64]) -> Array:
+    """Of these columns, so that they explain most."""
+    inverse = np.linalg.pinv(gram[np.ix_(where, where)], hermitian=True)
+    return np.asarray(inverse @ gram[where, -1])
+
+
+def _less(gram: Array, where: NDArray[np.int64], sizes: Array) -> Array:
+    """Products where columns of these sizes are taken out of the residual."""
+    change = np.eye(len(gram))
+    change[where, -1] = -sizes
+    return np.asarray(change.T @ gram @ change)
 
 
 def _without(gram: Array, where: NDArray[np.int64]) -> Array:

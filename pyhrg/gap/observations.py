@@ -33,6 +33,9 @@ CONSTANTS = 24
 """Time constants of the slowest loop after which a change is settled."""
 STEADY = 1e-3
 """Change of the table's rate from row to row below which loops follow, rad/s^2."""
+TURNED_OVER = 1.0
+"""Change of specific force from row to row after which loops settle anew, m/s^2: they do where it
+moves a gain."""
 SLOW = 0.02
 """Rate of the table below which a replay with loops at rest shows how they follow, rad/s."""
 COARSE_STEP = 1.0
@@ -99,6 +102,9 @@ def _settled(log: Log, inputs: Replayable, time: float) -> Mask:
     changed[0] = True
     for name in COMMANDS:
         changed |= np.diff(getattr(log, name), prepend=getattr(log, name)[0]) != 0
+    for axis in "xyz":
+        force = getattr(log, f"acceleration_{axis}")
+        changed |= np.abs(np.diff(force, prepend=force[0])) > TURNED_OVER
     if log.interval >= FINE:
         changed |= _jolts(inputs)
         changed |= np.maximum(*np.abs([inputs.rates[1:], inputs.rates[:-1]])) > SLOW

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.device import Device
 from pyhrg.gap.catalogue import NOISES
 from pyhrg.gap.noise_search import NORMAL_95, AddedNoise, NoiseFound
 from pyhrg.gap.observations import Observed
@@ -27,6 +28,9 @@ LATTICE = 0.98
 """Length of the mean phasor of angles on a lattice; of noise that spreads over steps it is less."""
 FEW_STEPS = 20
 """Steps from zero up to which the step is fitted."""
+ROUGH = 2.0
+"""Step over the noise of a reading up to which its error is noise: what repeats of it is less than
+exp(-2 pi^2/ROUGH^2) of a step."""
 KNOWN = 0.05
 """Share by which a believed step may differ from the one that is seen."""
 
@@ -46,6 +50,13 @@ def counted(found: NoiseFound, tests: Sequence[Observed], believed: float) -> No
     ends = (value - NORMAL_95 * spread, value + NORMAL_95 * spread)
     others = [added for added in found.added if added.effect.name != "angle_white_noise"]
     return replace(found, added=(*others, AddedNoise(COUNTED, value, ends, math.inf, 0.0)))
+
+
+def is_rough(found: NoiseFound, believed: Device) -> bool:
+    """Whether the output is counted in steps so large beside its noise that the error of counting
+    repeats with the angle, and is no noise."""
+    steps = [added.total for added in found.added if added.effect is COUNTED]
+    return max(steps, default=believed.angle_quantum) > ROUGH * believed.pickoff_noise
 
 
 def quantum(tests: Sequence[Observed]) -> tuple[float, float] | None:

@@ -150,7 +150,7 @@ def _functions(
     rate = where.table_rate
     for m in FOLLOWED:
         words = f"harmonic {m} of the pattern angle, times the rate"
-        yield "rate", words, None, _turn(m * where.pattern_angle) * rate[:, None]
+        yield "wave_angle", words, None, _turn(m * where.pattern_angle) * rate[:, None]
     for p, words in ((1, "rate"), (2, "rate squared"), (3, "rate cubed")):
         yield "rate", words, None, _column(rate**p)
     yield "rate", "magnitude of the rate", None, _column(np.abs(rate))

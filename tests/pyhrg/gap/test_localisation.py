@@ -1,5 +1,7 @@
 """Shares of a gap: they add up, and a planted coordinate has its own."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.typing import NDArray
@@ -48,3 +50,16 @@ def test_what_follows_no_coordinate_is_noise() -> None:
 
 def test_noise_alone_is_no_gap() -> None:
     assert located(design_of(COLUMNS, noise())) == ()
+
+
+def test_what_tests_share_is_found_though_none_shows_it_alone() -> None:
+    """12 sigma in 16 tests, 3 in each; its power to 3 deviations."""
+    generator = np.random.default_rng(5)
+    fourth = 3 / np.sqrt(N / 2) * np.cos(60 * np.pi * TIME - 1)
+    parts = [design_of(COLUMNS, generator.normal(size=N) + fourth) for _ in range(16)]
+    blocks = [replace(part.blocks[0], test=f"test {i}") for i, part in enumerate(parts)]
+    places = located(replace(parts[0], blocks=tuple(blocks)))
+    assert {(place.coordinate, place.harmonic) for place in places} == {("wave_angle", 4)}
+    assert sum(place.sigmas**2 for place in places) == pytest.approx(12**2, abs=3 * 2 * 12)
+    assert sum(place.share for place in places) == pytest.approx(1)
+    assert len(places) > 8

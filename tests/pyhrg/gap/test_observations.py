@@ -60,3 +60,14 @@ def test_a_thermometer_s_noise_is_no_temperature() -> None:
 def test_motion_of_the_table_runs_the_loops() -> None:
     assert not seen(made_up_log(60)).loops_move
     assert seen(made_up_log(60, 5 * DEG)).loops_move
+
+
+def test_loops_settle_anew_when_the_gyro_is_turned_over() -> None:
+    """A vehicle's specific force, which changes slowly, leaves rows as they are."""
+    log = made_up_log(120)
+    over = np.where(log.time > 60, 9.8, 0.0)
+    rows = seen(replace(log, acceleration_x=over)).rows
+    assert np.flatnonzero(~rows["amplitude_force"][30:]).tolist() == list(range(30, 50))
+    assert rows["gyro_angle"].all()
+    swaying = 3.0 * np.sin(log.time / 10)
+    assert seen(replace(log, acceleration_x=swaying)).rows["amplitude_force"][30:].all()

@@ -10,7 +10,7 @@ from pyhrg.device import Device
 from pyhrg.gap.catalogue import NOISES
 from pyhrg.gap.noise_search import AddedNoise, NoiseFound
 from pyhrg.gap.observations import Observed, observed
-from pyhrg.gap.quantum import counted, quantum
+from pyhrg.gap.quantum import counted, is_rough, quantum
 from pyhrg.gap.whitening import SlowNoise
 from pyhrg.units import ARCSEC, DEG_PER_H
 from tests.pyhrg.records.made_up import made_up_log
@@ -56,3 +56,12 @@ def test_a_step_is_told_in_place_of_its_white_noise() -> None:
     assert added.interval[0] < step < added.interval[1]
     assert counted(found, [at_rest(step)], step) == found
     assert counted(found, [at_rest(0.0)], 0.0) == found
+
+
+@pytest.mark.parametrize(("arcsec", "rough"), [(0.0, False), (0.07, False), (0.1, True)])
+def test_a_step_of_more_than_twice_the_noise_is_rough(arcsec: float, rough: bool) -> None:
+    device = Device(pickoff_noise=0.04 * ARCSEC)
+    found = counted(NoiseFound(SlowNoise(1.0), ()), [at_rest(arcsec * ARCSEC)], 0.0)
+    assert is_rough(found, device) == rough
+    believed = replace(device, angle_quantum=arcsec * ARCSEC)
+    assert is_rough(NoiseFound(SlowNoise(1.0), ()), believed) == rough

@@ -94,6 +94,7 @@ def _noise(added: AddedNoise) -> Cause:
         float(expit(added.log_odds)),
         {key.name: key.from_si(added.total)},
         {key.name: (low, high)},
+        added.equivalents,
     )
 
 

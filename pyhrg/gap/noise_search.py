@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
 from pyhrg.gap.catalogue import NOISES, NoiseEffect
+from pyhrg.gap.equivalents import ALIKE
 from pyhrg.gap.whitening import SlowNoise, whitened
 
 Array = NDArray[np.float64]
@@ -55,6 +56,7 @@ class AddedNoise:
     interval: 95 %, SI.
     log_odds: that it takes part.
     log_prior: of that, what doesn't come from the records.
+    equivalents: noises that in its place would be next to as probable.
     """
 
     effect: NoiseEffect
@@ -62,6 +64,7 @@ class AddedNoise:
     interval: tuple[float, float]
     log_odds: float
     log_prior: float
+    equivalents: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -92,7 +95,27 @@ def noise_found(records: Sequence[AngleRecord], believed: SlowNoise) -> NoiseFou
         added = _anew(records, believed, [*added, best])
     noise = _settled(records, believed, added)
     log_prior = sum(a.log_prior for a in added) + _log_prior(noise, believed, added)
-    return NoiseFound(noise, tuple(added), log_prior)
+    told = [replace(a, equivalents=_equivalents(records, believed, a, added)) for a in added]
+    return NoiseFound(noise, tuple(told), log_prior)
+
+
+def _equivalents(
+    records: Sequence[AngleRecord],
+    believed: SlowNoise,
+    one: AddedNoise,
+    added: Sequence[AddedNoise],
+) -> tuple[str, ...]:
+    """Noises that the records can't tell from one of those that were added."""
+    others = [a for a in added if a != one]
+    without = _settled(records, believed, others)
+    base = _posterior(records, without, believed, others)
+    present = {a.effect for a in added}
+    instead = [
+        _added(records, without, believed, base, effect, others)
+        for effect in NOISES
+        if effect.field in PARTS and effect not in present
+    ]
+    return tuple(a.effect.name for a in instead if a.log_odds > one.log_odds - ALIKE)
 
 
 def _best(

@@ -33,6 +33,7 @@ def test_a_noise_is_found_alone(name: str, noise: SlowNoise, part: str, seed: in
     """By its level too: within twice the 95 % interval, so that 8 of 8 hold."""
     (added,) = noise_found(records(noise, seed), BELIEVED).added
     assert added.effect.name == name
+    assert added.equivalents == ()
     half = np.log(added.interval[1] / added.interval[0]) / 2
     assert abs(np.log(added.total / getattr(noise, part))) < 2 * half
 
@@ -42,3 +43,10 @@ def test_the_believed_noise_is_enough(seed: int) -> None:
     found = noise_found(records(BELIEVED, seed), BELIEVED)
     assert found.added == ()
     assert alike(found.noise, BELIEVED) or found.noise.walk == pytest.approx(BELIEVED.walk, rel=0.1)
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_weak_noises_that_these_records_cannot_tell_apart_are_a_class(seed: int) -> None:
+    weak = replace(BELIEVED, rate_walk=0.002 * DEG_PER_H / HOUR**0.5)
+    (added,) = noise_found(records(weak, seed), BELIEVED).added
+    assert {added.effect.name, *added.equivalents} == {"rate_random_walk", "bias_instability"}

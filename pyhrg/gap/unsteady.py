@@ -111,9 +111,11 @@ def _stretches(remainders: Sequence[Remainder], wrong: float) -> Iterator[Unstea
     for r in remainders:
         for rows in BLOCKS:
             count = len(r.white) // rows
+            if count < 2 * SHORTEST:
+                break
             readings = r.white[: count * rows].reshape(count, rows).sum(axis=1)
             squares = readings**2 / np.mean(readings**2)
-            worth = min(1.0, GAUSSIAN / float(np.var(squares))) / (1 + wrong)
+            worth = GAUSSIAN / max(float(np.var(squares)), GAUSSIAN) / (1 + wrong)
             summed = np.concatenate([[0.0], np.cumsum(squares)])
             length = count // 2
             while length >= SHORTEST:

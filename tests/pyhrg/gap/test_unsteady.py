@@ -135,3 +135,14 @@ def test_what_a_simulation_gets_wrong_is_no_stretch() -> None:
 @pytest.mark.parametrize("values", [np.ones(20), np.zeros(1000)])
 def test_a_few_rows_or_none_but_zeros_say_nothing(values: Array) -> None:
     assert unsteady([Remainder("t", "amplitude", values, np.ones(len(values)), 1.0, WHITE)]) == ()
+
+
+@pytest.mark.parametrize("rows", [40, 100, 300])
+@pytest.mark.parametrize("size", [0.0, 1.0])
+def test_short_tests_are_looked_at_as_far_as_they_go(rows: int, size: float) -> None:
+    """Noise, and rows that are all alike."""
+    values = 1.0 + size * np.random.default_rng(14).standard_normal(rows)
+    steps = np.ones(rows)
+    both = unsteady([Remainder("t", "amplitude", values - size, steps, 1.0, WHITE)])
+    assert len(both) == 2
+    assert all(np.isfinite(one.log_odds) for one in both)

@@ -16,13 +16,15 @@ from pyhrg.gap.design import design
 from pyhrg.gap.diagnosis import Diagnosis, Where
 from pyhrg.gap.free_pattern import steady
 from pyhrg.gap.gap_figures import gap_figures
+from pyhrg.gap.hypothesis import angles_left
 from pyhrg.gap.judgement import judged, unnamed
 from pyhrg.gap.localisation import Place, located
 from pyhrg.gap.next_test import rivals, suggested
+from pyhrg.gap.noise_search import told_apart
 from pyhrg.gap.observations import CHANNELS, Observed, observed
 from pyhrg.gap.quantity import Size, sizes
 from pyhrg.gap.quantum import counted, is_rough
-from pyhrg.gap.remainder import Remainder, remainders
+from pyhrg.gap.remainder import Remainder, Taken, remainders
 from pyhrg.gap.replay import tells_start
 from pyhrg.gap.simulation import Answers, Simulation, added
 from pyhrg.gap.soundness import sound
@@ -88,8 +90,9 @@ def diagnosed(
     if not fitted:
         raise CampaignError("; ".join(["no test can be fitted to", *excluded]))
     found = attributed(simulation, believed, fitted, effects, say)
-    noise = counted(found.noise, fitted, believed.angle_quantum)
-    found = replace(found, noise=noise)
+    left = angles_left(found.parts, _taken(found), found.channel_noise, believed)
+    noise = told_apart(found.noise, left, angle_noise(believed))
+    found = replace(found, noise=counted(noise, fitted, believed.angle_quantum))
     closed = closed_device(found)
     say("closing")
     ordered = (*fitted, *(t for t in tests if t.test.is_holdout))
@@ -150,11 +153,14 @@ def _residuals(
 
 
 def _rest(found: Attribution) -> list[Remainder]:
-    best = found.ranked.best
-    taken = dict(zip(best.groups, best.values, strict=True))
     noise = replace(found.channel_noise, angle=found.noise.noise)
     channels = CHANNELS[1:] if is_rough(found.noise, found.believed) else CHANNELS
-    return remainders(found.parts, taken, noise, found.believed, channels)
+    return remainders(found.parts, _taken(found), noise, found.believed, channels)
+
+
+def _taken(found: Attribution) -> Taken:
+    best = found.ranked.best
+    return dict(zip(best.groups, best.values, strict=True))
 
 
 def _where(found: Attribution) -> tuple[Where, ...]:

@@ -78,9 +78,8 @@ def weighed(first: Hypothesis, believed: Device, parts: Sequence[Evidence]) -> H
     found = first.ranked.best
     nothing: list[Taken] = [{}] if found.explained < PLAIN else []
     for taken in _unlike(_every(found), _named(found), *nothing):
-        noise = noise_found(
-            _angles(parts, taken, first.channel_noise, believed), angle_noise(believed)
-        )
+        left = angles_left(parts, taken, first.channel_noise, believed)
+        noise = noise_found(left, angle_noise(believed))
         if not any(alike(noise.noise, one) for one in tried):
             tried.append(noise.noise)
             rival = ranked_under(noise, believed, parts)
@@ -100,8 +99,9 @@ def _named(found: Fit) -> Taken:
     return {group: value for group, value in _every(found).items() if isinstance(group, Effect)}
 
 
-def _angles(
+def angles_left(
     parts: Sequence[Evidence], taken: Taken, noise: ChannelNoise, believed: Device
 ) -> list[AngleRecord]:
+    """Output angles without what is taken out."""
     left = remainders(parts, taken, noise, believed, ("gyro_angle",))
     return [AngleRecord(r.values, r.steps) for r in left]

@@ -95,8 +95,23 @@ def noise_found(records: Sequence[AngleRecord], believed: SlowNoise) -> NoiseFou
         added = _anew(records, believed, [*added, best])
     noise = _settled(records, believed, added)
     log_prior = sum(a.log_prior for a in added) + _log_prior(noise, believed, added)
-    told = [replace(a, equivalents=_equivalents(records, believed, a, added)) for a in added]
-    return NoiseFound(noise, tuple(told), log_prior)
+    return NoiseFound(noise, tuple(added), log_prior)
+
+
+def told_apart(
+    found: NoiseFound, records: Sequence[AngleRecord], believed: SlowNoise
+) -> NoiseFound:
+    """Noises with those that the records can't tell from them.
+
+    Args:
+        found: in the records.
+        records: of all tests.
+        believed: noise of the angle.
+    """
+    added = [
+        replace(a, equivalents=_equivalents(records, believed, a, found.added)) for a in found.added
+    ]
+    return replace(found, added=tuple(added))
 
 
 def _equivalents(

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pyhrg.gap.noise_draws import drawn
-from pyhrg.gap.noise_search import AngleRecord, alike, noise_found
+from pyhrg.gap.noise_search import AngleRecord, alike, noise_found, told_apart
 from pyhrg.gap.whitening import SlowNoise
 from pyhrg.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR
 
@@ -31,7 +31,8 @@ PLANTED = [
 @pytest.mark.parametrize(("name", "noise", "part"), PLANTED)
 def test_a_noise_is_found_alone(name: str, noise: SlowNoise, part: str, seed: int) -> None:
     """By its level too: within twice the 95 % interval, so that 8 of 8 hold."""
-    (added,) = noise_found(records(noise, seed), BELIEVED).added
+    given = records(noise, seed)
+    (added,) = told_apart(noise_found(given, BELIEVED), given, BELIEVED).added
     assert added.effect.name == name
     assert added.equivalents == ()
     half = np.log(added.interval[1] / added.interval[0]) / 2
@@ -48,5 +49,6 @@ def test_the_believed_noise_is_enough(seed: int) -> None:
 @pytest.mark.parametrize("seed", [1, 2])
 def test_weak_noises_that_these_records_cannot_tell_apart_are_a_class(seed: int) -> None:
     weak = replace(BELIEVED, rate_walk=0.002 * DEG_PER_H / HOUR**0.5)
-    (added,) = noise_found(records(weak, seed), BELIEVED).added
+    given = records(weak, seed)
+    (added,) = told_apart(noise_found(given, BELIEVED), given, BELIEVED).added
     assert {added.effect.name, *added.equivalents} == {"rate_random_walk", "bias_instability"}

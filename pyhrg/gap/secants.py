@@ -15,7 +15,7 @@ from pyhrg.gap.unknown import coordinates
 
 Array = NDArray[np.float64]
 
-TOLERANCE = 0.1
+TOLERANCE = 0.01
 """Of an effect's scale, by which its secants are taken."""
 
 

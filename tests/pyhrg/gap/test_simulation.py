@@ -18,6 +18,7 @@ from pyhrg.gap.secants import secants
 from pyhrg.gap.simulation import Simulation, followed, let_go
 from pyhrg.units import DEG
 from tests.pyhrg.gap.soundness.conftest import BELIEVED
+from tests.pyhrg.records.made_up import made_up_log
 
 QUIET = replace(BELIEVED.without_noise(), phase_error=5e-3, pickoff_gain_mismatch=1e-3)
 SAMPLED = {**RESOLVED, "gyro_angle": 1e-8}
@@ -96,6 +97,19 @@ def test_a_thermometer_off_by_little_is_no_rate_of_temperature(simulation: Simul
     effect = EFFECTS["temperature_rate_bias"]
     moved = secants(simulation, QUIET, seen, [effect])[effect]["gyro_angle"]
     np.testing.assert_allclose(moved, 0.0, atol=1e-12)
+
+
+def test_secants_hold_for_effects_of_few_deviations(simulation: Simulation) -> None:
+    """A phase error turns the pattern, and with it the forces, the longer the further; the change
+    by secants is the change of so small an effect all the same."""
+    device = replace(QUIET, phase_error=0.0)
+    seen = observed(Test("test", "static", "fit", made_up_log(20000, noise=0.0)), device)
+    effect, size = EFFECTS["demodulation_phase_error"], 1e-5
+    change = simulation.changes(device, seen)(effect.put(device, np.array([size])))
+    told = secants(simulation, device, seen, [effect])[effect]
+    for name in ("gyro_angle", "quadrature_force"):
+        largest = np.abs(change[name]).max()
+        np.testing.assert_allclose(told[name][:, 0] * size, change[name], atol=0.003 * largest)
 
 
 def test_a_free_pattern_is_simulated_no_further_than_it_is_compared(

@@ -49,7 +49,7 @@ def test_knowing_more_buys_more(typical: Comparison) -> None:
 def test_without_anisotropy_parking_buys_nothing(fmu_path: Path) -> None:
     """Negative control, seed 2: the map is the calibration's noise."""
     device = TYPICAL.without_anisotropy()
-    result = compare(fmu_path, short_mission(0.1), 6, 2, device=device, plan=SHORTEST)
+    result = compare(fmu_path, short_mission(0.1), 4, 2, device=device, plan=SHORTEST)
     parked = ratios(result.final)[NAMES.index("zero_mean")]
     assert parked.low <= 1 <= parked.high
 

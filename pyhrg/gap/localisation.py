@@ -18,6 +18,10 @@ REST = 0.01
 """Share of a block's excess that need not be placed."""
 
 
+ALIKE = 4.0
+"""Difference in power by which one element explains no better than another."""
+
+
 @dataclass(frozen=True)
 class Place:
     """A share of the gap.
@@ -37,8 +41,8 @@ class Place:
 def located(design: Design) -> tuple[Place, ...]:
     """Where the residual has more power than its noise, the largest share first.
 
-    Within a channel, elements are taken out one by one: first of all tests together, with one size,
-    then of tests that have more. What no element explains is `noise`.
+    Within a channel, elements are taken out one by one: first of all tests together, with the same
+    sizes, then of tests that have more. What no element explains is `noise`.
 
     Args:
         design: whitened by the believed noise.
@@ -73,23 +77,36 @@ def _shared(
 ) -> tuple[list[tuple[str, str, int | None, float]], list[Block]]:
     """Test, coordinate, harmonic, and power of what elements explain of all; what they leave."""
     parts = []
-    candidates = {e: where for e, where in columns.items() if e.foretells}
     least = max(PLAIN, REST * sum(_excess(block) for block in blocks))
-    while candidates:
-        total = np.sum([block.gram for block in blocks], axis=0)
-        powers = {e: _power(total, where) for e, where in candidates.items()}
-        best = max(powers, key=lambda e: powers[e])
-        if powers[best] < least:
-            break
+    candidates = dict(columns)
+    while (found := _first(blocks, candidates, least)) is not None:
+        best, power, sizes = found
         where = candidates.pop(best)
-        after = [replace(b, gram=_less(b.gram, where, _sizes(total, where))) for b in blocks]
+        after = [replace(b, gram=_less(b.gram, where, sizes)) for b in blocks]
         gained = [max(_excess(b) - _excess(a), 0.0) for b, a in zip(blocks, after, strict=True)]
-        for block, power in zip(blocks, gained, strict=True):
-            if power > 0:
-                share = power / sum(gained)
-                parts.append((block.test, best.coordinate, best.harmonic, share * powers[best]))
+        for block, own in zip(blocks, gained, strict=True):
+            if own > 0:
+                share = own / sum(gained)
+                parts.append((block.test, best.coordinate, best.harmonic, share * power))
         blocks = after
     return parts, list(blocks)
+
+
+def _first(
+    blocks: Sequence[Block], candidates: Columns, least: float
+) -> tuple[Element, float, Array] | None:
+    """Element to be taken out first, what it explains of all tests, and its sizes: the first of
+    those that explain as much as any; what has a size for each test only when nothing else is left.
+    """
+    total = np.sum([block.gram for block in blocks], axis=0)
+    for foretells in (True, False):
+        powers = {e: _power(total, w) for e, w in candidates.items() if e.foretells == foretells}
+        beyond = {e: power - len(candidates[e]) for e, power in powers.items()}
+        most = max(beyond.values(), default=0.0)
+        if most >= least:
+            best = next(e for e in beyond if beyond[e] > most - ALIKE)
+            return best, powers[best], _sizes(total, candidates[best])
+    return None
 
 
 def _excess(block: Block) -> float:

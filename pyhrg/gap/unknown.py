@@ -125,9 +125,24 @@ def columns(
             continue
         bias = np.cumsum(block, axis=0) * where.test.log.interval
         found.append((Element(channel, coordinate, f"bias: {of}", harmonic), bias))
-        if harmonic is not None:
+        if harmonic:
             found.append((Element(channel, coordinate, f"angle: {of}", harmonic), block))
+    if channel == "gyro_angle":
+        for coordinate, of, block in _pickoffs(where):
+            found.append((Element(channel, coordinate, f"angle: {of}"), block))
     return found
+
+
+def _pickoffs(where: Coordinates) -> Iterator[tuple[str, str, Array]]:
+    """What gains and axes of pick-offs that follow a coordinate do to the angle: coordinate, words,
+    and (n, 2) values."""
+    second, words = _turn(2 * where.pattern_angle), "2nd harmonic of the pattern angle, times"
+    warm = where.resonator[:, None] / 10
+    yield "temperature", f"{words} the temperature", second * warm
+    for axis in "xyz":
+        force = getattr(where.test.log, f"acceleration_{axis}")[:, None] / 10
+        yield "acceleration", f"{words} acceleration {axis}", second * force
+        yield "acceleration", f"{words} acceleration {axis} squared", second * force**2
 
 
 def _functions(
@@ -135,6 +150,7 @@ def _functions(
 ) -> Iterator[tuple[str, str, int | None, Array]]:
     """Coordinate, words, harmonic, and (n, b) values."""
     log = where.test.log
+    yield "wave_angle", "mean over the pattern angle", 0, np.ones((len(log.time), 1))
     for m in PATTERN_HARMONICS:
         yield "wave_angle", f"harmonic {m} of the pattern angle", m, _turn(m * where.pattern_angle)
     for m in TABLE_HARMONICS:

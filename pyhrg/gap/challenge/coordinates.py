@@ -14,7 +14,7 @@ COORDINATES = {
     "drive_gain_mismatch": WAVE,
     "drive_nonorthogonality": WAVE,
     "drive_frame_rotation": frozenset({"time"}),
-    "demodulation_phase_error": WAVE,
+    "demodulation_phase_error": WAVE | RATE,
     "differential_phase_error": WAVE,
     "residual_quadrature": WAVE,
     "demodulation_offset": WAVE,

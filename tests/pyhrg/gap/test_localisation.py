@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pyhrg.gap.design import Group
+from pyhrg.gap.design import Block, Group
 from pyhrg.gap.localisation import located
-from pyhrg.gap.unknown import Element
+from pyhrg.gap.unknown import EACH_POWER_ON, Element
 from tests.pyhrg.gap.made_up import design_of
 
 Array = NDArray[np.float64]
@@ -63,3 +63,34 @@ def test_what_tests_share_is_found_though_none_shows_it_alone() -> None:
     assert sum(place.sigmas**2 for place in places) == pytest.approx(12**2, abs=3 * 2 * 12)
     assert sum(place.share for place in places) == pytest.approx(1)
     assert len(places) > 8
+
+
+def test_the_plainest_of_coordinates_that_say_the_same_is_told() -> None:
+    """What is the same in all rows, though a force squared, one but in few rows, is as like it."""
+    mean = Element("gyro_angle", "wave_angle", "mean", 0)
+    force = Element("gyro_angle", "acceleration", "acceleration z squared")
+    squared = np.ones((N, 1))
+    squared[:20] = 0.0
+    residual = noise() + 0.3
+    residual[:20] -= 0.3
+    places = located(design_of({mean: np.ones((N, 1)), force: squared}, residual))
+    assert {(place.coordinate, place.harmonic) for place in places} == {("wave_angle", 0)}
+
+
+@pytest.mark.parametrize(("values", "coordinate"), [((3, 3), "wave_angle"), ((5, -5), "time")])
+def test_a_value_for_each_power_on_is_told_where_nothing_else_is(
+    values: tuple[float, float], coordinate: str
+) -> None:
+    mean = Element("gyro_angle", "wave_angle", "mean", 0)
+    each = Element("gyro_angle", "time", EACH_POWER_ON)
+    generator = np.random.default_rng(6)
+    blocks = []
+    for i, value in enumerate(values * 2):
+        own = np.zeros((N, 4))
+        own[:, i] = 1.0
+        residual = generator.normal(size=N) + value / np.sqrt(N)
+        both = np.column_stack([np.ones(N), own, residual])
+        blocks.append(Block(f"test {i}", "gyro_angle", both.T @ both, N, 0.0))
+    whole = design_of({mean: np.ones((N, 1)), each: generator.normal(size=(N, 4))}, noise())
+    places = located(replace(whole, blocks=tuple(blocks)))
+    assert {place.coordinate for place in places} == {coordinate}

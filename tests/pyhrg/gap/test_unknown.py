@@ -1,0 +1,61 @@
+"""Nameless elements reach what effects of the catalogue do, should they lack a name."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pyhrg.campaign import Test
+from pyhrg.gap.catalogue import EFFECTS
+from pyhrg.gap.channel_noise import angle_noise
+from pyhrg.gap.observations import observed
+from pyhrg.gap.secants import secants
+from pyhrg.gap.simulation import Simulation
+from pyhrg.gap.unknown import columns, coordinates
+from pyhrg.gap.whitening import whitened
+from tests.pyhrg.gap.soundness.conftest import BELIEVED
+from tests.pyhrg.records.made_up import made_up_log
+
+ROWS = 600
+LEFT = 0.15
+"""Share of an effect's power that one element may leave: of the biases that it brings as well."""
+
+
+@pytest.mark.parametrize(
+    ("name", "channel", "of"),
+    [
+        (
+            "g_sensitive_gain",
+            "gyro_angle",
+            "angle: 2nd harmonic of the pattern angle, times acceleration x",
+        ),
+        (
+            "pickoff_gain_temperature",
+            "gyro_angle",
+            "angle: 2nd harmonic of the pattern angle, times the temperature",
+        ),
+        ("residual_quadrature", "quadrature_force", "mean over the pattern angle"),
+    ],
+)
+def test_an_element_does_what_an_effect_does(
+    simulation: Simulation, name: str, channel: str, of: str
+) -> None:
+    turns = np.arange(ROWS) / ROWS
+    log = replace(
+        made_up_log(ROWS, noise=0.0),
+        acceleration_x=5 * np.sin(4 * np.pi * turns),
+        temperature=298.15 + 10 * np.sin(2 * np.pi * turns),
+    )
+    device = BELIEVED.without_noise()
+    seen = observed(Test("test", "static", "fit", log), device)
+    answer = simulation.answers(device, seen)
+    where = coordinates(seen, answer["wave_angle"], device)
+    effect = EFFECTS[name]
+    does = secants(simulation, device, seen, [effect])[effect][channel][:, 0]
+    block = next(b for element, b in columns(where, channel, 1, 0) if element.of == of)
+    rows = seen.rows[channel]
+    series = np.column_stack([block, does])[rows]
+    white = whitened(series, np.diff(log.time[rows], prepend=0.0), angle_noise(BELIEVED)).series
+    element, effect_itself = white[:, :-1], white[:, -1]
+    left = effect_itself - element @ np.linalg.lstsq(element, effect_itself, rcond=None)[0]
+    assert left @ left < LEFT * (effect_itself @ effect_itself)

@@ -28,6 +28,7 @@ from pyhrg.gap.remainder import Remainder, Taken, remainders
 from pyhrg.gap.replay import tells_start
 from pyhrg.gap.simulation import Answers, Simulation, added
 from pyhrg.gap.soundness import sound
+from pyhrg.gap.standing_still import standing_still
 from pyhrg.gap.unsteady import unsteady
 
 Array = NDArray[np.float64]
@@ -106,7 +107,8 @@ def diagnosed(
             where=_where(found),
             sizes=_sizes(found, before, after),
             gap=gap_figures(ordered, _angles(before), _angles(after), found),
-            next_test=suggested(simulation, found, rivals(found, effects)),
+            next_test=suggested(simulation, found, rivals(found, effects))
+            or standing_still(found.noise, angle_noise(believed)),
             unnamed=unnamed(found, rest),
             excluded=excluded,
             settled=found.settled,

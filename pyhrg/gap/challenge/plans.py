@@ -12,6 +12,8 @@ from pyhrg.units import DEG, HOUR
 
 MOST_HOURS = 48.0
 """Of one kind of test that is made again."""
+STILL_ROWS = 10.0
+"""Of a long test at rest, s."""
 SPIN_UP = 19
 """Rows in which a table reaches its rate."""
 TURNS = (45, 90, 180, 360)
@@ -74,7 +76,8 @@ def plans(device: Device, generator: np.random.Generator, complete: bool = False
 
 
 def further(kind: str, hours: float, device: Device, generator: np.random.Generator) -> list[Plan]:
-    """The tests of one kind again, as often as it takes, to be added to a campaign.
+    """The tests of one kind again, as often as it takes, to be added to a campaign; at rest, one
+    test that lasts as long.
 
     Args:
         kind: of the tests.
@@ -89,8 +92,12 @@ def further(kind: str, hours: float, device: Device, generator: np.random.Genera
     if not chosen:
         kinds = ", ".join(dict.fromkeys(test[1] for test in TESTS))
         raise ValueError(f"{kind}: expected one of {kinds}")
+    duration = min(hours, MOST_HOURS) * HOUR
+    if kind == "static":
+        rest = Variation(device, generator).programme(STILL_ROWS).rest(duration)
+        return [Plan("next_1_static", kind, "fit", rest, generator.uniform(0, math.pi / 2))]
     made: list[Plan] = []
-    while sum(plan.programme.time for plan in made) < min(hours, MOST_HOURS) * HOUR:
+    while sum(plan.programme.time for plan in made) < duration:
         number = len(made) // len(chosen) + 1
         again = _made(chosen, device, generator)
         made += [replace(plan, id=f"next_{number}_{plan.id}", role="fit") for plan in again]

@@ -122,15 +122,12 @@ def _equivalents(
 ) -> tuple[str, ...]:
     """Noises that the records can't tell from one of those that were added."""
     others = [a for a in added if a != one]
-    without = _settled(records, believed, others)
-    base = _posterior(records, without, believed, others)
-    present = {a.effect for a in added}
-    instead = [
-        _added(records, without, believed, base, effect, others)
-        for effect in NOISES
-        if effect.field in PARTS and effect not in present
-    ]
-    return tuple(a.effect.name for a in instead if a.log_odds > one.log_odds - ALIKE)
+    noise = _settled(records, believed, others)
+    base = _posterior(records, noise, believed, others)
+    present = {a.effect for a in others}
+    tried = [e for e in NOISES if e.field in PARTS and e not in present]
+    odds = {e: _beside(records, noise, believed, base, e, others).log_odds for e in tried}
+    return tuple(e.name for e in tried if e != one.effect and odds[e] > odds[one.effect] - ALIKE)
 
 
 def _best(
@@ -139,18 +136,31 @@ def _best(
     believed: SlowNoise,
     added: Sequence[AddedNoise],
 ) -> AddedNoise | None:
-    """The noise that is most probably missing. Where believed levels moved, they may have moved in
-    its stead: it is tried beside unmoved ones as well."""
+    """The noise that is most probably missing."""
     base = _posterior(records, noise, believed, added)
-    unmoved = _with(believed, added)
     present = {a.effect for a in added}
     found = [
-        _added(records, beside, believed, base, effect, added)
+        _beside(records, noise, believed, base, effect, added)
         for effect in NOISES
         if effect.field in PARTS and effect not in present
-        for beside in ([noise] if alike(noise, unmoved) else [noise, unmoved])
     ]
     return max(found, key=lambda a: a.log_odds, default=None)
+
+
+def _beside(
+    records: Sequence[AngleRecord],
+    noise: SlowNoise,
+    believed: SlowNoise,
+    base: float,
+    effect: NoiseEffect,
+    added: Sequence[AddedNoise],
+) -> AddedNoise:
+    """One more noise. Where believed levels moved, they may have moved in its stead: it is tried
+    beside unmoved ones as well."""
+    unmoved = _with(believed, added)
+    levels = [noise] if alike(noise, unmoved) else [noise, unmoved]
+    found = [_added(records, beside, believed, base, effect, added) for beside in levels]
+    return max(found, key=lambda a: a.log_odds)
 
 
 def _anew(

@@ -52,3 +52,11 @@ def test_weak_noises_that_these_records_cannot_tell_apart_are_a_class(seed: int)
     given = records(weak, seed)
     (added,) = told_apart(noise_found(given, BELIEVED), given, BELIEVED).added
     assert {added.effect.name, *added.equivalents} == {"rate_random_walk", "bias_instability"}
+
+
+def test_rivals_are_weighed_on_the_same_records() -> None:
+    """Whatever the odds were when the noise was found, with less taken out of the records."""
+    given = records(replace(BELIEVED, flicker=1e-2 * DEG_PER_H), 1)
+    found = noise_found(given, BELIEVED)
+    low = replace(found, added=(replace(found.added[0], log_odds=1.0),))
+    assert told_apart(low, given, BELIEVED).added[0].equivalents == ()

@@ -42,6 +42,8 @@ _LOADING = threading.Lock()
 """FMPy changes the working directory while it loads a library."""
 CONTROL_PERIOD = 1e-3
 """Of the gyro's electronics, s."""
+COMMANDS = frozenset({"virtualRotation", "amplitudeSetpoint", "phaseOffset", "driveOn"})
+"""Inputs that the electronics take; all others act on the gyro itself, at once."""
 CHUNK = 20_000
 """Steps of a drive between looks at `GyroFmu.stop`: a second or two at 10 ms."""
 
@@ -205,8 +207,9 @@ class Gyro:
 
         Args:
             moving: (n, m) values of inputs by name, SI, in each of a row's m steps.
-            held: (n,) values of other inputs by name, SI, each held for a row: from its first tick
-                on, so that a sampled gyro's electronics are told a control period before.
+            held: (n,) values of other inputs by name, SI, each held for a row: `COMMANDS` from
+                its first tick on, so that a sampled gyro's electronics are told a control period
+                before.
             step: communication step, s.
             ends: outputs to be read at the end of each row.
             means: outputs to be averaged over each row. What the electronics of a sampled gyro
@@ -222,11 +225,13 @@ class Gyro:
         """
         moved = np.ascontiguousarray(np.stack(list(moving.values()), axis=-1))
         rows, steps, _ = moved.shape
-        told = [np.append(values, values[-1:]) for values in held.values()]
-        fixed = np.column_stack([*told, np.empty((rows + 1, 0))])
+        names = sorted(held, key=lambda name: name not in COMMANDS)
+        told = sum(name in COMMANDS for name in names)
+        values = [np.append(held[name], held[name][-1:]) for name in names]
+        fixed = np.column_stack([*values, np.empty((rows + 1, 0))])
         fresh = np.append(True, (np.diff(fixed, axis=0) != 0).any(axis=1))
-        at_end, averaged = (np.zeros((rows, len(names))) for names in (ends, means))
-        references = [self._references(names) for names in (moving, held, ends, means)]
+        at_end, averaged = (np.zeros((rows, len(each))) for each in (ends, means))
+        references = [self._references(each) for each in (moving, names, ends, means)]
         chunk = max(1, CHUNK // steps)
         tick = CONTROL_PERIOD if self._fmu.is_sampled else 0.0
         for first in range(0, rows, chunk):
@@ -236,7 +241,7 @@ class Gyro:
             commands = fixed[first : first + chunk + 1]
             arrays = (moved[part], commands, fresh[part], at_end[part], averaged[part])
             done = self._loops.record(
-                self._slave.component, begin, step, tick, *references, *arrays
+                self._slave.component, begin, step, tick, told, *references, *arrays
             )
             if done != len(moved[part]):
                 raise GyroError(self._explain(f"row {first + done} of {rows} failed"))
@@ -367,6 +372,7 @@ def _compiled(library: str) -> Loops:
         start: Any,
         step: Any,
         tick: Any,
+        told: Any,
         moving: Any,
         held: Any,
         end: Any,
@@ -394,8 +400,8 @@ def _compiled(library: str) -> Loops:
                     if not summed(component, time, part, tick, mean, now, means[i]):
                         return i
                     time, rest = time + part, rest - part
-                told = fixed[i + 1]
-                if last and set_real(component, held.ctypes, len(held), told.ctypes) != ok:
+                coming = fixed[i + 1]
+                if last and set_real(component, held.ctypes, told, coming.ctypes) != ok:
                     return i
                 if not summed(component, time, rest, tick, mean, now, means[i]):
                     return i

@@ -53,6 +53,22 @@ def test_a_row_s_commands_hold_from_its_first_tick(fmu: GyroFmu, step: float) ->
     np.testing.assert_array_equal(means[off:, 0], 0.0)
 
 
+def test_a_force_shows_in_its_own_rows(fmu: GyroFmu) -> None:
+    """A pick-off's gain of 1e-4 per m/s2 turns the output while it is there, not a period before:
+    by a hundred times what the loops then make of it in three seconds."""
+    rows = 6
+    force = np.where(np.arange(rows) < 3, 0.0, 10.0)
+    still = np.zeros((rows, 100))
+    gain = {"pickOff.gainPerAcceleration[1]": 1e-4}
+    with fmu.power_on(gain, seed=0, start_angle=0.3) as gyro:
+        moving, held = {"angularRate": still}, {"accelerationX": force, "driveOn": still[:, 0] + 1}
+        ends, _ = gyro.record(moving, held, 0.01, ["gyroAngle"])
+    turned = np.abs(np.diff(ends[:, 0], prepend=ends[0, 0]))
+    others = np.delete(turned, 3)
+    assert turned[3] > 1e-4
+    assert others.max() < 1e-2 * turned[3]
+
+
 def test_means_of_a_row_with_a_new_command_do_not_depend_on_the_steps(fmu: GyroFmu) -> None:
     """The phase loop makes up for 2 mrad within the row: 2 mrad/s for a second."""
     offset = np.array([0.0, 0.0, 2e-3, 2e-3])

@@ -180,7 +180,7 @@ def _functions(
     for pair in ("xy", "xz", "yz"):
         product = force[pair[0]] * force[pair[1]]
         yield "acceleration", f"acceleration {pair[0]} times {pair[1]}", None, _column(product)
-    change = log.amplitude_setpoint - 1
+    change = np.where(log.drive_on > 0, log.amplitude_setpoint, log.amplitude) - 1
     yield "amplitude", "amplitude", None, _column(change)
     yield "amplitude", "amplitude squared", None, _column(change**2)
     yield "time", "time since power-on", None, _column(log.time / 3600)

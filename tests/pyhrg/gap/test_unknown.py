@@ -59,3 +59,14 @@ def test_an_element_does_what_an_effect_does(
     element, effect_itself = white[:, :-1], white[:, -1]
     left = effect_itself - element @ np.linalg.lstsq(element, effect_itself, rcond=None)[0]
     assert left @ left < LEFT * (effect_itself @ effect_itself)
+
+
+def test_the_amplitude_of_a_free_pattern_is_its_own() -> None:
+    """With the drive on it is what is commanded, without the noise of what is read."""
+    amplitude = np.exp(-np.clip(np.arange(100) - 50, 0, None) / 400) + 1e-6
+    log = replace(made_up_log(100), drive_on=(np.arange(100) < 50) * 1.0, amplitude=amplitude)
+    seen = observed(Test("test", "ring_down", "fit", log), BELIEVED)
+    where = coordinates(seen, np.zeros(100), BELIEVED)
+    found = {element.of: block for element, block in columns(where, "quadrature_force", 1, 0)}
+    expected = np.where(np.arange(100) < 50, 0.0, amplitude - 1)
+    np.testing.assert_array_equal(found["amplitude"][:, 0], expected)

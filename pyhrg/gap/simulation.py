@@ -53,7 +53,15 @@ class Simulation:
         if test.loops_move:
             return self._running(device, test.inputs)
         at_rest = self._at_rest(device, test)
-        return _led(self._started(at_rest, device, test), device, test)
+        started = self._started(at_rest, device, test)
+        turned = float(started["wave_angle"][-1] - at_rest["wave_angle"][-1])
+        return _led(added(started, self._turned(device, test.inputs, turned)), device, test)
+
+    def _turned(self, device: Device, inputs: Replayable, angle: float) -> dict[str, Array]:
+        """What a pattern that is turned changes in all channels but the angles."""
+        away = replace(inputs, start_angle=inputs.start_angle + angle)
+        first, last = (self._coarse(device, each) for each in (inputs, away))
+        return {name: last[name] - first[name] for name in CHANNELS if name not in ANGLES}
 
     def _running(self, device: Device, inputs: Replayable) -> dict[str, Array]:
         """With loops that run; what a row holds is held in steps of whole control periods."""
@@ -79,10 +87,10 @@ class Simulation:
         n = len(test.log.time)
         rows = min(n, math.ceil(settling(device) / test.log.interval))
         running = self._running(device, test.inputs.first(rows))
-        for name in ANGLES:
-            left = running[name] - at_rest[name][:rows]
-            at_rest[name] = at_rest[name] + np.append(left, np.full(n - rows, left[-1]))
-        return at_rest
+        left = {name: running[name] - at_rest[name][:rows] for name in ANGLES}
+        return added(
+            at_rest, {name: np.append(x, np.full(n - rows, x[-1])) for name, x in left.items()}
+        )
 
     def difference(self, low: Device, high: Device, test: Observed) -> dict[str, Array]:
         """(n,) by channel: answer of `high` less that of `low`, for devices that differ little.

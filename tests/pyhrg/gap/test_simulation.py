@@ -79,6 +79,17 @@ def test_power_on_and_rest(simulation: Simulation, loop: float) -> None:
     check(simulation, device, test, FOLLOWING, moves=False)
 
 
+def test_forces_are_those_of_the_pattern_that_power_on_left_turned(simulation: Simulation) -> None:
+    """While slow loops come to rest, a split of 0.6 mHz turns the pattern by some 0.1 urad: its
+    quadrature force is another by 1e-9 /s ever after."""
+    device = replace(BELIEVED.without_noise(), quadrature_loop=3.0, frequency_split=4e-3)
+    test = logged(simulation, device, programme().rest(120), angle=0.5)
+    seen = observed(test, device)
+    rows = seen.rows["quadrature_force"]
+    left = test.log.quadrature_force - simulation.answers(device, seen)["quadrature_force"]
+    assert np.abs(left[rows]).max() < 1e-10
+
+
 @pytest.mark.parametrize("loop", [2.0, 6.0])
 def test_warming(simulation: Simulation, loop: float) -> None:
     """Loops lag a frequency and a decay time that drift; temperature itself comes 10 ms late."""
@@ -101,7 +112,7 @@ def test_a_thermometer_off_by_little_is_no_rate_of_temperature(simulation: Simul
 
 def test_secants_hold_for_effects_of_few_deviations(simulation: Simulation) -> None:
     """A phase error turns the pattern, and with it the forces, the longer the further; the change
-    by secants is the change of so small an effect all the same."""
+    by secants is the change of so small an effect all the same, to a percent."""
     device = replace(QUIET, phase_error=0.0)
     seen = observed(Test("test", "static", "fit", made_up_log(20000, noise=0.0)), device)
     effect, size = EFFECTS["demodulation_phase_error"], 1e-5
@@ -109,7 +120,7 @@ def test_secants_hold_for_effects_of_few_deviations(simulation: Simulation) -> N
     told = secants(simulation, device, seen, [effect])[effect]
     for name in ("gyro_angle", "quadrature_force"):
         largest = np.abs(change[name]).max()
-        np.testing.assert_allclose(told[name][:, 0] * size, change[name], atol=0.003 * largest)
+        np.testing.assert_allclose(told[name][:, 0] * size, change[name], atol=0.01 * largest)
 
 
 def test_a_free_pattern_is_simulated_no_further_than_it_is_compared(

@@ -5,8 +5,9 @@ R. E. Kalman, J. Basic Eng. 82 (1960); the likelihood by innovations: F. C. Schw
 Inf. Theory 11 (1965).
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numba
 import numpy as np
@@ -16,6 +17,20 @@ Array = NDArray[np.float64]
 
 DECADES = tuple(10.0**e for e in (0.5, 1.5, 2.5, 3.5, 4.5))
 """Time constants of the lags whose sum is flicker noise, s."""
+
+
+@dataclass(frozen=True)
+class Correlated:
+    """Exponentially correlated noise (IEEE Std 952: Markov noise).
+
+    level: standard deviation, unit/s of a rate, unit of a reading.
+    lag: over which it is correlated, s.
+    of_rate: whether it adds to the rate, or to the reading itself.
+    """
+
+    level: float
+    lag: float
+    of_rate: bool
 
 
 @dataclass(frozen=True)
@@ -29,6 +44,7 @@ class SlowNoise:
     lagged: density of white noise behind a first-order lag, unit/sqrt(s): the noise of a
         temperature log in what follows the resonator's temperature.
     lag: its time constant, s.
+    correlated: beside all that.
     """
 
     white: float
@@ -37,6 +53,12 @@ class SlowNoise:
     flicker: float = 0.0
     lagged: float = 0.0
     lag: float = 600.0
+    correlated: "Correlated | None" = None
+
+    def at(self, part: str, level: float) -> "SlowNoise":
+        """With a part at another level."""
+        values: dict[str, Any] = {part: level}
+        return replace(self, **values)
 
     @cached_property
     def states(self) -> "States":
@@ -47,9 +69,18 @@ class SlowNoise:
         # add up to c pi/(2 ln 10 w): flicker B^2/w
         power = self.flicker**2 * 2 * np.log(10.0) / np.pi
         densities = [self.lagged**2 / self.lag**2, *(power / t for t in lags[1:])]
+        if one := self.correlated:
+            lags.append(one.lag)
+            rates = np.append(rates, float(one.of_rate))
+            densities.append(2 * one.level**2 / one.lag)
         return States(
             np.array(lags), rates, np.array(densities), np.array([self.walk**2, self.rate_walk**2])
         )
+
+    @property
+    def is_white(self) -> bool:
+        """Whether nothing lasts from reading to reading."""
+        return not (self.walk or self.rate_walk or self.flicker or self.lagged or self.correlated)
 
 
 @dataclass(frozen=True)
@@ -88,7 +119,7 @@ def whitened(series: Array, steps: Array, noise: SlowNoise) -> Whitened:
         steps: (n,) time from the reading before, the first from the start, s.
         noise: in the series' unit.
     """
-    if not (noise.walk or noise.rate_walk or noise.flicker or noise.lagged):
+    if noise.is_white:
         return Whitened(series / noise.white, 2 * len(series) * float(np.log(noise.white)))
     s = noise.states
     out = np.empty_like(series)
@@ -110,80 +141,83 @@ def _innovations(
     densities: Array,
     out: Array,
 ) -> float:
+    """Of angle, rate and lags: a step keeps a part of each, and adds some of each to the angle."""
     n, p = series.shape
     m = len(lags) + 2
     state = np.zeros((m, p))
     covariance = np.zeros((m, m))
-    moved = np.zeros((m, m))
     reading = np.zeros(m)
     reading[0] = 1.0
     for j in range(m - 2):
         reading[j + 2] = 1.0 - rates[j]
         covariance[j + 2, j + 2] = rates[j] * densities[j] * lags[j] / 2
-    transition = np.eye(m)
+    kept = np.ones(m)
+    turns = np.zeros(m)
+    turns[0] = 1.0
     added = np.zeros((m, m))
     last = -1.0
     logs = 0.0
     gain = np.zeros(m)
-    before = np.zeros(m)
+    angle = np.zeros(m)
+    miss = np.zeros(p)
     for i in range(n):
         h = steps[i]
         if h != last:
             last = h
-            transition[0, 1] = h
+            turns[1] = h
             added[0, 0] = walks[0] * h + walks[1] * h**3 / 3
             added[0, 1] = added[1, 0] = walks[1] * h**2 / 2
             added[1, 1] = walks[1] * h
             for j in range(m - 2):
-                kept = np.exp(-h / lags[j])
-                transition[j + 2, j + 2] = kept
-                transition[0, j + 2] = rates[j] * lags[j] * (1 - kept)
+                stays = np.exp(-h / lags[j])
+                kept[j + 2] = stays
+                turns[j + 2] = rates[j] * lags[j] * (1 - stays)
                 t, q = lags[j], densities[j]
-                added[j + 2, j + 2] = q * t / 2 * (1 - kept**2)
-                added[0, j + 2] = added[j + 2, 0] = rates[j] * q * t * t / 2 * (1 - kept) ** 2
+                added[j + 2, j + 2] = q * t / 2 * (1 - stays**2)
+                added[0, j + 2] = added[j + 2, 0] = rates[j] * q * t * t / 2 * (1 - stays) ** 2
                 added[0, 0] += (
-                    rates[j] * q * t * t * (h - 2 * t * (1 - kept) + t / 2 * (1 - kept**2))
+                    rates[j] * q * t * t * (h - 2 * t * (1 - stays) + t / 2 * (1 - stays**2))
                 )
-        for a in range(m):
-            for b in range(m):
-                total = 0.0
-                for c in range(m):
-                    total += transition[a, c] * covariance[c, b]
-                moved[a, b] = total
-        for a in range(m):
-            for b in range(m):
-                total = added[a, b]
-                for c in range(m):
-                    total += moved[a, c] * transition[b, c]
-                covariance[a, b] = total
-        for a in range(m):
-            total = 0.0
-            for b in range(m):
-                total += covariance[a, b] * reading[b]
-            gain[a] = total
+        for b in range(m):
+            angle[b] = 0.0
+            for c in range(m):
+                angle[b] += turns[c] * covariance[c, b]
+        covariance[0, 0] = added[0, 0]
+        for c in range(m):
+            covariance[0, 0] += angle[c] * turns[c]
+        for b in range(1, m):
+            covariance[0, b] = covariance[b, 0] = angle[b] * kept[b] + added[0, b]
+            for c in range(1, m):
+                covariance[b, c] = covariance[b, c] * kept[b] * kept[c] + added[b, c]
         variance = white
         for a in range(m):
+            gain[a] = 0.0
+            for b in range(m):
+                gain[a] += covariance[a, b] * reading[b]
             variance += reading[a] * gain[a]
         deviation = np.sqrt(variance)
         logs += np.log(variance)
+        for a in range(1, m):
+            if turns[a] != 0.0:
+                for k in range(p):
+                    state[0, k] += turns[a] * state[a, k]
+            if kept[a] != 1.0:
+                for k in range(p):
+                    state[a, k] *= kept[a]
         for k in range(p):
-            for a in range(m):
-                total = 0.0
-                for c in range(m):
-                    if transition[a, c] != 0.0:
-                        total += transition[a, c] * state[c, k]
-                before[a] = total
-            expected = 0.0
-            for a in range(m):
-                expected += reading[a] * before[a]
-            miss = series[i, k] - expected
-            out[i, k] = miss / deviation
-            for a in range(m):
-                state[a, k] = before[a] + gain[a] / variance * miss
+            miss[k] = series[i, k] - state[0, k]
+        for a in range(2, m):
+            if reading[a] != 0.0:
+                for k in range(p):
+                    miss[k] -= reading[a] * state[a, k]
+        for k in range(p):
+            out[i, k] = miss[k] / deviation
+        for a in range(m):
+            share = gain[a] / variance
+            if share != 0.0:
+                for k in range(p):
+                    state[a, k] += share * miss[k]
         for a in range(m):
             for b in range(m):
-                moved[a, b] = covariance[a, b] - gain[a] * gain[b] / variance
-        for a in range(m):
-            for b in range(m):
-                covariance[a, b] = moved[a, b]
+                covariance[a, b] -= gain[a] * gain[b] / variance
     return logs

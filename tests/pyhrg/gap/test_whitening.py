@@ -5,7 +5,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.linalg import cho_solve, cholesky, solve_triangular
 
-from pyhrg.gap.whitening import DECADES, SlowNoise, whitened
+from pyhrg.gap.whitening import DECADES, Correlated, SlowNoise, whitened
 
 Array = NDArray[np.float64]
 
@@ -24,6 +24,10 @@ def covariance(t: Array, noise: SlowNoise) -> Array:
     total += noise.rate_walk**2 * low**2 * (3 * high - low) / 6
     apart = np.exp(-(high - low) / noise.lag) - np.exp(-(high + low) / noise.lag)
     total += noise.lagged**2 / noise.lag / 2 * apart
+    if one := noise.correlated:
+        apart = np.exp(-(high - low) / one.lag) - np.exp(-(high + low) / one.lag)
+        lasting = integrated_lag(t, one.lag, 1.0) if one.of_rate else apart
+        total += one.level**2 * lasting
     power = noise.flicker**2 * 2 * np.log(10) / np.pi / 2
     return np.asarray(total + sum(integrated_lag(t, tau, power) for tau in DECADES))
 
@@ -35,6 +39,8 @@ NOISES = [
     SlowNoise(0.3, walk=0.2),
     SlowNoise(0.3, rate_walk=0.02),
     SlowNoise(0.3, flicker=0.1),
+    SlowNoise(0.3, correlated=Correlated(0.1, 20.0, of_rate=True)),
+    SlowNoise(0.3, correlated=Correlated(0.5, 20.0, of_rate=False)),
     SlowNoise(0.3, lagged=5.0, lag=40.0),
     SlowNoise(0.1, walk=0.2, rate_walk=1e-3, flicker=0.03, lagged=2.0, lag=600.0),
 ]

@@ -6,21 +6,24 @@ believed gyro.
 """
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device import Device
-from pyhrg.gap.catalogue import DETERMINISTIC, Effect
+from pyhrg.fmu import GyroError
+from pyhrg.gap.catalogue import WHOLE, Catalogue, Effect
 from pyhrg.gap.channel_noise import ChannelNoise, angle_noise
 from pyhrg.gap.design import Design, Evidence, Group
-from pyhrg.gap.hypothesis import FIDELITY, Hypothesis, ranked_under, weighed
-from pyhrg.gap.noise_search import NoiseFound, alike
+from pyhrg.gap.hypothesis import FIDELITY, Hypothesis, ranked_under
+from pyhrg.gap.noise_levels import alike
+from pyhrg.gap.noise_search import NoiseFound
 from pyhrg.gap.observations import Observed
 from pyhrg.gap.search import Ranked
 from pyhrg.gap.secants import evidence, secants
 from pyhrg.gap.simulation import Answers, Simulation, added
+from pyhrg.gap.weighing import Weighed, weighed
 
 Array = NDArray[np.float64]
 
@@ -33,6 +36,8 @@ STALE = 300.0
 """Distance of the gyro from where all secants were taken, from which they are taken anew."""
 FAR = 10.0
 """The same of the one that was simulated with running loops where they move."""
+HALVINGS = 8
+"""Of a move to a gyro that the FMU refuses."""
 LINEAR = 1e-3
 """Share of a move's power that may be left because effects are not linear."""
 
@@ -42,31 +47,49 @@ class Attribution:
     """What was found.
 
     device: with the named effects of the most probable set, where the search ended.
-    ranked: sets, in sizes that count from the believed gyro.
-    noise: of the output angle.
-    design: around the device.
+    weighed: noises with their sets, in sizes that count from the believed gyro.
     parts: of each test, around the device.
-    channel_noise: of all channels.
     believed_answers: of the believed gyro to each test.
     settled: whether the search came to rest, or was ended.
     """
 
     believed: Device
     device: Device
-    ranked: Ranked
-    noise: NoiseFound
-    design: Design
+    weighed: Weighed
     parts: tuple[Evidence, ...]
-    channel_noise: ChannelNoise
     believed_answers: tuple[Answers, ...]
     settled: bool
+
+    @property
+    def ranked(self) -> Ranked:
+        """Sets under the likeliest noise."""
+        return self.weighed.best.ranked
+
+    @property
+    def noise(self) -> NoiseFound:
+        """The likeliest of the output angle."""
+        return self.weighed.best.noise
+
+    @property
+    def design(self) -> Design:
+        """Around the device, under the likeliest noise."""
+        return self.weighed.best.design
+
+    @property
+    def channel_noise(self) -> ChannelNoise:
+        """Of all channels."""
+        return self.weighed.best.channel_noise
+
+    def with_noises(self, change: Callable[[Hypothesis], NoiseFound]) -> "Attribution":
+        """The same with other noises found."""
+        return replace(self, weighed=self.weighed.with_noises(change))
 
 
 def attributed(
     simulation: Simulation,
     believed: Device,
     tests: Sequence[Observed],
-    effects: Sequence[Effect] = DETERMINISTIC,
+    catalogue: Catalogue = WHOLE,
     say: Callable[[str], None] = lambda text: None,
 ) -> Attribution:
     """Find the effects of a campaign.
@@ -75,13 +98,13 @@ def attributed(
         simulation: both fidelities.
         believed: the gyro before the diagnosis.
         tests: that may be fitted to.
-        effects: the catalogue.
+        catalogue: of what may be named.
         say: told how far it is.
 
     Raises:
         GyroError: a gyro that the FMU refuses.
     """
-    approach = _Approach(simulation, believed, tests, effects)
+    approach = _Approach(simulation, believed, tests, catalogue)
     for round_ in range(1, ROUNDS + 1):
         say(f"round {round_}: simulating")
         approach.simulate()
@@ -96,11 +119,8 @@ def attributed(
     return Attribution(
         believed,
         approach.device,
-        hypothesis.ranked,
-        hypothesis.noise,
-        hypothesis.design,
+        approach.weighed,
         tuple(approach.parts),
-        hypothesis.channel_noise,
         approach.believed_answers,
         settled,
     )
@@ -118,13 +138,13 @@ class _Approach:
         simulation: Simulation,
         believed: Device,
         tests: Sequence[Observed],
-        effects: Sequence[Effect],
+        catalogue: Catalogue,
     ) -> None:
         self._simulation = simulation
         self._believed = believed
         self._tests = tests
-        self._effects = effects
-        self._fresh: Collection[Effect] = effects
+        self._catalogue = catalogue
+        self._fresh: Collection[Effect] = catalogue.effects
         self._taken = believed
         self._simulated: Device | None = None
         self._share = LINEAR
@@ -133,10 +153,23 @@ class _Approach:
         self.device = believed
         self.noise = NoiseFound(angle_noise(believed), ())
         self.parts: list[Evidence] = []
+        self.weighed = Weighed((), ())
         self.believed_answers: tuple[Answers, ...] = ()
 
     def simulate(self) -> None:
-        """Take residuals around the gyro, and the secants that are due."""
+        """Take residuals around the gyro, and the secants that are due; half way to it, or half of
+        that, where the FMU refuses it; as they were where it refuses every step."""
+        for _ in range(HALVINGS):
+            try:
+                self._simulate()
+                return
+            except GyroError:
+                if not self.parts:
+                    raise
+                self.device = _midway(self.parts[0].device, self.device, self._catalogue.effects)
+        self.device = self.parts[0].device
+
+    def _simulate(self) -> None:
         if self.parts and self.parts[0].device is self.device and not self._fresh:
             return
         answers = self._answers()
@@ -152,8 +185,9 @@ class _Approach:
         """Of the gyro; beside one that was simulated, loops at rest tell the difference."""
         simulation, device = self._simulation, self.device
         if self._simulated is None:
+            every: list[Answers] = [simulation.answers(device, test) for test in self._tests]
             self._simulated = device
-            return [simulation.answers(device, test) for test in self._tests]
+            return every
         return [
             added(part.answers, simulation.difference(part.device, device, part.test))
             for part in self.parts
@@ -172,10 +206,14 @@ class _Approach:
             hypothesis = ranked_under(self.noise, self._believed, self.parts)
         if self._share == FIDELITY and self.step(hypothesis) < CLOSE:
             self._is_close = True
-        if self._is_close and hypothesis.ranked.best.groups != self._heard:
-            hypothesis = weighed(hypothesis, self._believed, self.parts)
-            self._heard = hypothesis.ranked.best.groups
-        return hypothesis
+        if not self._is_close:
+            self.weighed = Weighed((hypothesis,), (1.0,))
+        elif hypothesis.ranked.best.groups == self._heard:
+            self.weighed = self.weighed.anew(hypothesis)
+        else:
+            self.weighed = weighed(hypothesis, self._believed, self.parts, self._catalogue.noises)
+            self._heard = self.weighed.best.ranked.best.groups
+        return self.weighed.best
 
     def step(self, hypothesis: Hypothesis) -> float:
         """How far a hypothesis moves the gyro, in deviations of the noise."""
@@ -190,11 +228,11 @@ class _Approach:
     def move(self, hypothesis: Hypothesis) -> None:
         """To where the hypothesis has the gyro."""
         moved = _moved(self._believed, self.device, hypothesis)
-        named = [g for g in hypothesis.ranked.best.groups if isinstance(g, Effect)]
+        named = list(hypothesis.ranked.best.named)
         self._fresh = [] if self._has_near_secants(hypothesis) else named
         is_far = _distance(self._taken, moved, hypothesis.design) >= STALE
         if is_far and self.step(hypothesis) < CLOSE:
-            self._taken, self._fresh = moved, self._effects
+            self._taken, self._fresh = moved, self._catalogue.effects
         if self._simulated and _distance(self._simulated, moved, hypothesis.design) >= FAR:
             self._simulated = None
         self.device = moved
@@ -207,11 +245,7 @@ def _moved(believed: Device, device: Device, hypothesis: Hypothesis) -> Device:
     """The believed gyro with the named effects of the most probable set, as far as they stand out
     of what a move this far may leave behind because effects are not linear."""
     found, summed = hypothesis.ranked, hypothesis.design
-    named = [
-        (group, group.vector(believed) + value)
-        for group, value in zip(found.best.groups, found.best.values, strict=True)
-        if isinstance(group, Effect)
-    ]
+    named = [(effect, effect.vector(believed) + size) for effect, size in found.best.named.items()]
     aim = believed
     for effect, vector in named:
         aim = effect.put(aim, vector)
@@ -221,6 +255,13 @@ def _moved(believed: Device, device: Device, hypothesis: Hypothesis) -> Device:
         if _distance(believed, effect.put(believed, vector), summed) ** 2 > left:
             moved = effect.put(moved, vector)
     return moved
+
+
+def _midway(one: Device, other: Device, effects: Sequence[Effect]) -> Device:
+    """A gyro between two."""
+    for effect in effects:
+        one = effect.put(one, (effect.vector(one) + effect.vector(other)) / 2)
+    return one
 
 
 def _distance(old: Device, new: Device, summed: Design) -> float:

@@ -5,7 +5,7 @@ of the physics: what a trimmed gyro of this class has.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -145,5 +145,23 @@ NOISES = (
     NoiseEffect("angle_white_noise", "pickoff_noise", 0.1 * ARCSEC),
     NoiseEffect("angle_quantisation", "angle_quantum", 0.3 * ARCSEC),
 )
+
+
+@dataclass(frozen=True)
+class Catalogue:
+    """What a diagnosis may name."""
+
+    effects: tuple[Effect, ...] = DETERMINISTIC
+    noises: tuple[NoiseEffect, ...] = NOISES
+
+    def without(self, names: Collection[str]) -> "Catalogue":
+        """One that lacks these."""
+        return Catalogue(
+            tuple(effect for effect in self.effects if effect.name not in names),
+            tuple(noise for noise in self.noises if noise.name not in names),
+        )
+
+
+WHOLE = Catalogue()
 NAMES = tuple(effect.name for effect in (*DETERMINISTIC, *NOISES))
 EFFECTS = {effect.name: effect for effect in DETERMINISTIC}

@@ -9,7 +9,7 @@ from pyhrg.device import Device
 from pyhrg.device_file import from_table
 from pyhrg.device_keys import KEYS
 from pyhrg.gap.attribution import Attribution
-from pyhrg.gap.catalogue import EFFECTS, Effect
+from pyhrg.gap.catalogue import EFFECTS
 from pyhrg.gap.diagnosis import DiagnosisError
 
 
@@ -28,9 +28,8 @@ def believed_device(campaign: Campaign) -> Device:
 def closed_device(found: Attribution) -> Device:
     """The believed gyro with the causes in it."""
     device = found.believed
-    for group, value in zip(found.ranked.best.groups, found.ranked.best.values, strict=True):
-        if isinstance(group, Effect):
-            device = group.put(device, group.vector(found.believed) + value)
+    for effect, size in found.ranked.best.named.items():
+        device = effect.put(device, effect.vector(found.believed) + size)
     totals: dict[str, Any] = {added.effect.field: added.total for added in found.noise.added}
     return replace(device, **totals)
 

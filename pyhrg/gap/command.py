@@ -15,7 +15,7 @@ from pyhrg import campaign as campaigns
 from pyhrg import device_file, records
 from pyhrg.fmu import GyroError, GyroFmu
 from pyhrg.gap import diagnosis, prediction, static_record
-from pyhrg.gap.catalogue import DETERMINISTIC
+from pyhrg.gap.catalogue import WHOLE
 from pyhrg.gap.challenge import command as challenge
 from pyhrg.gap.closing import believed_device, with_causes
 from pyhrg.gap.diagnose import Diagnosed, diagnosed
@@ -104,8 +104,8 @@ def _challenge(options: argparse.Namespace) -> None:
 
 def challenged(folder: Path, out: Path, without: Sequence[str]) -> None:
     """Diagnose a campaign of a challenge with some effects out of the catalogue."""
-    effects = [effect for effect in DETERMINISTIC if effect.name not in without]
-    keep(diagnosed(campaigns.read(folder), _simulation_of_process(), effects), out)
+    campaign, catalogue = campaigns.read(folder), WHOLE.without(without)
+    keep(diagnosed(campaign, _simulation_of_process(), catalogue), out)
 
 
 @cache

@@ -10,6 +10,7 @@ from pyhrg.device import Device
 from pyhrg.gap import unknown
 from pyhrg.gap.catalogue import Effect
 from pyhrg.gap.channel_noise import ChannelNoise
+from pyhrg.gap.jump import Jump
 from pyhrg.gap.observations import CHANNELS, Observed
 from pyhrg.gap.unknown import Coordinates, Element
 from pyhrg.gap.whitening import whitened
@@ -108,12 +109,13 @@ class Evidence:
         return series + self.bryan_factor * self.slopes[channel][:, None] * angles
 
 
-def design(parts: Sequence[Evidence], noise: ChannelNoise) -> Design:
+def design(parts: Sequence[Evidence], noise: ChannelNoise, jumps: Sequence[Jump] = ()) -> Design:
     """Whiten and sum up.
 
     Args:
         parts: of each test.
         noise: of all channels.
+        jumps: that are weighed beside all else.
     """
     effects = list(parts[0].secants)
     places: dict[Group, NDArray[np.int64]] = {}
@@ -125,6 +127,7 @@ def design(parts: Sequence[Evidence], noise: ChannelNoise) -> Design:
     for channel in CHANNELS:
         for index, part in enumerate(parts):
             found = unknown.columns(part.where, channel, len(parts), index)
+            found += [(j, j.columns(part.where)) for j in jumps if j.channel == channel]
             if channel not in own:
                 begin = count
                 count = _placed(

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,22 +10,22 @@ from numpy.typing import NDArray
 from pyhrg.campaign import Campaign, CampaignError
 from pyhrg.device import Device
 from pyhrg.gap.attribution import Attribution, attributed
-from pyhrg.gap.catalogue import DETERMINISTIC, Effect
+from pyhrg.gap.catalogue import WHOLE, Catalogue, NoiseEffect
 from pyhrg.gap.channel_noise import ChannelNoise, angle_noise
 from pyhrg.gap.closing import believed_device, closed_device
 from pyhrg.gap.design import design
 from pyhrg.gap.diagnosis import Diagnosis, Where
 from pyhrg.gap.free_pattern import steady
 from pyhrg.gap.gap_figures import gap_figures
-from pyhrg.gap.hypothesis import angles_left
+from pyhrg.gap.hypothesis import Hypothesis, angles_left
 from pyhrg.gap.judgement import judged, unnamed
 from pyhrg.gap.localisation import Place, located
 from pyhrg.gap.next_test import rivals, suggested
-from pyhrg.gap.noise_search import told_apart
+from pyhrg.gap.noise_search import NoiseFound, told_apart
 from pyhrg.gap.observations import CHANNELS, Observed, observed
 from pyhrg.gap.quantity import Size, sizes
 from pyhrg.gap.quantum import counted, is_rough
-from pyhrg.gap.remainder import Remainder, Taken, remainders
+from pyhrg.gap.remainder import Remainder, remainders
 from pyhrg.gap.replay import tells_start
 from pyhrg.gap.simulation import Answers, Simulation, added
 from pyhrg.gap.soundness import sound
@@ -65,7 +66,7 @@ class Diagnosed:
 def diagnosed(
     campaign: Campaign,
     simulation: Simulation,
-    effects: Sequence[Effect] = DETERMINISTIC,
+    catalogue: Catalogue = WHOLE,
     say: Callable[[str], None] = lambda text: None,
 ) -> Diagnosed:
     """Diagnose a campaign.
@@ -73,7 +74,7 @@ def diagnosed(
     Args:
         campaign: as it was read.
         simulation: both fidelities.
-        effects: the catalogue; all of it unless one is left out to be missed.
+        catalogue: all of it, unless one is left out to be missed.
         say: told how far it is.
 
     Raises:
@@ -90,10 +91,8 @@ def diagnosed(
     fitted = [t for t in tests if not t.test.is_holdout]
     if not fitted:
         raise CampaignError("; ".join(["no test can be fitted to", *excluded]))
-    found = attributed(simulation, believed, fitted, effects, say)
-    left = angles_left(found.parts, _taken(found), found.channel_noise, believed)
-    noise = told_apart(found.noise, left, angle_noise(believed))
-    found = replace(found, noise=counted(noise, fitted, believed.angle_quantum))
+    found = attributed(simulation, believed, fitted, catalogue, say)
+    found = found.with_noises(partial(_noise, found, fitted, catalogue.noises))
     closed = closed_device(found)
     say("closing")
     ordered = (*fitted, *(t for t in tests if t.test.is_holdout))
@@ -103,11 +102,11 @@ def diagnosed(
     return Diagnosed(
         Diagnosis(
             campaign.device,
-            *judged(found, effects, rest),
+            *judged(found, catalogue.effects, rest),
             where=_where(found),
             sizes=_sizes(found, before, after),
             gap=gap_figures(ordered, _angles(before), _angles(after), found),
-            next_test=suggested(simulation, found, rivals(found, effects))
+            next_test=suggested(simulation, found, rivals(found, catalogue.effects))
             or standing_still(found.noise, angle_noise(believed)),
             unnamed=unnamed(found, rest),
             excluded=excluded,
@@ -120,6 +119,20 @@ def diagnosed(
         before,
         after,
     )
+
+
+def _noise(
+    found: Attribution,
+    tests: Sequence[Observed],
+    noises: Sequence[NoiseEffect],
+    one: Hypothesis,
+) -> NoiseFound:
+    """Of a hypothesis; of the likeliest, with those that records can't tell from each."""
+    noise, believed = one.noise, found.believed
+    if one is found.weighed.best:
+        left = angles_left(found.parts, found.ranked.best.sizes, found.channel_noise, believed)
+        noise = told_apart(noise, left, angle_noise(believed), noises)
+    return counted(noise, tests, believed.angle_quantum, noises)
 
 
 def _left(
@@ -146,23 +159,19 @@ def _residuals(
     simulation: Simulation, device: Device, test: Observed, answers: Answers
 ) -> Residuals:
     """As evidence compares them: channels beside the angle where the pattern is as measured."""
-    slopes = simulation.slope_over_angle(device, test)
+    around = simulation.over_angle(device, test)
     residuals = {name: getattr(test.log, name) - answers[name] for name in CHANNELS}
     turned = device.bryan_factor * residuals["gyro_angle"]
     for name in CHANNELS[1:]:
-        residuals[name] = residuals[name] + slopes[name] * turned
+        at_angle = residuals[name] + around.slopes[name] * turned
+        residuals[name] = at_angle - around.bent(name, turned)
     return {name: np.where(test.rows[name], residuals[name], np.nan) for name in CHANNELS}
 
 
 def _rest(found: Attribution) -> list[Remainder]:
     noise = replace(found.channel_noise, angle=found.noise.noise)
     channels = CHANNELS[1:] if is_rough(found.noise, found.believed) else CHANNELS
-    return remainders(found.parts, _taken(found), noise, found.believed, channels)
-
-
-def _taken(found: Attribution) -> Taken:
-    best = found.ranked.best
-    return dict(zip(best.groups, best.values, strict=True))
+    return remainders(found.parts, found.ranked.best.sizes, noise, found.believed, channels)
 
 
 def _where(found: Attribution) -> tuple[Where, ...]:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from scipy.linalg import LinAlgError, cho_factor, cho_solve
 from scipy.special import gammaln
 
+from pyhrg.gap.catalogue import Effect
 from pyhrg.gap.design import Design, Group
 from pyhrg.gap.unknown import Element
 
@@ -43,6 +44,16 @@ class Fit:
     explained: float
     values: tuple[Array, ...]
     covariance: Array
+
+    @property
+    def sizes(self) -> dict[Group, Array]:
+        """Values by group."""
+        return dict(zip(self.groups, self.values, strict=True))
+
+    @property
+    def named(self) -> dict[Effect, Array]:
+        """Those of the catalogue."""
+        return {group: size for group, size in self.sizes.items() if isinstance(group, Effect)}
 
 
 def fit(design: Design, groups: Sequence[Group]) -> Fit | None:

@@ -29,7 +29,7 @@ def steady(simulation: Simulation, believed: Device, test: Observed) -> Observed
     """
     if test.log.drive_on.all():
         return test
-    slope = simulation.slope_over_angle(believed, test)["gyro_angle"]
+    slope = simulation.over_angle(believed, test).slopes["gyro_angle"]
     grown = (test.log.drive_on <= 0) & (np.abs(believed.bryan_factor * slope) > GROWN)
     kept = ~np.logical_or.accumulate(grown)
     count = max(int(kept.sum()), LEAST)

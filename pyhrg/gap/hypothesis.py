@@ -1,8 +1,4 @@
-"""Noise of the output angle and sets of effects, weighed together.
-
-What wanders may be noise, or something that nobody has a name for: each noise is given the sets
-that go with it, and the likelier of them is taken.
-"""
+"""Sets of effects, ranked under a noise of the output angle."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -12,20 +8,20 @@ from numpy.typing import NDArray
 
 from pyhrg.device import Device
 from pyhrg.gap.catalogue import Effect
-from pyhrg.gap.channel_noise import ChannelNoise, angle_noise, believed_noise
+from pyhrg.gap.channel_noise import ChannelNoise, believed_noise
 from pyhrg.gap.design import Design, Evidence, design, tempered
-from pyhrg.gap.evidence import Fit
-from pyhrg.gap.noise_search import AngleRecord, NoiseFound, alike, noise_found
-from pyhrg.gap.remainder import Taken, remainders
+from pyhrg.gap.jump_search import jumps
+from pyhrg.gap.noise_levels import AngleRecord
+from pyhrg.gap.noise_search import NoiseFound
+from pyhrg.gap.remainder import Taken, remainders, unlike
 from pyhrg.gap.search import Ranked, ranked
+from pyhrg.gap.unknown import Element
 
 Array = NDArray[np.float64]
 
 FIDELITY = 1e-8
 """Share of a response's power that a simulation gets wrong: simulators of one physics that were
 written apart agree to 1e-4."""
-PLAIN = 1e4
-"""Power that is explained, in deviations of the noise squared, which no noise would let be."""
 
 
 @dataclass(frozen=True)
@@ -46,11 +42,42 @@ class Hypothesis:
         """Of noise and sets together, but for a constant."""
         return self.design.log_likelihood + self.ranked.log_evidence + self.noise.log_prior
 
+    @property
+    def names(self) -> frozenset[str] | None:
+        """Effects and noises of the most probable set; None where something has no name."""
+        groups = self.ranked.best.groups
+        effects = [group.name for group in groups if isinstance(group, Effect)]
+        noises = [added.effect.name for added in self.noise.added]
+        has_names = len(effects) == len(groups) and self.noise.nameless is None
+        return frozenset([*effects, *noises]) if has_names else None
+
+    def probability(self, *names: str) -> float:
+        """That one of the effects and noises of these names takes part."""
+        own = [g for g in self.ranked.groups if isinstance(g, Effect) and g.name in names]
+        return 1 - (1 - self.ranked.probability(*own)) * (1 - self.noise.probability(*names))
+
+    @property
+    def unnamed(self) -> dict[str, float]:
+        """What takes part outside the catalogue, in words, with probabilities."""
+        nameless = self.noise.nameless
+        found = {
+            g.words: self.ranked.probability(g)
+            for g in self.ranked.groups
+            if isinstance(g, Element)
+        }
+        return found | ({nameless.words: nameless.probability} if nameless else {})
+
+    @property
+    def unknown_probability(self) -> float:
+        """That something outside the catalogue takes part."""
+        nameless = self.noise.nameless.probability if self.noise.nameless else 0.0
+        return 1 - max(0.0, 1 - self.ranked.unknown_probability) * (1 - nameless)
+
 
 def ranked_under(
     noise: NoiseFound, believed: Device, parts: Sequence[Evidence], share: float = FIDELITY
 ) -> Hypothesis:
-    """Sets under one noise.
+    """Sets under one noise; with jumps unless what is left may be a linear search's.
 
     Args:
         noise: of the output angle.
@@ -61,42 +88,15 @@ def ranked_under(
     tests, residuals = [p.test for p in parts], [p.residual for p in parts]
     channels = replace(believed_noise(believed, tests, residuals), angle=noise.noise)
     exact = design(parts, channels)
-    rough = tempered(exact, share)
-    return Hypothesis(noise, channels, tempered(exact, FIDELITY), ranked(rough))
-
-
-def weighed(first: Hypothesis, believed: Device, parts: Sequence[Evidence]) -> Hypothesis:
-    """The likeliest of a hypothesis and those with the noise that is left when all that it found is
-    taken out, or only what has a name, or, where it might be noise, nothing.
-
-    Args:
-        first: around a gyro so close that what is left is no leftover of a linear search.
-        believed: the gyro before the diagnosis.
-        parts: of each test.
-    """
-    best, tried = first, [first.noise.noise]
-    found = first.ranked.best
-    nothing: list[Taken] = [{}] if found.explained < PLAIN else []
-    for taken in _unlike(_every(found), _named(found), *nothing):
-        left = angles_left(parts, taken, first.channel_noise, believed)
-        noise = noise_found(left, angle_noise(believed))
-        if not any(alike(noise.noise, one) for one in tried):
-            tried.append(noise.noise)
-            rival = ranked_under(noise, believed, parts)
-            best = max(best, rival, key=lambda hypothesis: hypothesis.log_posterior)
-    return best
-
-
-def _unlike(*taken: Taken) -> list[Taken]:
-    return list({tuple(one): one for one in taken}.values())
-
-
-def _every(found: Fit) -> Taken:
-    return dict(zip(found.groups, found.values, strict=True))
-
-
-def _named(found: Fit) -> Taken:
-    return {group: value for group, value in _every(found).items() if isinstance(group, Effect)}
+    found = ranked(tempered(exact, share))
+    if share > FIDELITY:
+        return Hypothesis(noise, channels, tempered(exact, FIDELITY), found)
+    taken = unlike(found.best.sizes, found.best.named)
+    left = [remainders(parts, one, channels, believed, ("gyro_angle",)) for one in taken]
+    if jumped := {jump for each in left for jump in jumps(each)}:
+        exact = design(parts, channels, sorted(jumped, key=lambda jump: jump.words))
+        found = ranked(tempered(exact, share))
+    return Hypothesis(noise, channels, tempered(exact, share), found)
 
 
 def angles_left(

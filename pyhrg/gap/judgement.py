@@ -5,7 +5,6 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import expit
 
 from pyhrg.device_keys import Key
 from pyhrg.gap.attribution import Attribution
@@ -31,8 +30,8 @@ def judged(
         effects: the catalogue.
         rest: what is left may be.
     """
-    causes = [*_named(found, effects), *(_noise(added) for added in found.noise.added)]
-    known = [1 - min(1.0, found.ranked.unknown_probability), *(1 - one.probability for one in rest)]
+    causes = [*_named(found, effects), *(_noise(found, added) for added in found.noise.added)]
+    known = [1 - found.weighed.unknown_probability, *(1 - one.probability for one in rest)]
     unknown = 1 - math.prod(known)
     if unknown >= LIKELY:
         verdict: Verdict = "unexplained"
@@ -51,14 +50,15 @@ def _named(found: Attribution, effects: Sequence[Effect]) -> list[Cause]:
         begin = part.stop
         if isinstance(group, Effect):
             total = group.vector(found.believed) + value
-            others = equivalents(found.design, best, group, effects)
+            others = [e.name for e in equivalents(found.design, best, group, effects)]
+            others += found.weighed.stand_ins(group.name)
             causes.append(
                 Cause(
                     group.name,
-                    min(1.0, found.ranked.probability(group, *others)),
+                    found.weighed.probability(group.name, *others),
                     group.parameters(total),
                     _intervals(group, total, best.covariance[part, part]),
-                    tuple(e.name for e in others),
+                    tuple(others),
                 )
             )
     return causes
@@ -86,21 +86,20 @@ def _in_units(key: Key, value: float, spread: float) -> tuple[float, float]:
     return key.from_si(value - spread), key.from_si(value + spread)
 
 
-def _noise(added: AddedNoise) -> Cause:
-    key = added.effect.key
+def _noise(found: Attribution, added: AddedNoise) -> Cause:
+    name, key = added.effect.name, added.effect.key
     low, high = (key.from_si(end) for end in added.interval)
+    others = dict.fromkeys([*added.equivalents, *found.weighed.stand_ins(name)])
     return Cause(
-        added.effect.name,
-        float(expit(added.log_odds)),
+        name,
+        found.weighed.probability(name, *others),
         {key.name: key.from_si(added.total)},
         {key.name: (low, high)},
-        added.equivalents,
+        tuple(others),
     )
 
 
 def unnamed(found: Attribution, rest: Sequence[Unsteady]) -> dict[str, float]:
     """What takes part outside the catalogue, in words, with probabilities."""
-    groups = {g for f in found.ranked.fits for g in f.groups if not isinstance(g, Effect)}
-    probabilities = {g.words: found.ranked.probability(g) for g in groups}
-    probabilities |= {one.words: one.probability for one in rest}
+    probabilities = found.weighed.unnamed() | {one.words: one.probability for one in rest}
     return dict(sorted(((w, p) for w, p in probabilities.items() if p > 0.01), key=lambda x: -x[1]))

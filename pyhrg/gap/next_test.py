@@ -132,8 +132,8 @@ def separations(
 
 
 def _foretold(fit: Fit) -> dict[Group, Array]:
-    pairs = zip(fit.groups, fit.values, strict=True)
-    return {group: v for group, v in pairs if isinstance(group, Effect) or group.foretells}
+    sizes = fit.sizes.items()
+    return {group: v for group, v in sizes if isinstance(group, Effect) or group.foretells}
 
 
 def _recorded(bench: Bench, power_on: PowerOn) -> Observed:
@@ -156,7 +156,7 @@ def _expected(
         for name in CHANNELS if effect in truth else ():
             response[name] += own[name] @ truth[effect]
     where = coordinates(test, test.log.wave_angle, device)
-    slopes = simulation.slope_over_angle(device, test)
+    slopes = simulation.over_angle(device, test).slopes
     answers = {name: getattr(test.log, name) for name in CHANNELS}
     return Evidence(test, device, answers, response, columns, where, slopes, device.bryan_factor)
 

@@ -7,45 +7,26 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
+from scipy.special import expit
 
 from pyhrg.gap.catalogue import NOISES, NoiseEffect
 from pyhrg.gap.equivalents import ALIKE
-from pyhrg.gap.whitening import SlowNoise, whitened
+from pyhrg.gap.nameless_noise import Nameless, likeliest
+from pyhrg.gap.noise_levels import PARTS, RANGE, AngleRecord, alike, level_found, log_likelihood
+from pyhrg.gap.whitening import SlowNoise
 
 Array = NDArray[np.float64]
 
-PARTS = {
-    "angle_random_walk": "walk",
-    "rate_random_walk": "rate_walk",
-    "bias_instability": "flicker",
-    "pickoff_noise": "white",
-}
-"""Part of `SlowNoise` by field of a device."""
-RANGE = (1e-3, 1e3)
-"""Levels of an added noise over its usual size; flat in the logarithm between them."""
 PRIOR_ODDS = 0.05
-"""That a noise takes part."""
+"""That a noise of the catalogue takes part."""
+SLACK = 3.0
+"""Log odds that a noise without a name may gain when all levels are found anew."""
 LEVELS = ("walk", "white")
 TOLERANCE = 0.03
 """By which a believed level may be off without being a gap, one sigma of its logarithm."""
-SAME_LEVEL = 0.02
 PASSES = 2
 """Of levels that are found each beside the others."""
 NORMAL_95 = 1.96
-CURVATURE = 0.1
-"""Step of the logarithm by which the likelihood's curvature is taken."""
-
-
-@dataclass(frozen=True)
-class AngleRecord:
-    """What is left of an output angle when all that is explained is taken out.
-
-    angle: (n,) rad.
-    steps: (n,) time from the reading before, s.
-    """
-
-    angle: Array
-    steps: Array
 
 
 @dataclass(frozen=True)
@@ -72,24 +53,55 @@ class NoiseFound:
     """The noise of the angle, and what of it is beyond belief.
 
     log_prior: of all that is not as believed.
+    nameless: beside what was added.
     """
 
     noise: SlowNoise
     added: tuple[AddedNoise, ...]
     log_prior: float = 0.0
+    nameless: Nameless | None = None
+
+    def probability(self, *names: str) -> float:
+        """That one of the noises of these names takes part."""
+        those = [a.log_odds for a in self.added if a.effect.name in names]
+        return float(expit(max(those))) if those else 0.0
 
 
-def noise_found(records: Sequence[AngleRecord], believed: SlowNoise) -> NoiseFound:
-    """Add noises one by one while the odds are for them.
+def noise_found(
+    records: Sequence[AngleRecord],
+    believed: SlowNoise,
+    noises: Sequence[NoiseEffect] = NOISES,
+) -> NoiseFound:
+    """Noises of the catalogue; or one that it doesn't have, alone or with some of them.
 
     Args:
         records: of all tests.
         believed: noise of the angle.
+        noises: of the catalogue.
     """
+    plain = _named(records, believed, noises)
+    beside = [(plain.noise, plain.log_prior)] + ([(believed, 0.0)] if plain.added else [])
+    nameless = likeliest(records, beside)
+    if nameless.log_odds < _log_posterior(records, plain) - SLACK:
+        return plain
+    rival = _named(records, replace(believed, correlated=nameless.correlated), noises)
+    rival = replace(rival, log_prior=rival.log_prior + nameless.log_prior)
+    log_odds = _log_posterior(records, rival) - _log_posterior(records, plain)
+    return replace(rival, nameless=replace(nameless, log_odds=log_odds)) if log_odds > 0 else plain
+
+
+def _log_posterior(records: Sequence[AngleRecord], found: NoiseFound) -> float:
+    return log_likelihood(records, found.noise) + found.log_prior
+
+
+def _named(
+    records: Sequence[AngleRecord], believed: SlowNoise, noises: Sequence[NoiseEffect]
+) -> NoiseFound:
+    """Noises of the catalogue, one by one while the odds are for them."""
     added: list[AddedNoise] = []
     for _ in PARTS:
         noise = _settled(records, believed, added)
-        best = _best(records, noise, believed, added)
+        best = _best(records, noise, believed, added, noises)
         if best is None or best.log_odds < 0:
             break
         added = _anew(records, believed, [*added, best])
@@ -99,7 +111,10 @@ def noise_found(records: Sequence[AngleRecord], believed: SlowNoise) -> NoiseFou
 
 
 def told_apart(
-    found: NoiseFound, records: Sequence[AngleRecord], believed: SlowNoise
+    found: NoiseFound,
+    records: Sequence[AngleRecord],
+    believed: SlowNoise,
+    noises: Sequence[NoiseEffect] = NOISES,
 ) -> NoiseFound:
     """Noises with those that the records can't tell from them.
 
@@ -107,9 +122,13 @@ def told_apart(
         found: in the records.
         records: of all tests.
         believed: noise of the angle.
+        noises: of the catalogue.
     """
+    if found.nameless:
+        believed = replace(believed, correlated=found.nameless.correlated)
     added = [
-        replace(a, equivalents=_equivalents(records, believed, a, found.added)) for a in found.added
+        replace(a, equivalents=_equivalents(records, believed, a, found.added, noises))
+        for a in found.added
     ]
     return replace(found, added=tuple(added))
 
@@ -119,13 +138,14 @@ def _equivalents(
     believed: SlowNoise,
     one: AddedNoise,
     added: Sequence[AddedNoise],
+    noises: Sequence[NoiseEffect],
 ) -> tuple[str, ...]:
     """Noises that the records can't tell from one of those that were added."""
     others = [a for a in added if a != one]
     noise = _settled(records, believed, others)
     base = _posterior(records, noise, believed, others)
     present = {a.effect for a in others}
-    tried = [e for e in NOISES if e.field in PARTS and e not in present]
+    tried = [e for e in noises if e.field in PARTS and e not in present]
     odds = {e: _beside(records, noise, believed, base, e, others).log_odds for e in tried}
     return tuple(e.name for e in tried if e != one.effect and odds[e] > odds[one.effect] - ALIKE)
 
@@ -135,13 +155,14 @@ def _best(
     noise: SlowNoise,
     believed: SlowNoise,
     added: Sequence[AddedNoise],
+    noises: Sequence[NoiseEffect],
 ) -> AddedNoise | None:
     """The noise that is most probably missing."""
     base = _posterior(records, noise, believed, added)
     present = {a.effect for a in added}
     found = [
         _beside(records, noise, believed, base, effect, added)
-        for effect in NOISES
+        for effect in noises
         if effect.field in PARTS and effect not in present
     ]
     return max(found, key=lambda a: a.log_odds, default=None)
@@ -179,21 +200,6 @@ def _anew(
     return kept
 
 
-def alike(one: SlowNoise, other: SlowNoise) -> bool:
-    """Whether levels differ by less than what can be told."""
-    pairs = [(getattr(one, part), getattr(other, part)) for part in PARTS.values()]
-    return all(abs(a - b) <= SAME_LEVEL * max(a, b) for a, b in pairs)
-
-
-def log_likelihood(records: Sequence[AngleRecord], noise: SlowNoise) -> float:
-    """Of records under a noise, but for a constant."""
-    total = 0.0
-    for record in records:
-        white = whitened(record.angle[:, None], record.steps, noise)
-        total -= (float((white.series**2).sum()) + white.log_determinant) / 2
-    return total
-
-
 def _settled(
     records: Sequence[AngleRecord], believed: SlowNoise, added: Sequence[AddedNoise]
 ) -> SlowNoise:
@@ -205,16 +211,19 @@ def _settled(
 
         def misfit(x: float, part: str = part, noise: SlowNoise = noise) -> float:
             level = getattr(believed, part) * math.exp(TOLERANCE * x)
-            return x**2 / 2 - log_likelihood(records, replace(noise, **{part: level}))
+            return x**2 / 2 - log_likelihood(records, noise.at(part, level))
 
         best = float(minimize_scalar(misfit, bounds=(-9.0, 9.0), options={"xatol": 0.02}).x)
         level = getattr(believed, part) * math.exp(TOLERANCE * best)
-        noise = replace(noise, **{part: level})
+        noise = noise.at(part, level)
     return noise
 
 
 def _with(believed: SlowNoise, added: Sequence[AddedNoise]) -> SlowNoise:
-    return replace(believed, **{PARTS[a.effect.field]: a.total for a in added})
+    noise = believed
+    for one in added:
+        noise = noise.at(PARTS[one.effect.field], one.total)
+    return noise
 
 
 def _posterior(
@@ -251,22 +260,15 @@ def _added(
 ) -> AddedNoise:
     part = PARTS[effect.field]
     own = getattr(believed, part)
-    low, high = (math.log(effect.scale * end) for end in RANGE)
 
     def gain(logarithm: float) -> float:
         total = math.hypot(own, math.exp(logarithm))
-        changed = replace(noise, **{part: total})
+        changed = noise.at(part, total)
         return _posterior(records, changed, believed, added, part) - base
 
-    grid = np.linspace(low, high, 13)
-    values = [gain(x) for x in grid]
-    top = int(np.argmax(values))
-    bounds = (grid[max(top - 1, 0)], grid[min(top + 1, len(grid) - 1)])
-    best = float(minimize_scalar(lambda x: -gain(x), bounds=bounds, options={"xatol": 0.01}).x)
-    peak = gain(best)
-    curvature = -(gain(best + CURVATURE) - 2 * peak + gain(best - CURVATURE)) / CURVATURE**2
-    spread = 1 / math.sqrt(max(curvature, 1 / (high - low) ** 2))
+    best, peak, spread = level_found(gain, effect.scale)
+    width = math.log(RANGE[1] / RANGE[0])
     ends = [math.hypot(own, math.exp(best + s * NORMAL_95 * spread)) for s in (-1, 1)]
-    log_prior = math.log(PRIOR_ODDS * spread * math.sqrt(2 * math.pi) / (high - low))
+    log_prior = math.log(PRIOR_ODDS * spread * math.sqrt(2 * math.pi) / width)
     total = math.hypot(own, math.exp(best))
     return AddedNoise(effect, total, (ends[0], ends[1]), peak + log_prior, log_prior)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device import Device
-from pyhrg.gap.catalogue import NOISES
+from pyhrg.gap.catalogue import NOISES, NoiseEffect
 from pyhrg.gap.noise_search import NORMAL_95, AddedNoise, NoiseFound
 from pyhrg.gap.observations import Observed
 from pyhrg.units import ARCSEC
@@ -35,15 +35,21 @@ KNOWN = 0.05
 """Share by which a believed step may differ from the one that is seen."""
 
 
-def counted(found: NoiseFound, tests: Sequence[Observed], believed: float) -> NoiseFound:
+def counted(
+    found: NoiseFound,
+    tests: Sequence[Observed],
+    believed: float,
+    noises: Sequence[NoiseEffect] = NOISES,
+) -> NoiseFound:
     """Noises with the step that an output is counted in, in place of the white noise that it is.
 
     Args:
         found: noises of the output angle.
         tests: that it was found in.
         believed: step, rad; 0 where none is.
+        noises: of the catalogue.
     """
-    step = quantum(tests)
+    step = quantum(tests) if COUNTED in noises else None
     if step is None or abs(step[0] - believed) < KNOWN * believed:
         return found
     value, spread = step

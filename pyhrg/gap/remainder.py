@@ -12,6 +12,7 @@ from pyhrg.gap import unknown
 from pyhrg.gap.catalogue import Effect
 from pyhrg.gap.channel_noise import ChannelNoise
 from pyhrg.gap.design import Evidence, Group
+from pyhrg.gap.jump import Jump
 from pyhrg.gap.observations import CHANNELS, Mask
 from pyhrg.gap.whitening import SlowNoise, whitened
 
@@ -77,6 +78,14 @@ def remainders(
     return found
 
 
+def unlike(*taken: Taken | Mapping[Effect, Array]) -> list[Taken]:
+    """Those that differ in their groups."""
+    found: dict[tuple[Group, ...], Taken] = {}
+    for one in taken:
+        found[tuple(one)] = dict[Group, Array](one.items())
+    return list(found.values())
+
+
 def _left(part: Evidence, taken: Taken, channel: str, tests: int, index: int) -> Array:
     """(n,) of a channel's residual.
 
@@ -92,6 +101,7 @@ def _left(part: Evidence, taken: Taken, channel: str, tests: int, index: int) ->
         g: v for g, v in taken.items() if not isinstance(g, Effect) and g.channel == channel
     }
     columns = dict(unknown.columns(part.where, channel, tests, index)) if elements else {}
+    columns |= {g: g.columns(part.where) for g in elements if isinstance(g, Jump)}
     for group, value in taken.items():
         if isinstance(group, Effect):
             left -= part.secants[group][channel] @ value

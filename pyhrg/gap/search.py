@@ -12,6 +12,7 @@ from scipy.special import logsumexp
 from pyhrg.gap.catalogue import Effect
 from pyhrg.gap.design import Design, Group
 from pyhrg.gap.evidence import Fit, fit, least_left
+from pyhrg.gap.jump import Jump
 
 Array = NDArray[np.float64]
 
@@ -45,6 +46,11 @@ class Ranked:
     def best(self) -> Fit:
         """The most probable set."""
         return self.fits[0]
+
+    @property
+    def groups(self) -> set[Group]:
+        """Of all sets."""
+        return {group for fit in self.fits for group in fit.groups}
 
     def probability(self, *groups: Group) -> float:
         """That one of these groups takes part."""
@@ -135,12 +141,15 @@ def _gain(gram: Array, pull: Array, least: float) -> float:
 def log_odds(groups: Sequence[Group]) -> Mapping[Group, float]:
     """Prior log odds that each group takes part."""
     named = sum(isinstance(g, Effect) for g in groups)
-    return {
-        g: math.log(NAMED_ODDS / named)
-        if isinstance(g, Effect)
-        else math.log(UNNAMED_ODDS / (len(groups) - named))
-        for g in groups
-    }
+    steady = sum(not isinstance(g, Effect | Jump) for g in groups)
+
+    def one(group: Group) -> float:
+        if isinstance(group, Jump):
+            return group.log_odds
+        is_named = isinstance(group, Effect)
+        return math.log(NAMED_ODDS / named if is_named else UNNAMED_ODDS / steady)
+
+    return {group: one(group) for group in groups}
 
 
 def _normalised(pairs: Sequence[tuple[Fit, float]]) -> Ranked:

@@ -44,8 +44,11 @@ def evidence(
         for name in CHANNELS:
             residual[name] = residual[name] + own[name] @ away
     where = coordinates(test, answers["wave_angle"], believed)
-    slopes = simulation.slope_over_angle(device, test)
-    return Evidence(test, device, answers, residual, columns, where, slopes, believed.bryan_factor)
+    around, factor = simulation.over_angle(device, test), believed.bryan_factor
+    away = factor * (answers["gyro_angle"] - test.log.gyro_angle)
+    for name in CHANNELS[1:]:
+        residual[name] = residual[name] - around.bent(name, away)
+    return Evidence(test, device, answers, residual, columns, where, around.slopes, factor)
 
 
 def secants(

@@ -22,14 +22,32 @@ FAST_STEPS = 100
 """Steps that a row is made of where it is long enough."""
 SLOW_STEP = 0.1
 """Step of the gyro with quasi-steady loops, s."""
-SHIFTS = (-1e-3, 1e-3)
-"""Of the pattern, rad, between which a slope is taken."""
+SHIFT = 1e-3
+"""Of the pattern, rad, to either side, by which slopes and curvatures are taken."""
 FINE_STEPS = 5
 """In a short row, which shows how loops follow: a gyro with loops at rest lags by three of them."""
 LEAST_SHIFT = 0.5
 """Of a shift of the start angle that must be left for a slope to be told by it."""
 SMALL_LAG = 1e-9
 """Of the phase, that is none, rad."""
+
+
+@dataclass(frozen=True)
+class OverAngle:
+    """How answers change with the pattern's present angle, (n,) by channel; that of the output
+    angle with the start angle: what a bias that depends on the angle makes of a shift, over the
+    Bryan factor.
+
+    slopes: per rad.
+    curvatures: per rad^2.
+    """
+
+    slopes: Mapping[str, Array]
+    curvatures: Mapping[str, Array]
+
+    def bent(self, channel: str, angle: Array) -> Array:
+        """(n,) change of a channel when the pattern turns by angles, rad, beyond the linear one."""
+        return np.asarray(self.curvatures[channel] * angle**2 / 2)
 
 
 @dataclass(frozen=True)
@@ -109,21 +127,23 @@ class Simulation:
         first = self._coarse(device, test.inputs)
         return lambda other: _apart(first, self._coarse(other, test.inputs), other, test)
 
-    def slope_over_angle(self, device: Device, test: Observed) -> dict[str, Array]:
-        """(n,) by channel: change of the answer with the pattern's present angle, per rad; of the
-        output angle with the start angle: what a bias that depends on the angle makes of a shift,
-        over the Bryan factor.
+    def over_angle(self, device: Device, test: Observed) -> OverAngle:
+        """How the answers change with the pattern's angle.
 
         Raises:
             GyroError: as `answers`.
         """
-        ends = [replace(test.inputs, start_angle=test.inputs.start_angle + s) for s in SHIFTS]
-        low, high = (self._coarse(device, end) for end in ends)
-        change = _apart(low, high, device, test)
-        slopes = {name: values / np.ptp(SHIFTS) for name, values in change.items()}
+        angles = [test.inputs.start_angle + s for s in (-SHIFT, 0.0, SHIFT)]
+        low, middle, high = (
+            self._coarse(device, replace(test.inputs, start_angle=angle)) for angle in angles
+        )
+        below, above = (_apart(*ends, device, test) for ends in ((low, middle), (middle, high)))
+        slopes = {name: (below[name] + above[name]) / (2 * SHIFT) for name in CHANNELS}
         grown = 1 - device.bryan_factor * slopes["gyro_angle"]
         shift = np.where(grown > LEAST_SHIFT, grown, 1.0)
-        return {n: s if n == "gyro_angle" else s / shift for n, s in slopes.items()}
+        bends = {name: (above[name] - below[name]) / (SHIFT * shift) ** 2 for name in CHANNELS}
+        now = {name: slopes[name] / shift for name in CHANNELS if name != "gyro_angle"}
+        return OverAngle({**slopes, **now}, bends)
 
     def _coarse(self, device: Device, inputs: Replayable) -> dict[str, Array]:
         """With loops at rest, in steps that do for small differences."""

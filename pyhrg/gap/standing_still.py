@@ -5,7 +5,7 @@ deviations by which they part, after the rival has had its own level fitted anew
 """
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +15,8 @@ from pyhrg.gap.candidate_tests import SLOW
 from pyhrg.gap.catalogue import NOISES
 from pyhrg.gap.diagnosis import NextTest
 from pyhrg.gap.next_test import SURE
-from pyhrg.gap.noise_search import PARTS, RANGE, NoiseFound
+from pyhrg.gap.noise_levels import PARTS, RANGE
+from pyhrg.gap.noise_search import NoiseFound
 from pyhrg.gap.whitening import SlowNoise
 from pyhrg.units import HOUR
 
@@ -62,7 +63,7 @@ class _Pair:
     def sigmas(self, hours: float) -> float:
         """By which they part, whichever is the truth."""
         effect = BY_NAME[self.rival]
-        without = replace(self.noise, **{self.part: getattr(self.believed, self.part)})
+        without = self.noise.at(self.part, getattr(self.believed, self.part))
         part = PARTS[effect.field]
         own = max(getattr(self.noise, self.part), getattr(without, part))
         rival, one = _nearest(self.noise, without, part, effect.scale, hours)
@@ -77,7 +78,7 @@ def _nearest(
 
     def rival(logarithm: float) -> SlowNoise:
         level = math.hypot(getattr(without, part), scale * math.exp(logarithm))
-        return replace(without, **{part: level})
+        return without.at(part, level)
 
     bounds = (math.log(RANGE[0]), math.log(RANGE[1]))
     best = minimize_scalar(lambda x: divergence(truth, rival(x), hours), bounds=bounds)

@@ -8,6 +8,7 @@ element is an error of the angle itself, or a bias, whose integral it is.
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+import numba
 import numpy as np
 from numpy.typing import NDArray
 
@@ -21,6 +22,10 @@ TABLE_HARMONICS = (1, 2, 3, 4, 8)
 FOLLOWED = (1, 2, 4)
 """Harmonics of the pattern angle that loops follow as it turns, in proportion to the rate."""
 POWERS = (1, 2, 3)
+PLAYS = (2.0, 10.0)
+"""By which what has hysteresis lags behind the temperature, K from end to end."""
+STEADY = 0.05 / 60
+"""Temperature rate that is next to none, K/s."""
 WARM_UPS = (60.0, 300.0, 1200.0, 6000.0)
 """Time constants of what settles after power-on, s."""
 EACH_POWER_ON = "a value for each power-on"
@@ -163,6 +168,10 @@ def _functions(
     yield "temperature_rate", "temperature rate", None, _column(where.case_rate * 60)
     yield "temperature_rate", "its magnitude", None, _column(np.abs(where.case_rate) * 60)
     yield "temperature_rate", "its square", None, _column((where.case_rate * 60) ** 2)
+    yield "temperature_rate", "its direction", None, _column(_direction(where.case_rate))
+    for play in PLAYS:
+        words = f"temperature with a play of {play:g} K"
+        yield "temperature", words, None, _column(_followed(where.case, play) / 10)
     rate = where.table_rate
     for m in FOLLOWED:
         words = f"harmonic {m} of the pattern angle, times the rate"
@@ -190,6 +199,22 @@ def _functions(
     own = np.zeros((len(log.time), tests))
     own[:, index] = 1.0
     yield "time", EACH_POWER_ON, None, own
+
+
+def _direction(rate: Array) -> Array:
+    """Of a rate, K/s: -1 to 1, 0 where it is none."""
+    return np.asarray(rate / np.hypot(rate, STEADY))
+
+
+@numba.njit(cache=True)
+def _followed(series: Array, play: float) -> Array:
+    """(n,) what a series drags behind it, once it has taken up the play: hysteresis."""
+    lagging = np.empty_like(series)
+    last = series[0]
+    for i, value in enumerate(series):
+        last = min(max(last, value - play / 2), value + play / 2)
+        lagging[i] = last
+    return lagging
 
 
 def _turn(angle: Array) -> Array:

@@ -6,6 +6,7 @@ from pyhrg.bench.reporting.markup import paragraph
 from pyhrg.device_keys import KEYS
 from pyhrg.gap.diagnose import Diagnosed
 from pyhrg.gap.diagnosis import Cause
+from pyhrg.gap.noise_search import NoiseFound
 from pyhrg.gap.report.words import (
     bar,
     effect_words,
@@ -57,8 +58,31 @@ def _rows(cause: Cause, found: Diagnosed) -> list[tuple[str, ...]]:
 
 
 def ranking(found: Diagnosed) -> str:
-    """Sets, then effects."""
-    return _sets(found) + _effects(found)
+    """Noises, sets under the likeliest of them, then effects."""
+    return _noises(found) + _sets(found) + _effects(found)
+
+
+def _noises(found: Diagnosed) -> str:
+    """What the output angle's noise may be, if there is any choice."""
+    weighed = found.attribution.weighed
+    if len(weighed.hypotheses) < 2:
+        return ""
+    rows = [
+        (
+            html.escape(" + ".join(_noise_words(one.noise)) or "as believed"),
+            html.escape(" + ".join(group_words(g) for g in one.ranked.best.groups) or "nothing"),
+            percent(probability),
+            bar(probability),
+        )
+        for one, probability in zip(weighed.hypotheses, weighed.probabilities, strict=True)
+    ]
+    title = "Noise of the output angle, each with its most probable set"
+    return markup_table(title, ("Noise", "Set", "Probability", ""), rows)
+
+
+def _noise_words(noise: NoiseFound) -> list[str]:
+    named = [effect_words(added.effect.name) for added in noise.added]
+    return named + ([f"unnamed: {noise.nameless.words}"] if noise.nameless else [])
 
 
 def _sets(found: Diagnosed) -> str:

@@ -4,22 +4,28 @@ where nothing is, nothing.
 Larger numbers of seeds: `benchmarks/gap_controls.py`.
 """
 
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.campaign import Campaign, CampaignError
 from pyhrg.device import Device
-from pyhrg.gap.catalogue import EFFECTS
+from pyhrg.fmu import GyroError
+from pyhrg.gap.attribution import attributed
+from pyhrg.gap.catalogue import EFFECTS, Catalogue
 from pyhrg.gap.diagnose import Diagnosed, diagnosed
+from pyhrg.gap.observations import Observed, observed
 from pyhrg.gap.simulation import Simulation
 from pyhrg.records import Log
 from pyhrg.units import DEG
 from tests.pyhrg.gap.bench import recorded
 from tests.pyhrg.gap.soundness.conftest import BELIEVED
 from tests.pyhrg.gap.soundness.spoil import Change, at, removed, spoilt
+
+Array = NDArray[np.float64]
 
 FEW = tuple(
     EFFECTS[name]
@@ -32,7 +38,7 @@ FEW = tuple(
 
 
 def diagnosed_few(simulation: Simulation, campaign: Campaign) -> Diagnosed:
-    return diagnosed(campaign, simulation, FEW)
+    return diagnosed(campaign, simulation, Catalogue(FEW))
 
 
 def tiny(simulation: Simulation, device: Device = BELIEVED, seed: int = 1) -> Campaign:
@@ -65,6 +71,29 @@ def test_an_effect_is_found_and_closed(simulation: Simulation) -> None:
     assert held is not None
     assert held.before > 3 * held.floor_95[1]
     assert held.after < held.floor_95[1]
+
+
+@dataclass(frozen=True)
+class Shy(Simulation):
+    """Refuses the first gyro that is not the believed one."""
+
+    refused: list[Device] = field(default_factory=list)
+
+    def answers(self, device: Device, test: Observed) -> dict[str, Array]:
+        if device.drive_gain_mismatch and device in (self.refused or [device]):
+            self.refused.append(device)
+            raise GyroError("refused")
+        return super().answers(device, test)
+
+
+def test_a_move_to_a_gyro_that_is_refused_goes_half_the_way(simulation: Simulation) -> None:
+    shy = Shy(simulation.sampled, simulation.quasi_steady)
+    true = replace(BELIEVED, drive_gain_mismatch=-0.03)
+    tests = [observed(t, BELIEVED) for t in recorded(simulation.sampled, true).tests]
+    found = attributed(shy, BELIEVED, tests, Catalogue((EFFECTS["drive_gain_mismatch"],)))
+    assert shy.refused
+    assert found.settled
+    assert found.device.drive_gain_mismatch == pytest.approx(-0.03, rel=0.01)
 
 
 def test_what_a_linear_search_leaves_of_a_large_effect_has_no_name(simulation: Simulation) -> None:

@@ -14,7 +14,7 @@ from pyhrg.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.gap.attribution import Attribution, attributed
 from pyhrg.gap.candidate_tests import candidates
-from pyhrg.gap.catalogue import EFFECTS, Effect
+from pyhrg.gap.catalogue import EFFECTS, Catalogue, Effect
 from pyhrg.gap.design import Evidence, design
 from pyhrg.gap.evidence import Fit, fit
 from pyhrg.gap.next_test import SURE, rivals, separations, suggested
@@ -70,7 +70,9 @@ def static(simulation: Simulation) -> Static:
     def found(truth: Device, *names: str) -> Attribution:
         rest = Bench(simulation.quasi_steady, truth).programme(10.0).rest(HOUR / 2)
         test = recorded(simulation, truth, PowerOn("still", "static", rest, START))
-        return attributed(simulation, BELIEVED, [test], [EFFECTS[name] for name in names])
+        return attributed(
+            simulation, BELIEVED, [test], Catalogue(tuple(EFFECTS[name] for name in names))
+        )
 
     return found
 

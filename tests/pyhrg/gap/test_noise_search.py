@@ -5,9 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from pyhrg.gap.catalogue import NOISES
 from pyhrg.gap.noise_draws import drawn
-from pyhrg.gap.noise_search import AngleRecord, alike, noise_found, told_apart
-from pyhrg.gap.whitening import SlowNoise
+from pyhrg.gap.noise_levels import AngleRecord, alike
+from pyhrg.gap.noise_search import noise_found, told_apart
+from pyhrg.gap.whitening import Correlated, SlowNoise
 from pyhrg.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR
 
 BELIEVED = SlowNoise(0.036 * ARCSEC, walk=3e-4 * DEG_PER_SQRT_H)
@@ -43,6 +45,7 @@ def test_a_noise_is_found_alone(name: str, noise: SlowNoise, part: str, seed: in
 def test_the_believed_noise_is_enough(seed: int) -> None:
     found = noise_found(records(BELIEVED, seed), BELIEVED)
     assert found.added == ()
+    assert found.nameless is None
     assert alike(found.noise, BELIEVED) or found.noise.walk == pytest.approx(BELIEVED.walk, rel=0.1)
 
 
@@ -60,3 +63,27 @@ def test_rivals_are_weighed_on_the_same_records() -> None:
     found = noise_found(given, BELIEVED)
     low = replace(found, added=(replace(found.added[0], log_odds=1.0),))
     assert told_apart(low, given, BELIEVED).added[0].equivalents == ()
+
+
+LASTING = [Correlated(0.05 * DEG_PER_H, 100.0, True), Correlated(0.1 * ARCSEC, 30.0, False)]
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("correlated", LASTING)
+def test_a_noise_that_the_catalogue_lacks_has_no_name(correlated: Correlated, seed: int) -> None:
+    found = noise_found(records(replace(BELIEVED, correlated=correlated), seed), BELIEVED)
+    assert found.added == ()
+    assert found.nameless is not None
+    assert found.nameless.correlated.of_rate == correlated.of_rate
+    assert found.nameless.correlated.lag == pytest.approx(correlated.lag, rel=3)
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize(("name", "noise", "part"), PLANTED)
+def test_a_noise_that_is_left_out_has_no_name(
+    name: str, noise: SlowNoise, part: str, seed: int
+) -> None:
+    others = [effect for effect in NOISES if effect.name != name]
+    found = noise_found(records(noise, seed), BELIEVED, others)
+    assert found.nameless is not None
+    assert found.nameless.probability > 0.9

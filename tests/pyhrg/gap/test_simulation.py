@@ -14,9 +14,9 @@ from pyhrg.gap.channel_noise import RESOLVED
 from pyhrg.gap.free_pattern import steady
 from pyhrg.gap.observations import CHANNELS, observed
 from pyhrg.gap.replay import start_angle
-from pyhrg.gap.secants import secants
+from pyhrg.gap.secants import evidence, secants
 from pyhrg.gap.simulation import Simulation, followed, let_go
-from pyhrg.units import DEG
+from pyhrg.units import DEG, DEG_PER_H, STANDARD_GRAVITY
 from tests.pyhrg.gap.soundness.conftest import BELIEVED
 from tests.pyhrg.records.made_up import made_up_log
 
@@ -147,3 +147,23 @@ def test_loops_follow_a_step_and_a_ramp() -> None:
     np.testing.assert_allclose(ramp, time - time * np.exp(-w * time), atol=1e-9)
     let = (1 - np.exp(-w * time) * (1 + w * time)) / w**2
     np.testing.assert_allclose(let_go(time, w, 0.1), let, atol=1e-9)
+
+
+def test_forces_of_a_pattern_that_walked_far_away(simulation: Simulation) -> None:
+    """Half a degree from where the simulation has it, the quadrature force bends with the angle."""
+    believed = replace(QUIET, frequency_split=1e-3)
+    walks = replace(believed, bias_per_acceleration=20 * DEG_PER_H / STANDARD_GRAVITY)
+    test = observed(logged(simulation, walks, programme().rest(400), angle=0.3), believed)
+    answers = simulation.answers(believed, test)
+    part = evidence(simulation, believed, believed, test, answers, {})
+    turned, force = (
+        (getattr(test.log, name) - answers[name])[:, None]
+        for name in ("gyro_angle", "quadrature_force")
+    )
+    rows = test.rows["quadrature_force"]
+    straight = part.at_measured_angle(force, turned, "quadrature_force")[rows]
+    bent = part.at_measured_angle(
+        part.residual["quadrature_force"][:, None], turned, "quadrature_force"
+    )[rows]
+    assert np.ptp(straight) > 10 * RESOLVED["quadrature_force"]
+    assert np.ptp(bent) < 0.1 * np.ptp(straight)

@@ -7,7 +7,8 @@ import pytest
 
 from pyhrg.gap.catalogue import NOISES
 from pyhrg.gap.noise_draws import drawn
-from pyhrg.gap.noise_search import AngleRecord, NoiseFound, noise_found, told_apart
+from pyhrg.gap.noise_levels import AngleRecord
+from pyhrg.gap.noise_search import NoiseFound, noise_found, told_apart
 from pyhrg.gap.standing_still import SLOW, spectrum, standing_still
 from pyhrg.gap.whitening import SlowNoise
 from pyhrg.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR

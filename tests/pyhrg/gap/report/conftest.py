@@ -11,7 +11,7 @@ from pyhrg.campaign import Campaign
 from pyhrg.device import Device
 from pyhrg.device_keys import KEYS
 from pyhrg.fmu import GyroFmu
-from pyhrg.gap.catalogue import EFFECTS
+from pyhrg.gap.catalogue import EFFECTS, Catalogue
 from pyhrg.gap.diagnose import Diagnosed, diagnosed
 from pyhrg.gap.simulation import Simulation
 from pyhrg.records import Log
@@ -82,9 +82,9 @@ def simulation(fmu: GyroFmu, slow_fmu: GyroFmu) -> Simulation:
 def with_gap(slow_fmu: GyroFmu, simulation: Simulation) -> Diagnosed:
     """Too much damping anisotropy."""
     campaign = campaign_of(slow_fmu, replace(BELIEVED, damping_anisotropy=3e-6))
-    return diagnosed(campaign, simulation, CATALOGUE)
+    return diagnosed(campaign, simulation, Catalogue(CATALOGUE))
 
 
 @pytest.fixture(scope="session")
 def without_gap(slow_fmu: GyroFmu, simulation: Simulation) -> Diagnosed:
-    return diagnosed(campaign_of(slow_fmu, BELIEVED), simulation, CATALOGUE)
+    return diagnosed(campaign_of(slow_fmu, BELIEVED), simulation, Catalogue(CATALOGUE))

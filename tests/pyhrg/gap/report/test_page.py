@@ -7,9 +7,12 @@ import pytest
 
 from pyhrg.gap.diagnose import Diagnosed
 from pyhrg.gap.diagnosis import Cause, NextTest
+from pyhrg.gap.nameless_noise import Nameless
 from pyhrg.gap.report.page import page
 from pyhrg.gap.report.verdict import UNSETTLED
 from pyhrg.gap.sections import Section
+from pyhrg.gap.weighing import Weighed
+from pyhrg.gap.whitening import Correlated
 from tests.elements import elements
 
 MOST_BYTES = 3_000_000
@@ -138,3 +141,18 @@ def test_sections_of_others_stand_before_the_next_test(with_gap: Diagnosed) -> N
     elements(text)
     assert text.index('id="closing"') < text.index('id="position"') < text.index('id="next"')
     assert "<p>12 m</p>" in text
+
+
+def test_noises_that_the_records_leave_open_are_told(with_gap: Diagnosed) -> None:
+    one = with_gap.attribution.weighed.best
+    lasting = Nameless(Correlated(1e-9, 30.0, of_rate=True), 0.0, 0.0)
+    other = replace(one, noise=replace(one.noise, nameless=lasting))
+    both = replace(with_gap.attribution, weighed=Weighed((one, other), (0.75, 0.25)))
+    told = page(replace(with_gap, attribution=both))
+    title = "Noise of the output angle, each with its most probable set"
+    words = "unnamed: noise of the rate that lasts 30 s (gyro_angle)"
+    assert title in told
+    assert words in told
+    assert "25.0" in told[told.index(words) :][:200]
+    alone = replace(both, weighed=Weighed((one,), (1.0,)))
+    assert title not in page(replace(with_gap, attribution=alone))

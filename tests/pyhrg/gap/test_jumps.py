@@ -1,0 +1,52 @@
+"""Jumps are found at their moments, together where every test has one, and not in noise."""
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from pyhrg.gap.jump import after
+from pyhrg.gap.jump_search import MOMENTS, jumps
+from pyhrg.gap.remainder import Remainder
+from pyhrg.gap.whitening import SlowNoise
+
+Array = NDArray[np.float64]
+
+ROWS = 2000
+TIME = np.arange(1.0, ROWS + 1)
+NOISE = SlowNoise(1.0, walk=0.05)
+SIZE = 0.03
+
+
+def left(seed: int, test: str, added: Array) -> Remainder:
+    generator = np.random.default_rng(seed)
+    walk = np.cumsum(generator.normal(0.0, NOISE.walk, ROWS))
+    values = walk + generator.normal(0.0, NOISE.white, ROWS) + added
+    return Remainder(test, "gyro_angle", values, np.ones(ROWS), 1.0, NOISE)
+
+
+def test_a_jump_is_found_at_its_moment() -> None:
+    planted = SIZE * after(TIME, np.array([1300.0]))[:, 0]
+    (found,) = jumps([left(1, "still", 0 * TIME), left(2, "jumped", planted)])
+    ((test, time),) = found.times
+    assert test == "jumped"
+    assert time == pytest.approx(1300.0, abs=ROWS / MOMENTS)
+
+
+def test_jumps_of_every_test_are_one_explanation() -> None:
+    moments = {"first": 500.0, "second": 900.0, "third": 1500.0}
+    found = jumps(
+        [
+            left(i, name, SIZE * after(TIME, np.array([moment]))[:, 0])
+            for i, (name, moment) in enumerate(moments.items())
+        ]
+    )
+    each = next(dict(jump.times) for jump in found if len(jump.times) == 3)
+    assert each == pytest.approx(moments, abs=ROWS / MOMENTS)
+
+
+def test_noise_does_not_jump() -> None:
+    """In less than one set of records of twenty: prior odds of a jump are 0.025."""
+    alarms = [
+        bool(jumps([left(100 * k + i, f"{i}", 0 * TIME) for i in range(3)])) for k in range(40)
+    ]
+    assert sum(alarms) <= 2

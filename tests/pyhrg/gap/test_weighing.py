@@ -1,0 +1,128 @@
+"""What wanders is noise where noise explains it; a bias of the angle is none."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from pyhrg.campaign import Test
+from pyhrg.device import Device
+from pyhrg.gap.catalogue import EFFECTS, NOISES, Effect, NoiseEffect
+from pyhrg.gap.channel_noise import angle_noise
+from pyhrg.gap.design import Evidence
+from pyhrg.gap.evidence import Fit
+from pyhrg.gap.hypothesis import ranked_under
+from pyhrg.gap.jump import Jump
+from pyhrg.gap.noise_draws import drawn
+from pyhrg.gap.noise_search import AddedNoise, NoiseFound
+from pyhrg.gap.observations import CHANNELS, observed
+from pyhrg.gap.search import Ranked
+from pyhrg.gap.unknown import coordinates
+from pyhrg.gap.weighing import Weighed, weighed
+from pyhrg.gap.whitening import SlowNoise
+from pyhrg.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR
+from tests.pyhrg.records.made_up import made_up_log
+
+Array = NDArray[np.float64]
+BELIEVED = Device(angle_random_walk=3e-4 * DEG_PER_SQRT_H, pickoff_noise=0.036 * ARCSEC)
+SILENT = EFFECTS["g_sensitive_gain"]
+"""Stands for the catalogue; these tests don't show it."""
+ROWS = 3000
+TIME = np.arange(ROWS) * 1.0
+NOTHING = np.zeros(ROWS)
+WALKING = replace(angle_noise(BELIEVED), rate_walk=0.03 * DEG_PER_H / HOUR**0.5)
+NO_FIT = Fit((), 0.0, 0.0, (), np.zeros((0, 0)))
+WHITE = 1e-6
+"""Noise of the other channels."""
+
+
+def part_of(angle: Array, seed: int) -> Evidence:
+    test = observed(Test(f"test-{seed}", "static", "fit", made_up_log(ROWS)), BELIEVED)
+    generator = np.random.default_rng(seed)
+    residual = {name: generator.normal(0, WHITE, ROWS) for name in CHANNELS}
+    nothing = {name: np.zeros(ROWS) for name in CHANNELS}
+    secants: dict[Effect, dict[str, Array]] = {SILENT: {n: np.zeros((ROWS, 1)) for n in CHANNELS}}
+    where = coordinates(test, np.zeros(ROWS), BELIEVED)
+    left = {**residual, "gyro_angle": angle}
+    return Evidence(test, BELIEVED, nothing, left, secants, where, nothing, 0.277)
+
+
+def parts_of(noise: SlowNoise, seed: int, added: Array) -> list[Evidence]:
+    """Two power-ons of a gyro with this noise; in one of them something is added to the angle."""
+    generator = np.random.default_rng(seed)
+    angles = [drawn(noise, ROWS, 1.0, generator) for _ in range(2)]
+    angles[1] = angles[1] + added
+    return [part_of(angle, 10 * seed + i) for i, angle in enumerate(angles)]
+
+
+def found(
+    noise: SlowNoise, seed: int, added: Array = NOTHING, noises: Sequence[NoiseEffect] = NOISES
+) -> Weighed:
+    parts = parts_of(noise, seed, added)
+    first = ranked_under(NoiseFound(angle_noise(BELIEVED), ()), BELIEVED, parts)
+    return weighed(first, BELIEVED, parts, noises)
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_walking_rate_is_noise(seed: int) -> None:
+    hypothesis = found(WALKING, seed).best
+    assert [added.effect.name for added in hypothesis.noise.added] == ["rate_random_walk"]
+    assert hypothesis.ranked.best.groups == ()
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_bias_is_no_noise(seed: int) -> None:
+    hypothesis = found(angle_noise(BELIEVED), seed, 0.02 * DEG_PER_H * TIME).best
+    assert hypothesis.noise.added == ()
+    assert hypothesis.noise.nameless is None
+    assert len(hypothesis.ranked.best.groups) == 1
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_jump_of_the_bias_is_no_walk(seed: int) -> None:
+    jump = 0.02 * DEG_PER_H * np.maximum(TIME - 1234.0, 0.0)
+    told = found(angle_noise(BELIEVED), seed, jump)
+    assert told.best.noise.added == ()
+    (group,) = told.best.ranked.best.groups
+    assert isinstance(group, Jump)
+    ((test, time),) = group.times
+    assert test == f"test-{10 * seed + 1}"
+    assert time == pytest.approx(1234.0, abs=60.0)
+    assert told.unknown_probability > 0.99
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_believed_noise_is_enough(seed: int) -> None:
+    told = found(angle_noise(BELIEVED), seed)
+    assert told.best.noise.added == ()
+    assert told.best.ranked.best.groups == ()
+    assert told.unknown_probability < 0.1
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_a_walk_that_has_left_the_catalogue_has_no_name(seed: int) -> None:
+    others = [noise for noise in NOISES if noise.name != "rate_random_walk"]
+    told = found(WALKING, seed, noises=others)
+    assert told.unknown_probability > 0.99
+
+
+def test_probabilities_are_those_of_all_hypotheses() -> None:
+    plain = ranked_under(
+        NoiseFound(angle_noise(BELIEVED), ()), BELIEVED, parts_of(WALKING, 1, NOTHING)
+    )
+    walk = AddedNoise(NOISES[1], 1.0, (0.5, 2.0), math.log(9.0), 0.0)
+    named = Ranked((Fit((SILENT,), 0.0, 0.0, (np.ones(1),), np.eye(1)),), (1.0,), 0.0)
+    walks = replace(
+        plain, noise=NoiseFound(WALKING, (walk,)), ranked=Ranked((NO_FIT,), (1.0,), 0.0)
+    )
+    silent = replace(plain, ranked=named)
+    told = Weighed((walks, silent), (0.6, 0.4))
+    assert told.probability("rate_random_walk") == pytest.approx(0.6 * 0.9)
+    assert told.probability(SILENT.name) == pytest.approx(0.4)
+    assert told.probability("rate_random_walk", SILENT.name) == pytest.approx(0.94)
+    assert told.stand_ins("rate_random_walk") == (SILENT.name,)
+    assert Weighed((walks, silent), (0.96, 0.04)).stand_ins("rate_random_walk") == ()
+    assert Weighed((silent, walks), (0.6, 0.4)).stand_ins(SILENT.name) == ("rate_random_walk",)

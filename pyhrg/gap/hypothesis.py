@@ -51,6 +51,12 @@ class Hypothesis:
         has_names = len(effects) == len(groups) and self.noise.nameless is None
         return frozenset([*effects, *noises]) if has_names else None
 
+    @property
+    def every_name(self) -> frozenset[str]:
+        """Effects of all sets, and noises."""
+        effects = [group.name for group in self.ranked.groups if isinstance(group, Effect)]
+        return frozenset([*effects, *(added.effect.name for added in self.noise.added)])
+
     def probability(self, *names: str) -> float:
         """That one of the effects and noises of these names takes part."""
         own = [g for g in self.ranked.groups if isinstance(g, Effect) and g.name in names]

@@ -58,7 +58,7 @@ def _rows(cause: Cause, found: Diagnosed) -> list[tuple[str, ...]]:
 
 
 def ranking(found: Diagnosed) -> str:
-    """Noises, sets under the likeliest of them, then effects."""
+    """Noises, sets under the likeliest of them, then effects by themselves."""
     return _noises(found) + _sets(found) + _effects(found)
 
 
@@ -103,15 +103,19 @@ def _sets(found: Diagnosed) -> str:
     if rest:
         rows.append((f"{len(pairs) - SETS} other sets", percent(rest), bar(rest), "", ""))
     header = ("Set", "Probability", "", "ln evidence, less the best's", "Numbers fitted")
-    return markup_table("Sets of effects, the most probable first", header, rows)
+    return markup_table(
+        "Sets of effects under the likeliest noise, the most probable first", header, rows
+    )
 
 
 def _effects(found: Diagnosed) -> str:
-    ranked = found.attribution.ranked
-    groups = {g for fit in ranked.fits for g in fit.groups}
-    chances = sorted(((ranked.probability(g), group_words(g)) for g in groups), reverse=True)
-    rows = [(html.escape(w), percent(p), bar(p)) for p, w in chances[:GROUPS] if p > LEAST]
+    weighed = found.attribution.weighed
+    names = {name for one in weighed.hypotheses for name in one.every_name}
+    chances = [(weighed.probability(name), effect_words(name)) for name in names]
+    chances += [(p, f"unnamed: {words}") for words, p in weighed.unnamed().items()]
+    listed = sorted(chances, key=lambda chance: (-chance[0], chance[1]))[:GROUPS]
+    rows = [(html.escape(w), percent(p), bar(p)) for p, w in listed if p > LEAST]
     if not rows:
         return ""
-    title = f"Each effect alone, in whatever set; from {percent(LEAST)}"
+    title = f"Each effect alone, in whatever set and beside whatever noise; from {percent(LEAST)}"
     return markup_table(title, ("Effect", "Probability", ""), rows)

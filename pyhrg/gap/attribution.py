@@ -179,15 +179,14 @@ class _Approach:
             )
             for i, test in enumerate(self._tests)
         ]
+        self._simulated = self._simulated or self.device
         self.believed_answers = self.believed_answers or tuple(answers)
 
     def _answers(self) -> list[Answers]:
         """Of the gyro; beside one that was simulated, loops at rest tell the difference."""
         simulation, device = self._simulation, self.device
         if self._simulated is None:
-            every: list[Answers] = [simulation.answers(device, test) for test in self._tests]
-            self._simulated = device
-            return every
+            return [simulation.answers(device, test) for test in self._tests]
         return [
             added(part.answers, simulation.difference(part.device, device, part.test))
             for part in self.parts

@@ -25,6 +25,8 @@ RESOLVED = {
 }
 """What replays of one gyro with sampled loops and with loops at rest agree to, SI: records without
 noise are compared no closer."""
+LEAST_ANGLE = 1e-10
+"""Noise of an angle of which none is stated, rad: that of numbers with ten decimals of a degree."""
 MAD = 1.4826
 """Standard deviation over the median of magnitudes, of normal numbers."""
 
@@ -129,7 +131,7 @@ def _beside(deviation: float, step: float, least: float) -> float:
 def angle_noise(device: Device) -> SlowNoise:
     """Noise that a device states of its output angle; counting it in steps is noise, too."""
     return SlowNoise(
-        math.hypot(device.pickoff_noise, device.angle_quantum / math.sqrt(12)),
+        max(math.hypot(device.pickoff_noise, device.angle_quantum / math.sqrt(12)), LEAST_ANGLE),
         device.angle_random_walk,
         device.rate_random_walk,
         device.bias_instability,

@@ -60,7 +60,13 @@ class Design:
     @property
     def log_likelihood(self) -> float:
         """Of the residual if nothing explained it, but for a constant."""
-        return -(self.power + sum(block.log_determinant for block in self.blocks)) / 2
+        log_determinant = sum(block.log_determinant for block in self.blocks)
+        return -(self.power + log_determinant / (1 + self.wrong)) / 2
+
+    @property
+    def response_power(self) -> float:
+        """What the residual has beyond its rows, in deviations of the noise squared."""
+        return max(self.power - sum(block.rows for block in self.blocks), 0.0)
 
     @property
     def groups(self) -> list[Group]:
@@ -181,17 +187,9 @@ def _assembled(
     return Design(total * np.outer(unit, unit), pull * unit, power, places, lengths, blocks)
 
 
-def tempered(whole: Design, share: float) -> Design:
-    """The same equations where what they leave of a large response counts as noise.
-
-    The response's power is what the residual has beyond its rows.
-
-    Args:
-        whole: as it would be if simulation and linear equations were exact.
-        share: of the response's power that they get wrong.
-    """
-    beyond = max(whole.power - sum(block.rows for block in whole.blocks), 0.0)
-    wrong = share * beyond
+def tempered(whole: Design, wrong: float) -> Design:
+    """The same equations where this power, in deviations of the noise squared, counts as noise:
+    what simulation and linear equations leave of a large response."""
     root = float(np.sqrt(1 + wrong))
     return replace(
         whole,
@@ -200,6 +198,25 @@ def tempered(whole: Design, share: float) -> Design:
         lengths=whole.lengths / root,
         wrong=wrong,
     )
+
+
+def response_power(parts: Sequence[Evidence], noise: ChannelNoise) -> float:
+    """What the residual has beyond its rows, in deviations of the noise squared.
+
+    Args:
+        parts: of each test.
+        noise: of all channels.
+    """
+    beyond = 0.0
+    for channel in CHANNELS:
+        for part in parts:
+            rows = part.test.rows[channel]
+            own, angle = (part.residual[name][:, None] for name in (channel, "gyro_angle"))
+            left = part.at_measured_angle(own, angle, channel)[rows]
+            steps = np.diff(part.test.log.time[rows], prepend=0.0)
+            white = whitened(left, steps, noise.of(channel, part.test)).series
+            beyond += float((white**2).sum()) - len(white)
+    return max(beyond, 0.0)
 
 
 VISIBLE = 1e-9

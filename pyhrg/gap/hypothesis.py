@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from pyhrg.device import Device
 from pyhrg.gap.catalogue import Effect
 from pyhrg.gap.channel_noise import ChannelNoise, believed_noise
-from pyhrg.gap.design import Design, Evidence, design, tempered
+from pyhrg.gap.design import Design, Evidence, design, response_power, tempered
 from pyhrg.gap.jump_search import jumps
 from pyhrg.gap.noise_levels import AngleRecord
 from pyhrg.gap.noise_search import NoiseFound
@@ -58,26 +58,25 @@ class Hypothesis:
         return frozenset([*effects, *(added.effect.name for added in self.noise.added)])
 
     def probability(self, *names: str) -> float:
-        """That one of the effects and noises of these names takes part."""
+        """That one of the effects and noises of these names takes part, beside this noise."""
+        if any(added.effect.name in names for added in self.noise.added):
+            return 1.0
         own = [g for g in self.ranked.groups if isinstance(g, Effect) and g.name in names]
-        return 1 - (1 - self.ranked.probability(*own)) * (1 - self.noise.probability(*names))
+        return self.ranked.probability(*own)
 
     @property
     def unnamed(self) -> dict[str, float]:
         """What takes part outside the catalogue, in words, with probabilities."""
-        nameless = self.noise.nameless
-        found = {
-            g.words: self.ranked.probability(g)
-            for g in self.ranked.groups
-            if isinstance(g, Element)
-        }
-        return found | ({nameless.words: nameless.probability} if nameless else {})
+        elements = [g for g in self.ranked.groups if isinstance(g, Element)]
+        found = dict.fromkeys((g.words for g in elements), 0.0)
+        for element in elements:
+            found[element.words] += self.ranked.probability(element)
+        return found | ({self.noise.nameless.words: 1.0} if self.noise.nameless else {})
 
     @property
     def unknown_probability(self) -> float:
         """That something outside the catalogue takes part."""
-        nameless = self.noise.nameless.probability if self.noise.nameless else 0.0
-        return 1 - max(0.0, 1 - self.ranked.unknown_probability) * (1 - nameless)
+        return 1.0 if self.noise.nameless else self.ranked.unknown_probability
 
 
 def ranked_under(
@@ -89,20 +88,23 @@ def ranked_under(
         noise: of the output angle.
         believed: the gyro before the diagnosis.
         parts: of each test.
-        share: of the response's power that simulation and linear equations get wrong.
+        share: of the response's power, in deviations of the believed noise squared, that
+            simulation and linear equations get wrong: the same for every noise.
     """
     tests, residuals = [p.test for p in parts], [p.residual for p in parts]
-    channels = replace(believed_noise(believed, tests, residuals), angle=noise.noise)
+    as_believed = believed_noise(believed, tests, residuals)
+    power = response_power(parts, as_believed)
+    channels = replace(as_believed, angle=noise.noise)
     exact = design(parts, channels)
-    found = ranked(tempered(exact, share))
+    found = ranked(tempered(exact, share * power))
     if share > FIDELITY:
-        return Hypothesis(noise, channels, tempered(exact, FIDELITY), found)
+        return Hypothesis(noise, channels, tempered(exact, FIDELITY * power), found)
     taken = unlike(found.best.sizes, found.best.named)
     left = [remainders(parts, one, channels, believed, ("gyro_angle",)) for one in taken]
     if jumped := {jump for each in left for jump in jumps(each)}:
         exact = design(parts, channels, sorted(jumped, key=lambda jump: jump.words))
-        found = ranked(tempered(exact, share))
-    return Hypothesis(noise, channels, tempered(exact, share), found)
+        found = ranked(tempered(exact, share * power))
+    return Hypothesis(noise, channels, tempered(exact, share * power), found)
 
 
 def angles_left(

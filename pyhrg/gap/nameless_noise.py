@@ -4,8 +4,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from scipy.special import expit
-
 from pyhrg.gap.noise_levels import RANGE, AngleRecord, level_found, log_likelihood
 from pyhrg.gap.whitening import Correlated, SlowNoise
 from pyhrg.units import ARCSEC, DEG_PER_H
@@ -37,11 +35,6 @@ class Nameless:
         """What it is, for people."""
         what = "rate" if self.correlated.of_rate else "angle"
         return f"noise of the {what} that lasts {self.correlated.lag:g} s (gyro_angle)"
-
-    @property
-    def probability(self) -> float:
-        """That it takes part."""
-        return float(expit(self.log_odds))
 
 
 def likeliest(

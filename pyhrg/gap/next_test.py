@@ -126,7 +126,9 @@ def separations(
         tests = [_recorded(bench, power_on) for power_on in power_ons]
         parts = [_expected(simulation, found, test, foretold[0], groups) for test in tests]
         noise = replace(found.channel_noise, angle=found.noise.noise)
-        new = _information(tempered(design(parts, noise), FIDELITY), groups, found.design) * share
+        exact = design(parts, noise)
+        whole = tempered(exact, FIDELITY * exact.response_power)
+        new = _information(whole, groups, found.design) * share
         kinds.append(Separation(kind, _parted(foretold, groups, found.design, old, new)))
     return kinds
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
-from pyhrg.gap.whitening import SlowNoise, whitened
+from pyhrg.gap.whitening import Correlated, SlowNoise, whitened
 
 Array = NDArray[np.float64]
 
@@ -41,7 +41,14 @@ class AngleRecord:
 def alike(one: SlowNoise, other: SlowNoise) -> bool:
     """Whether levels differ by less than what can be told."""
     pairs = [(getattr(one, part), getattr(other, part)) for part in PARTS.values()]
-    return all(abs(a - b) <= SAME_LEVEL * max(a, b) for a, b in pairs)
+    if one.correlated and other.correlated:
+        pairs.append((one.correlated.level, other.correlated.level))
+    same = _kind(one.correlated) == _kind(other.correlated)
+    return same and all(abs(a - b) <= SAME_LEVEL * max(a, b) for a, b in pairs)
+
+
+def _kind(correlated: Correlated | None) -> tuple[float, bool] | None:
+    return (correlated.lag, correlated.of_rate) if correlated else None
 
 
 def log_likelihood(records: Sequence[AngleRecord], noise: SlowNoise) -> float:

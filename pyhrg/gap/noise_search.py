@@ -7,13 +7,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
-from scipy.special import expit
 
 from pyhrg.gap.catalogue import NOISES, NoiseEffect
 from pyhrg.gap.equivalents import ALIKE
 from pyhrg.gap.nameless_noise import Nameless, likeliest
 from pyhrg.gap.noise_levels import PARTS, RANGE, AngleRecord, alike, level_found, log_likelihood
-from pyhrg.gap.whitening import SlowNoise
+from pyhrg.gap.whitening import Correlated, SlowNoise
 
 Array = NDArray[np.float64]
 
@@ -21,6 +20,8 @@ PRIOR_ODDS = 0.05
 """That a noise of the catalogue takes part."""
 SLACK = 3.0
 """Log odds that a noise without a name may gain when all levels are found anew."""
+DOUBTED = 10.0
+"""Log odds below which a noise may well not be there."""
 LEVELS = ("walk", "white")
 TOLERANCE = 0.03
 """By which a believed level may be off without being a gap, one sigma of its logarithm."""
@@ -61,10 +62,11 @@ class NoiseFound:
     log_prior: float = 0.0
     nameless: Nameless | None = None
 
-    def probability(self, *names: str) -> float:
-        """That one of the noises of these names takes part."""
-        those = [a.log_odds for a in self.added if a.effect.name in names]
-        return float(expit(max(those))) if those else 0.0
+    @property
+    def kind(self) -> tuple[frozenset[str], Correlated | None]:
+        """What takes part, whatever its level."""
+        lasting = replace(self.nameless.correlated, level=0.0) if self.nameless else None
+        return frozenset(a.effect.name for a in self.added), lasting
 
 
 def noise_found(
@@ -79,14 +81,15 @@ def noise_found(
         believed: noise of the angle.
         noises: of the catalogue.
     """
-    plain = _named(records, believed, noises)
+    plain = _at_levels(records, believed, _named(records, believed, noises), None)
     beside = [(plain.noise, plain.log_prior)] + ([(believed, 0.0)] if plain.added else [])
     nameless = likeliest(records, beside)
-    if nameless.log_odds < _log_posterior(records, plain) - SLACK:
+    base = _log_posterior(records, plain)
+    if nameless.log_odds < base - SLACK:
         return plain
-    rival = _named(records, replace(believed, correlated=nameless.correlated), noises)
-    rival = replace(rival, log_prior=rival.log_prior + nameless.log_prior)
-    log_odds = _log_posterior(records, rival) - _log_posterior(records, plain)
+    named = _named(records, replace(believed, correlated=nameless.correlated), noises)
+    rival = _at_levels(records, believed, named, nameless)
+    log_odds = _log_posterior(records, rival) - base
     return replace(rival, nameless=replace(nameless, log_odds=log_odds)) if log_odds > 0 else plain
 
 
@@ -96,7 +99,7 @@ def _log_posterior(records: Sequence[AngleRecord], found: NoiseFound) -> float:
 
 def _named(
     records: Sequence[AngleRecord], believed: SlowNoise, noises: Sequence[NoiseEffect]
-) -> NoiseFound:
+) -> tuple[AddedNoise, ...]:
     """Noises of the catalogue, one by one while the odds are for them."""
     added: list[AddedNoise] = []
     for _ in PARTS:
@@ -105,9 +108,40 @@ def _named(
         if best is None or best.log_odds < 0:
             break
         added = _anew(records, believed, [*added, best])
-    noise = _settled(records, believed, added)
-    log_prior = sum(a.log_prior for a in added) + _log_prior(noise, believed, added)
-    return NoiseFound(noise, tuple(added), log_prior)
+    return tuple(added)
+
+
+def doubted(
+    found: NoiseFound, records: Sequence[AngleRecord], believed: SlowNoise
+) -> list[NoiseFound]:
+    """The same without one of its noises, for each that may well not be there.
+
+    Args:
+        found: in the records.
+        records: of all tests.
+        believed: noise of the angle.
+    """
+    fewer = [
+        (tuple(a for a in found.added if a is not one), found.nameless)
+        for one in found.added
+        if one.log_odds < DOUBTED
+    ]
+    if found.nameless and found.nameless.log_odds < DOUBTED:
+        fewer.append((found.added, None))
+    return [_at_levels(records, believed, added, nameless) for added, nameless in fewer]
+
+
+def _at_levels(
+    records: Sequence[AngleRecord],
+    believed: SlowNoise,
+    added: tuple[AddedNoise, ...],
+    nameless: Nameless | None,
+) -> NoiseFound:
+    """Noises, with the believed ones as the records have them beside these."""
+    beside = replace(believed, correlated=nameless.correlated) if nameless else believed
+    noise = _settled(records, beside, added)
+    log_prior = sum(a.log_prior for a in added) + _log_prior(noise, beside, added)
+    return NoiseFound(noise, added, log_prior + (nameless.log_prior if nameless else 0.0), nameless)
 
 
 def told_apart(

@@ -41,7 +41,8 @@ def counted(
     believed: float,
     noises: Sequence[NoiseEffect] = NOISES,
 ) -> NoiseFound:
-    """Noises with the step that an output is counted in, in place of the white noise that it is.
+    """Noises with the step that an output is counted in, in place of the noise of the angle that it
+    is: white, or lasting where the angle moves slowly.
 
     Args:
         found: noises of the output angle.
@@ -55,7 +56,9 @@ def counted(
     value, spread = step
     ends = (value - NORMAL_95 * spread, value + NORMAL_95 * spread)
     others = [added for added in found.added if added.effect.name != "angle_white_noise"]
-    return replace(found, added=(*others, AddedNoise(COUNTED, value, ends, math.inf, 0.0)))
+    lasting = found.nameless if found.nameless and found.nameless.correlated.of_rate else None
+    counting = AddedNoise(COUNTED, value, ends, math.inf, 0.0)
+    return replace(found, added=(*others, counting), nameless=lasting)
 
 
 def is_rough(found: NoiseFound, believed: Device) -> bool:

@@ -140,10 +140,12 @@ class Simulation:
         below, above = (_apart(*ends, device, test) for ends in ((low, middle), (middle, high)))
         slopes = {name: (below[name] + above[name]) / (2 * SHIFT) for name in CHANNELS}
         grown = 1 - device.bryan_factor * slopes["gyro_angle"]
-        shift = np.where(grown > LEAST_SHIFT, grown, 1.0)
-        bends = {name: (above[name] - below[name]) / (SHIFT * shift) ** 2 for name in CHANNELS}
-        now = {name: slopes[name] / shift for name in CHANNELS if name != "gyro_angle"}
-        return OverAngle({**slopes, **now}, bends)
+        is_told = grown > LEAST_SHIFT
+        shift = np.where(is_told, grown, 1.0)
+        now = {n: s if n == "gyro_angle" else s / shift for n, s in slopes.items()}
+        bends = {name: (above[name] - below[name]) / SHIFT**2 for name in CHANNELS}
+        turned = device.bryan_factor * np.where(is_told, bends["gyro_angle"], 0.0)
+        return OverAngle(now, {n: (b + now[n] * turned) / shift**2 for n, b in bends.items()})
 
     def _coarse(self, device: Device, inputs: Replayable) -> dict[str, Array]:
         """With loops at rest, in steps that do for small differences."""

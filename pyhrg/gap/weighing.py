@@ -13,11 +13,11 @@ from scipy.special import softmax
 from pyhrg.device import Device
 from pyhrg.gap.catalogue import NoiseEffect
 from pyhrg.gap.channel_noise import angle_noise
-from pyhrg.gap.design import Evidence
+from pyhrg.gap.design import Evidence, Group
 from pyhrg.gap.equivalents import ALIKE
 from pyhrg.gap.hypothesis import Hypothesis, angles_left, ranked_under
 from pyhrg.gap.noise_levels import alike
-from pyhrg.gap.noise_search import NoiseFound, noise_found
+from pyhrg.gap.noise_search import NoiseFound, doubted, noise_found
 from pyhrg.gap.remainder import Taken, unlike
 
 PLAIN = 1e4
@@ -88,8 +88,9 @@ def weighed(
     parts: Sequence[Evidence],
     noises: Sequence[NoiseEffect],
 ) -> Weighed:
-    """A hypothesis beside those with the noise that is left when all that it found is taken out, or
-    only what has a name, or, where it might be noise, nothing.
+    """A hypothesis beside those with the noise that is left when all that the likeliest found is
+    taken out, or only what has a name, or, where it might be noise, nothing; of each kind of noise
+    the likeliest. Done when nothing else is left of the likeliest.
 
     Args:
         first: around a gyro so close that what is left is no leftover of a linear search.
@@ -97,15 +98,33 @@ def weighed(
         parts: of each test.
         noises: of the catalogue.
     """
-    rivals, tried = [first], [first.noise.noise]
-    found = first.ranked.best
+    best, stated = first, angle_noise(believed)
+    by_kind, looked_at = {first.noise.kind: first}, set[tuple[Group, ...]]()
+    while due := [taken for taken in _to_be_taken(best) if tuple(taken) not in looked_at]:
+        for taken in due:
+            looked_at.add(tuple(taken))
+            left = angles_left(parts, taken, best.channel_noise, believed)
+            found = noise_found(left, stated, noises)
+            for noise in (found, *doubted(found, left, stated)):
+                known = by_kind.get(noise.kind)
+                if known is None or not alike(known.noise.noise, noise.noise):
+                    rival = ranked_under(noise, believed, parts)
+                    by_kind[noise.kind] = _likelier(rival, known or rival)
+        best = max(by_kind.values(), key=_log_posterior)
+    order = sorted(by_kind.values(), key=lambda one: -one.log_posterior)
+    shares = softmax([one.log_posterior for one in order])
+    return Weighed(tuple(order), tuple(shares.tolist()))
+
+
+def _to_be_taken(hypothesis: Hypothesis) -> list[Taken]:
+    found = hypothesis.ranked.best
     nothing: list[Taken] = [{}] if found.explained < PLAIN else []
-    for taken in unlike(found.sizes, found.named, *nothing):
-        left = angles_left(parts, taken, first.channel_noise, believed)
-        noise = noise_found(left, angle_noise(believed), noises)
-        if not any(alike(noise.noise, one) for one in tried):
-            tried.append(noise.noise)
-            rivals.append(ranked_under(noise, believed, parts))
-    rivals.sort(key=lambda hypothesis: -hypothesis.log_posterior)
-    shares = softmax([rival.log_posterior for rival in rivals])
-    return Weighed(tuple(rivals), tuple(shares.tolist()))
+    return unlike(found.sizes, found.named, *nothing)
+
+
+def _likelier(one: Hypothesis, other: Hypothesis) -> Hypothesis:
+    return max(one, other, key=_log_posterior)
+
+
+def _log_posterior(hypothesis: Hypothesis) -> float:
+    return hypothesis.log_posterior

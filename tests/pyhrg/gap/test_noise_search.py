@@ -86,4 +86,4 @@ def test_a_noise_that_is_left_out_has_no_name(
     others = [effect for effect in NOISES if effect.name != name]
     found = noise_found(records(noise, seed), BELIEVED, others)
     assert found.nameless is not None
-    assert found.nameless.probability > 0.9
+    assert found.nameless.log_odds > 2

@@ -22,7 +22,7 @@ from pyhrg.gap.observations import CHANNELS, observed
 from pyhrg.gap.search import Ranked
 from pyhrg.gap.unknown import coordinates
 from pyhrg.gap.weighing import Weighed, weighed
-from pyhrg.gap.whitening import SlowNoise
+from pyhrg.gap.whitening import Correlated, SlowNoise
 from pyhrg.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR
 from tests.pyhrg.records.made_up import made_up_log
 
@@ -120,9 +120,34 @@ def test_probabilities_are_those_of_all_hypotheses() -> None:
     )
     silent = replace(plain, ranked=named)
     told = Weighed((walks, silent), (0.6, 0.4))
-    assert told.probability("rate_random_walk") == pytest.approx(0.6 * 0.9)
+    assert told.probability("rate_random_walk") == pytest.approx(0.6)
     assert told.probability(SILENT.name) == pytest.approx(0.4)
-    assert told.probability("rate_random_walk", SILENT.name) == pytest.approx(0.94)
+    assert told.probability("rate_random_walk", SILENT.name) == pytest.approx(1.0)
     assert told.stand_ins("rate_random_walk") == (SILENT.name,)
     assert Weighed((walks, silent), (0.96, 0.04)).stand_ins("rate_random_walk") == ()
     assert Weighed((silent, walks), (0.6, 0.4)).stand_ins(SILENT.name) == ("rate_random_walk",)
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("correlated", [Correlated(0.1 * ARCSEC, 30.0, of_rate=False)])
+def test_a_noise_without_a_name_stays_a_noise(correlated: Correlated, seed: int) -> None:
+    told = found(replace(angle_noise(BELIEVED), correlated=correlated), seed)
+    assert told.best.noise.nameless is not None
+    assert told.best.ranked.best.groups == ()
+    assert told.unknown_probability > 0.9
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_noise_beside_a_large_bias_is_noise(seed: int) -> None:
+    """What a simulation gets wrong of a large response is the same whatever the noise."""
+    noise = replace(angle_noise(BELIEVED), walk=2 * BELIEVED.angle_random_walk)
+    told = found(noise, seed, 1.0 * DEG_PER_H * (TIME + 1.0))
+    assert [added.effect.name for added in told.best.noise.added] == ["angle_random_walk"]
+    assert len(told.best.ranked.best.groups) == 1
+
+
+def test_each_kind_of_noise_is_one_hypothesis() -> None:
+    told = found(WALKING, 1)
+    kinds = [one.noise.kind for one in told.hypotheses]
+    assert len(set(kinds)) == len(kinds)
+    assert sum(told.probabilities) == pytest.approx(1.0)

@@ -21,6 +21,8 @@ ATTENTION = 0.2
 """Between looks at signals, s."""
 PATIENCE = 10.0
 """For a scheduler or a result to arrive, s."""
+ANY_PORT = "127.0.0.1:0"
+"""Of a scheduler's own page: several studies may run on a machine at once."""
 
 
 ONE_AT_A_TIME = {"distributed.scheduler.worker-saturation": 1.0}
@@ -44,7 +46,7 @@ def connected(scheduler: str | None, workers: int | None) -> Iterator[Client]:
             "n_workers": workers or len(os.sched_getaffinity(0)),
             "threads_per_worker": 1,
             "memory_limit": 0,
-            "dashboard_address": None,
+            "dashboard_address": ANY_PORT,
             "silence_logs": logging.CRITICAL,
         }
         with (

@@ -18,6 +18,7 @@ from ins_eval.study.run.errors import StudyRunError
 from ins_eval.study.run.folder import StudyFolder
 from ins_eval.study.run.identity import Identity, difference, identity
 from ins_eval.study.run.run import Cluster, run
+from ins_eval.study.run.workers import ANY_PORT
 from ins_eval.study.specification import Study
 from tests.ins_eval.study import cases
 from tests.ins_eval.study.run.cheap import CHEAP, conclude, made
@@ -36,7 +37,7 @@ def cluster() -> Iterator[Cluster]:
         processes=False,
         host="127.0.0.1",
         protocol="tcp",
-        dashboard_address=None,
+        dashboard_address=ANY_PORT,
     ) as local:
         yield Cluster(local.scheduler_address)
 

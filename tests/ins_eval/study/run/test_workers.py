@@ -1,10 +1,11 @@
-"""The study's own experiment, by one worker and by two: processes of their own."""
+"""The study's own experiment, by one worker and by two: processes of their own; beside another."""
 
 from dataclasses import replace
 from pathlib import Path
 
 from ins_eval.study.command import experiment
 from ins_eval.study.run.run import Cluster, run
+from ins_eval.study.run.workers import connected
 from tests.ins_eval.study.run.processes import contents
 from tests.ins_eval.study.test_experiment import STUDY
 
@@ -24,3 +25,9 @@ def test_same_bytes_by_any_number_of_workers(tmp_path: Path) -> None:
     one, two = (contents(tmp_path / str(workers)) for workers in (1, 2))
     assert {"study.parquet", "study.json", "report.html"} < set(one)
     assert one == two
+
+
+def test_two_studies_run_at_once() -> None:
+    """No warning of a port that is taken, which would be an error here."""
+    with connected(None, 1) as one, connected(None, 1) as other:
+        assert one.submit(sum, (1, 2)).result() == other.submit(sum, (1, 2)).result() == 3

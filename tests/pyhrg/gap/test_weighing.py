@@ -68,9 +68,12 @@ def found(
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_a_walking_rate_is_noise(seed: int) -> None:
-    hypothesis = found(WALKING, seed).best
-    assert [added.effect.name for added in hypothesis.noise.added] == ["rate_random_walk"]
-    assert hypothesis.ranked.best.groups == ()
+    told = found(WALKING, seed)
+    assert [added.effect.name for added in told.best.noise.added] == ["rate_random_walk"]
+    assert told.best.ranked.best.groups == ()
+    kinds = [one.noise.kind for one in told.hypotheses]
+    assert len(set(kinds)) == len(kinds)
+    assert sum(told.probabilities) == pytest.approx(1.0)
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
@@ -144,10 +147,3 @@ def test_noise_beside_a_large_bias_is_noise(seed: int) -> None:
     told = found(noise, seed, 1.0 * DEG_PER_H * (TIME + 1.0))
     assert [added.effect.name for added in told.best.noise.added] == ["angle_random_walk"]
     assert len(told.best.ranked.best.groups) == 1
-
-
-def test_each_kind_of_noise_is_one_hypothesis() -> None:
-    told = found(WALKING, 1)
-    kinds = [one.noise.kind for one in told.hypotheses]
-    assert len(set(kinds)) == len(kinds)
-    assert sum(told.probabilities) == pytest.approx(1.0)

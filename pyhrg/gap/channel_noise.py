@@ -26,7 +26,7 @@ RESOLVED = {
 """What replays of one gyro with sampled loops and with loops at rest agree to, SI: records without
 noise are compared no closer."""
 LEAST_ANGLE = 1e-10
-"""Noise of an angle of which none is stated, rad: that of numbers with ten decimals of a degree."""
+"""Noise of an angle of which none is stated, rad: numbers with eight decimals of a degree."""
 MAD = 1.4826
 """Standard deviation over the median of magnitudes, of normal numbers."""
 

@@ -13,7 +13,7 @@ from pyhrg.gap.channel_noise import ChannelNoise
 from pyhrg.gap.jump import Jump
 from pyhrg.gap.observations import CHANNELS, Observed
 from pyhrg.gap.unknown import Coordinates, Element
-from pyhrg.gap.whitening import whitened
+from pyhrg.gap.whitening import Whitened, whitened
 
 Array = NDArray[np.float64]
 Group = Effect | Element
@@ -62,11 +62,6 @@ class Design:
         """Of the residual if nothing explained it, but for a constant."""
         log_determinant = sum(block.log_determinant for block in self.blocks)
         return -(self.power + log_determinant / (1 + self.wrong)) / 2
-
-    @property
-    def response_power(self) -> float:
-        """What the residual has beyond its rows, in deviations of the noise squared."""
-        return max(self.power - sum(block.rows for block in self.blocks), 0.0)
 
     @property
     def groups(self) -> list[Group]:
@@ -163,11 +158,17 @@ def _block(part: Evidence, channel: str, found: Sequence[Array], noise: ChannelN
     responses = part.at_measured_angle(
         part.responses(channel), part.responses("gyro_angle"), channel
     )
-    series = np.column_stack([responses[:, :-1], *found, responses[:, -1]])[rows]
-    steps = np.diff(part.test.log.time[rows], prepend=0.0)
-    white = whitened(series, steps, noise.of(channel, part.test))
+    series = np.column_stack([responses[:, :-1], *found, responses[:, -1]])
+    white = _white(part, channel, series, noise)
     gram = white.series.T @ white.series
     return Block(part.test.test.id, channel, gram, int(rows.sum()), white.log_determinant)
+
+
+def _white(part: Evidence, channel: str, series: Array, noise: ChannelNoise) -> Whitened:
+    """Of (n, p) series of a channel, the rows that are compared."""
+    rows = part.test.rows[channel]
+    steps = np.diff(part.test.log.time[rows], prepend=0.0)
+    return whitened(series[rows], steps, noise.of(channel, part.test))
 
 
 def _assembled(
@@ -210,11 +211,9 @@ def response_power(parts: Sequence[Evidence], noise: ChannelNoise) -> float:
     beyond = 0.0
     for channel in CHANNELS:
         for part in parts:
-            rows = part.test.rows[channel]
             own, angle = (part.residual[name][:, None] for name in (channel, "gyro_angle"))
-            left = part.at_measured_angle(own, angle, channel)[rows]
-            steps = np.diff(part.test.log.time[rows], prepend=0.0)
-            white = whitened(left, steps, noise.of(channel, part.test)).series
+            left = part.at_measured_angle(own, angle, channel)
+            white = _white(part, channel, left, noise).series
             beyond += float((white**2).sum()) - len(white)
     return max(beyond, 0.0)
 

@@ -1,6 +1,6 @@
 """Sets of effects, ranked under a noise of the output angle."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -45,17 +45,19 @@ class Hypothesis:
     @property
     def names(self) -> frozenset[str] | None:
         """Effects and noises of the most probable set; None where something has no name."""
-        groups = self.ranked.best.groups
-        effects = [group.name for group in groups if isinstance(group, Effect)]
-        noises = [added.effect.name for added in self.noise.added]
-        has_names = len(effects) == len(groups) and self.noise.nameless is None
-        return frozenset([*effects, *noises]) if has_names else None
+        best = self.ranked.best
+        if self.noise.nameless or len(best.named) < len(best.groups):
+            return None
+        return self._with_noises(best.named)
 
     @property
     def every_name(self) -> frozenset[str]:
         """Effects of all sets, and noises."""
-        effects = [group.name for group in self.ranked.groups if isinstance(group, Effect)]
-        return frozenset([*effects, *(added.effect.name for added in self.noise.added)])
+        return self._with_noises(g for g in self.ranked.groups if isinstance(g, Effect))
+
+    def _with_noises(self, effects: Iterable[Effect]) -> frozenset[str]:
+        names = [effect.name for effect in effects]
+        return frozenset([*names, *(added.effect.name for added in self.noise.added)])
 
     def probability(self, *names: str) -> float:
         """That one of the effects and noises of these names takes part, beside this noise."""

@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from pyhrg.gap.noise_levels import RANGE, AngleRecord, level_found, log_likelihood
+from pyhrg.gap.noise_levels import AngleRecord, level_found, log_likelihood
 from pyhrg.gap.whitening import Correlated, SlowNoise
 from pyhrg.units import ARCSEC, DEG_PER_H
 
@@ -36,6 +36,10 @@ class Nameless:
         what = "rate" if self.correlated.of_rate else "angle"
         return f"noise of the {what} that lasts {self.correlated.lag:g} s (gyro_angle)"
 
+    def beside(self, noise: SlowNoise) -> SlowNoise:
+        """Another noise, with this one."""
+        return replace(noise, correlated=self.correlated)
+
 
 def likeliest(
     records: Sequence[AngleRecord], beside: Sequence[tuple[SlowNoise, float]]
@@ -65,8 +69,6 @@ def _lasting(
         correlated = Correlated(math.exp(logarithm), lag, of_rate)
         return log_likelihood(records, replace(noise, correlated=correlated)) + log_prior
 
-    best, peak, spread = level_found(gain, scale)
-    width = math.log(RANGE[1] / RANGE[0])
-    odds = ODDS / (len(RATE_LAGS) + len(ANGLE_LAGS))
-    own = math.log(odds * spread * math.sqrt(2 * math.pi) / width)
-    return Nameless(Correlated(math.exp(best), lag, of_rate), peak + own, own)
+    level = level_found(gain, scale)
+    own = level.log_prior(ODDS / (len(RATE_LAGS) + len(ANGLE_LAGS)))
+    return Nameless(Correlated(math.exp(level.logarithm), lag, of_rate), level.gain + own, own)

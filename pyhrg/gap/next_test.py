@@ -19,7 +19,7 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.gap.attribution import Attribution
 from pyhrg.gap.candidate_tests import candidates
 from pyhrg.gap.catalogue import Effect
-from pyhrg.gap.design import Design, Evidence, Group, design, tempered
+from pyhrg.gap.design import Design, Evidence, Group, design, response_power, tempered
 from pyhrg.gap.diagnosis import NextTest
 from pyhrg.gap.equivalents import ALIKE, equivalents
 from pyhrg.gap.evidence import Fit
@@ -126,8 +126,7 @@ def separations(
         tests = [_recorded(bench, power_on) for power_on in power_ons]
         parts = [_expected(simulation, found, test, foretold[0], groups) for test in tests]
         noise = replace(found.channel_noise, angle=found.noise.noise)
-        exact = design(parts, noise)
-        whole = tempered(exact, FIDELITY * exact.response_power)
+        whole = tempered(design(parts, noise), FIDELITY * response_power(parts, noise))
         new = _information(whole, groups, found.design) * share
         kinds.append(Separation(kind, _parted(foretold, groups, found.design, old, new)))
     return kinds

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
-from pyhrg.gap.whitening import Correlated, SlowNoise, whitened
+from pyhrg.gap.whitening import SlowNoise, whitened
 
 Array = NDArray[np.float64]
 
@@ -43,12 +43,8 @@ def alike(one: SlowNoise, other: SlowNoise) -> bool:
     pairs = [(getattr(one, part), getattr(other, part)) for part in PARTS.values()]
     if one.correlated and other.correlated:
         pairs.append((one.correlated.level, other.correlated.level))
-    same = _kind(one.correlated) == _kind(other.correlated)
-    return same and all(abs(a - b) <= SAME_LEVEL * max(a, b) for a, b in pairs)
-
-
-def _kind(correlated: Correlated | None) -> tuple[float, bool] | None:
-    return (correlated.lag, correlated.of_rate) if correlated else None
+    kinds = [noise.correlated and noise.correlated.kind for noise in (one, other)]
+    return kinds[0] == kinds[1] and all(abs(a - b) <= SAME_LEVEL * max(a, b) for a, b in pairs)
 
 
 def log_likelihood(records: Sequence[AngleRecord], noise: SlowNoise) -> float:
@@ -60,8 +56,32 @@ def log_likelihood(records: Sequence[AngleRecord], noise: SlowNoise) -> float:
     return total
 
 
-def level_found(gain: Callable[[float], float], scale: float) -> tuple[float, float, float]:
-    """Where the logarithm of a level is likeliest, how much it gains there, and its deviation."""
+@dataclass(frozen=True)
+class Level:
+    """The likeliest level of an added noise.
+
+    logarithm: of it.
+    gain: there, of the logarithm of likelihood and other priors.
+    deviation: of the logarithm.
+    """
+
+    logarithm: float
+    gain: float
+    deviation: float
+
+    def log_prior(self, odds: float) -> float:
+        """Of a noise of these prior odds, its level integrated out (Laplace)."""
+        width = math.log(RANGE[1] / RANGE[0])
+        return math.log(odds * self.deviation * math.sqrt(2 * math.pi) / width)
+
+
+def level_found(gain: Callable[[float], float], scale: float) -> Level:
+    """The likeliest level.
+
+    Args:
+        gain: by the level's logarithm.
+        scale: a level that is nothing special.
+    """
     low, high = (math.log(scale * end) for end in RANGE)
     grid = np.linspace(low, high, 13)
     values = [gain(x) for x in grid]
@@ -70,4 +90,4 @@ def level_found(gain: Callable[[float], float], scale: float) -> tuple[float, fl
     best = float(minimize_scalar(lambda x: -gain(x), bounds=bounds, options={"xatol": 0.01}).x)
     peak = gain(best)
     curvature = -(gain(best + CURVATURE) - 2 * peak + gain(best - CURVATURE)) / CURVATURE**2
-    return best, peak, 1 / math.sqrt(max(curvature, 1 / (high - low) ** 2))
+    return Level(best, peak, 1 / math.sqrt(max(curvature, 1 / (high - low) ** 2)))

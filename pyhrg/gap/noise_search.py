@@ -11,8 +11,8 @@ from scipy.optimize import minimize_scalar
 from pyhrg.gap.catalogue import NOISES, NoiseEffect
 from pyhrg.gap.equivalents import ALIKE
 from pyhrg.gap.nameless_noise import Nameless, likeliest
-from pyhrg.gap.noise_levels import PARTS, RANGE, AngleRecord, alike, level_found, log_likelihood
-from pyhrg.gap.whitening import Correlated, SlowNoise
+from pyhrg.gap.noise_levels import PARTS, AngleRecord, alike, level_found, log_likelihood
+from pyhrg.gap.whitening import SlowNoise
 
 Array = NDArray[np.float64]
 
@@ -63,9 +63,9 @@ class NoiseFound:
     nameless: Nameless | None = None
 
     @property
-    def kind(self) -> tuple[frozenset[str], Correlated | None]:
+    def kind(self) -> tuple[frozenset[str], tuple[float, bool] | None]:
         """What takes part, whatever its level."""
-        lasting = replace(self.nameless.correlated, level=0.0) if self.nameless else None
+        lasting = self.nameless.correlated.kind if self.nameless else None
         return frozenset(a.effect.name for a in self.added), lasting
 
 
@@ -87,7 +87,7 @@ def noise_found(
     base = _log_posterior(records, plain)
     if nameless.log_odds < base - SLACK:
         return plain
-    named = _named(records, replace(believed, correlated=nameless.correlated), noises)
+    named = _named(records, nameless.beside(believed), noises)
     rival = _at_levels(records, believed, named, nameless)
     log_odds = _log_posterior(records, rival) - base
     return replace(rival, nameless=replace(nameless, log_odds=log_odds)) if log_odds > 0 else plain
@@ -138,7 +138,7 @@ def _at_levels(
     nameless: Nameless | None,
 ) -> NoiseFound:
     """Noises, with the believed ones as the records have them beside these."""
-    beside = replace(believed, correlated=nameless.correlated) if nameless else believed
+    beside = nameless.beside(believed) if nameless else believed
     noise = _settled(records, beside, added)
     log_prior = sum(a.log_prior for a in added) + _log_prior(noise, beside, added)
     return NoiseFound(noise, added, log_prior + (nameless.log_prior if nameless else 0.0), nameless)
@@ -159,7 +159,7 @@ def told_apart(
         noises: of the catalogue.
     """
     if found.nameless:
-        believed = replace(believed, correlated=found.nameless.correlated)
+        believed = found.nameless.beside(believed)
     added = [
         replace(a, equivalents=_equivalents(records, believed, a, found.added, noises))
         for a in found.added
@@ -300,9 +300,10 @@ def _added(
         changed = noise.at(part, total)
         return _posterior(records, changed, believed, added, part) - base
 
-    best, peak, spread = level_found(gain, effect.scale)
-    width = math.log(RANGE[1] / RANGE[0])
-    ends = [math.hypot(own, math.exp(best + s * NORMAL_95 * spread)) for s in (-1, 1)]
-    log_prior = math.log(PRIOR_ODDS * spread * math.sqrt(2 * math.pi) / width)
-    total = math.hypot(own, math.exp(best))
-    return AddedNoise(effect, total, (ends[0], ends[1]), peak + log_prior, log_prior)
+    level = level_found(gain, effect.scale)
+    low, total, high = (
+        math.hypot(own, math.exp(level.logarithm + s * NORMAL_95 * level.deviation))
+        for s in (-1, 0, 1)
+    )
+    log_prior = level.log_prior(PRIOR_ODDS)
+    return AddedNoise(effect, total, (low, high), level.gain + log_prior, log_prior)

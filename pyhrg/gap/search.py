@@ -143,13 +143,13 @@ def log_odds(groups: Sequence[Group]) -> Mapping[Group, float]:
     named = sum(isinstance(g, Effect) for g in groups)
     steady = sum(not isinstance(g, Effect | Jump) for g in groups)
 
-    def one(group: Group) -> float:
+    def prior(group: Group) -> float:
         if isinstance(group, Jump):
             return group.log_odds
         is_named = isinstance(group, Effect)
         return math.log(NAMED_ODDS / named if is_named else UNNAMED_ODDS / steady)
 
-    return {group: one(group) for group in groups}
+    return {group: prior(group) for group in groups}
 
 
 def _normalised(pairs: Sequence[tuple[Fit, float]]) -> Ranked:

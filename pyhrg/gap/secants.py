@@ -45,9 +45,9 @@ def evidence(
             residual[name] = residual[name] + own[name] @ away
     where = coordinates(test, answers["wave_angle"], believed)
     around, factor = simulation.over_angle(device, test), believed.bryan_factor
-    away = factor * (answers["gyro_angle"] - test.log.gyro_angle)
+    turned = factor * (test.log.gyro_angle - answers["gyro_angle"])
     for name in CHANNELS[1:]:
-        residual[name] = residual[name] - around.bent(name, away)
+        residual[name] = residual[name] - around.bent(name, turned)
     return Evidence(test, device, answers, residual, columns, where, around.slopes, factor)
 
 

@@ -7,6 +7,7 @@ that go with it. The likeliest is taken, and is as probable as the others let it
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
+from operator import attrgetter
 
 from scipy.special import softmax
 
@@ -22,6 +23,7 @@ from pyhrg.gap.remainder import Taken, unlike
 
 PLAIN = 1e4
 """Power that is explained, in deviations of the noise squared, which no noise would let be."""
+_LOG_POSTERIOR = attrgetter("log_posterior")
 
 
 @dataclass(frozen=True)
@@ -98,20 +100,18 @@ def weighed(
         parts: of each test.
         noises: of the catalogue.
     """
-    best, stated = first, angle_noise(believed)
+    best = first
     by_kind, looked_at = {first.noise.kind: first}, set[tuple[Group, ...]]()
     while due := [taken for taken in _to_be_taken(best) if tuple(taken) not in looked_at]:
-        for taken in due:
-            looked_at.add(tuple(taken))
-            left = angles_left(parts, taken, best.channel_noise, believed)
-            found = noise_found(left, stated, noises)
-            for noise in (found, *doubted(found, left, stated)):
-                known = by_kind.get(noise.kind)
-                if known is None or not alike(known.noise.noise, noise.noise):
-                    rival = ranked_under(noise, believed, parts)
-                    by_kind[noise.kind] = _likelier(rival, known or rival)
-        best = max(by_kind.values(), key=_log_posterior)
-    order = sorted(by_kind.values(), key=lambda one: -one.log_posterior)
+        looked_at.update(tuple(taken) for taken in due)
+        left = [noise for taken in due for noise in _left(parts, taken, best, believed, noises)]
+        for noise in left:
+            known = by_kind.get(noise.kind)
+            if known is None or not alike(known.noise.noise, noise.noise):
+                rival = ranked_under(noise, believed, parts)
+                by_kind[noise.kind] = max(known or rival, rival, key=_LOG_POSTERIOR)
+        best = max(by_kind.values(), key=_LOG_POSTERIOR)
+    order = sorted(by_kind.values(), key=_LOG_POSTERIOR, reverse=True)
     shares = softmax([one.log_posterior for one in order])
     return Weighed(tuple(order), tuple(shares.tolist()))
 
@@ -122,9 +122,15 @@ def _to_be_taken(hypothesis: Hypothesis) -> list[Taken]:
     return unlike(found.sizes, found.named, *nothing)
 
 
-def _likelier(one: Hypothesis, other: Hypothesis) -> Hypothesis:
-    return max(one, other, key=_log_posterior)
-
-
-def _log_posterior(hypothesis: Hypothesis) -> float:
-    return hypothesis.log_posterior
+def _left(
+    parts: Sequence[Evidence],
+    taken: Taken,
+    best: Hypothesis,
+    believed: Device,
+    noises: Sequence[NoiseEffect],
+) -> list[NoiseFound]:
+    """Noise when this is taken out, and the same with one that may not be there left out."""
+    left = angles_left(parts, taken, best.channel_noise, believed)
+    stated = angle_noise(believed)
+    found = noise_found(left, stated, noises)
+    return [found, *doubted(found, left, stated)]

@@ -32,6 +32,11 @@ class Correlated:
     lag: float
     of_rate: bool
 
+    @property
+    def kind(self) -> tuple[float, bool]:
+        """What it is, whatever its level."""
+        return self.lag, self.of_rate
+
 
 @dataclass(frozen=True)
 class SlowNoise:
@@ -53,7 +58,7 @@ class SlowNoise:
     flicker: float = 0.0
     lagged: float = 0.0
     lag: float = 600.0
-    correlated: "Correlated | None" = None
+    correlated: Correlated | None = None
 
     def at(self, part: str, level: float) -> "SlowNoise":
         """With a part at another level."""

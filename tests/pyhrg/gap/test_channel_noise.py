@@ -75,3 +75,8 @@ def test_the_thermometer_s_noise_is_known() -> None:
 def test_a_believed_quantum_is_noise() -> None:
     counted = replace(DEVICE, pickoff_noise=0.0, angle_quantum=0.6)
     assert angle_noise(counted).white == pytest.approx(0.6 / np.sqrt(12))
+
+
+def test_an_angle_of_which_no_noise_is_stated_has_some() -> None:
+    """So that a gap can be weighed against it."""
+    assert angle_noise(Device()).white > 0

@@ -20,13 +20,14 @@ from pyhrg.gap.gap_figures import gap_figures
 from pyhrg.gap.hypothesis import Hypothesis, angles_left
 from pyhrg.gap.judgement import judged, unnamed
 from pyhrg.gap.localisation import Place, located
-from pyhrg.gap.next_test import rivals, suggested
+from pyhrg.gap.next_test import suggested
 from pyhrg.gap.noise_search import NoiseFound, told_apart
 from pyhrg.gap.observations import CHANNELS, Observed, observed
 from pyhrg.gap.quantity import Size, sizes
 from pyhrg.gap.quantum import counted, is_rough
 from pyhrg.gap.remainder import Remainder, remainders
 from pyhrg.gap.replay import tells_start
+from pyhrg.gap.rivals import rivals
 from pyhrg.gap.simulation import Answers, Simulation, added
 from pyhrg.gap.soundness import sound
 from pyhrg.gap.standing_still import standing_still

@@ -1,9 +1,10 @@
 """Which test would best tell apart what a campaign has left alike.
 
-Each hypothesis is a set of effects and elements with its sizes. A test that is yet to be made parts
-two of them by so many deviations of the noise, after the rival has had its own sizes fitted anew,
-to old and new tests together: what it could imitate does not count. Half the square is the expected
-divergence (W. J. Hunter, A. M. Reiner, Technometrics 7 (1965)). Kinds are compared by an hour.
+A test that is yet to be made parts two hypotheses by so many deviations of the rival's noise, after
+the rival has had its own sizes fitted anew, to old and new tests together: what it could imitate
+does not count. Half the square is the expected divergence (W. J. Hunter, A. M. Reiner,
+Technometrics 7 (1965)); where their noises are others, the divergence of these is added. Kinds are
+compared by an hour.
 """
 
 import math
@@ -19,23 +20,24 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.gap.attribution import Attribution
 from pyhrg.gap.candidate_tests import candidates
 from pyhrg.gap.catalogue import Effect
+from pyhrg.gap.channel_noise import ChannelNoise
 from pyhrg.gap.design import Design, Evidence, Group, design, response_power, tempered
 from pyhrg.gap.diagnosis import NextTest
-from pyhrg.gap.equivalents import ALIKE, equivalents
 from pyhrg.gap.evidence import Fit
 from pyhrg.gap.hypothesis import FIDELITY
+from pyhrg.gap.noise_divergence import divergence
 from pyhrg.gap.observations import CHANNELS, COARSE_STEP, Observed, observed
+from pyhrg.gap.rivals import Rival
 from pyhrg.gap.secants import secants
 from pyhrg.gap.simulation import Simulation
 from pyhrg.gap.unknown import coordinates
+from pyhrg.gap.whitening import SlowNoise
 from pyhrg.units import HOUR
 
 Array = NDArray[np.float64]
-Hypothesis = Mapping[Group, Array]
-"""Sizes by group, per unit of its columns."""
+Sizes = Mapping[Group, Array]
+"""By group, per unit of its columns."""
 
-MOST = 4
-"""Rivals that are looked at."""
 TOLD = 2
 """Pairs that are spoken of."""
 SEEN = 1.0
@@ -56,7 +58,7 @@ class Separation:
 
 
 def suggested(
-    simulation: Simulation, found: Attribution, hypotheses: Sequence[Fit]
+    simulation: Simulation, found: Attribution, hypotheses: Sequence[Rival]
 ) -> NextTest | None:
     """The kind that would best separate hypotheses; None where there are no two, or none would.
 
@@ -84,51 +86,39 @@ def _hours(kind: Separation, pairs: Sequence[tuple[int, int]]) -> float:
     return math.ceil(10 * (SURE / least) ** 2) / 10
 
 
-def rivals(found: Attribution, effects: Sequence[Effect]) -> list[Fit]:
-    """Hypotheses that survive: the most probable set, and those as likely in which something else
-    stands in the place of a group; a group more or less is no rival.
-
-    Args:
-        found: what the tests say.
-        effects: of the catalogue.
-    """
-    best, ranked = found.ranked.best, found.ranked
-    least = ranked.probabilities[0] * math.exp(-ALIKE)
-    near = [f for f, p in zip(ranked.fits, ranked.probabilities, strict=True) if p > least]
-    for group in best.groups:
-        if isinstance(group, Effect):
-            near += equivalents(found.design, best, group, effects).values()
-    own = set(best.groups)
-    others = {
-        frozenset(fit.groups): fit
-        for fit in near
-        if not own <= set(fit.groups) and not set(fit.groups) <= own
-    }
-    return [best, *list(others.values())[:MOST]]
-
-
 def separations(
     simulation: Simulation,
     found: Attribution,
-    hypotheses: Sequence[Fit],
+    hypotheses: Sequence[Rival],
     duration: float = HOUR,
 ) -> list[Separation]:
     """What this much time, s, of each kind of test would do, in the order of `candidates`; other
     arguments as `suggested`."""
-    foretold = [_foretold(fit) for fit in hypotheses]
+    foretold = [_foretold(each.fit) for each in hypotheses]
     groups = list(dict.fromkeys(group for sizes in foretold for group in sizes))
     bench = Bench(simulation.quasi_steady, found.device.without_noise())
     begun = found.parts[0].test.inputs.start_angle
-    old = _information(found.design, groups, found.design)
     kinds = []
     for kind, power_ons in candidates(bench, begun).items():
-        share = duration / sum(power_on.programme.time for power_on in power_ons)
+        times = [power_on.programme.time for power_on in power_ons]
+        share = duration / sum(times)
         tests = [_recorded(bench, power_on) for power_on in power_ons]
         parts = [_expected(simulation, found, test, foretold[0], groups) for test in tests]
-        noise = replace(found.channel_noise, angle=found.noise.noise)
-        whole = tempered(design(parts, noise), FIDELITY * response_power(parts, noise))
-        new = _information(whole, groups, found.design) * share
-        kinds.append(Separation(kind, _parted(foretold, groups, found.design, old, new)))
+        rows = {each.noise.angle: _summed(parts, each.noise) for each in hypotheses}
+        sides = [
+            _Side(
+                sizes,
+                each.noise.angle,
+                _information(each.design, groups, found.design),
+                _information(rows[each.noise.angle], groups, found.design) * share,
+            )
+            for sizes, each in zip(foretold, hypotheses, strict=True)
+        ]
+        sigmas = {
+            (i, j): _parted(a, b, groups, found.design, [(t, share) for t in times])
+            for (i, a), (j, b) in combinations(enumerate(sides), 2)
+        }
+        kinds.append(Separation(kind, sigmas))
     return kinds
 
 
@@ -146,7 +136,7 @@ def _expected(
     simulation: Simulation,
     found: Attribution,
     test: Observed,
-    truth: Hypothesis,
+    truth: Sizes,
     groups: Sequence[Group],
 ) -> Evidence:
     """What would be put together for a test, were it made and this hypothesis the truth."""
@@ -162,41 +152,65 @@ def _expected(
     return Evidence(test, device, answers, response, columns, where, slopes, device.bryan_factor)
 
 
+def _summed(parts: Sequence[Evidence], noise: ChannelNoise) -> Design:
+    return tempered(design(parts, noise), FIDELITY * response_power(parts, noise))
+
+
 def _information(tests: Design, groups: Sequence[Group], unit: Design) -> Array:
     """(p, p) products of the groups' columns in some tests, in units of another design's."""
-    where = np.concatenate([tests.places[group] for group in groups])
-    lengths = tests.lengths[where] / np.concatenate([unit.lengths[unit.places[g]] for g in groups])
+    where = _places(tests, groups)
+    lengths = tests.lengths[where] / unit.lengths[_places(unit, groups)]
     return np.asarray(tests.gram[np.ix_(where, where)] * np.outer(lengths, lengths))
 
 
+def _places(tests: Design, groups: Sequence[Group]) -> NDArray[np.int64]:
+    return np.concatenate([np.empty(0, np.int64), *(tests.places[group] for group in groups)])
+
+
+@dataclass(frozen=True)
+class _Side:
+    """A hypothesis where a kind of test would part it from others.
+
+    noise: of the output angle.
+    old: (p, p) products of all groups' columns in the tests made so far, in deviations of noise.
+    new: the same of the test.
+    """
+
+    sizes: Sizes
+    noise: SlowNoise
+    old: Array
+    new: Array
+
+
 def _parted(
-    hypotheses: Sequence[Hypothesis],
+    one: _Side,
+    other: _Side,
     groups: Sequence[Group],
     unit: Design,
-    old: Array,
-    new: Array,
-) -> dict[tuple[int, int], float]:
-    """Deviations by which new tests part each pair beyond what old ones do, the worse way round."""
+    times: Sequence[tuple[float, float]],
+) -> float:
+    """Deviations by which new tests part two beyond what old ones do, the worse way round.
 
-    def sizes(hypothesis: Hypothesis) -> Array:
-        return np.concatenate(
-            [
-                hypothesis.get(g, np.zeros(len(unit.places[g]))) * unit.lengths[unit.places[g]]
-                for g in groups
-            ]
-        )
+    Args:
+        one, other: the two.
+        groups: that have columns.
+        unit: the design that these count in.
+        times: of each power-on, s, and how often it is made.
+    """
 
-    def free(hypothesis: Hypothesis) -> NDArray[np.bool_]:
-        return np.repeat([g in hypothesis for g in groups], [len(unit.places[g]) for g in groups])
+    def power(truth: _Side, rival: _Side) -> float:
+        away = _sizes(truth.sizes, groups, unit) - _sizes(rival.sizes, groups, unit)
+        fitted = np.array([g in rival.sizes for g in groups for _ in unit.places[g]], np.bool_)
+        both = _left(rival.old + rival.new, away, fitted) - _left(rival.old, away, fitted)
+        return both + 2 * sum(n * divergence(truth.noise, rival.noise, t / HOUR) for t, n in times)
 
-    def power(truth: Hypothesis, rival: Hypothesis) -> float:
-        away, fitted = sizes(truth) - sizes(rival), free(rival)
-        return _left(old + new, away, fitted) - _left(old, away, fitted)
+    return math.sqrt(max(min(power(one, other), power(other, one)), 0.0))
 
-    return {
-        (i, j): math.sqrt(max(min(power(a, b), power(b, a)), 0.0))
-        for (i, a), (j, b) in combinations(enumerate(hypotheses), 2)
-    }
+
+def _sizes(known: Sizes, groups: Sequence[Group], unit: Design) -> Array:
+    """(p,) in lengths of the columns."""
+    each = [known.get(g, np.zeros(len(unit.places[g]))) for g in groups]
+    return np.concatenate([np.empty(0), *each]) * unit.lengths[_places(unit, groups)]
 
 
 def _left(information: Array, away: Array, free: NDArray[np.bool_]) -> float:
@@ -213,7 +227,7 @@ def _confusion(kind: Separation, pairs: Sequence[tuple[int, int]]) -> float:
 
 
 def _why(
-    order: Sequence[Separation], pairs: Sequence[tuple[int, int]], hypotheses: Sequence[Fit]
+    order: Sequence[Separation], pairs: Sequence[tuple[int, int]], hypotheses: Sequence[Rival]
 ) -> str:
     """Of the pairs that the test parts least, and what the next best kind does to them."""
     best, second = order[:2]
@@ -226,13 +240,8 @@ def _why(
     return f"an hour of it tells {'; '.join(told)}"
 
 
-def _words(one: Fit, other: Fit) -> str:
-    def without(mine: Fit, yours: Fit) -> str:
-        names = [
-            group.name if isinstance(group, Effect) else group.words
-            for group in mine.groups
-            if group not in yours.groups
-        ]
-        return " with ".join(names)
+def _words(one: Rival, other: Rival) -> str:
+    def without(mine: Rival, yours: Rival) -> str:
+        return " with ".join(words for words in mine.words if words not in yours.words)
 
     return f"{without(one, other)} from {without(other, one)}"

@@ -1,26 +1,21 @@
 """How long a gyro must stand still before noises that its records leave alike are told apart.
 
-By the divergence of their spectra (P. Whittle, Ark. Mat. 2 (1953)): half the square of the
-deviations by which they part, after the rival has had its own level fitted anew.
+By the divergence of their spectra: half the square of the deviations by which they part, after the
+rival has had its own level fitted anew.
 """
 
 import math
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq, minimize_scalar
 
-from pyhrg.gap.candidate_tests import SLOW
 from pyhrg.gap.catalogue import NOISES
 from pyhrg.gap.diagnosis import NextTest
 from pyhrg.gap.next_test import SURE
+from pyhrg.gap.noise_divergence import divergence
 from pyhrg.gap.noise_levels import PARTS, RANGE
 from pyhrg.gap.noise_search import NoiseFound
 from pyhrg.gap.whitening import SlowNoise
-from pyhrg.units import HOUR
-
-Array = NDArray[np.float64]
 
 SHORTEST, LONGEST = 0.1, 100.0
 """Of a test, hours."""
@@ -97,32 +92,3 @@ def _hours(pair: _Pair) -> float:
         SHORTEST if beyond(SHORTEST) >= 0 else float(brentq(beyond, SHORTEST, LONGEST, xtol=0.1))
     )
     return math.ceil(10 * least) / 10
-
-
-def divergence(truth: SlowNoise, rival: SlowNoise, hours: float) -> float:
-    """Expected logarithm of the likelihoods' ratio after so many hours."""
-    n = round(hours * HOUR / SLOW)
-    angular = 2 * np.pi * np.arange(1, n // 2 + 1) / n
-    ratio = spectrum(truth, SLOW, angular) / spectrum(rival, SLOW, angular)
-    return float((ratio - 1 - np.log(ratio)).sum())
-
-
-def spectrum(noise: SlowNoise, interval: float, angular: Array) -> Array:
-    """(n,) density of the change from reading to reading, whose mean over all angular frequencies
-    is its variance.
-
-    Args:
-        noise: of a reading.
-        interval: between readings, s.
-        angular: (n,) frequencies, rad per reading.
-    """
-    turn = np.cos(angular)
-    steps = 2 - 2 * turn
-    total = noise.white**2 * steps + noise.walk**2 * interval
-    total = total + noise.rate_walk**2 * interval**3 / steps
-    states = noise.states
-    for lag, adds, density in zip(states.lags, states.rates, states.densities, strict=True):
-        kept = math.exp(-interval / lag)
-        power = density * lag / 2 * (1 - kept**2) / (1 + kept**2 - 2 * kept * turn)
-        total = total + power * (interval**2 if adds else steps)
-    return np.asarray(total)

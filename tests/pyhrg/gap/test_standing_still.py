@@ -5,11 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from pyhrg.gap.candidate_tests import SLOW
 from pyhrg.gap.catalogue import NOISES
 from pyhrg.gap.noise_draws import drawn
 from pyhrg.gap.noise_levels import AngleRecord
 from pyhrg.gap.noise_search import NoiseFound, noise_found, told_apart
-from pyhrg.gap.standing_still import SLOW, spectrum, standing_still
+from pyhrg.gap.standing_still import standing_still
 from pyhrg.gap.whitening import SlowNoise
 from pyhrg.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR
 
@@ -26,21 +27,6 @@ def recorded(noise: SlowNoise, hours: float, seed: int) -> AngleRecord:
 
 def found(records: list[AngleRecord]) -> NoiseFound:
     return told_apart(noise_found(records, BELIEVED), records, BELIEVED)
-
-
-@pytest.mark.parametrize("noise", [BELIEVED, WALKING, FLICKERING])
-def test_spectrum_is_that_of_draws(noise: SlowNoise) -> None:
-    """To four deviations of 60 periodograms; the slowest lags stay within a window's leakage."""
-    n, draws = 2048, 60
-    generator = np.random.default_rng(1)
-    window = np.hanning(n)
-    steps = [np.diff(drawn(noise, n + 1, SLOW, generator)) for _ in range(draws)]
-    power = np.mean([np.abs(np.fft.rfft(s * window)) ** 2 for s in steps], axis=0)
-    angular = 2 * np.pi * np.arange(1, n // 2 + 1) / n
-    ratio = (power[1:] / (window**2).sum() / spectrum(noise, SLOW, angular))[4:-1]
-    octaves = np.array_split(ratio, 16)
-    for octave in octaves:
-        assert octave.mean() == pytest.approx(1, abs=4 * np.sqrt(2 / (draws * len(octave))) + 0.02)
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@ with what was found, and the search is done again around it, in sizes that still
 believed gyro.
 """
 
+import math
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -15,8 +16,8 @@ from pyhrg.device import Device
 from pyhrg.fmu import GyroError
 from pyhrg.gap.catalogue import WHOLE, Catalogue, Effect
 from pyhrg.gap.channel_noise import ChannelNoise, angle_noise
-from pyhrg.gap.design import Design, Evidence, Group
-from pyhrg.gap.hypothesis import FIDELITY, Hypothesis, ranked_under
+from pyhrg.gap.design import Design, Evidence, Group, response_power
+from pyhrg.gap.hypothesis import Hypothesis, noise_as_believed, ranked_under
 from pyhrg.gap.noise_levels import alike
 from pyhrg.gap.noise_search import NoiseFound
 from pyhrg.gap.observations import Observed
@@ -27,7 +28,7 @@ from pyhrg.gap.weighing import Weighed, weighed
 
 Array = NDArray[np.float64]
 
-ROUNDS = 10
+ROUNDS = 20
 SETTLED = 0.1
 """Move of the gyro, in deviations of the noise, that is none."""
 CLOSE = 30.0
@@ -39,7 +40,13 @@ FAR = 10.0
 HALVINGS = 8
 """Of a move to a gyro that the FMU refuses."""
 LINEAR = 1e-3
-"""Share of a move's power that may be left because effects are not linear."""
+"""Share of a move's power that may be left because effects are not linear: what is yet to be moved
+the first time, what was moved last from then on."""
+EASED = 4.0
+"""By which that comes down from round to round at least: what takes turns at explaining is told
+apart by all that the records say."""
+LITTLE = 1.0
+"""Of it, in deviations of the noise squared, that is none."""
 
 
 @dataclass(frozen=True)
@@ -147,8 +154,7 @@ class _Approach:
         self._fresh: Collection[Effect] = catalogue.effects
         self._taken = believed
         self._simulated: Device | None = None
-        self._share = LINEAR
-        self._is_close = False
+        self._leftover = self._most_left = math.inf
         self._heard: tuple[Group, ...] | None = None
         self.device = believed
         self.noise = NoiseFound(angle_noise(believed), ())
@@ -199,13 +205,15 @@ class _Approach:
 
     def searched(self) -> Hypothesis:
         """What explains the residuals; noises weighed anew where the sets have changed."""
-        hypothesis = ranked_under(self.noise, self._believed, self.parts, self._share)
-        if self._share > FIDELITY and self.step(hypothesis) < CLOSE:
-            self._share = FIDELITY
+        if self._leftover == math.inf:
+            noise = noise_as_believed(self._believed, self.parts)
+            self._ease(LINEAR * sum(response_power(self.parts, noise).values()))
+        hypothesis = ranked_under(self.noise, self._believed, self.parts, self._leftover)
+        if self._leftover and self.step(hypothesis) < CLOSE:
             hypothesis = ranked_under(self.noise, self._believed, self.parts)
-        if self._share == FIDELITY and self.step(hypothesis) < CLOSE:
-            self._is_close = True
-        if not self._is_close:
+        is_close = not self._leftover or self.step(hypothesis) < CLOSE
+        self._ease(0.0 if is_close else LINEAR * self.step(hypothesis) ** 2)
+        if not is_close:
             self.weighed = Weighed((hypothesis,), (1.0,))
         elif hypothesis.ranked.best.groups == self._heard:
             self.weighed = self.weighed.anew(hypothesis)
@@ -213,6 +221,12 @@ class _Approach:
             self.weighed = weighed(hypothesis, self._believed, self.parts, self._catalogue.noises)
             self._heard = self.weighed.best.ranked.best.groups
         return self.weighed.best
+
+    def _ease(self, leftover: float) -> None:
+        """Take this for what a linear search leaves, as far as it has come down."""
+        least = min(leftover, self._most_left)
+        self._leftover = least if least > LITTLE else 0.0
+        self._most_left = least / EASED
 
     def step(self, hypothesis: Hypothesis) -> float:
         """How far a hypothesis moves the gyro, in deviations of the noise."""

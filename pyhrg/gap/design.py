@@ -17,22 +17,29 @@ from pyhrg.gap.whitening import Whitened, whitened
 
 Array = NDArray[np.float64]
 Group = Effect | Element
+Where = tuple[str, str]
+"""Test and channel."""
 
 
 @dataclass(frozen=True)
 class Block:
     """One channel of one test.
 
-    gram: (q, q) products of whitened columns: effects, elements of the channel, residual.
+    columns: (q - 1,) the design's columns that take part.
+    gram: (q, q) products of these, whitened, and of the residual.
     rows: that were compared.
     log_determinant: of the noise's covariance.
+    wrong: power that simulation and linear equations may get wrong, in deviations of the noise
+        squared: it counts as noise.
     """
 
     test: str
     channel: str
+    columns: NDArray[np.int64]
     gram: Array
     rows: int
     log_determinant: float
+    wrong: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -45,8 +52,6 @@ class Design:
     places: columns of each group.
     lengths: (p,) norms of the columns before, in deviations of the noise per unit of the column.
     blocks: what each channel of each test adds.
-    wrong: power that simulation and linear equations may get wrong, in deviations of the noise
-        squared.
     """
 
     gram: Array
@@ -55,13 +60,12 @@ class Design:
     places: Mapping[Group, NDArray[np.int64]]
     lengths: Array
     blocks: tuple[Block, ...]
-    wrong: float = 0.0
 
     @property
     def log_likelihood(self) -> float:
         """Of the residual if nothing explained it, but for a constant."""
-        log_determinant = sum(block.log_determinant for block in self.blocks)
-        return -(self.power + log_determinant / (1 + self.wrong)) / 2
+        log_determinant = sum(b.log_determinant / (1 + b.wrong) for b in self.blocks)
+        return -(self.power + log_determinant) / 2
 
     @property
     def groups(self) -> list[Group]:
@@ -123,7 +127,6 @@ def design(parts: Sequence[Evidence], noise: ChannelNoise, jumps: Sequence[Jump]
     count = _placed(places, effects, [e.size for e in effects], 0)
     own: dict[str, NDArray[np.int64]] = {}
     blocks = []
-    grams: list[tuple[NDArray[np.int64], Array]] = []
     shared = np.arange(count)
     for channel in CHANNELS:
         for index, part in enumerate(parts):
@@ -135,10 +138,9 @@ def design(parts: Sequence[Evidence], noise: ChannelNoise, jumps: Sequence[Jump]
                     places, [e for e, _ in found], [b.shape[1] for _, b in found], count
                 )
                 own[channel] = np.arange(begin, count)
-            block = _block(part, channel, [b for _, b in found], noise)
-            blocks.append(block)
-            grams.append((np.concatenate([shared, own[channel]]), block.gram))
-    return _assembled(grams, count, places, tuple(blocks))
+            columns = np.concatenate([shared, own[channel]])
+            blocks.append(_block(part, channel, columns, [b for _, b in found], noise))
+    return _assembled(places, blocks)
 
 
 def _placed(
@@ -153,7 +155,13 @@ def _placed(
     return count
 
 
-def _block(part: Evidence, channel: str, found: Sequence[Array], noise: ChannelNoise) -> Block:
+def _block(
+    part: Evidence,
+    channel: str,
+    columns: NDArray[np.int64],
+    found: Sequence[Array],
+    noise: ChannelNoise,
+) -> Block:
     rows = part.test.rows[channel]
     responses = part.at_measured_angle(
         part.responses(channel), part.responses("gyro_angle"), channel
@@ -161,7 +169,8 @@ def _block(part: Evidence, channel: str, found: Sequence[Array], noise: ChannelN
     series = np.column_stack([responses[:, :-1], *found, responses[:, -1]])
     white = _white(part, channel, series, noise)
     gram = white.series.T @ white.series
-    return Block(part.test.test.id, channel, gram, int(rows.sum()), white.log_determinant)
+    name = part.test.test.id
+    return Block(name, channel, columns, gram, int(rows.sum()), white.log_determinant)
 
 
 def _white(part: Evidence, channel: str, series: Array, noise: ChannelNoise) -> Whitened:
@@ -171,51 +180,43 @@ def _white(part: Evidence, channel: str, series: Array, noise: ChannelNoise) -> 
     return whitened(series[rows], steps, noise.of(channel, part.test))
 
 
-def _assembled(
-    grams: Sequence[tuple[NDArray[np.int64], Array]],
-    count: int,
-    places: Mapping[Group, NDArray[np.int64]],
-    blocks: tuple[Block, ...],
-) -> Design:
+def _assembled(places: Mapping[Group, NDArray[np.int64]], blocks: Sequence[Block]) -> Design:
+    count = sum(map(len, places.values()))
     total, pull, power = np.zeros((count, count)), np.zeros(count), 0.0
-    for where, gram in grams:
-        total[np.ix_(where, where)] += gram[:-1, :-1]
-        pull[where] += gram[:-1, -1]
+    for block in blocks:
+        gram = block.gram / (1 + block.wrong)
+        total[np.ix_(block.columns, block.columns)] += gram[:-1, :-1]
+        pull[block.columns] += gram[:-1, -1]
         power += float(gram[-1, -1])
     lengths = np.sqrt(np.diag(total))
     lengths[lengths < VISIBLE] = 0.0
     unit = np.divide(1.0, lengths, out=np.zeros(count), where=lengths > 0)
-    return Design(total * np.outer(unit, unit), pull * unit, power, places, lengths, blocks)
+    gram = total * np.outer(unit, unit)
+    return Design(gram, pull * unit, power, places, lengths, tuple(blocks))
 
 
-def tempered(whole: Design, wrong: float) -> Design:
+def tempered(whole: Design, wrong: Mapping[Where, float]) -> Design:
     """The same equations where this power, in deviations of the noise squared, counts as noise:
     what simulation and linear equations leave of a large response."""
-    root = float(np.sqrt(1 + wrong))
-    return replace(
-        whole,
-        pull=whole.pull / root,
-        power=whole.power / root**2,
-        lengths=whole.lengths / root,
-        wrong=wrong,
-    )
+    blocks = [replace(b, wrong=wrong.get((b.test, b.channel), 0.0)) for b in whole.blocks]
+    return _assembled(whole.places, blocks)
 
 
-def response_power(parts: Sequence[Evidence], noise: ChannelNoise) -> float:
+def response_power(parts: Sequence[Evidence], noise: ChannelNoise) -> dict[Where, float]:
     """What the residual has beyond its rows, in deviations of the noise squared.
 
     Args:
         parts: of each test.
         noise: of all channels.
     """
-    beyond = 0.0
+    beyond = {}
     for channel in CHANNELS:
         for part in parts:
             own, angle = (part.residual[name][:, None] for name in (channel, "gyro_angle"))
             left = part.at_measured_angle(own, angle, channel)
             white = _white(part, channel, left, noise).series
-            beyond += float((white**2).sum()) - len(white)
-    return max(beyond, 0.0)
+            beyond[part.test.test.id, channel] = max(float((white**2).sum()) - len(white), 0.0)
+    return beyond
 
 
 VISIBLE = 1e-9

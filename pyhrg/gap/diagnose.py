@@ -98,7 +98,7 @@ def diagnosed(
     say("closing")
     ordered = (*fitted, *(t for t in tests if t.test.is_holdout))
     before, after = _left(simulation, found, closed, ordered)
-    rest = unsteady(_rest(found), found.design.wrong)
+    rest = unsteady(_rest(found), {(b.test, b.channel): b.wrong for b in found.design.blocks})
     say("verifying, and looking for the next test")
     return Diagnosed(
         Diagnosis(

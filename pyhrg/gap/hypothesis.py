@@ -1,6 +1,6 @@
 """Sets of effects, ranked under a noise of the output angle."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from pyhrg.device import Device
 from pyhrg.gap.catalogue import Effect
 from pyhrg.gap.channel_noise import ChannelNoise, believed_noise
-from pyhrg.gap.design import Design, Evidence, design, response_power, tempered
+from pyhrg.gap.design import Design, Evidence, Where, design, response_power, tempered
 from pyhrg.gap.jump_search import jumps
 from pyhrg.gap.noise_levels import AngleRecord
 from pyhrg.gap.noise_search import NoiseFound
@@ -19,9 +19,9 @@ from pyhrg.gap.unknown import Element
 
 Array = NDArray[np.float64]
 
-FIDELITY = 1e-8
-"""Share of a response's power that a simulation gets wrong: simulators of one physics that were
-written apart agree to 1e-4."""
+FIDELITY = 1e-10
+"""Share of the power of a response in one channel of one test that a simulation gets wrong:
+simulators of one physics that were written apart agree to 1e-5."""
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,7 @@ class Hypothesis:
 
 
 def ranked_under(
-    noise: NoiseFound, believed: Device, parts: Sequence[Evidence], share: float = FIDELITY
+    noise: NoiseFound, believed: Device, parts: Sequence[Evidence], leftover: float = 0.0
 ) -> Hypothesis:
     """Sets under one noise; with jumps unless what is left may be a linear search's.
 
@@ -90,23 +90,35 @@ def ranked_under(
         noise: of the output angle.
         believed: the gyro before the diagnosis.
         parts: of each test.
-        share: of the response's power, in deviations of the believed noise squared, that
-            simulation and linear equations get wrong: the same for every noise.
+        leftover: power that linear equations may get wrong, in deviations of the believed noise
+            squared.
     """
-    tests, residuals = [p.test for p in parts], [p.residual for p in parts]
-    as_believed = believed_noise(believed, tests, residuals)
-    power = response_power(parts, as_believed)
+    as_believed = noise_as_believed(believed, parts)
+    wrong = allowed(response_power(parts, as_believed))
     channels = replace(as_believed, angle=noise.noise)
     exact = design(parts, channels)
-    found = ranked(tempered(exact, share * power))
-    if share > FIDELITY:
-        return Hypothesis(noise, channels, tempered(exact, FIDELITY * power), found)
+    near = tempered(exact, wrong)
+    if leftover:
+        far = tempered(exact, {where: leftover + power for where, power in wrong.items()})
+        return Hypothesis(noise, channels, near, ranked(far))
+    found = ranked(near)
     taken = unlike(found.best.sizes, found.best.named)
     left = [remainders(parts, one, channels, believed, ("gyro_angle",)) for one in taken]
     if jumped := {jump for each in left for jump in jumps(each)}:
         exact = design(parts, channels, sorted(jumped, key=lambda jump: jump.words))
-        found = ranked(tempered(exact, share * power))
-    return Hypothesis(noise, channels, tempered(exact, share * power), found)
+        near = tempered(exact, wrong)
+        found = ranked(near)
+    return Hypothesis(noise, channels, near, found)
+
+
+def noise_as_believed(believed: Device, parts: Sequence[Evidence]) -> ChannelNoise:
+    """Of all channels, before any noise is found."""
+    return believed_noise(believed, [p.test for p in parts], [p.residual for p in parts])
+
+
+def allowed(response: Mapping[Where, float]) -> dict[Where, float]:
+    """Power that a simulation may get wrong, the same for every noise, of that of a response."""
+    return {where: FIDELITY * power for where, power in response.items()}
 
 
 def angles_left(

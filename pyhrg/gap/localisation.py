@@ -104,7 +104,7 @@ def _first(
         beyond = {e: power - len(candidates[e]) for e, power in powers.items()}
         most = max(beyond.values(), default=0.0)
         if most >= least:
-            best = next(e for e in beyond if beyond[e] > most - ALIKE)
+            best = next(e for e in beyond if beyond[e] >= most - ALIKE)
             return best, powers[best], _sizes(total, candidates[best])
     return None
 

@@ -24,7 +24,7 @@ from pyhrg.gap.channel_noise import ChannelNoise
 from pyhrg.gap.design import Design, Evidence, Group, design, response_power, tempered
 from pyhrg.gap.diagnosis import NextTest
 from pyhrg.gap.evidence import Fit
-from pyhrg.gap.hypothesis import FIDELITY
+from pyhrg.gap.hypothesis import allowed
 from pyhrg.gap.noise_divergence import divergence
 from pyhrg.gap.observations import CHANNELS, COARSE_STEP, Observed, observed
 from pyhrg.gap.rivals import Rival
@@ -153,7 +153,7 @@ def _expected(
 
 
 def _summed(parts: Sequence[Evidence], noise: ChannelNoise) -> Design:
-    return tempered(design(parts, noise), FIDELITY * response_power(parts, noise))
+    return tempered(design(parts, noise), allowed(response_power(parts, noise)))
 
 
 def _information(tests: Design, groups: Sequence[Group], unit: Design) -> Array:

@@ -20,7 +20,7 @@ TRIED = 24
 """Groups by which a set is extended."""
 BEAM = 10
 """Best sets that are extended, and reduced."""
-MOST = 6
+MOST = 12
 """Groups in a set."""
 NAMED_ODDS = 0.25
 """Prior odds that some effect of the catalogue takes part."""

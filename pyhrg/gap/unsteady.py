@@ -3,7 +3,7 @@ of a test whose noise is another. No coordinate of a test foretells either.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import expit, logsumexp
 
+from pyhrg.gap.design import Where
 from pyhrg.gap.evidence import log_evidence
 from pyhrg.gap.remainder import Remainder
 
@@ -51,7 +52,9 @@ class Unsteady:
         return float(expit(self.log_odds))
 
 
-def unsteady(remainders: Sequence[Remainder], wrong: float = 0.0) -> tuple[Unsteady, ...]:
+def unsteady(
+    remainders: Sequence[Remainder], wrong: Mapping[Where, float] | None = None
+) -> tuple[Unsteady, ...]:
     """The likeliest line and the likeliest stretch, each by itself, there or not.
 
     Args:
@@ -59,6 +62,7 @@ def unsteady(remainders: Sequence[Remainder], wrong: float = 0.0) -> tuple[Unste
             nothing.
         wrong: power that the simulation may get wrong, in deviations of the noise squared.
     """
+    wrong = wrong or {}
     telling = [r for r in remainders if len(r.values) >= 2 * SHORTEST and r.values.any()]
     alternatives = [list(_lines(telling, wrong)), list(_stretches(telling, wrong))]
     return tuple(_likeliest(found) for found in alternatives if found)
@@ -71,7 +75,7 @@ def _likeliest(alternatives: Sequence[Unsteady]) -> Unsteady:
     return Unsteady(best.words, every - math.log(len(alternatives)) + math.log(ODDS))
 
 
-def _lines(remainders: Sequence[Remainder], wrong: float) -> Iterator[Unsteady]:
+def _lines(remainders: Sequence[Remainder], wrong: Mapping[Where, float]) -> Iterator[Unsteady]:
     """A frequency of a channel, in one test alone or in all tests of one row length."""
     kinds = sorted(remainders, key=lambda r: (r.channel, r.interval))
     for (channel, interval), group in groupby(kinds, key=lambda r: (r.channel, r.interval)):
@@ -80,13 +84,16 @@ def _lines(remainders: Sequence[Remainder], wrong: float) -> Iterator[Unsteady]:
         spans = [int(row[-1]) + 1 for row in rows]
         size = 1 << math.ceil(math.log2(PADDING * max(spans)))
         slowest = [math.ceil(CYCLES * size / span) for span in spans]
-        powers = [_spectrum(*each, size) for each in zip(those, rows, slowest, strict=True)]
+        powers = [
+            _spectrum(r, own, first, size) / (1 + wrong.get((r.test, channel), 0.0))
+            for r, own, first in zip(those, rows, slowest, strict=True)
+        ]
         sets = [([k], power) for k, power in enumerate(powers)]
         if len(those) > 1:
             sets.append((list(range(len(those))), np.sum(powers, axis=0)))
         for tests, power in sets:
             first = min(slowest[k] for k in tests)
-            score = log_evidence(power[first:-1] / (1 + wrong), 2 * len(tests))
+            score = log_evidence(power[first:-1], 2 * len(tests))
             period = size * interval / (first + int(np.argmax(score)))
             where = those[tests[0]].test if len(tests) == 1 else f"{len(tests)} tests"
             yield Unsteady(
@@ -106,16 +113,17 @@ def _spectrum(r: Remainder, rows: NDArray[np.int64], slowest: int, size: int) ->
     return np.asarray(power)
 
 
-def _stretches(remainders: Sequence[Remainder], wrong: float) -> Iterator[Unsteady]:
+def _stretches(remainders: Sequence[Remainder], wrong: Mapping[Where, float]) -> Iterator[Unsteady]:
     """Halves of a test, quarters, and so on, each beside the level of the whole test."""
     for r in remainders:
+        own = 1 + wrong.get((r.test, r.channel), 0.0)
         for rows in BLOCKS:
             count = len(r.white) // rows
             if count < 2 * SHORTEST:
                 break
             readings = r.white[: count * rows].reshape(count, rows).sum(axis=1)
             squares = readings**2 / np.mean(readings**2)
-            worth = GAUSSIAN / max(float(np.var(squares)), GAUSSIAN) / (1 + wrong)
+            worth = GAUSSIAN / max(float(np.var(squares)), GAUSSIAN) / own
             summed = np.concatenate([[0.0], np.cumsum(squares)])
             length = count // 2
             while length >= SHORTEST:

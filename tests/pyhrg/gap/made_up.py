@@ -28,7 +28,8 @@ def design_of(
     lengths = np.linalg.norm(all_columns, axis=0)
     unit = all_columns / lengths
     both = np.column_stack([all_columns, residual])
-    block = Block("test", channel, both.T @ both, len(residual), 0.0)
+    columns = np.arange(both.shape[1] - 1)
+    block = Block("test", channel, columns, both.T @ both, len(residual), 0.0)
     return Design(
         unit.T @ unit, unit.T @ residual, float(residual @ residual), places, lengths, (block,)
     )

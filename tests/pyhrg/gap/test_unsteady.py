@@ -24,7 +24,7 @@ def found(series: list[Array], noise: SlowNoise = WHITE, wrong: float = 0.0) -> 
         Remainder(f"t{i}", "gyro_angle", x, np.ones(len(x)), 1.0, noise)
         for i, x in enumerate(series)
     ]
-    return list(unsteady(rest, wrong))
+    return list(unsteady(rest, {(r.test, r.channel): wrong for r in rest}))
 
 
 def steady(seed: int) -> list[Array]:

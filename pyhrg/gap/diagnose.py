@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from pyhrg.campaign import Campaign, CampaignError
 from pyhrg.device import Device
+from pyhrg.fmu import GyroError
 from pyhrg.gap.attribution import Attribution, attributed
 from pyhrg.gap.catalogue import WHOLE, Catalogue, NoiseEffect
 from pyhrg.gap.channel_noise import ChannelNoise, angle_noise
@@ -31,6 +32,7 @@ from pyhrg.gap.rivals import rivals
 from pyhrg.gap.simulation import Answers, Simulation, added
 from pyhrg.gap.soundness import sound
 from pyhrg.gap.standing_still import standing_still
+from pyhrg.gap.unstated_noise import with_noise
 from pyhrg.gap.unsteady import unsteady
 
 Array = NDArray[np.float64]
@@ -88,16 +90,18 @@ def diagnosed(
     believed = believed_device(usable)
     told = [test for test in usable.tests if tells_start(test.log)]
     excluded += tuple(NO_START.format(test.id) for test in usable.tests if test not in told)
+    to_fit = [observed(test, believed) for test in told if not test.is_holdout]
+    if not to_fit:
+        raise CampaignError("; ".join(["no test can be fitted to", *excluded]))
+    believed, notes = with_noise(simulation, believed, to_fit)
+    excluded += notes
     tests = [steady(simulation, believed, observed(test, believed)) for test in told]
     fitted = [t for t in tests if not t.test.is_holdout]
-    if not fitted:
-        raise CampaignError("; ".join(["no test can be fitted to", *excluded]))
     found = attributed(simulation, believed, fitted, catalogue, say)
     found = found.with_noises(partial(_noise, found, fitted, catalogue.noises))
-    closed = closed_device(found)
     say("closing")
     ordered = (*fitted, *(t for t in tests if t.test.is_holdout))
-    before, after = _left(simulation, found, closed, ordered)
+    closed, before, after = _closed(simulation, found, ordered)
     rest = unsteady(_rest(found), {(b.test, b.channel): b.wrong for b in found.design.blocks})
     say("verifying, and looking for the next test")
     return Diagnosed(
@@ -134,6 +138,20 @@ def _noise(
         left = angles_left(found.parts, found.ranked.best.sizes, found.channel_noise, believed)
         noise = told_apart(noise, left, angle_noise(believed), noises)
     return counted(noise, tests, believed.angle_quantum, noises)
+
+
+def _closed(
+    simulation: Simulation, found: Attribution, tests: Sequence[Observed]
+) -> tuple[Device, tuple[Residuals, ...], tuple[Residuals, ...]]:
+    """The gyro with what was found, and residuals before and after; a search that did not come to
+    rest may end at a gyro that the FMU refuses: then it is the last that could be simulated."""
+    closed = closed_device(found)
+    try:
+        return closed, *_left(simulation, found, closed, tests)
+    except GyroError:
+        if found.settled:
+            raise
+        return found.device, *_left(simulation, found, found.device, tests)
 
 
 def _left(

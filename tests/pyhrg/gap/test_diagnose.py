@@ -20,7 +20,7 @@ from pyhrg.gap.diagnose import Diagnosed, diagnosed
 from pyhrg.gap.observations import Observed, observed
 from pyhrg.gap.simulation import Simulation
 from pyhrg.records import Log
-from pyhrg.units import DEG
+from pyhrg.units import DEG, HZ
 from tests.pyhrg.gap.bench import recorded
 from tests.pyhrg.gap.soundness.conftest import BELIEVED
 from tests.pyhrg.gap.soundness.spoil import Change, at, removed, spoilt
@@ -108,6 +108,34 @@ def test_what_a_linear_search_leaves_of_a_large_effect_has_no_name(simulation: S
     given = recorded(simulation.sampled, true, power_ons=power_ons)
     found = diagnosed_few(simulation, given).diagnosis
     assert [cause.effect for cause in found.causes] == ["phase_temperature"]
+
+
+MANY = {
+    "frequency_split": 0.8e-3 * HZ,
+    "damping_anisotropy": 1e-6,
+    "pickoff_gain_mismatch": 4e-4,
+    "pickoff_nonorthogonality": 3e-4,
+    "drive_gain_mismatch": -3e-4,
+    "drive_nonorthogonality": 4e-4,
+    "phase_error": 1e-3,
+}
+"""A gyro as it comes, by field of a device."""
+MANY_NAMES = [name.replace("phase_error", "demodulation_phase_error") for name in MANY]
+
+
+def test_of_many_effects_at_once_the_small_ones_are_found_beside_the_large(
+    simulation: Simulation,
+) -> None:
+    ideal = replace(BELIEVED, frequency_split=0.0, damping_anisotropy=0.0)
+    given = recorded(simulation.sampled, replace(ideal, **MANY), ideal)
+    few = [EFFECTS[name] for name in (*MANY_NAMES, "drive_frame_rotation", "loop_delay")]
+    found = diagnosed(given, simulation, Catalogue(tuple(few)))
+    assert found.diagnosis.settled
+    assert found.diagnosis.verdict == "explained"
+    assert {cause.effect for cause in found.diagnosis.causes} == set(MANY_NAMES)
+    gap = found.diagnosis.gap.holdout_angle_arcsec
+    assert gap is not None
+    assert gap.after < gap.floor_95[1] < gap.before / 100
 
 
 def test_backwards_in_time_no_effect_explains(simulation: Simulation) -> None:

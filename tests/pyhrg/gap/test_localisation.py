@@ -42,6 +42,12 @@ def test_a_planted_coordinate_is_found() -> None:
     assert sigmas == pytest.approx(whole, rel=0.05)
 
 
+def test_a_residual_beyond_all_noise_is_placed() -> None:
+    """1e9 deviations: beside their square, small differences of power are lost to rounding."""
+    places = located(design_of(COLUMNS, noise() + 1e9 * TIME**2))
+    assert places[0].coordinate == "rate"
+
+
 def test_what_follows_no_coordinate_is_noise() -> None:
     places = located(design_of(COLUMNS, 2 * noise()))
     assert [place.coordinate for place in places] == ["noise"]

@@ -22,6 +22,7 @@ KINDS = {
     "pairs": (150, "with two"),
     "outside": (150, "with an effect that the catalogue does not have"),
     "weak": (0, f"with one effect below {LEAST:g} sigma, for the curve against strength"),
+    "several": (0, "with three to seven effects, up to ten times as strong"),
     "left-out": (0, "with an effect that is taken out of the catalogue, each in turn"),
 }
 """Options, each with its default and what it counts."""

@@ -17,6 +17,8 @@ SCHEMA = "hrg-challenge/1"
 STRONG = (LEAST, 10 * LEAST)
 WEAK = (1.0, LEAST)
 """Ranges of strengths, sigmas."""
+VARIED = 10.0
+"""Of the strongest of several effects over that of one: a gyro as it comes has large and small."""
 
 
 class ChallengeError(Exception):
@@ -49,11 +51,16 @@ class Settings:
                 name=f"unit-{place:04d}",
                 kind=kinds[i],
                 seed=int(seed),
-                strengths=WEAK if kinds[i] == "weak" else (LEAST, self.strongest),
+                strengths=self._strengths(kinds[i]),
                 without=(effects[i],) if i in effects else (),
             )
             for place, (i, seed) in enumerate(zip(order, seeds.tolist(), strict=True), 1)
         ]
+
+    def _strengths(self, kind: str) -> tuple[float, float]:
+        if kind == "weak":
+            return WEAK
+        return LEAST, self.strongest * (VARIED if kind == "several" else 1.0)
 
 
 @dataclass(frozen=True)

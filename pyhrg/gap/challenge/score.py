@@ -49,7 +49,7 @@ def figures(cases: Sequence[Judged], seed: int) -> list[Figure]:
     for case in cases:
         by_kind.setdefault(case.truth.kind, []).append(case)
     none, outside, left_out = (by_kind.get(kind, []) for kind in ("none", "outside", "left_out"))
-    single, pair = by_kind.get("single", []), by_kind.get("pair", [])
+    single, pair, several = (by_kind.get(kind, []) for kind in ("single", "pair", "several"))
     known = single + pair
     strong = none + known + outside
     ratios = [ratio for ratio in map(after_over_noise, known) if ratio is not None]
@@ -58,6 +58,7 @@ def figures(cases: Sequence[Judged], seed: int) -> list[Figure]:
         _share("false alarm without a gap", none, is_alarm, "at most", 0.02),
         _share("single: right effect or its class", single, is_right, "at least", 0.95),
         _share("pair: right effects or their classes", pair, is_right, "at least", 0.90),
+        _share("several: right effects or their classes", several, is_right, "at least", 0.90),
         _share("outside: recognised", outside, is_unexplained, "at least", 0.85),
         _share("outside: blamed on a named effect", outside, is_blamed, "at most", 0.10),
         _share("left out: none of these, or a stand-in", left_out, is_owned, "at least", 0.85),

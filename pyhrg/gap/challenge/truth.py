@@ -18,11 +18,18 @@ from pyhrg.gap.challenge.gyro import Disturbance
 from pyhrg.gap.challenge.meter import Meter, noise_put
 
 Array = NDArray[np.float64]
-KINDS = ("none", "single", "pair", "outside", "weak", "left_out")
+KINDS = ("none", "single", "pair", "outside", "weak", "left_out", "several")
 """`weak` is a single effect below what a diagnosis is held to; `left_out` one that its catalogue
 then lacks."""
-COUNTS = {"none": 0, "single": 1, "weak": 1, "left_out": 1, "pair": 2}
-"""Effects of the catalogue in each."""
+COUNTS = {
+    "none": (0, 0),
+    "single": (1, 1),
+    "weak": (1, 1),
+    "left_out": (1, 1),
+    "pair": (2, 2),
+    "several": (3, 7),
+}
+"""Effects of the catalogue in each, at least and at most."""
 TRIES = 100
 LEAST = 6.0
 """Sigmas from which a diagnosis is held to find a gap."""
@@ -100,7 +107,9 @@ class Drawing:
 
     def _inside(self, kind: str) -> TrueState | None:
         """A truth of the catalogue's effects; None where the tests can't show them as drawn."""
-        names = self.generator.choice(self.effects, size=COUNTS[kind], replace=False).tolist()
+        least, most = COUNTS[kind]
+        count = least if least == most else int(self.generator.integers(least, most + 1))
+        names = self.generator.choice(self.effects, size=count, replace=False).tolist()
         state = self._with(kind, names)
         if state is None or kind != "left_out":
             return state

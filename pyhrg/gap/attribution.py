@@ -120,7 +120,7 @@ def attributed(
         say(f"round {round_}: moved by {approach.step(hypothesis):.3g} deviations")
         settled = approach.settles(hypothesis)
         approach.noise = hypothesis.noise
-        if settled:
+        if settled or round_ == ROUNDS:
             break
         approach.move(hypothesis)
     return Attribution(
@@ -219,7 +219,8 @@ class _Approach:
             self.weighed = self.weighed.anew(hypothesis)
         else:
             self.weighed = weighed(hypothesis, self._believed, self.parts, self._catalogue.noises)
-            self._heard = self.weighed.best.ranked.best.groups
+            is_near = self.step(hypothesis) < CLOSE
+            self._heard = self.weighed.best.ranked.best.groups if is_near else None
         return self.weighed.best
 
     def _ease(self, leftover: float) -> None:

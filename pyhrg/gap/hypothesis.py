@@ -117,7 +117,7 @@ def noise_as_believed(believed: Device, parts: Sequence[Evidence]) -> ChannelNoi
 
 
 def allowed(response: Mapping[Where, float]) -> dict[Where, float]:
-    """Power that a simulation may get wrong, the same for every noise, of that of a response."""
+    """Power that a simulation may get wrong of that of a response."""
     return {where: FIDELITY * power for where, power in response.items()}
 
 

@@ -3,8 +3,8 @@
 A test that is yet to be made parts two hypotheses by so many deviations of the rival's noise, after
 the rival has had its own sizes fitted anew, to old and new tests together: what it could imitate
 does not count. Half the square is the expected divergence (W. J. Hunter, A. M. Reiner,
-Technometrics 7 (1965)); where their noises are others, the divergence of these is added. Kinds are
-compared by an hour.
+Technometrics 7 (1965)); where their noises are others, the divergence of these is added, at the
+levels that each hypothesis has. Kinds are compared by an hour.
 """
 
 import math
@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from scipy.special import logsumexp
 
 from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.programme import Programme
 from pyhrg.gap.attribution import Attribution
 from pyhrg.gap.candidate_tests import candidates
 from pyhrg.gap.catalogue import Effect
@@ -100,8 +101,8 @@ def separations(
     begun = found.parts[0].test.inputs.start_angle
     kinds = []
     for kind, power_ons in candidates(bench, begun).items():
-        times = [power_on.programme.time for power_on in power_ons]
-        share = duration / sum(times)
+        courses = [power_on.programme for power_on in power_ons]
+        share = duration / sum(course.time for course in courses)
         tests = [_recorded(bench, power_on) for power_on in power_ons]
         parts = [_expected(simulation, found, test, foretold[0], groups) for test in tests]
         rows = {each.noise.angle: _summed(parts, each.noise) for each in hypotheses}
@@ -115,7 +116,7 @@ def separations(
             for sizes, each in zip(foretold, hypotheses, strict=True)
         ]
         sigmas = {
-            (i, j): _parted(a, b, groups, found.design, [(t, share) for t in times])
+            (i, j): _parted(a, b, groups, found.design, share * _divergent(a, b, courses))
             for (i, a), (j, b) in combinations(enumerate(sides), 2)
         }
         kinds.append(Separation(kind, sigmas))
@@ -187,7 +188,7 @@ def _parted(
     other: _Side,
     groups: Sequence[Group],
     unit: Design,
-    times: Sequence[tuple[float, float]],
+    divergences: Array,
 ) -> float:
     """Deviations by which new tests part two beyond what old ones do, the worse way round.
 
@@ -195,16 +196,23 @@ def _parted(
         one, other: the two.
         groups: that have columns.
         unit: the design that these count in.
-        times: of each power-on, s, and how often it is made.
+        divergences: (2,) of their noises in the new tests, whichever is the truth.
     """
 
-    def power(truth: _Side, rival: _Side) -> float:
+    def power(truth: _Side, rival: _Side, divergence: float) -> float:
         away = _sizes(truth.sizes, groups, unit) - _sizes(rival.sizes, groups, unit)
         fitted = np.array([g in rival.sizes for g in groups for _ in unit.places[g]], np.bool_)
-        both = _left(rival.old + rival.new, away, fitted) - _left(rival.old, away, fitted)
-        return both + 2 * sum(n * divergence(truth.noise, rival.noise, t / HOUR) for t, n in times)
+        left = _left(rival.old + rival.new, away, fitted) - _left(rival.old, away, fitted)
+        return left + 2 * divergence
 
-    return math.sqrt(max(min(power(one, other), power(other, one)), 0.0))
+    there, back = divergences
+    return math.sqrt(max(min(power(one, other, there), power(other, one, back)), 0.0))
+
+
+def _divergent(one: _Side, other: _Side, courses: Sequence[Programme]) -> Array:
+    """(2,) of their noises in some power-ons, whichever is the truth."""
+    both = [(one.noise, other.noise), (other.noise, one.noise)]
+    return np.array([sum(divergence(*pair, c.time, c.interval) for c in courses) for pair in both])
 
 
 def _sizes(known: Sizes, groups: Sequence[Group], unit: Design) -> Array:

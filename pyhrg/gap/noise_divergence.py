@@ -7,17 +7,25 @@ from numpy.typing import NDArray
 
 from pyhrg.gap.candidate_tests import SLOW
 from pyhrg.gap.whitening import SlowNoise
-from pyhrg.units import HOUR
 
 Array = NDArray[np.float64]
 
 
-def divergence(truth: SlowNoise, rival: SlowNoise, hours: float) -> float:
-    """Expected logarithm of the likelihoods' ratio after so many hours of one power-on, at which
-    walks start from nothing: at the frequencies of such a walk's own modes."""
-    n = round(hours * HOUR / SLOW)
+def divergence(
+    truth: SlowNoise, rival: SlowNoise, duration: float, interval: float = SLOW
+) -> float:
+    """Expected logarithm of the likelihoods' ratio after one power-on, at which walks start from
+    nothing: at the frequencies of such a walk's own modes.
+
+    Args:
+        truth: the noise that there is.
+        rival: the one that is believed in.
+        duration: of the power-on, s.
+        interval: of its rows, s.
+    """
+    n = round(duration / interval)
     angular = np.pi * (2 * np.arange(n) + 1) / (2 * n + 1)
-    ratio = spectrum(truth, SLOW, angular) / spectrum(rival, SLOW, angular)
+    ratio = spectrum(truth, interval, angular) / spectrum(rival, interval, angular)
     return float((ratio - 1 - np.log(ratio)).sum()) / 2
 
 

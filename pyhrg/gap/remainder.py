@@ -15,6 +15,7 @@ from pyhrg.gap.design import Evidence, Group
 from pyhrg.gap.jump import Jump
 from pyhrg.gap.observations import CHANNELS, Mask
 from pyhrg.gap.whitening import SlowNoise, whitened
+from pyhrg.records import Log
 
 Array = NDArray[np.float64]
 Taken = Mapping[Group, Array]
@@ -70,7 +71,7 @@ def remainders(
             values = part.at_measured_angle(left, turned, channel)[:, 0]
             rows = part.test.rows[channel]
             if channel == "gyro_angle":
-                rows = rows & _is_nominal(part, believed)
+                rows = rows & is_nominal(part.test.log, believed)
             steps = np.diff(part.test.log.time[rows], prepend=0.0)
             own = noise.of(channel, part.test)
             name, interval = part.test.test.id, part.test.log.interval
@@ -110,7 +111,7 @@ def _left(part: Evidence, taken: Taken, channel: str, tests: int, index: int) ->
     return left
 
 
-def _is_nominal(part: Evidence, believed: Device) -> Mask:
-    log = part.test.log
+def is_nominal(log: Log, believed: Device) -> Mask:
+    """(n,) rows in which the drive holds the nominal amplitude."""
     near = np.abs(log.amplitude_setpoint - believed.amplitude) < NOMINAL * believed.amplitude
     return np.asarray(near & (log.drive_on > 0))

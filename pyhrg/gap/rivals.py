@@ -3,7 +3,7 @@ the output angle."""
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from pyhrg.gap.attribution import Attribution
 from pyhrg.gap.catalogue import Effect
@@ -40,7 +40,8 @@ class Rival:
 
 def rivals(found: Attribution, effects: Sequence[Effect]) -> list[Rival]:
     """The most probable hypothesis, and those as likely in which something else stands in the place
-    of an effect or element, a noise for one; one more or less is no rival.
+    of an effect or element, or an effect of a noise's or the other way round; one more or less is
+    no rival.
 
     Args:
         found: what the tests say.
@@ -70,5 +71,4 @@ def rivals(found: Attribution, effects: Sequence[Effect]) -> list[Rival]:
 def rival(hypothesis: Hypothesis, fit: Fit) -> Rival:
     """One set under the noise of a hypothesis."""
     noises = tuple(added.effect.name for added in hypothesis.noise.added)
-    noise = replace(hypothesis.channel_noise, angle=hypothesis.noise.noise)
-    return Rival(fit, noise, noises, hypothesis.design)
+    return Rival(fit, hypothesis.channel_noise, noises, hypothesis.design)

@@ -16,6 +16,7 @@ from pyhrg.gap.noise_divergence import divergence
 from pyhrg.gap.noise_levels import PARTS, RANGE
 from pyhrg.gap.noise_search import NoiseFound
 from pyhrg.gap.whitening import SlowNoise
+from pyhrg.units import HOUR
 
 SHORTEST, LONGEST = 0.1, 100.0
 """Of a test, hours."""
@@ -76,7 +77,7 @@ def _nearest(
         return without.at(part, level)
 
     bounds = (math.log(RANGE[0]), math.log(RANGE[1]))
-    best = minimize_scalar(lambda x: divergence(truth, rival(x), hours), bounds=bounds)
+    best = minimize_scalar(lambda x: divergence(truth, rival(x), hours * HOUR), bounds=bounds)
     return rival(float(best.x)), float(best.fun)
 
 

@@ -1,8 +1,7 @@
 """Noise of the output angle where none is stated: that of the gyro's own records at rest."""
 
-import math
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import groupby
 
 import numpy as np
@@ -12,28 +11,27 @@ from scipy.optimize import minimize
 from pyhrg.campaign import INDEX, CampaignError
 from pyhrg.device import Device
 from pyhrg.gap.channel_noise import LEAST_ANGLE
-from pyhrg.gap.noise_levels import AngleRecord, log_likelihood
-from pyhrg.gap.observations import SLOW, Observed
+from pyhrg.gap.observations import COMMANDS, Observed
+from pyhrg.gap.remainder import is_nominal
 from pyhrg.gap.simulation import Simulation
-from pyhrg.gap.whitening import SlowNoise
+from pyhrg.gap.whitening import SlowNoise, whitened
 from pyhrg.units import ARCSEC, DEG_PER_SQRT_H
 
 Array = NDArray[np.float64]
 
-FEW = 60
-"""Rows at rest below which they tell nothing."""
+SHORTEST, LEAST = 60, 600
+"""Rows of a stretch, and of all together."""
+STILL = 1e-4
+"""Rate of a table that rests, rad/s."""
 TREND = 2
-"""Degree of the drift that is taken out of a stretch: what a gap leaves of it."""
-LONG_AGO = 1e6
-"""Before a stretch, s: where the angle stood at its beginning is not known."""
+"""Degree of the drift of a stretch, which any gap may make."""
 NOTE = (
     "nominal: states no noise of the output angle: {:.3g} arcsec of white noise and "
     "{:.3g} deg/sqrt(h) of angle random walk are taken from the records at rest"
 )
-
 NO_NOISE = (
-    f"{INDEX}: nominal: states no noise of the output angle, and no log shows it in {FEW} rows at "
-    "rest; expected angle_random_walk_deg_sqrt_h or angle_white_noise_arcsec, or a test at rest"
+    f"{INDEX}: nominal: states no noise of the output angle, and logs have {{}} rows at rest; "
+    f"expected angle_random_walk_deg_sqrt_h or angle_white_noise_arcsec, or {LEAST} rows at rest"
 )
 
 
@@ -42,8 +40,9 @@ def with_noise(
 ) -> tuple[Device, tuple[str, ...]]:
     """A gyro with the angle's noise, and a sentence where it had to be taken from records.
 
-    White noise and angle random walk are the likeliest in the stretches at rest, the simulation and
-    a drift taken out of each; of tests that are nothing but rest, if there are any.
+    White noise and angle random walk are the likeliest in all stretches in which the table rests,
+    at one temperature and under the same commands, without rotation and at nominal amplitude; what
+    the simulation answers and any drift are taken out of each, and integrated out.
 
     Args:
         simulation: both fidelities.
@@ -51,7 +50,7 @@ def with_noise(
         tests: of the gyro.
 
     Raises:
-        CampaignError: nothing is stated, and nothing rests.
+        CampaignError: nothing is stated, and too little rests.
         GyroError: a gyro that the FMU refuses.
     """
     stated = (
@@ -63,43 +62,68 @@ def with_noise(
     )
     if any(stated):
         return believed, ()
-    static = [test for test in tests if test.test.kind == "static"]
-    left = [
-        (test, test.log.gyro_angle - simulation.answers(believed, test)["gyro_angle"])
-        for test in static or tests
-    ]
-    records = [record for test, angle in left for record in _at_rest(test, angle)]
-    if not records:
-        raise CampaignError(NO_NOISE)
-    white, walk = _likeliest(records)
+    found = [s for test in tests for s in _at_rest(simulation, believed, test)]
+    rows = sum(len(stretch.steps) for stretch in found)
+    if rows < LEAST:
+        raise CampaignError(NO_NOISE.format(rows))
+    white, walk = _likeliest(found)
     note = NOTE.format(white / ARCSEC, walk / DEG_PER_SQRT_H)
     return replace(believed, pickoff_noise=white, angle_random_walk=walk), (note,)
 
 
-def _at_rest(test: Observed, left: Array) -> Iterator[AngleRecord]:
-    """What is left of the angle, (n,) rad, where loops and table are at rest."""
+@dataclass(frozen=True)
+class _Stretch:
+    """Rows at rest.
+
+    series: (n, 2 + TREND) what is left of the angle, rad, and the powers of time of a drift.
+    steps: (n,) time from the reading before, s.
+    """
+
+    series: Array
+    steps: Array
+
+    def log_likelihood(self, noise: SlowNoise) -> float:
+        """Under a noise, whatever the drift, but for a constant."""
+        white = whitened(self.series, self.steps, noise)
+        columns, triangle = np.linalg.qr(white.series[:, 1:])
+        left = white.series[:, 0] - columns @ (columns.T @ white.series[:, 0])
+        drift = 2 * float(np.log(np.abs(np.diag(triangle))).sum())
+        return -(float(left @ left) + white.log_determinant + drift) / 2
+
+
+def _at_rest(simulation: Simulation, believed: Device, test: Observed) -> Iterator[_Stretch]:
     log, rates = test.log, np.abs(test.inputs.rates)
-    quiet = test.rows["frequency_offset"] & (np.maximum(rates[1:], rates[:-1]) < SLOW)
-    quiet &= log.drive_on > 0
-    for is_quiet, group in groupby(range(len(quiet)), key=lambda i: bool(quiet[i])):
+    still = test.rows["gyro_angle"] & is_nominal(log, believed)
+    still &= (np.maximum(rates[1:], rates[:-1]) < STILL) & (log.virtual_rotation == 0)
+    if not still.any() or np.ptp(test.inputs.temperatures) > 0:
+        return
+    left = log.gyro_angle - simulation.answers(believed, test)["gyro_angle"]
+    commands = np.column_stack([getattr(log, name) for name in COMMANDS])
+    for (rests, *_), group in groupby(
+        range(len(still)), key=lambda i: (bool(still[i]), *commands[i].tolist())
+    ):
         rows = list(group)
-        if is_quiet and len(rows) >= FEW:
-            time, angle = log.time[rows], left[rows]
-            drift = np.polynomial.Polynomial.fit(time, angle, TREND)
-            steps = np.diff(time, prepend=time[0] - LONG_AGO)
-            yield AngleRecord(angle - drift(time), steps)
+        if rests and len(rows) >= SHORTEST:
+            time = np.linspace(-1.0, 1.0, len(rows))
+            series = np.column_stack([left[rows], np.vander(time, TREND + 1)])
+            yield _Stretch(
+                series, np.diff(log.time[rows], prepend=log.time[rows[0]] - log.interval)
+            )
 
 
-def _likeliest(records: Sequence[AngleRecord]) -> tuple[float, float]:
+def _likeliest(stretches: Sequence[_Stretch]) -> tuple[float, float]:
     """White noise, rad, and angle random walk, rad/sqrt(s)."""
-    typical = float(np.median([np.std(np.diff(record.angle)) for record in records]))
-    step = float(np.median(np.concatenate([record.steps for record in records])))
-    scale = max(typical, LEAST_ANGLE)
+    changes = [np.diff(stretch.series[:, 0]) for stretch in stretches]
+    scale = max(float(np.median([np.std(change) for change in changes])), LEAST_ANGLE)
+    root = float(np.sqrt(np.median(np.concatenate([stretch.steps for stretch in stretches]))))
 
-    def misfit(logarithms: tuple[float, float]) -> float:
-        white, walk = (scale * math.exp(x) for x in logarithms)
-        return -log_likelihood(records, SlowNoise(white, walk / math.sqrt(step)))
+    def noise(logarithms: Array) -> SlowNoise:
+        white, walk = scale * np.exp(logarithms)
+        return SlowNoise(float(white), float(walk / root))
 
-    found = minimize(misfit, (-1.0, -1.0), method="Nelder-Mead", bounds=[(-7.0, 3.0)] * 2)
-    white, walk = (scale * math.exp(x) for x in found.x)
-    return white, walk / math.sqrt(step)
+    def misfit(logarithms: Array) -> float:
+        return -sum(stretch.log_likelihood(noise(logarithms)) for stretch in stretches)
+
+    found = minimize(misfit, np.full(2, -1.0), method="Nelder-Mead", bounds=[(-7.0, 3.0)] * 2)
+    best = noise(found.x)
+    return best.white, best.walk

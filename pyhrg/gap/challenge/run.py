@@ -127,7 +127,7 @@ def _generate(challenge: Challenge, case: Case) -> str:
         return seal.hash_of(truth)
     try:
         made, answer = generated(case, _fmus(), challenge.strength)
-    except GyroError as error:
+    except (ValueError, GyroError) as error:
         raise ChallengeError(f"{case.name}: {error}") from error
     with replaced_folder(campaign) as aside:
         campaigns.write(made, aside)

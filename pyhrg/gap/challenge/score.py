@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import pairwise, permutations
 
 from pyhrg.device_keys import KEYS
 from pyhrg.gap.catalogue import EFFECTS
@@ -120,11 +120,9 @@ def is_right(case: Judged) -> bool:
 
 
 def _matched(held: Sequence[Sequence[bool]]) -> bool:
-    """Whether rows can each have a column of their own: of one, or of two."""
-    if len(held) == 1:
-        return held[0][0]
-    (a, b), (c, d) = held
-    return (a and d) or (b and c)
+    """Whether rows can each have a column of their own."""
+    orders = permutations(range(len(held)))
+    return any(all(row[i] for row, i in zip(held, order, strict=True)) for order in orders)
 
 
 def is_owned(case: Judged) -> bool:

@@ -138,6 +138,17 @@ def test_of_many_effects_at_once_the_small_ones_are_found_beside_the_large(
     assert gap.after < gap.floor_95[1] < gap.before / 100
 
 
+def test_a_search_that_is_ended_is_left_where_the_gyro_was_simulated(
+    simulation: Simulation, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("pyhrg.gap.attribution.ROUNDS", 1)
+    true = replace(BELIEVED, drive_gain_mismatch=1e-3)
+    tests = [observed(test, BELIEVED) for test in tiny(simulation, true).tests]
+    found = attributed(simulation, BELIEVED, tests, Catalogue(FEW))
+    assert not found.settled
+    assert all(part.device is found.device for part in found.parts)
+
+
 def test_backwards_in_time_no_effect_explains(simulation: Simulation) -> None:
     """The residual of an effect, reversed: something is there that no name explains."""
     true = replace(BELIEVED, drive_gain_mismatch=1e-3)

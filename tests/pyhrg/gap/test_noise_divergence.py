@@ -32,15 +32,19 @@ def test_spectrum_is_that_of_draws(noise: SlowNoise) -> None:
         assert octave.mean() == pytest.approx(1, abs=4 * np.sqrt(2 / (draws * len(octave))) + 0.02)
 
 
+@pytest.mark.parametrize("interval", [SLOW, 1.0, 0.1])
 @pytest.mark.parametrize("rival", [WALKING, replace(BELIEVED, walk=1.2 * BELIEVED.walk)])
-def test_divergence_is_what_likelihoods_of_draws_differ_by(rival: SlowNoise) -> None:
-    """In the mean over 200 hours, to four of its deviations."""
-    hours, n = 1.0, round(HOUR / SLOW)
+def test_divergence_is_what_likelihoods_of_draws_differ_by(
+    rival: SlowNoise, interval: float
+) -> None:
+    """In the mean over 200 records of 360 rows, to four of its deviations."""
+    n = 360
     generator = np.random.default_rng(2)
     gained = []
     for _ in range(200):
-        record = AngleRecord(drawn(BELIEVED, n, SLOW, generator), np.full(n, SLOW))
+        record = AngleRecord(drawn(BELIEVED, n, interval, generator), np.full(n, interval))
         own, other = (log_likelihood([record], noise) for noise in (BELIEVED, rival))
         gained.append(own - other)
     error = np.std(gained) / np.sqrt(len(gained))
-    assert np.mean(gained) == pytest.approx(divergence(BELIEVED, rival, hours), abs=4 * error + 0.5)
+    expected = divergence(BELIEVED, rival, n * interval, interval)
+    assert np.mean(gained) == pytest.approx(expected, abs=4 * error + 0.5)

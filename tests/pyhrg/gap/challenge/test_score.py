@@ -68,6 +68,13 @@ def test_a_pair_needs_a_class_for_each(causes: tuple[Cause, ...], right: bool) -
     assert score.is_right(judged(truth, said(*causes))) is right
 
 
+@pytest.mark.parametrize(("third", "right"), [("loop_delay", True), (DAMPING, False)])
+def test_each_of_several_needs_a_class(third: str, right: bool) -> None:
+    truth = Truth("several", (GAIN, DAMPING, "loop_delay"), {}, (8.0, 70.0, 500.0))
+    causes = (Cause(DAMPING, 0.9, equivalents=(GAIN,)), Cause(GAIN, 0.9), Cause(third, 0.9))
+    assert score.is_right(judged(truth, said(*causes))) is right
+
+
 @pytest.mark.parametrize(
     ("value", "low", "high", "covered"),
     [(89.5, -1.0, 1.0, True), (89.5, 89.0, 91.0, True), (45.0, -1.0, 1.0, False)],

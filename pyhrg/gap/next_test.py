@@ -4,7 +4,7 @@ A test that is yet to be made parts two hypotheses by so many deviations of the 
 the rival has had its own sizes fitted anew, to old and new tests together: what it could imitate
 does not count. Half the square is the expected divergence (W. J. Hunter, A. M. Reiner,
 Technometrics 7 (1965)); where their noises are others, the divergence of these is added, at the
-levels that each hypothesis has. Kinds are compared by an hour.
+levels that each hypothesis has. The kind that settles all in the fewest hours is suggested.
 """
 
 import math
@@ -38,6 +38,8 @@ from pyhrg.units import HOUR
 Array = NDArray[np.float64]
 Sizes = Mapping[Group, Array]
 """By group, per unit of its columns."""
+Pair = tuple[int, int]
+"""Places of two hypotheses."""
 
 TOLD = 2
 """Pairs that are spoken of."""
@@ -55,13 +57,13 @@ class Separation:
     """
 
     kind: str
-    sigmas: Mapping[tuple[int, int], float]
+    sigmas: Mapping[Pair, float]
 
 
 def suggested(
     simulation: Simulation, found: Attribution, hypotheses: Sequence[Rival]
 ) -> NextTest | None:
-    """The kind that would best separate hypotheses; None where there are no two, or none would.
+    """The kind that would soonest separate hypotheses; None where there are no two, or none would.
 
     Args:
         simulation: both fidelities.
@@ -77,11 +79,16 @@ def suggested(
     pairs = [pair for pair in kinds[0].sigmas if max(k.sigmas[pair] for k in kinds) > SEEN]
     if not pairs:
         return None
-    order = sorted(kinds, key=lambda kind: _confusion(kind, pairs))
+    order = soonest(kinds, pairs)
     return NextTest(order[0].kind, _why(order, pairs, hypotheses), _hours(order[0], pairs))
 
 
-def _hours(kind: Separation, pairs: Sequence[tuple[int, int]]) -> float:
+def soonest(kinds: Sequence[Separation], pairs: Sequence[Pair]) -> list[Separation]:
+    """Kinds in order of the hours that they part all pairs in, then of how well they do in one."""
+    return sorted(kinds, key=lambda kind: (_hours(kind, pairs), _confusion(kind, pairs)))
+
+
+def _hours(kind: Separation, pairs: Sequence[Pair]) -> float:
     """Hours in which a kind of test parts the pairs that it sees by `SURE`."""
     least = min(max(kind.sigmas[pair], SEEN) for pair in pairs)
     return math.ceil(10 * (SURE / least) ** 2) / 10
@@ -228,15 +235,13 @@ def _left(information: Array, away: Array, free: NDArray[np.bool_]) -> float:
     return float(away @ pull - pull[free] @ np.linalg.pinv(own, hermitian=True) @ pull[free])
 
 
-def _confusion(kind: Separation, pairs: Sequence[tuple[int, int]]) -> float:
+def _confusion(kind: Separation, pairs: Sequence[Pair]) -> float:
     """Logarithm of a bound on the share of wrong choices after an hour (A. Bhattacharyya, Bull.
     Calcutta Math. Soc. 35 (1943)), hypotheses alike before."""
     return float(logsumexp([-(kind.sigmas[pair] ** 2) / 8 for pair in pairs]))
 
 
-def _why(
-    order: Sequence[Separation], pairs: Sequence[tuple[int, int]], hypotheses: Sequence[Rival]
-) -> str:
+def _why(order: Sequence[Separation], pairs: Sequence[Pair], hypotheses: Sequence[Rival]) -> str:
     """Of the pairs that the test parts least, and what the next best kind does to them."""
     best, second = order[:2]
     hardest = sorted(pairs, key=lambda pair: best.sigmas[pair])[:TOLD]

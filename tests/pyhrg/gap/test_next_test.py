@@ -17,7 +17,7 @@ from pyhrg.gap.candidate_tests import candidates
 from pyhrg.gap.catalogue import EFFECTS, Catalogue, Effect
 from pyhrg.gap.design import Evidence, design
 from pyhrg.gap.evidence import fit
-from pyhrg.gap.next_test import SURE, separations, suggested
+from pyhrg.gap.next_test import SURE, Separation, separations, soonest, suggested
 from pyhrg.gap.noise_draws import drawn
 from pyhrg.gap.observations import Observed, observed
 from pyhrg.gap.rivals import Rival, rival, rivals
@@ -136,6 +136,14 @@ def test_what_a_rival_can_imitate_by_other_sizes_counts_for_nothing(
     nested = [alone(found, names[0]), alone(found, *names)]
     assert max(s.sigmas[0, 1] for s in separations(simulation, found, nested)) < 0.01
     assert suggested(simulation, found, nested) is None
+
+
+def test_a_test_that_parts_all_comes_before_one_that_parts_some_better() -> None:
+    some = Separation("static", {(0, 1): 100.0, (0, 2): 0.5, (1, 2): 100.0})
+    all_three = Separation("tumble", {(0, 1): 3.0, (0, 2): 4.0, (1, 2): 5.0})
+    neither = Separation("thermal", {(0, 1): 0.9, (0, 2): 0.5, (1, 2): 0.0})
+    order = soonest([neither, some, all_three], list(some.sigmas))
+    assert [kind.kind for kind in order] == ["tumble", "static", "thermal"]
 
 
 def test_one_hypothesis_needs_no_test(simulation: Simulation, static: Static) -> None:

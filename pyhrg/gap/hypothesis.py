@@ -15,6 +15,7 @@ from pyhrg.gap.noise_levels import AngleRecord
 from pyhrg.gap.noise_search import NoiseFound
 from pyhrg.gap.remainder import Taken, remainders, unlike
 from pyhrg.gap.search import Ranked, ranked
+from pyhrg.gap.step_search import steps
 from pyhrg.gap.unknown import Element
 
 Array = NDArray[np.float64]
@@ -104,7 +105,7 @@ def ranked_under(
     found = ranked(near)
     taken = unlike(found.best.sizes, found.best.named)
     left = [remainders(parts, one, channels, believed, ("gyro_angle",)) for one in taken]
-    if jumped := {jump for each in left for jump in jumps(each)}:
+    if jumped := {jump for each in left for jump in (*jumps(each), *steps(each))}:
         exact = design(parts, channels, sorted(jumped, key=lambda jump: jump.words))
         near = tempered(exact, wrong)
         found = ranked(near)

@@ -1,4 +1,4 @@
-"""A bias that jumps at a moment of a test which no coordinate foretells."""
+"""A bias or an angle that jumps at a moment of a test which no coordinate foretells."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -13,14 +13,16 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Jump(Element):
-    """In one test, or in each of several.
+    """In one test, or in several.
 
     times: since power-on, s, by test.
     log_odds: prior, that jumps are there and then.
+    of_angle: at once, as of counts that were lost, and not from then on.
     """
 
     times: tuple[tuple[str, float], ...] = ()
     log_odds: float = 0.0
+    of_angle: bool = False
 
     @property
     def foretells(self) -> bool:
@@ -31,16 +33,26 @@ class Jump(Element):
         """(n, k) of a test, one for each jump."""
         test = where.test
         there = np.array([float(test.test.id == name) for name, _ in self.times])
-        return there * after(test.log.time, np.array([t for _, t in self.times]))
+        moved = since if self.of_angle else after
+        return there * moved(test.log.time, np.array([t for _, t in self.times]))
 
 
 def jump(times: Sequence[tuple[str, float]], log_odds: float) -> Jump:
-    """One with its words; arguments as the class has them."""
-    (test, time), *others = times
-    where = f"at {time:.0f} s in {test}"
-    many = f"{where}, and in {len(others)} other test{'s' if len(others) > 1 else ''}"
-    words = f"bias: a jump {many if others else where}"
+    """Of the bias, with its words; arguments as the class has them."""
+    others = len(times) - 1
+    more = f", and in {others} other test{'s' if others > 1 else ''}" if others else ""
+    words = f"bias: a jump {_where(*times[0])}{more}"
     return Jump("gyro_angle", "time", words, None, tuple(times), log_odds)
+
+
+def step(times: Sequence[tuple[str, float]], log_odds: float) -> Jump:
+    """Of the angle, with its words; arguments as the class has them."""
+    words = f"angle: a step {'; '.join(_where(*time) for time in times)}"
+    return Jump("gyro_angle", "time", words, None, tuple(times), log_odds, of_angle=True)
+
+
+def _where(test: str, time: float) -> str:
+    return f"at {time:.6g} s in {test}"
 
 
 def after(rows: Array, times: Array) -> Array:
@@ -51,3 +63,9 @@ def after(rows: Array, times: Array) -> Array:
         times: (k,) of the jumps, s.
     """
     return np.asarray(np.maximum(rows[:, None] - times, 0.0))
+
+
+def since(rows: Array, times: Array) -> Array:
+    """(n, k) output angle after steps of it by one; arguments as `after`, rows at the steps are
+    behind them."""
+    return np.asarray((rows[:, None] >= times).astype(np.float64))

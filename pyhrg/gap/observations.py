@@ -81,7 +81,7 @@ def observed(test: Test, believed: Device) -> Observed:
     log = test.log
     inputs = replayable(log, believed)
     moved = [np.ptp(getattr(log, name)) > 0 for name in STEPS]
-    loops_move = log.interval < FINE or any(moved) or bool(_jolts(inputs).any())
+    loops_move = log.interval < FINE or any(moved) or bool(jolts(inputs).any())
     coarse = COARSE_STEPS * min(COARSE_STEP, log.interval)
     settled = _settled(log, inputs, max(settling(believed), coarse))
     rows = {}
@@ -97,7 +97,16 @@ def observed(test: Test, believed: Device) -> Observed:
 
 
 def _settled(log: Log, inputs: Replayable, time: float) -> Mask:
-    """(n,) rows that no command or change of the table's motion precedes by less than a time."""
+    """(n,) rows in which loops at rest show what the gyro does."""
+    changed = commanded(log)
+    if log.interval >= FINE:
+        changed |= jolts(inputs)
+        changed |= np.maximum(*np.abs([inputs.rates[1:], inputs.rates[:-1]])) > SLOW
+    return later(log, changed, time)
+
+
+def commanded(log: Log) -> Mask:
+    """(n,) rows in which a command or the attitude changes, and the first."""
     changed = np.zeros(len(log.time), dtype=bool)
     changed[0] = True
     for name in COMMANDS:
@@ -105,14 +114,15 @@ def _settled(log: Log, inputs: Replayable, time: float) -> Mask:
     for axis in "xyz":
         force = getattr(log, f"acceleration_{axis}")
         changed |= np.abs(np.diff(force, prepend=force[0])) > TURNED_OVER
-    if log.interval >= FINE:
-        changed |= _jolts(inputs)
-        changed |= np.maximum(*np.abs([inputs.rates[1:], inputs.rates[:-1]])) > SLOW
-    since = np.where(changed, log.time, -np.inf)
-    last = np.maximum.accumulate(since)
-    return np.asarray(log.time - last >= time)
+    return changed
 
 
-def _jolts(inputs: Replayable) -> Mask:
+def jolts(inputs: Replayable) -> Mask:
     """(n,) rows in which the table's rate changes."""
-    return np.abs(np.diff(inputs.rates)) / inputs.log.interval > STEADY
+    return np.asarray(np.abs(np.diff(inputs.rates)) / inputs.log.interval > STEADY)
+
+
+def later(log: Log, changed: Mask, time: float) -> Mask:
+    """(n,) rows that no change precedes by less than a time, s."""
+    last = np.maximum.accumulate(np.where(changed, log.time, -np.inf))
+    return np.asarray(log.time - last >= time)

@@ -12,6 +12,7 @@ from pyhrg.gap.soundness.attitude import (
     witnesses_of_frequency,
 )
 from pyhrg.gap.soundness.doubt import Believed, Doubt, Witness, has, without
+from pyhrg.gap.soundness.glitches import doubts_of_glitches, doubts_of_temperature_glitches
 from pyhrg.gap.soundness.inputs import InputError, whole
 from pyhrg.gap.soundness.resonator import (
     doubts_of_amplitude,
@@ -64,6 +65,7 @@ def examined(test: Test, believed: Believed) -> Examined | str:
         return f"{test.id}: not used: {error}"
     notes = [f"{log.source}: {note}" for note in log.exclusions]
     doubts = doubts_of_attitude(log, test.kind, believed) + doubts_of_temperature(log, believed)
+    doubts += doubts_of_temperature_glitches(log)
     notes += [doubt.sentence for doubt in doubts]
     try:
         log, filled = whole(without(log, doubts), believed)
@@ -72,6 +74,8 @@ def examined(test: Test, believed: Believed) -> Examined | str:
     angles = doubts_of_angles(log, believed)
     others = doubts_of_amplitude(log) + doubts_of_swapped_forces(log, believed)
     left = without(log, [*angles, *others])
+    strays = doubts_of_glitches(left, believed)
+    left = without(left, strays)
     return Examined(
         replace(test, recording=left),
         frozenset(arrangements(log, believed)),
@@ -81,7 +85,7 @@ def examined(test: Test, believed: Believed) -> Examined | str:
             *witnesses_of_decay_time(left, believed),
             *witnesses_of_frequency(left, believed),
         ),
-        (*notes, *filled, *(doubt.sentence for doubt in (*angles, *others))),
+        (*notes, *filled, *(doubt.sentence for doubt in (*angles, *others, *strays))),
     )
 
 

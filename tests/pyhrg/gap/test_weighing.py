@@ -98,6 +98,17 @@ def test_a_jump_of_the_bias_is_no_walk(seed: int) -> None:
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_step_of_the_angle_is_no_walk(seed: int) -> None:
+    told = found(angle_noise(BELIEVED), seed, 5 * ARCSEC * (TIME > 1234.0))
+    assert told.best.noise.added == ()
+    (group,) = told.best.ranked.best.groups
+    assert isinstance(group, Jump)
+    assert group.of_angle
+    assert group.times == ((f"test-{10 * seed + 1}", 1236.0),)
+    assert told.unknown_probability > 0.99
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
 def test_believed_noise_is_enough(seed: int) -> None:
     told = found(angle_noise(BELIEVED), seed)
     assert told.best.noise.added == ()

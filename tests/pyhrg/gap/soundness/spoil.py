@@ -39,6 +39,10 @@ def shifted(offset: float, field: str) -> Change:
     return lambda log: _with(log, {field: getattr(log, field) + offset})
 
 
+def added(values: Array, field: str) -> Change:
+    return lambda log: _with(log, {field: getattr(log, field) + values})
+
+
 def removed(*fields: str) -> Change:
     return lambda log: _with(log, {field: np.full(len(log.time), np.nan) for field in fields})
 

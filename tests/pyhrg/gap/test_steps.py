@@ -1,0 +1,62 @@
+"""Steps of the angle are found at their rows, a few of them, and not in noise."""
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from pyhrg.gap.jump import since
+from pyhrg.gap.remainder import Remainder
+from pyhrg.gap.step_search import MOST, steps
+from pyhrg.gap.whitening import SlowNoise
+
+Array = NDArray[np.float64]
+
+ROWS = 2000
+TIME = np.arange(1.0, ROWS + 1)
+WALKING = SlowNoise(1.0, walk=0.3)
+NOISES = [WALKING, SlowNoise(1.0), SlowNoise(1.0, walk=0.05, rate_walk=1e-3)]
+SIZE = 12.0
+
+
+def left(
+    seed: int, test: str, times: list[float], noise: SlowNoise = WALKING, louder: float = 1.0
+) -> Remainder:
+    generator = np.random.default_rng(seed)
+    rate = np.cumsum(generator.normal(0.0, noise.rate_walk, ROWS))
+    walk = np.cumsum(generator.normal(0.0, noise.walk, ROWS) + rate)
+    values = louder * (walk + generator.normal(0.0, noise.white, ROWS))
+    values += SIZE * since(TIME, np.array(times)).sum(axis=1)
+    return Remainder(test, "gyro_angle", values, np.ones(ROWS), 1.0, noise)
+
+
+@pytest.mark.parametrize("noise", NOISES)
+@pytest.mark.parametrize("time", [5.0, 1300.0, 1997.0])
+def test_a_step_is_found_at_its_row(noise: SlowNoise, time: float) -> None:
+    (found,) = steps([left(1, "still", [], noise), left(2, "stepped", [time], noise)])
+    assert found.times == (("stepped", time),)
+    assert found.of_angle
+
+
+def test_steps_are_one_explanation() -> None:
+    (found,) = steps([left(1, "first", [300.0, 1500.0]), left(2, "second", [40.0])])
+    assert sorted(found.times) == [("first", 300.0), ("first", 1500.0), ("second", 40.0)]
+    assert found.words.count("in first") == 2
+
+
+def test_noise_makes_no_step() -> None:
+    """In less than one set of records of forty: that many are expected."""
+    assert (
+        sum(bool(steps([left(100 * k + i, f"{i}", []) for i in range(3)])) for k in range(40)) <= 1
+    )
+
+
+def test_many_are_noise() -> None:
+    often = np.linspace(100.0, 1900.0, MOST + 1).round().tolist()
+    assert not steps([left(1, "often", often)])
+    assert not steps([left(1, "loud", [], louder=4.0)])
+
+
+def test_too_little_tells_nothing() -> None:
+    short = Remainder("short", "gyro_angle", np.ones(3), np.ones(3), 1.0, WALKING)
+    assert not steps([short])
+    assert not steps([])

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device import Device
+from pyhrg.gap.coarse_thermometer import reading_step
 from pyhrg.gap.observations import Observed
-from pyhrg.gap.whitening import SlowNoise
+from pyhrg.gap.whitening import Correlated, SlowNoise
 
 Array = NDArray[np.float64]
 
@@ -25,6 +26,8 @@ RESOLVED = {
 }
 """What replays of one gyro with sampled loops and with loops at rest agree to, SI: records without
 noise are compared no closer."""
+LASTING = 3.0
+"""Thermal lags that the error of a coarse thermometer lasts."""
 LEAST_ANGLE = 1e-10
 """Noise of an angle of which none is stated, rad: numbers with eight decimals of a degree."""
 MAD = 1.4826
@@ -38,6 +41,7 @@ class ChannelNoise:
     angle: of the output angle, rad.
     white: standard deviations of a row of the other channels, SI, by field and the row's length, s.
     temperature: of one reading of a test's temperature log, K, by test.
+    reading_step: of these logs, K; 0 where they are finer than their noise.
     per_kelvin: how a channel follows the resonator's temperature, SI/K.
     thermal_lag: s.
     bryan_factor: as believed. Noise that turns a driven pattern is a noise of its amplitude as well
@@ -47,6 +51,7 @@ class ChannelNoise:
     angle: SlowNoise
     white: Mapping[str, Mapping[float, float]]
     temperature: Mapping[str, float]
+    reading_step: float
     per_kelvin: Mapping[str, float]
     thermal_lag: float
     bryan_factor: float
@@ -60,10 +65,18 @@ class ChannelNoise:
         if channel in self.per_kelvin:
             kelvin = self.temperature.get(test.test.id, max(self.temperature.values()))
             lagged = self.per_kelvin[channel] * kelvin * np.sqrt(interval)
-            return SlowNoise(white, lagged=lagged, lag=self.thermal_lag)
+            lasting = self._lasting(self.per_kelvin[channel])
+            return SlowNoise(white, lagged=lagged, lag=self.thermal_lag, correlated=lasting)
         if channel == "amplitude" and not test.log.drive_on.all():
             return SlowNoise(white, walk=2 * self.bryan_factor * self.angle.walk)
         return SlowNoise(white)
+
+    def _lasting(self, per_kelvin: float) -> Correlated | None:
+        """What half a step of the temperature's readings makes of a channel."""
+        if not self.reading_step:
+            return None
+        level = per_kelvin * self.reading_step / 2
+        return Correlated(level, LASTING * self.thermal_lag, of_rate=False)
 
 
 def believed_noise(
@@ -78,8 +91,12 @@ def believed_noise(
         residuals: (n,) by channel, record less simulation, for each test.
     """
     white = {name: _white(name, tests, residuals) for name in RESOLVED}
+    step = reading_step([t.log.temperature for t in tests])
     temperature = {
-        t.test.id: _deviation([_seconds(t.log.temperature, t.rows["temperature"])]) for t in tests
+        t.test.id: max(
+            _deviation([_seconds(t.log.temperature, t.rows["temperature"])]), step / math.sqrt(12)
+        )
+        for t in tests
     }
     per_kelvin = {
         "frequency_offset": abs(believed.frequency * believed.frequency_per_kelvin),
@@ -88,12 +105,13 @@ def believed_noise(
     for channel, slope in per_kelvin.items():
         for interval, deviation in white[channel].items():
             those = [temperature[t.test.id] for t in tests if t.log.interval == interval]
-            step = slope * float(np.median(those)) * interval / believed.thermal_lag
-            white[channel][interval] = _beside(deviation, step, RESOLVED[channel])
+            change = slope * float(np.median(those)) * interval / believed.thermal_lag
+            white[channel][interval] = _beside(deviation, change, RESOLVED[channel])
     return ChannelNoise(
         angle_noise(believed),
         white,
         temperature,
+        step,
         per_kelvin,
         believed.thermal_lag,
         believed.bryan_factor,

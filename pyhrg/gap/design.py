@@ -95,10 +95,11 @@ class Evidence:
     slopes: Mapping[str, Array]
     bryan_factor: float
 
-    def responses(self, channel: str) -> Array:
-        """(n, p + 1) secants of all effects, and the residual."""
+    def responses(self, channel: str, outputs: Sequence[Jump] = ()) -> Array:
+        """(n, p + 1) secants of all effects, jumps of the output alone, and the residual."""
         secants = [s[channel] for s in self.secants.values()]
-        return np.column_stack([*secants, self.residual[channel]])
+        jumped = [(channel == "gyro_angle") * jump.columns(self.where) for jump in outputs]
+        return np.column_stack([*secants, *jumped, self.residual[channel]])
 
     def at_measured_angle(self, series: Array, angles: Array, channel: str) -> Array:
         """Series of a channel where the pattern is as measured, not as simulated: noise that turns
@@ -124,14 +125,17 @@ def design(parts: Sequence[Evidence], noise: ChannelNoise, jumps: Sequence[Jump]
     """
     effects = list(parts[0].secants)
     places: dict[Group, NDArray[np.int64]] = {}
-    count = _placed(places, effects, [e.size for e in effects], 0)
+    outputs = [j for j in jumps if j.kind == "output"]
+    sizes = [*(e.size for e in effects), *(len(j.times) for j in outputs)]
+    count = _placed(places, [*effects, *outputs], sizes, 0)
     own: dict[str, NDArray[np.int64]] = {}
     blocks = []
     shared = np.arange(count)
     for channel in CHANNELS:
         for index, part in enumerate(parts):
             found = unknown.columns(part.where, channel, len(parts), index)
-            found += [(j, j.columns(part.where)) for j in jumps if j.channel == channel]
+            if channel == "gyro_angle":
+                found += [(j, j.columns(part.where)) for j in jumps if j not in outputs]
             if channel not in own:
                 begin = count
                 count = _placed(
@@ -139,7 +143,7 @@ def design(parts: Sequence[Evidence], noise: ChannelNoise, jumps: Sequence[Jump]
                 )
                 own[channel] = np.arange(begin, count)
             columns = np.concatenate([shared, own[channel]])
-            blocks.append(_block(part, channel, columns, [b for _, b in found], noise))
+            blocks.append(_block(part, channel, columns, outputs, [b for _, b in found], noise))
     return _assembled(places, blocks)
 
 
@@ -159,12 +163,13 @@ def _block(
     part: Evidence,
     channel: str,
     columns: NDArray[np.int64],
+    outputs: Sequence[Jump],
     found: Sequence[Array],
     noise: ChannelNoise,
 ) -> Block:
     rows = part.test.rows[channel]
     responses = part.at_measured_angle(
-        part.responses(channel), part.responses("gyro_angle"), channel
+        part.responses(channel, outputs), part.responses("gyro_angle", outputs), channel
     )
     series = np.column_stack([responses[:, :-1], *found, responses[:, -1]])
     white = _white(part, channel, series, noise)

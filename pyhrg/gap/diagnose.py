@@ -189,7 +189,9 @@ def _residuals(
 
 def _rest(found: Attribution) -> list[Remainder]:
     noise = replace(found.channel_noise, angle=found.noise.noise)
-    channels = CHANNELS[1:] if is_rough(found.noise, found.believed) else CHANNELS
+    counted = {"gyro_angle"} if is_rough(found.noise, found.believed) else set()
+    counted |= set(noise.per_kelvin) if noise.reading_step else set()
+    channels = [name for name in CHANNELS if name not in counted]
     return remainders(found.parts, found.ranked.best.sizes, noise, found.believed, channels)
 
 

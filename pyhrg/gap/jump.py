@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,18 +12,23 @@ from pyhrg.gap.unknown import Coordinates, Element
 Array = NDArray[np.float64]
 
 
+Kind = Literal["bias", "pattern", "output"]
+"""What jumps: the bias, from then on; the pattern itself, at once; the output, as of counts that
+were lost, while the pattern stays where it is."""
+
+
 @dataclass(frozen=True)
 class Jump(Element):
     """In one test, or in several.
 
     times: since power-on, s, by test.
     log_odds: prior, that jumps are there and then.
-    of_angle: at once, as of counts that were lost, and not from then on.
+    kind: what jumps.
     """
 
     times: tuple[tuple[str, float], ...] = ()
     log_odds: float = 0.0
-    of_angle: bool = False
+    kind: Kind = "bias"
 
     @property
     def foretells(self) -> bool:
@@ -33,7 +39,7 @@ class Jump(Element):
         """(n, k) of a test, one for each jump."""
         test = where.test
         there = np.array([float(test.test.id == name) for name, _ in self.times])
-        moved = since if self.of_angle else after
+        moved = after if self.kind == "bias" else since
         return there * moved(test.log.time, np.array([t for _, t in self.times]))
 
 
@@ -45,10 +51,11 @@ def jump(times: Sequence[tuple[str, float]], log_odds: float) -> Jump:
     return Jump("gyro_angle", "time", words, None, tuple(times), log_odds)
 
 
-def step(times: Sequence[tuple[str, float]], log_odds: float) -> Jump:
-    """Of the angle, with its words; arguments as the class has them."""
-    words = f"angle: a step {'; '.join(_where(*time) for time in times)}"
-    return Jump("gyro_angle", "time", words, None, tuple(times), log_odds, of_angle=True)
+def step(times: Sequence[tuple[str, float]], log_odds: float, kind: Kind) -> Jump:
+    """Of the pattern or of the output alone, with its words; arguments as the class has them."""
+    what = "pattern" if kind == "pattern" else "output alone"
+    words = f"{what}: a step {'; '.join(_where(*time) for time in times)}"
+    return Jump("gyro_angle", "time", words, None, tuple(times), log_odds, kind)
 
 
 def _where(test: str, time: float) -> str:

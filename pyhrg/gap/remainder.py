@@ -62,10 +62,10 @@ def remainders(
 ) -> list[Remainder]:
     """Of channels, all tests of each; of the output angle while the amplitude is nominal: at a
     smaller one all its noise is larger."""
-    named: Taken = {g: value for g, value in taken.items() if isinstance(g, Effect)}
+    shared: Taken = {g: v for g, v in taken.items() if isinstance(g, Effect) or _is_output(g)}
     found = []
     for index, part in enumerate(parts):
-        turned = _left(part, named, "gyro_angle", 1, 0)[:, None]
+        turned = _left(part, shared, "gyro_angle", 1, 0)[:, None]
         for channel in channels:
             left = _left(part, taken, channel, len(parts), index)[:, None]
             values = part.at_measured_angle(left, turned, channel)[:, 0]
@@ -77,6 +77,11 @@ def remainders(
             name, interval = part.test.test.id, part.test.log.interval
             found.append(Remainder(name, channel, values[rows], steps, interval, own))
     return found
+
+
+def _is_output(group: Group) -> bool:
+    """Whether it moves the output alone, and not the pattern that other channels see."""
+    return isinstance(group, Jump) and group.kind == "output"
 
 
 def unlike(*taken: Taken | Mapping[Effect, Array]) -> list[Taken]:

@@ -35,7 +35,8 @@ class _Seen:
 
 
 def steps(remainders: Sequence[Remainder]) -> list[Jump]:
-    """All steps that are likelier than not, as one; none where they are many.
+    """All steps that are likelier than not, as one of the pattern and one of the output; none where
+    they are many.
 
     Args:
         remainders: of the output angle, all tests.
@@ -48,7 +49,8 @@ def steps(remainders: Sequence[Remainder]) -> list[Jump]:
     found = [seen for r in telling for seen in _standing_out(r, prior)]
     if not 0 < len(found) <= MOST:
         return []
-    return [step([(one.test, one.time) for one in found], len(found) * prior)]
+    times = [(one.test, one.time) for one in found]
+    return [step(times, len(found) * prior, kind) for kind in ("pattern", "output")]
 
 
 def _standing_out(r: Remainder, prior: float) -> Iterator[_Seen]:

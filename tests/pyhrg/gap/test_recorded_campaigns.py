@@ -1,13 +1,20 @@
-"""Campaigns of another simulator, whose truth is known: named exactly, and sized."""
+"""Campaigns of another simulator, whose truth is known: named exactly, and sized, and also as a
+lab's recorder would have brought them home."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from pyhrg import campaign
+from pyhrg.campaign import Campaign
 from pyhrg.gap.diagnose import diagnosed
 from pyhrg.gap.simulation import Simulation
+from pyhrg.records import Log
+from pyhrg.units import ARCSEC
+from tests.pyhrg.gap.soundness.spoil import added, spoilt
 
 WIDER = 1.3
 """Half width over that of 95 %: six parameters, of which one in twenty lies outside."""
@@ -28,3 +35,47 @@ def test_the_truth_is_named(simulation: Simulation, recorded_campaign: Path, num
     held = found.gap.holdout_angle_arcsec
     assert held is not None
     assert held.after <= WIDER * held.floor_95[1]
+
+
+def test_lost_words_and_a_coarse_thermometer_make_no_gap(
+    simulation: Simulation, recorded_campaign: Path
+) -> None:
+    given = campaign.read(recorded_campaign.parent / "dev-06")
+    spoilt_by_recorder = spoilt(given, coarse)
+    for test, field, size in SPARKS:
+        rows = len(next(each.log.time for each in given.tests if each.id == test))
+        spark = np.where(np.arange(rows) == rows // 2 + 100, size, 0.0)
+        spoilt_by_recorder = spoilt(spoilt_by_recorder, added(spark, field), test)
+    found = diagnosed(spoilt_by_recorder, simulation).diagnosis
+    assert found.verdict == "no_gap"
+    assert len(found.excluded) == len(SPARKS)
+
+
+def test_a_step_of_the_angle_is_told(simulation: Simulation, recorded_campaign: Path) -> None:
+    given = campaign.read(recorded_campaign.parent / "dev-06")
+    found = diagnosed(stepped(given, "positions_8n", 900, ARCSEC), simulation).diagnosis
+    assert found.verdict == "unexplained"
+    assert found.causes == ()
+    assert set(found.unnamed) == {"output alone: a step at 901 s in positions_8n (gyro_angle)"}
+
+
+SPARKS = (
+    ("static_fixed", "gyro_angle", 100 * ARCSEC),
+    ("phase_step", "quadrature_force", 1e-5),
+    ("thermal_ramp", "frequency_offset", 6.0),
+    ("amplitude_sweep", "amplitude", 1e-3),
+)
+"""One reading each, in the middle of a test, SI."""
+
+
+def coarse(log: Log) -> Log:
+    return replace(log, temperature=np.round(log.temperature - 273.15, 1) + 273.15)
+
+
+def stepped(given: Campaign, test: str, row: int, size: float) -> Campaign:
+    rows = len(next(each.log.time for each in given.tests if each.id == test))
+    step = np.where(np.arange(rows) >= row, size, 0.0)
+    k = given.nominal["coriolis_factor"]
+    return spoilt(
+        spoilt(given, added(step, "gyro_angle"), test), added(-k * step, "wave_angle"), test
+    )

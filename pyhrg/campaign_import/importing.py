@@ -1,11 +1,12 @@
 """A mapping and its logs, made a campaign."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from pyhrg.campaign import Campaign, Test
 from pyhrg.campaign_import.conversion import quantity, times
+from pyhrg.campaign_import.joining import joined
 from pyhrg.campaign_import.layout import read_cells
 from pyhrg.campaign_import.mapping import CampaignMapping, TestMapping
 from pyhrg.records import COLUMNS, Log
@@ -20,7 +21,7 @@ class ImportedTest:
 
     mapping: TestMapping
     logged: Log
-    """Every row; this is what is written."""
+    """Every row, or longer ones where they are asked for; this is what is written."""
     read: Log
     """What a reader of the campaign keeps, and why not the rest: rows are those of the lab's file.
     """
@@ -44,7 +45,7 @@ class Imported:
 
 
 def imported(mapping: CampaignMapping) -> Imported:
-    """Read a lab's logs; nothing is resampled, mended or left out.
+    """Read a lab's logs; nothing is mended or left out, and resampled only where `rows_s` asks it.
 
     Raises:
         LogError: a file, column or cell that isn't as the mapping says; what `records.read`
@@ -67,6 +68,9 @@ def _test(test: TestMapping, mapping: CampaignMapping) -> ImportedTest:
         check_range(cells.source, column, cells.rows, written)
     table = Table(cells.source, cells.rows, columns, _notes(test))
     read = checked(table, interval, mapping.site.latitude)
+    if test.rows is not None:
+        read = joined(read, test.rows)
+        return ImportedTest(test, replace(read, exclusions=()), read)
     return ImportedTest(test, Log(cells.source, interval, exclusions=(), **columns), read)
 
 

@@ -29,6 +29,8 @@ class TestMapping:
     file: Path
     interval: float | None
     """s; None: the median time step."""
+    rows: float | None
+    """Length of the campaign's rows, s; None: as logged."""
     layout: Layout
     columns: dict[str, ColumnMapping]
 
@@ -51,7 +53,7 @@ def read_mapping(path: Path) -> CampaignMapping:
         SpecificationError: an unreadable file, a key that is unknown, missing or has a wrong value.
     """
     top = TomlTable(str(path), "", toml_of(path, SpecificationError))
-    top.check_known(("device", "site", "nominal", "layout", "columns", "tests"))
+    top.check_known(("device", "site", "nominal", "rows_s", "layout", "columns", "tests"))
     tests = tuple(_test(entry, top, path.parent) for entry in top.tables("tests"))
     if not tests:
         raise top.missing("tests", "[[tests]], one a log")
@@ -87,7 +89,9 @@ def _nominal(top: TomlTable) -> dict[str, float]:
 
 
 def _test(entry: TomlTable, top: TomlTable, folder: Path) -> TestMapping:
-    entry.check_known(("id", "kind", "role", "file", "interval_s", "layout", "columns", "absent"))
+    entry.check_known(
+        ("id", "kind", "role", "file", "interval_s", "rows_s", "layout", "columns", "absent")
+    )
     for key in ("id", "kind", "role", "file"):
         entry.require(key, "text")
     general, own = top.table("layout"), entry.table("layout")
@@ -96,9 +100,6 @@ def _test(entry: TomlTable, top: TomlTable, folder: Path) -> TestMapping:
         own.prefix if own.values else general.prefix,
         {**general.values, **own.values},
     )
-    interval = None
-    if "interval_s" in entry.values:
-        interval = entry.number("interval_s", 0.0, SHORTEST, LONGEST)
     absent = _absent(entry)
     columns = read_columns(top.table("columns")) | read_columns(entry.table("columns"))
     return TestMapping(
@@ -106,10 +107,16 @@ def _test(entry: TomlTable, top: TomlTable, folder: Path) -> TestMapping:
         kind=entry.text("kind", ""),
         role=entry.text("role", "", ROLES),
         file=folder / entry.text("file", ""),
-        interval=interval,
+        interval=_duration(entry, "interval_s"),
+        rows=_duration(entry, "rows_s") or _duration(top, "rows_s"),
         layout=read_layout(layout),
         columns={f: mapping for f, mapping in columns.items() if f not in absent},
     )
+
+
+def _duration(table: TomlTable, key: str) -> float | None:
+    """s; None where it isn't stated."""
+    return table.number(key, 0.0, SHORTEST, LONGEST) if key in table.values else None
 
 
 def _absent(entry: TomlTable) -> set[str]:

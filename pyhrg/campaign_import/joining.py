@@ -1,0 +1,84 @@
+"""Rows of a fast log joined to longer ones, as a campaign's log defines them."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.records import COLUMNS, Log, LogError
+from pyhrg.records.columns import BY_FIELD
+
+Array = NDArray[np.float64]
+
+HELD = ("axis_up", "amplitude_setpoint", "phase_offset", "drive_on")
+"""Commands, which hold over a row."""
+MEANS = (
+    *("acceleration_x", "acceleration_y", "acceleration_z", "virtual_rotation"),
+    *("amplitude_force", "quadrature_force", "frequency_offset", "valid"),
+)
+"""Means over a row; all else is taken at its end."""
+WHOLE = 1e-6
+"""Distance from a whole number, of rows in a row."""
+EARLY = 0.25
+"""Of a logged row by which it may come early or late."""
+
+
+def joined(log: Log, length: float) -> Log:
+    """A log in rows of a length, counted from time 0: what is a mean over a row is the mean of
+    those logged in it, all else is as in the last. Rows in which a logged one is missing are left
+    out; a value is missing where one that it is made of is.
+
+    Args:
+        log: in shorter rows.
+        length: s.
+
+    Raises:
+        LogError: the length is no multiple of the logged rows', a command changes within a row, no
+            row is whole.
+    """
+    count = round(length / log.interval)
+    if count < 1 or abs(length / log.interval - count) > WHOLE * count:
+        raise LogError(f"{log.source}: rows of {log.interval:g} s; expected rows_s, {length:g}, to "
+                       "be a multiple")  # fmt: skip
+    place = np.round(log.time / log.interval).astype(np.int64) - 1
+    on_time = np.abs(log.time / log.interval - (place + 1)) < EARLY
+    rows = _whole(np.where(on_time, place, -1), count)
+    if not len(rows):
+        raise LogError(f"{log.source}: no {length:g} s without a missing row")
+    columns: dict[str, Any] = {c.field: _of_rows(log, c.field, rows) for c in COLUMNS}
+    columns["time"] = (place[rows[:, 0]] // count + 1) * length
+    lost = len(log.time) - rows.size
+    left = (f"{lost} rows that are not part of a whole {length:g} s: left out",) if lost else ()
+    return replace(log, interval=length, exclusions=(*log.exclusions, *left), **columns)
+
+
+def _whole(place: NDArray[np.int64], count: int) -> NDArray[np.int64]:
+    """(k, count) logged rows of each row that has all of them.
+
+    Args:
+        place: (n,) of the logged rows, from 0; negative where a row has none.
+        count: of logged rows in a row.
+    """
+    known = np.flatnonzero(place >= 0)
+    known = known[np.append(True, np.diff(place[known]) > 0)] if len(known) else known
+    first = np.flatnonzero(place[known] % count == 0)
+    first = first[first + count <= len(known)]
+    first = first[place[known[first + count - 1]] == place[known[first]] + count - 1]
+    return np.asarray(known[first[:, None] + np.arange(count)])
+
+
+def _of_rows(log: Log, field: str, rows: NDArray[np.int64]) -> Array:
+    values = getattr(log, field)[rows]
+    if field in MEANS:
+        return np.asarray(values.mean(axis=1))
+    if field in HELD:
+        changed = (values != values[:, :1]).any(axis=1) & np.isfinite(values).all(axis=1)
+        if changed.any():
+            row = rows[int(np.argmax(changed))]
+            raise LogError(
+                f"{log.source}: column {BY_FIELD[field].name} changes between time_s "
+                f"{log.time[row[0]]:g} and {log.time[row[-1]]:g}; expected it to be the same in a "
+                "row: choose a shorter rows_s for this test, or an offset on time"
+            )
+    return np.asarray(values[:, -1])

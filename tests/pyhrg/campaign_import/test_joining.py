@@ -25,9 +25,11 @@ GYRO = Device(
     frequency_per_kelvin=8.5e-5,
 )
 
-CLOSE = {"amplitude": 2e-7, "amplitude_force": 5e-9}
-"""Below their noise of 1e-6 and 1e-8: the bench takes an amplitude a control period before a row's
-end from those of two rows' ends."""
+CLOSE = {"amplitude": 2e-7, "frequency_offset": 1e-4}
+"""SI, below their noise: the bench takes an amplitude a control period before a row's end from those
+of two rows' ends, and steps that see less of a transient."""
+FIRST = 1
+"""Row from which loops have settled after power-on."""
 
 
 def _course(programme: Programme) -> Programme:
@@ -48,7 +50,7 @@ def test_joined_rows_are_those_of_a_slower_recorder(fmu: GyroFmu) -> None:
     for column in COLUMNS:
         fast, own = getattr(found, column.field), getattr(slow, column.field)
         close = CLOSE.get(column.field, 1e-9)
-        np.testing.assert_allclose(fast, own, rtol=1e-9, atol=close, err_msg=column.field)
+        np.testing.assert_allclose(fast[FIRST:], own[FIRST:], 1e-9, close, err_msg=column.field)
 
 
 def fast_log(rows: int = 100) -> Log:

@@ -26,8 +26,8 @@ GYRO = Device(
 )
 
 CLOSE = {"amplitude": 2e-7, "frequency_offset": 1e-4}
-"""SI, below their noise: the bench takes an amplitude a control period before a row's end from those
-of two rows' ends, and steps that see less of a transient."""
+"""SI, below their noise: the bench takes an amplitude a control period before a row's end from two
+rows' ends, and steps that see less of a transient."""
 FIRST = 1
 """Row from which loops have settled after power-on."""
 

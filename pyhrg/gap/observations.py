@@ -101,7 +101,7 @@ def _settled(log: Log, inputs: Replayable, time: float) -> Mask:
     changed = commanded(log)
     if log.interval >= FINE:
         changed |= jolts(inputs)
-        changed |= np.maximum(*np.abs([inputs.rates[1:], inputs.rates[:-1]])) > SLOW
+        changed |= np.maximum(*np.abs([inputs.table.rates[1:], inputs.table.rates[:-1]])) > SLOW
     return later(log, changed, time)
 
 
@@ -119,7 +119,8 @@ def commanded(log: Log) -> Mask:
 
 def jolts(inputs: Replayable) -> Mask:
     """(n,) rows in which the table's rate changes."""
-    return np.asarray(np.abs(np.diff(inputs.rates)) / inputs.log.interval > STEADY)
+    changes = np.maximum(np.abs(np.diff(inputs.table.rates)), np.abs(inputs.table.swells))
+    return np.asarray(changes / inputs.log.interval > STEADY)
 
 
 def later(log: Log, changed: Mask, time: float) -> Mask:

@@ -11,7 +11,7 @@ from pyhrg.bench.bench import FORCES, INPUTS, between, earth_rate, recorded
 from pyhrg.device import LOOPS, Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.gap.coarse_thermometer import reading_step
-from pyhrg.gap.table_motion import rates_at_bounds
+from pyhrg.gap.table_motion import TableMotion, table_motion
 from pyhrg.records import COLUMNS, Log
 
 Array = NDArray[np.float64]
@@ -30,19 +30,19 @@ class Replayable:
     """The inputs of a log, ready for any simulated gyro.
 
     start_angle: true pattern angle at power-on, rad.
-    rates: (n + 1,) of the table at the rows' bounds, rad/s.
+    table: its motion.
     temperatures: (n + 1,) of the case at the rows' bounds, K.
     """
 
     log: Log
     start_angle: float
-    rates: Array
+    table: TableMotion
     temperatures: Array
 
-    def table_angle(self, share: Array) -> Array:
-        """(n, m) table angle at shares (m,) of each row, rad."""
+    def table_angle(self, steps: int) -> Array:
+        """(n, steps) at the middles of equal steps of each row, rad."""
         begun = np.concatenate(([0.0], self.log.table_angle[:-1]))[:, None]
-        return begun + self.log.interval * share * between(self.rates, share / 2)
+        return begun + self.table.turned_in(steps)
 
     def first(self, rows: int) -> "Replayable":
         """The inputs of the first rows alone."""
@@ -50,7 +50,7 @@ class Replayable:
         return Replayable(
             replace(self.log, **columns),
             self.start_angle,
-            self.rates[: rows + 1],
+            self.table.first(rows),
             self.temperatures[: rows + 1],
         )
 
@@ -65,7 +65,7 @@ def replayable(log: Log, believed: Device) -> Replayable:
     return Replayable(
         log,
         start_angle(log, believed.bryan_factor),
-        rates_at_bounds(log.table_angle, log.interval),
+        table_motion(log.table_angle, log.interval),
         _told(np.append(log.temperature[0], log.temperature)),
     )
 
@@ -107,13 +107,12 @@ def replayed(fmu: GyroFmu, device: Device, inputs: Replayable, step: float) -> d
         GyroError: parameters or inputs that the FMU refuses.
     """
     steps = round(inputs.log.interval / step)
-    share = np.asarray((np.arange(steps) + 0.5) / steps, dtype=np.float64)
     held = {name: getattr(inputs.log, name) for name in HELD}
     first = {INPUTS[name]: float(values[0]) for name, values in held.items()}
     first["caseTemperature"] = float(inputs.temperatures[0])
     parameters = {**_parameters(fmu, device, step), **first}
     with fmu.power_on(parameters, seed=0, start_angle=inputs.start_angle) as on:
-        return recorded(on, _moving(device, inputs, share), held, step, FORCES)
+        return recorded(on, _moving(device, inputs, steps), held, step, FORCES)
 
 
 def _parameters(fmu: GyroFmu, device: Device, step: float) -> Mapping[str, float]:
@@ -124,10 +123,11 @@ def _parameters(fmu: GyroFmu, device: Device, step: float) -> Mapping[str, float
     return {**at_rest, "samplePeriod": step}
 
 
-def _moving(device: Device, inputs: Replayable, share: Array) -> dict[str, Array]:
+def _moving(device: Device, inputs: Replayable, steps: int) -> dict[str, Array]:
     up = inputs.log.axis_up[:, None]
-    earth = earth_rate(device, up, inputs.table_angle(share))
+    earth = earth_rate(device, up, inputs.table_angle(steps))
+    share = np.asarray((np.arange(steps) + 0.5) / steps, dtype=np.float64)
     return {
-        "angularRate": between(inputs.rates, share) + earth,
+        "angularRate": inputs.table.rates_in(steps) + earth,
         "caseTemperature": between(inputs.temperatures, share),
     }

@@ -1,37 +1,100 @@
 """How the turntable moved between the rows of a log."""
 
+from dataclasses import dataclass, replace
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse import linalg
 
+from pyhrg.bench.bench import between
+
 Array = NDArray[np.float64]
 
-ENCODER = 1e-9
-"""What a rate's integral may miss of the encoder's increments, rad."""
-ROUGHNESS = 0.1
-"""Change of a rate's slope from row to row that is nothing special, rad/s."""
+ENCODER = 1e-8
+"""Turn of the table that is none, rad."""
+ROUNDS = 40
+"""Of fitting, at most."""
+CLOSE = 0.1
+"""Of a rate that is none: a round that moves rates by less is the last."""
 
 
-def rates_at_bounds(table_angle: Array, interval: float) -> Array:
-    """The table's rate at the rows' bounds: linear in between, 0 at the start.
+@dataclass(frozen=True)
+class TableMotion:
+    """The table's rate: over each row linear, and a parabola that is zero at its ends.
 
-    The encoder's increments leave one freedom, a rate that alternates from bound to bound; the
-    smoothest rates are taken.
+    interval: of the rows, s.
+    rates: (n + 1,) at the rows' bounds, rad/s; 0 at the start.
+    swells: (n,) means of the parabolas, rad/s.
+    """
+
+    interval: float
+    rates: Array
+    swells: Array
+
+    @property
+    def means(self) -> Array:
+        """(n,) over rows, rad/s."""
+        return np.asarray((self.rates[1:] + self.rates[:-1]) / 2 + self.swells)
+
+    def first(self, rows: int) -> "TableMotion":
+        """Of the first rows alone."""
+        return replace(self, rates=self.rates[: rows + 1], swells=self.swells[:rows])
+
+    def rates_in(self, steps: int) -> Array:
+        """(n, steps) means over equal steps of each row, rad/s."""
+        bounds = np.arange(steps + 1) / steps
+        swelling = np.diff(_swollen(bounds)) * steps
+        return between(self.rates, _middles(steps)) + self.swells[:, None] * swelling
+
+    def turned_in(self, steps: int) -> Array:
+        """(n, steps) turn from each row's begin to the middles of equal steps of it, rad."""
+        share = _middles(steps)
+        linear = share * between(self.rates, share / 2)
+        return self.interval * (linear + self.swells[:, None] * _swollen(share))
+
+
+def _middles(steps: int) -> Array:
+    return np.asarray((np.arange(steps) + 0.5) / steps, dtype=np.float64)
+
+
+def _swollen(share: Array) -> Array:
+    """Integral of the parabola of mean 1, from a row's begin."""
+    return share**2 * (3 - 2 * share)
+
+
+def table_motion(table_angle: Array, interval: float) -> TableMotion:
+    """The motion that has an encoder's readings, whose slope changes in as few rows as will do, and
+    which is linear in as many.
+
+    The increments alone leave open what alternates from bound to bound, and what an encoder rounds
+    off, or a table does within a row, would go on alternating for ever. So the rates' bends and
+    swells cost the logarithm of their size, by iteratively reweighted least squares (E. J. Candes,
+    M. B. Wakin, S. P. Boyd, J. Fourier Anal. Appl. 14 (2008)).
 
     Args:
         table_angle: (n,) encoder at the rows' ends, rad; 0 at the start.
         interval: of the rows, s.
-
-    Returns:
-        (n + 1,) rad/s.
     """
     means = np.diff(table_angle, prepend=0.0) / interval
     n = len(means)
+    rates = np.zeros(n + 1)
     if not means.any():
-        return np.zeros(n + 1)
-    mean = sparse.diags_array([0.5, 0.5], offsets=[0, -1], shape=(n, n)) * (interval / ENCODER)
-    bend = sparse.diags_array([1.0, -2.0, 1.0], offsets=[-1, 0, 1], shape=(n - 1, n)) / ROUGHNESS
-    normal = sparse.csc_array(mean.T @ mean + bend.T @ bend)
-    rates = linalg.spsolve(normal, mean.T @ (means * interval / ENCODER))
-    return np.append(0.0, rates)
+        return TableMotion(interval, rates, np.zeros(n))
+    rates[1:] = (means + np.append(means[1:], means[-1])) / 2
+    rates[1:-1][(means[1:] == 0) | (means[:-1] == 0)] = 0.0
+    mean = sparse.diags_array([0.5, 0.5], offsets=[0, -1], shape=(n, n))
+    bend = sparse.diags_array([1.0, -2.0, 1.0], offsets=[-1, 0, 1], shape=(n - 1, n))
+    none = ENCODER / interval
+    for _ in range(ROUNDS):
+        swells, bends = means - mean @ rates[1:], bend @ rates[1:]
+        a, b = (1 / (np.abs(values) + none) ** 2 for values in (swells, bends))
+        normal = mean.T @ sparse.diags_array(a) @ mean + bend.T @ sparse.diags_array(b) @ bend
+        scale = 1 / np.sqrt(normal.diagonal())
+        even = sparse.diags_array(scale)
+        pull = mean.T @ (a * swells) - bend.T @ (b * bends)
+        change = scale * linalg.spsolve(sparse.csc_array(even @ normal @ even), scale * pull)
+        rates[1:] += change
+        if np.abs(change).max() < CLOSE * none:
+            break
+    return TableMotion(interval, rates, means - (rates[1:] + rates[:-1]) / 2)

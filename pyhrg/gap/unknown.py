@@ -94,7 +94,7 @@ def coordinates(test: Observed, pattern_angle: Array, believed: Device) -> Coord
         test,
         pattern_angle,
         log.table_angle,
-        (test.inputs.rates[1:] + test.inputs.rates[:-1]) / 2,
+        test.inputs.table.means,
         case[1:],
         resonator[1:],
         _slope(case, log.interval)[1:],

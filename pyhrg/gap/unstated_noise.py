@@ -92,7 +92,7 @@ class _Stretch:
 
 
 def _at_rest(simulation: Simulation, believed: Device, test: Observed) -> Iterator[_Stretch]:
-    log, rates = test.log, np.abs(test.inputs.rates)
+    log, rates = test.log, np.abs(test.inputs.table.rates)
     still = test.rows["gyro_angle"] & is_nominal(log, believed)
     still &= (np.maximum(rates[1:], rates[:-1]) < STILL) & (log.virtual_rotation == 0)
     if not still.any() or np.ptp(test.inputs.temperatures) > 0:

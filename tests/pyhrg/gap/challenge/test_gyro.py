@@ -43,7 +43,7 @@ def test_recorded_campaign_is_reproduced_to_its_noise(
     device = replace(believed, site=brought.site)
     log = next(test.log for test in brought.tests if test.id == name)
     inputs = replayable(log, device)
-    course = course_of_log(log, inputs.rates, brought.site.gravity)
+    course = course_of_log(log, inputs.table.rates, brought.site.gravity)
     quiet = TrueGyro(fmu, device).exact(name, course, inputs.start_angle, np.zeros((1, 1)))
     own = Instruments()
     rows = slice(SETTLED, None)

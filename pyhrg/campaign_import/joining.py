@@ -18,10 +18,10 @@ MEANS = (
     *("amplitude_force", "quadrature_force", "frequency_offset", "valid"),
 )
 """Means over a row; all else is taken at its end."""
-WHOLE = 1e-6
-"""Distance from a whole number, of rows in a row."""
-EARLY = 0.25
-"""Of a logged row by which it may come early or late."""
+WHOLE = 1e-3
+"""Distance from a whole number, relative, of rows in a row."""
+LEAST = 2
+"""Rows of a log."""
 
 
 def joined(log: Log, length: float) -> Log:
@@ -34,18 +34,21 @@ def joined(log: Log, length: float) -> Log:
         length: s.
 
     Raises:
-        LogError: the length is no multiple of the logged rows', a command changes within a row, no
-            row is whole.
+        LogError: the length is no multiple of the logged rows', a command changes within a row,
+            fewer than two rows are whole.
     """
     count = round(length / log.interval)
     if count < 1 or abs(length / log.interval - count) > WHOLE * count:
-        raise LogError(f"{log.source}: rows of {log.interval:g} s; expected rows_s, {length:g}, to "
-                       "be a multiple")  # fmt: skip
-    place = np.round(log.time / log.interval).astype(np.int64) - 1
-    on_time = np.abs(log.time / log.interval - (place + 1)) < EARLY
-    rows = _whole(np.where(on_time, place, -1), count)
-    if not len(rows):
-        raise LogError(f"{log.source}: no {length:g} s without a missing row")
+        raise LogError(
+            f"{log.source}: rows of {log.interval:g} s; expected rows_s, {length:g}, to be a "
+            "multiple (interval_s says what a row is where times are rounded)"
+        )
+    place = np.round(log.time / length * count).astype(np.int64) - 1
+    rows = _whole(place, count)
+    if len(rows) < LEAST:
+        raise LogError(
+            f"{log.source}: {len(rows)} times {length:g} s without a missing row; expected {LEAST}"
+        )
     columns: dict[str, Any] = {c.field: _of_rows(log, c.field, rows) for c in COLUMNS}
     columns["time"] = (place[rows[:, 0]] // count + 1) * length
     lost = len(log.time) - rows.size
@@ -57,7 +60,7 @@ def _whole(place: NDArray[np.int64], count: int) -> NDArray[np.int64]:
     """(k, count) logged rows of each row that has all of them.
 
     Args:
-        place: (n,) of the logged rows, from 0; negative where a row has none.
+        place: (n,) of the logged rows, from 0.
         count: of logged rows in a row.
     """
     known = np.flatnonzero(place >= 0)
@@ -73,7 +76,7 @@ def _of_rows(log: Log, field: str, rows: NDArray[np.int64]) -> Array:
     if field in MEANS:
         return np.asarray(values.mean(axis=1))
     if field in HELD:
-        changed = (values != values[:, :1]).any(axis=1) & np.isfinite(values).all(axis=1)
+        changed = np.fmax.reduce(values, axis=1) > np.fmin.reduce(values, axis=1)
         if changed.any():
             row = rows[int(np.argmax(changed))]
             raise LogError(

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device import Device
-from pyhrg.gap.coarse_thermometer import reading_step
+from pyhrg.gap.coarse_thermometer import reading_steps
 from pyhrg.gap.observations import Observed
 from pyhrg.gap.whitening import Correlated, SlowNoise
 
@@ -41,7 +41,7 @@ class ChannelNoise:
     angle: of the output angle, rad.
     white: standard deviations of a row of the other channels, SI, by field and the row's length, s.
     temperature: of one reading of a test's temperature log, K, by test.
-    reading_step: of these logs, K; 0 where they are finer than their noise.
+    reading_steps: of these logs, K; 0 where they are finer than their noise.
     per_kelvin: how a channel follows the resonator's temperature, SI/K.
     thermal_lag: s.
     bryan_factor: as believed. Noise that turns a driven pattern is a noise of its amplitude as well
@@ -51,7 +51,7 @@ class ChannelNoise:
     angle: SlowNoise
     white: Mapping[str, Mapping[float, float]]
     temperature: Mapping[str, float]
-    reading_step: float
+    reading_steps: Mapping[str, float]
     per_kelvin: Mapping[str, float]
     thermal_lag: float
     bryan_factor: float
@@ -65,17 +65,18 @@ class ChannelNoise:
         if channel in self.per_kelvin:
             kelvin = self.temperature.get(test.test.id, max(self.temperature.values()))
             lagged = self.per_kelvin[channel] * kelvin * np.sqrt(interval)
-            lasting = self._lasting(self.per_kelvin[channel])
+            lasting = self._lasting(self.per_kelvin[channel], test)
             return SlowNoise(white, lagged=lagged, lag=self.thermal_lag, correlated=lasting)
         if channel == "amplitude" and not test.log.drive_on.all():
             return SlowNoise(white, walk=2 * self.bryan_factor * self.angle.walk)
         return SlowNoise(white)
 
-    def _lasting(self, per_kelvin: float) -> Correlated | None:
+    def _lasting(self, per_kelvin: float, test: Observed) -> Correlated | None:
         """What half a step of the temperature's readings makes of a channel."""
-        if not self.reading_step:
+        step = self.reading_steps.get(test.test.id, 0.0)
+        if not step:
             return None
-        level = per_kelvin * self.reading_step / 2
+        level = per_kelvin * step / 2
         return Correlated(level, LASTING * self.thermal_lag, of_rate=False)
 
 
@@ -91,10 +92,11 @@ def believed_noise(
         residuals: (n,) by channel, record less simulation, for each test.
     """
     white = {name: _white(name, tests, residuals) for name in RESOLVED}
-    step = reading_step([t.log.temperature for t in tests])
+    steps = reading_steps({t.test.id: t.log.temperature for t in tests})
     temperature = {
         t.test.id: max(
-            _deviation([_seconds(t.log.temperature, t.rows["temperature"])]), step / math.sqrt(12)
+            _deviation([_seconds(t.log.temperature, t.rows["temperature"])]),
+            steps[t.test.id] / math.sqrt(12),
         )
         for t in tests
     }
@@ -111,7 +113,7 @@ def believed_noise(
         angle_noise(believed),
         white,
         temperature,
-        step,
+        steps,
         per_kelvin,
         believed.thermal_lag,
         believed.bryan_factor,

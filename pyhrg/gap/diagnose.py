@@ -189,10 +189,9 @@ def _residuals(
 
 def _rest(found: Attribution) -> list[Remainder]:
     noise = replace(found.channel_noise, angle=found.noise.noise)
-    counted = {"gyro_angle"} if is_rough(found.noise, found.believed) else set()
-    counted |= set(noise.per_kelvin) if noise.reading_step else set()
-    channels = [name for name in CHANNELS if name not in counted]
-    return remainders(found.parts, found.ranked.best.sizes, noise, found.believed, channels)
+    channels = CHANNELS[1:] if is_rough(found.noise, found.believed) else CHANNELS
+    left = remainders(found.parts, found.ranked.best.sizes, noise, found.believed, channels)
+    return [r for r in left if not (r.channel in noise.per_kelvin and noise.reading_steps[r.test])]
 
 
 def _where(found: Attribution) -> tuple[Where, ...]:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pyhrg.bench.bench import FORCES, INPUTS, between, earth_rate, recorded
 from pyhrg.device import LOOPS, Device
 from pyhrg.fmu import GyroFmu
-from pyhrg.gap.coarse_thermometer import reading_step
+from pyhrg.gap.coarse_thermometer import toggling
 from pyhrg.gap.table_motion import TableMotion, table_motion
 from pyhrg.records import COLUMNS, Log
 
@@ -74,7 +74,7 @@ def _told(temperature: Array) -> Array:
     """A log's temperature; its mean where it shows no more than the thermometer's noise, which
     effects of temperature would else be fitted to."""
     noise = MAD * np.median(np.abs(np.diff(temperature, 2))) / np.sqrt(6)
-    noise = max(noise, reading_step([temperature]) / np.sqrt(12))
+    noise = max(noise, toggling(temperature) / np.sqrt(12))
     if len(temperature) < LEAST or np.std(temperature) > STEADY * noise:
         return temperature
     return np.full(len(temperature), np.mean(temperature))

@@ -9,12 +9,13 @@ from numpy.typing import NDArray
 from scipy.signal import fftconvolve
 
 from pyhrg.gap.evidence import log_evidence
-from pyhrg.gap.jump import Jump, since, step
+from pyhrg.gap.jump import Jump, Kind, since, step
 from pyhrg.gap.remainder import Remainder
 from pyhrg.gap.whitening import whitened
 
 Array = NDArray[np.float64]
 
+KINDS: tuple[Kind, ...] = ("pattern", "output")
 STEP_ODDS = 0.025
 """Steps that are expected in a campaign."""
 MOST = 5
@@ -35,8 +36,8 @@ class _Seen:
 
 
 def steps(remainders: Sequence[Remainder]) -> list[Jump]:
-    """All steps that are likelier than not, as one of the pattern and one of the output; none where
-    they are many.
+    """The steps that are likelier than not, the greatest alone, with the next, and so on: of the
+    pattern, or of the output; none where they are many.
 
     Args:
         remainders: of the output angle, all tests.
@@ -49,8 +50,12 @@ def steps(remainders: Sequence[Remainder]) -> list[Jump]:
     found = [seen for r in telling for seen in _standing_out(r, prior)]
     if not 0 < len(found) <= MOST:
         return []
-    times = [(one.test, one.time) for one in found]
-    return [step(times, len(found) * prior, kind) for kind in ("pattern", "output")]
+    found.sort(key=lambda one: -one.power)
+    return [
+        step(sorted((one.test, one.time) for one in found[:count]), count * prior, kind)
+        for count in range(1, len(found) + 1)
+        for kind in KINDS
+    ]
 
 
 def _standing_out(r: Remainder, prior: float) -> Iterator[_Seen]:

@@ -12,7 +12,7 @@ from pyhrg.gap.soundness.attitude import (
     witnesses_of_frequency,
 )
 from pyhrg.gap.soundness.doubt import Believed, Doubt, Witness, has, without
-from pyhrg.gap.soundness.glitches import doubts_of_glitches, doubts_of_temperature_glitches
+from pyhrg.gap.soundness.glitches import doubts_of_glitches, with_inputs_mended
 from pyhrg.gap.soundness.inputs import InputError, whole
 from pyhrg.gap.soundness.resonator import (
     doubts_of_amplitude,
@@ -64,9 +64,9 @@ def examined(test: Test, believed: Believed) -> Examined | str:
     except LogError as error:
         return f"{test.id}: not used: {error}"
     notes = [f"{log.source}: {note}" for note in log.exclusions]
+    log, mended = with_inputs_mended(log)
     doubts = doubts_of_attitude(log, test.kind, believed) + doubts_of_temperature(log, believed)
-    doubts += doubts_of_temperature_glitches(log)
-    notes += [doubt.sentence for doubt in doubts]
+    notes += [*mended, *(doubt.sentence for doubt in doubts)]
     try:
         log, filled = whole(without(log, doubts), believed)
     except InputError as error:

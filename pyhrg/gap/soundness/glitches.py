@@ -9,22 +9,31 @@ from scipy.ndimage import binary_dilation
 
 from pyhrg.gap.observations import CHANNELS, commanded, jolts, later, settling
 from pyhrg.gap.replay import replayable
-from pyhrg.gap.soundness.doubt import Array, Believed, Doubt, has
+from pyhrg.gap.soundness.attitude import ACCELERATIONS
+from pyhrg.gap.soundness.doubt import Array, Believed, Doubt, has, with_columns
 from pyhrg.records import Log
 from pyhrg.records.columns import BY_FIELD
 
 Mask = NDArray[np.bool_]
 
+INPUTS = ("table_angle", "temperature", *ACCELERATIONS)
+"""Measured by the bench, and smooth."""
 LONGEST = 3
 """Readings that are off together."""
+LENGTHS = (1, 2, LONGEST, 1, 2, LONGEST)
+"""In the order in which they are looked for: a glitch hides its neighbours."""
 AROUND = 4
-"""Steps from row to row, before and after, that are to be steady."""
+"""Steps from row to row, before and after, that are to be steady; as many in all at the least."""
+BEFORE, AFTER = 2, 1
+"""Of them, at the least."""
+OTHERS = 2
+"""Of them, that may be a glitch's of its own."""
 OFF = 10.0
 """Deviations of steps from row to row."""
 APART = 5.0
 """Of a glitch over the unsteadiest step around."""
 TWICE = 2.0
-"""Of a glitch over the largest step of all other rows."""
+"""Of a glitch over the largest step of all other rows, a few aside."""
 REACH = 2 * AROUND + LONGEST
 """Rows in which a glitch can be seen."""
 MAD = 1.4826
@@ -35,9 +44,19 @@ TOLD = 3
 """Glitches of a column that are told one by one."""
 
 
-def doubts_of_temperature_glitches(log: Log) -> list[Doubt]:
-    """Of the thermometer's."""
-    return list(_doubts(log, {"temperature": np.ones(len(log.time), np.bool_)}))
+def with_inputs_mended(log: Log) -> tuple[Log, list[str]]:
+    """A log with glitches of what the bench measures filled in from those around, and what was."""
+    notes = []
+    for field in INPUTS:
+        series = getattr(log, field)
+        known = np.isfinite(series)
+        found = glitches(series, known)
+        if found.any():
+            notes.append(f"{_told(log, field, found)}: filled in")
+            kept = np.flatnonzero(known & ~found)
+            filled = np.where(found, np.interp(np.arange(len(series)), kept, series[kept]), series)
+            log = with_columns(log, {field: filled})
+    return log, notes
 
 
 def doubts_of_glitches(log: Log, believed: Believed) -> list[Doubt]:
@@ -46,16 +65,16 @@ def doubts_of_glitches(log: Log, believed: Believed) -> list[Doubt]:
         return []
     inputs = replayable(log, believed.device)
     steady = later(log, commanded(log) | jolts(inputs), settling(believed.device))
-    return list(_doubts(log, dict.fromkeys(CHANNELS, steady)))
+    return list(_doubts(log, steady))
 
 
-def _doubts(log: Log, where: dict[str, Mask]) -> Iterator[Doubt]:
-    for field, rows in where.items():
+def _doubts(log: Log, rows: Mask) -> Iterator[Doubt]:
+    for field in CHANNELS:
         series = getattr(log, field)
         found = glitches(series, rows & np.isfinite(series))
         if found.any():
             fields = ("gyro_angle", "wave_angle") if field == "gyro_angle" else (field,)
-            yield Doubt(fields, _told(log, field, found), found)
+            yield Doubt(fields, f"{_told(log, field, found)}: left out", found)
 
 
 def _told(log: Log, field: str, found: Mask) -> str:
@@ -72,7 +91,7 @@ def _told(log: Log, field: str, found: Mask) -> str:
         for one, other, time in zip(said, around, log.time[rows], strict=True)
     ]
     more = [f"{len(each) - TOLD} more"] if len(each) > TOLD else []
-    return f"{log.source}: column {column.name}: {'; '.join(each[:TOLD] + more)}: left out"
+    return f"{log.source}: column {column.name}: {'; '.join(each[:TOLD] + more)}"
 
 
 def glitches(series: Array, rows: Mask) -> Mask:
@@ -86,55 +105,72 @@ def glitches(series: Array, rows: Mask) -> Mask:
         (n,); none where they are many, or no larger than what is seen elsewhere: a noise of the
         gyro's own, or counts.
     """
-    sizes = np.zeros(len(series))
-    for length in range(1, LONGEST + 1):
-        sizes += _of_length(series, rows & (sizes == 0), length)
-    found = sizes > 0
+    found = np.zeros(len(series), np.bool_)
+    kept = np.flatnonzero(rows)
+    if len(kept) <= REACH:
+        return found
+    mended, sizes = series, np.zeros(len(series))
+    for length in LENGTHS:
+        new = _of_length(mended, rows, length)
+        sizes = np.where(found, sizes, new)
+        found |= new > 0
+        kept = np.flatnonzero(rows & ~found)
+        mended = np.where(found, np.interp(np.arange(len(series)), kept, series[kept]), series)
     if not found.any():
         return found
-    near = binary_dilation(found, iterations=REACH)
-    elsewhere = np.max(np.abs(_departures(series, rows & ~near)), initial=0.0)
-    found &= sizes > TWICE * elsewhere
+    elsewhere = np.sort(_departures(series, rows & ~binary_dilation(found, iterations=REACH)))
+    found &= sizes > TWICE * (elsewhere[-1 - 2 * FEW] if len(elsewhere) > 2 * FEW else 0.0)
     return found & (np.sum(found) <= max(FEW, SHARE * np.sum(rows)))
 
 
 def _departures(series: Array, rows: Mask) -> Array:
-    """Of single steps from those around, where all are of rows that may be looked at."""
-    steps, usable = _windows(series, rows, 0)
-    return np.asarray((steps[:, AROUND] - np.median(_around(steps, 0), axis=1))[usable])
+    """Sizes of single steps less those around."""
+    steps = _windows(series, rows, 0)
+    steady, _, usable = _steady(steps, 0)
+    away = np.abs(steps[:, AROUND] - steady)
+    return np.asarray(away[usable & np.isfinite(away)])
 
 
-def _windows(series: Array, rows: Mask, length: int) -> tuple[Array, Mask]:
-    """(k, w) steps of a glitch of so many rows and around it, from each row on; (k,) whether all
-    are of rows that may be looked at."""
-    width = 2 * AROUND + length + 1
-    if len(series) <= width:
-        return np.empty((0, width)), np.empty(0, np.bool_)
-    steps = sliding_window_view(np.diff(series), width)
-    usable = sliding_window_view(rows, width + 1).all(axis=1)
-    return steps, np.asarray(usable)
+def _windows(series: Array, rows: Mask, length: int) -> Array:
+    """(n, w) steps to a glitch of so many rows from each row on, in it, from it, and around; NaN
+    where one is not of rows that may be looked at."""
+    steps = np.where(rows[1:] & rows[:-1], np.diff(series), np.nan)
+    before, after = np.full(AROUND + 1, np.nan), np.full(AROUND + length, np.nan)
+    return sliding_window_view(np.concatenate([before, steps, after]), 2 * AROUND + length + 1)
 
 
-def _around(steps: Array, length: int) -> Array:
-    return np.delete(steps, np.s_[AROUND : AROUND + length + 1], axis=1)
+def _steady(steps: Array, length: int) -> tuple[Array, Array, Mask]:
+    """Of windows: median of the steps around, the largest distance from it but for a few, and
+    whether there are enough of them."""
+    around = np.delete(steps, np.s_[AROUND : AROUND + length + 1], axis=1)
+    known = np.isfinite(around)
+    usable = known.sum(axis=1) >= AROUND
+    usable &= (known[:, :AROUND].sum(axis=1) >= BEFORE) & (known[:, AROUND:].sum(axis=1) >= AFTER)
+    ordered = np.sort(around, axis=1)
+    last = np.maximum(known.sum(axis=1) - 1, 0)
+    median = (_at(ordered, last // 2) + _at(ordered, (last + 1) // 2)) / 2
+    apart = np.sort(np.abs(around - median[:, None]), axis=1)
+    return median, _at(apart, np.maximum(last - OTHERS, 0)), usable
+
+
+def _at(values: Array, columns: NDArray[np.int64]) -> Array:
+    """(n,) one of each row's."""
+    return np.asarray(np.take_along_axis(values, columns[:, None], 1)[:, 0])
 
 
 def _of_length(series: Array, rows: Mask, length: int) -> Array:
     """(n,) sizes of glitches of so many rows; 0 where there are none."""
-    steps, usable = _windows(series, rows, length)
-    around = _around(steps, length)
-    steady = np.median(around, axis=1)
-    unsteady = np.max(np.abs(around - steady[:, None]), axis=1)
-    away, back = steps[:, AROUND] - steady, steady - steps[:, AROUND + length]
-    left = np.sum(steps[:, AROUND : AROUND + length + 1], axis=1) - (length + 1) * steady
+    steps = _windows(series, rows, length)
+    inside = steps[:, AROUND : AROUND + length + 1]
+    steady, unsteady, usable = _steady(steps, length)
+    away, back = inside[:, 0] - steady, steady - inside[:, -1]
+    left = inside.sum(axis=1) - (length + 1) * steady
     size = np.where(away * back > 0, np.minimum(np.abs(away), np.abs(back)), 0.0)
-    deviation = _deviation(away[usable])
-    is_glitch = usable & (size > np.maximum(OFF * deviation, APART * unsteady))
-    is_glitch &= (np.abs(left) < size / 2) & (deviation > 0)
+    usable &= np.isfinite(left)
+    least = np.maximum(OFF * _deviation(away[usable]), APART * unsteady)
     sizes = np.zeros(len(series))
-    for place in np.flatnonzero(is_glitch):
-        first = place + AROUND + 1
-        sizes[first : first + length] = size[place]
+    for first in np.flatnonzero(usable & (size > least) & (np.abs(left) < size / 2)):
+        sizes[first : first + length] = size[first]
     return sizes
 
 

@@ -86,12 +86,28 @@ def test_what_can_not_be_joined_is_refused() -> None:
         joined(log, 0.25)
     with pytest.raises(LogError, match="rows_s, 0\\.01, to be a multiple"):
         joined(log, 0.01)
-    with pytest.raises(LogError, match="no 20 s without a missing row"):
+    with pytest.raises(LogError, match="0 times 20 s without a missing row; expected 2"):
         joined(log, 20.0)
     changed = np.where(np.arange(100) < 35, 1.0, 0.0)
     message = r"drive_on changes between time_s 3\.1 and 4; expected it to be the same in a row"
-    with pytest.raises(LogError, match=message):
-        joined(replace(log, drive_on=changed), 1.0)
+    for drive_on in (changed, np.where(np.arange(100) == 31, np.nan, changed)):
+        with pytest.raises(LogError, match=message):
+            joined(replace(log, drive_on=drive_on), 1.0)
+
+
+@pytest.mark.parametrize("clock", [1.0, 1 + 2e-5, 1 - 2e-5])
+def test_a_clock_that_is_off_loses_no_row(clock: float) -> None:
+    log = fast_log(20000)
+    late = np.where(np.arange(20000) % 1000 == 500, 0.005, 0.0)
+    found = joined(replace(log, time=clock * log.time + late), 1.0)
+    assert len(found.time) == 2000
+    assert found.exclusions == ()
+
+
+def test_a_rate_that_is_rounded_is_a_whole_one() -> None:
+    log = fast_log(600)
+    found = joined(replace(log, interval=0.016667, time=np.round(log.time / 6, 6)), 1.0)
+    np.testing.assert_array_equal(found.time, np.arange(1, 11))
 
 
 @pytest.mark.parametrize(

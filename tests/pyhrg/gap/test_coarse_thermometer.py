@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from pyhrg.campaign import Test
 from pyhrg.device import Device
 from pyhrg.gap.channel_noise import believed_noise
-from pyhrg.gap.coarse_thermometer import reading_step
+from pyhrg.gap.coarse_thermometer import reading_steps, toggling
 from pyhrg.gap.observations import CHANNELS, observed
 from tests.pyhrg.records.made_up import made_up_log
 
@@ -26,15 +26,32 @@ def read(step: float, seed: int = 1) -> Array:
 
 @pytest.mark.parametrize("step", [0.05, 0.1, 1.0])
 def test_a_coarse_one_is_seen(step: float) -> None:
-    assert reading_step([read(step), read(step, 2)]) == pytest.approx(step)
-    assert reading_step([read(step), np.full(ROWS, 298.15)]) == pytest.approx(step)
+    logs = {"coarse": read(step), "still": np.full(ROWS, 298.15), "fine": read(0.0)}
+    expected = {"coarse": step, "still": step, "fine": 0.0}
+    assert reading_steps(logs) == pytest.approx(expected)
+
+
+def test_one_whose_step_is_rounded_is_seen() -> None:
+    printed = np.round(read(0.0625) - 273.15, 2)
+    assert reading_steps({"printed": printed})["printed"] == pytest.approx(0.0625, rel=0.1)
+
+
+SET = np.where(np.arange(ROWS) < 500, 298.15, 318.15)
 
 
 @pytest.mark.parametrize(
-    "logs", [[read(0.0)], [read(1e-3)], [TRUE], [TRUE[:9]], [np.full(9, np.nan)]]
+    "log", [read(0.0), read(1e-3), TRUE[:9], np.full(9, np.nan), SET], ids=range(5)
 )
-def test_a_fine_one_is_not(logs: list[Array]) -> None:
-    assert reading_step(logs) == 0.0
+def test_a_fine_one_is_not(log: Array) -> None:
+    assert reading_steps({"fine": log}) == {"fine": 0.0}
+    assert toggling(log) == 0.0
+
+
+def test_a_set_point_that_changes_once_is_no_noise() -> None:
+    assert toggling(TRUE) == 0.0
+    assert toggling(np.where(np.arange(ROWS) < 500, 298.15, 298.25)) == 0.0
+    between = np.round(read(0.0)[:400] - 273.2, 1)
+    assert toggling(between) == pytest.approx(0.1)
 
 
 def test_what_follows_the_temperature_is_known_to_half_a_step() -> None:

@@ -7,7 +7,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation
 
-from pyhrg.gap.observations import CHANNELS, commanded, jolts, later, settling
+from pyhrg.gap.observations import CHANNELS, FORCES, commanded, jolts, later, settling
 from pyhrg.gap.replay import replayable
 from pyhrg.gap.soundness.attitude import ACCELERATIONS
 from pyhrg.gap.soundness.doubt import Array, Believed, Doubt, has, with_columns
@@ -38,6 +38,8 @@ REACH = 2 * AROUND + LONGEST
 """Rows in which a glitch can be seen."""
 MAD = 1.4826
 """Standard deviation over the median of magnitudes, of normal numbers."""
+LEAST = 50
+"""Rows below which a column's noise can't be told."""
 FEW, SHARE = 3, 2e-3
 """Glitches of a column that are none if they are more: rows, or share of rows."""
 TOLD = 3
@@ -71,7 +73,8 @@ def doubts_of_glitches(log: Log, believed: Believed) -> list[Doubt]:
 def _doubts(log: Log, rows: Mask) -> Iterator[Doubt]:
     for field in CHANNELS:
         series = getattr(log, field)
-        found = glitches(series, rows & np.isfinite(series))
+        driven = (log.drive_on > 0) | (field not in FORCES)
+        found = glitches(series, rows & driven & np.isfinite(series))
         if found.any():
             fields = ("gyro_angle", "wave_angle") if field == "gyro_angle" else (field,)
             yield Doubt(fields, f"{_told(log, field, found)}: left out", found)
@@ -106,8 +109,7 @@ def glitches(series: Array, rows: Mask) -> Mask:
         gyro's own, or counts.
     """
     found = np.zeros(len(series), np.bool_)
-    kept = np.flatnonzero(rows)
-    if len(kept) <= REACH:
+    if np.sum(rows) < LEAST:
         return found
     mended, sizes = series, np.zeros(len(series))
     for length in LENGTHS:

@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 
 from pyhrg.campaign import Campaign
 from pyhrg.gap.soundness import sound
-from pyhrg.gap.soundness.glitches import FEW, INPUTS, glitches
+from pyhrg.gap.soundness.glitches import FEW, INPUTS, LEAST, glitches
 from pyhrg.records import Log
 from pyhrg.units import ARCSEC
 from tests.pyhrg.gap.soundness.spoil import added as moved
@@ -77,6 +77,10 @@ def test_what_may_be_the_gyros_own_is_not(series: Array) -> None:
 def test_noise_is_not(seed: int) -> None:
     assert not glitches(noisy(seed), ALL).any()
     assert not glitches(np.cumsum(noisy(seed)), ALL).any()
+
+
+def test_too_few_rows_tell_nothing() -> None:
+    assert not glitches(off(5)[:LEAST], ALL[:LEAST] & (np.arange(LEAST) > 0)).any()
 
 
 def test_where_it_is_not_to_be_looked_at_nothing_is_found() -> None:

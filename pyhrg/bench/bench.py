@@ -155,7 +155,7 @@ class Bench:
             raise ValueError(
                 f"rows of {programme.interval:g} s are no multiple of the step {self.step:g} s"
             )
-        share = (np.arange(steps) + 0.5) / steps
+        share = middles(steps)
         rate = between(programme.table_rate, share)
         begun = np.concatenate(([0.0], programme.table_angle[:-1]))[:, None]
         swept = programme.interval * share * between(programme.table_rate, share / 2)
@@ -209,6 +209,11 @@ def earth_rate(device: Device, axis_up: Array, table_angle: Array) -> Array:
 
 LOGGED = tuple(name for name in ("axis_up", *INPUTS) if name not in ("vibration", "bias_voltage"))
 """What a programme holds and a log shows."""
+
+
+def middles(steps: int) -> Array:
+    """(m,) of equal steps of a row, as shares of it."""
+    return np.asarray((np.arange(steps) + 0.5) / steps)
 
 
 def between(bounds: Array, share: Array) -> Array:

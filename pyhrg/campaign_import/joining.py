@@ -11,13 +11,13 @@ from pyhrg.records.columns import BY_FIELD
 
 Array = NDArray[np.float64]
 
-HELD = ("axis_up", "amplitude_setpoint", "phase_offset", "drive_on")
-"""Commands, which hold over a row."""
 MEANS = (
     *("acceleration_x", "acceleration_y", "acceleration_z", "virtual_rotation"),
     *("amplitude_force", "quadrature_force", "frequency_offset", "valid"),
 )
 """Means over a row; all else is taken at its end."""
+HELD = tuple(c.field for c in COLUMNS if c.role == "command" and c.field not in MEANS)
+"""Commands that hold over a row."""
 WHOLE = 1e-3
 """Distance from a whole number, relative, of rows in a row."""
 LEAST = 2

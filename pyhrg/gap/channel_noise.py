@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from pyhrg.device import Device
 from pyhrg.gap.coarse_thermometer import reading_steps
 from pyhrg.gap.observations import Observed
+from pyhrg.gap.replay import MAD
 from pyhrg.gap.whitening import Correlated, SlowNoise
 
 Array = NDArray[np.float64]
@@ -30,8 +31,6 @@ LASTING = 3.0
 """Thermal lags that the error of a coarse thermometer lasts."""
 LEAST_ANGLE = 1e-10
 """Noise of an angle of which none is stated, rad: numbers with eight decimals of a degree."""
-MAD = 1.4826
-"""Standard deviation over the median of magnitudes, of normal numbers."""
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.bench import FORCES, INPUTS, between, earth_rate, recorded
+from pyhrg.bench.bench import FORCES, INPUTS, between, earth_rate, middles, recorded
 from pyhrg.device import LOOPS, Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.gap.coarse_thermometer import toggling
@@ -126,8 +126,7 @@ def _parameters(fmu: GyroFmu, device: Device, step: float) -> Mapping[str, float
 def _moving(device: Device, inputs: Replayable, steps: int) -> dict[str, Array]:
     up = inputs.log.axis_up[:, None]
     earth = earth_rate(device, up, inputs.table_angle(steps))
-    share = np.asarray((np.arange(steps) + 0.5) / steps, dtype=np.float64)
     return {
         "angularRate": inputs.table.rates_in(steps) + earth,
-        "caseTemperature": between(inputs.temperatures, share),
+        "caseTemperature": between(inputs.temperatures, middles(steps)),
     }

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse import linalg
 
-from pyhrg.bench.bench import between
+from pyhrg.bench.bench import between, middles
 
 Array = NDArray[np.float64]
 
@@ -45,17 +45,13 @@ class TableMotion:
         """(n, steps) means over equal steps of each row, rad/s."""
         bounds = np.arange(steps + 1) / steps
         swelling = np.diff(_swollen(bounds)) * steps
-        return between(self.rates, _middles(steps)) + self.swells[:, None] * swelling
+        return between(self.rates, middles(steps)) + self.swells[:, None] * swelling
 
     def turned_in(self, steps: int) -> Array:
         """(n, steps) turn from each row's begin to the middles of equal steps of it, rad."""
-        share = _middles(steps)
+        share = middles(steps)
         linear = share * between(self.rates, share / 2)
         return self.interval * (linear + self.swells[:, None] * _swollen(share))
-
-
-def _middles(steps: int) -> Array:
-    return np.asarray((np.arange(steps) + 0.5) / steps, dtype=np.float64)
 
 
 def _swollen(share: Array) -> Array:

@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.bench import INPUTS, between
+from pyhrg.bench.bench import INPUTS, between, middles
 from pyhrg.bench.programme import Programme
 
 Array = NDArray[np.float64]
@@ -40,7 +40,7 @@ class Course:
     @cached_property
     def share(self) -> Array:
         """(m,) of a row that is over at the middle of each step."""
-        return (np.arange(self.steps) + 0.5) / self.steps
+        return middles(self.steps)
 
     @cached_property
     def time(self) -> Array:

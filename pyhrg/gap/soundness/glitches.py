@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation
 
 from pyhrg.gap.observations import CHANNELS, FORCES, commanded, jolts, later, settling
-from pyhrg.gap.replay import replayable
+from pyhrg.gap.replay import MAD, replayable
 from pyhrg.gap.soundness.attitude import ACCELERATIONS
 from pyhrg.gap.soundness.doubt import Array, Believed, Doubt, has, with_columns
 from pyhrg.records import Log
@@ -20,7 +20,7 @@ INPUTS = ("table_angle", "temperature", *ACCELERATIONS)
 """Measured by the bench, and smooth."""
 LONGEST = 3
 """Readings that are off together."""
-LENGTHS = (1, 2, LONGEST, 1, 2, LONGEST)
+LENGTHS = 2 * tuple(range(1, LONGEST + 1))
 """In the order in which they are looked for: a glitch hides its neighbours."""
 AROUND = 4
 """Steps from row to row, before and after, that are to be steady; as many in all at the least."""
@@ -36,8 +36,6 @@ TWICE = 2.0
 """Of a glitch over the largest step of all other rows, a few aside."""
 REACH = 2 * AROUND + LONGEST
 """Rows in which a glitch can be seen."""
-MAD = 1.4826
-"""Standard deviation over the median of magnitudes, of normal numbers."""
 LEAST = 50
 """Rows below which a column's noise can't be told."""
 FEW, SHARE = 3, 2e-3
@@ -55,9 +53,7 @@ def with_inputs_mended(log: Log) -> tuple[Log, list[str]]:
         found = glitches(series, known)
         if found.any():
             notes.append(f"{_told(log, field, found)}: filled in")
-            kept = np.flatnonzero(known & ~found)
-            filled = np.where(found, np.interp(np.arange(len(series)), kept, series[kept]), series)
-            log = with_columns(log, {field: filled})
+            log = with_columns(log, {field: _filled(series, found, known)})
     return log, notes
 
 
@@ -83,18 +79,22 @@ def _doubts(log: Log, rows: Mask) -> Iterator[Doubt]:
 def _told(log: Log, field: str, found: Mask) -> str:
     """Row, what was found, and what those around it say."""
     column, series = BY_FIELD[field], getattr(log, field)
-    kept = np.flatnonzero(np.isfinite(series) & ~found)
-    rows = np.flatnonzero(found)
     said, around = (
-        (values - column.offset) / column.factor
-        for values in (series[rows], np.interp(rows, kept, series[kept]))
+        (values[found] - column.offset) / column.factor
+        for values in (series, _filled(series, found, np.isfinite(series)))
     )
     each = [
         f"{one:.9g} at time_s {time:g}, expected {other:.9g} as around it"
-        for one, other, time in zip(said, around, log.time[rows], strict=True)
+        for one, other, time in zip(said, around, log.time[found], strict=True)
     ]
     more = [f"{len(each) - TOLD} more"] if len(each) > TOLD else []
     return f"{log.source}: column {column.name}: {'; '.join(each[:TOLD] + more)}"
+
+
+def _filled(series: Array, found: Mask, known: Mask) -> Array:
+    """A series with what was found in line with those known around it."""
+    kept = np.flatnonzero(known & ~found)
+    return np.where(found, np.interp(np.arange(len(series)), kept, series[kept]), series)
 
 
 def glitches(series: Array, rows: Mask) -> Mask:
@@ -116,8 +116,7 @@ def glitches(series: Array, rows: Mask) -> Mask:
         new = _of_length(mended, rows, length)
         sizes = np.where(found, sizes, new)
         found |= new > 0
-        kept = np.flatnonzero(rows & ~found)
-        mended = np.where(found, np.interp(np.arange(len(series)), kept, series[kept]), series)
+        mended = _filled(series, found, rows)
     if not found.any():
         return found
     elsewhere = np.sort(_departures(series, rows & ~binary_dilation(found, iterations=REACH)))
@@ -179,7 +178,9 @@ def _of_length(series: Array, rows: Mask, length: int) -> Array:
 def _deviation(values: Array) -> float:
     """Standard deviation of noise, or of all but a few where half of the values are one."""
     sizes = np.sort(np.abs(values))
-    if not len(sizes) or sizes[len(sizes) // 2] > 0:
-        return MAD * float(np.median(sizes)) if len(sizes) else 0.0
+    if not len(sizes):
+        return 0.0
+    if sizes[len(sizes) // 2] > 0:
+        return MAD * float(np.median(sizes))
     rest = sizes[: -int(max(2 * FEW, 2 * SHARE * len(sizes)))]
     return float(np.sqrt(np.mean(rest**2))) if len(rest) else 0.0

@@ -17,6 +17,8 @@ ROUNDS = 40
 """Of fitting, at most."""
 CLOSE = 0.1
 """Of a rate that is none: a round that moves rates by less is the last."""
+ALTERNATING = 2.0
+"""Of bends that are nothing special, over those of the motion that has few."""
 
 
 @dataclass(frozen=True)
@@ -60,37 +62,60 @@ def _swollen(share: Array) -> Array:
 
 
 def table_motion(table_angle: Array, interval: float) -> TableMotion:
-    """The motion that has an encoder's readings, whose slope changes in as few rows as will do, and
-    which is linear in as many.
+    """The motion that has an encoder's readings and is linear in every row; where that alternates,
+    the one whose slope changes in as few rows as will do, and which is linear in as many.
 
-    The increments alone leave open what alternates from bound to bound, and what an encoder rounds
-    off, or a table does within a row, would go on alternating for ever. So the rates' bends and
-    swells cost the logarithm of their size, by iteratively reweighted least squares (E. J. Candes,
-    M. B. Wakin, S. P. Boyd, J. Fourier Anal. Appl. 14 (2008)).
+    What an encoder rounds off, or a table does within a row, would go on alternating from bound to
+    bound for ever.
 
     Args:
         table_angle: (n,) encoder at the rows' ends, rad; 0 at the start.
         interval: of the rows, s.
     """
     means = np.diff(table_angle, prepend=0.0) / interval
+    linear = _motion(means, interval, _linear(means))
+    if _bent(linear) <= ALTERNATING * ENCODER / interval:
+        return linear
+    few = _motion(means, interval, _sparse(means, interval))
+    return few if ALTERNATING * _bent(few) < _bent(linear) else linear
+
+
+def _motion(means: Array, interval: float, rates: Array) -> TableMotion:
+    """With these means over rows, and (n,) rates at the rows' ends."""
+    bounds = np.append(0.0, rates)
+    return TableMotion(interval, bounds, means - (bounds[1:] + bounds[:-1]) / 2)
+
+
+def _bent(motion: TableMotion) -> float:
+    """A bend that is nothing special, and what is none, rad/s."""
+    return ENCODER / motion.interval + float(np.median(np.abs(np.diff(motion.rates, 2))))
+
+
+def _linear(means: Array) -> Array:
+    """(n,) rates at the rows' ends of a motion that is linear in every row."""
+    signs = (-1.0) ** np.arange(len(means))
+    return np.asarray(2 * signs * np.cumsum(signs * means))
+
+
+def _sparse(means: Array, interval: float) -> Array:
+    """(n,) rates at the rows' ends where bends and swells cost the logarithm of their size:
+    iteratively reweighted least squares (E. J. Candes, M. B. Wakin, S. P. Boyd, J. Fourier Anal.
+    Appl. 14 (2008))."""
     n = len(means)
-    rates = np.zeros(n + 1)
-    if not means.any():
-        return TableMotion(interval, rates, np.zeros(n))
-    rates[1:] = (means + np.append(means[1:], means[-1])) / 2
-    rates[1:-1][(means[1:] == 0) | (means[:-1] == 0)] = 0.0
+    rates = (means + np.append(means[1:], means[-1])) / 2
+    rates[:-1][(means[1:] == 0) | (means[:-1] == 0)] = 0.0
     mean = sparse.diags_array([0.5, 0.5], offsets=[0, -1], shape=(n, n))
     bend = sparse.diags_array([1.0, -2.0, 1.0], offsets=[-1, 0, 1], shape=(n - 1, n))
     none = ENCODER / interval
     for _ in range(ROUNDS):
-        swells, bends = means - mean @ rates[1:], bend @ rates[1:]
+        swells, bends = means - mean @ rates, bend @ rates
         a, b = (1 / (np.abs(values) + none) ** 2 for values in (swells, bends))
         normal = mean.T @ sparse.diags_array(a) @ mean + bend.T @ sparse.diags_array(b) @ bend
         scale = 1 / np.sqrt(normal.diagonal())
         even = sparse.diags_array(scale)
         pull = mean.T @ (a * swells) - bend.T @ (b * bends)
         change = scale * linalg.spsolve(sparse.csc_array(even @ normal @ even), scale * pull)
-        rates[1:] += change
+        rates = rates + change
         if np.abs(change).max() < CLOSE * none:
             break
-    return TableMotion(interval, rates, means - (rates[1:] + rates[:-1]) / 2)
+    return rates

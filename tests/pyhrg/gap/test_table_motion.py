@@ -51,7 +51,7 @@ def test_a_smooth_profile_is_found(interval: float) -> None:
     time = np.arange(0, 200 + interval / 2, interval)
     rates = 0.3 * np.sin(2 * np.pi * time / 50) ** 2
     found = table_motion(angles(rates, interval), interval)
-    np.testing.assert_allclose(found.rates, rates, atol=1e-3 * rates.max())
+    np.testing.assert_allclose(found.rates, rates, atol=1e-4)
     check_kept(found, angles(rates, interval))
 
 

@@ -128,22 +128,23 @@ def design(parts: Sequence[Evidence], noise: ChannelNoise, jumps: Sequence[Jump]
     outputs = [j for j in jumps if j.kind == "output"]
     sizes = [*(e.size for e in effects), *(len(j.times) for j in outputs)]
     count = _placed(places, [*effects, *outputs], sizes, 0)
-    own: dict[str, NDArray[np.int64]] = {}
     blocks = []
     shared = np.arange(count)
     for channel in CHANNELS:
         for index, part in enumerate(parts):
-            found = unknown.columns(part.where, channel, len(parts), index)
+            found = unknown.columns(part.where, channel)
             if channel == "gyro_angle":
                 found += [(j, j.columns(part.where)) for j in jumps if j not in outputs]
-            if channel not in own:
-                begin = count
-                count = _placed(
-                    places, [e for e, _ in found], [b.shape[1] for _, b in found], count
-                )
-                own[channel] = np.arange(begin, count)
-            columns = np.concatenate([shared, own[channel]])
-            blocks.append(_block(part, channel, columns, outputs, [b for _, b in found], noise))
+            elements, values = zip(*found, strict=True)
+            if index == 0:
+                sizes = [
+                    len(parts) if e.is_of_each_power_on else v.shape[1]
+                    for e, v in zip(elements, values, strict=True)
+                ]
+                count = _placed(places, elements, sizes, count)
+            own = [places[e][[index]] if e.is_of_each_power_on else places[e] for e in elements]
+            columns = np.concatenate([shared, *own])
+            blocks.append(_block(part, channel, columns, outputs, values, noise))
     return _assembled(places, blocks)
 
 

@@ -51,7 +51,8 @@ def located(design: Design) -> tuple[Place, ...]:
     found: dict[tuple[str, str, str, int | None], float] = {}
     for channel in dict.fromkeys(block.channel for block in design.blocks):
         blocks = [block for block in design.blocks if block.channel == channel]
-        columns = _columns([e for e in elements if e.channel == channel], design, blocks[0])
+        seen = [element for element in elements if element.channel == channel]
+        columns = {e: np.flatnonzero(np.isin(blocks[0].columns, design.places[e])) for e in seen}
         shared, blocks = _shared(blocks, columns)
         own = [(block.test, *part) for block in blocks for part in _parts(block, columns)]
         for test, coordinate, harmonic, power in (*shared, *own):
@@ -60,16 +61,6 @@ def located(design: Design) -> tuple[Place, ...]:
     whole = sum(found.values())
     places = [Place(*key, float(np.sqrt(p)), p / whole) for key, p in found.items()]
     return tuple(sorted(places, key=lambda place: -place.share))
-
-
-def _columns(elements: Sequence[Element], design: Design, block: Block) -> Columns:
-    """Where a channel's elements are in its blocks."""
-    begin = len(block.gram) - 1 - sum(len(design.places[e]) for e in elements)
-    columns = {}
-    for element in elements:
-        columns[element] = np.arange(begin, begin + len(design.places[element]))
-        begin += len(design.places[element])
-    return columns
 
 
 def _shared(
@@ -82,7 +73,10 @@ def _shared(
     while (found := _first(blocks, candidates, least)) is not None:
         best, power, sizes = found
         where = candidates.pop(best)
-        after = [replace(b, gram=_less(b.gram, where, sizes)) for b in blocks]
+        after = [
+            replace(block, gram=_less(block.gram, where, own))
+            for block, own in zip(blocks, sizes, strict=True)
+        ]
         gained = [max(_excess(b) - _excess(a), 0.0) for b, a in zip(blocks, after, strict=True)]
         for block, own in zip(blocks, gained, strict=True):
             if own > 0:
@@ -94,18 +88,27 @@ def _shared(
 
 def _first(
     blocks: Sequence[Block], candidates: Columns, least: float
-) -> tuple[Element, float, Array] | None:
-    """Element to be taken out first, what it explains of all tests, and its sizes: the first of
-    those that explain as much as any; what has a size for each test only when nothing else is left.
+) -> tuple[Element, float, list[Array]] | None:
+    """Element to be taken out first, what it explains of all tests, and its sizes in each: the
+    first of those that explain as much as any; what has a size for each test only when nothing else
+    is left.
     """
-    total = np.sum([block.gram for block in blocks], axis=0)
+    grams = [block.gram for block in blocks]
+    total = np.sum(grams, axis=0)
+
+    def explained(element: Element) -> float:
+        each = grams if element.is_of_each_power_on else [total]
+        return sum(_power(gram, candidates[element]) for gram in each)
+
     for foretells in (True, False):
-        powers = {e: _power(total, w) for e, w in candidates.items() if e.foretells == foretells}
-        beyond = {e: power - len(candidates[e]) for e, power in powers.items()}
+        powers = {e: explained(e) for e in candidates if e.foretells == foretells}
+        sizes = {e: len(grams) if e.is_of_each_power_on else len(candidates[e]) for e in powers}
+        beyond = {e: powers[e] - sizes[e] for e in powers}
         most = max(beyond.values(), default=0.0)
         if most >= least:
             best = next(e for e in beyond if beyond[e] >= most - ALIKE)
-            return best, powers[best], _sizes(total, candidates[best])
+            each = grams if best.is_of_each_power_on else [total] * len(grams)
+            return best, powers[best], [_sizes(gram, candidates[best]) for gram in each]
     return None
 
 

@@ -65,9 +65,9 @@ def remainders(
     shared: Taken = {g: v for g, v in taken.items() if isinstance(g, Effect) or _is_output(g)}
     found = []
     for index, part in enumerate(parts):
-        turned = _left(part, shared, "gyro_angle", 1, 0)[:, None]
+        turned = _left(part, shared, "gyro_angle", index)[:, None]
         for channel in channels:
-            left = _left(part, taken, channel, len(parts), index)[:, None]
+            left = _left(part, taken, channel, index)[:, None]
             values = part.at_measured_angle(left, turned, channel)[:, 0]
             rows = part.test.rows[channel]
             if channel == "gyro_angle":
@@ -92,27 +92,26 @@ def unlike(*taken: Taken | Mapping[Effect, Array]) -> list[Taken]:
     return list(found.values())
 
 
-def _left(part: Evidence, taken: Taken, channel: str, tests: int, index: int) -> Array:
+def _left(part: Evidence, taken: Taken, channel: str, index: int) -> Array:
     """(n,) of a channel's residual.
 
     Args:
         part: of one test.
         taken: out of it.
         channel: a field of a log.
-        tests: number of the campaign's tests.
-        index: of this one.
+        index: of the test.
     """
     left = part.residual[channel].copy()
     elements = {
         g: v for g, v in taken.items() if not isinstance(g, Effect) and g.channel == channel
     }
-    columns = dict(unknown.columns(part.where, channel, tests, index)) if elements else {}
+    columns = dict(unknown.columns(part.where, channel)) if elements else {}
     columns |= {g: g.columns(part.where) for g in elements if isinstance(g, Jump)}
     for group, value in taken.items():
         if isinstance(group, Effect):
             left -= part.secants[group][channel] @ value
         elif group in elements:
-            left -= columns[group] @ value
+            left -= columns[group] @ (value[[index]] if group.is_of_each_power_on else value)
     return left
 
 

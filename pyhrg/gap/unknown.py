@@ -48,7 +48,12 @@ class Element:
     @property
     def foretells(self) -> bool:
         """Whether it says anything of a test that is yet to be made."""
-        return not self.of.endswith(EACH_POWER_ON)
+        return not self.is_of_each_power_on
+
+    @property
+    def is_of_each_power_on(self) -> bool:
+        """Whether every test has a size of its own: its one column is another in each."""
+        return self.of.endswith(EACH_POWER_ON)
 
     @property
     def words(self) -> str:
@@ -112,19 +117,15 @@ def _slope(series: Array, interval: float) -> Array:
     return np.asarray((series[high] - series[low]) / ((high - low) * interval))
 
 
-def columns(
-    where: Coordinates, channel: str, tests: int, index: int
-) -> list[tuple[Element, Array]]:
+def columns(where: Coordinates, channel: str) -> list[tuple[Element, Array]]:
     """Elements of a channel in one test: (n, b) each, in the same order for every test.
 
     Args:
         where: the test's coordinates.
         channel: a field of a log.
-        tests: number of the campaign's tests.
-        index: of this one.
     """
     found = []
-    for coordinate, of, harmonic, block in _functions(where, tests, index):
+    for coordinate, of, harmonic, block in _functions(where):
         if channel != "gyro_angle":
             found.append((Element(channel, coordinate, of, harmonic), block))
             continue
@@ -150,9 +151,7 @@ def _pickoffs(where: Coordinates) -> Iterator[tuple[str, str, Array]]:
         yield "acceleration", f"{words} acceleration {axis} squared", second * force**2
 
 
-def _functions(
-    where: Coordinates, tests: int, index: int
-) -> Iterator[tuple[str, str, int | None, Array]]:
+def _functions(where: Coordinates) -> Iterator[tuple[str, str, int | None, Array]]:
     """Coordinate, words, harmonic, and (n, b) values."""
     log = where.test.log
     yield "wave_angle", "mean over the pattern angle", 0, np.ones((len(log.time), 1))
@@ -196,9 +195,7 @@ def _functions(
     for constant in WARM_UPS:
         settling = np.exp(-log.time / constant)
         yield "time", f"settling in {constant:g} s", None, _column(settling)
-    own = np.zeros((len(log.time), tests))
-    own[:, index] = 1.0
-    yield "time", EACH_POWER_ON, None, own
+    yield "time", EACH_POWER_ON, None, np.ones((len(log.time), 1))
 
 
 def _direction(rate: Array) -> Array:

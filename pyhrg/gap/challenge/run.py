@@ -4,7 +4,8 @@ import hashlib
 import multiprocessing
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache, partial
@@ -29,9 +30,8 @@ from pyhrg.gap.challenge.score import Judged
 Diagnose = Callable[[Path, Path, Sequence[str]], None]
 """Diagnoses the campaign of a folder into `diagnosis.json` of another, its catalogue without the
 effects of these names; importable by name, for other processes."""
-Item = TypeVar("Item")
 Result = TypeVar("Result")
-Work = Callable[[Item], Result]
+Work = Callable[[Case], Result]
 
 
 @dataclass(frozen=True)
@@ -54,8 +54,9 @@ class Challenge:
             others: challenges that are finished, to be scored together with this one.
 
         Raises:
-            ChallengeError: the folder is another challenge's, a diagnosis can't be used, or another
-                challenge is not finished or has a seed that is there already.
+            ChallengeError: the folder is another challenge's, a diagnosis can't be used, a worker
+                was killed, or another challenge is not finished or has a seed that is there
+                already.
             OSError: it can't be written.
         """
         known = self._others(others)
@@ -179,18 +180,44 @@ def _fmus() -> Fmus:
 @contextmanager
 def _shared(
     workers: int,
-) -> Iterator[Callable[[str, Work[Item, Result], Sequence[Item]], list[Result]]]:
+) -> Iterator[Callable[[str, Work[Result], Sequence[Case]], list[Result]]]:
     """Work shared among processes, one after the other in this one where there is one worker."""
     if workers == 1:
-        yield lambda title, work, items: _told(title, map(work, items), len(items))
+        yield lambda title, work, cases: _told(title, map(work, cases), len(cases))
         return
     _fmus()  # built before others ask for it
     with ProcessPoolExecutor(workers, multiprocessing.get_context("spawn")) as pool:
         try:
-            yield lambda title, work, items: _told(title, pool.map(work, items), len(items))
+            yield lambda title, work, cases: _told(
+                title, _results(pool, workers, title, work, cases), len(cases)
+            )
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             raise
+
+
+def _results(
+    pool: ProcessPoolExecutor,
+    workers: int,
+    title: str,
+    work: Work[Result],
+    cases: Sequence[Case],
+) -> Iterator[Result]:
+    """In order; a process that was killed is told with the cases that were begun."""
+    names: dict[Future[Result], str] = {pool.submit(work, case): case.name for case in cases}
+    for future in list(names):
+        try:
+            yield future.result()
+        except BrokenProcessPool as error:
+            lost = [name for each, name in names.items() if not _has_result(each)]
+            raise ChallengeError(
+                f"{title}: a worker was killed, perhaps for want of memory, at one of "
+                f"{', '.join(lost[:workers])}; what is done is kept: go on with fewer --workers"
+            ) from error
+
+
+def _has_result(future: Future[Result]) -> bool:
+    return future.done() and future.exception() is None
 
 
 def _told(title: str, results: Iterable[Result], count: int) -> list[Result]:

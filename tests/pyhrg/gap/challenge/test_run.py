@@ -2,6 +2,9 @@
 
 import argparse
 import json
+import os
+import shutil
+import signal
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -41,6 +44,11 @@ def says_nothing(campaign: Path, out: Path, without: Sequence[str]) -> None:
     """As a diagnosis that failed without a word."""
 
 
+def is_killed(campaign: Path, out: Path, without: Sequence[str]) -> None:
+    """As by a system that has no memory left."""
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
 def files(root: Path) -> dict[str, bytes]:
     return {
         str(path.relative_to(root)): path.read_bytes() for path in root.rglob("*") if path.is_file()
@@ -55,6 +63,18 @@ def test_same_bytes_again_and_resumed(tmp_path: Path) -> None:
     assert not (tmp_path / "b" / "score.json").exists()
     Challenge(Folder(tmp_path / "b"), SETTINGS, says_no_gap).run(1)
     assert files(tmp_path / "a") == files(tmp_path / "b")
+
+
+@pytest.mark.usefixtures("quick_cases")
+def test_a_worker_that_is_killed_is_told_with_its_campaign(tmp_path: Path) -> None:
+    folder = Folder(tmp_path)
+    Challenge(folder, SETTINGS, says_no_gap).run(1)
+    done = files(tmp_path)
+    shutil.rmtree(folder.diagnosis("unit-0002"))
+    with pytest.raises(ChallengeError, match=r"diagnosed: a worker was killed, .* unit-0002; what"):
+        Challenge(folder, SETTINGS, is_killed).run(2)
+    Challenge(folder, SETTINGS, says_no_gap).run(2)
+    assert files(tmp_path) == done
 
 
 @pytest.mark.usefixtures("quick_cases")

@@ -110,6 +110,36 @@ def misaimed_ripple_scale_factor(
     return -(gain_mismatch**2 + nonorthogonality**2) / 4 * loop.real
 
 
+def beyond_the_average(
+    device: Device, rate: ArrayLike, pattern_angle: ArrayLike
+) -> dict[str, NDArray[np.float64]]:
+    """What the average over a carrier period leaves out of a turning gyro's loops, to the next
+    order, by field of a log.
+
+    With c = 2 k W, the coupling of the modes, the velocity in the turning case has c/w of the
+    displacement across the pattern. Damping of it takes a quadrature force -c/(w tau), rad/s. Under
+    a split it does work, which takes -(dw/2)(c/w) Im H exp(4i (th - th_w)) of the amplitude force,
+    1/s, with H = (1 + 2z)/(1 + z)^2 of a critically damped loop, z = -4i k W over its natural
+    frequency. The mean modal frequency is c^2/2w higher, rad/s. Where forces are held for a whole
+    number of half carrier periods, these two forces are others by a half.
+
+    Args:
+        device: the gyro.
+        rate: of the case, rad/s.
+        pattern_angle: rad, of the rate's shape.
+    """
+    coupling = 2 * device.bryan_factor * np.asarray(rate)
+    share = coupling / device.frequency
+    z = -2j * coupling / device.amplitude_loop
+    fourth = np.exp(4j * (np.asarray(pattern_angle) - device.stiffness_axis))
+    work = np.imag((1 + 2 * z) / (1 + z) ** 2 * fourth)
+    return {
+        "quadrature_force": -share / device.decay_time,
+        "amplitude_force": -device.frequency_split / 2 * share * work,
+        "frequency_offset": coupling * share / 2,
+    }
+
+
 def angle_random_walk_bias_stability(angle_random_walk: float, average: float) -> float:
     """Standard deviation of rate means over `average` seconds, rad/s, from N (rad/sqrt(s))."""
     return angle_random_walk / math.sqrt(average)

@@ -14,6 +14,7 @@ from pyhrg.gap.jump import Jump
 from pyhrg.gap.observations import CHANNELS, Observed
 from pyhrg.gap.unknown import Coordinates, Element
 from pyhrg.gap.whitening import Whitened, whitened
+from pyhrg.theory import beyond_the_average
 
 Array = NDArray[np.float64]
 Group = Effect | Element
@@ -101,6 +102,14 @@ class Evidence:
         jumped = [(channel == "gyro_angle") * jump.columns(self.where) for jump in outputs]
         return np.column_stack([*secants, *jumped, self.residual[channel]])
 
+    def left_out(self, channel: str) -> Array:
+        """(n,) what the next order of the average over a carrier period, which the simulated gyro
+        has not, does to a channel."""
+        rate = self.where.table_rate
+        middle = self.bryan_factor * rate * self.test.log.interval / 2
+        beyond = beyond_the_average(self.device, rate, self.where.pattern_angle + middle)
+        return beyond.get(channel, np.zeros(len(rate)))
+
     def at_measured_angle(self, series: Array, angles: Array, channel: str) -> Array:
         """Series of a channel where the pattern is as measured, not as simulated: noise that turns
         the pattern is then seen in the angle alone.
@@ -183,7 +192,8 @@ def _white(part: Evidence, channel: str, series: Array, noise: ChannelNoise) -> 
     """Of (n, p) series of a channel, the rows that are compared."""
     rows = part.test.rows[channel]
     steps = np.diff(part.test.log.time[rows], prepend=0.0)
-    return whitened(series[rows], steps, noise.of(channel, part.test))
+    out = part.left_out(channel)[rows]
+    return whitened(series[rows], steps, noise.of(channel, part.test), out)
 
 
 def _assembled(places: Mapping[Group, NDArray[np.int64]], blocks: Sequence[Block]) -> Design:

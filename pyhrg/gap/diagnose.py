@@ -204,8 +204,8 @@ def _sizes(
     found: Attribution, before: Sequence[Residuals], after: Sequence[Residuals]
 ) -> tuple[Size, ...]:
     noise = replace(found.channel_noise, angle=angle_noise(found.believed))
-    tests = [part.test for part in found.parts]
-    return sizes(tests, before[: len(tests)], after[: len(tests)], noise)
+    count = len(found.parts)
+    return sizes(found.parts, before[:count], after[:count], noise)
 
 
 def _told(place: Place) -> Where:

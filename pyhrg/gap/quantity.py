@@ -7,8 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.gap.channel_noise import ChannelNoise
-from pyhrg.gap.observations import CHANNELS, Observed
-from pyhrg.gap.whitening import SlowNoise, whitened
+from pyhrg.gap.design import Evidence
+from pyhrg.gap.observations import CHANNELS
+from pyhrg.gap.whitening import whitened
 
 Array = NDArray[np.float64]
 
@@ -34,7 +35,7 @@ class Size:
 
 
 def sizes(
-    tests: Sequence[Observed],
+    parts: Sequence[Evidence],
     before: Sequence[Mapping[str, Array]],
     after: Sequence[Mapping[str, Array]],
     noise: ChannelNoise,
@@ -42,27 +43,29 @@ def sizes(
     """Of all channels of tests, in their order.
 
     Args:
-        tests: whose residuals these are.
+        parts: of the tests whose residuals these are.
         before, after: (n,) residual by channel for each test, SI, where the pattern is as measured;
             NaN where not compared.
         noise: that is believed.
     """
     found = []
-    for test, first, last in zip(tests, before, after, strict=True):
+    for part, first, last in zip(parts, before, after, strict=True):
         for channel in CHANNELS:
-            of = noise.of(channel, test)
-            ends = [list(_powers(test, r[channel], of)) for r in (first, last)]
+            ends = [list(_powers(part, channel, r[channel], noise)) for r in (first, last)]
             for (scale, low), (_, high) in zip(*ends, strict=True):
-                found.append(Size(test.test.id, channel, scale, low, high))
+                found.append(Size(part.test.test.id, channel, scale, low, high))
     return tuple(found)
 
 
-def _powers(test: Observed, residual: Array, noise: SlowNoise) -> Iterator[tuple[float, float]]:
-    rows = np.isfinite(residual)
-    steps = np.diff(test.log.time[rows], prepend=0.0)
-    white = whitened(residual[rows][:, None], steps, noise).series[:, 0]
+def _powers(
+    part: Evidence, channel: str, residual: Array, noise: ChannelNoise
+) -> Iterator[tuple[float, float]]:
+    log, rows = part.test.log, np.isfinite(residual)
+    steps = np.diff(log.time[rows], prepend=0.0)
+    of, out = noise.of(channel, part.test), part.left_out(channel)[rows]
+    white = whitened(residual[rows][:, None], steps, of, out).series[:, 0]
     for scale in SCALES:
-        m = round(scale / test.log.interval)
+        m = round(scale / log.interval)
         n = len(white) // m if m else 0
         if n >= LEAST:
             means = white[: n * m].reshape(n, m).sum(axis=1) / np.sqrt(m)

@@ -33,6 +33,7 @@ class Remainder:
     steps: (n,) time from the reading before, s.
     interval: length of a row, s.
     noise: that it should be.
+    left_out: (n,) by the simulation, as `whitened` has it.
     """
 
     test: str
@@ -41,11 +42,12 @@ class Remainder:
     steps: Array
     interval: float
     noise: SlowNoise
+    left_out: Array | None = None
 
     @cached_property
     def white(self) -> Array:
         """(n,) in deviations of the noise."""
-        return whitened(self.values[:, None], self.steps, self.noise).series[:, 0]
+        return whitened(self.values[:, None], self.steps, self.noise, self.left_out).series[:, 0]
 
     @property
     def times(self) -> Array:
@@ -75,7 +77,8 @@ def remainders(
             steps = np.diff(part.test.log.time[rows], prepend=0.0)
             own = noise.of(channel, part.test)
             name, interval = part.test.test.id, part.test.log.interval
-            found.append(Remainder(name, channel, values[rows], steps, interval, own))
+            out = part.left_out(channel)[rows]
+            found.append(Remainder(name, channel, values[rows], steps, interval, own, out))
     return found
 
 

@@ -116,14 +116,29 @@ class Whitened:
     log_determinant: float
 
 
-def whitened(series: Array, steps: Array, noise: SlowNoise) -> Whitened:
+def whitened(
+    series: Array, steps: Array, noise: SlowNoise, left_out: Array | None = None
+) -> Whitened:
     """Innovations of series under a noise that starts at zero; flicker is as it ever was.
 
     Args:
         series: (n, p) residual and columns, any unit.
         steps: (n,) time from the reading before, the first from the start, s.
         noise: in the series' unit.
+        left_out: (n,) by the simulation: a multiple of it, of standard deviation 1, is in the
+            record beside the noise.
     """
+    if left_out is None or not left_out.any():
+        return _innovative(series, steps, noise)
+    both = _innovative(np.column_stack([series, left_out]), steps, noise)
+    shape = both.series[:, -1]
+    power = float(shape @ shape)
+    taken = (1 - 1 / np.sqrt(1 + power)) / power
+    white = both.series[:, :-1] - taken * np.outer(shape, shape @ both.series[:, :-1])
+    return Whitened(white, both.log_determinant + float(np.log1p(power)))
+
+
+def _innovative(series: Array, steps: Array, noise: SlowNoise) -> Whitened:
     if noise.is_white:
         return Whitened(series / noise.white, 2 * len(series) * float(np.log(noise.white)))
     s = noise.states

@@ -157,7 +157,7 @@ def test_quasisteady_loops_show_the_same(gyros: dict[str, GyroFmu], name: str) -
 
 @pytest.mark.parametrize("name", NOISE)
 def test_carrier_draws_the_same_noise(gyros: dict[str, GyroFmu], name: str) -> None:
-    """The very same deviates, so that records agree, apart from a mean over half a period: 10 %."""
+    """The very same deviates, so that records agree, but for demodulation of a period: 10 %."""
     records = []
     for fidelity in ("HRG", "HRGCarrier"):
         with gyros[fidelity].power_on({name: NOISE[name]}, seed=5, start_angle=0.2) as gyro:

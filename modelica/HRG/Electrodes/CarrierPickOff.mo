@@ -18,9 +18,8 @@ protected
   discrete Units.Force lastForce[4](each start = 0, each fixed = true) "Force at the last sample";
   discrete Units.Displacement converted[2](each start = 0, each fixed = true) "Output of the converters";
   discrete Real count(start = window - 1, fixed = true) "Samples in the window";
-  discrete Real sums[7](each start = 0, each fixed = true)
-    "Over the window: {x c, x s, y c, y s, c c, c s, s s}, c and s the carrier";
-  Real gathered[7] "Sums, as the control electronics read them";
+  discrete Real sums[17](each start = 0, each fixed = true) "Over the window, of products with the carrier (accumulated)";
+  Real gathered[17] "Sums, as the control electronics read them";
   discrete Units.Displacement demodulated[4](
     start = {startAmplitude*cos(2*startAngle), 0, startAmplitude*sin(2*startAngle), 0},
     each fixed = true) "{cx, sx, cy, sy}";
@@ -34,7 +33,9 @@ equation
       digitised(signal[1], converterResolution, converterRange),
       digitised(signal[2], converterResolution, converterRange)};
     count = if pre(count) > window - 0.5 then 1 else pre(count) + 1;
-    sums = accumulated(pre(sums), if pre(count) > window - 0.5 then 0 else 1, converted, carrier);
+    sums = accumulated(
+      pre(sums), if pre(count) > window - 0.5 then 0 else 1, count/window - 1,
+      1 - cos(2*Constants.pi*(count - 0.5)/window), converted, carrier);
     lastForce = force;
   end when;
   gathered = sums;
@@ -52,8 +53,8 @@ equation
     digitised(received[3] + noise[3], resolution, fullScale),
     digitised(received[4] + noise[4], resolution, fullScale)};
   annotation (Documentation(info="<html>
-<p>The demodulation is the least-squares fit of x = cx cos P + sx sin P to a control period's samples: exact for any ratio
-of carrier and sample rate, where a mean of products would leave a ripple of twice the carrier. The reading is
-the mean over the period, half a period old.</p>
+<p>The demodulation is the least-squares fit of x = cx cos P + sx sin P to a control period's samples, cx and sx linear in time: exact
+for any ratio of carrier and sample rate, where a mean of products would leave a ripple of twice the carrier, and so would a
+fit of constants to a pattern that turns meanwhile. The reading is that of the moment it is read at.</p>
 </html>"));
 end CarrierPickOff;

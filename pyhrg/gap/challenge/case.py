@@ -24,6 +24,8 @@ CampaignStrength = Callable[[Campaign, str, Mapping[str, float]], float]
 """Sigmas of an effect, by its name and parameters, on the inputs of a campaign."""
 SLOW_STEP = 1.0
 """Communication step of what only looks at slow things, s."""
+SHORT = 60.0
+"""Tests up to this are made at the carrier, s."""
 STEPS = 100
 """Communication steps in a row of the true gyro."""
 
@@ -47,13 +49,18 @@ class Case:
 class Fmus:
     """The gyro's models.
 
-    sampled: `HRG`, of the truth. `HRGCarrier` is no truth here: 40 s at 100 deg/s show the next
-        terms of the average, 2 k W/w of the forces, which the format's nominal gyro has not.
+    carrier: `HRGCarrier`, of the truth of a campaign's short tests.
+    sampled: `HRG`, of that of all others.
     slow: `HRGSlow`, of the strengths.
     """
 
+    carrier: GyroFmu
     sampled: GyroFmu
     slow: GyroFmu
+
+    def of(self, plan: Plan) -> GyroFmu:
+        """The model of a test's truth."""
+        return self.carrier if plan.programme.time <= SHORT else self.sampled
 
 
 @dataclass(frozen=True)
@@ -68,15 +75,17 @@ class Prepared:
     plans: list[Plan]
     state: TrueState
 
-    def recorded(self, plans: Sequence[Plan], fmu: GyroFmu, stream: int) -> list[Test]:
-        """Tests of the true gyro."""
+    def recorded(self, plans: Sequence[tuple[Plan, GyroFmu]], stream: int) -> list[Test]:
+        """Tests of the true gyro, each by its model."""
         noise = _generator(self.case, stream)
-        gyro = TrueGyro(fmu, self.state.device, self.own, self.state.disturbance)
-        return [_recorded(plan, gyro, noise) for plan in plans]
+        return [_recorded(plan, self._gyro(fmu), noise) for plan, fmu in plans]
+
+    def _gyro(self, fmu: GyroFmu) -> TrueGyro:
+        return TrueGyro(fmu, self.state.device, self.own, self.state.disturbance)
 
     def holdout_noise(self, tests: Sequence[Test], fmu: GyroFmu) -> float:
         """Root mean square of what noise makes of the output angle on held-out tests, rad."""
-        gyro = TrueGyro(fmu, self.state.device, self.own, self.state.disturbance)
+        gyro = self._gyro(fmu)
         squares = []
         for plan, test in zip(self.plans, tests, strict=True):
             if test.is_holdout:
@@ -124,7 +133,7 @@ def generated(
 ) -> tuple[Campaign, Truth]:
     """Simulate a case: the same bytes wherever it is done. Arguments as of `prepared`."""
     drawn = prepared(case, fmus.slow, strength)
-    tests = drawn.recorded(drawn.plans, fmus.sampled, NOISE)
+    tests = drawn.recorded([(plan, fmus.of(plan)) for plan in drawn.plans], NOISE)
     noise = drawn.holdout_noise(tests, fmus.sampled) / ARCSEC
     return drawn.campaign(tests), replace(drawn.state.truth, holdout_noise_arcsec=noise)
 
@@ -144,7 +153,7 @@ def with_next_test(
     """
     drawn = prepared(case, fmus.slow, strength)
     more = further(kind, hours, drawn.device, _generator(case, NEXT_BENCH))
-    tests = drawn.recorded(more, fmus.sampled, NEXT_NOISE)
+    tests = drawn.recorded([(plan, fmus.sampled) for plan in more], NEXT_NOISE)
     return drawn.campaign((*campaign.tests, *tests))
 
 

@@ -171,10 +171,10 @@ def _said_of(challenge: Challenge, case: Case, campaign: Path, out: Path) -> Non
 @cache
 def _fmus() -> Fmus:
     """The models, once a process."""
-    sampled, slow = (GyroFmu(built_fmu(root=ROOTS[name])) for name in ("HRG", "HRGSlow"))
-    sampled.prepare()
-    slow.prepare()
-    return Fmus(sampled, slow)
+    models = [GyroFmu(built_fmu(root=ROOTS[name])) for name in ("HRGCarrier", "HRG", "HRGSlow")]
+    for model in models:
+        model.prepare()
+    return Fmus(*models)
 
 
 @contextmanager

@@ -61,6 +61,25 @@ def test_the_likelihood_is_that_of_the_covariance(noise: SlowNoise, times: Array
     np.testing.assert_allclose(found.series.T @ found.series, products, rtol=1e-6)
 
 
+@pytest.mark.parametrize("noise", NOISES, ids=str)
+def test_what_is_left_out_is_as_a_part_of_the_covariance(noise: SlowNoise) -> None:
+    generator = np.random.default_rng(2)
+    series, shape = generator.normal(size=(len(UNEVEN), 2)), generator.normal(size=len(UNEVEN))
+    found = whitened(series, np.diff(UNEVEN, prepend=0.0), noise, shape)
+    factor = cholesky(covariance(UNEVEN, noise) + np.outer(shape, shape), lower=True)
+    assert found.log_determinant == pytest.approx(2 * np.log(np.diag(factor)).sum(), rel=1e-8)
+    products = series.T @ cho_solve((factor, True), series)
+    np.testing.assert_allclose(found.series.T @ found.series, products, rtol=1e-6)
+
+
+def test_nothing_left_out_changes_nothing() -> None:
+    series, steps = np.random.default_rng(1).normal(size=(120, 2)), np.diff(EVEN, prepend=0.0)
+    plain = whitened(series, steps, NOISES[1])
+    found = whitened(series, steps, NOISES[1], np.zeros(120))
+    np.testing.assert_array_equal(found.series, plain.series)
+    assert found.log_determinant == plain.log_determinant
+
+
 def test_the_sum_of_lags_is_flicker() -> None:
     """Allan deviation of the rate: 0.664 B on the floor, from 10 s to an hour, to 6 %."""
     noise = SlowNoise(1.0, flicker=0.1)

@@ -50,5 +50,6 @@ def short_plans(
 
 @pytest.fixture
 def quick_cases(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Cases of two short tests."""
+    """Cases of two short tests, none of them at the carrier."""
     monkeypatch.setattr(case, "plans", short_plans)
+    monkeypatch.setattr(case, "SHORT", 0.0)

@@ -144,8 +144,7 @@ def summary(found: Diagnosed) -> str:
         if cause.equivalents:
             lines.append(f"    or {', '.join(cause.equivalents)}")
     lines.append(f"  outside the catalogue: {said.unknown_probability:.3f}")
-    if not said.settled:
-        lines.append("  the search did not come to rest: all of this is uncertain")
+    lines += [f"  {caveat}" for caveat in said.caveats]
     for words, figure in (
         ("fit", said.gap.fit_angle_arcsec),
         ("held out", said.gap.holdout_angle_arcsec),

@@ -11,6 +11,13 @@ from pyhrg.gap.quantity import Size
 
 SCHEMA = "hrg-diagnosis/1"
 FILE = "diagnosis.json"
+WIDENED = 1.1
+"""Residual after closing over that before from which closing has made it worse."""
+UNSETTLED = "The search did not come to rest: all of this is uncertain."
+WIDER = (
+    "Closing takes the simulation further away from the records: what is named stands in for "
+    "something that has no name."
+)
 Verdict = Literal["no_gap", "explained", "ambiguous", "unexplained"]
 
 
@@ -73,6 +80,12 @@ class Gap:
     shrink_percent: float | None
     whiteness: float | None
 
+    @property
+    def is_wider(self) -> bool:
+        """Whether closing has taken the simulation away from tests that it was fitted to."""
+        fit = self.fit_angle_arcsec
+        return fit.after > max(WIDENED * fit.before, fit.floor_95[1])
+
 
 @dataclass(frozen=True)
 class NextTest:
@@ -107,6 +120,14 @@ class Diagnosis:
     unnamed: Mapping[str, float]
     excluded: tuple[str, ...]
     settled: bool = True
+
+    @property
+    def caveats(self) -> list[str]:
+        """What makes all of it uncertain, a sentence each."""
+        return [
+            *([] if self.settled else [UNSETTLED]),
+            *([WIDER] if self.gap.is_wider else []),
+        ]
 
     def document(self) -> dict[str, Any]:
         """As `diagnosis.json` has it."""

@@ -21,9 +21,6 @@ def headline(said: Diagnosis) -> str:
     return f"The gap is not explained: something outside the catalogue takes part{beside}."
 
 
-UNSETTLED = "The search did not come to rest: all of this is uncertain."
-
-
 def sentences(found: Diagnosed) -> list[str]:
     """What follows, from figures of the diagnosis alone."""
     said = found.diagnosis
@@ -31,7 +28,7 @@ def sentences(found: Diagnosed) -> list[str]:
         *(_cause(cause) for cause in said.causes),
         f"Something outside the catalogue takes part with a probability of "
         f"{percent(said.unknown_probability)}.",
-        *([] if said.settled else [UNSETTLED]),
+        *said.caveats,
         *_distance(said),
         *closed_by(said.gap),
         *_next(said),

@@ -5,11 +5,11 @@ from dataclasses import replace
 
 import pytest
 
+from pyhrg.gap.command import summary
 from pyhrg.gap.diagnose import Diagnosed
-from pyhrg.gap.diagnosis import Cause, NextTest
+from pyhrg.gap.diagnosis import UNSETTLED, WIDER, Cause, NextTest
 from pyhrg.gap.nameless_noise import Nameless
 from pyhrg.gap.report.page import page
-from pyhrg.gap.report.verdict import UNSETTLED
 from pyhrg.gap.sections import Section
 from pyhrg.gap.weighing import Weighed
 from pyhrg.gap.whitening import Correlated
@@ -71,6 +71,16 @@ def test_a_search_that_did_not_come_to_rest_is_told(with_gap: Diagnosed, text: s
     assert UNSETTLED not in text
     restless = replace(with_gap.diagnosis, settled=False)
     assert UNSETTLED in page(replace(with_gap, diagnosis=restless))
+
+
+def test_a_closing_that_makes_it_worse_is_told(with_gap: Diagnosed, text: str) -> None:
+    assert WIDER not in text
+    gap = with_gap.diagnosis.gap
+    fit = gap.fit_angle_arcsec
+    worse = replace(gap, fit_angle_arcsec=replace(fit, after=2 * fit.before))
+    wider = replace(with_gap, diagnosis=replace(with_gap.diagnosis, gap=worse))
+    assert WIDER in page(wider)
+    assert f"  {WIDER}" in summary(wider).splitlines()
 
 
 def test_no_gap_has_no_after(without_gap: Diagnosed) -> None:

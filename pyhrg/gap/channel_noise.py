@@ -58,7 +58,7 @@ class ChannelNoise:
     def of(self, channel: str, test: Observed) -> SlowNoise:
         """Noise of a channel in a test's rows."""
         if channel == "gyro_angle":
-            return self.angle
+            return self.angle.louder(test.encoder)
         interval = test.log.interval
         white = _nearest(self.white[channel], interval)
         if channel in self.per_kelvin:

@@ -16,6 +16,7 @@ from pyhrg.gap.channel_noise import ChannelNoise, angle_noise
 from pyhrg.gap.closing import believed_device, closed_device
 from pyhrg.gap.design import design
 from pyhrg.gap.diagnosis import Diagnosis, Where
+from pyhrg.gap.encoder import encoder_notes
 from pyhrg.gap.free_pattern import steady
 from pyhrg.gap.gap_figures import gap_figures
 from pyhrg.gap.hypothesis import Hypothesis, angles_left
@@ -94,7 +95,7 @@ def diagnosed(
     if not to_fit:
         raise CampaignError("; ".join(["no test can be fitted to", *excluded]))
     believed, notes = with_noise(simulation, believed, to_fit)
-    excluded += notes
+    excluded += (*notes, *encoder_notes({t.test.id: t.encoder for t in to_fit}))
     tests = [steady(simulation, believed, observed(test, believed)) for test in told]
     fitted = [t for t in tests if not t.test.is_holdout]
     found = attributed(simulation, believed, fitted, catalogue, say)

@@ -127,4 +127,7 @@ def angles_left(
 ) -> list[AngleRecord]:
     """Output angles without what is taken out."""
     left = remainders(parts, taken, noise, believed, ("gyro_angle",))
-    return [AngleRecord(r.values, r.steps) for r in left]
+    return [
+        AngleRecord(r.values, r.steps, part.test.encoder)
+        for r, part in zip(left, parts, strict=True)
+    ]

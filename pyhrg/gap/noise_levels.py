@@ -32,10 +32,12 @@ class AngleRecord:
 
     angle: (n,) rad.
     steps: (n,) time from the reading before, s.
+    encoder: white noise that is none of the gyro's, rad.
     """
 
     angle: Array
     steps: Array
+    encoder: float = 0.0
 
 
 def alike(one: SlowNoise, other: SlowNoise) -> bool:
@@ -51,7 +53,7 @@ def log_likelihood(records: Sequence[AngleRecord], noise: SlowNoise) -> float:
     """Of records under a noise, but for a constant."""
     total = 0.0
     for record in records:
-        white = whitened(record.angle[:, None], record.steps, noise)
+        white = whitened(record.angle[:, None], record.steps, noise.louder(record.encoder))
         total -= (float((white.series**2).sum()) + white.log_determinant) / 2
     return total
 

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from pyhrg.campaign import Test
 from pyhrg.device import Device
+from pyhrg.gap.encoder import encoder_noise
 from pyhrg.gap.replay import HELD, Replayable, replayable
 from pyhrg.records import Log
 
@@ -52,12 +53,14 @@ class Observed:
 
     rows: (n,) by channel, where the angle is there too: it tells where the pattern was.
     loops_move: whether its replay needs loops that run.
+    encoder: white noise of the table's angle, rad.
     """
 
     test: Test
     inputs: Replayable
     rows: Mapping[str, Mask]
     loops_move: bool
+    encoder: float
 
     @property
     def log(self) -> Log:
@@ -93,7 +96,8 @@ def observed(test: Test, believed: Device) -> Observed:
             there &= log.drive_on > 0
         rows[name] = there
     rows["temperature"] = np.isfinite(log.temperature)
-    return Observed(test, inputs, rows, loops_move)
+    encoder = encoder_noise(log.table_angle, log.gyro_angle)
+    return Observed(test, inputs, rows, loops_move, encoder)
 
 
 def _settled(log: Log, inputs: Replayable, time: float) -> Mask:

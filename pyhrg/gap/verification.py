@@ -82,7 +82,8 @@ def whiteness(tests: Sequence[Observed], residuals: Sequence[Array], noise: Slow
     for test, residual in zip(tests, residuals, strict=True):
         rows = np.isfinite(residual)
         steps = np.diff(test.log.time[rows], prepend=0.0)
-        white = whitened(residual[rows][:, None], steps, noise).series[:, 0]
+        own = noise.louder(test.encoder)
+        white = whitened(residual[rows][:, None], steps, own).series[:, 0]
         n, power = len(white), float(white @ white)
         for lag in range(1, min(LAGS, n - 1) + 1):
             correlation = float(white[lag:] @ white[:-lag]) / power
@@ -104,7 +105,8 @@ def _rms(values: Array) -> float:
 
 def _drawn(test: Observed, noise: SlowNoise, generator: np.random.Generator) -> Array:
     """(n,) angles of noise alone, rad."""
-    angle = drawn(noise, len(test.log.time), test.log.interval, generator)
+    own = noise.louder(test.encoder)
+    angle = drawn(own, len(test.log.time), test.log.interval, generator)
     return np.where(test.rows["gyro_angle"], angle, np.nan)
 
 

@@ -5,6 +5,7 @@ R. E. Kalman, J. Basic Eng. 82 (1960); the likelihood by innovations: F. C. Schw
 Inf. Theory 11 (1965).
 """
 
+import math
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -64,6 +65,10 @@ class SlowNoise:
         """With a part at another level."""
         values: dict[str, Any] = {part: level}
         return replace(self, **values)
+
+    def louder(self, white: float) -> "SlowNoise":
+        """With this much more white noise of a reading."""
+        return self.at("white", math.hypot(self.white, white)) if white else self
 
     @cached_property
     def states(self) -> "States":

@@ -55,6 +55,7 @@ equation
   annotation (Documentation(info="<html>
 <p>The demodulation is the least-squares fit of x = cx cos P + sx sin P to a control period's samples, cx and sx linear in time: exact
 for any ratio of carrier and sample rate, where a mean of products would leave a ripple of twice the carrier, and so would a
-fit of constants to a pattern that turns meanwhile. The reading is that of the moment it is read at.</p>
+fit of constants to a pattern that turns meanwhile. A raised cosine weighs the samples, so that what is not linear leaves
+next to none either. The reading is that of the moment it is read at.</p>
 </html>"));
 end CarrierPickOff;

@@ -51,6 +51,15 @@ def test_lost_words_and_a_coarse_thermometer_make_no_gap(
     assert len(found.excluded) == len(SPARKS)
 
 
+def test_a_noisy_encoder_makes_no_gap(simulation: Simulation, recorded_campaign: Path) -> None:
+    given = campaign.read(recorded_campaign.parent / "dev-06")
+    generator = np.random.default_rng(3)
+    found = diagnosed(spoilt(given, lambda log: noisy(log, generator)), simulation).diagnosis
+    assert found.verdict == "no_gap"
+    (told,) = found.excluded
+    assert told.startswith("table_angle_deg: scatters by up to 1 arcsec where the gyro does not")
+
+
 def test_a_step_of_the_angle_is_told(simulation: Simulation, recorded_campaign: Path) -> None:
     given = campaign.read(recorded_campaign.parent / "dev-06")
     found = diagnosed(stepped(given, "positions_8n", 900, ARCSEC), simulation).diagnosis
@@ -66,6 +75,12 @@ SPARKS = (
     ("amplitude_sweep", "amplitude", 1e-3),
 )
 """One reading each, in the middle of a test, SI."""
+
+
+def noisy(log: Log, generator: np.random.Generator) -> Log:
+    """With 1 arcsec of noise in the encoder."""
+    noise = ARCSEC * generator.normal(size=len(log.time))
+    return replace(log, table_angle=log.table_angle + noise)
 
 
 def coarse(log: Log) -> Log:

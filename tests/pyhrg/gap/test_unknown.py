@@ -52,7 +52,7 @@ def test_an_element_does_what_an_effect_does(
     where = coordinates(seen, answer["wave_angle"], device)
     effect = EFFECTS[name]
     does = secants(simulation, device, seen, [effect])[effect][channel][:, 0]
-    block = next(b for element, b in columns(where, channel, 1, 0) if element.of == of)
+    block = next(b for element, b in columns(where, channel) if element.of == of)
     rows = seen.rows[channel]
     series = np.column_stack([block, does])[rows]
     white = whitened(series, np.diff(log.time[rows], prepend=0.0), angle_noise(BELIEVED)).series
@@ -67,6 +67,6 @@ def test_the_amplitude_of_a_free_pattern_is_its_own() -> None:
     log = replace(made_up_log(100), drive_on=(np.arange(100) < 50) * 1.0, amplitude=amplitude)
     seen = observed(Test("test", "ring_down", "fit", log), BELIEVED)
     where = coordinates(seen, np.zeros(100), BELIEVED)
-    found = {element.of: block for element, block in columns(where, "quadrature_force", 1, 0)}
+    found = {element.of: block for element, block in columns(where, "quadrature_force")}
     expected = np.where(np.arange(100) < 50, 0.0, amplitude - 1)
     np.testing.assert_array_equal(found["amplitude"][:, 0], expected)

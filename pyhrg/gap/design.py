@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -105,10 +106,13 @@ class Evidence:
     def left_out(self, channel: str) -> Array:
         """(n,) what the next order of the average over a carrier period, which the simulated gyro
         has not, does to a channel."""
+        return self._beyond.get(channel, np.zeros(len(self.where.table_rate)))
+
+    @cached_property
+    def _beyond(self) -> Mapping[str, Array]:
         rate = self.where.table_rate
         middle = self.bryan_factor * rate * self.test.log.interval / 2
-        beyond = beyond_the_average(self.device, rate, self.where.pattern_angle + middle)
-        return beyond.get(channel, np.zeros(len(rate)))
+        return beyond_the_average(self.device, rate, self.where.pattern_angle + middle)
 
     def at_measured_angle(self, series: Array, angles: Array, channel: str) -> Array:
         """Series of a channel where the pattern is as measured, not as simulated: noise that turns
@@ -182,14 +186,14 @@ def _block(
         part.responses(channel, outputs), part.responses("gyro_angle", outputs), channel
     )
     series = np.column_stack([responses[:, :-1], *found, responses[:, -1]])
-    white = _white(part, channel, series, noise)
+    white = white_rows(part, channel, series, noise)
     gram = white.series.T @ white.series
     name = part.test.test.id
     return Block(name, channel, columns, gram, int(rows.sum()), white.log_determinant)
 
 
-def _white(part: Evidence, channel: str, series: Array, noise: ChannelNoise) -> Whitened:
-    """Of (n, p) series of a channel, the rows that are compared."""
+def white_rows(part: Evidence, channel: str, series: Array, noise: ChannelNoise) -> Whitened:
+    """Of (n, p) series of a channel, the rows that are compared, whitened."""
     rows = part.test.rows[channel]
     steps = np.diff(part.test.log.time[rows], prepend=0.0)
     out = part.left_out(channel)[rows]
@@ -230,7 +234,7 @@ def response_power(parts: Sequence[Evidence], noise: ChannelNoise) -> dict[Where
         for part in parts:
             own, angle = (part.residual[name][:, None] for name in (channel, "gyro_angle"))
             left = part.at_measured_angle(own, angle, channel)
-            white = _white(part, channel, left, noise).series
+            white = white_rows(part, channel, left, noise).series
             beyond[part.test.test.id, channel] = max(float((white**2).sum()) - len(white), 0.0)
     return beyond
 

@@ -7,9 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.gap.channel_noise import ChannelNoise
-from pyhrg.gap.design import Evidence
+from pyhrg.gap.design import Evidence, white_rows
 from pyhrg.gap.observations import CHANNELS
-from pyhrg.gap.whitening import whitened
 
 Array = NDArray[np.float64]
 
@@ -60,12 +59,9 @@ def sizes(
 def _powers(
     part: Evidence, channel: str, residual: Array, noise: ChannelNoise
 ) -> Iterator[tuple[float, float]]:
-    log, rows = part.test.log, np.isfinite(residual)
-    steps = np.diff(log.time[rows], prepend=0.0)
-    of, out = noise.of(channel, part.test), part.left_out(channel)[rows]
-    white = whitened(residual[rows][:, None], steps, of, out).series[:, 0]
+    white = white_rows(part, channel, residual[:, None], noise).series[:, 0]
     for scale in SCALES:
-        m = round(scale / log.interval)
+        m = round(scale / part.test.log.interval)
         n = len(white) // m if m else 0
         if n >= LEAST:
             means = white[: n * m].reshape(n, m).sum(axis=1) / np.sqrt(m)

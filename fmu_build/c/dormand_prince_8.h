@@ -19,16 +19,14 @@ static inline void dormand_prince_8(const double *v, double *x, double h) {
   static const double b[12] = {0.054293734116568765, 0.0, 0.0, 0.0, 0.0, 4.450312892752409, 1.8915178993145003, -5.801203960010585, 0.3111643669578199, -0.1521609496625161, 0.20136540080403034, 0.04471061572777259};
   double k[12][STATES], y[STATES];
   for (int stage = 0; stage < 12; stage++) {
-    for (int i = 0; i < STATES; i++) {
-      double sum = 0.0;
-      for (int j = 0; j < stage; j++) sum += a[stage][j] * k[j][i];
-      y[i] = x[i] + h * sum;
-    }
+    double sum[STATES] = {0.0};
+    for (int j = 0; j < stage; j++)
+      for (int i = 0; i < STATES; i++) sum[i] += a[stage][j] * k[j][i];
+    for (int i = 0; i < STATES; i++) y[i] = x[i] + h * sum[i];
     derivatives(v, y, k[stage]);
   }
-  for (int i = 0; i < STATES; i++) {
-    double sum = 0.0;
-    for (int stage = 0; stage < 12; stage++) sum += b[stage] * k[stage][i];
-    x[i] += h * sum;
-  }
+  double sum[STATES] = {0.0};
+  for (int stage = 0; stage < 12; stage++)
+    for (int i = 0; i < STATES; i++) sum[i] += b[stage] * k[stage][i];
+  for (int i = 0; i < STATES; i++) x[i] += h * sum[i];
 }

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pyhrg.device import Device
 from pyhrg.gap.coarse_thermometer import reading_steps
 from pyhrg.gap.observations import Observed
-from pyhrg.gap.replay import MAD
+from pyhrg.gap.robust import robust_deviation
 from pyhrg.gap.whitening import Correlated, SlowNoise
 
 Array = NDArray[np.float64]
@@ -168,6 +168,6 @@ def _deviation(parts: Sequence[Array]) -> float:
     there = [p for p in parts if len(p)]
     if not there:
         return 0.0
-    typical = float(np.median([MAD * float(np.median(np.abs(p))) for p in there]))
+    typical = float(np.median([robust_deviation(p) for p in there]))
     values = np.concatenate(there)
     return float(np.std(values[np.abs(values) <= CLIP * typical]))

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.gap.replay import MAD
+from pyhrg.gap.robust import robust_deviation
 from pyhrg.units import ARCSEC
 
 Array = NDArray[np.float64]
@@ -49,9 +49,7 @@ def encoder_noise(table_angle: Array, gyro_angle: Array) -> float:
 
 
 def _is_usual(series: Array) -> NDArray[np.bool_]:
-    if not len(series):
-        return np.zeros(0, np.bool_)
-    return np.asarray(np.abs(series) <= CLIP * MAD * np.median(np.abs(series)))
+    return np.asarray(np.abs(series) <= CLIP * robust_deviation(series))
 
 
 def encoder_notes(noises: Mapping[str, float]) -> tuple[str, ...]:

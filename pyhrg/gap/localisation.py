@@ -96,19 +96,21 @@ def _first(
     grams = [block.gram for block in blocks]
     total = np.sum(grams, axis=0)
 
+    def seen_in(element: Element) -> list[Array]:
+        """Equations that it has sizes of its own for."""
+        return grams if element.is_of_each_power_on else [total]
+
     def explained(element: Element) -> float:
-        each = grams if element.is_of_each_power_on else [total]
-        return sum(_power(gram, candidates[element]) for gram in each)
+        return sum(_power(gram, candidates[element]) for gram in seen_in(element))
 
     for foretells in (True, False):
         powers = {e: explained(e) for e in candidates if e.foretells == foretells}
-        sizes = {e: len(grams) if e.is_of_each_power_on else len(candidates[e]) for e in powers}
-        beyond = {e: powers[e] - sizes[e] for e in powers}
+        beyond = {e: p - len(seen_in(e)) * len(candidates[e]) for e, p in powers.items()}
         most = max(beyond.values(), default=0.0)
         if most >= least:
             best = next(e for e in beyond if beyond[e] >= most - ALIKE)
-            each = grams if best.is_of_each_power_on else [total] * len(grams)
-            return best, powers[best], [_sizes(gram, candidates[best]) for gram in each]
+            sizes = [_sizes(gram, candidates[best]) for gram in seen_in(best)]
+            return best, powers[best], sizes if len(sizes) == len(grams) else sizes * len(grams)
     return None
 
 

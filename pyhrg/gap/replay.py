@@ -11,14 +11,13 @@ from pyhrg.bench.bench import FORCES, INPUTS, between, earth_rate, middles, reco
 from pyhrg.device import LOOPS, Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.gap.coarse_thermometer import toggling
+from pyhrg.gap.robust import robust_deviation
 from pyhrg.gap.table_motion import TableMotion, table_motion
 from pyhrg.records import COLUMNS, Log
 
 Array = NDArray[np.float64]
 
 HELD = tuple(name for name in INPUTS if name not in ("vibration", "bias_voltage"))
-MAD = 1.4826
-"""Standard deviation over the median of magnitudes, of normal numbers."""
 LEAST = 10
 """Readings below which a thermometer's noise can't be told."""
 STEADY = 2.0
@@ -73,7 +72,7 @@ def replayable(log: Log, believed: Device) -> Replayable:
 def _told(temperature: Array) -> Array:
     """A log's temperature; its mean where it shows no more than the thermometer's noise, which
     effects of temperature would else be fitted to."""
-    noise = MAD * np.median(np.abs(np.diff(temperature, 2))) / np.sqrt(6)
+    noise = robust_deviation(np.diff(temperature, 2)) / np.sqrt(6)
     noise = max(noise, toggling(temperature) / np.sqrt(12))
     if len(temperature) < LEAST or np.std(temperature) > STEADY * noise:
         return temperature

@@ -7,6 +7,7 @@ element is an error of the angle itself, or a bias, whose integral it is.
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
 import numba
 import numpy as np
@@ -80,6 +81,11 @@ class Coordinates:
     resonator: Array
     case_rate: Array
 
+    @cached_property
+    def functions(self) -> list[tuple[str, str, int | None, Array]]:
+        """Coordinate, words, harmonic, and (n, b) values: what elements are made of."""
+        return list(_functions(self))
+
 
 def coordinates(test: Observed, pattern_angle: Array, believed: Device) -> Coordinates:
     """Where a test was.
@@ -125,7 +131,7 @@ def columns(where: Coordinates, channel: str) -> list[tuple[Element, Array]]:
         channel: a field of a log.
     """
     found = []
-    for coordinate, of, harmonic, block in _functions(where):
+    for coordinate, of, harmonic, block in where.functions:
         if channel != "gyro_angle":
             found.append((Element(channel, coordinate, of, harmonic), block))
             continue

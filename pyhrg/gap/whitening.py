@@ -166,7 +166,8 @@ def _innovations(
     densities: Array,
     out: Array,
 ) -> float:
-    """Of angle, rate and lags: a step keeps a part of each, and adds some of each to the angle."""
+    """Of angle, rate and lags: a step keeps a part of each, and adds some of each to the angle. A
+    covariance that equals the last one to the bit is not computed again."""
     n, p = series.shape
     m = len(lags) + 2
     state = np.zeros((m, p))
@@ -180,6 +181,9 @@ def _innovations(
     turns = np.zeros(m)
     turns[0] = 1.0
     added = np.zeros((m, m))
+    before = covariance.copy()
+    variance = deviation = logarithm = 0.0
+    changes = True
     last = -1.0
     logs = 0.0
     gain = np.zeros(m)
@@ -189,6 +193,7 @@ def _innovations(
         h = steps[i]
         if h != last:
             last = h
+            changes = True
             turns[1] = h
             added[0, 0] = walks[0] * h + walks[1] * h**3 / 3
             added[0, 1] = added[1, 0] = walks[1] * h**2 / 2
@@ -203,25 +208,27 @@ def _innovations(
                 added[0, 0] += (
                     rates[j] * q * t * t * (h - 2 * t * (1 - stays) + t / 2 * (1 - stays**2))
                 )
-        for b in range(m):
-            angle[b] = 0.0
-            for c in range(m):
-                angle[b] += turns[c] * covariance[c, b]
-        covariance[0, 0] = added[0, 0]
-        for c in range(m):
-            covariance[0, 0] += angle[c] * turns[c]
-        for b in range(1, m):
-            covariance[0, b] = covariance[b, 0] = angle[b] * kept[b] + added[0, b]
-            for c in range(1, m):
-                covariance[b, c] = covariance[b, c] * kept[b] * kept[c] + added[b, c]
-        variance = white
-        for a in range(m):
-            gain[a] = 0.0
+        if changes:
             for b in range(m):
-                gain[a] += covariance[a, b] * reading[b]
-            variance += reading[a] * gain[a]
-        deviation = np.sqrt(variance)
-        logs += np.log(variance)
+                angle[b] = 0.0
+                for c in range(m):
+                    angle[b] += turns[c] * covariance[c, b]
+            covariance[0, 0] = added[0, 0]
+            for c in range(m):
+                covariance[0, 0] += angle[c] * turns[c]
+            for b in range(1, m):
+                covariance[0, b] = covariance[b, 0] = angle[b] * kept[b] + added[0, b]
+                for c in range(1, m):
+                    covariance[b, c] = covariance[b, c] * kept[b] * kept[c] + added[b, c]
+            variance = white
+            for a in range(m):
+                gain[a] = 0.0
+                for b in range(m):
+                    gain[a] += covariance[a, b] * reading[b]
+                variance += reading[a] * gain[a]
+            deviation = np.sqrt(variance)
+            logarithm = np.log(variance)
+        logs += logarithm
         for a in range(1, m):
             if turns[a] != 0.0:
                 for k in range(p):
@@ -242,7 +249,11 @@ def _innovations(
             if share != 0.0:
                 for k in range(p):
                     state[a, k] += share * miss[k]
-        for a in range(m):
-            for b in range(m):
-                covariance[a, b] -= gain[a] * gain[b] / variance
+        if changes:
+            changes = False
+            for a in range(m):
+                for b in range(m):
+                    left = covariance[a, b] - gain[a] * gain[b] / variance
+                    changes = changes or left != before[a, b]
+                    before[a, b] = covariance[a, b] = left
     return logs

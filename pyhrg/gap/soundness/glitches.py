@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation
 
 from pyhrg.gap.observations import CHANNELS, FORCES, commanded, jolts, later, settling
-from pyhrg.gap.replay import MAD, replayable
+from pyhrg.gap.replay import replayable
+from pyhrg.gap.robust import robust_deviation
 from pyhrg.gap.soundness.attitude import ACCELERATIONS
 from pyhrg.gap.soundness.doubt import Array, Believed, Doubt, has, with_columns
 from pyhrg.records import Log
@@ -181,6 +182,6 @@ def _deviation(values: Array) -> float:
     if not len(sizes):
         return 0.0
     if sizes[len(sizes) // 2] > 0:
-        return MAD * float(np.median(sizes))
+        return robust_deviation(sizes)
     rest = sizes[: -int(max(2 * FEW, 2 * SHARE * len(sizes)))]
     return float(np.sqrt(np.mean(rest**2))) if len(rest) else 0.0

@@ -12,10 +12,10 @@ from pyhrg.gap import unknown
 from pyhrg.gap.catalogue import Effect
 from pyhrg.gap.channel_noise import ChannelNoise
 from pyhrg.gap.jump import Jump
+from pyhrg.gap.left_out import left_out
 from pyhrg.gap.observations import CHANNELS, Observed
 from pyhrg.gap.unknown import Coordinates, Element
 from pyhrg.gap.whitening import Whitened, whitened
-from pyhrg.theory import beyond_the_average
 
 Array = NDArray[np.float64]
 Group = Effect | Element
@@ -110,9 +110,7 @@ class Evidence:
 
     @cached_property
     def _beyond(self) -> Mapping[str, Array]:
-        rate = self.where.table_rate
-        middle = self.bryan_factor * rate * self.test.log.interval / 2
-        return beyond_the_average(self.device, rate, self.where.pattern_angle + middle)
+        return left_out(self.device, self.test, self.where.pattern_angle)
 
     def at_measured_angle(self, series: Array, angles: Array, channel: str) -> Array:
         """Series of a channel where the pattern is as measured, not as simulated: noise that turns

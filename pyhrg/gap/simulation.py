@@ -25,7 +25,9 @@ SLOW_STEP = 0.1
 SHIFT = 1e-3
 """Of the pattern, rad, to either side, by which slopes and curvatures are taken."""
 FINE_STEPS = 5
-"""In a short row, which shows how loops follow: a gyro with loops at rest lags by three of them."""
+"""In a row that is shorter than `FINE`: a gyro with loops at rest lags by three of them."""
+SHORT = 60.0
+"""Tests of such rows that are no longer, s, show how loops follow: they always run in these."""
 LEAST_SHIFT = 0.5
 """Of a shift of the start angle that must be left for a slope to be told by it."""
 SMALL_LAG = 1e-9
@@ -81,10 +83,12 @@ class Simulation:
         first, last = (self._coarse(device, each) for each in (inputs, away))
         return {name: last[name] - first[name] for name in CHANNELS if name not in ANGLES}
 
-    def _running(self, device: Device, inputs: Replayable) -> dict[str, Array]:
+    def _running(
+        self, device: Device, inputs: Replayable, steps: int = FAST_STEPS
+    ) -> dict[str, Array]:
         """With loops that run; what a row holds is held in steps of whole control periods."""
         periods = round(inputs.log.interval / CONTROL_PERIOD)
-        each = next(n for n in range(max(periods // FAST_STEPS, 1), 0, -1) if periods % n == 0)
+        each = next(n for n in range(max(periods // steps, 1), 0, -1) if periods % n == 0)
         return replayed(self.sampled, device, inputs, each * CONTROL_PERIOD)
 
     def _at_rest(self, device: Device, test: Observed) -> dict[str, Array]:
@@ -148,14 +152,23 @@ class Simulation:
         return OverAngle(now, {n: (b + now[n] * turned) / shift**2 for n, b in bends.items()})
 
     def _coarse(self, device: Device, inputs: Replayable) -> dict[str, Array]:
-        """With loops at rest, in steps that do for small differences."""
+        """With loops at rest unless all is over soon, in steps that do for small differences."""
+        if is_short(len(inputs.log.time), inputs.log.interval):
+            return self._running(device, inputs, FINE_STEPS)
         interval = inputs.log.interval
         step = interval / FINE_STEPS if interval < FINE else min(COARSE_STEP, interval)
         return replayed(self.quasi_steady, device, inputs, step)
 
 
+def is_short(rows: int, interval: float) -> bool:
+    """Whether loops run in all simulations of a test of so many rows, of an interval in s."""
+    return interval < FINE and rows * interval <= SHORT
+
+
 def _apart(first: Answers, last: Answers, device: Device, test: Observed) -> dict[str, Array]:
-    return _led({name: last[name] - first[name] for name in CHANNELS}, device, test)
+    change = {name: last[name] - first[name] for name in CHANNELS}
+    is_raw = is_short(len(test.log.time), test.log.interval)
+    return change if is_raw else _led(change, device, test)
 
 
 def added(answers: Answers, difference: Answers) -> dict[str, Array]:

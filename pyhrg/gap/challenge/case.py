@@ -17,6 +17,7 @@ from pyhrg.gap.challenge.meter import Meter
 from pyhrg.gap.challenge.nominal import believed, drawn_nominal, drawn_site
 from pyhrg.gap.challenge.plans import Plan, further, plans
 from pyhrg.gap.challenge.truth import Drawing, Strength, TrueState, Truth
+from pyhrg.gap.simulation import SHORT, Simulation
 from pyhrg.site import Site
 from pyhrg.units import ARCSEC
 
@@ -24,8 +25,6 @@ CampaignStrength = Callable[[Campaign, str, Mapping[str, float]], float]
 """Sigmas of an effect, by its name and parameters, on the inputs of a campaign."""
 SLOW_STEP = 1.0
 """Communication step of what only looks at slow things, s."""
-SHORT = 60.0
-"""Tests up to this are made at the carrier, s."""
 STEPS = 100
 """Communication steps in a row of the true gyro."""
 
@@ -50,17 +49,15 @@ class Fmus:
     """The gyro's models.
 
     carrier: `HRGCarrier`, of the truth of a campaign's short tests.
-    sampled: `HRG`, of that of all others.
-    slow: `HRGSlow`, of the strengths.
+    simulation: `HRG`, of that of all others; with `HRGSlow`, of the strengths.
     """
 
     carrier: GyroFmu
-    sampled: GyroFmu
-    slow: GyroFmu
+    simulation: Simulation
 
     def of(self, plan: Plan) -> GyroFmu:
         """The model of a test's truth."""
-        return self.carrier if plan.programme.time <= SHORT else self.sampled
+        return self.carrier if plan.programme.time <= SHORT else self.simulation.sampled
 
 
 @dataclass(frozen=True)
@@ -105,12 +102,14 @@ GYRO, BENCH, EFFECT, NOISE, NEXT_BENCH, NEXT_NOISE = range(6)
 tell nothing of it."""
 
 
-def prepared(case: Case, slow: GyroFmu, strength: CampaignStrength | None = None) -> Prepared:
+def prepared(
+    case: Case, simulation: Simulation, strength: CampaignStrength | None = None
+) -> Prepared:
     """Draw a case: the same wherever it is done.
 
     Args:
         case: to be drawn.
-        slow: `HRGSlow`.
+        simulation: both fidelities.
         strength: of an effect; by `Meter` if None.
     """
     gyro = _generator(case, GYRO)
@@ -118,10 +117,10 @@ def prepared(case: Case, slow: GyroFmu, strength: CampaignStrength | None = None
     device, own = believed(nominal, site), Instruments().drawn(gyro)
     made = plans(device, _generator(case, BENCH), complete=bool(case.without))
     fitted = [(_slow_course(p), p.start_angle) for p in made if p.role == "fit"]
-    meter = Meter(slow, device, fitted, own)
+    meter = Meter(simulation, device, fitted, own)
     sigmas: Strength = meter.sigmas_of
     if strength is not None:
-        tests = tuple(_planned(plan, device, slow) for plan in made)
+        tests = tuple(_planned(plan, device, simulation.quasi_steady) for plan in made)
         sigmas = partial(strength, Campaign(case.name, site, nominal, tests))
     effects = case.without or NAMES
     drawing = Drawing(meter, sigmas, _generator(case, EFFECT), case.strengths, effects)
@@ -132,9 +131,9 @@ def generated(
     case: Case, fmus: Fmus, strength: CampaignStrength | None = None
 ) -> tuple[Campaign, Truth]:
     """Simulate a case: the same bytes wherever it is done. Arguments as of `prepared`."""
-    drawn = prepared(case, fmus.slow, strength)
+    drawn = prepared(case, fmus.simulation, strength)
     tests = drawn.recorded([(plan, fmus.of(plan)) for plan in drawn.plans], NOISE)
-    noise = drawn.holdout_noise(tests, fmus.sampled) / ARCSEC
+    noise = drawn.holdout_noise(tests, fmus.simulation.sampled) / ARCSEC
     return drawn.campaign(tests), replace(drawn.state.truth, holdout_noise_arcsec=noise)
 
 
@@ -151,9 +150,9 @@ def with_next_test(
     Raises:
         ValueError: no such kind of test.
     """
-    drawn = prepared(case, fmus.slow, strength)
+    drawn = prepared(case, fmus.simulation, strength)
     more = further(kind, hours, drawn.device, _generator(case, NEXT_BENCH))
-    tests = drawn.recorded([(plan, fmus.sampled) for plan in more], NEXT_NOISE)
+    tests = drawn.recorded([(plan, fmus.simulation.sampled) for plan in more], NEXT_NOISE)
     return drawn.campaign((*campaign.tests, *tests))
 
 

@@ -18,8 +18,10 @@ from pyhrg.gap.challenge.course import Course
 from pyhrg.gap.challenge.gyro import Disturbance, TrueGyro
 from pyhrg.gap.challenge.instruments import Instruments
 from pyhrg.gap.challenge.unsteadiness import unsteadiness
+from pyhrg.gap.left_out import left_out
 from pyhrg.gap.observations import Mask, observed
-from pyhrg.gap.replay import replayable, replayed
+from pyhrg.gap.replay import Replayable, replayable, replayed
+from pyhrg.gap.simulation import Simulation, is_short
 from pyhrg.gap.whitening import SlowNoise, whitened
 from pyhrg.records import Log
 
@@ -53,27 +55,31 @@ class Seen:
     rows: (n,) by channel, that are compared.
     slopes: (n,) by channel: change of the answer with the pattern's present angle, per rad; none of
         the output angle, which all others are compared by.
+    left_out: (n,) by channel, what the average over a carrier period leaves out, which a record may
+        have or not: it counts as noise of its shape.
     """
 
     log: Log
     rows: Mapping[str, Mask]
     slopes: Mapping[str, Array]
+    left_out: Mapping[str, Array]
 
 
 @dataclass(frozen=True)
 class Meter:
-    """Measures gaps on the inputs of a campaign, with loops at rest and without noise.
+    """Measures gaps on the inputs of a campaign, without noise and, but in short tests, with loops
+    at rest.
 
     Residuals are taken from what the bench shows of the inputs, and whitened with the noise that
     the true gyro has. Noise that turns the pattern is in every channel that depends on its angle,
     so these are compared where the pattern is, by the output angle; and where no loop is moving,
     which loops at rest don't show.
 
-    fmu: `HRGSlow`.
+    simulation: both fidelities.
     tests: course and start angle, rad, of each test that a diagnosis may fit.
     """
 
-    fmu: GyroFmu
+    simulation: Simulation
     believed: Device
     tests: Sequence[tuple[Course, float]]
     instruments: Instruments
@@ -149,11 +155,22 @@ class Meter:
         return [self._white(device, *each) for each in every]
 
     def _logs(self, device: Device, disturbance: Disturbance) -> list[Log]:
-        gyro = TrueGyro(self.fmu, device, self.instruments, disturbance)
         still = np.zeros((1, 1))
-        return [
-            disturbance.shown(gyro.exact("", course, start, still)) for course, start in self.tests
-        ]
+        logs = []
+        for course, start in self.tests:
+            fmu = self._model(len(course), course.interval)
+            gyro = TrueGyro(fmu, device, self.instruments, disturbance)
+            logs.append(disturbance.shown(gyro.exact("", course, start, still)))
+        return logs
+
+    def _replayed(self, inputs: Replayable) -> dict[str, Array]:
+        rows, interval = len(inputs.log.time), inputs.log.interval
+        fmu = self._model(rows, interval)
+        return replayed(fmu, self.believed, inputs, min(1.0, interval))
+
+    def _model(self, rows: int, interval: float) -> GyroFmu:
+        models = self.simulation
+        return models.sampled if is_short(rows, interval) else models.quasi_steady
 
     def _white(self, device: Device, log: Log, seen: Seen, expected: Residual) -> Residual:
         noises = self._noises(device, log)
@@ -162,7 +179,8 @@ class Meter:
             rows = seen.rows[name]
             gap = (residual - expected[name])[rows, None]
             steps = np.diff(log.time[rows], prepend=0.0)
-            white[name] = whitened(gap, steps, noises[name]).series[:, 0]
+            out = seen.left_out[name][rows] if name in seen.left_out else None
+            white[name] = whitened(gap, steps, noises[name], out).series[:, 0]
         return white
 
     @cached_property
@@ -170,17 +188,18 @@ class Meter:
         return [self._looked_at(log) for log in self._logs(self.believed, NOTHING)]
 
     def _looked_at(self, log: Log) -> Seen:
-        step = min(1.0, log.interval)
         test = observed(Test("", "", "fit", log), self.believed)
         ends = [replace(test.inputs, start_angle=test.inputs.start_angle + s) for s in SHIFTS]
-        low, high = (replayed(self.fmu, self.believed, inputs, step) for inputs in ends)
+        low, high = (self._replayed(inputs) for inputs in ends)
         slopes = {name: (high[name] - low[name]) / np.ptp(SHIFTS) for name in CHANNELS}
         shift = 1 - self.believed.bryan_factor * slopes["gyro_angle"]
         off = (log.drive_on <= 0) & (np.abs(shift - 1) > GROWN)
         kept = ~np.logical_or.accumulate(off)
         rows = {name: test.rows[name] & kept for name in CHANNELS}
         now = {name: slope / np.where(kept, shift, 1.0) for name, slope in slopes.items()}
-        return Seen(log, rows, {**now, "gyro_angle": np.zeros(len(log.time))})
+        slopes = {**now, "gyro_angle": np.zeros(len(log.time))}
+        out = _relative(log, left_out(self.believed, test, log.wave_angle))
+        return Seen(log, rows, slopes, out)
 
     @cached_property
     def _expected(self) -> list[Residual]:
@@ -188,13 +207,11 @@ class Meter:
         return [self._residual(seen.log, seen) for seen in self._seen]
 
     def _residual(self, log: Log, seen: Seen) -> Residual:
-        inputs = replayable(log, self.believed)
-        answer = replayed(self.fmu, self.believed, inputs, min(1.0, log.interval))
+        answer = self._replayed(replayable(log, self.believed))
         residual = {name: getattr(log, name) - answer[name] for name in CHANNELS}
         turned = self.believed.bryan_factor * residual["gyro_angle"]
         at_angle = {name: residual[name] + seen.slopes[name] * turned for name in CHANNELS}
-        force = np.maximum(np.abs(log.amplitude_force), LEAST_FORCE)
-        return {**at_angle, "amplitude_force": at_angle["amplitude_force"] / force}
+        return _relative(log, at_angle)
 
     def _noises(self, device: Device, log: Log) -> dict[str, SlowNoise]:
         """By channel; noise of the temperature log lags into what the temperature moves."""
@@ -239,6 +256,12 @@ class Meter:
             return self.sigmas_of_noise(device, noise_put(self.believed, noise, value))
 
         return float(minimize_scalar(left, bounds=SIZES, method="bounded").fun)
+
+
+def _relative(log: Log, by_channel: Mapping[str, Array]) -> Residual:
+    """The same with the amplitude force over what a log shows of it, as its noise is."""
+    force = np.maximum(np.abs(log.amplitude_force), LEAST_FORCE)
+    return {**by_channel, "amplitude_force": by_channel["amplitude_force"] / force}
 
 
 def noise_put(device: Device, noise: NoiseEffect, value: float) -> Device:

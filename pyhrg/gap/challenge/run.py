@@ -26,6 +26,7 @@ from pyhrg.gap.challenge.diagnosis import Diagnosis
 from pyhrg.gap.challenge.report import Finished, Score, write
 from pyhrg.gap.challenge.roster import ChallengeError, Folder, Settings
 from pyhrg.gap.challenge.score import Judged
+from pyhrg.gap.simulation import Simulation
 
 Diagnose = Callable[[Path, Path, Sequence[str]], None]
 """Diagnoses the campaign of a folder into `diagnosis.json` of another, its catalogue without the
@@ -171,10 +172,12 @@ def _said_of(challenge: Challenge, case: Case, campaign: Path, out: Path) -> Non
 @cache
 def _fmus() -> Fmus:
     """The models, once a process."""
-    models = [GyroFmu(built_fmu(root=ROOTS[name])) for name in ("HRGCarrier", "HRG", "HRGSlow")]
+    names = ("HRGCarrier", "HRG", "HRGSlow")
+    models = [GyroFmu(built_fmu(root=ROOTS[name])) for name in names]
     for model in models:
         model.prepare()
-    return Fmus(*models)
+    carrier, *both = models
+    return Fmus(carrier, Simulation(*both))
 
 
 @contextmanager

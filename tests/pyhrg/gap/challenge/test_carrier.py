@@ -38,13 +38,13 @@ def fast_plans(
 def fmus(simulation: Simulation) -> Fmus:
     carrier = GyroFmu(built_fmu(root=ROOTS["HRGCarrier"]))
     carrier.prepare()
-    return Fmus(carrier, simulation.sampled, simulation.quasi_steady)
+    return Fmus(carrier, simulation)
 
 
-def test_short_tests_are_made_at_the_carrier(fmus: Fmus) -> None:
+def test_short_tests_are_made_at_the_carrier(simulation: Simulation, fmus: Fmus) -> None:
     made = fast_plans(Device(), np.random.default_rng(1))
     assert {plan.id for plan in made if fmus.of(plan) is fmus.carrier} == set(FAST)
-    assert {plan.id for plan in made if fmus.of(plan) is fmus.sampled} == {"static_fixed"}
+    assert {plan.id for plan in made if fmus.of(plan) is simulation.sampled} == {"static_fixed"}
 
 
 @pytest.fixture(scope="module")
@@ -52,7 +52,7 @@ def campaign(simulation: Simulation, fmus: Fmus) -> Campaign:
     """Without a gap."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(case, "plans", fast_plans)
-        drawn = case.prepared(NONE, simulation.quasi_steady)
+        drawn = case.prepared(NONE, simulation)
     tests = drawn.recorded([(plan, fmus.of(plan)) for plan in drawn.plans], case.NOISE)
     return drawn.campaign(tests)
 

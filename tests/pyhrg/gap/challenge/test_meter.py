@@ -8,12 +8,12 @@ import pytest
 
 from pyhrg.bench.programme import Programme
 from pyhrg.device import Device
-from pyhrg.fmu import GyroFmu
 from pyhrg.gap.catalogue import EFFECTS, NOISES
 from pyhrg.gap.challenge.course import course_of
 from pyhrg.gap.challenge.gyro import Disturbance
 from pyhrg.gap.challenge.instruments import Instruments
 from pyhrg.gap.challenge.meter import Meter
+from pyhrg.gap.simulation import Simulation
 from pyhrg.units import ARCSEC, DEG, DEG_PER_H
 from tests.pyhrg.gap.challenge.short import GRAVITY, GYRO
 
@@ -21,25 +21,25 @@ ROWS = 400
 RATE = 1e-3 * DEG_PER_H
 
 
-def meter(slow_fmu: GyroFmu, believed: Device = GYRO, rate: float = 0.0) -> Meter:
+def meter(simulation: Simulation, believed: Device = GYRO, rate: float = 0.0) -> Meter:
     programme = Programme(1.0, GRAVITY).spin(rate, ROWS)
     course = course_of(programme, 1.0)
-    return Meter(slow_fmu, believed, [(course, 0.3)], Instruments())
+    return Meter(simulation, believed, [(course, 0.3)], Instruments())
 
 
-def test_no_gap_has_no_strength(slow_fmu: GyroFmu) -> None:
-    assert meter(slow_fmu).sigmas(GYRO) == 0
+def test_no_gap_has_no_strength(simulation: Simulation) -> None:
+    assert meter(simulation).sigmas(GYRO) == 0
 
 
-def test_a_rate_on_random_walk(slow_fmu: GyroFmu) -> None:
+def test_a_rate_on_random_walk(simulation: Simulation) -> None:
     """W sqrt(t)/N, where walk is all the noise."""
     device = replace(GYRO, pickoff_noise=1e-12, frequency_split=0.0, damping_anisotropy=0.0)
     disturbance = Disturbance(rate=lambda course, start: np.full((1, 1), RATE))
-    found = meter(slow_fmu, device).sigmas(device, disturbance)
+    found = meter(simulation, device).sigmas(device, disturbance)
     assert found == pytest.approx(RATE * math.sqrt(ROWS) / device.angle_random_walk, rel=0.01)
 
 
-def test_a_ramp_on_white_noise(slow_fmu: GyroFmu) -> None:
+def test_a_ramp_on_white_noise(simulation: Simulation) -> None:
     """W sqrt(sum t^2)/R, where reading noise is all there is."""
     device = replace(
         GYRO, angle_random_walk=1e-14, pickoff_noise=ARCSEC, frequency_split=0.0,
@@ -48,11 +48,13 @@ def test_a_ramp_on_white_noise(slow_fmu: GyroFmu) -> None:
     disturbance = Disturbance(rate=lambda course, start: np.full((1, 1), RATE))
     times = np.arange(1, ROWS + 1)
     expected = RATE * math.sqrt(float(np.sum(times**2))) / ARCSEC
-    assert meter(slow_fmu, device).sigmas(device, disturbance) == pytest.approx(expected, rel=0.01)
+    assert meter(simulation, device).sigmas(device, disturbance) == pytest.approx(
+        expected, rel=0.01
+    )
 
 
-def test_an_effect_leaves_nothing_beyond_itself(slow_fmu: GyroFmu) -> None:
-    measuring = meter(slow_fmu, rate=5 * DEG)
+def test_an_effect_leaves_nothing_beyond_itself(simulation: Simulation) -> None:
+    measuring = meter(simulation, rate=5 * DEG)
     effect = EFFECTS["pickoff_gain_mismatch"]
     gap = measuring.residual(effect.put(GYRO, np.array([1e-6])))
     assert measuring.sigmas_beyond(effect, gap) < 1e-3 * np.linalg.norm(gap)
@@ -61,8 +63,8 @@ def test_an_effect_leaves_nothing_beyond_itself(slow_fmu: GyroFmu) -> None:
     assert measuring.sigmas_beyond(other, gap) > 0.5 * np.linalg.norm(gap)
 
 
-def test_parameters_say_the_effect(slow_fmu: GyroFmu) -> None:
-    measuring = meter(slow_fmu, rate=5 * DEG)
+def test_parameters_say_the_effect(simulation: Simulation) -> None:
+    measuring = meter(simulation, rate=5 * DEG)
     effect = EFFECTS["damping_anisotropy"]
     vector = effect.vector(GYRO) + 1e-8
     direct = measuring.sigmas(effect.put(GYRO, vector))
@@ -71,7 +73,7 @@ def test_parameters_say_the_effect(slow_fmu: GyroFmu) -> None:
         measuring.sigmas_of("no_such", {})
 
 
-def test_twice_the_noise_of_white_readings(slow_fmu: GyroFmu) -> None:
+def test_twice_the_noise_of_white_readings(simulation: Simulation) -> None:
     """Twice the divergence of n variances r times as large is n (r - 1 - ln r); a level known to
     3 % may make up for some of it."""
     believed = replace(GYRO, angle_random_walk=0.0)
@@ -80,11 +82,11 @@ def test_twice_the_noise_of_white_readings(slow_fmu: GyroFmu) -> None:
     ratios = 4 * np.exp(-2 * 0.03 * off)
     expected = math.sqrt(np.min((ROWS - 1) * (ratios - 1 - np.log(ratios)) + off**2))
     assert expected < math.sqrt((ROWS - 1) * (4 - 1 - math.log(4)))
-    assert meter(slow_fmu, believed).sigmas_of_noise(device) == pytest.approx(expected)
+    assert meter(simulation, believed).sigmas_of_noise(device) == pytest.approx(expected)
 
 
-def test_quantisation_and_white_noise_stand_in_for_each_other(slow_fmu: GyroFmu) -> None:
-    measuring = meter(slow_fmu)
+def test_quantisation_and_white_noise_stand_in_for_each_other(simulation: Simulation) -> None:
+    measuring = meter(simulation)
     by_name = {noise.name: noise for noise in NOISES}
     coarse = replace(GYRO, angle_quantum=0.5 * ARCSEC)
     assert measuring.sigmas_of_noise(coarse) > 10
@@ -93,13 +95,13 @@ def test_quantisation_and_white_noise_stand_in_for_each_other(slow_fmu: GyroFmu)
 
 
 def test_noise_that_comes_is_as_strong_as_its_divergence_from_steady_noise(
-    slow_fmu: GyroFmu,
+    simulation: Simulation,
 ) -> None:
     """Five times the random walk's power in every other stretch of 256 s, beside none: walk is all
     the noise, r over the mean of 3.5. Loud everywhere, it is steady."""
     device = replace(GYRO, pickoff_noise=1e-12, frequency_split=0.0, damping_anisotropy=0.0)
     course = course_of(Programme(1.0, GRAVITY).spin(0.0, 8192), 1.0)
-    measuring = Meter(slow_fmu, device, [(course, 0.3)], Instruments())
+    measuring = Meter(simulation, device, [(course, 0.3)], Instruments())
     loud = np.arange(len(course)) // 256 % 2 == 0
     noise = np.random.default_rng(1).standard_normal(len(course))
 

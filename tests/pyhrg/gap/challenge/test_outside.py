@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 import pyhrg
-from pyhrg.fmu import GyroFmu
 from pyhrg.gap.challenge.course import Course, course_of
 from pyhrg.gap.challenge.form import FILE, Form, forms
 from pyhrg.gap.challenge.instruments import Instruments
 from pyhrg.gap.challenge.meter import Meter
 from pyhrg.gap.challenge.plans import TESTS, Variation
+from pyhrg.gap.simulation import Simulation
 from tests.pyhrg.gap.challenge.short import GYRO
 
 ROOTS = [Path(pyhrg.__file__).parents[1] / name for name in ("pyhrg", "ins_eval", "fmu_build")]
@@ -23,7 +23,7 @@ COORDINATES = (
 
 
 @pytest.fixture(scope="module")
-def meter(slow_fmu: GyroFmu) -> Meter:
+def meter(simulation: Simulation) -> Meter:
     """Of a whole campaign's tests."""
     vary = Variation(GYRO, np.random.default_rng(1))
     tests: list[tuple[Course, float]] = []
@@ -31,7 +31,7 @@ def meter(slow_fmu: GyroFmu) -> Meter:
         programme = profile(vary)
         if role == "fit":
             tests.append((course_of(programme, min(1.0, programme.interval)), 0.1 + 0.1 * i))
-    return Meter(slow_fmu, GYRO, tests, Instruments())
+    return Meter(simulation, GYRO, tests, Instruments())
 
 
 def test_no_module_imports_them() -> None:

@@ -6,12 +6,13 @@ import numpy as np
 import pytest
 
 from pyhrg.bench.programme import Programme
-from pyhrg.fmu import GyroError, GyroFmu
+from pyhrg.fmu import GyroError
 from pyhrg.gap.catalogue import EFFECTS, NAMES
 from pyhrg.gap.challenge.course import course_of
 from pyhrg.gap.challenge.instruments import Instruments
 from pyhrg.gap.challenge.meter import Meter
 from pyhrg.gap.challenge.truth import Drawing, solved
+from pyhrg.gap.simulation import Simulation
 from pyhrg.units import DEG
 from tests.pyhrg.gap.challenge.short import GRAVITY, GYRO
 
@@ -20,11 +21,11 @@ SEEN = ("damping_anisotropy", "pickoff_gain_mismatch", "coriolis_factor_error", 
 
 
 @pytest.fixture(scope="module")
-def meter(slow_fmu: GyroFmu) -> Meter:
+def meter(simulation: Simulation) -> Meter:
     courses = [
         course_of(Programme(1.0, GRAVITY).spin(rate * DEG, 300.0), 1.0) for rate in (-5, 0, 20)
     ]
-    return Meter(slow_fmu, GYRO, [(course, 0.3) for course in courses], Instruments())
+    return Meter(simulation, GYRO, [(course, 0.3) for course in courses], Instruments())
 
 
 def drawing(meter: Meter, seed: int, effects: tuple[str, ...] = SEEN) -> Drawing:

@@ -1,0 +1,23 @@
+"""What the simulated gyro, an average over its carrier period, leaves out of a test's records."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.device import Device
+from pyhrg.gap.observations import Observed
+from pyhrg.theory import beyond_the_average
+
+
+def left_out(
+    device: Device, test: Observed, wave_angle: NDArray[np.float64]
+) -> dict[str, NDArray[np.float64]]:
+    """(n,) means over the rows by channel; a record may have it or not (`beyond_the_average`).
+
+    Args:
+        device: the gyro.
+        test: observed.
+        wave_angle: (n,) of the pattern at the rows' ends, rad.
+    """
+    rate = test.inputs.table.means
+    middle = device.bryan_factor * rate * test.log.interval / 2
+    return beyond_the_average(device, rate, wave_angle + middle)

@@ -13,7 +13,7 @@ from pyhrg.gap.catalogue import NAMES
 from pyhrg.gap.challenge.course import Course, course_of
 from pyhrg.gap.challenge.gyro import TrueGyro
 from pyhrg.gap.challenge.instruments import Instruments
-from pyhrg.gap.challenge.meter import Meter
+from pyhrg.gap.challenge.meter import Meter, measured, measuring
 from pyhrg.gap.challenge.nominal import believed, drawn_nominal, drawn_site
 from pyhrg.gap.challenge.plans import Plan, further, plans
 from pyhrg.gap.challenge.truth import Drawing, Strength, TrueState, Truth
@@ -23,8 +23,6 @@ from pyhrg.units import ARCSEC
 
 CampaignStrength = Callable[[Campaign, str, Mapping[str, float]], float]
 """Sigmas of an effect, by its name and parameters, on the inputs of a campaign."""
-SLOW_STEP = 1.0
-"""Communication step of what only looks at slow things, s."""
 STEPS = 100
 """Communication steps in a row of the true gyro."""
 
@@ -116,11 +114,11 @@ def prepared(
     nominal, site = drawn_nominal(gyro), drawn_site(gyro)
     device, own = believed(nominal, site), Instruments().drawn(gyro)
     made = plans(device, _generator(case, BENCH), complete=bool(case.without))
-    fitted = [(_slow_course(p), p.start_angle) for p in made if p.role == "fit"]
+    fitted = [(measured(p.programme), p.start_angle) for p in made if p.role == "fit"]
     meter = Meter(simulation, device, fitted, own)
     sigmas: Strength = meter.sigmas_of
     if strength is not None:
-        tests = tuple(_planned(plan, device, simulation.quasi_steady) for plan in made)
+        tests = tuple(_planned(plan, device, simulation) for plan in made)
         sigmas = partial(strength, Campaign(case.name, site, nominal, tests))
     effects = case.without or NAMES
     drawing = Drawing(meter, sigmas, _generator(case, EFFECT), case.strengths, effects)
@@ -160,14 +158,11 @@ def _generator(case: Case, stream: int) -> np.random.Generator:
     return np.random.default_rng(np.random.SeedSequence(case.seed, spawn_key=(stream,)))
 
 
-def _slow_course(plan: Plan) -> Course:
-    return course_of(plan.programme, min(SLOW_STEP, plan.programme.interval))
-
-
-def _planned(plan: Plan, device: Device, slow: GyroFmu) -> Test:
+def _planned(plan: Plan, device: Device, simulation: Simulation) -> Test:
     """The test with what the believed gyro would answer."""
-    course, still = _slow_course(plan), np.zeros((1, 1))
-    log = TrueGyro(slow, device).exact(plan.id, course, plan.start_angle, still)
+    course, still = measured(plan.programme), np.zeros((1, 1))
+    fmu = measuring(simulation, len(course), course.interval)
+    log = TrueGyro(fmu, device).exact(plan.id, course, plan.start_angle, still)
     return Test(plan.id, plan.kind, plan.role, log)
 
 

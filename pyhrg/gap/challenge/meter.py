@@ -10,11 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize, minimize_scalar
 
+from pyhrg.bench.programme import Programme
 from pyhrg.campaign import Test
 from pyhrg.device import Device
-from pyhrg.fmu import GyroFmu
+from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
 from pyhrg.gap.catalogue import DETERMINISTIC, EFFECTS, NOISES, Effect, NoiseEffect
-from pyhrg.gap.challenge.course import Course
+from pyhrg.gap.challenge.course import Course, course_of
 from pyhrg.gap.challenge.gyro import Disturbance, TrueGyro
 from pyhrg.gap.challenge.instruments import Instruments
 from pyhrg.gap.challenge.unsteadiness import unsteadiness
@@ -42,6 +43,8 @@ LEAST_FORCE = 1e-9
 """That a force may be divided by, 1/s."""
 GROWN = 0.2
 """Share by which noise of a free pattern's angle may have grown where it tells of a gap."""
+SLOW_STEP = 1.0
+"""Communication step of loops at rest, s."""
 SHIFTS = (-1e-3, 1e-3)
 """Of the pattern, rad, between which a slope is taken."""
 Residual = dict[str, Array]
@@ -158,19 +161,15 @@ class Meter:
         still = np.zeros((1, 1))
         logs = []
         for course, start in self.tests:
-            fmu = self._model(len(course), course.interval)
+            fmu = measuring(self.simulation, len(course), course.interval)
             gyro = TrueGyro(fmu, device, self.instruments, disturbance)
             logs.append(disturbance.shown(gyro.exact("", course, start, still)))
         return logs
 
     def _replayed(self, inputs: Replayable) -> dict[str, Array]:
-        rows, interval = len(inputs.log.time), inputs.log.interval
-        fmu = self._model(rows, interval)
-        return replayed(fmu, self.believed, inputs, min(1.0, interval))
-
-    def _model(self, rows: int, interval: float) -> GyroFmu:
-        models = self.simulation
-        return models.sampled if is_short(rows, interval) else models.quasi_steady
+        shape = len(inputs.log.time), inputs.log.interval
+        fmu = measuring(self.simulation, *shape)
+        return replayed(fmu, self.believed, inputs, _step(*shape))
 
     def _white(self, device: Device, log: Log, seen: Seen, expected: Residual) -> Residual:
         noises = self._noises(device, log)
@@ -256,6 +255,20 @@ class Meter:
             return self.sigmas_of_noise(device, noise_put(self.believed, noise, value))
 
         return float(minimize_scalar(left, bounds=SIZES, method="bounded").fun)
+
+
+def measured(programme: Programme) -> Course:
+    """A test's course, in the steps that its strengths are measured in."""
+    return course_of(programme, _step(len(programme), programme.interval))
+
+
+def measuring(simulation: Simulation, rows: int, interval: float) -> GyroFmu:
+    """The model that strengths are measured with in a test of so many rows, of an interval in s."""
+    return simulation.sampled if is_short(rows, interval) else simulation.quasi_steady
+
+
+def _step(rows: int, interval: float) -> float:
+    return CONTROL_PERIOD if is_short(rows, interval) else min(SLOW_STEP, interval)
 
 
 def _relative(log: Log, by_channel: Mapping[str, Array]) -> Residual:

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 import pyhrg
-from pyhrg.gap.challenge.course import Course, course_of
+from pyhrg.gap.challenge.course import Course
 from pyhrg.gap.challenge.form import FILE, Form, forms
 from pyhrg.gap.challenge.instruments import Instruments
-from pyhrg.gap.challenge.meter import Meter
+from pyhrg.gap.challenge.meter import Meter, measured
 from pyhrg.gap.challenge.plans import TESTS, Variation
 from pyhrg.gap.simulation import Simulation
 from tests.pyhrg.gap.challenge.short import GYRO
@@ -30,7 +30,7 @@ def meter(simulation: Simulation) -> Meter:
     for i, (_, _, role, profile) in enumerate(TESTS):
         programme = profile(vary)
         if role == "fit":
-            tests.append((course_of(programme, min(1.0, programme.interval)), 0.1 + 0.1 * i))
+            tests.append((measured(programme), 0.1 + 0.1 * i))
     return Meter(simulation, GYRO, tests, Instruments())
 
 

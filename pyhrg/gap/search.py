@@ -48,9 +48,9 @@ class Ranked:
         return self.fits[0]
 
     @property
-    def groups(self) -> set[Group]:
-        """Of all sets."""
-        return {group for fit in self.fits for group in fit.groups}
+    def groups(self) -> tuple[Group, ...]:
+        """Of all sets, those of the most probable ones first."""
+        return tuple(dict.fromkeys(group for fit in self.fits for group in fit.groups))
 
     def probability(self, *groups: Group) -> float:
         """That one of these groups takes part."""

@@ -62,7 +62,7 @@ def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
         return Fit((), 0.0, 0.0, (), np.zeros((0, 0)))
     groups = sorted(groups, key=lambda group: isinstance(group, Element))
     where = np.concatenate([design.places[g] for g in groups])
-    gram = design.gram[np.ix_(where, where)]
+    gram = design.gram[where[:, None], where]
     try:
         factor = cho_factor(gram)
     except LinAlgError:

@@ -123,7 +123,7 @@ def _promising(
     for index, group in enumerate(groups):
         if index not in start:
             where = design.places[group]
-            own = gram[np.ix_(where, where)]
+            own = gram[where[:, None], where]
             gains[index] = _gain(own, pull[where], least_left(group)) / 2 + prior[index]
     return sorted(gains, key=lambda i: -gains[i])[:TRIED]
 

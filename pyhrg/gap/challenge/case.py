@@ -13,7 +13,7 @@ from pyhrg.gap.catalogue import NAMES
 from pyhrg.gap.challenge.course import Course, course_of
 from pyhrg.gap.challenge.gyro import TrueGyro
 from pyhrg.gap.challenge.instruments import Instruments
-from pyhrg.gap.challenge.meter import Meter, measured, measuring
+from pyhrg.gap.challenge.meter import Meter, measured, measuring_model
 from pyhrg.gap.challenge.nominal import believed, drawn_nominal, drawn_site
 from pyhrg.gap.challenge.plans import Plan, further, plans
 from pyhrg.gap.challenge.truth import Drawing, Strength, TrueState, Truth
@@ -161,7 +161,7 @@ def _generator(case: Case, stream: int) -> np.random.Generator:
 def _planned(plan: Plan, device: Device, simulation: Simulation) -> Test:
     """The test with what the believed gyro would answer."""
     course, still = measured(plan.programme), np.zeros((1, 1))
-    fmu = measuring(simulation, len(course), course.interval)
+    fmu = measuring_model(simulation, len(course), course.interval)
     log = TrueGyro(fmu, device).exact(plan.id, course, plan.start_angle, still)
     return Test(plan.id, plan.kind, plan.role, log)
 

@@ -161,14 +161,14 @@ class Meter:
         still = np.zeros((1, 1))
         logs = []
         for course, start in self.tests:
-            fmu = measuring(self.simulation, len(course), course.interval)
+            fmu = measuring_model(self.simulation, len(course), course.interval)
             gyro = TrueGyro(fmu, device, self.instruments, disturbance)
             logs.append(disturbance.shown(gyro.exact("", course, start, still)))
         return logs
 
     def _replayed(self, inputs: Replayable) -> dict[str, Array]:
         shape = len(inputs.log.time), inputs.log.interval
-        fmu = measuring(self.simulation, *shape)
+        fmu = measuring_model(self.simulation, *shape)
         return replayed(fmu, self.believed, inputs, _step(*shape))
 
     def _white(self, device: Device, log: Log, seen: Seen, expected: Residual) -> Residual:
@@ -262,7 +262,7 @@ def measured(programme: Programme) -> Course:
     return course_of(programme, _step(len(programme), programme.interval))
 
 
-def measuring(simulation: Simulation, rows: int, interval: float) -> GyroFmu:
+def measuring_model(simulation: Simulation, rows: int, interval: float) -> GyroFmu:
     """The model that strengths are measured with in a test of so many rows, of an interval in s."""
     return simulation.sampled if is_short(rows, interval) else simulation.quasi_steady
 

@@ -12,8 +12,10 @@ from pyhrg.gap.catalogue import EFFECTS, NOISES
 from pyhrg.gap.challenge.course import course_of
 from pyhrg.gap.challenge.gyro import Disturbance
 from pyhrg.gap.challenge.instruments import Instruments
-from pyhrg.gap.challenge.meter import Meter
+from pyhrg.gap.challenge.meter import Meter, measured
 from pyhrg.gap.simulation import Simulation
+from pyhrg.records import Log
+from pyhrg.theory import beyond_the_average
 from pyhrg.units import ARCSEC, DEG, DEG_PER_H
 from tests.pyhrg.gap.challenge.short import GRAVITY, GYRO
 
@@ -61,6 +63,20 @@ def test_an_effect_leaves_nothing_beyond_itself(simulation: Simulation) -> None:
     assert measuring.sigmas_beyond_catalogue(gap) < 1e-3 * np.linalg.norm(gap)
     other = EFFECTS["input_axis_misalignment"]
     assert measuring.sigmas_beyond(other, gap) > 0.5 * np.linalg.norm(gap)
+
+
+def test_what_the_average_leaves_out_is_noise_of_its_shape(simulation: Simulation) -> None:
+    """Three times it are three deviations, however far it stands out of the rows' noise."""
+    course = measured(Programme(0.1, GRAVITY).rest(5).spin(100 * DEG, 20))
+    rate = course.rate.mean(axis=1)
+
+    def shown(log: Log) -> Log:
+        middle = log.wave_angle + GYRO.bryan_factor * rate * log.interval / 2
+        more = beyond_the_average(GYRO, rate, middle)["quadrature_force"]
+        return replace(log, quadrature_force=log.quadrature_force + 3 * more)
+
+    found = Meter(simulation, GYRO, [(course, 0.3)], Instruments())
+    assert found.sigmas(GYRO, Disturbance(shown=shown)) == pytest.approx(3, rel=0.01)
 
 
 def test_parameters_say_the_effect(simulation: Simulation) -> None:

@@ -19,9 +19,9 @@ from tqdm import tqdm
 
 from pyhrg.campaign import Campaign
 from pyhrg.device import Device
-from pyhrg.gap.command import simulation
 from pyhrg.gap.diagnose import diagnosed
 from pyhrg.gap.diagnosis import Diagnosis
+from pyhrg.gap.models import simulation
 from tests.pyhrg.gap.bench import recorded
 from tests.pyhrg.gap.soundness.conftest import BELIEVED
 

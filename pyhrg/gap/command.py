@@ -6,20 +6,19 @@ from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 
-from fmu_build.bundle import built_fmu
 from fmu_build.cli import Command, UserError
 from fmu_build.platforms import BuildError
-from fmu_build.roots import ROOTS
 from fmu_build.translate import TranslationError
 from pyhrg import campaign as campaigns
 from pyhrg import device_file, records
-from pyhrg.fmu import GyroError, GyroFmu
+from pyhrg.fmu import GyroError
 from pyhrg.gap import diagnosis, prediction, static_record
 from pyhrg.gap.catalogue import WHOLE
 from pyhrg.gap.challenge import command as challenge
 from pyhrg.gap.closing import believed_device, with_causes
 from pyhrg.gap.diagnose import Diagnosed, diagnosed
 from pyhrg.gap.folder import keep, keep_with_report
+from pyhrg.gap.models import simulation
 from pyhrg.gap.simulation import Simulation
 from pyhrg.imu_records.log import LogError as ImuLogError
 from pyhrg.records import LogError
@@ -83,7 +82,7 @@ def _diagnose(options: argparse.Namespace) -> None:
         result = static_record.diagnose(options.source, options.belief, options.out)
         print("\n".join(said_of_record(result)))
         return
-    found = diagnosed(campaigns.read(options.source), simulation(), say=_say)
+    found = diagnosed(campaigns.read(options.source), simulation(_say), say=_say)
     keep_with_report(found, options.out, _say)
     print(summary(found))
 
@@ -110,7 +109,7 @@ def challenged(folder: Path, out: Path, without: Sequence[str]) -> None:
 
 @cache
 def _simulation_of_process() -> Simulation:
-    return simulation()
+    return simulation(_say)
 
 
 def _predict(options: argparse.Namespace) -> None:
@@ -118,20 +117,8 @@ def _predict(options: argparse.Namespace) -> None:
     believed = believed_device(campaign)
     closed = with_causes(believed, diagnosis.causes_of(options.diagnosis))
     log = records.read(options.log, latitude=campaign.site.latitude)
-    angle = prediction.predicted(simulation(), believed, closed, log)
+    angle = prediction.predicted(simulation(_say), believed, closed, log)
     prediction.write(log, angle, options.out)
-
-
-def simulation() -> Simulation:
-    """Both fidelities, built where they aren't yet.
-
-    Raises:
-        TranslationError, BuildError, OSError.
-    """
-    models = [GyroFmu(built_fmu(_say, root=ROOTS[model])) for model in ("HRG", "HRGSlow")]
-    for model in models:
-        model.prepare()
-    return Simulation(*models)
 
 
 def summary(found: Diagnosed) -> str:

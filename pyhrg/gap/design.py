@@ -106,10 +106,10 @@ class Evidence:
     def left_out(self, channel: str) -> Array:
         """(n,) what the next order of the average over a carrier period, which the simulated gyro
         has not, does to a channel."""
-        return self._beyond.get(channel, np.zeros(len(self.where.table_rate)))
+        return self._left_out[channel]
 
     @cached_property
-    def _beyond(self) -> Mapping[str, Array]:
+    def _left_out(self) -> Mapping[str, Array]:
         return left_out(self.device, self.test, self.where.pattern_angle)
 
     def at_measured_angle(self, series: Array, angles: Array, channel: str) -> Array:

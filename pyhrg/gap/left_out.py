@@ -4,14 +4,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device import Device
-from pyhrg.gap.observations import Observed
+from pyhrg.gap.observations import CHANNELS, Observed
 from pyhrg.theory import beyond_the_average
 
 
 def left_out(
     device: Device, test: Observed, wave_angle: NDArray[np.float64]
 ) -> dict[str, NDArray[np.float64]]:
-    """(n,) means over the rows by channel; a record may have it or not (`beyond_the_average`).
+    """(n,) means over the rows for each of `CHANNELS`; a record may have it or not
+    (`beyond_the_average`).
 
     Args:
         device: the gyro.
@@ -20,4 +21,5 @@ def left_out(
     """
     rate = test.inputs.table.means
     middle = device.bryan_factor * rate * test.log.interval / 2
-    return beyond_the_average(device, rate, wave_angle + middle)
+    beyond = beyond_the_average(device, rate, wave_angle + middle)
+    return {name: beyond.get(name, np.zeros(len(rate))) for name in CHANNELS}

@@ -63,6 +63,11 @@ class Simulation:
     sampled: GyroFmu
     quasi_steady: GyroFmu
 
+    def model(self, rows: int, interval: float) -> GyroFmu:
+        """The plainest model that shows all that a test of so many rows, of an interval in s, can
+        show of a small difference."""
+        return self.sampled if is_short(rows, interval) else self.quasi_steady
+
     def answers(self, device: Device, test: Observed) -> dict[str, Array]:
         """(n,) by field: with running loops where they move, else with loops that follow once
         they are at rest.

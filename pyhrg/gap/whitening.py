@@ -194,20 +194,7 @@ def _innovations(
         if h != last:
             last = h
             changes = True
-            turns[1] = h
-            added[0, 0] = walks[0] * h + walks[1] * h**3 / 3
-            added[0, 1] = added[1, 0] = walks[1] * h**2 / 2
-            added[1, 1] = walks[1] * h
-            for j in range(m - 2):
-                stays = np.exp(-h / lags[j])
-                kept[j + 2] = stays
-                turns[j + 2] = rates[j] * lags[j] * (1 - stays)
-                t, q = lags[j], densities[j]
-                added[j + 2, j + 2] = q * t / 2 * (1 - stays**2)
-                added[0, j + 2] = added[j + 2, 0] = rates[j] * q * t * t / 2 * (1 - stays) ** 2
-                added[0, 0] += (
-                    rates[j] * q * t * t * (h - 2 * t * (1 - stays) + t / 2 * (1 - stays**2))
-                )
+            _fill(h, walks, lags, rates, densities, kept, turns, added)
         if changes:
             for b in range(m):
                 angle[b] = 0.0
@@ -228,6 +215,12 @@ def _innovations(
                 variance += reading[a] * gain[a]
             deviation = np.sqrt(variance)
             logarithm = np.log(variance)
+            changes = False
+            for a in range(m):
+                for b in range(m):
+                    left = covariance[a, b] - gain[a] * gain[b] / variance
+                    changes = changes or left != before[a, b]
+                    before[a, b] = covariance[a, b] = left
         logs += logarithm
         for a in range(1, m):
             if turns[a] != 0.0:
@@ -249,11 +242,30 @@ def _innovations(
             if share != 0.0:
                 for k in range(p):
                     state[a, k] += share * miss[k]
-        if changes:
-            changes = False
-            for a in range(m):
-                for b in range(m):
-                    left = covariance[a, b] - gain[a] * gain[b] / variance
-                    changes = changes or left != before[a, b]
-                    before[a, b] = covariance[a, b] = left
     return logs
+
+
+@numba.njit(cache=True)
+def _fill(
+    h: float,
+    walks: Array,
+    lags: Array,
+    rates: Array,
+    densities: Array,
+    kept: Array,
+    turns: Array,
+    added: Array,
+) -> None:
+    """What a step keeps of each state, adds of each to the angle, and adds to the covariance."""
+    turns[1] = h
+    added[0, 0] = walks[0] * h + walks[1] * h**3 / 3
+    added[0, 1] = added[1, 0] = walks[1] * h**2 / 2
+    added[1, 1] = walks[1] * h
+    for j in range(len(lags)):
+        stays = np.exp(-h / lags[j])
+        kept[j + 2] = stays
+        turns[j + 2] = rates[j] * lags[j] * (1 - stays)
+        t, q = lags[j], densities[j]
+        added[j + 2, j + 2] = q * t / 2 * (1 - stays**2)
+        added[0, j + 2] = added[j + 2, 0] = rates[j] * q * t * t / 2 * (1 - stays) ** 2
+        added[0, 0] += rates[j] * q * t * t * (h - 2 * t * (1 - stays) + t / 2 * (1 - stays**2))

@@ -13,11 +13,11 @@ from pyhrg.gap.catalogue import NAMES
 from pyhrg.gap.challenge.course import Course, course_of
 from pyhrg.gap.challenge.gyro import TrueGyro
 from pyhrg.gap.challenge.instruments import Instruments
-from pyhrg.gap.challenge.meter import Meter, measured, measuring_model
+from pyhrg.gap.challenge.meter import Meter, measured
 from pyhrg.gap.challenge.nominal import believed, drawn_nominal, drawn_site
 from pyhrg.gap.challenge.plans import Plan, further, plans
 from pyhrg.gap.challenge.truth import Drawing, Strength, TrueState, Truth
-from pyhrg.gap.simulation import SHORT, Simulation
+from pyhrg.gap.simulation import Simulation, is_short
 from pyhrg.site import Site
 from pyhrg.units import ARCSEC
 
@@ -55,7 +55,9 @@ class Fmus:
 
     def of(self, plan: Plan) -> GyroFmu:
         """The model of a test's truth."""
-        return self.carrier if plan.programme.time <= SHORT else self.simulation.sampled
+        programme = plan.programme
+        short = is_short(len(programme), programme.interval)
+        return self.carrier if short else self.simulation.sampled
 
 
 @dataclass(frozen=True)
@@ -161,7 +163,7 @@ def _generator(case: Case, stream: int) -> np.random.Generator:
 def _planned(plan: Plan, device: Device, simulation: Simulation) -> Test:
     """The test with what the believed gyro would answer."""
     course, still = measured(plan.programme), np.zeros((1, 1))
-    fmu = measuring_model(simulation, len(course), course.interval)
+    fmu = simulation.model(len(course), course.interval)
     log = TrueGyro(fmu, device).exact(plan.id, course, plan.start_angle, still)
     return Test(plan.id, plan.kind, plan.role, log)
 

@@ -13,14 +13,14 @@ from scipy.optimize import minimize, minimize_scalar
 from pyhrg.bench.programme import Programme
 from pyhrg.campaign import Test
 from pyhrg.device import Device
-from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
+from pyhrg.fmu import CONTROL_PERIOD
 from pyhrg.gap.catalogue import DETERMINISTIC, EFFECTS, NOISES, Effect, NoiseEffect
 from pyhrg.gap.challenge.course import Course, course_of
 from pyhrg.gap.challenge.gyro import Disturbance, TrueGyro
 from pyhrg.gap.challenge.instruments import Instruments
 from pyhrg.gap.challenge.unsteadiness import unsteadiness
 from pyhrg.gap.left_out import left_out
-from pyhrg.gap.observations import Mask, observed
+from pyhrg.gap.observations import COARSE_STEP, Mask, observed
 from pyhrg.gap.replay import Replayable, replayable, replayed
 from pyhrg.gap.simulation import Simulation, is_short
 from pyhrg.gap.whitening import SlowNoise, whitened
@@ -43,8 +43,6 @@ LEAST_FORCE = 1e-9
 """That a force may be divided by, 1/s."""
 GROWN = 0.2
 """Share by which noise of a free pattern's angle may have grown where it tells of a gap."""
-SLOW_STEP = 1.0
-"""Communication step of loops at rest, s."""
 SHIFTS = (-1e-3, 1e-3)
 """Of the pattern, rad, between which a slope is taken."""
 Residual = dict[str, Array]
@@ -161,14 +159,14 @@ class Meter:
         still = np.zeros((1, 1))
         logs = []
         for course, start in self.tests:
-            fmu = measuring_model(self.simulation, len(course), course.interval)
+            fmu = self.simulation.model(len(course), course.interval)
             gyro = TrueGyro(fmu, device, self.instruments, disturbance)
             logs.append(disturbance.shown(gyro.exact("", course, start, still)))
         return logs
 
     def _replayed(self, inputs: Replayable) -> dict[str, Array]:
         shape = len(inputs.log.time), inputs.log.interval
-        fmu = measuring_model(self.simulation, *shape)
+        fmu = self.simulation.model(*shape)
         return replayed(fmu, self.believed, inputs, _step(*shape))
 
     def _white(self, device: Device, log: Log, seen: Seen, expected: Residual) -> Residual:
@@ -178,7 +176,7 @@ class Meter:
             rows = seen.rows[name]
             gap = (residual - expected[name])[rows, None]
             steps = np.diff(log.time[rows], prepend=0.0)
-            out = seen.left_out[name][rows] if name in seen.left_out else None
+            out = seen.left_out[name][rows]
             white[name] = whitened(gap, steps, noises[name], out).series[:, 0]
         return white
 
@@ -262,13 +260,8 @@ def measured(programme: Programme) -> Course:
     return course_of(programme, _step(len(programme), programme.interval))
 
 
-def measuring_model(simulation: Simulation, rows: int, interval: float) -> GyroFmu:
-    """The model that strengths are measured with in a test of so many rows, of an interval in s."""
-    return simulation.sampled if is_short(rows, interval) else simulation.quasi_steady
-
-
 def _step(rows: int, interval: float) -> float:
-    return CONTROL_PERIOD if is_short(rows, interval) else min(SLOW_STEP, interval)
+    return CONTROL_PERIOD if is_short(rows, interval) else min(COARSE_STEP, interval)
 
 
 def _relative(log: Log, by_channel: Mapping[str, Array]) -> Residual:

@@ -14,19 +14,17 @@ from typing import TypeVar
 
 from tqdm import tqdm
 
-from fmu_build.bundle import built_fmu
 from fmu_build.files import replaced_folder
-from fmu_build.roots import ROOTS
 from pyhrg import campaign as campaigns
 from pyhrg.campaign_index import CampaignError
-from pyhrg.fmu import GyroError, GyroFmu
+from pyhrg.fmu import GyroError
 from pyhrg.gap.challenge import diagnosis, seal
 from pyhrg.gap.challenge.case import CampaignStrength, Case, Fmus, generated, with_next_test
 from pyhrg.gap.challenge.diagnosis import Diagnosis
 from pyhrg.gap.challenge.report import Finished, Score, write
 from pyhrg.gap.challenge.roster import ChallengeError, Folder, Settings
 from pyhrg.gap.challenge.score import Judged
-from pyhrg.gap.simulation import Simulation
+from pyhrg.gap.models import model, simulation
 
 Diagnose = Callable[[Path, Path, Sequence[str]], None]
 """Diagnoses the campaign of a folder into `diagnosis.json` of another, its catalogue without the
@@ -172,12 +170,7 @@ def _said_of(challenge: Challenge, case: Case, campaign: Path, out: Path) -> Non
 @cache
 def _fmus() -> Fmus:
     """The models, once a process."""
-    names = ("HRGCarrier", "HRG", "HRGSlow")
-    models = [GyroFmu(built_fmu(root=ROOTS[name])) for name in names]
-    for model in models:
-        model.prepare()
-    carrier, *both = models
-    return Fmus(carrier, Simulation(*both))
+    return Fmus(model("HRGCarrier"), simulation())
 
 
 @contextmanager

@@ -52,4 +52,3 @@ def short_plans(
 def quick_cases(monkeypatch: pytest.MonkeyPatch) -> None:
     """Cases of two short tests, none of them at the carrier."""
     monkeypatch.setattr(case, "plans", short_plans)
-    monkeypatch.setattr(case, "SHORT", 0.0)

@@ -1,7 +1,7 @@
 """Expressions and functions of the flat model as C."""
 
 import math
-from collections.abc import Collection, Iterable
+from collections.abc import Callable, Collection, Iterable
 
 from fmu_build.dae import Dae, Function, Json, Node
 
@@ -272,7 +272,8 @@ def _assignment(dae: Dae, function: Function, body: Json, indent: str, nested: b
     node = dae.nodes[body["rhs"]]
     name = f"l_{target.name}"
     if node.kind == "conditional" and target.size is not None:
-        return _alternatives(dae, name, node, indent)
+        lines = alternatives(dae, body["rhs"], lambda branch: _vector(dae, name, branch, "  "))
+        return [indent + line for line in lines]
     if node.kind == "array_update":
         base, pick, value = node.args
         if dae.nodes[base].kind != "function_value" and nested:
@@ -300,20 +301,20 @@ def _vector(dae: Dae, name: str, expression: int, indent: str) -> list[str]:
     return [indent + line for line in (*emitter.statements, text)]
 
 
-def _alternatives(dae: Dae, name: str, node: Node, indent: str) -> list[str]:
-    """A vector that is one of several expressions: only the one that holds is computed."""
-    *pairs, fallback = node.args
+def alternatives(dae: Dae, conditional: int, assigned: Callable[[int], list[str]]) -> list[str]:
+    """A vector that is one of several expressions: only the one that holds is computed.
+
+    Args:
+        dae: the model.
+        conditional: expression.
+        assigned: lines that assign a branch, given its expression.
+    """
+    *pairs, fallback = dae.nodes[conditional].args
     lines: list[str] = []
     for condition, branch in zip(pairs[::2], pairs[1::2], strict=True):
         head = "} else if" if lines else "if"
-        lines.append(f"{indent}{head} ({Emitter(dae).scalar(condition)}) {{")
-        lines += _vector(dae, name, branch, indent + "  ")
-    return [
-        *lines,
-        f"{indent}}} else {{",
-        *_vector(dae, name, fallback, indent + "  "),
-        f"{indent}}}",
-    ]
+        lines += [f"{head} ({Emitter(dae).scalar(condition)}) {{", *assigned(branch)]
+    return [*lines, "} else {", *assigned(fallback), "}"]
 
 
 def _number(value: float | int | bool) -> str:

@@ -2,10 +2,11 @@
 
 import re
 from collections.abc import Iterable
+from functools import partial
 from itertools import groupby
 
 from fmu_build.dae import Dae
-from fmu_build.emit import Emitter, function_body, function_name
+from fmu_build.emit import Emitter, alternatives, function_body, function_name
 from fmu_build.sorting import Assignment, Schedule, schedule
 
 
@@ -89,15 +90,33 @@ def _stores(dae: Dae, assignments: Iterable[Assignment]) -> list[str]:
     emitter = Emitter(dae)
     lines = []
     for assignment in assignments:
-        emitter.target = assignment.target[1]
-        variable = dae.variables[assignment.target[1]]
-        sizes = emitter.size(assignment.expression)
-        for element in range(variable.count):
-            text = emitter.scalar(assignment.expression, None if sizes is None else element)
-            lines.extend(emitter.statements)
-            emitter.statements.clear()
-            lines.append(f"v[{variable.offset + element}] = {text};")
+        expression, target = assignment.expression, assignment.target[1]
+        is_conditional = dae.nodes[expression].kind == "conditional"
+        if is_conditional and emitter.size(expression) is not None:
+            lines += alternatives(dae, expression, partial(_branch, dae, target))
+        else:
+            lines += _stored(emitter, expression, target)
     return lines
+
+
+def _stored(emitter: Emitter, expression: int, target: int) -> list[str]:
+    emitter.target = target
+    variable = emitter.dae.variables[target]
+    is_scalar = emitter.size(expression) is None
+    lines = []
+    for element in range(variable.count):
+        text = emitter.scalar(expression, None if is_scalar else element)
+        lines += emitter.statements
+        emitter.statements.clear()
+        lines.append(f"v[{variable.offset + element}] = {text};")
+    return lines
+
+
+def _branch(dae: Dae, target: int, expression: int) -> list[str]:
+    """One of several values of a vector; its `pre` value is in its storage already."""
+    node = dae.nodes[expression]
+    is_there = node.kind == "pre" and node.value == target
+    return [] if is_there else [f"  {line}" for line in _stored(Emitter(dae), expression, target)]
 
 
 def _scalars(dae: Dae, role: str) -> list[int]:

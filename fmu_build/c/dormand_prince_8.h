@@ -17,16 +17,16 @@ static inline void dormand_prince_8(const double *v, double *x, double h) {
       {2.273310147516538, 0.0, 0.0, -10.53449546673725, -2.0008720582248625, -17.9589318631188, 27.94888452941996, -2.8589982771350235, -8.87285693353063, 12.360567175794303, 0.6433927460157636},
   };
   static const double b[12] = {0.054293734116568765, 0.0, 0.0, 0.0, 0.0, 4.450312892752409, 1.8915178993145003, -5.801203960010585, 0.3111643669578199, -0.1521609496625161, 0.20136540080403034, 0.04471061572777259};
-  double k[12][STATES], y[STATES];
+  double k[12][STATES], y[STATES], sum[STATES] = {0.0};
   for (int stage = 0; stage < 12; stage++) {
-    double sum[STATES] = {0.0};
+    for (int i = 0; i < STATES; i++) y[i] = x[i];
     for (int j = 0; j < stage; j++)
-      for (int i = 0; i < STATES; i++) sum[i] += a[stage][j] * k[j][i];
-    for (int i = 0; i < STATES; i++) y[i] = x[i] + h * sum[i];
+      if (a[stage][j] != 0.0)
+        for (int i = 0; i < STATES; i++) y[i] += h * a[stage][j] * k[j][i];
     derivatives(v, y, k[stage]);
   }
-  double sum[STATES] = {0.0};
   for (int stage = 0; stage < 12; stage++)
-    for (int i = 0; i < STATES; i++) sum[i] += b[stage] * k[stage][i];
+    if (b[stage] != 0.0)
+      for (int i = 0; i < STATES; i++) sum[i] += b[stage] * k[stage][i];
   for (int i = 0; i < STATES; i++) x[i] += h * sum[i];
 }

@@ -1,8 +1,9 @@
 """Noise-free answers of a device to observed tests, by the two fidelities that a replay needs."""
 
 import math
+from collections import OrderedDict
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache
 
 import numpy as np
@@ -32,6 +33,8 @@ LEAST_SHIFT = 0.5
 """Of a shift of the start angle that must be left for a slope to be told by it."""
 SMALL_LAG = 1e-9
 """Of the phase, that is none, rad."""
+KEPT = 128
+"""Simulations of whole tests that may be asked for again."""
 
 
 @dataclass(frozen=True)
@@ -62,6 +65,9 @@ class Simulation:
 
     sampled: GyroFmu
     quasi_steady: GyroFmu
+    _kept: OrderedDict[tuple[int, int, float], tuple[Device, Replayable, Answers]] = field(
+        default_factory=OrderedDict, init=False, repr=False, compare=False
+    )
 
     def model(self, rows: int, interval: float) -> GyroFmu:
         """The plainest model that shows all that a test of so many rows, of an interval in s, can
@@ -85,7 +91,7 @@ class Simulation:
     def _turned(self, device: Device, inputs: Replayable, angle: float) -> dict[str, Array]:
         """What a pattern that is turned changes in all channels but the angles."""
         away = replace(inputs, start_angle=inputs.start_angle + angle)
-        first, last = (self._coarse(device, each) for each in (inputs, away))
+        first, last = (self._simulated(device, each) for each in (inputs, away))
         return {name: last[name] - first[name] for name in CHANNELS if name not in ANGLES}
 
     def _running(
@@ -125,7 +131,8 @@ class Simulation:
         Raises:
             GyroError: as `answers`.
         """
-        return self.changes(low, test)(high)
+        first, last = (self._coarse(device, test.inputs) for device in (low, high))
+        return _apart(first, last, high, test)
 
     def changes(self, device: Device, test: Observed) -> Callable[[Device], dict[str, Array]]:
         """What gyros that differ little from a device, which is simulated once, answer beyond it.
@@ -134,7 +141,7 @@ class Simulation:
             GyroError: as `answers`, here and when it is called.
         """
         first = self._coarse(device, test.inputs)
-        return lambda other: _apart(first, self._coarse(other, test.inputs), other, test)
+        return lambda other: _apart(first, self._simulated(other, test.inputs), other, test)
 
     def over_angle(self, device: Device, test: Observed) -> OverAngle:
         """How the answers change with the pattern's angle.
@@ -142,10 +149,7 @@ class Simulation:
         Raises:
             GyroError: as `answers`.
         """
-        angles = [test.inputs.start_angle + s for s in (-SHIFT, 0.0, SHIFT)]
-        low, middle, high = (
-            self._coarse(device, replace(test.inputs, start_angle=angle)) for angle in angles
-        )
+        low, middle, high = (self._coarse(device, test.inputs, s) for s in (-SHIFT, 0.0, SHIFT))
         below, above = (_apart(*ends, device, test) for ends in ((low, middle), (middle, high)))
         slopes = {name: (below[name] + above[name]) / (2 * SHIFT) for name in CHANNELS}
         grown = 1 - device.bryan_factor * slopes["gyro_angle"]
@@ -156,7 +160,17 @@ class Simulation:
         turned = device.bryan_factor * np.where(is_told, bends["gyro_angle"], 0.0)
         return OverAngle(now, {n: (b + now[n] * turned) / shift**2 for n, b in bends.items()})
 
-    def _coarse(self, device: Device, inputs: Replayable) -> dict[str, Array]:
+    def _coarse(self, device: Device, inputs: Replayable, shift: float = 0.0) -> Answers:
+        """As `_simulated`, for a shift of the start angle, rad; the last ones are kept."""
+        key = id(device), id(inputs), shift
+        if key not in self._kept:
+            shifted = replace(inputs, start_angle=inputs.start_angle + shift)
+            self._kept[key] = device, inputs, self._simulated(device, shifted)
+            if len(self._kept) > KEPT:
+                self._kept.popitem(last=False)
+        return self._kept[key][-1]
+
+    def _simulated(self, device: Device, inputs: Replayable) -> dict[str, Array]:
         """With loops at rest unless all is over soon, in steps that do for small differences."""
         if is_short(len(inputs.log.time), inputs.log.interval):
             return self._running(device, inputs, FINE_STEPS)

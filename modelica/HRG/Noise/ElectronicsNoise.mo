@@ -33,7 +33,7 @@ protected
   discrete Units.AngularRate walk(start = 0, fixed = true) "Rate random walk";
 equation
   when sample(0, samplePeriod) then
-    memory = drawn(pre(memory), isMade);
+    memory = if isMade > 0.5 then deviates(pre(memory)) else pre(memory);
     lags = flicker(pre(lags), decays, memory[81]);
     walk = pre(walk) + walkDeviation*memory[82];
   end when;

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pyhrg.campaign import Campaign, Test
 from pyhrg.device import Device
@@ -21,6 +22,7 @@ from pyhrg.gap.simulation import Simulation, is_short
 from pyhrg.site import Site
 from pyhrg.units import ARCSEC
 
+Array = NDArray[np.float64]
 CampaignStrength = Callable[[Campaign, str, Mapping[str, float]], float]
 """Sigmas of an effect, by its name and parameters, on the inputs of a campaign."""
 STEPS = 100
@@ -72,25 +74,18 @@ class Prepared:
     plans: list[Plan]
     state: TrueState
 
-    def recorded(self, plans: Sequence[tuple[Plan, GyroFmu]], stream: int) -> list[Test]:
-        """Tests of the true gyro, each by its model."""
-        noise = _generator(self.case, stream)
-        return [_recorded(plan, self._gyro(fmu), noise) for plan, fmu in plans]
-
-    def _gyro(self, fmu: GyroFmu) -> TrueGyro:
-        return TrueGyro(fmu, self.state.device, self.own, self.state.disturbance)
-
-    def holdout_noise(self, tests: Sequence[Test], fmu: GyroFmu) -> float:
-        """Root mean square of what noise makes of the output angle on held-out tests, rad."""
-        gyro = self._gyro(fmu)
-        squares = []
-        for plan, test in zip(self.plans, tests, strict=True):
-            if test.is_holdout:
-                course, still = _course(plan), np.zeros((1, 1))
-                exact = gyro.exact(plan.id, course, plan.start_angle, still)
-                angle = self.state.disturbance.shown(exact).gyro_angle
-                squares.append((test.log.gyro_angle - angle) ** 2)
-        return float(np.sqrt(np.mean(np.concatenate(squares))))
+    def recorded(
+        self, plans: Sequence[tuple[Plan, GyroFmu]], stream: int
+    ) -> list[tuple[Test, Array]]:
+        """Tests of the true gyro, each by its model, and (n,) what noise makes of each one's output
+        angle, rad."""
+        noise, state = _generator(self.case, stream), self.state
+        made = []
+        for plan, fmu in plans:
+            gyro = TrueGyro(fmu, state.device, self.own, state.disturbance)
+            log, off = gyro.log(plan.id, _course(plan), plan.start_angle, noise)
+            made.append((Test(plan.id, plan.kind, plan.role, log), off))
+        return made
 
     def campaign(self, tests: Sequence[Test]) -> Campaign:
         """Tests, with what is believed of the gyro."""
@@ -132,9 +127,11 @@ def generated(
 ) -> tuple[Campaign, Truth]:
     """Simulate a case: the same bytes wherever it is done. Arguments as of `prepared`."""
     drawn = prepared(case, fmus.simulation, strength)
-    tests = drawn.recorded([(plan, fmus.of(plan)) for plan in drawn.plans], NOISE)
-    noise = drawn.holdout_noise(tests, fmus.simulation.sampled) / ARCSEC
-    return drawn.campaign(tests), replace(drawn.state.truth, holdout_noise_arcsec=noise)
+    made = drawn.recorded([(plan, fmus.of(plan)) for plan in drawn.plans], NOISE)
+    noise = np.concatenate([noise for test, noise in made if test.is_holdout])
+    rms = float(np.sqrt(np.mean(noise**2))) / ARCSEC
+    campaign = drawn.campaign([test for test, _ in made])
+    return campaign, replace(drawn.state.truth, holdout_noise_arcsec=rms)
 
 
 def with_next_test(
@@ -152,8 +149,8 @@ def with_next_test(
     """
     drawn = prepared(case, fmus.simulation, strength)
     more = further(kind, hours, drawn.device, _generator(case, NEXT_BENCH))
-    tests = drawn.recorded([(plan, fmus.simulation.sampled) for plan in more], NEXT_NOISE)
-    return drawn.campaign((*campaign.tests, *tests))
+    made = drawn.recorded([(plan, fmus.simulation.sampled) for plan in more], NEXT_NOISE)
+    return drawn.campaign((*campaign.tests, *(test for test, _ in made)))
 
 
 def _generator(case: Case, stream: int) -> np.random.Generator:
@@ -165,11 +162,6 @@ def _planned(plan: Plan, device: Device, simulation: Simulation) -> Test:
     course, still = measured(plan.programme), np.zeros((1, 1))
     fmu = simulation.model(len(course), course.interval)
     log = TrueGyro(fmu, device).exact(plan.id, course, plan.start_angle, still)
-    return Test(plan.id, plan.kind, plan.role, log)
-
-
-def _recorded(plan: Plan, gyro: TrueGyro, noise: np.random.Generator) -> Test:
-    log = gyro.log(plan.id, _course(plan), plan.start_angle, noise)
     return Test(plan.id, plan.kind, plan.role, log)
 
 

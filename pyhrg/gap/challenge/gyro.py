@@ -47,7 +47,7 @@ class TrueGyro:
 
     def log(
         self, source: str, course: Course, start_angle: float, generator: np.random.Generator
-    ) -> Log:
+    ) -> tuple[Log, Array]:
         """Run a test.
 
         Noise moves the pattern as an input rate, and the FMU has none of its own: the other loops
@@ -58,11 +58,16 @@ class TrueGyro:
             course: of the test.
             start_angle: true pattern angle at power-on, rad.
             generator: of all noise.
+
+        Returns:
+            The log, and (n,) what noise makes of its output angle, rad.
         """
-        noise = rate_noise(self.device, len(course) * course.steps, course.step, generator)
-        exact = self.exact(source, course, start_angle, noise.reshape(len(course), course.steps))
-        shown = self.disturbance.shown(exact)
-        return logged(shown, self.device, self.instruments, generator)
+        drawn = rate_noise(self.device, len(course) * course.steps, course.step, generator)
+        noise = drawn.reshape(len(course), course.steps)
+        shown = self.disturbance.shown(self.exact(source, course, start_angle, noise))
+        log = logged(shown, self.device, self.instruments, generator)
+        turned = np.cumsum(noise.sum(axis=1)) * course.step
+        return log, log.gyro_angle - shown.gyro_angle + turned
 
     def exact(self, source: str, course: Course, start_angle: float, noise: Array) -> Log:
         """What bench and gyro do, without noise of the log.

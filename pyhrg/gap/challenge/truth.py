@@ -54,8 +54,8 @@ class Truth:
     form: outside the catalogue.
     coordinate: that the form lives in.
     stand_ins: of an effect left out, those that do nearly the same to these tests.
-    holdout_noise_arcsec: rms of the output angle on held-out tests less what the true gyro would
-        show without noise: what no simulation can do away with.
+    holdout_noise_arcsec: rms of what noise makes of the output angle on held-out tests: what no
+        simulation can do away with.
     """
 
     kind: str

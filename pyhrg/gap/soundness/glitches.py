@@ -21,8 +21,8 @@ INPUTS = ("table_angle", "temperature", *ACCELERATIONS)
 """Measured by the bench, and smooth."""
 LONGEST = 3
 """Readings that are off together."""
-LENGTHS = 2 * tuple(range(1, LONGEST + 1))
-"""In the order in which they are looked for: a glitch hides its neighbours."""
+PASSES = 2
+"""In which they are looked for: a glitch hides its neighbours."""
 AROUND = 4
 """Steps from row to row, before and after, that are to be steady; as many in all at the least."""
 BEFORE, AFTER = 2, 1
@@ -113,13 +113,15 @@ def glitches(series: Array, rows: Mask) -> Mask:
     if np.sum(rows) < LEAST:
         return found
     mended, sizes = series, np.zeros(len(series))
-    for length in LENGTHS:
-        new = _of_length(mended, rows, length)
-        sizes = np.where(found, sizes, new)
-        found |= new > 0
-        mended = _filled(series, found, rows)
-    if not found.any():
-        return found
+    for _ in range(PASSES):
+        for length in range(1, LONGEST + 1):
+            new = _of_length(mended, rows, length)
+            if new.any():
+                sizes = np.where(found, sizes, new)
+                found |= new > 0
+                mended = _filled(series, found, rows)
+        if not found.any():
+            return found
     elsewhere = np.sort(_departures(series, rows & ~binary_dilation(found, iterations=REACH)))
     found &= sizes > TWICE * (elsewhere[-1 - 2 * FEW] if len(elsewhere) > 2 * FEW else 0.0)
     return found & (np.sum(found) <= max(FEW, SHARE * np.sum(rows)))

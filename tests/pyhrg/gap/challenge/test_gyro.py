@@ -109,6 +109,13 @@ def test_an_added_rate_is_seen_in_the_output(fmu: GyroFmu) -> None:
 
 def test_noise_is_the_generators_alone(fmu: GyroFmu) -> None:
     gyro, course = TrueGyro(fmu, GYRO), resting(20.0)
-    logs = [gyro.log("", course, 0.3, np.random.default_rng(seed)) for seed in (1, 1, 2)]
+    logs = [gyro.log("", course, 0.3, np.random.default_rng(seed))[0] for seed in (1, 1, 2)]
     np.testing.assert_array_equal(logs[0].gyro_angle, logs[1].gyro_angle)
     assert np.any(logs[0].gyro_angle != logs[2].gyro_angle)
+
+
+def test_noise_of_the_output_angle_is_what_a_quiet_gyro_lacks(fmu: GyroFmu) -> None:
+    gyro, course, still = TrueGyro(fmu, GYRO), turning(60.0), np.zeros((1, 1))
+    log, noise = gyro.log("", course, 0.3, np.random.default_rng(1))
+    quiet = gyro.exact("", course, 0.3, still)
+    np.testing.assert_allclose(noise, log.gyro_angle - quiet.gyro_angle, atol=1e-3 * noise.std())

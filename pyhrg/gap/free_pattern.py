@@ -34,4 +34,4 @@ def steady(simulation: Simulation, believed: Device, test: Observed) -> Observed
     kept = ~np.logical_or.accumulate(grown)
     count = max(int(kept.sum()), LEAST)
     rows = {name: (there & kept)[:count] for name, there in test.rows.items()}
-    return replace(test, inputs=test.inputs.first(count), rows=rows)
+    return replace(test, inputs=test.inputs.first(count), rows=rows, moving=test.moving[:count])

@@ -39,6 +39,8 @@ TURNED_OVER = 1.0
 moves a gain."""
 SLOW = 0.02
 """Rate of the table below which a replay with loops at rest shows how they follow, rad/s."""
+OFFSET = 0.01
+"""Of the phase, up to which loops at rest show what it does, rad."""
 COARSE_STEP = 1.0
 """Longest step by which a small difference between two gyros with loops at rest is taken, s."""
 COARSE_STEPS = 20
@@ -52,14 +54,14 @@ class Observed:
     """A test, its inputs, and which rows of each channel are compared.
 
     rows: (n,) by channel, where the angle is there too: it tells where the pattern was.
-    loops_move: whether its replay needs loops that run.
+    moving: (n,) rows in which loops are not at rest: their replay needs loops that run.
     encoder: white noise of the table's angle, rad.
     """
 
     test: Test
     inputs: Replayable
     rows: Mapping[str, Mask]
-    loops_move: bool
+    moving: Mask
     encoder: float
 
     @property
@@ -83,8 +85,7 @@ def observed(test: Test, believed: Device) -> Observed:
     """
     log = test.log
     inputs = replayable(log, believed)
-    moved = [np.ptp(getattr(log, name)) > 0 for name in STEPS]
-    loops_move = log.interval < FINE or any(moved) or bool(jolts(inputs).any())
+    moving = _moving(log, inputs, settling(believed))
     coarse = COARSE_STEPS * min(COARSE_STEP, log.interval)
     settled = _settled(log, inputs, max(settling(believed), coarse))
     rows = {}
@@ -97,16 +98,32 @@ def observed(test: Test, believed: Device) -> Observed:
         rows[name] = there
     rows["temperature"] = np.isfinite(log.temperature)
     encoder = encoder_noise(log.table_angle, log.gyro_angle)
-    return Observed(test, inputs, rows, loops_move, encoder)
+    return Observed(test, inputs, rows, moving, encoder)
+
+
+def _moving(log: Log, inputs: Replayable, time: float) -> Mask:
+    if log.interval < FINE:
+        return np.ones(len(log.time), dtype=bool)
+    moved = jolts(inputs) | _turns(inputs)
+    moved |= (log.virtual_rotation != 0) | (log.drive_on <= 0) | (abs(log.phase_offset) > OFFSET)
+    moved[0] = True
+    for name in STEPS:
+        moved |= np.diff(getattr(log, name), prepend=getattr(log, name)[0]) != 0
+    return ~later(log, moved, time)
 
 
 def _settled(log: Log, inputs: Replayable, time: float) -> Mask:
     """(n,) rows in which loops at rest show what the gyro does."""
     changed = commanded(log)
     if log.interval >= FINE:
-        changed |= jolts(inputs)
-        changed |= np.maximum(*np.abs([inputs.table.rates[1:], inputs.table.rates[:-1]])) > SLOW
+        changed |= jolts(inputs) | _turns(inputs)
     return later(log, changed, time)
+
+
+def _turns(inputs: Replayable) -> Mask:
+    """(n,) rows in which the table turns too fast for loops at rest to show how they follow."""
+    rates = np.abs(inputs.table.rates)
+    return np.asarray(np.maximum(rates[1:], rates[:-1]) > SLOW)
 
 
 def commanded(log: Log) -> Mask:

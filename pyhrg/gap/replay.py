@@ -31,27 +31,35 @@ class Replayable:
     start_angle: true pattern angle at power-on, rad.
     table: its motion.
     temperatures: (n + 1,) of the case at the rows' bounds, K.
+    begun: angle of the table at power-on, rad.
     """
 
     log: Log
     start_angle: float
     table: TableMotion
     temperatures: Array
+    begun: float = 0.0
 
     def table_angle(self, steps: int) -> Array:
         """(n, steps) at the middles of equal steps of each row, rad."""
-        begun = np.concatenate(([0.0], self.log.table_angle[:-1]))[:, None]
+        begun = np.concatenate(([self.begun], self.log.table_angle[:-1]))[:, None]
         return begun + self.table.turned_in(steps)
+
+    def section(self, rows: slice, start_angle: float) -> "Replayable":
+        """The inputs of some rows alone, if power came on at their begin, with the pattern at an
+        angle, rad."""
+        columns: dict[str, Any] = {c.field: getattr(self.log, c.field)[rows] for c in COLUMNS}
+        return Replayable(
+            replace(self.log, **columns),
+            start_angle,
+            self.table.section(rows),
+            self.temperatures[rows.start : rows.stop + 1],
+            float(self.log.table_angle[rows.start - 1]) if rows.start else self.begun,
+        )
 
     def first(self, rows: int) -> "Replayable":
         """The inputs of the first rows alone."""
-        columns: dict[str, Any] = {c.field: getattr(self.log, c.field)[:rows] for c in COLUMNS}
-        return Replayable(
-            replace(self.log, **columns),
-            self.start_angle,
-            self.table.first(rows),
-            self.temperatures[: rows + 1],
-        )
+        return self.section(slice(0, rows), self.start_angle)
 
 
 def replayable(log: Log, believed: Device) -> Replayable:

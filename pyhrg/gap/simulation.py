@@ -12,7 +12,7 @@ from scipy import signal
 
 from pyhrg.device import Device
 from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
-from pyhrg.gap.observations import CHANNELS, COARSE_STEP, FINE, FORCES, Observed, settling
+from pyhrg.gap.observations import CHANNELS, COARSE_STEP, FINE, FORCES, Mask, Observed, settling
 from pyhrg.gap.replay import Replayable, replayed
 
 Array = NDArray[np.float64]
@@ -33,6 +33,8 @@ LEAST_SHIFT = 0.5
 """Of a shift of the start angle that must be left for a slope to be told by it."""
 SMALL_LAG = 1e-9
 """Of the phase, that is none, rad."""
+MOSTLY = 0.5
+"""Share of rows in which loops move beyond which they run in all."""
 KEPT = 128
 """Simulations of whole tests that may be asked for again."""
 
@@ -81,18 +83,14 @@ class Simulation:
         Raises:
             GyroError: parameters or inputs that the FMU refuses.
         """
-        if test.loops_move:
+        if np.mean(test.moving) > MOSTLY:
             return self._running(device, test.inputs)
-        at_rest = self._at_rest(device, test)
-        started = self._started(at_rest, device, test)
-        turned = float(started["wave_angle"][-1] - at_rest["wave_angle"][-1])
-        return _led(added(started, self._turned(device, test.inputs, turned)), device, test)
-
-    def _turned(self, device: Device, inputs: Replayable, angle: float) -> dict[str, Array]:
-        """What a pattern that is turned changes in all channels but the angles."""
-        away = replace(inputs, start_angle=inputs.start_angle + angle)
-        first, last = (self._simulated(device, each) for each in (inputs, away))
-        return {name: last[name] - first[name] for name in CHANNELS if name not in ANGLES}
+        at_rest, lagging = self._lagging(device, test.inputs)
+        moved = self._moved(at_rest, device, test, lagging)
+        turned = moved["wave_angle"] - at_rest["wave_angle"]
+        slopes = self.over_angle(device, test).slopes
+        shifted = {name: slopes[name] * turned for name in CHANNELS if name not in ANGLES}
+        return added(_led(moved, device, test), shifted)
 
     def _running(
         self, device: Device, inputs: Replayable, steps: int = FAST_STEPS
@@ -102,28 +100,40 @@ class Simulation:
         each = next(n for n in range(max(periods // steps, 1), 0, -1) if periods % n == 0)
         return replayed(self.sampled, device, inputs, each * CONTROL_PERIOD)
 
-    def _at_rest(self, device: Device, test: Observed) -> dict[str, Array]:
-        """With loops that follow; that of the phase lags a frequency that drifts."""
-        step = min(SLOW_STEP, test.log.interval)
-        found = replayed(self.quasi_steady, device, test.inputs, step)
-        drift = np.gradient(found["frequency_offset"], test.log.interval)
-        lag = drift / device.phase_loop**2
-        if np.abs(lag).max() < SMALL_LAG:
-            return found
-        log = replace(test.log, phase_offset=test.log.phase_offset - lag)
-        return replayed(self.quasi_steady, device, replace(test.inputs, log=log), step)
+    def _at_rest(self, device: Device, inputs: Replayable) -> dict[str, Array]:
+        """With loops that follow."""
+        return replayed(self.quasi_steady, device, inputs, min(SLOW_STEP, inputs.log.interval))
 
-    def _started(
-        self, at_rest: dict[str, Array], device: Device, test: Observed
+    def _lagging(self, device: Device, inputs: Replayable) -> tuple[dict[str, Array], Replayable]:
+        """With loops that follow, that of the phase behind a frequency that drifts; and the inputs
+        that make it so."""
+        found = self._at_rest(device, inputs)
+        lag = np.gradient(found["frequency_offset"], inputs.log.interval) / device.phase_loop**2
+        if np.abs(lag).max() < SMALL_LAG:
+            return found, inputs
+        log = replace(inputs.log, phase_offset=inputs.log.phase_offset - lag)
+        lagging = replace(inputs, log=log)
+        return self._at_rest(device, lagging), lagging
+
+    def _moved(
+        self, at_rest: dict[str, Array], device: Device, test: Observed, lagging: Replayable
     ) -> dict[str, Array]:
-        """Angles with what the loops leave of them while they come to rest after power-on."""
-        n = len(test.log.time)
-        rows = min(n, math.ceil(settling(device) / test.log.interval))
-        running = self._running(device, test.inputs.first(rows))
-        left = {name: running[name] - at_rest[name][:rows] for name in ANGLES}
-        return added(
-            at_rest, {name: np.append(x, np.full(n - rows, x[-1])) for name, x in left.items()}
-        )
+        """Angles with what loops that run make of them beyond loops at rest, where they move."""
+        left = {name: np.zeros(len(test.log.time)) for name in ANGLES}
+        lead = math.ceil(settling(device) / test.log.interval)
+        for rows in _sections(test.moving, lead):
+            begin = max(rows.start - lead, 0)
+            whole = slice(begin, rows.stop)
+            angle = float(at_rest["wave_angle"][begin - 1]) if begin else test.inputs.start_angle
+            running = self._running(device, test.inputs.section(whole, angle))
+            resting = self._at_rest(device, lagging.section(whole, angle))
+            for name in ANGLES:
+                apart = running[name] - resting[name]
+                if rows.start:
+                    apart -= apart[rows.start - begin - 1]
+                left[name][rows] += apart[rows.start - begin :]
+                left[name][rows.stop :] += apart[-1]
+        return added(at_rest, left)
 
     def difference(self, low: Device, high: Device, test: Observed) -> dict[str, Array]:
         """(n,) by channel: answer of `high` less that of `low`, for devices that differ little.
@@ -182,6 +192,13 @@ class Simulation:
 def is_short(rows: int, interval: float) -> bool:
     """Whether loops run in all simulations of a test of so many rows, of an interval in s."""
     return interval < FINE and rows * interval <= SHORT
+
+
+def _sections(moving: Mask, apart: int) -> list[slice]:
+    """Rows in which loops move, together where no more than so many lie between."""
+    where = np.flatnonzero(moving)
+    parts = np.split(where, np.flatnonzero(np.diff(where) > apart) + 1)
+    return [slice(int(part[0]), int(part[-1]) + 1) for part in parts]
 
 
 def _apart(first: Answers, last: Answers, device: Device, test: Observed) -> dict[str, Array]:

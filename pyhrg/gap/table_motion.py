@@ -39,9 +39,9 @@ class TableMotion:
         """(n,) over rows, rad/s."""
         return np.asarray((self.rates[1:] + self.rates[:-1]) / 2 + self.swells)
 
-    def first(self, rows: int) -> "TableMotion":
-        """Of the first rows alone."""
-        return replace(self, rates=self.rates[: rows + 1], swells=self.swells[:rows])
+    def section(self, rows: slice) -> "TableMotion":
+        """Of some rows alone."""
+        return replace(self, rates=self.rates[rows.start : rows.stop + 1], swells=self.swells[rows])
 
     def rates_in(self, steps: int) -> Array:
         """(n, steps) means over equal steps of each row, rad/s."""

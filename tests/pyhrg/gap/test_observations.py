@@ -58,8 +58,10 @@ def test_a_thermometer_s_noise_is_no_temperature() -> None:
 
 
 def test_motion_of_the_table_runs_the_loops() -> None:
-    assert not seen(made_up_log(60)).loops_move
-    assert seen(made_up_log(60, 5 * DEG)).loops_move
+    still, turning = (seen(made_up_log(60, rate)).moving[4:] for rate in (0.0, 5 * DEG))
+    assert not still.any()
+    assert turning.any()
+    assert not turning.all()
 
 
 def test_loops_settle_anew_when_the_gyro_is_turned_over() -> None:

@@ -4,7 +4,8 @@ A test that is yet to be made parts two hypotheses by so many deviations of the 
 the rival has had its own sizes fitted anew, to old and new tests together: what it could imitate
 does not count. Half the square is the expected divergence (W. J. Hunter, A. M. Reiner,
 Technometrics 7 (1965)); where their noises are others, the divergence of these is added, at the
-levels that each hypothesis has. The kind that settles all in the fewest hours is suggested.
+levels that each hypothesis has. The kind that parts the most probable hypothesis from the most of
+its rivals is suggested, and of several the one that does so in the fewest hours.
 """
 
 import math
@@ -84,14 +85,22 @@ def suggested(
 
 
 def soonest(kinds: Sequence[Separation], pairs: Sequence[Pair]) -> list[Separation]:
-    """Kinds in order of the hours that they part all pairs in, then of how well they do in one."""
-    return sorted(kinds, key=lambda kind: (_hours(kind, pairs), _confusion(kind, pairs)))
+    """Kinds in order of the pairs that they don't see, those with the most probable hypothesis
+    first, then of the hours that they part the others in, then of how well they do in one."""
+
+    def rank(kind: Separation) -> tuple[int, int, float, float]:
+        unseen = [pair for pair in pairs if kind.sigmas[pair] <= SEEN]
+        of_best = sum(0 in pair for pair in unseen)
+        return of_best, len(unseen), _hours(kind, pairs), _confusion(kind, pairs)
+
+    return sorted(kinds, key=rank)
 
 
 def _hours(kind: Separation, pairs: Sequence[Pair]) -> float:
-    """Hours in which a kind of test parts the pairs that it sees by `SURE`."""
-    least = min(max(kind.sigmas[pair], SEEN) for pair in pairs)
-    return math.ceil(10 * (SURE / least) ** 2) / 10
+    """Hours in which a kind of test parts the pairs that it sees by `SURE`; infinite where it sees
+    none."""
+    seen = [kind.sigmas[pair] for pair in pairs if kind.sigmas[pair] > SEEN]
+    return math.ceil(10 * (SURE / min(seen)) ** 2) / 10 if seen else math.inf
 
 
 def separations(
@@ -244,7 +253,8 @@ def _confusion(kind: Separation, pairs: Sequence[Pair]) -> float:
 def _why(order: Sequence[Separation], pairs: Sequence[Pair], hypotheses: Sequence[Rival]) -> str:
     """Of the pairs that the test parts least, and what the next best kind does to them."""
     best, second = order[:2]
-    hardest = sorted(pairs, key=lambda pair: best.sigmas[pair])[:TOLD]
+    seen = [pair for pair in pairs if best.sigmas[pair] > SEEN]
+    hardest = sorted(seen, key=lambda pair: best.sigmas[pair])[:TOLD]
     told = [
         f"{_words(hypotheses[i], hypotheses[j])} by {best.sigmas[i, j]:.2g} sigma "
         f"({second.kind} by {second.sigmas[i, j]:.2g})"

@@ -146,6 +146,13 @@ def test_a_test_that_parts_all_comes_before_one_that_parts_some_better() -> None
     assert [kind.kind for kind in order] == ["tumble", "static", "thermal"]
 
 
+def test_where_none_parts_all_what_is_probable_is_parted_first() -> None:
+    best = Separation("tumble", {(0, 1): 4.0, (0, 2): 0.0, (1, 2): 0.0})
+    others = Separation("rate", {(0, 1): 0.0, (0, 2): 0.9, (1, 2): 50.0})
+    order = soonest([others, best], [(0, 1), (1, 2)])
+    assert [kind.kind for kind in order] == ["tumble", "rate"]
+
+
 def test_one_hypothesis_needs_no_test(simulation: Simulation, static: Static) -> None:
     found = static(BELIEVED, "drive_gain_mismatch", "damping_anisotropy")
     assert found.ranked.best.groups == ()

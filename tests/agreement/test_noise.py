@@ -18,7 +18,7 @@ SOURCE = """
 API double central(double q) { return f_HRG_Noise_centralQuantile(q); }
 API double tail(double p) { return f_HRG_Noise_tailQuantile(p); }
 API void seeded(double seed, double *memory) { f_seededState(seed, memory); }
-API void advance(const double *memory, double *next) { f_HRG_Noise_deviates(memory, next); }
+API void advance(const double *memory, double *next) { f_deviates(memory, next); }
 """
 DRAWS = 20_000
 

@@ -312,8 +312,11 @@ def alternatives(dae: Dae, conditional: int, assigned: Callable[[int], list[str]
     *pairs, fallback = dae.nodes[conditional].args
     lines: list[str] = []
     for condition, branch in zip(pairs[::2], pairs[1::2], strict=True):
-        head = "} else if" if lines else "if"
-        lines += [f"{head} ({Emitter(dae).scalar(condition)}) {{", *assigned(branch)]
+        emitter = Emitter(dae)
+        head = f"{'} else if' if lines else 'if'} ({emitter.scalar(condition)}) {{"
+        if emitter.statements:
+            raise ValueError("a vector-valued call within a condition is not supported")
+        lines += [head, *assigned(branch)]
     return [*lines, "} else {", *assigned(fallback), "}"]
 
 

@@ -64,7 +64,7 @@ class Separation:
 def suggested(
     simulation: Simulation, found: Attribution, hypotheses: Sequence[Rival]
 ) -> NextTest | None:
-    """The kind that would soonest separate hypotheses; None where there are no two, or none would.
+    """The kind that would best separate hypotheses; None where there are no two, or none would.
 
     Args:
         simulation: both fidelities.

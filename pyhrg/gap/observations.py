@@ -38,7 +38,9 @@ TURNED_OVER = 1.0
 """Change of specific force from row to row after which loops settle anew, m/s^2: they do where it
 moves a gain."""
 SLOW = 0.02
-"""Rate of the table below which a replay with loops at rest shows how they follow, rad/s."""
+"""Rate of the table below which forces of loops at rest show how they follow, rad/s."""
+STILL = 1e-3
+"""Rate of the table below which nothing of the angle is lost by loops that lag, rad/s."""
 OFFSET = 0.01
 """Of the phase, up to which loops at rest show what it does, rad."""
 COARSE_STEP = 1.0
@@ -102,28 +104,29 @@ def observed(test: Test, believed: Device) -> Observed:
 
 
 def _moving(log: Log, inputs: Replayable, time: float) -> Mask:
-    if log.interval < FINE:
+    """(n,) rows; all of them where loops at rest don't show what the gyro does between changes."""
+    away = (log.virtual_rotation != 0) | (log.drive_on <= 0) | (np.abs(log.phase_offset) > OFFSET)
+    if log.interval < FINE or away.any():
         return np.ones(len(log.time), dtype=bool)
-    moved = jolts(inputs) | _turns(inputs)
-    moved |= (log.virtual_rotation != 0) | (log.drive_on <= 0) | (abs(log.phase_offset) > OFFSET)
+    moved = jolts(inputs) | _turns(inputs, STILL)
     moved[0] = True
     for name in STEPS:
         moved |= np.diff(getattr(log, name), prepend=getattr(log, name)[0]) != 0
-    return ~later(log, moved, time)
+    return ~later(log, moved, time + log.interval)
 
 
 def _settled(log: Log, inputs: Replayable, time: float) -> Mask:
     """(n,) rows in which loops at rest show what the gyro does."""
     changed = commanded(log)
     if log.interval >= FINE:
-        changed |= jolts(inputs) | _turns(inputs)
+        changed |= jolts(inputs) | _turns(inputs, SLOW)
     return later(log, changed, time)
 
 
-def _turns(inputs: Replayable) -> Mask:
-    """(n,) rows in which the table turns too fast for loops at rest to show how they follow."""
+def _turns(inputs: Replayable, slow: float) -> Mask:
+    """(n,) rows in which the table turns faster than this, rad/s."""
     rates = np.abs(inputs.table.rates)
-    return np.asarray(np.maximum(rates[1:], rates[:-1]) > SLOW)
+    return np.asarray(np.maximum(rates[1:], rates[:-1]) > slow)
 
 
 def commanded(log: Log) -> Mask:

@@ -1,5 +1,6 @@
 """A test's inputs, as its log has them, put to the simulated gyro."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
@@ -20,6 +21,8 @@ Array = NDArray[np.float64]
 HELD = tuple(name for name in INPUTS if name not in ("vibration", "bias_voltage"))
 LEAST = 10
 """Readings below which a thermometer's noise can't be told."""
+ROUNDED = 1e-9
+"""Of a step, that is none."""
 STEADY = 2.0
 """Spread of a thermometer's readings, over their noise, that is no change of temperature."""
 
@@ -105,7 +108,7 @@ def replayed(fmu: GyroFmu, device: Device, inputs: Replayable, step: float) -> d
     Args:
         fmu: `HRG`, or `HRGSlow` for loops that are at rest.
         device: the gyro, its mounting, and where it stands.
-        step: communication step, s, that rows are multiples of.
+        step: longest communication step, s; rows are multiples of the one that is taken.
 
     Returns:
         (n,) SI by field of a log: angle, amplitude, forces and frequency.
@@ -113,7 +116,8 @@ def replayed(fmu: GyroFmu, device: Device, inputs: Replayable, step: float) -> d
     Raises:
         GyroError: parameters or inputs that the FMU refuses.
     """
-    steps = round(inputs.log.interval / step)
+    steps = max(1, math.ceil(inputs.log.interval / step - ROUNDED))
+    step = inputs.log.interval / steps
     held = {name: getattr(inputs.log, name) for name in HELD}
     first = {INPUTS[name]: float(values[0]) for name, values in held.items()}
     first["caseTemperature"] = float(inputs.temperatures[0])

@@ -35,8 +35,8 @@ SMALL_LAG = 1e-9
 """Of the phase, that is none, rad."""
 MOSTLY = 0.5
 """Share of rows in which loops move beyond which they run in all."""
-KEPT = 128
-"""Simulations of whole tests that may be asked for again."""
+KEPT = 1_000_000
+"""Rows of simulations that may be asked for again."""
 
 
 @dataclass(frozen=True)
@@ -77,16 +77,17 @@ class Simulation:
         return self.sampled if is_short(rows, interval) else self.quasi_steady
 
     def answers(self, device: Device, test: Observed) -> dict[str, Array]:
-        """(n,) by field: with running loops where they move, else with loops that follow once
-        they are at rest.
+        """(n,) by field: with running loops where they move through most of a test; else with
+        loops that follow once they are at rest, and with what running ones make of the angles
+        where they move.
 
         Raises:
             GyroError: parameters or inputs that the FMU refuses.
         """
         if np.mean(test.moving) > MOSTLY:
             return self._running(device, test.inputs)
-        at_rest, lagging = self._lagging(device, test.inputs)
-        moved = self._moved(at_rest, device, test, lagging)
+        at_rest = self._lagging(device, test.inputs)
+        moved = self._moved(at_rest, device, test)
         turned = moved["wave_angle"] - at_rest["wave_angle"]
         slopes = self.over_angle(device, test).slopes
         shifted = {name: slopes[name] * turned for name in CHANNELS if name not in ANGLES}
@@ -104,29 +105,28 @@ class Simulation:
         """With loops that follow."""
         return replayed(self.quasi_steady, device, inputs, min(SLOW_STEP, inputs.log.interval))
 
-    def _lagging(self, device: Device, inputs: Replayable) -> tuple[dict[str, Array], Replayable]:
-        """With loops that follow, that of the phase behind a frequency that drifts; and the inputs
-        that make it so."""
+    def _lagging(self, device: Device, inputs: Replayable) -> dict[str, Array]:
+        """With loops that follow, that of the phase behind a frequency that drifts."""
         found = self._at_rest(device, inputs)
-        lag = np.gradient(found["frequency_offset"], inputs.log.interval) / device.phase_loop**2
+        drift = np.gradient(found["frequency_offset"], inputs.log.interval)
+        lag = drift / device.phase_loop**2
         if np.abs(lag).max() < SMALL_LAG:
-            return found, inputs
+            return found
         log = replace(inputs.log, phase_offset=inputs.log.phase_offset - lag)
-        lagging = replace(inputs, log=log)
-        return self._at_rest(device, lagging), lagging
+        return self._at_rest(device, replace(inputs, log=log))
 
-    def _moved(
-        self, at_rest: dict[str, Array], device: Device, test: Observed, lagging: Replayable
-    ) -> dict[str, Array]:
+    def _moved(self, at_rest: dict[str, Array], device: Device, test: Observed) -> dict[str, Array]:
         """Angles with what loops that run make of them beyond loops at rest, where they move."""
         left = {name: np.zeros(len(test.log.time)) for name in ANGLES}
         lead = math.ceil(settling(device) / test.log.interval)
         for rows in _sections(test.moving, lead):
             begin = max(rows.start - lead, 0)
-            whole = slice(begin, rows.stop)
-            angle = float(at_rest["wave_angle"][begin - 1]) if begin else test.inputs.start_angle
-            running = self._running(device, test.inputs.section(whole, angle))
-            resting = self._at_rest(device, lagging.section(whole, angle))
+            angle = test.inputs.start_angle
+            if begin:
+                turned = at_rest["wave_angle"][begin - 1] + left["wave_angle"][begin - 1]
+                angle = math.remainder(turned, math.pi)
+            inputs = test.inputs.section(slice(begin, rows.stop), angle)
+            running, resting = self._running(device, inputs), self._lagging(device, inputs)
             for name in ANGLES:
                 apart = running[name] - resting[name]
                 if rows.start:
@@ -173,12 +173,14 @@ class Simulation:
     def _coarse(self, device: Device, inputs: Replayable, shift: float = 0.0) -> Answers:
         """As `_simulated`, for a shift of the start angle, rad; the last ones are kept."""
         key = id(device), id(inputs), shift
-        if key not in self._kept:
-            shifted = replace(inputs, start_angle=inputs.start_angle + shift)
-            self._kept[key] = device, inputs, self._simulated(device, shifted)
-            if len(self._kept) > KEPT:
-                self._kept.popitem(last=False)
-        return self._kept[key][-1]
+        if key in self._kept:
+            return self._kept[key][-1]
+        shifted = replace(inputs, start_angle=inputs.start_angle + shift)
+        found = self._simulated(device, shifted)
+        self._kept[key] = device, inputs, found
+        while sum(len(inputs.log.time) for _, inputs, _ in self._kept.values()) > KEPT:
+            self._kept.popitem(last=False)
+        return found
 
     def _simulated(self, device: Device, inputs: Replayable) -> dict[str, Array]:
         """With loops at rest unless all is over soon, in steps that do for small differences."""
@@ -195,7 +197,7 @@ def is_short(rows: int, interval: float) -> bool:
 
 
 def _sections(moving: Mask, apart: int) -> list[slice]:
-    """Rows in which loops move, together where no more than so many lie between."""
+    """Rows in which loops move, together where fewer than so many lie between."""
     where = np.flatnonzero(moving)
     parts = np.split(where, np.flatnonzero(np.diff(where) > apart) + 1)
     return [slice(int(part[0]), int(part[-1]) + 1) for part in parts]

@@ -58,7 +58,7 @@ def test_a_thermometer_s_noise_is_no_temperature() -> None:
 
 
 def test_motion_of_the_table_runs_the_loops() -> None:
-    still, turning = (seen(made_up_log(60, rate)).moving[4:] for rate in (0.0, 5 * DEG))
+    still, turning = (seen(made_up_log(60, rate)).moving[5:] for rate in (0.0, 5 * DEG))
     assert not still.any()
     assert turning.any()
     assert not turning.all()

@@ -36,7 +36,8 @@ def check(
     simulation: Simulation, device: Device, test: Test, most: dict[str, float], moves: bool
 ) -> None:
     seen = observed(test, device)
-    assert seen.moving[test.log.time > settling(device)].any() == moves
+    at_rest = test.log.time > settling(device) + test.log.interval
+    assert seen.moving[at_rest].any() == moves
     answers = simulation.answers(device, seen)
     for name in CHANNELS:
         left = np.abs(getattr(test.log, name) - answers[name])[seen.rows[name]]
@@ -62,6 +63,28 @@ def test_commands(simulation: Simulation, command: dict[str, float]) -> None:
     test = logged(simulation, QUIET, given, angle=0.3)
     assert start_angle(test.log, QUIET.bryan_factor) == pytest.approx(0.3, abs=1e-5)
     check(simulation, QUIET, test, SAMPLED, moves=True)
+
+
+@pytest.mark.parametrize("command", COMMANDS, ids=str)
+def test_commands_after_a_long_rest(simulation: Simulation, command: dict[str, float]) -> None:
+    given = programme().rest(100).command(**command).rest(40)
+    test = logged(simulation, QUIET, given, angle=0.3)
+    check(simulation, QUIET, test, SAMPLED, moves=True)
+
+
+def test_a_table_that_turns_slowly_all_the_time(simulation: Simulation) -> None:
+    """Loops that lag lose more and more of the angle."""
+    given = programme().rest(30).spin(1 * DEG, 600).spin(0.2 * DEG, 600)
+    test = logged(simulation, QUIET, given, angle=0.3)
+    check(simulation, QUIET, test, FOLLOWING, moves=True)
+
+
+@pytest.mark.parametrize("interval", [0.25, 0.35, 2.5])
+def test_rows_of_any_length(simulation: Simulation, interval: float) -> None:
+    given = programme(interval).rest(100 * interval).turn(60 * DEG, 10 * DEG).rest(100 * interval)
+    device = replace(QUIET, frequency_split=5e-3)
+    test = logged(simulation, device, given, angle=-0.2)
+    check(simulation, device, test, {**FOLLOWING, "amplitude_force": 1e-7}, moves=True)
 
 
 @pytest.mark.parametrize("interval", [0.1, 1.0])

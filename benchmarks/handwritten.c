@@ -141,9 +141,13 @@ static void tick(Gyro *g, double rotation, double setpoint) {
   c += p->pickoff_noise * n->deviate[6], d += p->pickoff_noise * n->deviate[7];
   double energy = a * a + b * b + c * c + d * d, r = a * a + b * b - c * c - d * d;
   double s = 2.0 * (a * c + b * d), principal = m_atan2(s, r) / 2.0, before = g->modal;
-  g->modal = principal + PI * m_floor((g->modal - principal) / PI + 0.5);
-  double amplitude = sqrt((energy + sqrt(r * r + s * s)) / 2.0);
-  double cs = m_cos(g->modal), sn = m_sin(g->modal), quadrature = (a * d - c * b) / amplitude;
+  double length = sqrt(r * r + s * s), major = sqrt((1.0 + fabs(r / length)) / 2.0);
+  double minor = s / length / (2.0 * major), turns = m_floor((g->modal - principal) / PI + 0.5);
+  double sign = 1.0 - 2.0 * (turns - 2.0 * m_floor(turns / 2.0));
+  g->modal = principal + PI * turns;
+  double cs = sign * (r >= 0.0 ? major : fabs(minor));
+  double sn = sign * (r >= 0.0 ? minor : principal < 0.0 ? -major : major);
+  double amplitude = sqrt((energy + length) / 2.0), quadrature = (a * d - c * b) / amplitude;
   double phase = m_atan2(-(b * cs + d * sn), a * cs + c * sn);
   g->clock += TS;
   g->valid = fabs(amplitude - setpoint) <= 0.2 * setpoint && fabs(phase) <= 0.05;

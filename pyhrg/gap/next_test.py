@@ -9,7 +9,7 @@ its rivals is suggested, and of several the one that does so in the fewest hours
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -60,6 +60,10 @@ class Separation:
     kind: str
     sigmas: Mapping[Pair, float]
 
+    def seen(self, pairs: Iterable[Pair]) -> list[Pair]:
+        """Those of some pairs that it separates at all."""
+        return [pair for pair in pairs if self.sigmas[pair] > SEEN]
+
 
 def suggested(
     simulation: Simulation, found: Attribution, hypotheses: Sequence[Rival]
@@ -77,7 +81,7 @@ def suggested(
     if len(hypotheses) < 2:
         return None
     kinds = separations(simulation, found, hypotheses)
-    pairs = [pair for pair in kinds[0].sigmas if max(k.sigmas[pair] for k in kinds) > SEEN]
+    pairs = [pair for pair in kinds[0].sigmas if any(kind.seen([pair]) for kind in kinds)]
     if not pairs:
         return None
     order = soonest(kinds, pairs)
@@ -85,13 +89,13 @@ def suggested(
 
 
 def soonest(kinds: Sequence[Separation], pairs: Sequence[Pair]) -> list[Separation]:
-    """Kinds in order of the pairs that they don't see, those with the most probable hypothesis
-    first, then of the hours that they part the others in, then of how well they do in one."""
+    """Kinds that see the most pairs first, above all of those with the most probable hypothesis;
+    then in order of the hours that they part these in, then of how well they do in one."""
 
     def rank(kind: Separation) -> tuple[int, int, float, float]:
-        unseen = [pair for pair in pairs if kind.sigmas[pair] <= SEEN]
-        of_best = sum(0 in pair for pair in unseen)
-        return of_best, len(unseen), _hours(kind, pairs), _confusion(kind, pairs)
+        seen = kind.seen(pairs)
+        of_best = sum(0 in pair for pair in seen)
+        return -of_best, -len(seen), _hours(kind, pairs), _confusion(kind, pairs)
 
     return sorted(kinds, key=rank)
 
@@ -99,7 +103,7 @@ def soonest(kinds: Sequence[Separation], pairs: Sequence[Pair]) -> list[Separati
 def _hours(kind: Separation, pairs: Sequence[Pair]) -> float:
     """Hours in which a kind of test parts the pairs that it sees by `SURE`; infinite where it sees
     none."""
-    seen = [kind.sigmas[pair] for pair in pairs if kind.sigmas[pair] > SEEN]
+    seen = [kind.sigmas[pair] for pair in kind.seen(pairs)]
     return math.ceil(10 * (SURE / min(seen)) ** 2) / 10 if seen else math.inf
 
 
@@ -253,8 +257,7 @@ def _confusion(kind: Separation, pairs: Sequence[Pair]) -> float:
 def _why(order: Sequence[Separation], pairs: Sequence[Pair], hypotheses: Sequence[Rival]) -> str:
     """Of the pairs that the test parts least, and what the next best kind does to them."""
     best, second = order[:2]
-    seen = [pair for pair in pairs if best.sigmas[pair] > SEEN]
-    hardest = sorted(seen, key=lambda pair: best.sigmas[pair])[:TOLD]
+    hardest = sorted(best.seen(pairs), key=lambda pair: best.sigmas[pair])[:TOLD]
     told = [
         f"{_words(hypotheses[i], hypotheses[j])} by {best.sigmas[i, j]:.2g} sigma "
         f"({second.kind} by {second.sigmas[i, j]:.2g})"

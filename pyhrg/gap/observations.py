@@ -1,6 +1,6 @@
 """What of a campaign's logs is compared with the simulation: channels, and rows at rest."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -108,10 +108,7 @@ def _moving(log: Log, inputs: Replayable, time: float) -> Mask:
     away = (log.virtual_rotation != 0) | (log.drive_on <= 0) | (np.abs(log.phase_offset) > OFFSET)
     if log.interval < FINE or away.any():
         return np.ones(len(log.time), dtype=bool)
-    moved = jolts(inputs) | _turns(inputs, STILL)
-    moved[0] = True
-    for name in STEPS:
-        moved |= np.diff(getattr(log, name), prepend=getattr(log, name)[0]) != 0
+    moved = jolts(inputs) | _turns(inputs, STILL) | _begins(log, STEPS)
     return ~later(log, moved, time + log.interval)
 
 
@@ -129,12 +126,18 @@ def _turns(inputs: Replayable, slow: float) -> Mask:
     return np.asarray(np.maximum(rates[1:], rates[:-1]) > slow)
 
 
+def _begins(log: Log, names: Sequence[str]) -> Mask:
+    """(n,) rows in which one of these columns changes, and the first."""
+    begins = np.zeros(len(log.time), dtype=bool)
+    begins[0] = True
+    for name in names:
+        begins |= np.diff(getattr(log, name), prepend=getattr(log, name)[0]) != 0
+    return begins
+
+
 def commanded(log: Log) -> Mask:
     """(n,) rows in which a command or the attitude changes, and the first."""
-    changed = np.zeros(len(log.time), dtype=bool)
-    changed[0] = True
-    for name in COMMANDS:
-        changed |= np.diff(getattr(log, name), prepend=getattr(log, name)[0]) != 0
+    changed = _begins(log, COMMANDS)
     for axis in "xyz":
         force = getattr(log, f"acceleration_{axis}")
         changed |= np.abs(np.diff(force, prepend=force[0])) > TURNED_OVER

@@ -103,7 +103,7 @@ class Simulation:
 
     def _at_rest(self, device: Device, inputs: Replayable) -> dict[str, Array]:
         """With loops that follow."""
-        return replayed(self.quasi_steady, device, inputs, min(SLOW_STEP, inputs.log.interval))
+        return replayed(self.quasi_steady, device, inputs, SLOW_STEP)
 
     def _lagging(self, device: Device, inputs: Replayable) -> dict[str, Array]:
         """With loops that follow, that of the phase behind a frequency that drifts."""
@@ -119,7 +119,7 @@ class Simulation:
         """Angles with what loops that run make of them beyond loops at rest, where they move."""
         left = {name: np.zeros(len(test.log.time)) for name in ANGLES}
         lead = math.ceil(settling(device) / test.log.interval)
-        for rows in _sections(test.moving, lead):
+        for rows in _stretches(test.moving, lead):
             begin = max(rows.start - lead, 0)
             angle = test.inputs.start_angle
             if begin:
@@ -187,7 +187,7 @@ class Simulation:
         if is_short(len(inputs.log.time), inputs.log.interval):
             return self._running(device, inputs, FINE_STEPS)
         interval = inputs.log.interval
-        step = interval / FINE_STEPS if interval < FINE else min(COARSE_STEP, interval)
+        step = interval / FINE_STEPS if interval < FINE else COARSE_STEP
         return replayed(self.quasi_steady, device, inputs, step)
 
 
@@ -196,7 +196,7 @@ def is_short(rows: int, interval: float) -> bool:
     return interval < FINE and rows * interval <= SHORT
 
 
-def _sections(moving: Mask, apart: int) -> list[slice]:
+def _stretches(moving: Mask, apart: int) -> list[slice]:
     """Rows in which loops move, together where fewer than so many lie between."""
     where = np.flatnonzero(moving)
     parts = np.split(where, np.flatnonzero(np.diff(where) > apart) + 1)

@@ -167,7 +167,7 @@ def _expected(
     for effect, own in columns.items():
         for name in CHANNELS if effect in truth else ():
             response[name] += own[name] @ truth[effect]
-    where = coordinates(test, test.log.wave_angle, device)
+    where = coordinates(test, test.log.wave_angle, test.log.amplitude, device)
     slopes = simulation.over_angle(device, test).slopes
     answers = {name: getattr(test.log, name) for name in CHANNELS}
     return Evidence(test, device, answers, response, columns, where, slopes, device.bryan_factor)

@@ -43,7 +43,7 @@ def evidence(
         away = effect.vector(device) - effect.vector(believed)
         for name in CHANNELS:
             residual[name] = residual[name] + own[name] @ away
-    where = coordinates(test, answers["wave_angle"], believed)
+    where = coordinates(test, answers["wave_angle"], answers["amplitude"], believed)
     around, factor = simulation.over_angle(device, test), believed.bryan_factor
     turned = factor * (test.log.gyro_angle - answers["gyro_angle"])
     for name in CHANNELS[1:]:

@@ -71,6 +71,7 @@ class Coordinates:
     table_rate: rad/s, mean over the row.
     case, resonator: temperatures above the reference, K.
     case_rate: K/s, smoothed.
+    amplitude: commanded, or of a free pattern by simulation, over the nominal one, less one.
     """
 
     test: Observed
@@ -80,6 +81,7 @@ class Coordinates:
     case: Array
     resonator: Array
     case_rate: Array
+    amplitude: Array
 
     @cached_property
     def functions(self) -> list[tuple[str, str, int | None, Array]]:
@@ -87,13 +89,16 @@ class Coordinates:
         return list(_functions(self))
 
 
-def coordinates(test: Observed, pattern_angle: Array, believed: Device) -> Coordinates:
+def coordinates(
+    test: Observed, pattern_angle: Array, amplitude: Array, believed: Device
+) -> Coordinates:
     """Where a test was.
 
     Args:
         test: of a campaign.
         pattern_angle: (n,) rad.
-        believed: thermal lag and reference temperature are used.
+        amplitude: (n,) of the vibration; only where the drive is off.
+        believed: thermal lag, reference temperature and amplitude are used.
     """
     log = test.log
     case = test.inputs.temperatures - believed.reference_temperature
@@ -109,6 +114,7 @@ def coordinates(test: Observed, pattern_angle: Array, believed: Device) -> Coord
         case[1:],
         resonator[1:],
         _slope(case, log.interval)[1:],
+        np.where(log.drive_on > 0, log.amplitude_setpoint, amplitude) / believed.amplitude - 1,
     )
 
 
@@ -194,9 +200,8 @@ def _functions(where: Coordinates) -> Iterator[tuple[str, str, int | None, Array
     for pair in ("xy", "xz", "yz"):
         product = force[pair[0]] * force[pair[1]]
         yield "acceleration", f"acceleration {pair[0]} times {pair[1]}", None, _column(product)
-    change = np.where(log.drive_on > 0, log.amplitude_setpoint, log.amplitude) - 1
-    yield "amplitude", "amplitude", None, _column(change)
-    yield "amplitude", "amplitude squared", None, _column(change**2)
+    yield "amplitude", "amplitude", None, _column(where.amplitude)
+    yield "amplitude", "amplitude squared", None, _column(where.amplitude**2)
     yield "time", "time since power-on", None, _column(log.time / 3600)
     for constant in WARM_UPS:
         settling = np.exp(-log.time / constant)

@@ -99,7 +99,7 @@ def along(test: Observed, believed: Device) -> dict[str, Array]:
         believed: thermal lag and reference temperature are used.
     """
     log = test.log
-    where = coordinates(test, log.wave_angle, believed)
+    where = coordinates(test, log.wave_angle, log.amplitude, believed)
     celsius = where.resonator + believed.reference_temperature - ZERO_CELSIUS
     return {
         "wave_angle": where.pattern_angle / DEG,

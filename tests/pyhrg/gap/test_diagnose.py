@@ -4,6 +4,7 @@ where nothing is, nothing.
 Larger numbers of seeds: `benchmarks/gap_controls.py`.
 """
 
+import json
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -180,6 +181,25 @@ def test_what_is_missing_makes_no_gap(simulation: Simulation, change: Change) ->
     found = diagnosed_few(simulation, spoilt(tiny(simulation), change)).diagnosis
     assert found.verdict == "no_gap"
     found.document()
+
+
+@pytest.mark.parametrize(
+    "missing",
+    [
+        at(slice(60, 61), np.nan, "amplitude"),
+        removed("amplitude"),
+        at(slice(60, 70), np.nan, "frequency_offset"),
+    ],
+)
+def test_what_is_missing_while_a_pattern_rings_down_hides_no_effect(
+    simulation: Simulation, missing: Change
+) -> None:
+    true = replace(BELIEVED, drive_gain_mismatch=1e-3)
+    lost = at(slice(60, 62), np.nan, "gyro_angle")
+    given = spoilt(recorded(simulation.sampled, true), lambda log: lost(missing(log)), "ring")
+    found = diagnosed_few(simulation, given).diagnosis
+    assert [cause.effect for cause in found.causes] == ["drive_gain_mismatch"]
+    json.dumps(found.document(), allow_nan=False)
 
 
 def test_a_thermometer_without_noise(simulation: Simulation) -> None:

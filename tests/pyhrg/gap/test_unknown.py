@@ -49,7 +49,7 @@ def test_an_element_does_what_an_effect_does(
     device = BELIEVED.without_noise()
     seen = observed(Test("test", "static", "fit", log), device)
     answer = simulation.answers(device, seen)
-    where = coordinates(seen, answer["wave_angle"], device)
+    where = coordinates(seen, answer["wave_angle"], answer["amplitude"], device)
     effect = EFFECTS[name]
     does = secants(simulation, device, seen, [effect])[effect][channel][:, 0]
     block = next(b for element, b in columns(where, channel) if element.of == of)
@@ -62,11 +62,11 @@ def test_an_element_does_what_an_effect_does(
 
 
 def test_the_amplitude_of_a_free_pattern_is_its_own() -> None:
-    """With the drive on it is what is commanded, without the noise of what is read."""
+    """With the drive on it is what is commanded; by simulation, whatever is read."""
     amplitude = np.exp(-np.clip(np.arange(100) - 50, 0, None) / 400) + 1e-6
-    log = replace(made_up_log(100), drive_on=(np.arange(100) < 50) * 1.0, amplitude=amplitude)
+    log = replace(made_up_log(100), drive_on=(np.arange(100) < 50) * 1.0)
     seen = observed(Test("test", "ring_down", "fit", log), BELIEVED)
-    where = coordinates(seen, np.zeros(100), BELIEVED)
+    where = coordinates(seen, np.zeros(100), amplitude, BELIEVED)
     found = {element.of: block for element, block in columns(where, "quadrature_force")}
     expected = np.where(np.arange(100) < 50, 0.0, amplitude - 1)
     np.testing.assert_array_equal(found["amplitude"][:, 0], expected)

@@ -45,7 +45,7 @@ def part_of(angle: Array, seed: int) -> Evidence:
     residual = {name: generator.normal(0, WHITE, ROWS) for name in CHANNELS}
     nothing = {name: np.zeros(ROWS) for name in CHANNELS}
     secants: dict[Effect, dict[str, Array]] = {SILENT: {n: np.zeros((ROWS, 1)) for n in CHANNELS}}
-    where = coordinates(test, np.zeros(ROWS), BELIEVED)
+    where = coordinates(test, np.zeros(ROWS), np.ones(ROWS), BELIEVED)
     left = {**residual, "gyro_angle": angle}
     return Evidence(test, BELIEVED, nothing, left, secants, where, nothing, 0.277)
 

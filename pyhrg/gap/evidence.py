@@ -51,6 +51,14 @@ class Fit:
         return dict(zip(self.groups, self.values, strict=True))
 
     @property
+    def covariances(self) -> dict[Group, Array]:
+        """(d, d) of each group's own values."""
+        ends = np.cumsum([len(values) for values in self.values]).tolist()
+        parts = [slice(e - len(v), e) for e, v in zip(ends, self.values, strict=True)]
+        own = [self.covariance[part, part] for part in parts]
+        return dict(zip(self.groups, own, strict=True))
+
+    @property
     def named(self) -> dict[Effect, Array]:
         """Those of the catalogue."""
         return {group: size for group, size in self.sizes.items() if isinstance(group, Effect)}

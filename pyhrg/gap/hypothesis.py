@@ -13,6 +13,7 @@ from pyhrg.gap.design import Design, Evidence, Where, design, response_power, te
 from pyhrg.gap.jump_search import jumps
 from pyhrg.gap.noise_levels import AngleRecord
 from pyhrg.gap.noise_search import NoiseFound
+from pyhrg.gap.possible import Possible
 from pyhrg.gap.remainder import Taken, remainders, unlike
 from pyhrg.gap.search import Ranked, ranked
 from pyhrg.gap.step_search import steps
@@ -85,7 +86,8 @@ class Hypothesis:
 def ranked_under(
     noise: NoiseFound, believed: Device, parts: Sequence[Evidence], leftover: float = 0.0
 ) -> Hypothesis:
-    """Sets under one noise; with jumps unless what is left may be a linear search's.
+    """Sets under one noise; with jumps, and of sizes that a gyro can have, unless what is left may
+    be a linear search's.
 
     Args:
         noise: of the output angle.
@@ -102,13 +104,14 @@ def ranked_under(
     if leftover:
         far = tempered(exact, {where: leftover + power for where, power in wrong.items()})
         return Hypothesis(noise, channels, near, ranked(far))
-    found = ranked(near)
+    possible = Possible(believed, parts[0].secants)
+    found = ranked(near, possible)
     taken = unlike(found.best.sizes, found.best.named)
     left = [remainders(parts, one, channels, believed, ("gyro_angle",)) for one in taken]
     if jumped := {jump for each in left for jump in (*jumps(each), *steps(each))}:
         exact = design(parts, channels, sorted(jumped, key=lambda jump: jump.words))
         near = tempered(exact, wrong)
-        found = ranked(near)
+        found = ranked(near, possible)
     return Hypothesis(noise, channels, near, found)
 
 

@@ -43,24 +43,22 @@ def judged(
 
 
 def _named(found: Attribution, effects: Sequence[Effect]) -> list[Cause]:
-    causes, begin = [], 0
+    causes = []
     best = found.ranked.best
-    for group, value in zip(best.groups, best.values, strict=True):
-        part = slice(begin, begin + len(value))
-        begin = part.stop
-        if isinstance(group, Effect):
-            total = group.vector(found.believed) + value
-            others = [e.name for e in equivalents(found.design, best, group, effects)]
-            others += found.weighed.stand_ins(group.name)
-            causes.append(
-                Cause(
-                    group.name,
-                    found.weighed.probability(group.name, *others),
-                    group.parameters(total),
-                    _intervals(group, total, best.covariance[part, part]),
-                    tuple(others),
-                )
+    covariances = best.covariances
+    for effect, size in best.named.items():
+        total = effect.vector(found.believed) + size
+        others = [e.name for e in equivalents(found.design, best, effect, effects)]
+        others += found.weighed.stand_ins(effect.name)
+        causes.append(
+            Cause(
+                effect.name,
+                found.weighed.probability(effect.name, *others),
+                effect.parameters(total),
+                _intervals(effect, total, covariances[effect]),
+                tuple(others),
             )
+        )
     return causes
 
 

@@ -2,7 +2,7 @@
 extended and reduced until the best ones have all been."""
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -64,14 +64,14 @@ class Ranked:
         return sum(p for f, p in pairs if any(not isinstance(g, Effect) for g in f.groups))
 
 
-def ranked(design: Design, groups: Sequence[Group] | None = None) -> Ranked:
-    """Search.
+def ranked(design: Design, is_possible: Callable[[Fit], bool] = lambda fit: True) -> Ranked:
+    """Search among all groups that the tests can see.
 
     Args:
         design: of a campaign.
-        groups: to choose from; all that the tests can see where None.
+        is_possible: whether a gyro can have a fit's sizes.
     """
-    groups = design.groups if groups is None else list(groups)
+    groups = design.groups
     odds = log_odds(groups)
     prior = [odds[g] for g in groups]
     found: dict[frozenset[int], tuple[Fit, float]] = {}
@@ -81,7 +81,7 @@ def ranked(design: Design, groups: Sequence[Group] | None = None) -> Ranked:
         if key in found or key in refused:
             return
         fitted = fit(design, [groups[i] for i in sorted(key)])
-        if fitted is None:
+        if fitted is None or not is_possible(fitted):
             refused.add(key)
         else:
             found[key] = fitted, fitted.log_evidence + sum(prior[i] for i in key)

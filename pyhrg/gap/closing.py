@@ -9,7 +9,7 @@ from pyhrg.device import Device
 from pyhrg.device_file import from_table
 from pyhrg.device_keys import KEYS
 from pyhrg.gap.attribution import Attribution
-from pyhrg.gap.catalogue import EFFECTS
+from pyhrg.gap.catalogue import EFFECTS, NAMES
 from pyhrg.gap.diagnosis import DiagnosisError
 
 
@@ -38,10 +38,12 @@ def with_causes(believed: Device, causes: Mapping[str, Mapping[str, float]]) -> 
     """The believed gyro with causes as a file has them, noise aside.
 
     Raises:
-        DiagnosisError: a parameter is missing.
+        DiagnosisError: no such effect, or a parameter is missing.
     """
     device = believed
     for name, parameters in causes.items():
+        if name not in NAMES:
+            raise DiagnosisError(f"causes: {name}: expected an effect of {', '.join(NAMES)}")
         if name in EFFECTS:
             missing = [key.name for key in EFFECTS[name].keys if key.name not in parameters]
             if missing:

@@ -115,8 +115,11 @@ def _simulation_of_process() -> Simulation:
 def _predict(options: argparse.Namespace) -> None:
     campaign = campaigns.read(options.campaign)
     believed = believed_device(campaign)
-    closed = with_causes(believed, diagnosis.causes_of(options.diagnosis))
-    log = records.read(options.log, latitude=campaign.site.latitude)
+    closed = with_causes(believed, diagnosis.causes_of(options.diagnosis, campaign.device))
+    read = records.read(options.log, latitude=campaign.site.latitude)
+    log, notes = prediction.with_whole_inputs(read, believed)
+    for note in notes:
+        _say(note)
     angle = prediction.predicted(simulation(_say), believed, closed, log)
     prediction.write(log, angle, options.out)
 

@@ -164,11 +164,15 @@ def write(diagnosis: Diagnosis, folder: Path) -> None:
     write_whole(folder / FILE, text.encode())
 
 
-def causes_of(path: Path) -> dict[str, dict[str, float]]:
+def causes_of(path: Path, device: str) -> dict[str, dict[str, float]]:
     """Parameters by effect, as a file's causes have them.
 
+    Args:
+        path: of a diagnosis.
+        device: the gyro that it must be of, if it says so.
+
     Raises:
-        DiagnosisError: an unreadable file, or one that is no diagnosis.
+        DiagnosisError: an unreadable file, one that is no diagnosis, or another gyro's.
     """
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
@@ -177,6 +181,8 @@ def causes_of(path: Path) -> dict[str, dict[str, float]]:
     if not isinstance(document, dict) or document.get("schema") != SCHEMA:
         found = document.get("schema") if isinstance(document, dict) else document
         raise DiagnosisError(f"{path}: schema: found {found!r}, expected {SCHEMA!r}")
+    if document.get("device", device) != device:
+        raise DiagnosisError(f"{path}: device: found {document['device']!r}, expected {device!r}")
     try:
         return {
             str(cause["effect"]): {str(k): float(v) for k, v in cause["parameters"].items()}

@@ -9,11 +9,32 @@ from fmu_build.files import write_whole
 from pyhrg.campaign import Test
 from pyhrg.device import Device
 from pyhrg.gap.observations import observed
+from pyhrg.gap.replay import tells_start
 from pyhrg.gap.simulation import Simulation
-from pyhrg.records import Log
+from pyhrg.gap.soundness.doubt import Believed
+from pyhrg.gap.soundness.glitches import with_inputs_mended
+from pyhrg.gap.soundness.inputs import whole
+from pyhrg.records import Log, LogError
 from pyhrg.units import DEG
 
 Array = NDArray[np.float64]
+
+
+def with_whole_inputs(log: Log, believed: Device) -> tuple[Log, list[str]]:
+    """A log whose inputs can be replayed, and a sentence on each thing that was filled in, cut or
+    taken for granted: as a diagnosis does.
+
+    Raises:
+        LogError: inputs that can't be told, or no row with both angles.
+    """
+    log, mended = with_inputs_mended(log)
+    log, filled = whole(log, Believed(believed, believed.site))
+    if not tells_start(log):
+        raise LogError(
+            f"{log.source}: no row with gyro_angle_deg and wave_angle_deg; expected one, which "
+            "tells the start angle"
+        )
+    return log, [*mended, *filled]
 
 
 def predicted(simulation: Simulation, believed: Device, closed: Device, log: Log) -> Array:
@@ -23,13 +44,11 @@ def predicted(simulation: Simulation, believed: Device, closed: Device, log: Log
         simulation: both fidelities.
         believed: for the power-on angle, which the log's angles tell by the believed Bryan factor.
         closed: the gyro that is simulated.
-        log: inputs, and the angles of its first rows.
+        log: whole inputs, and angles.
 
     Raises:
-        LogError: an input is missing.
         GyroError: a gyro that the FMU refuses.
     """
-    log.require("table_angle", "axis_up", "temperature", "gyro_angle", "wave_angle")
     test = observed(Test("prediction", "manoeuvre", "holdout", log), believed)
     return simulation.answers(closed, test)["gyro_angle"]
 

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from pyhrg.gap.soundness.attitude import ACCELERATIONS
 from pyhrg.gap.soundness.doubt import Believed, has, with_columns
-from pyhrg.records import COLUMNS, Log
+from pyhrg.records import COLUMNS, Log, LogError
 from pyhrg.records.columns import BY_FIELD
 
 MOST_AT_START = 0.01
@@ -22,7 +22,7 @@ COMMANDS = ("axis_up", "virtual_rotation", "amplitude_setpoint", "phase_offset",
 LINEAR = ("table_angle", "temperature", *ACCELERATIONS)
 
 
-class InputError(Exception):
+class InputError(LogError):
     """What was done to the gyro can't be told; the message names file, row, column."""
 
 

@@ -120,13 +120,46 @@ def test_logs_without_the_angle_are_refused(
     assert "gyro_angle_deg" in refused(capsys)
 
 
+def predict(folder: Path, document: dict[str, Any], log: str = "ride.csv.gz") -> int:
+    """Into `p.csv` beside the campaign."""
+    told = folder.parent / "d.json"
+    told.write_text(json.dumps({"schema": "hrg-diagnosis/1", **document}))
+    given = [str(told), str(folder / log), "--campaign", str(folder)]
+    return main(["gap", "predict", *given, "--out", str(folder.parent / "p.csv")])
+
+
+SPLIT = {"effect": "frequency_split", "parameters": {"frequency_split_Hz": 1.0}}
+BAD_DIAGNOSES: list[tuple[dict[str, Any], str]] = [
+    ({"causes": [SPLIT]}, "frequency_split: stiffness_axis_deg: missing"),
+    ({"causes": [{"effect": "gremlins", "parameters": {}}]}, "gremlins: expected an effect of"),
+    ({"causes": [], "device": "another"}, "device: found 'another', expected"),
+]
+
+
+@pytest.mark.parametrize(("document", "message"), BAD_DIAGNOSES)
 def test_a_bad_diagnosis_is_refused(
-    folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    folder: Path, document: dict[str, Any], message: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    causes = [{"effect": "frequency_split", "parameters": {"frequency_split_Hz": 1.0}}]
-    (tmp_path / "d.json").write_text(json.dumps({"schema": "hrg-diagnosis/1", "causes": causes}))
-    given = [str(tmp_path / "d.json"), str(folder / "ride.csv.gz")]
-    out = tmp_path / "p.csv"
-    assert main(["gap", "predict", *given, "--campaign", str(folder), "--out", str(out)]) != 0
-    assert "frequency_split: stiffness_axis_deg: missing" in refused(capsys)
-    assert not out.exists()
+    assert predict(folder, document) != 0
+    assert message in refused(capsys)
+    assert not (folder.parent / "p.csv").exists()
+
+
+def test_what_a_recorder_has_lost_is_predicted_as_it_is_diagnosed(folder: Path) -> None:
+    log = records.read(folder / "ride.csv.gz")
+    assert predict(folder, {"causes": []}) == 0
+    whole = np.loadtxt(folder.parent / "p.csv", delimiter=",", skiprows=1)
+    log.temperature[200] = np.nan
+    log.virtual_rotation[:] = np.nan
+    records.write(log, folder / "ride.csv.gz")
+    assert predict(folder, {"causes": []}) == 0
+    found = np.loadtxt(folder.parent / "p.csv", delimiter=",", skiprows=1)
+    np.testing.assert_allclose(found, whole, atol=0.1 * ARCSEC / DEG)
+
+
+def test_a_log_without_angles_is_refused(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    log = records.read(folder / "ride.csv.gz")
+    log.wave_angle[:] = np.nan
+    records.write(log, folder / "ride.csv.gz")
+    assert predict(folder, {"causes": []}) != 0
+    assert "ride.csv.gz: no row with gyro_angle_deg and wave_angle_deg" in refused(capsys)

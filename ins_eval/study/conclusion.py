@@ -38,12 +38,12 @@ from ins_eval.study.report import page
 from ins_eval.study.report.result import CONDITIONS as CONDITIONS_KEY
 from ins_eval.study.report.result import DOCUMENT, INTERVAL_PERCENT, result
 from ins_eval.study.run.block import Arrays
-from ins_eval.study.run.identity import made_by
 from ins_eval.study.score import ALL, Score
 from ins_eval.study.scores.judged import scores
 from ins_eval.study.specification import CONDITION, MEAN, TEST, TRAIN, PlannedMission, Study
 from ins_eval.study.triads import Triads
 from ins_eval.study.weights_cache import kept_weights
+from pyhrg.made_by import made_by
 from pyhrg.units import DEG_PER_H, HOUR, MICRO_G
 
 Array = NDArray[np.float64]

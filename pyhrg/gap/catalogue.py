@@ -165,3 +165,4 @@ class Catalogue:
 WHOLE = Catalogue()
 NAMES = tuple(effect.name for effect in (*DETERMINISTIC, *NOISES))
 EFFECTS = {effect.name: effect for effect in DETERMINISTIC}
+NOISE_EFFECTS = {noise.name: noise for noise in NOISES}

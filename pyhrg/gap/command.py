@@ -53,6 +53,12 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="noise that is believed of a static record, TOML",
     )
+    diagnose.add_argument(
+        "--trusted",
+        action="store_true",
+        help="take units and axes of a static record as stated, though gravity or Earth's rate "
+        "in it contradict them",
+    )
     diagnose.add_argument("--out", type=Path, required=True, metavar="DIR", help="output folder")
     diagnose.set_defaults(do=_diagnose)
     predict = tasks.add_parser("predict", help="the closed simulation's answer to a log's inputs")
@@ -75,11 +81,15 @@ def _run(options: argparse.Namespace) -> None:
 
 
 def _diagnose(options: argparse.Namespace) -> None:
+    if not options.source.exists():
+        raise UserError(f"{options.source}: no such folder or file")
     if options.source.is_dir() == (options.belief is not None):
         expected = "no --belief for a campaign, one for a static record"
         raise UserError(f"{options.source}: expected {expected}")
     if options.belief is not None:
-        result = static_record.diagnose(options.source, options.belief, options.out)
+        result = static_record.diagnose(
+            options.source, options.belief, options.out, options.trusted
+        )
         print("\n".join(said_of_record(result)))
         return
     found = diagnosed(campaigns.read(options.source), simulation(_say), say=_say)

@@ -181,6 +181,8 @@ def causes_of(path: Path, device: str) -> dict[str, dict[str, float]]:
     if not isinstance(document, dict) or document.get("schema") != SCHEMA:
         found = document.get("schema") if isinstance(document, dict) else document
         raise DiagnosisError(f"{path}: schema: found {found!r}, expected {SCHEMA!r}")
+    if "record" in document:
+        raise DiagnosisError(f"{path}: is of a static record; expected that of a campaign")
     if document.get("device", device) != device:
         raise DiagnosisError(f"{path}: device: found {document['device']!r}, expected {device!r}")
     try:

@@ -8,14 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device import Device
-from pyhrg.gap.catalogue import NOISES, NoiseEffect
+from pyhrg.gap.catalogue import NOISE_EFFECTS, NOISES, NoiseEffect
 from pyhrg.gap.noise_search import NORMAL_95, AddedNoise, NoiseFound
 from pyhrg.gap.observations import Observed
 from pyhrg.units import ARCSEC
 
 Array = NDArray[np.float64]
 
-COUNTED = next(noise for noise in NOISES if noise.name == "angle_quantisation")
+COUNTED = NOISE_EFFECTS["angle_quantisation"]
 FINEST, COARSEST = 0.01 * ARCSEC, 10 * ARCSEC
 """Steps that are looked for, rad."""
 SAMPLE = 200

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from scipy.optimize import brentq, minimize_scalar
 
-from pyhrg.gap.catalogue import NOISES
+from pyhrg.gap.catalogue import NOISE_EFFECTS
 from pyhrg.gap.diagnosis import NextTest
 from pyhrg.gap.next_test import SURE
 from pyhrg.gap.noise_divergence import divergence
@@ -20,7 +20,6 @@ from pyhrg.units import HOUR
 
 SHORTEST, LONGEST = 0.1, 100.0
 """Of a test, hours."""
-BY_NAME = {effect.name: effect for effect in NOISES}
 
 
 def standing_still(found: NoiseFound, believed: SlowNoise) -> NextTest | None:
@@ -58,7 +57,7 @@ class _Pair:
 
     def sigmas(self, hours: float) -> float:
         """By which they part, whichever is the truth."""
-        effect = BY_NAME[self.rival]
+        effect = NOISE_EFFECTS[self.rival]
         without = self.noise.at(self.part, getattr(self.believed, self.part))
         part = PARTS[effect.field]
         own = max(getattr(self.noise, self.part), getattr(without, part))

@@ -13,7 +13,8 @@ from typing import Any
 from fmu_build.files import write_whole
 from ins_eval.study.run.block import Arrays, unpacked
 from ins_eval.study.run.errors import StudyRunError
-from ins_eval.study.run.identity import Identity, difference
+from ins_eval.study.run.identity import Identity
+from pyhrg.made_by import difference
 
 IDENTITY = "identity.json"
 BLOCKS = "blocks"

@@ -1,8 +1,7 @@
 """One case of a challenge: a campaign, and its truth."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,14 +16,12 @@ from pyhrg.gap.challenge.instruments import Instruments
 from pyhrg.gap.challenge.meter import Meter, measured
 from pyhrg.gap.challenge.nominal import believed, drawn_nominal, drawn_site
 from pyhrg.gap.challenge.plans import Plan, further, plans
-from pyhrg.gap.challenge.truth import Drawing, Strength, TrueState, Truth
+from pyhrg.gap.challenge.truth import Drawing, TrueState, Truth
 from pyhrg.gap.simulation import Simulation, is_short
 from pyhrg.site import Site
 from pyhrg.units import ARCSEC
 
 Array = NDArray[np.float64]
-CampaignStrength = Callable[[Campaign, str, Mapping[str, float]], float]
-"""Sigmas of an effect, by its name and parameters, on the inputs of a campaign."""
 STEPS = 100
 """Communication steps in a row of the true gyro."""
 
@@ -97,36 +94,22 @@ GYRO, BENCH, EFFECT, NOISE, NEXT_BENCH, NEXT_NOISE = range(6)
 tell nothing of it."""
 
 
-def prepared(
-    case: Case, simulation: Simulation, strength: CampaignStrength | None = None
-) -> Prepared:
-    """Draw a case: the same wherever it is done.
-
-    Args:
-        case: to be drawn.
-        simulation: both fidelities.
-        strength: of an effect; by `Meter` if None.
-    """
+def prepared(case: Case, simulation: Simulation) -> Prepared:
+    """Draw a case: the same wherever it is done."""
     gyro = _generator(case, GYRO)
     nominal, site = drawn_nominal(gyro), drawn_site(gyro)
     device, own = believed(nominal, site), Instruments().drawn(gyro)
     made = plans(device, _generator(case, BENCH), complete=bool(case.without))
     fitted = [(measured(p.programme), p.start_angle) for p in made if p.role == "fit"]
     meter = Meter(simulation, device, fitted, own)
-    sigmas: Strength = meter.sigmas_of
-    if strength is not None:
-        tests = tuple(_planned(plan, device, simulation) for plan in made)
-        sigmas = partial(strength, Campaign(case.name, site, nominal, tests))
     effects = case.without or NAMES
-    drawing = Drawing(meter, sigmas, _generator(case, EFFECT), case.strengths, effects)
+    drawing = Drawing(meter, _generator(case, EFFECT), case.strengths, effects)
     return Prepared(case, nominal, site, device, own, made, drawing.state(case.kind))
 
 
-def generated(
-    case: Case, fmus: Fmus, strength: CampaignStrength | None = None
-) -> tuple[Campaign, Truth]:
-    """Simulate a case: the same bytes wherever it is done. Arguments as of `prepared`."""
-    drawn = prepared(case, fmus.simulation, strength)
+def generated(case: Case, fmus: Fmus) -> tuple[Campaign, Truth]:
+    """Simulate a case: the same bytes wherever it is done."""
+    drawn = prepared(case, fmus.simulation)
     made = drawn.recorded([(plan, fmus.of(plan)) for plan in drawn.plans], NOISE)
     noise = np.concatenate([noise for test, noise in made if test.is_holdout])
     rms = float(np.sqrt(np.mean(noise**2))) / ARCSEC
@@ -134,20 +117,14 @@ def generated(
     return campaign, replace(drawn.state.truth, holdout_noise_arcsec=rms)
 
 
-def with_next_test(
-    case: Case,
-    campaign: Campaign,
-    kind: str,
-    hours: float,
-    fmus: Fmus,
-    strength: CampaignStrength | None = None,
-) -> Campaign:
-    """A case's campaign with so many hours more of the tests of one kind.
+def with_next_test(case: Case, campaign: Campaign, kind: str, hours: float, fmus: Fmus) -> Campaign:
+    """A case's campaign with so many hours more of the tests of one kind, all by `HRG`: hours at
+    the carrier would take as long.
 
     Raises:
         ValueError: no such kind of test.
     """
-    drawn = prepared(case, fmus.simulation, strength)
+    drawn = prepared(case, fmus.simulation)
     more = further(kind, hours, drawn.device, _generator(case, NEXT_BENCH))
     made = drawn.recorded([(plan, fmus.simulation.sampled) for plan in more], NEXT_NOISE)
     return drawn.campaign((*campaign.tests, *(test for test, _ in made)))
@@ -155,14 +132,6 @@ def with_next_test(
 
 def _generator(case: Case, stream: int) -> np.random.Generator:
     return np.random.default_rng(np.random.SeedSequence(case.seed, spawn_key=(stream,)))
-
-
-def _planned(plan: Plan, device: Device, simulation: Simulation) -> Test:
-    """The test with what the believed gyro would answer."""
-    course, still = measured(plan.programme), np.zeros((1, 1))
-    fmu = simulation.model(len(course), course.interval)
-    log = TrueGyro(fmu, device).exact(plan.id, course, plan.start_angle, still)
-    return Test(plan.id, plan.kind, plan.role, log)
 
 
 def _course(plan: Plan) -> Course:

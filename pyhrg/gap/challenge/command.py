@@ -9,7 +9,6 @@ from fmu_build.platforms import BuildError
 from fmu_build.translate import TranslationError
 from pyhrg.fmu import GyroError
 from pyhrg.gap.challenge import report
-from pyhrg.gap.challenge.case import CampaignStrength
 from pyhrg.gap.challenge.roster import STRONG, ChallengeError, Folder, Settings
 from pyhrg.gap.challenge.run import Challenge, Diagnose
 from pyhrg.gap.challenge.truth import LEAST
@@ -69,28 +68,25 @@ def add_parser(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]"
     )
 
 
-def run(
-    options: argparse.Namespace, diagnose: Diagnose, strength: CampaignStrength | None = None
-) -> None:
+def run(options: argparse.Namespace, diagnose: Diagnose) -> None:
     """Run a challenge and print its score.
 
     Args:
         options: of `add_parser`.
         diagnose: under challenge.
-        strength: of an effect on a campaign; by `meter.Meter` if None.
 
     Raises:
         UserError: an option out of range, a folder of another challenge, an unusable diagnosis.
     """
     settings = _settings(options)
     workers = options.workers or len(os.sched_getaffinity(0))
-    challenge = Challenge(Folder(options.out), settings, diagnose, strength)
+    challenge = Challenge(Folder(options.out), settings, diagnose)
     try:
         score = challenge.run(workers, [Folder(other) for other in options.others])
     except REFUSALS as error:
         raise UserError(str(error)) from error
     except OSError as error:
-        raise UserError(f"can't write {options.out}: {error.strerror or error}") from error
+        raise UserError(f"{error.filename or options.out}: {error.strerror or error}") from error
     except KeyboardInterrupt:
         raise KeyboardInterrupt("interrupted; the same command goes on from here") from None
     print(report.text(score))

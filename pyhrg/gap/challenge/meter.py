@@ -14,7 +14,7 @@ from pyhrg.bench.programme import Programme
 from pyhrg.campaign import Test
 from pyhrg.device import Device
 from pyhrg.fmu import CONTROL_PERIOD
-from pyhrg.gap.catalogue import DETERMINISTIC, EFFECTS, NOISES, Effect, NoiseEffect
+from pyhrg.gap.catalogue import DETERMINISTIC, EFFECTS, NOISE_EFFECTS, Effect, NoiseEffect
 from pyhrg.gap.challenge.course import Course, course_of
 from pyhrg.gap.challenge.gyro import Disturbance, TrueGyro
 from pyhrg.gap.challenge.instruments import Instruments
@@ -94,9 +94,7 @@ class Meter:
         if name in EFFECTS:
             effect = EFFECTS[name]
             return self.sigmas(effect.put(self.believed, effect.vector_of(parameters)))
-        noise = next((noise for noise in NOISES if noise.name == name), None)
-        if noise is None:
-            raise KeyError(name)
+        noise = NOISE_EFFECTS[name]
         value = noise.key.to_si(parameters[noise.key.name])
         return self.sigmas_of_noise(noise_put(self.believed, noise, value))
 

@@ -50,11 +50,6 @@ class Score:
         """Singles by strength."""
         return score.curve(self.cases)
 
-    @property
-    def passed(self) -> bool:
-        """Whether no figure that has cases misses its target."""
-        return all(figure.passed is not False for figure in self.figures)
-
 
 def write(result: Score, path: Path) -> None:
     """Write `score.json`, whole or not at all.

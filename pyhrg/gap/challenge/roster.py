@@ -12,8 +12,10 @@ from fmu_build.files import write_whole
 from pyhrg.gap.catalogue import NAMES
 from pyhrg.gap.challenge.case import Case
 from pyhrg.gap.challenge.truth import KINDS, LEAST
+from pyhrg.made_by import difference, made_by
 
 SCHEMA = "hrg-challenge/1"
+MADE_BY = "made_by"
 STRONG = (LEAST, 10 * LEAST)
 WEAK = (1.0, LEAST)
 """Ranges of strengths, sigmas."""
@@ -22,7 +24,7 @@ VARIED = 10.0
 
 
 class ChallengeError(Exception):
-    """The folder is another challenge's, or a result in it can't be used."""
+    """The folder is another challenge's or other code's, or a result in it can't be used."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +83,7 @@ class Folder:
 
     @property
     def settings(self) -> Path:
-        """What the folder was begun with."""
+        """What the folder was begun with, and by which code."""
         return self.root / "settings.json"
 
     def campaign(self, name: str) -> Path:
@@ -108,18 +110,24 @@ class Folder:
         """Begin a challenge, or go on with the same one.
 
         Raises:
-            ChallengeError: the folder is another challenge's.
+            ChallengeError: the folder is another challenge's, or other code has begun it.
             OSError: it can't be written.
         """
         for folder in (self.root / "campaigns", self.root / "truths", self.root / "diagnoses"):
             folder.mkdir(parents=True, exist_ok=True)
-        text = as_json(
-            {"seed": settings.seed, "counts": dict(settings.counts), "to": settings.strongest}
-        )
+        asked = {"seed": settings.seed, "counts": dict(settings.counts), "to": settings.strongest}
+        text = as_json({**asked, MADE_BY: made_by()})
         if self.settings.exists() and self.settings.read_bytes() != text:
+            found = _read(self.settings, *asked, MADE_BY)
+            if differs := difference(found.pop(MADE_BY), made_by()):
+                key, was, now = differs
+                raise ChallengeError(
+                    f"{self.settings}: begun by another version: {key}: found {was}, expected "
+                    f"{now}; results of two versions are not mixed: take an empty folder"
+                )
             raise ChallengeError(
-                f"{self.settings}: another challenge was begun here; "
-                "expected the same seed and counts, or an empty folder"
+                f"{self.settings}: another challenge was begun here: found {found}, "
+                f"expected {asked}, or an empty folder"
             )
         write_whole(self.settings, text)
 
@@ -138,7 +146,12 @@ class Folder:
         Raises:
             ChallengeError: nothing is published here yet.
         """
-        return {case["name"]: case["sha256"] for case in _read(self.index, "cases")["cases"]}
+        cases = _read(self.index, "cases")["cases"]
+        try:
+            return {case["name"]: case["sha256"] for case in cases}
+        except (KeyError, TypeError) as error:
+            expected = "expected name and sha256 of each case"
+            raise ChallengeError(f"{self.index}: cases: {expected}") from error
 
     def publish(self, cases: Sequence[Case], hashes: Sequence[str]) -> None:
         """Write the index, or hold to the one that is there.

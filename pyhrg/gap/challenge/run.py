@@ -1,6 +1,5 @@
 """A challenge from its settings to its score: generate, publish, diagnose, test again, score."""
 
-import hashlib
 import multiprocessing
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -19,7 +18,7 @@ from pyhrg import campaign as campaigns
 from pyhrg.campaign_index import CampaignError
 from pyhrg.fmu import GyroError
 from pyhrg.gap.challenge import diagnosis, seal
-from pyhrg.gap.challenge.case import CampaignStrength, Case, Fmus, generated, with_next_test
+from pyhrg.gap.challenge.case import Case, Fmus, generated, with_next_test
 from pyhrg.gap.challenge.diagnosis import Diagnosis
 from pyhrg.gap.challenge.report import Finished, Score, write
 from pyhrg.gap.challenge.roster import ChallengeError, Folder, Settings
@@ -35,15 +34,11 @@ Work = Callable[[Case], Result]
 
 @dataclass(frozen=True)
 class Challenge:
-    """One challenge.
-
-    strength: of an effect on a campaign; by `meter.Meter` if None.
-    """
+    """One challenge."""
 
     folder: Folder
     settings: Settings
     diagnose: Diagnose
-    strength: CampaignStrength | None = None
 
     def run(self, workers: int, others: Sequence[Folder] = ()) -> Score:
         """Do what is not done yet, and score; the same bytes on any number of workers.
@@ -53,9 +48,9 @@ class Challenge:
             others: challenges that are finished, to be scored together with this one.
 
         Raises:
-            ChallengeError: the folder is another challenge's, a diagnosis can't be used, a worker
-                was killed, or another challenge is not finished or has a seed that is there
-                already.
+            ChallengeError: the folder is another challenge's or other code's, a truth or a
+                diagnosis can't be used, a worker was killed, or another challenge is not finished
+                or has a seed that is there already.
             OSError: it can't be written.
         """
         known = self._others(others)
@@ -81,7 +76,7 @@ class Challenge:
         return others
 
     def _is_to_be_settled(self, case: Case) -> bool:
-        """Whether something is confounded, and a test that is made here would settle it."""
+        """Whether something is confounded, and a test is suggested that can be made here."""
         said = _said(self.folder.diagnosis(case.name))
         return case.kind in ("single", "pair") and said.next_test is not None
 
@@ -124,15 +119,17 @@ def _generate(challenge: Challenge, case: Case) -> str:
     """Make a case's campaign and seal its truth, unless that is done; its hash."""
     truth, campaign = challenge.folder.truth(case.name), challenge.folder.campaign(case.name)
     if truth.exists() and (campaign / campaigns.INDEX).exists():
-        return seal.hash_of(truth)
+        try:
+            return seal.hash_of(truth)
+        except seal.SealError as error:
+            raise ChallengeError(str(error)) from error
     try:
-        made, answer = generated(case, _fmus(), challenge.strength)
+        made, answer = generated(case, _fmus())
     except (ValueError, GyroError) as error:
         raise ChallengeError(f"{case.name}: {error}") from error
     with replaced_folder(campaign) as aside:
         campaigns.write(made, aside)
-    salt = hashlib.sha256(f"salt {challenge.settings.seed} {case.seed}".encode()).digest()
-    return seal.sealed(answer, salt, truth)
+    return seal.sealed(answer, truth)
 
 
 def _diagnose(challenge: Challenge, case: Case) -> None:
@@ -149,7 +146,7 @@ def _diagnose_next(challenge: Challenge, case: Case) -> None:
     if not (extended / campaigns.INDEX).exists():
         before = campaigns.read(folder.campaign(case.name))
         try:
-            made = with_next_test(case, before, kind, hours, _fmus(), challenge.strength)
+            made = with_next_test(case, before, kind, hours, _fmus())
         except (ValueError, GyroError) as error:
             raise ChallengeError(f"{case.name}: next_test: {error}") from error
         with replaced_folder(extended) as aside:

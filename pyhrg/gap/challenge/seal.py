@@ -1,4 +1,5 @@
-"""Truths under seal: their salted hashes are published before anything is diagnosed."""
+"""Truths under seal: their hashes are published before anything is diagnosed, so that none can be
+changed after it."""
 
 import hashlib
 import json
@@ -10,26 +11,22 @@ from typing import Any
 from fmu_build.files import write_whole
 from pyhrg.gap.challenge.truth import Truth
 
-SALT = "salt"
-SALT_BYTES = 32
-
 
 class SealError(Exception):
     """A truth is missing, unreadable, or not the one whose hash was published."""
 
 
-def sealed(truth: Truth, salt: bytes, path: Path) -> str:
-    """Write a truth and its salt, whole or not at all.
+def sealed(truth: Truth, path: Path) -> str:
+    """Write a truth, whole or not at all.
 
     Args:
         truth: to be kept.
-        salt: without which no guess of the truth can be tried against the hash.
         path: of the file, outside every folder that is diagnosed.
 
     Returns:
         The hash to be published.
     """
-    text = _text({**asdict(truth), SALT: salt.hex()})
+    text = _text(asdict(truth))
     write_whole(path, text)
     return _hash(text)
 

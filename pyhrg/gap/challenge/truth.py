@@ -12,7 +12,7 @@ from scipy.optimize import brentq
 
 from pyhrg.device import Device
 from pyhrg.fmu import GyroError
-from pyhrg.gap.catalogue import EFFECTS, NAMES, NOISES, Effect
+from pyhrg.gap.catalogue import EFFECTS, NAMES, NOISE_EFFECTS, Effect
 from pyhrg.gap.challenge.form import Form, forms
 from pyhrg.gap.challenge.gyro import Disturbance
 from pyhrg.gap.challenge.meter import Meter, noise_put
@@ -37,10 +37,6 @@ SMALLEST, LARGEST = 1e-9, 30.0
 """Sizes over an effect's scale that are looked at."""
 SMALLER = math.log(2)
 """By which the largest is made smaller where the FMU can't simulate it."""
-BY_NAME = {noise.name: noise for noise in NOISES}
-
-Strength = Callable[[str, Mapping[str, float]], float]
-"""Sigmas of an effect on a campaign's tests, by its name and parameters."""
 
 
 @dataclass(frozen=True)
@@ -86,7 +82,6 @@ class Drawing:
     """
 
     meter: Meter
-    strength: Strength
     generator: np.random.Generator
     strengths: tuple[float, float] = (LEAST, 10 * LEAST)
     effects: Sequence[str] = NAMES
@@ -134,8 +129,8 @@ class Drawing:
     def _sized(self, name: str) -> "Sized":
         """An effect in a direction that is drawn now, by its size."""
         believed = self.meter.believed
-        if name in BY_NAME:
-            noise = BY_NAME[name]
+        if name in NOISE_EFFECTS:
+            noise = NOISE_EFFECTS[name]
             was = getattr(believed, noise.field)
 
             def louder(size: float) -> tuple[Change, dict[str, float]]:
@@ -157,20 +152,20 @@ class Drawing:
         return further
 
     def _strength_by_size(self, name: str, sized: "Sized") -> Callable[[float], float]:
-        return lambda size: self.strength(name, sized(size)[1])
+        return lambda size: self.meter.sigmas_of(name, sized(size)[1])
 
     def _left(self, name: str, other: str, device: Device) -> float:
         """Sigmas of one effect of a device, alone, where another takes as much as it can. What
         moves the simulation can't stand in for noise; noise hides it."""
         meter, believed = self.meter, self.meter.believed
-        if name in BY_NAME:
-            noise = BY_NAME[name]
+        if name in NOISE_EFFECTS:
+            noise = NOISE_EFFECTS[name]
             alone = noise_put(believed, noise, getattr(device, noise.field))
-            is_noise = other in BY_NAME
-            return meter.sigmas_of_noise_beyond(BY_NAME[other], alone) if is_noise else math.inf
+            rival = NOISE_EFFECTS.get(other)
+            return meter.sigmas_of_noise_beyond(rival, alone) if rival else math.inf
         effect = EFFECTS[name]
-        if other in BY_NAME:
-            noise = BY_NAME[other]
+        if other in NOISE_EFFECTS:
+            noise = NOISE_EFFECTS[other]
             noisy = noise_put(believed, noise, getattr(device, noise.field))
             return meter.sigmas(effect.put(noisy, effect.vector(device)))
         gap = meter.residual(effect.put(believed, effect.vector(device)))

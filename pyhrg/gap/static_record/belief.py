@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fmu_build.files import toml_of
-from pyhrg.gap.static_record.terms import GYRO, KINDS, Kind
+from pyhrg.gap.static_record.terms import KINDS, Kind
 
 Array = NDArray[np.float64]
 
@@ -98,16 +98,6 @@ def belief_of(values: Mapping[str, object], kind: Kind, source: str) -> Belief:
         source,
         stated,
     )
-
-
-def belief_of_nominal(nominal: Mapping[str, float], source: str) -> Belief:
-    """The belief of a campaign's `nominal`.
-
-    Raises:
-        BeliefError: it states no noise.
-    """
-    keys = GYRO.of_file
-    return belief_of({key: nominal[key] for key in keys if key in nominal}, GYRO, source)
 
 
 def _tolerance(value: object, source: str) -> float:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import tomli_w
 
-from fmu_build.files import write_whole
+from fmu_build.files import staging
 from pyhrg.gap.static_record import belief as beliefs
 from pyhrg.gap.static_record.belief import PERIODS, TOLERANCE_PERCENT, Belief, BeliefError
 from pyhrg.gap.static_record.diagnosis import ChannelDiagnosis, diagnosed
@@ -20,16 +20,13 @@ from pyhrg.gap.static_record.shared_motion import shared_power
 RESULT, REPORT, CLOSED = "diagnosis.json", "report.html", "closed.toml"
 
 
-def diagnose(
-    path: Path, belief: Path, out: Path, seed: int = 0, trusted: bool = False
-) -> RecordDiagnosis:
+def diagnose(path: Path, belief: Path, out: Path, trusted: bool = False) -> RecordDiagnosis:
     """Diagnose a file and write `diagnosis.json`, `report.html` and, by channel, `closed.toml`.
 
     Args:
         path: of the record, see `reading.read`.
         belief: TOML, see `belief.read`.
         out: folder.
-        seed: of the samples that evidence is taken by.
         trusted: see `reading.read`.
 
     Raises:
@@ -38,16 +35,16 @@ def diagnose(
         OSError: the folder can't be written.
     """
     believed = beliefs.read(belief)
-    result = judge(read(path, trusted), believed, seed)
+    result = judge(read(path, trusted), believed)
     closed = {d.channel.name: _closed(d) for d in result.channels}
     texts = {
         REPORT: page(result),
         CLOSED: tomli_w.dumps(closed),
         RESULT: json.dumps(as_json(result), indent=1, allow_nan=False) + "\n",
     }
-    out.mkdir(parents=True, exist_ok=True)
-    for name, text in texts.items():
-        write_whole(out / name, text.encode())
+    with staging(out, tuple(texts)) as aside:
+        for name, text in texts.items():
+            (aside / name).write_text(text, encoding="utf-8")
     return result
 
 

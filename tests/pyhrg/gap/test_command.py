@@ -133,6 +133,7 @@ BAD_DIAGNOSES: list[tuple[dict[str, Any], str]] = [
     ({"causes": [SPLIT]}, "frequency_split: stiffness_axis_deg: missing"),
     ({"causes": [{"effect": "gremlins", "parameters": {}}]}, "gremlins: expected an effect of"),
     ({"causes": [], "device": "another"}, "device: found 'another', expected"),
+    ({"causes": [], "record": "static.imu"}, "is of a static record; expected that of a campaign"),
 ]
 
 

@@ -69,7 +69,7 @@ def test_a_place_that_is_no_angle_has_no_harmonic() -> None:
 
 
 def test_causes_are_put_into_the_gyro(tmp_path: Path) -> None:
-    causes = diagnosis.causes_of(kept(tmp_path))
+    causes = diagnosis.causes_of(kept(tmp_path), GIVEN.device)
     device = with_causes(Device(), causes)
     effect = EFFECTS["damping_anisotropy"]
     assert effect.parameters(effect.vector(device)) == pytest.approx(
@@ -96,4 +96,4 @@ def test_a_missing_parameter_is_named() -> None:
 def test_other_files_are_refused(tmp_path: Path, text: str, message: str) -> None:
     (tmp_path / "a.json").write_text(text)
     with pytest.raises(DiagnosisError, match=message):
-        diagnosis.causes_of(tmp_path / "a.json")
+        diagnosis.causes_of(tmp_path / "a.json", "unit")

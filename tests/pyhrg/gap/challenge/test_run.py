@@ -153,6 +153,18 @@ def test_another_challenge_is_not_mixed_in(tmp_path: Path) -> None:
         Folder(tmp_path).begin(Settings({"none": 1}, seed=3))
 
 
+@pytest.mark.usefixtures("quick_cases")
+def test_results_of_two_versions_are_not_mixed(tmp_path: Path) -> None:
+    folder = Folder(tmp_path)
+    folder.begin(SETTINGS)
+    settings = json.loads(folder.settings.read_text())
+    settings["made_by"]["code"] = "older"
+    folder.settings.write_text(json.dumps(settings))
+    with pytest.raises(ChallengeError, match="another version: code: found older, expected"):
+        folder.begin(SETTINGS)
+    assert json.loads(folder.settings.read_text()) == settings
+
+
 def test_names_and_order_tell_nothing_of_the_kinds() -> None:
     counts = {"none": 30, "single": 30, "outside": 30, "left_out": 3}
     cases = Settings(counts, seed=1).cases()

@@ -29,7 +29,7 @@ def meter(simulation: Simulation) -> Meter:
 
 
 def drawing(meter: Meter, seed: int, effects: tuple[str, ...] = SEEN) -> Drawing:
-    return Drawing(meter, meter.sigmas_of, np.random.default_rng(seed), (6.0, 60.0), effects)
+    return Drawing(meter, np.random.default_rng(seed), (6.0, 60.0), effects)
 
 
 @pytest.mark.parametrize("effect", [*SEEN, "angle_white_noise", "angle_quantisation"])

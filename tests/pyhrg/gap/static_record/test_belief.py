@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyhrg.gap.static_record.belief import BeliefError, belief_of_nominal, read
+from pyhrg.gap.static_record.belief import BeliefError, read
 from pyhrg.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
 
 
@@ -58,9 +58,3 @@ bias_instability_micro_g = 7
 def test_refused(tmp_path: Path, text: str, message: str) -> None:
     with pytest.raises(BeliefError, match=message):
         read(written(tmp_path, text))
-
-
-def test_a_campaign_s_nominal() -> None:
-    nominal = {"angle_random_walk_deg_sqrt_h": 0.0003, "decay_time_s": 450.0}
-    belief = belief_of_nominal(nominal, "campaign.json")
-    np.testing.assert_allclose(belief.levels, [0, 0.0003 * DEG_PER_SQRT_H, 0, 0])

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pyhrg.gap.static_record import BeliefError, RecordError, StaticRecord, diagnose, judge
-from pyhrg.gap.static_record.belief import Belief, belief_of_nominal, read
+from pyhrg.gap.static_record.belief import Belief, belief_of, read
 from pyhrg.gap.static_record.reading import read as read_record
 from pyhrg.gap.static_record.record import Channel, grid, of_increments
 from pyhrg.gap.static_record.shared_motion import shared_power
@@ -109,7 +109,8 @@ def test_a_bench_log_s_walk_is_found() -> None:
     for number in range(1, 7):
         campaign = folder / f"dev-0{number}"
         nominal = json.loads((campaign / "campaign.json").read_text())["nominal"]
-        belief = {"gyros": belief_of_nominal(nominal, "campaign.json")}
+        stated = {key: nominal[key] for key in GYRO.of_file if key in nominal}
+        belief = {"gyros": belief_of(stated, GYRO, "campaign.json")}
         result = judge(read_record(campaign / "static_fixed.csv.gz"), belief)
         causes = result.channels[0].causes
         assert [c.term.effect for c in causes] == ["angle_random_walk"] * (number == 4)

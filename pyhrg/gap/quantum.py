@@ -11,6 +11,7 @@ from pyhrg.device import Device
 from pyhrg.gap.catalogue import NOISE_EFFECTS, NOISES, NoiseEffect
 from pyhrg.gap.noise_search import NORMAL_95, AddedNoise, NoiseFound
 from pyhrg.gap.observations import Observed
+from pyhrg.gap.unstated_noise import STILL
 from pyhrg.units import ARCSEC
 
 Array = NDArray[np.float64]
@@ -100,7 +101,7 @@ def _bends(tests: Sequence[Observed]) -> Array:
     parts = [
         np.diff(t.log.gyro_angle, 2)
         for t in tests
-        if not np.ptp(t.log.table_angle) and not np.ptp(t.log.virtual_rotation)
+        if np.abs(t.inputs.table.rates).max() < STILL and not np.ptp(t.log.virtual_rotation)
     ]
     bends = np.concatenate(parts) if parts else np.empty(0)
     return np.asarray(bends[np.isfinite(bends)])

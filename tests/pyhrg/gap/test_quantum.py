@@ -12,12 +12,15 @@ from pyhrg.gap.noise_search import AddedNoise, NoiseFound
 from pyhrg.gap.observations import Observed, observed
 from pyhrg.gap.quantum import counted, is_rough, quantum
 from pyhrg.gap.whitening import SlowNoise
-from pyhrg.units import ARCSEC, DEG_PER_H
+from pyhrg.units import ARCSEC, DEG, DEG_PER_H
 from tests.pyhrg.records.made_up import made_up_log
 
 
-def at_rest(step: float, rate: float = 9.67 * DEG_PER_H, jump: float = 0.0) -> Observed:
-    """An hour of a gyro at rest whose rate changes once; noise of 0.04 arcsec and a walk."""
+def at_rest(
+    step: float, rate: float = 9.67 * DEG_PER_H, jump: float = 0.0, flicker: float = 0.0
+) -> Observed:
+    """An hour of a gyro at rest whose rate changes once, on a table whose encoder flickers; noise
+    of 0.04 arcsec and a walk."""
     log = made_up_log(3600)
     generator = np.random.default_rng(6)
     noise = np.cumsum(generator.normal(0, 0.02, 3600)) + generator.normal(0, 0.04, 3600)
@@ -25,7 +28,8 @@ def at_rest(step: float, rate: float = 9.67 * DEG_PER_H, jump: float = 0.0) -> O
     if step:
         angle = step * np.round(angle / step)
     still = np.zeros(3600)
-    given = replace(log, gyro_angle=angle, table_angle=still, virtual_rotation=still)
+    table = flicker * generator.integers(0, 2, 3600)
+    given = replace(log, gyro_angle=angle, table_angle=table, virtual_rotation=still)
     return observed(Test("still", "static", "fit", given), Device())
 
 
@@ -35,6 +39,12 @@ def test_a_step_is_found(arcsec: float) -> None:
     assert found is not None
     assert found[0] == pytest.approx(arcsec * ARCSEC, abs=3 * found[1])
     assert found[1] < 1e-4 * found[0]
+
+
+def test_the_encoder_s_last_digit_hides_no_step() -> None:
+    found = quantum([at_rest(0.3 * ARCSEC, flicker=1e-5 * DEG)])
+    assert found is not None
+    assert found[0] == pytest.approx(0.3 * ARCSEC, rel=1e-4)
 
 
 def test_no_step_is_found_where_there_is_none() -> None:

@@ -5,7 +5,8 @@ the rival has had its own sizes fitted anew, to old and new tests together: what
 does not count. Half the square is the expected divergence (W. J. Hunter, A. M. Reiner,
 Technometrics 7 (1965)); where their noises are others, the divergence of these is added, at the
 levels that each hypothesis has. The kind that parts the most probable hypothesis from the most of
-its rivals is suggested, and of several the one that does so in the fewest hours.
+its rivals is suggested; of several, the one that parts the most pairs at all, and then the one that
+does so in the fewest hours.
 """
 
 import math

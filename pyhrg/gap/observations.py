@@ -83,7 +83,7 @@ def observed(test: Test, believed: Device) -> Observed:
 
     Args:
         test: with a log of complete inputs.
-        believed: for the start angle.
+        believed: for the start angle, and the time that its loops take to settle.
     """
     log = test.log
     inputs = replayable(log, believed)

@@ -70,7 +70,7 @@ def replayable(log: Log, believed: Device) -> Replayable:
 
     Args:
         log: of one power-on, from its start.
-        believed: Bryan factor and reference temperature are used.
+        believed: its Bryan factor is used.
     """
     return Replayable(
         log,

@@ -6,7 +6,7 @@ element is an error of the angle itself, or a bias, whose integral it is.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numba
@@ -37,24 +37,22 @@ class Element:
     """A block of columns of one channel.
 
     coordinate: of the campaign format.
-    harmonic: where the coordinate is an angle.
     of: what function of the coordinate it is.
+    harmonic: where the coordinate is an angle.
+    is_of_each_power_on: whether every test has a size of its own: its one column is another in
+        each.
     """
 
     channel: str
     coordinate: str
     of: str
     harmonic: int | None = None
+    is_of_each_power_on: bool = field(default=False, kw_only=True)
 
     @property
     def foretells(self) -> bool:
         """Whether it says anything of a test that is yet to be made."""
         return not self.is_of_each_power_on
-
-    @property
-    def is_of_each_power_on(self) -> bool:
-        """Whether every test has a size of its own: its one column is another in each."""
-        return self.of.endswith(EACH_POWER_ON)
 
     @property
     def words(self) -> str:
@@ -137,15 +135,17 @@ def columns(where: Coordinates, channel: str) -> list[tuple[Element, Array]]:
         channel: a field of a log.
     """
     found = []
+    is_angle = channel == "gyro_angle"
     for coordinate, of, harmonic, block in where.functions:
-        if channel != "gyro_angle":
-            found.append((Element(channel, coordinate, of, harmonic), block))
-            continue
-        bias = np.cumsum(block, axis=0) * where.test.log.interval
-        found.append((Element(channel, coordinate, f"bias: {of}", harmonic), bias))
-        if harmonic:
+        words, values = of, block
+        if is_angle:
+            words, values = f"bias: {of}", np.cumsum(block, axis=0) * where.test.log.interval
+        own = of == EACH_POWER_ON
+        element = Element(channel, coordinate, words, harmonic, is_of_each_power_on=own)
+        found.append((element, values))
+        if is_angle and harmonic:
             found.append((Element(channel, coordinate, f"angle: {of}", harmonic), block))
-    if channel == "gyro_angle":
+    if is_angle:
         for coordinate, of, block in _pickoffs(where):
             found.append((Element(channel, coordinate, f"angle: {of}"), block))
     return found

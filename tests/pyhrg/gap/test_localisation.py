@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from pyhrg.gap.design import Block, Group
 from pyhrg.gap.localisation import located
-from pyhrg.gap.unknown import EACH_POWER_ON, Element
+from pyhrg.gap.unknown import Element
 from tests.pyhrg.gap.made_up import design_of
 
 Array = NDArray[np.float64]
@@ -88,7 +88,7 @@ def test_a_value_for_each_power_on_is_told_where_nothing_else_is(
     values: tuple[float, float], coordinate: str
 ) -> None:
     mean = Element("gyro_angle", "wave_angle", "mean", 0)
-    each = Element("gyro_angle", "time", EACH_POWER_ON)
+    each = Element("gyro_angle", "time", "of its own", is_of_each_power_on=True)
     generator = np.random.default_rng(6)
     blocks = []
     for i, value in enumerate(values * 2):

@@ -16,13 +16,13 @@ from pyhrg.device import Device
 from pyhrg.fmu import GyroError
 from pyhrg.gap.catalogue import WHOLE, Catalogue, Effect
 from pyhrg.gap.channel_noise import ChannelNoise, angle_noise
-from pyhrg.gap.design import Design, Evidence, Group, response_power
+from pyhrg.gap.design import Design, Group, LinearTest, response_power
 from pyhrg.gap.hypothesis import Hypothesis, noise_as_believed, ranked_under
 from pyhrg.gap.noise_levels import alike
 from pyhrg.gap.noise_search import NoiseFound
 from pyhrg.gap.observations import Observed
 from pyhrg.gap.search import Ranked
-from pyhrg.gap.secants import evidence, secants
+from pyhrg.gap.secants import linear_test, secants
 from pyhrg.gap.simulation import Answers, Simulation, added
 from pyhrg.gap.weighing import Weighed, weighed
 
@@ -63,7 +63,7 @@ class Attribution:
     believed: Device
     device: Device
     weighed: Weighed
-    parts: tuple[Evidence, ...]
+    parts: tuple[LinearTest, ...]
     believed_answers: tuple[Answers, ...]
     settled: bool
 
@@ -158,7 +158,7 @@ class _Approach:
         self._heard: tuple[Group, ...] | None = None
         self.device = believed
         self.noise = NoiseFound(angle_noise(believed), ())
-        self.parts: list[Evidence] = []
+        self.parts: list[LinearTest] = []
         self.weighed = Weighed((), ())
         self.believed_answers: tuple[Answers, ...] = ()
 
@@ -180,7 +180,7 @@ class _Approach:
             return
         answers = self._answers()
         self.parts = [
-            evidence(
+            linear_test(
                 self._simulation, self._believed, self.device, test, answers[i], self._secants(i)
             )
             for i, test in enumerate(self._tests)

@@ -76,8 +76,8 @@ class Design:
 
 
 @dataclass(frozen=True)
-class Evidence:
-    """What is put together for one test.
+class LinearTest:
+    """One test around a simulated gyro, in which effects are linear.
 
     device: that is simulated.
     answers: (n,) by field of a log, of the device.
@@ -126,7 +126,7 @@ class Evidence:
         return series + self.bryan_factor * self.slopes[channel][:, None] * angles
 
 
-def design(parts: Sequence[Evidence], noise: ChannelNoise, jumps: Sequence[Jump] = ()) -> Design:
+def design(parts: Sequence[LinearTest], noise: ChannelNoise, jumps: Sequence[Jump] = ()) -> Design:
     """Whiten and sum up.
 
     Args:
@@ -172,7 +172,7 @@ def _placed(
 
 
 def _block(
-    part: Evidence,
+    part: LinearTest,
     channel: str,
     columns: NDArray[np.int64],
     outputs: Sequence[Jump],
@@ -190,7 +190,7 @@ def _block(
     return Block(name, channel, columns, gram, int(rows.sum()), white.log_determinant)
 
 
-def white_rows(part: Evidence, channel: str, series: Array, noise: ChannelNoise) -> Whitened:
+def white_rows(part: LinearTest, channel: str, series: Array, noise: ChannelNoise) -> Whitened:
     """Of (n, p) series of a channel, the rows that are compared, whitened."""
     rows = part.test.rows[channel]
     steps = np.diff(part.test.log.time[rows], prepend=0.0)
@@ -220,7 +220,7 @@ def tempered(whole: Design, wrong: Mapping[Where, float]) -> Design:
     return _assembled(whole.places, blocks)
 
 
-def response_power(parts: Sequence[Evidence], noise: ChannelNoise) -> dict[Where, float]:
+def response_power(parts: Sequence[LinearTest], noise: ChannelNoise) -> dict[Where, float]:
     """What the residual has beyond its rows, in deviations of the noise squared.
 
     Args:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from pyhrg.device import Device
 from pyhrg.gap.catalogue import Effect
 from pyhrg.gap.channel_noise import ChannelNoise, believed_noise
-from pyhrg.gap.design import Design, Evidence, Where, design, response_power, tempered
+from pyhrg.gap.design import Design, LinearTest, Where, design, response_power, tempered
 from pyhrg.gap.jump_search import jumps
 from pyhrg.gap.noise_levels import AngleRecord
 from pyhrg.gap.noise_search import NoiseFound
@@ -84,7 +84,7 @@ class Hypothesis:
 
 
 def ranked_under(
-    noise: NoiseFound, believed: Device, parts: Sequence[Evidence], leftover: float = 0.0
+    noise: NoiseFound, believed: Device, parts: Sequence[LinearTest], leftover: float = 0.0
 ) -> Hypothesis:
     """Sets under one noise; with jumps, and of sizes that a gyro can have, unless what is left may
     be a linear search's.
@@ -115,7 +115,7 @@ def ranked_under(
     return Hypothesis(noise, channels, near, found)
 
 
-def noise_as_believed(believed: Device, parts: Sequence[Evidence]) -> ChannelNoise:
+def noise_as_believed(believed: Device, parts: Sequence[LinearTest]) -> ChannelNoise:
     """Of all channels, before any noise is found."""
     return believed_noise(believed, [p.test for p in parts], [p.residual for p in parts])
 
@@ -126,7 +126,7 @@ def allowed(response: Mapping[Where, float]) -> dict[Where, float]:
 
 
 def angles_left(
-    parts: Sequence[Evidence], taken: Taken, noise: ChannelNoise, believed: Device
+    parts: Sequence[LinearTest], taken: Taken, noise: ChannelNoise, believed: Device
 ) -> list[AngleRecord]:
     """Output angles without what is taken out."""
     left = remainders(parts, taken, noise, believed, ("gyro_angle",))

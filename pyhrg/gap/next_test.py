@@ -24,7 +24,7 @@ from pyhrg.gap.attribution import Attribution
 from pyhrg.gap.candidate_tests import candidates
 from pyhrg.gap.catalogue import Effect
 from pyhrg.gap.channel_noise import ChannelNoise
-from pyhrg.gap.design import Design, Evidence, Group, design, response_power, tempered
+from pyhrg.gap.design import Design, Group, LinearTest, design, response_power, tempered
 from pyhrg.gap.diagnosis import NextTest
 from pyhrg.gap.evidence import Fit
 from pyhrg.gap.hypothesis import allowed
@@ -160,7 +160,7 @@ def _expected(
     test: Observed,
     truth: Sizes,
     groups: Sequence[Group],
-) -> Evidence:
+) -> LinearTest:
     """What would be put together for a test, were it made and this hypothesis the truth."""
     device = found.device
     columns = secants(simulation, device, test, [g for g in groups if isinstance(g, Effect)])
@@ -171,10 +171,10 @@ def _expected(
     where = coordinates(test, test.log.wave_angle, test.log.amplitude, device)
     slopes = simulation.over_angle(device, test).slopes
     answers = {name: getattr(test.log, name) for name in CHANNELS}
-    return Evidence(test, device, answers, response, columns, where, slopes, device.bryan_factor)
+    return LinearTest(test, device, answers, response, columns, where, slopes, device.bryan_factor)
 
 
-def _summed(parts: Sequence[Evidence], noise: ChannelNoise) -> Design:
+def _summed(parts: Sequence[LinearTest], noise: ChannelNoise) -> Design:
     return tempered(design(parts, noise), allowed(response_power(parts, noise)))
 
 

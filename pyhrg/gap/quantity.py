@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.gap.channel_noise import ChannelNoise
-from pyhrg.gap.design import Evidence, white_rows
+from pyhrg.gap.design import LinearTest, white_rows
 from pyhrg.gap.observations import CHANNELS
 
 Array = NDArray[np.float64]
@@ -34,7 +34,7 @@ class Size:
 
 
 def sizes(
-    parts: Sequence[Evidence],
+    parts: Sequence[LinearTest],
     before: Sequence[Mapping[str, Array]],
     after: Sequence[Mapping[str, Array]],
     noise: ChannelNoise,
@@ -57,7 +57,7 @@ def sizes(
 
 
 def _powers(
-    part: Evidence, channel: str, residual: Array, noise: ChannelNoise
+    part: LinearTest, channel: str, residual: Array, noise: ChannelNoise
 ) -> Iterator[tuple[float, float]]:
     white = white_rows(part, channel, residual[:, None], noise).series[:, 0]
     for scale in SCALES:

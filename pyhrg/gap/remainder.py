@@ -11,7 +11,7 @@ from pyhrg.device import Device
 from pyhrg.gap import unknown
 from pyhrg.gap.catalogue import Effect
 from pyhrg.gap.channel_noise import ChannelNoise
-from pyhrg.gap.design import Evidence, Group
+from pyhrg.gap.design import Group, LinearTest
 from pyhrg.gap.jump import Jump
 from pyhrg.gap.observations import CHANNELS, Mask
 from pyhrg.gap.whitening import SlowNoise, whitened
@@ -56,7 +56,7 @@ class Remainder:
 
 
 def remainders(
-    parts: Sequence[Evidence],
+    parts: Sequence[LinearTest],
     taken: Taken,
     noise: ChannelNoise,
     believed: Device,
@@ -95,7 +95,7 @@ def unlike(*taken: Taken | Mapping[Effect, Array]) -> list[Taken]:
     return list(found.values())
 
 
-def _left(part: Evidence, taken: Taken, channel: str, index: int) -> Array:
+def _left(part: LinearTest, taken: Taken, channel: str, index: int) -> Array:
     """(n,) of a channel's residual.
 
     Args:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from pyhrg.device import Device
 from pyhrg.fmu import GyroError
 from pyhrg.gap.catalogue import Effect
-from pyhrg.gap.design import Evidence
+from pyhrg.gap.design import LinearTest
 from pyhrg.gap.observations import CHANNELS, Observed
 from pyhrg.gap.simulation import Answers, Simulation
 from pyhrg.gap.unknown import coordinates
@@ -19,14 +19,14 @@ TOLERANCE = 0.01
 """Of an effect's scale, by which its secants are taken."""
 
 
-def evidence(
+def linear_test(
     simulation: Simulation,
     believed: Device,
     device: Device,
     test: Observed,
     answers: Answers,
     columns: Mapping[Effect, Mapping[str, Array]],
-) -> Evidence:
+) -> LinearTest:
     """Residual of a test around a device, as it would be around the believed one if effects were
     linear.
 
@@ -48,7 +48,7 @@ def evidence(
     turned = factor * (test.log.gyro_angle - answers["gyro_angle"])
     for name in CHANNELS[1:]:
         residual[name] = residual[name] - around.bent(name, turned)
-    return Evidence(test, device, answers, residual, columns, where, around.slopes, factor)
+    return LinearTest(test, device, answers, residual, columns, where, around.slopes, factor)
 
 
 def secants(

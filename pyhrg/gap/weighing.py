@@ -14,7 +14,7 @@ from scipy.special import softmax
 from pyhrg.device import Device
 from pyhrg.gap.catalogue import NoiseEffect
 from pyhrg.gap.channel_noise import angle_noise
-from pyhrg.gap.design import Evidence, Group
+from pyhrg.gap.design import Group, LinearTest
 from pyhrg.gap.equivalents import ALIKE
 from pyhrg.gap.hypothesis import Hypothesis, angles_left, ranked_under
 from pyhrg.gap.noise_levels import alike
@@ -87,7 +87,7 @@ def _is_swapped(one: frozenset[str], other: frozenset[str]) -> bool:
 def weighed(
     first: Hypothesis,
     believed: Device,
-    parts: Sequence[Evidence],
+    parts: Sequence[LinearTest],
     noises: Sequence[NoiseEffect],
 ) -> Weighed:
     """A hypothesis beside those with the noise that is left when all that the likeliest found is
@@ -123,7 +123,7 @@ def _to_be_taken(hypothesis: Hypothesis) -> list[Taken]:
 
 
 def _left(
-    parts: Sequence[Evidence],
+    parts: Sequence[LinearTest],
     taken: Taken,
     best: Hypothesis,
     believed: Device,

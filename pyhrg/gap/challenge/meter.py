@@ -19,16 +19,15 @@ from pyhrg.gap.challenge.course import Course, course_of
 from pyhrg.gap.challenge.gyro import Disturbance, TrueGyro
 from pyhrg.gap.challenge.instruments import Instruments
 from pyhrg.gap.challenge.unsteadiness import unsteadiness
+from pyhrg.gap.free_pattern import GROWN
 from pyhrg.gap.left_out import left_out
-from pyhrg.gap.observations import COARSE_STEP, Mask, observed
+from pyhrg.gap.observations import CHANNELS, COARSE_STEP, Mask, observed
 from pyhrg.gap.replay import Replayable, replayable, replayed
 from pyhrg.gap.simulation import Simulation, is_short
 from pyhrg.gap.whitening import SlowNoise, whitened
 from pyhrg.records import Log
 
 Array = NDArray[np.float64]
-CHANNELS = ("gyro_angle", "amplitude", "amplitude_force", "quadrature_force", "frequency_offset")
-"""The pattern angle says nothing that the output doesn't."""
 NOTHING = Disturbance()
 STEP = 1e-3
 """Over an effect's scale: where it is still linear."""
@@ -41,8 +40,6 @@ STATED_TO = 0.03
 """To which a stated level of noise is known, one sigma of its logarithm."""
 LEAST_FORCE = 1e-9
 """That a force may be divided by, 1/s."""
-GROWN = 0.2
-"""Share by which noise of a free pattern's angle may have grown where it tells of a gap."""
 SHIFTS = (-1e-3, 1e-3)
 """Of the pattern, rad, between which a slope is taken."""
 Residual = dict[str, Array]

@@ -15,13 +15,13 @@ from pyhrg.fmu import GyroFmu
 from pyhrg.gap.attribution import Attribution, attributed
 from pyhrg.gap.candidate_tests import candidates
 from pyhrg.gap.catalogue import EFFECTS, Catalogue, Effect
-from pyhrg.gap.design import Evidence, design
+from pyhrg.gap.design import LinearTest, design
 from pyhrg.gap.evidence import fit
 from pyhrg.gap.next_test import SURE, Separation, separations, soonest, suggested
 from pyhrg.gap.noise_draws import drawn
 from pyhrg.gap.observations import Observed, observed
 from pyhrg.gap.rivals import Rival, rival, rivals
-from pyhrg.gap.secants import evidence, secants
+from pyhrg.gap.secants import linear_test, secants
 from pyhrg.gap.simulation import Simulation
 from pyhrg.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, HOUR, HZ
 
@@ -163,10 +163,10 @@ def test_one_hypothesis_needs_no_test(simulation: Simulation, static: Static) ->
 
 def around(
     simulation: Simulation, device: Device, test: Observed, effects: Sequence[Effect]
-) -> Evidence:
+) -> LinearTest:
     columns = secants(simulation, device, test, effects)
     answers = simulation.answers(device, test)
-    return evidence(simulation, BELIEVED, device, test, answers, columns)
+    return linear_test(simulation, BELIEVED, device, test, answers, columns)
 
 
 @pytest.mark.parametrize("kind", ["positions", "virtual_rotation"])
@@ -219,7 +219,7 @@ def test_an_effect_and_a_noise_part_by_what_their_likelihoods_then_differ_by(
         made = replace(still, residual={**still.residual, "gyro_angle": angle})
         return log_ratio([*found.parts, made]) - log_ratio(found.parts)
 
-    def log_ratio(parts: Sequence[Evidence]) -> float:
+    def log_ratio(parts: Sequence[LinearTest]) -> float:
         with_effect, without = design(parts, own.noise), design(parts, wandering)
         explained = fit(with_effect, [effect])
         assert explained is not None

@@ -14,7 +14,7 @@ from pyhrg.gap.channel_noise import RESOLVED
 from pyhrg.gap.free_pattern import steady
 from pyhrg.gap.observations import CHANNELS, observed, settling
 from pyhrg.gap.replay import start_angle
-from pyhrg.gap.secants import evidence, secants
+from pyhrg.gap.secants import linear_test, secants
 from pyhrg.gap.simulation import Simulation, followed, let_go
 from pyhrg.units import DEG, DEG_PER_H, STANDARD_GRAVITY
 from tests.pyhrg.gap.soundness.conftest import BELIEVED
@@ -179,7 +179,7 @@ def test_forces_of_a_pattern_that_walked_far_away(simulation: Simulation) -> Non
     walks = replace(believed, bias_per_acceleration=20 * DEG_PER_H / STANDARD_GRAVITY)
     test = observed(logged(simulation, walks, programme().rest(400), angle=0.3), believed)
     answers = simulation.answers(believed, test)
-    part = evidence(simulation, believed, believed, test, answers, {})
+    part = linear_test(simulation, believed, believed, test, answers, {})
     turned, force = (
         (getattr(test.log, name) - answers[name])[:, None]
         for name in ("gyro_angle", "quadrature_force")

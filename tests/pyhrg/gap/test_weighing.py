@@ -12,7 +12,7 @@ from pyhrg.campaign import Test
 from pyhrg.device import Device
 from pyhrg.gap.catalogue import EFFECTS, NOISES, Effect, NoiseEffect
 from pyhrg.gap.channel_noise import angle_noise
-from pyhrg.gap.design import Evidence
+from pyhrg.gap.design import LinearTest
 from pyhrg.gap.evidence import Fit
 from pyhrg.gap.hypothesis import ranked_under
 from pyhrg.gap.jump import Jump
@@ -39,7 +39,7 @@ WHITE = 1e-6
 """Noise of the other channels."""
 
 
-def part_of(angle: Array, seed: int) -> Evidence:
+def part_of(angle: Array, seed: int) -> LinearTest:
     test = observed(Test(f"test-{seed}", "static", "fit", made_up_log(ROWS)), BELIEVED)
     generator = np.random.default_rng(seed)
     residual = {name: generator.normal(0, WHITE, ROWS) for name in CHANNELS}
@@ -47,10 +47,10 @@ def part_of(angle: Array, seed: int) -> Evidence:
     secants: dict[Effect, dict[str, Array]] = {SILENT: {n: np.zeros((ROWS, 1)) for n in CHANNELS}}
     where = coordinates(test, np.zeros(ROWS), np.ones(ROWS), BELIEVED)
     left = {**residual, "gyro_angle": angle}
-    return Evidence(test, BELIEVED, nothing, left, secants, where, nothing, 0.277)
+    return LinearTest(test, BELIEVED, nothing, left, secants, where, nothing, 0.277)
 
 
-def parts_of(noise: SlowNoise, seed: int, added: Array) -> list[Evidence]:
+def parts_of(noise: SlowNoise, seed: int, added: Array) -> list[LinearTest]:
     """Two power-ons of a gyro with this noise; in one of them something is added to the angle."""
     generator = np.random.default_rng(seed)
     angles = [drawn(noise, ROWS, 1.0, generator) for _ in range(2)]

@@ -11,7 +11,7 @@ from pyhrg.fmu import GyroFmu
 from pyhrg.gap.challenge import case
 from pyhrg.gap.challenge.case import Case, Fmus
 from pyhrg.gap.challenge.plans import TESTS, Plan, Variation
-from pyhrg.gap.design import Evidence
+from pyhrg.gap.design import LinearTest
 from pyhrg.gap.diagnose import diagnosed
 from pyhrg.gap.simulation import Simulation
 
@@ -68,6 +68,6 @@ def test_it_would_be_one(
 ) -> None:
     """Were it not known of."""
     monkeypatch.setattr(
-        Evidence, "left_out", lambda part, channel: np.zeros(len(part.test.log.time))
+        LinearTest, "left_out", lambda part, channel: np.zeros(len(part.test.log.time))
     )
     assert diagnosed(campaign, simulation).diagnosis.verdict != "no_gap"

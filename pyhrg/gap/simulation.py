@@ -4,14 +4,13 @@ import math
 from collections import OrderedDict
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import signal
 
 from pyhrg.device import Device
 from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
+from pyhrg.gap.loop_response import followed, let_go
 from pyhrg.gap.observations import CHANNELS, COARSE_STEP, FINE, FORCES, Mask, Observed, settling
 from pyhrg.gap.replay import Replayable, replayed
 
@@ -223,48 +222,3 @@ def _led(answers: dict[str, Array], device: Device, test: Observed) -> dict[str,
     for name, frequency in zip(FORCES, loops, strict=True):
         answers[name] = followed(answers[name], frequency, test.log.interval)
     return answers
-
-
-def followed(force: Array, natural_frequency: float, interval: float) -> Array:
-    """Force of a critically damped loop where one at rest would give `force`.
-
-    Closed loop (2 w s + w^2)/(s + w)^2, a series linear between rows.
-
-    Args:
-        force: (n,) at rest.
-        natural_frequency: w, rad/s.
-        interval: of the rows, s.
-    """
-    w = natural_frequency
-    return _through(((2 * w, w * w), (1.0, 2 * w, w * w)), force, interval)
-
-
-def let_go(force: Array, natural_frequency: float, interval: float) -> Array:
-    """What a critically damped loop loses of what it holds while the force that it needs changes.
-
-    Closed loop s/(s + w)^2, a series linear between rows.
-
-    Args:
-        force: (n,) at rest, 1/s.
-        natural_frequency: w, rad/s.
-        interval: of the rows, s.
-    """
-    w = natural_frequency
-    return _through(((1.0, 0.0), (1.0, 2 * w, w * w)), force, interval)
-
-
-Transfer = tuple[tuple[float, ...], tuple[float, ...]]
-"""Coefficients of a numerator and of a denominator."""
-
-
-def _through(transfer: Transfer, force: Array, interval: float) -> Array:
-    numerator, denominator, rest = _sampled(transfer, interval)
-    return np.asarray(signal.lfilter(numerator, denominator, force, zi=rest * force[0])[0])
-
-
-@cache
-def _sampled(transfer: Transfer, interval: float) -> tuple[Array, Array, Array]:
-    """Coefficients for a series linear between rows, and the state that one unit rests in."""
-    loop = signal.cont2discrete(transfer, interval, method="foh")
-    numerator, denominator = np.ravel(loop[0]), loop[1]
-    return numerator, denominator, signal.lfilter_zi(numerator, denominator)

@@ -12,10 +12,11 @@ from pyhrg.device import Device
 from pyhrg.gap.catalogue import EFFECTS
 from pyhrg.gap.channel_noise import RESOLVED
 from pyhrg.gap.free_pattern import steady
+from pyhrg.gap.loop_response import followed, let_go
 from pyhrg.gap.observations import CHANNELS, observed, settling
 from pyhrg.gap.replay import start_angle
 from pyhrg.gap.secants import linear_test, secants
-from pyhrg.gap.simulation import Simulation, followed, let_go
+from pyhrg.gap.simulation import Simulation
 from pyhrg.units import DEG, DEG_PER_H, STANDARD_GRAVITY
 from tests.pyhrg.gap.soundness.conftest import BELIEVED
 from tests.pyhrg.records.made_up import made_up_log

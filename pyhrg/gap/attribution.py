@@ -29,6 +29,7 @@ from pyhrg.gap.weighing import Weighed, weighed
 Array = NDArray[np.float64]
 
 ROUNDS = 20
+"""Of moves, at most."""
 SETTLED = 0.1
 """Move of the gyro, in deviations of the noise, that is none."""
 CLOSE = 30.0

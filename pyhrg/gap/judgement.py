@@ -17,7 +17,9 @@ from pyhrg.gap.unsteady import Unsteady
 Array = NDArray[np.float64]
 
 LIKELY = 0.5
-"""Probability from which a cause is named."""
+"""Probability from which something without a name takes part."""
+MENTIONED = 0.01
+"""The same from which it is said what that may be."""
 
 
 def judged(
@@ -100,4 +102,6 @@ def _noise(found: Attribution, added: AddedNoise) -> Cause:
 def unnamed(found: Attribution, rest: Sequence[Unsteady]) -> dict[str, float]:
     """What takes part outside the catalogue, in words, with probabilities."""
     probabilities = found.weighed.unnamed() | {one.words: one.probability for one in rest}
-    return dict(sorted(((w, p) for w, p in probabilities.items() if p > 0.01), key=lambda x: -x[1]))
+    return dict(
+        sorted(((w, p) for w, p in probabilities.items() if p > MENTIONED), key=lambda x: -x[1])
+    )

@@ -14,6 +14,8 @@ Columns = Mapping[Element, NDArray[np.int64]]
 
 PLAIN = 25.0
 """Power, in deviations of the noise squared, below which no coordinate is seen."""
+EVIDENT = 5.0
+"""Deviations of a block's power from which its excess is placed."""
 REST = 0.01
 """Share of a block's excess that need not be placed."""
 
@@ -121,7 +123,7 @@ def _excess(block: Block) -> float:
 
 def _parts(block: Block, columns: Columns) -> list[tuple[str, int | None, float]]:
     excess = _excess(block)
-    if excess < 5 * np.sqrt(2 * block.rows):
+    if excess < EVIDENT * np.sqrt(2 * block.rows):
         return []
     columns = dict(columns)
     parts: list[tuple[str, int | None, float]] = []

@@ -22,6 +22,11 @@ PARTS = {
 RANGE = (1e-3, 1e3)
 """Levels of an added noise over its usual size; flat in the logarithm between them."""
 SAME_LEVEL = 0.02
+"""Share by which two levels differ that are one."""
+GRID = 13
+"""Levels that are looked at over the range before the likeliest is found."""
+FINELY = 0.01
+"""To which its logarithm is found."""
 CURVATURE = 0.1
 """Step of the logarithm by which the likelihood's curvature is taken."""
 
@@ -85,11 +90,11 @@ def level_found(gain: Callable[[float], float], scale: float) -> Level:
         scale: a level that is nothing special.
     """
     low, high = (math.log(scale * end) for end in RANGE)
-    grid = np.linspace(low, high, 13)
+    grid = np.linspace(low, high, GRID)
     values = [gain(x) for x in grid]
     top = int(np.argmax(values))
     bounds = (grid[max(top - 1, 0)], grid[min(top + 1, len(grid) - 1)])
-    best = float(minimize_scalar(lambda x: -gain(x), bounds=bounds, options={"xatol": 0.01}).x)
+    best = float(minimize_scalar(lambda x: -gain(x), bounds=bounds, options={"xatol": FINELY}).x)
     peak = gain(best)
     curvature = -(gain(best + CURVATURE) - 2 * peak + gain(best - CURVATURE)) / CURVATURE**2
     return Level(best, peak, 1 / math.sqrt(max(curvature, 1 / (high - low) ** 2)))

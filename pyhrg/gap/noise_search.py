@@ -23,10 +23,15 @@ SLACK = 3.0
 DOUBTED = 10.0
 """Log odds below which a noise may well not be there."""
 LEVELS = ("walk", "white")
+"""That are believed, and may be off."""
 TOLERANCE = 0.03
 """By which a believed level may be off without being a gap, one sigma of its logarithm."""
 PASSES = 2
 """Of levels that are found each beside the others."""
+FARTHEST = 9.0
+"""Of a believed level from itself, in its tolerance."""
+FINELY = 0.02
+"""To which it is found, in its tolerance."""
 NORMAL_95 = 1.96
 
 
@@ -241,13 +246,15 @@ def _settled(
     were added at theirs."""
     noise = _with(believed, added)
     taken = {PARTS[a.effect.field] for a in added}
-    for part in [p for p in LEVELS if p not in taken and getattr(believed, p) > 0] * 2:
+    for part in [p for p in LEVELS if p not in taken and getattr(believed, p) > 0] * PASSES:
 
         def misfit(x: float, part: str = part, noise: SlowNoise = noise) -> float:
             level = getattr(believed, part) * math.exp(TOLERANCE * x)
             return x**2 / 2 - log_likelihood(records, noise.at(part, level))
 
-        best = float(minimize_scalar(misfit, bounds=(-9.0, 9.0), options={"xatol": 0.02}).x)
+        best = float(
+            minimize_scalar(misfit, bounds=(-FARTHEST, FARTHEST), options={"xatol": FINELY}).x
+        )
         level = getattr(believed, part) * math.exp(TOLERANCE * best)
         noise = noise.at(part, level)
     return noise

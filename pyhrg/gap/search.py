@@ -26,6 +26,8 @@ NAMED_ODDS = 0.25
 """Prior odds that some effect of the catalogue takes part."""
 UNNAMED_ODDS = 0.05
 """Prior odds that something outside the catalogue takes part."""
+IMPOSSIBLE = 1e-12
+"""Weight of sets that are not kept."""
 HOPELESS = 30.0
 """Sets whose evidence is this far below the best are let go."""
 
@@ -156,7 +158,7 @@ def _normalised(pairs: Sequence[tuple[Fit, float]]) -> Ranked:
     order = sorted(pairs, key=lambda pair: -pair[1])
     scores = np.array([score for _, score in order])
     weights = np.exp(scores - logsumexp(scores))
-    kept = weights > 1e-12
+    kept = weights > IMPOSSIBLE
     return Ranked(
         tuple(f for (f, _), k in zip(order, kept, strict=True) if k),
         tuple(float(w) for w in weights[kept] / weights[kept].sum()),

@@ -10,7 +10,9 @@ from pyhrg.gap.challenge.figure import CONFIDENCE, Figure, Sense
 
 Array = NDArray[np.float64]
 BINS = 10
+"""Of claims by their probability, as many in each."""
 RESAMPLES = 400
+"""By which the interval is taken."""
 Claims = Sequence[tuple[float, bool]]
 """Probability that was given, and whether it was so."""
 

@@ -31,6 +31,9 @@ COUNTS = {
 }
 """Effects of the catalogue in each, at least and at most."""
 TRIES = 100
+"""Of drawing a truth that the tests show, at most."""
+NO_STRENGTH = 1e-12
+"""Sigmas of what the tests don't see, so that it has a logarithm."""
 LEAST = 6.0
 """Sigmas from which a diagnosis is held to find a gap."""
 SMALLEST, LARGEST = 1e-9, 30.0
@@ -216,7 +219,7 @@ def solved(strength: Callable[[float], float], sigmas: float) -> float | None:
 
     @cache
     def excess(logarithm: float) -> float:
-        return math.log(max(strength(math.exp(logarithm)), 1e-12) / sigmas)
+        return math.log(max(strength(math.exp(logarithm)), NO_STRENGTH) / sigmas)
 
     def is_simulated(logarithm: float) -> bool:
         with suppress(GyroError):

@@ -22,6 +22,8 @@ RIVAL = 3.0
 """Log evidence within which another term says the same."""
 SURE = 0.9
 """Probability from which a term is named alone."""
+LIKELY = 0.5
+"""Probability beyond which something without a name takes part."""
 TAIL = 0.025
 
 
@@ -92,7 +94,7 @@ def diagnosed(
     of = problem(data_of_channel(fit, belief), belief, channel.interval)
     judgement = judged(of, seed, false_alarms)
     alarm = judgement.log_ratio > -np.log(false_alarms)
-    chosen = judgement.best if alarm and judgement.unknown_probability <= 0.5 else judgement.null
+    chosen = judgement.best if alarm and judgement.unknown_probability <= LIKELY else judgement.null
     causes = tuple(_causes(channel, judgement, chosen)) if alarm else ()
     held_out = channel.part(channel.half, len(channel.angle))
     rest = problem(data_of_channel(held_out, belief), belief, channel.interval)
@@ -113,7 +115,7 @@ def diagnosed(
 def _verdict(alarm: bool, judgement: Judgement, causes: tuple[Cause, ...]) -> str:
     if not alarm:
         return "no_gap"
-    if judgement.unknown_probability > 0.5 or not causes:
+    if judgement.unknown_probability > LIKELY or not causes:
         return "unexplained"
     sure = all(c.probability > SURE and not c.equivalents for c in causes)
     return "explained" if sure else "ambiguous"

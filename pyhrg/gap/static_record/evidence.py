@@ -23,7 +23,9 @@ DETECTABLE = 10.0
 FREEDOM = 4
 """Of the t-distribution that importance is sampled from."""
 SAMPLES = 400
+"""By which an integral is taken."""
 STEP = 1e-3
+"""Of a logarithm, by which derivatives are taken."""
 RAMP = "ramp"
 """Name of the column that a constant change of the rate makes."""
 FAR = 8.0

@@ -25,7 +25,7 @@ FREEDOM = 4
 SAMPLES = 400
 """By which an integral is taken."""
 STEP = 1e-3
-"""Of a logarithm, by which derivatives are taken."""
+"""Of the prior's deviations, by which derivatives are taken."""
 RAMP = "ramp"
 """Name of the column that a constant change of the rate makes."""
 FAR = 8.0

@@ -33,9 +33,9 @@ class Possible:
 
     def __call__(self, fit: Fit) -> bool:
         """Whether no effect is beyond its bounds by more than its 95 % interval."""
-        spreads = fit.covariances
         return all(
-            self._beyond(effect, size) <= NORMAL_95 * _spread(size, spreads[effect])
+            (beyond := self._beyond(effect, size)) <= 0
+            or beyond <= NORMAL_95 * _spread(size, fit.covariances[effect])
             for effect, size in fit.named.items()
         )
 

@@ -179,12 +179,16 @@ def _shared(
         yield lambda title, work, cases: _told(title, map(work, cases), len(cases))
         return
     _fmus()  # built before others ask for it
+    others = set(multiprocessing.active_children())
     with ProcessPoolExecutor(workers, multiprocessing.get_context("spawn")) as pool:
         try:
             yield lambda title, work, cases: _told(
                 title, _results(pool, workers, title, work, cases), len(cases)
             )
         except BaseException:
+            # a pool that is asked to end may wait for ever; what is half done is done again
+            for worker in set(multiprocessing.active_children()) - others:
+                worker.terminate()
             pool.shutdown(wait=False, cancel_futures=True)
             raise
 

@@ -5,6 +5,7 @@ import json
 import os
 import shutil
 import signal
+import time
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -49,6 +50,13 @@ def is_killed(campaign: Path, out: Path, without: Sequence[str]) -> None:
     os.kill(os.getpid(), signal.SIGKILL)
 
 
+def is_interrupted(campaign: Path, out: Path, without: Sequence[str]) -> None:
+    """As by Ctrl-C, of which the first process alone is told, while all are at work."""
+    if campaign.name == "unit-0002":
+        os.kill(os.getppid(), signal.SIGINT)
+    time.sleep(600)
+
+
 def files(root: Path) -> dict[str, bytes]:
     return {
         str(path.relative_to(root)): path.read_bytes() for path in root.rglob("*") if path.is_file()
@@ -73,6 +81,21 @@ def test_a_worker_that_is_killed_is_told_with_its_campaign(tmp_path: Path) -> No
     shutil.rmtree(folder.diagnosis("unit-0002"))
     with pytest.raises(ChallengeError, match=r"diagnosed: a worker was killed, .* unit-0002; what"):
         Challenge(folder, SETTINGS, is_killed).run(2)
+    Challenge(folder, SETTINGS, says_no_gap).run(2)
+    assert files(tmp_path) == done
+
+
+@pytest.mark.usefixtures("quick_cases")
+def test_an_interrupted_challenge_ends_at_once_and_goes_on(tmp_path: Path) -> None:
+    folder = Folder(tmp_path)
+    Challenge(folder, SETTINGS, says_no_gap).run(1)
+    done = files(tmp_path)
+    for name in ("unit-0001", "unit-0002", "unit-0003"):
+        shutil.rmtree(folder.diagnosis(name))
+    begun = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        Challenge(folder, SETTINGS, is_interrupted).run(2)
+    assert time.monotonic() - begun < 300
     Challenge(folder, SETTINGS, says_no_gap).run(2)
     assert files(tmp_path) == done
 

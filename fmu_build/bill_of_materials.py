@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from importlib.metadata import version
 from typing import Any
 
-from fmu_build.licences import licence_expression
+from fmu_build.licences import read_licence
 
 TOOLS = {
     "rumoca": "Modelica compiler",
@@ -28,9 +28,15 @@ def bill_of_materials(name: str, content: Mapping[str, bytes]) -> str:
         name: the FMU's.
         content: its sources and binaries, by path in the archive.
     """
-    component: dict[str, Any] = {"type": "library", "name": name, "version": version("hrg")}
-    if licence_expression():
-        component["licenses"] = [{"expression": licence_expression()}]
+    licence = read_licence()
+    component = {
+        "type": "library",
+        "author": licence.author,
+        "name": name,
+        "version": version("hrg"),
+        "licenses": [{"expression": licence.expression}],
+        "copyright": licence.copyright,
+    }
     document = {
         "bomFormat": "CycloneDX",
         "specVersion": "1.5",

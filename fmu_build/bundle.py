@@ -18,7 +18,7 @@ from fmu_build.enclosures import enclosures
 from fmu_build.files import write_whole
 from fmu_build.generate import generate, header
 from fmu_build.libraries import kept_library
-from fmu_build.licences import licence_expression
+from fmu_build.licences import read_licence
 from fmu_build.platforms import FLAGS, PLATFORMS, PORTABLE_FLAGS, chosen, universal
 from fmu_build.roots import ROOTS, Root
 from fmu_build.scalars import fmi_causality
@@ -108,9 +108,9 @@ def build(
 
 
 def sources_digest() -> str:
-    """Digest of all that determines the FMU: Modelica, generator, C, tools."""
+    """Digest of all that determines the FMU: Modelica, generator, C, tools, licence."""
     tools = f"{COMPILER_VERSION} {version('ziglang')} {version('hrg')} {FLAGS}"
-    digest = hashlib.sha256(tools.encode())
+    digest = hashlib.sha256(f"{tools} {read_licence()}".encode())
     package = Path(__file__).parent
     for root, pattern in (
         (modelica_library(), "**/*.mo"),
@@ -137,6 +137,7 @@ def write_sources(dae: Dae, folder: Path, fmi: int, root: Root = ROOTS["HRG"]) -
     (folder / "model_constants.h").write_text(header(dae))
     (folder / "limits.c").write_text(_limits(dae, token))
     sources = (*SOURCES, SHELLS[fmi])
+    licence = read_licence()
     identity = Identity(
         root.identifier,
         root.description,
@@ -144,7 +145,9 @@ def write_sources(dae: Dae, folder: Path, fmi: int, root: Root = ROOTS["HRG"]) -
         version("hrg"),
         sources,
         root.step,
-        licence_expression(),
+        licence.expression,
+        licence.author,
+        licence.copyright,
     )
     return {2: fmi2_description, 3: fmi3_description}[fmi](dae, identity)
 

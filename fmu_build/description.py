@@ -21,7 +21,7 @@ LOG_CATEGORIES = {
 @dataclass(frozen=True)
 class Identity:
     """What an FMU calls itself; `step` is its default communication step in s, `licence` an SPDX
-    expression, empty where none is granted."""
+    expression. An attribute that is empty is left out of the description."""
 
     identifier: str
     description: str
@@ -30,6 +30,8 @@ class Identity:
     sources: tuple[str, ...]
     step: str
     licence: str = ""
+    author: str = ""
+    copyright: str = ""
 
 
 def fmi2_description(dae: Dae, identity: Identity) -> str:
@@ -118,8 +120,14 @@ def _root(fmi_version: str, identity: Identity, **token: str) -> ET.Element:
         generationTool=f"hrg fmu_build {identity.version}",
         variableNamingConvention="structured",
     )
-    if identity.licence:
-        root.set("license", identity.licence)
+    rights = {
+        "author": identity.author,
+        "copyright": identity.copyright,
+        "license": identity.licence,
+    }
+    for name, text in rights.items():
+        if text:
+            root.set(name, text)
     return root
 
 

@@ -1,10 +1,13 @@
-"""documentation/licenses: what is granted, and the notices of others' work inside."""
+"""documentation/licenses: the licence of the FMU, and the notices of others' work inside."""
 
 import re
+from dataclasses import dataclass
 from importlib.metadata import distribution
 from pathlib import Path
 
 import fmpy
+
+from fmu_build.platforms import BuildError
 
 CEPHES = """\
 Cephes Mathematical Library, Stephen L. Moshier
@@ -31,9 +34,36 @@ this notice is preserved.
 """
 
 
-def licence_expression() -> str:
-    """SPDX expression that this distribution declares; empty where it declares none."""
-    return str(distribution("hrg").metadata.json.get("license_expression", ""))
+@dataclass(frozen=True)
+class Licence:
+    """The licence of this distribution, and so of every FMU that it builds.
+
+    `expression` is an SPDX licence expression, `copyright` the copyright line of `text`.
+    """
+
+    expression: str
+    author: str
+    copyright: str
+    text: str
+
+
+def read_licence() -> Licence:
+    """The licence, from the metadata of the installed distribution.
+
+    Raises:
+        BuildError: the metadata hold no licence: they are older than these sources.
+    """
+    installed = distribution("hrg")
+    text = installed.read_text("licenses/LICENSE") or ""
+    line = re.search(r"^Copyright .*$", text, re.MULTILINE)
+    metadata = installed.metadata.json
+    if line is None or "license_expression" not in metadata:
+        raise BuildError(
+            "the installed hrg holds no licence: install it again (python3 -m pip install -e .)"
+        )
+    return Licence(
+        str(metadata["license_expression"]), str(metadata["author"]), line.group(0), text
+    )
 
 
 def licence_files(fmi: int) -> dict[str, bytes]:
@@ -43,26 +73,16 @@ def licence_files(fmi: int) -> dict[str, bytes]:
         "fdlibm.txt": FDLIBM,
         "fmi_headers.txt": _fmi_headers(fmi),
     }
-    own = {
-        Path(str(f)).name: f.read_text()
-        for f in distribution("hrg").files or []
-        if ".dist-info/licenses/" in str(f)
-    }
-    files = {"license.txt": _entry_point(sorted(own), sorted(notices)), **own, **notices}
+    files = {"license.txt": _entry_point(read_licence(), sorted(notices)), **notices}
     return {name: text.encode() for name, text in files.items()}
 
 
-def _entry_point(own: list[str], notices: list[str]) -> str:
-    granted = licence_expression()
-    first = (
-        f"SPDX-License-Identifier: {granted}"
-        if granted
-        else "SPDX-License-Identifier: NOASSERTION\n\n"
-        "Its authors have granted no licence for this FMU; all rights are theirs."
-    )
+def _entry_point(licence: Licence, notices: list[str]) -> str:
+    """The licence's identifier and text, then the names of the other files."""
     lines = [
-        first,
-        *(f"  {name}" for name in own),
+        f"SPDX-License-Identifier: {licence.expression}",
+        "",
+        licence.text.rstrip(),
         "",
         "Parts that others wrote, by their notices:",
     ]

@@ -1,4 +1,4 @@
-"""Shared: the FMU, built once."""
+"""Shared: the FMU, built once; programs that a test needs."""
 
 import zipfile
 from pathlib import Path
@@ -9,6 +9,11 @@ from fmu_build.bundle import built_fmu
 from fmu_build.platforms import known_to
 from fmu_build.roots import ROOTS
 from pyhrg.fmu import GyroFmu
+from tests.programs import (  # noqa: F401 (hooks of pytest)
+    pytest_configure,
+    pytest_runtest_setup,
+    pytest_terminal_summary,
+)
 
 
 @pytest.fixture(scope="session")

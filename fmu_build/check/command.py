@@ -18,19 +18,26 @@ def _run(options: argparse.Namespace) -> None:
         fmu = opened(options.fmu)
     except UnusableError as error:
         raise UserError(str(error)) from error
-    count = 0
+    count = skipped = 0
     for check in checks(fmu):
         print(_text(check), flush=True)
         count += len(check.findings)
-    print(f"{count} finding{'' if count == 1 else 's'} in {options.fmu}")
+        skipped += bool(check.skipped)
+    remark = f"; {_count(skipped, 'check')} skipped" if skipped else ""
+    print(f"{_count(count, 'finding')} in {options.fmu}{remark}")
     if count:
         sys.exit(1)
 
 
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}{'' if number == 1 else 's'}"
+
+
 def _text(check: Check) -> str:
-    verdict = "FOUND" if check.findings else "ok   "
+    verdict = "FOUND" if check.findings else "SKIPPED" if check.skipped else "ok   "
     remark = f" ({check.remark})" if check.remark else ""
-    return "\n".join([f"{verdict} {check.name}{remark}", *(f"      {f}" for f in check.findings)])
+    reasons = [*check.findings, *([check.skipped] if check.skipped else [])]
+    return "\n".join([f"{verdict} {check.name}{remark}", *(f"      {r}" for r in reasons)])
 
 
 CHECK = Command("check an FMU by rules of the standard and in other importers", _add_options, _run)

@@ -10,6 +10,7 @@ import sys
 import tempfile
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
+from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from shutil import which
@@ -22,18 +23,26 @@ TIMEOUT = 60
 """Seconds after which an importer is taken to hang."""
 
 
+MISSING_STATUS = 3
+"""Exit status of the importer's process when the importer itself can't be loaded."""
+
+
 class MissingError(Exception):
-    """The importer isn't installed; the message says how to install it."""
+    """The importer isn't installed, or lacks a library; the message says how to install it."""
 
 
 @dataclass(frozen=True)
 class Importer:
-    """An importer: what it is called, which versions of FMI it runs, and how to install it."""
+    """An importer: what it is called, which versions of FMI it runs, and how to install it.
+
+    `modules` are loaded before the FMU is: an error of theirs is no fault of the FMU.
+    """
 
     name: str
     package: str
     fmi: tuple[int, ...]
     install: str
+    modules: tuple[str, ...]
     run: Callable[[Experiment], Recording]
 
     def version(self) -> str:
@@ -51,6 +60,7 @@ class Importer:
         """Run the experiment in another process.
 
         Raises:
+            MissingError: the importer can't be loaded.
             FailedError: with the importer's words.
         """
         with tempfile.TemporaryDirectory(prefix="hrg-check-") as folder:
@@ -70,6 +80,9 @@ class Importer:
                 raise FailedError(f"no end within {TIMEOUT} s") from error
             if run.returncode < 0:
                 raise FailedError(f"it crashed by signal {-run.returncode}")
+            if run.returncode == MISSING_STATUS:
+                reason = last_words(run.stderr)
+                raise MissingError(f"{self.name} can't be loaded ({reason}): {self.install}")
             if run.returncode or not result.exists():
                 raise FailedError(last_words(run.stdout + run.stderr))
             return Recording(**json.loads(result.read_text()))
@@ -148,16 +161,31 @@ FMI_SIM_VERSION = "0.7.0"
 PYTHON_EXTRA = "pip install 'hrg[check]'"
 
 IMPORTERS = (
-    Importer("FMPy", "fmpy", (2, 3), PYTHON_EXTRA, fmpy),
-    Importer("Ecos", "ecospy", (2, 3), f"{PYTHON_EXTRA}; apt-get install libtbb12", ecos),
+    Importer("FMPy", "fmpy", (2, 3), PYTHON_EXTRA, ("fmpy",), fmpy),
+    Importer(
+        "Ecos",
+        "ecospy",
+        (2, 3),
+        f"{PYTHON_EXTRA}; apt-get install libtbb12",
+        ("ecospy.EcosSimulation", "ecospy.EcosSimulationStructure"),
+        ecos,
+    ),
     Importer(
         "fmi-sim",
         "fmi-sim",
         (2, 3),
         f"apt-get install libclang-dev; cargo install fmi-sim --version {FMI_SIM_VERSION}",
+        (),
         fmi_sim,
     ),
-    Importer("libcosimpy", "libcosimpy", (2,), PYTHON_EXTRA, libcosimpy),
+    Importer(
+        "libcosimpy",
+        "libcosimpy",
+        (2,),
+        PYTHON_EXTRA,
+        ("libcosimpy.CosimExecution", "libcosimpy.CosimObserver"),
+        libcosimpy,
+    ),
 )
 
 
@@ -166,9 +194,13 @@ def _main() -> None:
     experiment = Experiment(**json.load(sys.stdin))
     (importer,) = (i for i in IMPORTERS if i.name == name)
     try:
-        recording = importer.run(experiment)
+        for module in importer.modules:
+            import_module(module)
     except (ImportError, OSError) as error:
-        sys.exit(f"it can't be loaded: {error}; {importer.install}")
+        print(error, file=sys.stderr)
+        sys.exit(MISSING_STATUS)
+    try:
+        recording = importer.run(experiment)
     except Exception as error:  # an importer raises what it likes
         sys.exit(str(error) or type(error).__name__)
     Path(result).write_text(json.dumps(asdict(recording)))

@@ -26,11 +26,15 @@ from fmu_build.check.rules_integrity import INTACT
 
 @dataclass(frozen=True)
 class Check:
-    """What was asked, what was found, and a remark."""
+    """What was asked, what was found, and a remark.
+
+    `skipped` says why nothing was asked, and is empty where something was.
+    """
 
     name: str
     findings: list[str] = field(default_factory=list)
     remark: str = ""
+    skipped: str = ""
 
 
 def checks(fmu: Fmu) -> Iterator[Check]:
@@ -59,9 +63,12 @@ def _runs(fmu: Fmu) -> Iterator[Check]:
         yield Check("importers run it", missing)
         return
     traces: dict[str, Trace] = {}
+    skipped: list[str] = []
     for importer in IMPORTERS:
-        yield _run(importer, planned, traces)
-    yield _agreement(planned, traces)
+        check = _run(importer, planned, traces)
+        skipped += [importer.name] if check.skipped else []
+        yield check
+    yield _agreement(planned, traces, skipped)
 
 
 def _held(rule: Rule, fmu: Fmu) -> list[str]:
@@ -88,16 +95,21 @@ def _run(importer: Importer, planned: Experiment, traces: dict[str, Trace]) -> C
         if planned.fmi not in importer.fmi:
             return Check(name, remark=f"not asked: it knows no FMI {planned.fmi}.0")
         recording = importer.recording(planned)
-    except (MissingError, FailedError) as error:
+    except MissingError as error:
+        return Check(name, skipped=str(error))
+    except FailedError as error:
         return Check(name, [str(error)])
     traces[importer.name] = recording.trace
     return Check(name, remark=recording.remark)
 
 
-def _agreement(planned: Experiment, traces: dict[str, Trace]) -> Check:
+def _agreement(planned: Experiment, traces: dict[str, Trace], skipped: list[str]) -> Check:
     name = "importers see equal numbers, to the last bit"
     if len(traces) < 2:
-        return Check(name, [f"{len(traces)} importers ran it; two are needed to compare"])
+        reason = f"{len(traces)} importers ran it; two are needed to compare"
+        if skipped:
+            return Check(name, skipped=f"{reason}, and {', '.join(skipped)} can't run here")
+        return Check(name, [reason])
     if not planned.outputs:
         return Check(name, remark="there are no real outputs to compare")
     count = len(planned.outputs) * planned.steps

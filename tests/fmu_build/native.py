@@ -1,4 +1,4 @@
-"""The tests' own C programs: found, compiled, run. A tool that is missing is a failure."""
+"""The tests' own C programs: found, compiled, run. A test that calls a tool is marked `needs`."""
 
 import shutil
 import subprocess

@@ -19,6 +19,7 @@ from fmu_build.bundle import built_fmu
 from fmu_build.description import Identity, fmi2_description
 from fmu_build.documentation import documentation
 from fmu_build.info_pages import model_pages
+from fmu_build.licences import read_licence
 from fmu_build.roots import ROOTS, Root
 from fmu_build.scalars import scalars
 from tests.fmu_build import native
@@ -193,6 +194,19 @@ def test_every_notice_that_is_named_is_there(archive: zipfile.ZipFile) -> None:
     names = {n.removeprefix(folder) for n in archive.namelist() if n.startswith(folder)}
     assert {*named, "license.txt"} == names
     assert "Redistribution and use" in archive.read(f"{folder}fmi_headers.txt").decode()
+
+
+def test_the_licence_is_stated_wherever_it_is_looked_for(archive: zipfile.ZipFile) -> None:
+    licence = read_licence()
+    entry = archive.read("documentation/licenses/license.txt").decode()
+    assert entry.startswith("SPDX-License-Identifier: BSD-3-Clause\n\n" + licence.text)
+    described = ET.fromstring(archive.read("modelDescription.xml"))
+    assert described.get("license") == "BSD-3-Clause"
+    assert described.get("author") == "The HRG authors"
+    assert described.get("copyright") == licence.copyright
+    component = json.loads(archive.read("extra/org.cyclonedx/bom.json"))["metadata"]["component"]
+    assert component["licenses"] == [{"expression": "BSD-3-Clause"}]
+    assert component["copyright"] == licence.copyright
 
 
 def test_a_rate_is_shown_in_degrees_an_hour_and_a_circular_frequency_in_hertz(path: Path) -> None:

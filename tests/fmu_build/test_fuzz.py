@@ -12,6 +12,7 @@ from tests.fmu_build import native
 RUNS = [(2, "HRG", 15_000), (3, "HRG", 15_000), (3, "HRGSlow", 10_000), (3, "HRGCarrier", 1_000)]
 
 
+@pytest.mark.needs("gcc with sanitizers")
 @pytest.mark.parametrize(("fmi", "root", "calls"), RUNS)
 def test_random_calls_are_answered_as_the_standard_says(
     tmp_path: Path, fmi: int, root: str, calls: int

@@ -8,6 +8,8 @@ import pytest
 import fmu_build
 from tests.fmu_build import native
 
+pytestmark = pytest.mark.needs("gcc")
+
 SOURCES = Path(fmu_build.__file__).parent / "c"
 
 

@@ -34,6 +34,10 @@ STEPS = 300
 
 
 RUNNABLE = ["x86_64-linux", "x86_64-windows", "aarch64-linux"]
+NEEDS = {
+    "x86_64-windows": pytest.mark.needs("wine"),
+    "aarch64-linux": pytest.mark.needs("qemu-aarch64-static", "libc6-arm64-cross"),
+}
 CASES = [("x86_64-windows", 2, "HRG")]
 CASES += [(name, 3, root) for root in ROOTS for name in RUNNABLE[1:]]
 
@@ -106,7 +110,9 @@ def _environment(prefix: Path) -> dict[str, str]:
     return environment | wine
 
 
-@pytest.mark.parametrize(("name", "fmi", "root"), CASES)
+@pytest.mark.parametrize(
+    ("name", "fmi", "root"), [pytest.param(*case, marks=NEEDS[case[0]]) for case in CASES]
+)
 def test_other_platforms_give_the_same_bits(
     models: dict[tuple[int, str], Path],
     prefix: Path,
@@ -142,6 +148,7 @@ def test_what_follows_a_restored_state_is_the_same_again(
     assert results[1] == lines
 
 
+@pytest.mark.needs("valgrind")
 def test_memory_checker_finds_nothing(folders: dict[int, Path], tmp_path: Path) -> None:
     """No invalid access, no value that was never set, no leak."""
     checker = [native.tool("valgrind"), "--quiet", "--error-exitcode=9", "--leak-check=full"]

@@ -1,6 +1,5 @@
 """The page in headless Chromium: clicked through, hovered, typed at, without scripts, printed."""
 
-import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -13,13 +12,11 @@ from ins_eval.study.report.page import write
 from ins_eval.study.report.result import StudyResult
 from ins_eval.study.report.sections import SECTIONS
 from tests.ins_eval.study.report.synthetic import synthetic
+from tests.programs import find_chromium
 
 api = pytest.importorskip("playwright.sync_api")
 
-CHROMIUM = next(
-    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None
-)
-pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium: install `chromium`")
+pytestmark = pytest.mark.needs("chromium")
 
 
 @pytest.fixture(scope="module")
@@ -37,7 +34,7 @@ def address(result: StudyResult, tmp_path_factory: pytest.TempPathFactory) -> st
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Any]:
     with api.sync_playwright() as playwright:
-        running = playwright.chromium.launch(executable_path=CHROMIUM)
+        running = playwright.chromium.launch(executable_path=find_chromium())
         yield running
         running.close()
 

@@ -1,6 +1,5 @@
 """The page in headless Chromium: picked from, without scripts, printed, narrow and wide."""
 
-import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -11,13 +10,11 @@ from pyhrg.gap.diagnose import Diagnosed
 from pyhrg.gap.report.page import page as drawn
 from pyhrg.gap.report.panels import panels
 from pyhrg.gap.report.views import VIEWS
+from tests.programs import find_chromium
 
 api = pytest.importorskip("playwright.sync_api")
 
-CHROMIUM = next(
-    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None
-)
-pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium: install `chromium`")
+pytestmark = pytest.mark.needs("chromium")
 
 
 @pytest.fixture(scope="module")
@@ -30,7 +27,7 @@ def address(with_gap: Diagnosed, tmp_path_factory: pytest.TempPathFactory) -> st
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Any]:
     with api.sync_playwright() as playwright:
-        running = playwright.chromium.launch(executable_path=CHROMIUM)
+        running = playwright.chromium.launch(executable_path=find_chromium())
         yield running
         running.close()
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from tests.fmu_build import native
+from tests.fmu_build.c import native
 
 BATCH = 1_000_000
 RUNS = [(2, "HRG", 1), (3, "HRG", 1), (3, "HRGSlow", 5), (3, "HRGCarrier", 100)]

@@ -17,11 +17,11 @@ import numpy as np
 from scipy.stats import binomtest
 from tqdm import tqdm
 
-from pyhrg.campaign import Campaign
-from pyhrg.device import Device
+from pyhrg.device.device import Device
 from pyhrg.gap.diagnose import diagnosed
-from pyhrg.gap.diagnosis import Diagnosis
-from pyhrg.gap.models import simulation
+from pyhrg.gap.findings.diagnosis import Diagnosis
+from pyhrg.gap.replay.models import simulation
+from pyhrg.records.campaign import Campaign
 from tests.pyhrg.gap.bench import recorded
 from tests.pyhrg.gap.soundness.conftest import BELIEVED
 

@@ -18,12 +18,12 @@ from pathlib import Path
 import fmpy
 import numpy as np
 
+from fmu_build.binaries.platforms import COMPILER, FLAGS
 from fmu_build.bundle import built_fmu, modelica_library, write_sources
-from fmu_build.platforms import COMPILER, FLAGS
+from fmu_build.equations.translate import translate
 from fmu_build.roots import ROOTS
-from fmu_build.translate import translate
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
 
 HERE = Path(__file__).parent
 REPEATS = 5

@@ -15,8 +15,8 @@ from scipy.stats import binomtest
 from tqdm import tqdm
 
 from pyhrg.gap.static_record.belief import Belief
-from pyhrg.gap.static_record.diagnosis import ChannelDiagnosis, data_of_channel, diagnosed
-from pyhrg.gap.static_record.evidence import problem
+from pyhrg.gap.static_record.fit.diagnosis import ChannelDiagnosis, data_of_channel, diagnosed
+from pyhrg.gap.static_record.fit.evidence import problem
 from pyhrg.gap.static_record.record import Channel
 from pyhrg.gap.static_record.terms import GYRO
 from tests.pyhrg.noises import noisy_angle

@@ -18,11 +18,11 @@ import numpy as np
 
 from fmu_build.bundle import built_fmu
 from fmu_build.roots import ROOTS
+from ins_eval.mission_model.flown import flown
+from ins_eval.mission_model.missions import study_mission
+from ins_eval.mission_model.triads import Triads
+from ins_eval.mission_model.weights_cache import kept_weights
 from ins_eval.study.block import Kind, block
-from ins_eval.study.flown import flown
-from ins_eval.study.missions import study_mission
-from ins_eval.study.triads import Triads
-from ins_eval.study.weights_cache import kept_weights
 from pyhrg.fmu import GyroFmu
 
 MADE = 4

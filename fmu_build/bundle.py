@@ -11,19 +11,19 @@ from pathlib import Path
 
 import platformdirs
 
-from fmu_build.build_description import build_description
-from fmu_build.dae import Dae
-from fmu_build.description import Identity, fmi2_description, fmi3_description
-from fmu_build.enclosures import enclosures
-from fmu_build.files import write_whole
-from fmu_build.generate import generate, header
-from fmu_build.libraries import kept_library
-from fmu_build.licences import read_licence
-from fmu_build.platforms import FLAGS, PLATFORMS, PORTABLE_FLAGS, chosen, universal
+from fmu_build.archive.build_description import build_description
+from fmu_build.archive.description import Identity, fmi2_description, fmi3_description
+from fmu_build.archive.enclosures import enclosures
+from fmu_build.archive.licences import read_licence
+from fmu_build.binaries.libraries import kept_library
+from fmu_build.binaries.platforms import FLAGS, PLATFORMS, PORTABLE_FLAGS, chosen, universal
+from fmu_build.code.generate import generate, header
+from fmu_build.equations.dae import Dae
+from fmu_build.equations.scalars import fmi_causality
+from fmu_build.equations.sorting import schedule
+from fmu_build.equations.translate import COMPILER_VERSION, translate
 from fmu_build.roots import ROOTS, Root
-from fmu_build.scalars import fmi_causality
-from fmu_build.sorting import schedule
-from fmu_build.translate import COMPILER_VERSION, translate
+from pyhrg.common.files import write_whole
 
 SOURCES = (
     "model.c",
@@ -107,6 +107,11 @@ def build(
     progress(f"built {path}")
 
 
+PARTS = ("equations", "code", "c", "binaries", "archive")
+"""The rooms of this package that determine what the FMU is."""
+SUFFIXES = ("py", "css", "c", "h")
+
+
 def sources_digest() -> str:
     """Digest of all that determines the FMU: Modelica, generator, C, tools, licence."""
     tools = f"{COMPILER_VERSION} {version('ziglang')} {version('hrg')} {FLAGS}"
@@ -115,9 +120,7 @@ def sources_digest() -> str:
     for root, pattern in (
         (modelica_library(), "**/*.mo"),
         (package, "*.py"),
-        (package, "*.css"),
-        (package, "c/*"),
-        (package, "windows/*"),
+        *((package / part, f"**/*.{suffix}") for part in PARTS for suffix in SUFFIXES),
     ):
         for file in sorted(root.glob(pattern)):
             digest.update(file.relative_to(root).as_posix().encode())

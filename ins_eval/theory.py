@@ -2,7 +2,7 @@
 
 The errors are those of a vehicle at rest whose height is clamped, for which the linear equations
 have constant coefficients (Britting 1971, chapter 8; Titterton and Weston 2004, section 12.3;
-Groves 2013, section 14.2). Signs are those of `ins_eval.state.TrackError`: navigator less truth.
+Groves 2013, section 14.2). Signs are those of `TrackError`: navigator less truth.
 """
 
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import expm
 
-from ins_eval import earth
+from ins_eval.common import earth
 
 Array = NDArray[np.float64]
 

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from fmu_build.binaries.platforms import known_to
 from fmu_build.bundle import built_fmu
-from fmu_build.platforms import known_to
 from fmu_build.roots import ROOTS
 from pyhrg.fmu import GyroFmu
 from tests.programs import (  # noqa: F401 (hooks of pytest)

@@ -9,7 +9,7 @@ from scipy import special
 
 from pyhrg.bench.outcome import Outcome
 from pyhrg.bench.readings.spins import Spin, pairs, spins
-from pyhrg.device import Device
+from pyhrg.device.device import Device
 from pyhrg.records import Log
 
 Intervals = dict[str, tuple[float, float, float]]

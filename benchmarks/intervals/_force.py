@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 
 from benchmarks.intervals._environment import FAST
-from pyhrg import theory
-from pyhrg.device import Device
-from pyhrg.parameters import TYPICAL
-from pyhrg.units import DEG_PER_H, STANDARD_GRAVITY
+from pyhrg.common.units import DEG_PER_H, STANDARD_GRAVITY
+from pyhrg.device.device import Device
+from pyhrg.device.ready_devices import TYPICAL
+from pyhrg.theory import closed_forms as theory
 
 
 def feeling(generator: np.random.Generator, gain: float, square: float) -> Device:

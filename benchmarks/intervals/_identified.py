@@ -5,12 +5,12 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from pyhrg import theory
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.outcome import Outcome
+from pyhrg.common.units import ARCSEC, DEG_PER_SQRT_H
+from pyhrg.device.ready_devices import Device
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import Device
-from pyhrg.units import ARCSEC, DEG_PER_SQRT_H
+from pyhrg.theory import closed_forms as theory
 
 STEP = 0.1
 CONTROL_PERIOD = 1e-3

@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 
-from pyhrg import theory
 from pyhrg.bench.outcome import Outcome
-from pyhrg.parameters import Device
-from pyhrg.units import ARCSEC, DEG_PER_SQRT_H
+from pyhrg.common.units import ARCSEC, DEG_PER_SQRT_H
+from pyhrg.device.ready_devices import Device
+from pyhrg.theory import closed_forms as theory
 
 Intervals = dict[str, tuple[float, float, float]]
 

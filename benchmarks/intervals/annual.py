@@ -6,17 +6,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.intervals._environment import FAST, Intervals, against, pair_noise, rate_noise
-from pyhrg import theory
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.bias import annual
-from pyhrg.bench.bias.annual import AGEING, MONTH, MONTHS, Months, aged
+from pyhrg.bench.bias.thermal import annual
+from pyhrg.bench.bias.thermal.annual import AGEING, MONTH, MONTHS, Months, aged
 from pyhrg.bench.bias.thermal_programme import POSITIONS
 from pyhrg.bench.readings.segments import SEGMENT
-from pyhrg.device import Device
+from pyhrg.common.units import YEAR
+from pyhrg.device.device import Device
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
 from pyhrg.records import Log
-from pyhrg.units import YEAR
+from pyhrg.theory import closed_forms as theory
 
 MODEL = "HRGSlow"
 

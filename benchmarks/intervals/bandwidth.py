@@ -1,10 +1,10 @@
 """Delay and gain of a gyro without anisotropy: none, and 1 less the pull of held forces."""
 
-from pyhrg import theory
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.dynamic import bandwidth
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
+from pyhrg.theory import closed_forms as theory
 
 MODEL = "HRG"
 

@@ -4,17 +4,17 @@ from dataclasses import replace
 
 import numpy as np
 
-from pyhrg import theory
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.bias.full_circumference import power_ons
-from pyhrg.bench.bias.positions import Plan
+from pyhrg.bench.bias.position.full_circumference import power_ons
+from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.calibration.calibration import PERIODS
 from pyhrg.bench.calibration.calibration_maps import calibration
 from pyhrg.bench.scale_factor.rate_tests import record_turns
-from pyhrg.device import Device
+from pyhrg.common.units import DEG
+from pyhrg.device.device import Device
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
-from pyhrg.units import DEG
+from pyhrg.theory import closed_forms as theory
 
 MODEL = "HRGSlow"
 PLAN = Plan(24, 97.5 * DEG)

@@ -5,8 +5,8 @@ import numpy as np
 from benchmarks.intervals._environment import Intervals, against
 from benchmarks.intervals._force import feeling, linear, squares
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias import centrifuge
-from pyhrg.device import Device
+from pyhrg.bench.bias.environment import centrifuge
+from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 
 MODEL = "HRGSlow"

@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from pyhrg import theory
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.dead_zone import dead_zone
 from pyhrg.bench.dead_zone.turning import FOURTH, fitted_turning
 from pyhrg.bench.estimation.harmonic_amplitude import magnitude_finding
 from pyhrg.bench.estimation.harmonics import MEAN
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
+from pyhrg.theory import closed_forms as theory
 
 MODEL = "HRGSlow"
 RATE = 5 * dead_zone.MAP_RATE

@@ -5,14 +5,14 @@ from dataclasses import replace
 import numpy as np
 
 from benchmarks.intervals._environment import FAST, Intervals, against, mean_deviation, rate_noise
-from pyhrg import theory
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.bias import fixed_position
+from pyhrg.bench.bias.position import fixed_position
 from pyhrg.bench.readings.segments import SEGMENT
-from pyhrg.device import Device
+from pyhrg.common.units import DEG
+from pyhrg.device.device import Device
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
-from pyhrg.units import DEG
+from pyhrg.theory import closed_forms as theory
 
 MODEL = "HRGSlow"
 RUNS, SEGMENTS = 5, 12

@@ -9,8 +9,8 @@ from benchmarks.intervals._identified import (
     intervals,
 )
 from pyhrg.bench.identification import force_map
+from pyhrg.common.units import DEG
 from pyhrg.fmu import GyroFmu
-from pyhrg.units import DEG
 
 MODEL = "HRGSlow"
 

@@ -14,17 +14,17 @@ from benchmarks.intervals._environment import (
     quiet,
     rate_noise,
 )
-from pyhrg import theory
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.bias import full_circumference
-from pyhrg.bench.bias.full_circumference import runs_of
-from pyhrg.bench.bias.position_variances import positions_of, within_finding
-from pyhrg.bench.bias.positions import Plan
+from pyhrg.bench.bias.position import full_circumference
+from pyhrg.bench.bias.position.full_circumference import runs_of
+from pyhrg.bench.bias.position.position_variances import positions_of, within_finding
+from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.readings.segments import SEGMENT, Segments
-from pyhrg.device import Device
+from pyhrg.common.units import ARCSEC, DEG
+from pyhrg.device.device import Device
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
-from pyhrg.units import ARCSEC, DEG
+from pyhrg.theory import closed_forms as theory
 
 MODEL = "HRGSlow"
 PLAN = Plan(16, 168.75 * DEG)

@@ -13,19 +13,19 @@ from benchmarks.intervals._environment import (
     quiet,
     rate_noise,
 )
-from pyhrg import theory
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias import full_temperature
-from pyhrg.bench.bias.thermal_fit import Thermal, measured
+from pyhrg.bench.bias.thermal import full_temperature
+from pyhrg.bench.bias.thermal.thermal_fit import Thermal, measured
+from pyhrg.bench.bias.thermal.thermal_scale_factor import OVER, REPEATED
 from pyhrg.bench.bias.thermal_programme import programme
-from pyhrg.bench.bias.thermal_scale_factor import OVER, REPEATED
 from pyhrg.bench.estimation.terms import pattern_basis
 from pyhrg.bench.readings.spins import pair_scale_factor, pairs, spins
-from pyhrg.campaign import Campaign
-from pyhrg.device import Device
+from pyhrg.common.units import DEG_PER_H, MINUTE
+from pyhrg.device.device import Device
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
-from pyhrg.units import DEG_PER_H, MINUTE
+from pyhrg.records.campaign import Campaign
+from pyhrg.theory import closed_forms as theory
 
 Array = NDArray[np.float64]
 

@@ -15,9 +15,9 @@ from pyhrg.bench.bench import Bench
 from pyhrg.bench.estimation.line import Line
 from pyhrg.bench.readings.turns import PERIOD
 from pyhrg.bench.scale_factor import linearity
+from pyhrg.common.units import DEG
+from pyhrg.device.ready_devices import Device
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import Device
-from pyhrg.units import DEG
 
 MODEL = "HRGSlow"
 RUNS = 3

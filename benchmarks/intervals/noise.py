@@ -8,7 +8,7 @@ negative, so that the neighbour takes some of it half of the time.
 import numpy as np
 
 from pyhrg.fmu import GyroFmu
-from pyhrg.noise_model import identify
+from pyhrg.noise.model import identify
 from tests.pyhrg.noises import Mixture, noisy_angle
 
 MODEL = "HRGSlow"

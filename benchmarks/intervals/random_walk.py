@@ -7,9 +7,9 @@ import numpy as np
 
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.noise import random_walk
-from pyhrg.device import Device
+from pyhrg.device.device import Device
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
 
 MODEL = "HRGSlow"
 DURATION = 2000.0

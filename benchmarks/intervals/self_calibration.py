@@ -4,13 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from pyhrg import theory
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.self_calibration.self_calibration import ROTATION, evaluate, record
-from pyhrg.device import Device
+from pyhrg.common.units import DEG_PER_SQRT_H
+from pyhrg.device.device import Device
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
-from pyhrg.units import DEG_PER_SQRT_H
+from pyhrg.theory import closed_forms as theory
 
 MODEL = "HRGSlow"
 RUNS, CYCLES = 2, 2

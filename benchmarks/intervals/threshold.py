@@ -6,9 +6,9 @@ import numpy as np
 
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.dynamic import threshold
+from pyhrg.common.units import DEG
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
-from pyhrg.units import DEG
 
 MODEL = "HRGSlow"
 

@@ -4,11 +4,11 @@ import numpy as np
 
 from benchmarks.intervals._environment import Intervals, against
 from benchmarks.intervals._force import feeling, linear, squares
-from pyhrg import theory
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias import tumble
-from pyhrg.device import Device
+from pyhrg.bench.bias.environment import tumble
+from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
+from pyhrg.theory import closed_forms as theory
 
 MODEL = "HRGSlow"
 

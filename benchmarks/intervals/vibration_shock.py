@@ -6,9 +6,9 @@ import numpy as np
 
 from benchmarks.intervals._environment import FAST, Intervals, against, quiet
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias import vibration_shock
-from pyhrg.bench.bias.shock import found_pulses, readings_without
-from pyhrg.bench.bias.vibration_shock import (
+from pyhrg.bench.bias.environment import vibration_shock
+from pyhrg.bench.bias.environment.shock import found_pulses, readings_without
+from pyhrg.bench.bias.environment.vibration_shock import (
     BEFORE,
     KEPT,
     RUNS,
@@ -18,9 +18,9 @@ from pyhrg.bench.bias.vibration_shock import (
     power_ons,
     shocked,
 )
-from pyhrg.device import Device
+from pyhrg.device.device import Device
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
 from pyhrg.records import Log
 
 MODEL = "HRGSlow"

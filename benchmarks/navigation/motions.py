@@ -8,11 +8,11 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from benchmarks.navigation.weave import Weave
-from ins_eval import earth
-from ins_eval.increments import Increments
+from ins_eval.common import earth
+from ins_eval.common.increments import Increments
+from ins_eval.common.state import State, Track, TrackError, track_error
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
-from ins_eval.state import State, Track, TrackError, track_error
 
 Array = NDArray[np.float64]
 

@@ -8,8 +8,8 @@ import pandas as pd
 from scipy.spatial.transform import Rotation
 
 from benchmarks.navigation.motions import KEPT_EACH, Flight
-from ins_eval.increments import Increments
-from ins_eval.state import State, Track
+from ins_eval.common.increments import Increments
+from ins_eval.common.state import State, Track
 
 
 def peer() -> Any | None:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
-from ins_eval import earth
+from ins_eval.common import earth
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 
 Array = NDArray[np.float64]

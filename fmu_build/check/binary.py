@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 
+from fmu_build.binaries.platforms import PLATFORMS, BuildError, host
 from fmu_build.check.archive import Fmu
 from fmu_build.check.experiment import Experiment
-from fmu_build.platforms import PLATFORMS, BuildError, host
 
 
 def missing_binary(fmu: Fmu, planned: Experiment) -> Iterator[str]:

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from fmu_build.check.archive import Fmu, Variable
-from fmu_build.check.rules_capabilities import is_true
+from fmu_build.check.rules.capabilities import is_true
 
 STEPS = 25
 

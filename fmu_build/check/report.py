@@ -4,24 +4,24 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from xml.etree.ElementTree import ParseError
 
-from fmu_build.check import (  # noqa: F401 (modules of rules register themselves)
-    rules_archive,
-    rules_capabilities,
-    rules_integrity,
-    rules_sources,
-    rules_structure,
-    rules_terminals,
-    rules_units,
-    rules_variables,
-)
 from fmu_build.check.agreement import disagreements
 from fmu_build.check.archive import Fmu
 from fmu_build.check.binary import missing_binary
 from fmu_build.check.experiment import Experiment, experiment
 from fmu_build.check.importers import IMPORTERS, Importer, MissingError
 from fmu_build.check.recording import FailedError, Trace
-from fmu_build.check.rule import RULES, Rule
-from fmu_build.check.rules_integrity import INTACT
+from fmu_build.check.rules import (  # noqa: F401 (modules of rules register themselves)
+    archive,
+    capabilities,
+    integrity,
+    sources,
+    structure,
+    terminals,
+    units,
+    variables,
+)
+from fmu_build.check.rules.integrity import INTACT
+from fmu_build.check.rules.rule import RULES, Rule
 
 
 @dataclass(frozen=True)

@@ -3,14 +3,14 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval import earth
 from ins_eval.alignment.corruption import check_explained, check_samples
-from ins_eval.alignment.fine import fine_alignment
-from ins_eval.alignment.inertial_frame import Fit, inertial_frame_fit, swaying_speed
+from ins_eval.alignment.inertial.inertial_frame import Fit, inertial_frame_fit, swaying_speed
+from ins_eval.alignment.kalman.fine import fine_alignment
 from ins_eval.alignment.result import Alignment, AlignmentError
 from ins_eval.alignment.shown_latitude import check_latitude
-from ins_eval.increments import Increments
-from ins_eval.sensor_errors import SensorErrors
+from ins_eval.common import earth
+from ins_eval.common.increments import Increments
+from ins_eval.common.sensor_errors import SensorErrors
 
 Array = NDArray[np.float64]
 

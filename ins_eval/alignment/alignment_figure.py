@@ -7,8 +7,8 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ins_eval.alignment.result import Alignment, History, euler_from_rotation_vector
-from ins_eval.rotation import euler_from_mat
-from pyhrg.units import DEG
+from ins_eval.common.rotation import euler_from_mat
+from pyhrg.common.units import DEG
 
 Array = NDArray[np.float64]
 

@@ -3,13 +3,13 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval import earth
 from ins_eval.alignment.bias_instability import mean_variance
 from ins_eval.alignment.gyrocompass import bias_sensitivity
 from ins_eval.alignment.result import Alignment, AlignmentError
-from ins_eval.increments import Increments
-from ins_eval.rotation import mat_from_euler
-from ins_eval.sensor_errors import SensorErrors
+from ins_eval.common import earth
+from ins_eval.common.increments import Increments
+from ins_eval.common.rotation import mat_from_euler
+from ins_eval.common.sensor_errors import SensorErrors
 
 Array = NDArray[np.float64]
 

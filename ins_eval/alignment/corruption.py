@@ -7,9 +7,9 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
-from ins_eval.alignment.dead_reckoning import FEWEST_STEPS
+from ins_eval.alignment.kalman.dead_reckoning import FEWEST_STEPS
 from ins_eval.alignment.result import Alignment, AlignmentError
-from ins_eval.increments import Increments
+from ins_eval.common.increments import Increments
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.int64]

@@ -1,12 +1,13 @@
 """How well a standing vehicle can find north and level, in closed form.
 
-Attitude errors are rotation vectors about north, east, down, as in `ins_eval.state.TrackError`.
+Attitude errors are rotation vectors about north, east, down, as in
+`ins_eval.common.state.TrackError`.
 """
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval import earth
+from ins_eval.common import earth
 
 Array = NDArray[np.float64]
 

@@ -8,17 +8,17 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from scipy.linalg import expm
 
-from ins_eval import earth
-from ins_eval.alignment import standing
 from ins_eval.alignment.analytic import static_alignment
 from ins_eval.alignment.gyrocompass import bias_sensitivity
-from ins_eval.increments import Increments
+from ins_eval.alignment.kalman import standing
+from ins_eval.common import earth
+from ins_eval.common.increments import Increments
+from ins_eval.common.rotation import mat_from_euler
+from ins_eval.common.state import State, position_error
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
-from ins_eval.rotation import mat_from_euler
-from ins_eval.state import State, position_error
 from ins_eval.trajectories.trajectory import Knots, Trajectory
-from pyhrg.units import DEG, DEG_PER_H, NAUTICAL_MILE
+from pyhrg.common.units import DEG, DEG_PER_H, NAUTICAL_MILE
 
 Array = NDArray[np.float64]
 

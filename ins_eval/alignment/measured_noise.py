@@ -11,12 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize
 
-from ins_eval.alignment.dead_reckoning import Reckoning
-from ins_eval.alignment.fine import filtered, settled
-from ins_eval.alignment.inertial_frame import inertial_frame_fit
+from ins_eval.alignment.inertial.inertial_frame import inertial_frame_fit
+from ins_eval.alignment.kalman.dead_reckoning import Reckoning
+from ins_eval.alignment.kalman.fine import filtered, settled
 from ins_eval.alignment.result import AlignmentError
-from ins_eval.increments import Increments
-from ins_eval.sensor_errors import SensorErrors
+from ins_eval.common.increments import Increments
+from ins_eval.common.sensor_errors import SensorErrors
 
 Array = NDArray[np.float64]
 

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.rotation import euler_from_mat
-from pyhrg.units import DEG
+from ins_eval.common.rotation import euler_from_mat
+from pyhrg.common.units import DEG
 
 Array = NDArray[np.float64]
 
@@ -51,7 +51,7 @@ class Alignment:
 
     method: what made it; time: that it holds at, s; mat_nb: (3, 3); covariance: (3, 3) of the
     attitude error, rad^2: the rotation vector about north, east, down of
-    `ins_eval.state.TrackError`. Where the method finds none of them, None: biases; history; sway,
+    `TrackError`. Where the method finds none of them, None: biases; history; sway,
     standard deviation of the vehicle's level displacement, m.
     """
 

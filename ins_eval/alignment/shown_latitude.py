@@ -6,11 +6,11 @@ Gravity tells the vertical, and the gyros Earth's rate about it: RATE sin(latitu
 
 import numpy as np
 
-from ins_eval import earth
 from ins_eval.alignment.analytic import mean_error_variances
 from ins_eval.alignment.result import AlignmentError
-from ins_eval.increments import Increments
-from ins_eval.sensor_errors import SensorErrors
+from ins_eval.common import earth
+from ins_eval.common.increments import Increments
+from ins_eval.common.sensor_errors import SensorErrors
 
 NEAR_EARTHS = 0.2
 """Of Earth's rate. A mean rate further off is the vehicle's: it turned, and shows no latitude."""

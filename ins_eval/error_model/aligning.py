@@ -11,12 +11,12 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval import earth
+from ins_eval.common import earth
+from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.error_model.effects import BIASES, Effect
 from ins_eval.error_model.linear_model import LinearModel, assembled
 from ins_eval.error_model.motion import Motion
 from ins_eval.error_model.states import ATTITUDE, COUNT
-from ins_eval.sensor_errors import SensorErrors
 
 Array = NDArray[np.float64]
 

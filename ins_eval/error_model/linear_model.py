@@ -6,14 +6,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ins_eval.common.sensor_errors import SensorErrors
+from ins_eval.common.state import TrackError
 from ins_eval.error_model.discretisation import to_end_of_step, van_loan
 from ins_eval.error_model.dynamics import dynamics, free_states, sensor_inputs
 from ins_eval.error_model.effects import BIASES, Effect
 from ins_eval.error_model.motion import BOOLE, PARTS, Motion, step_mean
 from ins_eval.error_model.states import ATTITUDE, COUNT, POSITION, VELOCITY
 from ins_eval.navigation.height import Height
-from ins_eval.sensor_errors import SensorErrors
-from ins_eval.state import TrackError
 
 Array = NDArray[np.float64]
 

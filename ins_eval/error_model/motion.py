@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.increments import Increments
-from ins_eval.state import State, Track
+from ins_eval.common.increments import Increments
+from ins_eval.common.state import State, Track
 from ins_eval.trajectories.trajectory import Trajectory
 
 Array = NDArray[np.float64]

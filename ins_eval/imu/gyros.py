@@ -9,18 +9,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fmu_build.bundle import built_fmu
+from ins_eval.common.increments import Increments
+from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.mounting import Mounting
 from ins_eval.imu.stated_gyros import GyroReading
-from ins_eval.increments import Increments
-from ins_eval.sensor_errors import SensorErrors
-from pyhrg import device_file, theory
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.bias import full_circumference
+from pyhrg.bench.bias.position import full_circumference
 from pyhrg.bench.dynamic.start_up import START
-from pyhrg.device_file import DeviceError
-from pyhrg.device_keys import KEYS
+from pyhrg.device import device_file
+from pyhrg.device.device_file import DeviceError
+from pyhrg.device.keys import KEYS
+from pyhrg.device.ready_devices import TABLE2, TYPICAL, Device
 from pyhrg.fmu import GyroError, GyroFmu
-from pyhrg.parameters import TABLE2, TYPICAL, Device
+from pyhrg.theory import closed_forms as theory
 
 Array = NDArray[np.float64]
 

@@ -5,12 +5,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ins_eval.common.increments import Increments
+from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.mounting import ORTHOGONAL, Mounting
 from ins_eval.imu.stated_gyros import IDEAL_GYROS, Gyros
 from ins_eval.imu.triad import IDEAL, Triad
-from ins_eval.increments import Increments
-from ins_eval.sensor_errors import SensorErrors
-from pyhrg.units import STANDARD_GRAVITY
+from pyhrg.common.units import STANDARD_GRAVITY
 
 
 class StartUpError(Exception):

@@ -6,11 +6,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.increments import Increments
-from ins_eval.rotation import mat_from_euler
-from pyhrg.imu_records import recorded
-from pyhrg.imu_records.log import LogError
-from pyhrg.imu_records.recorded import write
+from ins_eval.common.increments import Increments
+from ins_eval.common.rotation import mat_from_euler
+from pyhrg.records.imu import recorded
+from pyhrg.records.imu.log import LogError
+from pyhrg.records.imu.recorded import write
 
 __all__ = ["LogError", "RecordedImu", "read", "write"]
 
@@ -34,7 +34,7 @@ class RecordedImu:
 
 
 def read(path: Path, trusted: bool = False) -> RecordedImu:
-    """The log in a file, as `pyhrg.imu_records.recorded.read`.
+    """The log in a file, as `pyhrg.records.imu.recorded.read`.
 
     Raises:
         LogError: likewise.

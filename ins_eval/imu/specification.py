@@ -2,15 +2,15 @@
 
 from pathlib import Path
 
-from fmu_build.files import toml_of
-from fmu_build.toml_table import SpecificationError, TomlTable
 from ins_eval.imu.gyros import DeviceError, FmuGyros, device, difference
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.mounting import ORTHOGONAL, Mounting, MountingError, mounted
 from ins_eval.imu.stated_gyros import Gyros, StatedGyros
 from ins_eval.imu.triad import Triad
 from ins_eval.imu.triad_keys import ACCELEROMETERS, GYROS, read_triad, triad_keys
-from pyhrg.units import ARCSEC
+from pyhrg.common.files import toml_of
+from pyhrg.common.toml_table import SpecificationError, TomlTable
+from pyhrg.common.units import ARCSEC
 
 __all__ = ["READY", "SpecificationError", "imu", "read"]
 

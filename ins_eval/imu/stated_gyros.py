@@ -6,10 +6,10 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from ins_eval.common.increments import Increments
+from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.mounting import Mounting
 from ins_eval.imu.triad import IDEAL, Triad
-from ins_eval.increments import Increments
-from ins_eval.sensor_errors import SensorErrors
 
 Array = NDArray[np.float64]
 

@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 from typing import Any
 
-from fmu_build.toml_table import TomlTable
 from ins_eval.imu.triad import Constant, Triad
-from pyhrg.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G, PPM
+from pyhrg.common.toml_table import TomlTable
+from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G, PPM
 
 
 @dataclass(frozen=True)

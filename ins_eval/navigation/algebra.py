@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ins_eval.compiled import compiled
+from ins_eval.common.compiled import compiled
 
 Vector = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.compiled import compiled
+from ins_eval.common.compiled import compiled
 from ins_eval.navigation.algebra import SMALL_SQUARED, Vector, add, cross, dot, scaled, subtract
 from ins_eval.navigation.coefficients import Weights
 

@@ -6,7 +6,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval import earth
+from ins_eval.common import earth
 
 Array = NDArray[np.float64]
 

@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval import earth
-from ins_eval.compiled import compiled
+from ins_eval.common import earth
+from ins_eval.common.compiled import compiled
 from ins_eval.navigation.algebra import (
     Quaternion,
     Vector,

@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from ins_eval.increments import Increments
+from ins_eval.common.increments import Increments
+from ins_eval.common.state import State, Track
 from ins_eval.navigation import kernel
 from ins_eval.navigation.coefficients import weights
 from ins_eval.navigation.height import Height
-from ins_eval.state import State, Track
 
 Array = NDArray[np.float64]
 

@@ -10,7 +10,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.units import DEG
+from pyhrg.common.units import DEG
 
 Array = NDArray[np.float64]
 BiasMap = Callable[[Array], Array]

@@ -6,10 +6,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ins_eval.metrics import median_interval
+from ins_eval.common.metrics import median_interval
 from ins_eval.parking.case import CASES
 from ins_eval.parking.study import Comparison, ratios
-from pyhrg.units import NAUTICAL_MILE
+from pyhrg.common.units import NAUTICAL_MILE
 
 COLORS = ("black", "tab:blue", "tab:orange", "tab:red", "tab:green")
 

@@ -5,16 +5,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ins_eval.common.increments import Increments
 from ins_eval.imu.gyros import GyroFlight, case_force, flown, starting_up
-from ins_eval.increments import Increments
 from ins_eval.parking.angle import flattest, least_bias
 from ins_eval.parking.case import Known, Start
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.bias.positions import Plan
+from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.calibration.calibration import applied, measurements
 from pyhrg.bench.calibration.calibration_maps import angle_map, calibration
 from pyhrg.bench.estimation.harmonics import design
-from pyhrg.device import AngleMap, Device
+from pyhrg.device.device import AngleMap, Device
 
 Array = NDArray[np.float64]
 

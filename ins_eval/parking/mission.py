@@ -10,12 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.alignment.analytic import static_alignment
+from ins_eval.common.increments import Increments
+from ins_eval.common.rotation import euler_from_mat
+from ins_eval.common.state import State, position_error
 from ins_eval.imu.imu import StartUpError
-from ins_eval.increments import Increments
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
-from ins_eval.rotation import euler_from_mat
-from ins_eval.state import State, position_error
 from ins_eval.trajectories.trajectory import Trajectory
 
 Array = NDArray[np.float64]

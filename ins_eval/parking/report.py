@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.metrics import median_interval
+from ins_eval.common.metrics import median_interval
 from ins_eval.parking.case import CASES
 from ins_eval.parking.figure import draw
 from ins_eval.parking.study import Comparison, ratios
 from ins_eval.parking.triad import RECORDS
-from pyhrg.units import DEG, NAUTICAL_MILE
+from pyhrg.common.units import DEG, NAUTICAL_MILE
 
 Array = NDArray[np.float64]
 

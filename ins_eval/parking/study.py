@@ -8,17 +8,17 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from ins_eval.common.metrics import PairedRatio, paired_ratio
+from ins_eval.common.parallel import in_parallel
 from ins_eval.imu.accelerometers import TYPICAL_ACCELEROMETERS
 from ins_eval.imu.triad import Triad
-from ins_eval.metrics import PairedRatio, paired_ratio
-from ins_eval.parallel import in_parallel
 from ins_eval.parking.gyro import mapped
 from ins_eval.parking.mission import Mission
 from ins_eval.parking.triad import DRIVES, TriadFlights, fly_triad
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.bias.positions import Plan
+from pyhrg.bench.bias.position.positions import Plan
+from pyhrg.device.ready_devices import TYPICAL, Device
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL, Device
 
 Array = NDArray[np.float64]
 

@@ -7,8 +7,8 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
+from ins_eval.common.increments import Increments
 from ins_eval.imu.gyros import GyroFlight
-from ins_eval.increments import Increments
 from ins_eval.parking.case import CASES, LIMIT, Case, Known, Start
 from ins_eval.parking.gyro import MappedGyro
 from ins_eval.parking.mission import INTERVAL, STILL, Mission, since

@@ -6,9 +6,9 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from ins_eval.common.state import Track, TrackError, track_error
 from ins_eval.results import quantities
 from ins_eval.results.quantities import Quantity
-from ins_eval.state import Track, TrackError, track_error
 
 Array = NDArray[np.float64]
 

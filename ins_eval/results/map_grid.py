@@ -9,7 +9,7 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator
 from matplotlib.transforms import blended_transform_factory
 from numpy.typing import NDArray
 
-from ins_eval import earth
+from ins_eval.common import earth
 from ins_eval.results.flights import wrapped_deg
 
 Array = NDArray[np.float64]

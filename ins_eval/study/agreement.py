@@ -5,13 +5,13 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study import score
 from ins_eval.study.experiment import cosimulated_of, flown_of, methods
-from ins_eval.study.maker import Method
+from ins_eval.study.gyros.maker import Method
 from ins_eval.study.run.block import Arrays
-from ins_eval.study.score import ALL, Score
 from ins_eval.study.scores.resampling import CONFIDENCE, bootstrapped
 from ins_eval.study.specification import Study
+from ins_eval.study.tables import score
+from ins_eval.study.tables.score import ALL, Score
 
 Array = NDArray[np.float64]
 

@@ -9,16 +9,16 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study.bench_plan import CALIBRATION, BenchPlan
-from ins_eval.study.drift import Drift, Flight, flight
-from ins_eval.study.knowledge import Knowledge, knowledge
-from ins_eval.study.maker import Method, calibrated_gyro
-from ins_eval.study.population import TRIMMED, Population
-from ins_eval.study.triads import Triads
-from ins_eval.study.true_maps import coefficients, started_at, turning
-from pyhrg.device import Device
+from ins_eval.mission_model.triads import Triads
+from ins_eval.study.gyros.bench_plan import CALIBRATION, BenchPlan
+from ins_eval.study.gyros.drift import Drift, Flight, flight
+from ins_eval.study.gyros.knowledge import Knowledge, knowledge
+from ins_eval.study.gyros.maker import Method, calibrated_gyro
+from ins_eval.study.gyros.population import TRIMMED, Population
+from ins_eval.study.gyros.true_maps import coefficients, started_at, turning
+from pyhrg.common.units import MICRO_G
+from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
-from pyhrg.units import MICRO_G
 
 Array = NDArray[np.float64]
 

@@ -12,7 +12,12 @@ import pandas as pd
 import pyarrow as pa
 from numpy.typing import NDArray
 
-from ins_eval.study import agreement, columns, table
+from ins_eval.mission_model.flown import Flown
+from ins_eval.mission_model.gyro_map import TERMS
+from ins_eval.mission_model.mission_weights import MissionWeights
+from ins_eval.mission_model.triads import Triads
+from ins_eval.mission_model.weights_cache import kept_weights
+from ins_eval.study import agreement
 from ins_eval.study.conditions import CONDITIONS
 from ins_eval.study.experiment import (
     cosimulated_of,
@@ -22,10 +27,7 @@ from ins_eval.study.experiment import (
     missions,
     triads_of,
 )
-from ins_eval.study.flown import Flown
-from ins_eval.study.gyro_map import TERMS
-from ins_eval.study.maker import Method
-from ins_eval.study.mission_weights import MissionWeights
+from ins_eval.study.gyros.maker import Method
 from ins_eval.study.predictors.block import (
     Learnt,
     judged_at,
@@ -38,13 +40,12 @@ from ins_eval.study.report import page
 from ins_eval.study.report.result import CONDITIONS as CONDITIONS_KEY
 from ins_eval.study.report.result import DOCUMENT, INTERVAL_PERCENT, result
 from ins_eval.study.run.block import Arrays
-from ins_eval.study.score import ALL, Score
 from ins_eval.study.scores.judged import scores
 from ins_eval.study.specification import CONDITION, MEAN, TEST, TRAIN, PlannedMission, Study
-from ins_eval.study.triads import Triads
-from ins_eval.study.weights_cache import kept_weights
-from pyhrg.made_by import made_by
-from pyhrg.units import DEG_PER_H, HOUR, MICRO_G
+from ins_eval.study.tables import columns, table
+from ins_eval.study.tables.score import ALL, Score
+from pyhrg.common.made_by import made_by
+from pyhrg.common.units import DEG_PER_H, HOUR, MICRO_G
 
 Array = NDArray[np.float64]
 

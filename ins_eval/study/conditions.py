@@ -9,17 +9,17 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ins_eval.mission_model.gyro_map import TERMS, terms
+from ins_eval.mission_model.missions import StudyMission, study_mission
+from ins_eval.mission_model.triads import Triads
 from ins_eval.study.block import Kind, Triad, gathered, triad, triad_seed
-from ins_eval.study.drift import Flight
-from ins_eval.study.gyro_map import TERMS, terms
-from ins_eval.study.maker import calibrated_gyro
-from ins_eval.study.missions import StudyMission, study_mission
-from ins_eval.study.population import Population
+from ins_eval.study.gyros.drift import Flight
+from ins_eval.study.gyros.maker import calibrated_gyro
+from ins_eval.study.gyros.population import Population
 from ins_eval.study.specification import Study
-from ins_eval.study.triads import Triads
-from pyhrg.device import Device
+from pyhrg.common.units import DEG_PER_H, DEG_PER_SQRT_H
+from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
-from pyhrg.units import DEG_PER_H, DEG_PER_SQRT_H
 
 Generator = np.random.Generator
 

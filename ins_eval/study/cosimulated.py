@@ -10,15 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.alignment.analytic import static_alignment
+from ins_eval.common.increments import Increments
+from ins_eval.common.state import State, position_error
 from ins_eval.imu.gyros import case_force
-from ins_eval.increments import Increments
+from ins_eval.mission_model.missions import SETTLING, STILL, StudyMission
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
-from ins_eval.state import State, position_error
 from ins_eval.study.block import Triad
-from ins_eval.study.drift import Flight
-from ins_eval.study.missions import SETTLING, STILL, StudyMission
-from ins_eval.study.true_maps import slow_parameters
+from ins_eval.study.gyros.drift import Flight
+from ins_eval.study.gyros.true_maps import slow_parameters
 from pyhrg.fmu import GyroFmu
 
 Array = NDArray[np.float64]

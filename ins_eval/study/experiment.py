@@ -11,21 +11,21 @@ from numpy.typing import NDArray
 
 from fmu_build.bundle import built_fmu
 from fmu_build.roots import ROOTS
-from ins_eval.study.bench_plan import CALIBRATION, BenchPlan
+from ins_eval.mission_model.flown import Flown, flown
+from ins_eval.mission_model.missions import StudyMission, study_mission
+from ins_eval.mission_model.triads import Triads
+from ins_eval.mission_model.weights_cache import kept_weights
 from ins_eval.study.block import Kind, Triad, gathered, triad, triad_seed
 from ins_eval.study.conditions import CONDITIONS, Sample
 from ins_eval.study.cosimulated import cosimulated, truth
-from ins_eval.study.drift import Drift
-from ins_eval.study.flown import Flown, flown
-from ins_eval.study.maker import METHODS, Method
-from ins_eval.study.missions import StudyMission, study_mission
-from ins_eval.study.population import RAW, TRIMMED
+from ins_eval.study.gyros.bench_plan import CALIBRATION, BenchPlan
+from ins_eval.study.gyros.drift import Drift
+from ins_eval.study.gyros.maker import METHODS, Method
+from ins_eval.study.gyros.population import RAW, TRIMMED
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.specification import CONDITION, MEAN, Study
-from ins_eval.study.triads import Triads
-from ins_eval.study.weights_cache import kept_weights
+from pyhrg.common.units import MICRO_G
 from pyhrg.fmu import GyroFmu
-from pyhrg.units import MICRO_G
 
 Array = NDArray[np.float64]
 

@@ -8,8 +8,8 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from fmu_build.toml_table import TomlTable
-from pyhrg.units import DEG_PER_H, HOUR
+from pyhrg.common.toml_table import TomlTable
+from pyhrg.common.units import DEG_PER_H, HOUR
 
 UNITS = {"deg_h": DEG_PER_H, "days": 24 * HOUR, "K": 1.0, "": 1.0}
 Settings = Mapping[str, float]

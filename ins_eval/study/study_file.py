@@ -5,8 +5,6 @@ from dataclasses import MISSING, replace
 from pathlib import Path
 from typing import Any, TypeVar
 
-from fmu_build.files import toml_of
-from fmu_build.toml_table import SpecificationError, TomlTable
 from ins_eval.study.sections import SECTIONS, settings
 from ins_eval.study.specification import (
     CALIBRATIONS,
@@ -21,6 +19,8 @@ from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.keys import Checked, keys
 from ins_eval.trajectories.recordings import recording
+from pyhrg.common.files import toml_of
+from pyhrg.common.toml_table import SpecificationError, TomlTable
 
 _FOLDER = Path(__file__).with_name("ready")
 READY = tuple(sorted(path.stem for path in _FOLDER.glob("*.toml")))

@@ -6,7 +6,7 @@ from dataclasses import MISSING, Field, dataclass, field, fields
 from typing import Any, TypeGuard
 
 from ins_eval.trajectories.errors import TrajectoryError
-from pyhrg.units import DEG
+from pyhrg.common.units import DEG
 
 UNITS = {"deg": DEG, "deg_s": DEG, "m": 1.0, "m_s": 1.0, "s": 1.0, "": 1.0}
 """SI value of each unit that a key may end in; a number without one has none."""

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ins_eval import earth
+from ins_eval.common import earth
 from ins_eval.trajectories import path
 from ins_eval.trajectories.errors import MovingStartError, TrajectoryError
 from ins_eval.trajectories.keys import Checked, quantity
-from ins_eval.trajectories.manoeuvre import Entry, Leg, Manoeuvre
-from ins_eval.trajectories.overlays import Overlay
+from ins_eval.trajectories.manoeuvres.manoeuvre import Entry, Leg, Manoeuvre
+from ins_eval.trajectories.manoeuvres.overlays import Overlay
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 
 HEIGHTS = (-1000.0, 200_000.0)

@@ -6,11 +6,11 @@ from dataclasses import MISSING, dataclass
 from pathlib import Path
 from typing import Any, TypeVar
 
-from fmu_build.files import toml_of
 from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.keys import Checked, keys
+from ins_eval.trajectories.manoeuvres.vocabulary import MANOEUVRES, OVERLAYS
 from ins_eval.trajectories.mission import Mission, Start
-from ins_eval.trajectories.vocabulary import MANOEUVRES, OVERLAYS
+from pyhrg.common.files import toml_of
 
 TOP = ("name", "start", "departure", "course", "overlays", "repeat")
 MOST_REPEATS = 1_000_000

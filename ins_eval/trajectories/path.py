@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
-from ins_eval import earth
+from ins_eval.common import earth
 from ins_eval.trajectories.errors import TrajectoryError
-from ins_eval.trajectories.manoeuvre import Leg
-from ins_eval.trajectories.overlays import Motion
+from ins_eval.trajectories.manoeuvres.manoeuvre import Leg
+from ins_eval.trajectories.manoeuvres.overlays import Motion
 from ins_eval.trajectories.trajectory import Knots
 
 Array = NDArray[np.float64]

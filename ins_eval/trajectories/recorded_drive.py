@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval import earth
+from ins_eval.common import earth
 from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 

@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import BSpline, make_interp_spline
 
-from ins_eval import earth
-from ins_eval.increments import Increments
-from ins_eval.rotation import body_rate_from_euler, mat_from_euler
-from ins_eval.state import State, Track
+from ins_eval.common import earth
+from ins_eval.common.increments import Increments
+from ins_eval.common.rotation import body_rate_from_euler, mat_from_euler
+from ins_eval.common.state import State, Track
 
 Array = NDArray[np.float64]
 

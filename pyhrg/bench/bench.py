@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.store import Store, key_of
-from pyhrg.campaign import Campaign, Test
-from pyhrg.device import LOOPS, Device
-from pyhrg.device_file import nominal
+from pyhrg.device.device import LOOPS, Device
+from pyhrg.device.device_file import nominal
 from pyhrg.fmu import CONTROL_PERIOD, Gyro, GyroFmu
 from pyhrg.records import Log
+from pyhrg.records.campaign import Campaign, Test
 
 Array = NDArray[np.float64]
 

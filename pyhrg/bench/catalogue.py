@@ -1,15 +1,8 @@
 """All test procedures, in the order of a full bench."""
 
-from pyhrg.bench.bias import (
-    annual,
-    centrifuge,
-    fixed_position,
-    full_circumference,
-    full_temperature,
-    position_plans,
-    tumble,
-    vibration_shock,
-)
+from pyhrg.bench.bias.environment import centrifuge, tumble, vibration_shock
+from pyhrg.bench.bias.position import fixed_position, full_circumference, position_plans
+from pyhrg.bench.bias.thermal import annual, full_temperature
 from pyhrg.bench.calibration import calibration
 from pyhrg.bench.dead_zone import dead_zone
 from pyhrg.bench.dynamic import bandwidth, measuring_range, start_up, threshold

@@ -9,7 +9,8 @@ from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 from scipy import stats
 
-from pyhrg import units
+from pyhrg.common import units
+from pyhrg.common.pages.markup import Table
 
 UNITS = {
     "deg/h": units.DEG_PER_H,
@@ -79,15 +80,6 @@ class Finding:
         unit = unit.translate(str.maketrans("", "", "()^"))
         suffix = "" if self.unit == "1" else f"_{unit.replace('1_per_', 'per_')}"
         return re.sub(r"\W+", "_", self.name) + suffix
-
-
-@dataclass(frozen=True)
-class Table:
-    """Figures beside each other, ready to be read: a heading over each column."""
-
-    title: str
-    header: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]
 
 
 @dataclass(frozen=True)

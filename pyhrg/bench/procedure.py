@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.outcome import BenchError, Outcome
-from pyhrg.campaign import Campaign, Test
-from pyhrg.device import Device
+from pyhrg.device.device import Device
+from pyhrg.records.campaign import Campaign, Test
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,7 @@ from functools import partial
 from pathlib import Path
 
 from fmu_build.bundle import built_fmu
-from fmu_build.files import replaced_folder, write_whole
 from fmu_build.roots import ROOTS
-from pyhrg import campaign as campaigns
-from pyhrg import device_file
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import Procedure
@@ -20,10 +17,13 @@ from pyhrg.bench.reporting.page import PAGE, page
 from pyhrg.bench.reporting.progress import Progress
 from pyhrg.bench.reporting.report import Result, Results
 from pyhrg.bench.store import Store
-from pyhrg.campaign import Campaign
-from pyhrg.device import Device
+from pyhrg.common.files import replaced_folder, write_whole
+from pyhrg.device import device_file
+from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError, GyroFmu
 from pyhrg.records import LogError
+from pyhrg.records import campaign as campaigns
+from pyhrg.records.campaign import Campaign
 
 EXPORT = "device.toml"
 KEPT = ".records"

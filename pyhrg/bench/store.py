@@ -13,8 +13,8 @@ from zipfile import BadZipFile
 import numpy as np
 
 import pyhrg
-from fmu_build.files import write_whole
 from pyhrg.bench.programme import HELD, Programme
+from pyhrg.common.files import write_whole
 from pyhrg.records import Log
 
 

@@ -7,34 +7,34 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.campaign import Campaign, CampaignError
-from pyhrg.device import Device
+from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
-from pyhrg.gap.attribution import Attribution, attributed
-from pyhrg.gap.catalogue import WHOLE, Catalogue, NoiseEffect
-from pyhrg.gap.channel_noise import ChannelNoise, angle_noise
-from pyhrg.gap.closing import believed_device, closed_device
-from pyhrg.gap.design import design
-from pyhrg.gap.diagnosis import Diagnosis, Where
-from pyhrg.gap.encoder import encoder_notes
-from pyhrg.gap.free_pattern import steady
-from pyhrg.gap.gap_figures import gap_figures
-from pyhrg.gap.hypothesis import Hypothesis, angles_left
-from pyhrg.gap.judgement import judged, unnamed
-from pyhrg.gap.localisation import Place, located
-from pyhrg.gap.next_test import suggested
-from pyhrg.gap.noise_search import NoiseFound, told_apart
-from pyhrg.gap.observations import CHANNELS, Observed, observed
-from pyhrg.gap.quantity import Size, sizes
-from pyhrg.gap.quantum import counted, is_rough
-from pyhrg.gap.remainder import Remainder, remainders
-from pyhrg.gap.replay import tells_start
-from pyhrg.gap.rivals import rivals
-from pyhrg.gap.simulation import Answers, Simulation, added
+from pyhrg.gap.closing.closing import believed_device, closed_device
+from pyhrg.gap.closing.gap_figures import gap_figures
+from pyhrg.gap.effects.catalogue import WHOLE, Catalogue, NoiseEffect
+from pyhrg.gap.effects.design import design
+from pyhrg.gap.evidence.attribution import Attribution, attributed
+from pyhrg.gap.evidence.hypothesis import Hypothesis, angles_left
+from pyhrg.gap.evidence.noise.noise_search import NoiseFound, told_apart
+from pyhrg.gap.evidence.noise.quantization import counted, is_rough
+from pyhrg.gap.evidence.noise.unstated_noise import with_noise
+from pyhrg.gap.evidence.residuals import Remainder, remainders
+from pyhrg.gap.evidence.unsteady import unsteady
+from pyhrg.gap.findings.diagnosis import Diagnosis, Where
+from pyhrg.gap.findings.localisation import Place, located
+from pyhrg.gap.findings.quantity import Size, sizes
+from pyhrg.gap.findings.verdict import judged, unnamed
+from pyhrg.gap.next_test.next_test import suggested
+from pyhrg.gap.next_test.rivals import rivals
+from pyhrg.gap.next_test.standing_still import standing_still
+from pyhrg.gap.replay.encoder import encoder_notes
+from pyhrg.gap.replay.free_pattern import steady
+from pyhrg.gap.replay.observations import CHANNELS, Observed, observed
+from pyhrg.gap.replay.replay import tells_start
+from pyhrg.gap.replay.simulation import Answers, Simulation, added
 from pyhrg.gap.soundness import sound
-from pyhrg.gap.standing_still import standing_still
-from pyhrg.gap.unstated_noise import with_noise
-from pyhrg.gap.unsteady import unsteady
+from pyhrg.gap.whitening.channel_noise import ChannelNoise, angle_noise
+from pyhrg.records.campaign import Campaign, CampaignError
 
 Array = NDArray[np.float64]
 Residuals = Mapping[str, Array]

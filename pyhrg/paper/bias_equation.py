@@ -5,6 +5,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.units import DEG, DEG_PER_H, HZ
 from pyhrg.paper.gyros import (
     DAMPING,
     DAMPING_AXIS,
@@ -14,7 +15,6 @@ from pyhrg.paper.gyros import (
     K,
     output_rate,
 )
-from pyhrg.units import DEG, DEG_PER_H, HZ
 
 Array = NDArray[np.float64]
 

@@ -4,8 +4,8 @@ import math
 
 import numpy as np
 
+from pyhrg.common.units import DEG, HOUR
 from pyhrg.paper.gyros import DAMPING, DAMPING_AXIS, TAU, K, gyro_fmu, output_rate
-from pyhrg.units import DEG, HOUR
 
 D, AXIS = 4e-3, 15 * DEG
 LIMIT = D / (4 * K)

@@ -5,9 +5,9 @@ import math
 import numpy as np
 from scipy import integrate
 
+from pyhrg.common.site import Site
+from pyhrg.common.units import DEG, DEG_PER_H, HOUR, NAUTICAL_MILE
 from pyhrg.paper.gyros import TAU, K, gyro_fmu
-from pyhrg.site import Site
-from pyhrg.units import DEG, DEG_PER_H, HOUR, NAUTICAL_MILE
 
 MOVED = 0.1
 """What the pattern moves in two hours (section 1.2), rad."""

@@ -6,14 +6,14 @@ from dataclasses import replace
 import numpy as np
 
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.bias import full_circumference, position_plans
-from pyhrg.bench.bias.position_plans import reports
-from pyhrg.bench.bias.positions import Plan
+from pyhrg.bench.bias.position import full_circumference, position_plans
+from pyhrg.bench.bias.position.position_plans import reports
+from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.readings.segments import SEGMENT, segment_means
-from pyhrg.device import Device
+from pyhrg.common.site import EARTH_RATE, Site
+from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H
+from pyhrg.device.device import Device
 from pyhrg.paper.gyros import Array, K, gyro_fmu
-from pyhrg.site import EARTH_RATE, Site
-from pyhrg.units import ARCSEC, DEG, DEG_PER_H
 
 SITE = Site()
 ANISOTROPY = 4 * K * 1 * DEG_PER_H

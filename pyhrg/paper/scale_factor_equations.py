@@ -4,8 +4,8 @@ import math
 
 import numpy as np
 
+from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H
 from pyhrg.paper.gyros import DAMPING, Array, K, Turn, turned
-from pyhrg.units import ARCSEC, DEG, DEG_PER_H
 
 GAIN, NON_ORTHOGONALITY = "pickOff.gainMismatch", "pickOff.nonOrthogonality"
 SMALL = 1e-3

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import constants, stats
 
+from pyhrg.common.site import Site
+from pyhrg.common.units import DEG, DEG_PER_H, DEG_PER_SQRT_H, HOUR, HZ
 from pyhrg.paper.gyros import TAU, Array, K
-from pyhrg.site import Site
-from pyhrg.units import DEG, DEG_PER_H, DEG_PER_SQRT_H, HOUR, HZ
 
 ROWS = np.array(
     [

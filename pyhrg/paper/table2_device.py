@@ -11,15 +11,15 @@ import numpy as np
 from scipy import stats
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias import fixed_position, full_circumference
 from pyhrg.bench.bias.bias_test import RUNS
-from pyhrg.bench.bias.positions import Plan
+from pyhrg.bench.bias.position import fixed_position, full_circumference
+from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, segment_means
-from pyhrg.device import AngleMap, Device
+from pyhrg.common.units import DEG, DEG_PER_H, DEG_PER_SQRT_H
+from pyhrg.device.device import AngleMap, Device
+from pyhrg.device.ready_devices import TABLE2
 from pyhrg.paper.gyros import Array, K, gyro_fmu
 from pyhrg.paper.table2 import NEW, ORIGINAL, Figures
-from pyhrg.parameters import TABLE2
-from pyhrg.units import DEG, DEG_PER_H, DEG_PER_SQRT_H
 
 POWER_ONS = 5 * RUNS
 PLAN = Plan(8, 11.25 * DEG)

@@ -5,8 +5,8 @@ import math
 import numpy as np
 from scipy import stats
 
+from pyhrg.common.units import DEG, DEG_PER_H, HOUR
 from pyhrg.paper.gyros import DAMPING, TAU, K, gyro_fmu, output_rate
-from pyhrg.units import DEG, DEG_PER_H, HOUR
 
 D = 4e-3
 LIMIT = D / (4 * K)

@@ -5,7 +5,7 @@ import re
 from dataclasses import dataclass
 from typing import Literal
 
-from pyhrg.units import DEG
+from pyhrg.common.units import DEG
 
 
 class LogError(Exception):

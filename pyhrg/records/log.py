@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from fmu_build.files import write_whole
+from pyhrg.common.files import write_whole
 from pyhrg.records import mixups, saturation, timing
 from pyhrg.records.columns import BY_FIELD, COLUMNS, LogError
 from pyhrg.records.table import Array, Table, read_table

@@ -5,11 +5,11 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.site import EARTH_RATE
+from pyhrg.common.units import DEG
 from pyhrg.records.columns import BY_FIELD, LogError
 from pyhrg.records.table import Array, Table
 from pyhrg.records.timing import even_steps
-from pyhrg.site import EARTH_RATE
-from pyhrg.units import DEG
 
 NEAR = 1.2
 """Factor within which a ratio is a known mix-up."""

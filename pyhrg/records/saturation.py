@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.units import DEG
 from pyhrg.records.columns import COLUMNS
 from pyhrg.records.table import Array, Table
-from pyhrg.units import DEG
 
 FAST = 0.1 * DEG
 """Table rate that no dead zone holds and no bias hides, rad/s."""

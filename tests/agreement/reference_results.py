@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from fmu_build.bundle import modelica_library
-from fmu_build.files import write_whole
+from pyhrg.common.files import write_whole
 from tests.agreement.claims import CLAIMS, Result, demonstrations
 
 DRIFT = 1e-6

@@ -7,10 +7,10 @@ import pytest
 
 from fmu_build.bundle import built_fmu
 from fmu_build.roots import ROOTS
-from pyhrg import theory
-from pyhrg.device import Device
+from pyhrg.common.units import ARCSEC, DEG, HZ
+from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
-from pyhrg.units import ARCSEC, DEG, HZ
+from pyhrg.theory import closed_forms as theory
 
 RATE = 100 * DEG
 SETTLING, INSTANTS, STEP = 5.0, 60, 0.05

@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 
-from pyhrg import theory
+from pyhrg.common.units import DEG, DEG_PER_H, DEG_PER_SQRT_H
+from pyhrg.device.ready_devices import TYPICAL, Device
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL, Device
-from pyhrg.units import DEG, DEG_PER_H, DEG_PER_SQRT_H
+from pyhrg.theory import closed_forms as theory
 
 ANGLES = np.arange(0.0, 90.0, 11.25) * DEG
 

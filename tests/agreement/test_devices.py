@@ -13,10 +13,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyhrg import device_file
-from pyhrg.device import Device
+from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H
+from pyhrg.device import device_file
+from pyhrg.device.device import Device
 from pyhrg.fmu import Gyro, GyroFmu
-from pyhrg.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H
 
 K, TAU, HOLD = 0.277, 450.0, 5e-4
 ANGLES = np.array([7.0, 31.0, 64.0]) * DEG

@@ -11,8 +11,8 @@ from collections.abc import Mapping
 import numpy as np
 import pytest
 
+from pyhrg.common.units import DEG
 from pyhrg.fmu import Gyro, GyroFmu
-from pyhrg.units import DEG
 
 K = 0.277
 TAU = 450.0

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
+from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.fmu import GyroFmu
-from pyhrg.units import DEG, DEG_PER_H
 
 K = 0.277
 TAU = 450.0

@@ -8,9 +8,9 @@ import pytest
 from scipy import stats
 
 from fmu_build import bundle
-from fmu_build.platforms import COMPILER, FLAGS
+from fmu_build.binaries.platforms import COMPILER, FLAGS
+from fmu_build.equations.translate import translate
 from fmu_build.roots import ROOTS
-from fmu_build.translate import translate
 
 SOURCE = """
 #include "model.c"

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from fmu_build.dae import Dae
-from fmu_build.translate import translate
+from fmu_build.equations.dae import Dae
+from fmu_build.equations.translate import translate
 
 
 def translated(folder: Path, body: str) -> Dae:

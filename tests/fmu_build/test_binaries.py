@@ -6,7 +6,7 @@ from pathlib import Path
 
 import lief
 
-from tests.fmu_build import native
+from tests.fmu_build.c import native
 
 NEWEST_GLIBC = (2, 17)
 OLDEST_MACOS = [11, 0, 0]

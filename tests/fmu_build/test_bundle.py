@@ -14,8 +14,8 @@ import platformdirs
 import pytest
 
 from fmu_build import bundle
-from fmu_build.platforms import BuildError
-from tests.fmu_build import native
+from fmu_build.binaries.platforms import BuildError
+from tests.fmu_build.c import native
 
 
 @pytest.mark.parametrize("fmi", [2, 3])

@@ -3,7 +3,7 @@
 from importlib.metadata import version
 from pathlib import Path
 
-from fmu_build.licences import read_licence
+from fmu_build.archive.licences import read_licence
 
 ROOT = Path(__file__).parents[2]
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ins_eval import earth
-from ins_eval.increments import Increments
+from ins_eval.common import earth
+from ins_eval.common.increments import Increments
 from ins_eval.parking.mission import STILL, Mission, mission
 from ins_eval.trajectories.catalogue import trajectory
 

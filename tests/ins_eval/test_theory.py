@@ -5,14 +5,15 @@ import pytest
 from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
 
-from ins_eval import earth, theory
+from ins_eval import theory
 from ins_eval.alignment.analytic import static_alignment
-from ins_eval.increments import Increments
+from ins_eval.common import earth
+from ins_eval.common.increments import Increments
+from ins_eval.common.rotation import mat_from_euler
+from ins_eval.common.state import State, Track, track_error
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
-from ins_eval.rotation import mat_from_euler
-from ins_eval.state import State, Track, track_error
-from pyhrg.units import DEG_PER_H
+from pyhrg.common.units import DEG_PER_H
 
 RATE = 10
 """Increments a second: enough at rest."""

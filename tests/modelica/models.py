@@ -11,10 +11,10 @@ import pymoca.ast
 import pymoca.parser
 from fmpy.fmi2 import FMU2Slave
 
+from fmu_build.binaries.platforms import FLAGS, PLATFORMS, compile_library, host
 from fmu_build.bundle import SHELLS, SOURCES, modelica_library, write_sources
-from fmu_build.platforms import FLAGS, PLATFORMS, compile_library, host
+from fmu_build.equations.translate import translate
 from fmu_build.roots import ROOTS, Root
-from fmu_build.translate import translate
 
 IDENTIFIER = "Model"
 SHORT = 60.0

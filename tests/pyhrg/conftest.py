@@ -5,6 +5,9 @@ from pathlib import Path
 
 import pytest
 
+from pyhrg.fmu import GyroFmu
+from pyhrg.gap.replay.simulation import Simulation
+
 CAMPAIGNS = Path(__file__).parents[3] / "shared" / "campaigns"
 
 
@@ -15,3 +18,10 @@ def recorded_campaign() -> Path:
     if not folder.is_dir():
         pytest.skip(f"{folder} is not there; HRG_CAMPAIGNS says where recorded campaigns are")
     return folder
+
+
+@pytest.fixture(scope="session")
+def simulation(fmu: GyroFmu, slow_fmu: GyroFmu) -> Simulation:
+    for model in (fmu, slow_fmu):
+        model.prepare()
+    return Simulation(fmu, slow_fmu)

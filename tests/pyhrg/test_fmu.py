@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from fmpy import simulate_fmu
 
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
 
 
 def test_driver_equals_fmpy_to_the_last_bit(fmu: GyroFmu) -> None:

@@ -5,23 +5,18 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study import columns
-from ins_eval.study.mission_weights import MissionWeights
-from ins_eval.study.predictors import (
-    fitted_map,
-    manoeuvre_theory,
-    map_drift,
-    oracle,
-    stability_rule,
-)
+from ins_eval.mission_model.mission_weights import MissionWeights
+from ins_eval.mission_model.triads import Triads
+from ins_eval.study.predictors import fitted_map, manoeuvre_theory, oracle, stability_rule
 from ins_eval.study.predictors.knowledge import bench_knowledge
-from ins_eval.study.predictors.map_drift import MapDrift
+from ins_eval.study.predictors.parts import map_drift
+from ins_eval.study.predictors.parts.map_drift import MapDrift
+from ins_eval.study.predictors.parts.turned_maps import unstarted
 from ins_eval.study.predictors.prediction import Prediction
 from ins_eval.study.predictors.rms_over_angles import rms_over_angles, triad_rms_over_angles
-from ins_eval.study.predictors.turned_maps import unstarted
 from ins_eval.study.predictors.unpredictable import unpredictable
-from ins_eval.study.triads import Triads
-from pyhrg.units import DEG_PER_H
+from ins_eval.study.tables import columns
+from pyhrg.common.units import DEG_PER_H
 
 Array = NDArray[np.float64]
 

@@ -8,13 +8,13 @@ noise and accelerometers how far about.
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study.mission_weights import MissionWeights
-from ins_eval.study.predictors.drawn_errors import at_angles, at_any_angle
-from ins_eval.study.predictors.expected_error import expected_error
+from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.study.predictors.knowledge import BenchKnowledge
-from ins_eval.study.predictors.map_drift import MapDrift
+from ins_eval.study.predictors.parts.drawn_errors import at_angles, at_any_angle
+from ins_eval.study.predictors.parts.expected_error import expected_error
+from ins_eval.study.predictors.parts.map_drift import MapDrift
+from ins_eval.study.predictors.parts.turned_maps import started, weights_from
 from ins_eval.study.predictors.prediction import Drawn
-from ins_eval.study.predictors.turned_maps import started, weights_from
 
 Array = NDArray[np.float64]
 

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study.bench_plan import WARMER
-from ins_eval.study.signals import COUNT
-from ins_eval.study.triads import Triads
+from ins_eval.mission_model.signals import COUNT
+from ins_eval.mission_model.triads import Triads
+from ins_eval.study.gyros.bench_plan import WARMER
 
 Array = NDArray[np.float64]
 

@@ -8,8 +8,8 @@ tells nothing of the scale factor's map, and neither does this.
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study.gyro_map import HARMONICS, TERMS
-from ins_eval.study.mission_weights import MissionWeights
+from ins_eval.mission_model.gyro_map import HARMONICS, TERMS
+from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.study.predictors.prediction import Normal
 
 Array = NDArray[np.float64]

@@ -4,11 +4,11 @@ can: noise and accelerometers, and without the power-on angle where the patterns
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study.mission_weights import MissionWeights
-from ins_eval.study.predictors.drawn_errors import at_any_angle
-from ins_eval.study.predictors.expected_error import expected_error
+from ins_eval.mission_model.mission_weights import MissionWeights
+from ins_eval.study.predictors.parts.drawn_errors import at_any_angle
+from ins_eval.study.predictors.parts.expected_error import expected_error
+from ins_eval.study.predictors.parts.turned_maps import unstarted
 from ins_eval.study.predictors.prediction import Drawn, Normal
-from ins_eval.study.predictors.turned_maps import unstarted
 
 Array = NDArray[np.float64]
 

@@ -6,7 +6,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.radial_error import radius_at
+from ins_eval.common.radial_error import radius_at
 
 Array = NDArray[np.float64]
 

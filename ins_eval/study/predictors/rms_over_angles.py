@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study.predictors.turned_maps import weights_from
+from ins_eval.study.predictors.parts.turned_maps import weights_from
 
 Array = NDArray[np.float64]
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.study.predictors.prediction import Normal
-from pyhrg.units import DEG_PER_H, HOUR, NAUTICAL_MILE
+from pyhrg.common.units import DEG_PER_H, HOUR, NAUTICAL_MILE
 
 Array = NDArray[np.float64]
 

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study.mission_weights import MissionWeights
+from ins_eval.mission_model.mission_weights import MissionWeights
 
 Array = NDArray[np.float64]
 

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 import numpy as np
 import pandas as pd
 
-from ins_eval.study import columns as c
-from ins_eval.study.report.dots import LARGE, positive
+from ins_eval.study.report.figures.dots import LARGE, positive
 from ins_eval.study.report.requirements import figure
 from ins_eval.study.report.result import CONDITIONS, StudyResult
-from ins_eval.study.score import (
+from ins_eval.study.tables import columns as c
+from ins_eval.study.tables.score import (
     ADVANTAGE,
     COVERAGE,
     MEDIAN_RATIO,
@@ -19,9 +19,8 @@ from ins_eval.study.score import (
     VARIANCE_REMOVED,
     Score,
 )
-from pyhrg.bench.outcome import Table
-from pyhrg.bench.reporting.markup import paragraph, table
-from pyhrg.pages import svg
+from pyhrg.common.pages import svg
+from pyhrg.common.pages.markup import Table, paragraph, table
 
 FIXED, CIRCUMFERENCE, FITTED = "fixed_rule", "circumference_rule", "fitted_map"
 COLOURS = {FIXED: "c1", CIRCUMFERENCE: "c0", FITTED: "c2"}

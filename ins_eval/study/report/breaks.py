@@ -2,13 +2,12 @@
 
 from collections.abc import Sequence
 
-from ins_eval.study.report.marks import calibration_title
-from ins_eval.study.report.matrix import TITLES
+from ins_eval.study.report.figures.marks import calibration_title
+from ins_eval.study.report.figures.matrix import TITLES
 from ins_eval.study.report.requirements import asked, requirements, unseen, where
 from ins_eval.study.report.result import StudyResult
-from ins_eval.study.score import SCORES, Score
-from pyhrg.bench.outcome import Table
-from pyhrg.bench.reporting.markup import paragraph, table
+from ins_eval.study.tables.score import SCORES, Score
+from pyhrg.common.pages.markup import Table, paragraph, table
 
 
 def breaks(result: StudyResult) -> str:

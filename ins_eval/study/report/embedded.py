@@ -7,10 +7,10 @@ from typing import Any
 
 import pandas as pd
 
-from ins_eval.study import columns as c
 from ins_eval.study.report.result import StudyResult
-from ins_eval.study.score import MEDIAN_RATIO, R2_RADIAL, SPEARMAN, Score
-from pyhrg.pages.svg import number
+from ins_eval.study.tables import columns as c
+from ins_eval.study.tables.score import MEDIAN_RATIO, R2_RADIAL, SPEARMAN, Score
+from pyhrg.common.pages.svg import number
 
 DIGITS = 4
 NAMES = (c.CALIBRATION, c.HALF, c.CLASS, c.MISSION)

@@ -5,18 +5,18 @@ from collections.abc import Sequence
 from importlib.resources import files
 from pathlib import Path
 
-from fmu_build.files import staging
-from ins_eval.study import columns as c
 from ins_eval.study.report.apart import sentence
 from ins_eval.study.report.embedded import embedded
-from ins_eval.study.report.marks import calibration_title
+from ins_eval.study.report.figures.marks import calibration_title
 from ins_eval.study.report.requirements import UNSEEN
 from ins_eval.study.report.result import StudyResult
 from ins_eval.study.report.sections import SECTIONS, markup
 from ins_eval.study.report.verdict import headline, verdict
-from ins_eval.study.score import ALL
-from pyhrg.bench.reporting.markup import paragraph
-from pyhrg.pages.shell import POLICY, base_style
+from ins_eval.study.tables import columns as c
+from ins_eval.study.tables.score import ALL
+from pyhrg.common.files import staging
+from pyhrg.common.pages.markup import paragraph
+from pyhrg.common.pages.shell import POLICY, base_style
 
 PAGE = "report.html"
 TITLE = "Does the full circumference predict the navigator's error?"

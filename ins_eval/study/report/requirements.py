@@ -2,13 +2,13 @@
 
 from collections.abc import Sequence
 
-from ins_eval.study import columns as c
-from ins_eval.study.report.marks import calibration_title
-from ins_eval.study.report.matrix import TITLES
+from ins_eval.study.report.figures.marks import calibration_title
+from ins_eval.study.report.figures.matrix import TITLES
 from ins_eval.study.report.result import StudyResult
-from ins_eval.study.score import ALL, SCORES, Score
-from pyhrg.bench.outcome import Table
-from pyhrg.pages.svg import number
+from ins_eval.study.tables import columns as c
+from ins_eval.study.tables.score import ALL, SCORES, Score
+from pyhrg.common.pages.markup import Table
+from pyhrg.common.pages.svg import number
 
 UNSEEN = "test"
 YARDSTICKS = ("oracle", "oracle_any_angle")

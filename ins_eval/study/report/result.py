@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from ins_eval.study import columns
-from ins_eval.study import score as scored
-from ins_eval.study.score import Score
 from ins_eval.study.specification import CONDITION
+from ins_eval.study.tables import columns
+from ins_eval.study.tables import score as scored
+from ins_eval.study.tables.score import Score
 
 TABLE, DOCUMENT = "study.parquet", "study.json"
 INTERVAL_PERCENT = "interval_percent"

@@ -4,18 +4,17 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from ins_eval.study import columns as c
-from ins_eval.study import score as scored
 from ins_eval.study.report.apart import apart
 from ins_eval.study.report.breaks import breaks, controls
-from ins_eval.study.report.budget import budget
-from ins_eval.study.report.growth import panels
-from ins_eval.study.report.matrix import Axis, matrices
-from ins_eval.study.report.ranking import ranking
+from ins_eval.study.report.figures.budget import budget
+from ins_eval.study.report.figures.growth import panels
+from ins_eval.study.report.figures.matrix import Axis, matrices
+from ins_eval.study.report.figures.ranking import ranking
+from ins_eval.study.report.figures.scatter import predictions
 from ins_eval.study.report.result import CONDITIONS, StudyResult
-from ins_eval.study.report.scatter import predictions
-from pyhrg.bench.outcome import Table
-from pyhrg.bench.reporting.markup import paragraph, table
+from ins_eval.study.tables import columns as c
+from ins_eval.study.tables import score as scored
+from pyhrg.common.pages.markup import Table, paragraph, table
 
 R2 = Axis(-0.2, 1.0, 1.0)
 RATIO = Axis(0.1, 100.0, 1.0, log=True)

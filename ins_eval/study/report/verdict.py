@@ -2,12 +2,12 @@
 
 from collections.abc import Sequence
 
-from ins_eval.study import columns as c
-from ins_eval.study.report.marks import calibration_title
+from ins_eval.study.report.figures.marks import calibration_title
 from ins_eval.study.report.promise import WORDS, Ratio
 from ins_eval.study.report.requirements import asked, figure, unseen
 from ins_eval.study.report.result import StudyResult
-from ins_eval.study.score import (
+from ins_eval.study.tables import columns as c
+from ins_eval.study.tables.score import (
     ALL,
     COVERAGE,
     MEDIAN_RATIO,

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ins_eval.study.run.errors import StudyRunError
 from ins_eval.study.run.identity import Identity
 from ins_eval.study.specification import Study
-from pyhrg.made_by import difference, made_by
+from pyhrg.common.made_by import difference, made_by
 
 MOST = 20
 """Triads of a block: the bench takes a minute for them, which is what a kill may cost."""

@@ -10,11 +10,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from fmu_build.files import write_whole
 from ins_eval.study.run.block import Arrays, unpacked
 from ins_eval.study.run.errors import StudyRunError
 from ins_eval.study.run.identity import Identity
-from pyhrg.made_by import difference
+from pyhrg.common.files import write_whole
+from pyhrg.common.made_by import difference
 
 IDENTITY = "identity.json"
 BLOCKS = "blocks"

@@ -6,7 +6,7 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from ins_eval.study.specification import Study
-from pyhrg.made_by import made_by
+from pyhrg.common.made_by import made_by
 
 
 @dataclass(frozen=True)

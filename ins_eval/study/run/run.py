@@ -4,7 +4,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from fmu_build.files import staging
 from ins_eval.study.run import block
 from ins_eval.study.run.block import Arrays, BlockWork, Made
 from ins_eval.study.run.errors import StudyRunError
@@ -12,6 +11,7 @@ from ins_eval.study.run.folder import StudyFolder, claimed
 from ins_eval.study.run.identity import identity
 from ins_eval.study.run.workers import connected, spread
 from ins_eval.study.specification import Study
+from pyhrg.common.files import staging
 
 Done = Callable[[int], None]
 

@@ -7,8 +7,8 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from ins_eval.study import columns
-from ins_eval.study.score import ALL
+from ins_eval.study.tables import columns
+from ins_eval.study.tables.score import ALL
 
 Array = NDArray[np.float64]
 

@@ -4,13 +4,13 @@ from collections.abc import Iterator
 
 import pandas as pd
 
-from ins_eval.study import columns, score
-from ins_eval.study.score import Score
 from ins_eval.study.scores import measures
 from ins_eval.study.scores.coverage import coverage
 from ins_eval.study.scores.groups import groups
 from ins_eval.study.scores.resampling import bootstrapped, shuffled
 from ins_eval.study.scores.sheet import Sheet
+from ins_eval.study.tables import columns, score
+from ins_eval.study.tables.score import Score
 
 FIXED, CIRCUMFERENCE, THEORY = "fixed_rule", "circumference_rule", "manoeuvre_theory"
 FITTED, BENCH_ORACLE, ORACLE = "fitted_map", "bench_oracle", "oracle"

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study import columns
-from ins_eval.study.score import Score
 from ins_eval.study.scores.groups import Group
 from ins_eval.study.scores.resampling import CONFIDENCE, Estimate, Statistic, bootstrapped
+from ins_eval.study.tables import columns
+from ins_eval.study.tables.score import Score
 
 Array = NDArray[np.float64]
 

@@ -6,9 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.outcome import Finding, Table, deviation_finding, mean_finding
+from pyhrg.bench.outcome import Finding, deviation_finding, mean_finding
 from pyhrg.bench.readings.segments import Segments
-from pyhrg.units import DEG_PER_H
+from pyhrg.common.pages.markup import Table
+from pyhrg.common.units import DEG_PER_H
 
 RUNS = 7
 """Power-ons of a test (paper 4.1, item 4)."""

@@ -13,8 +13,8 @@ from pyhrg.bench.estimation.harmonics import MEAN, Fit, design, fit, inflation
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.dwells import Points, points
 from pyhrg.bench.readings.segments import SEGMENT, WARM_UP
-from pyhrg.campaign import Test
-from pyhrg.site import Site
+from pyhrg.common.site import Site
+from pyhrg.records.campaign import Test
 
 HARMONICS = (2, 4)
 LARGEST_INFLATION = 3.0

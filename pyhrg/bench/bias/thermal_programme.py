@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import SEGMENT, WARM_UP
-from pyhrg.units import DEG, MINUTE, ZERO_CELSIUS
+from pyhrg.common.units import DEG, MINUTE, ZERO_CELSIUS
 
 SOAKS = (-40.0, -20.0, 0.0, 20.0, 40.0, 60.0)
 """Temperatures, degC."""

@@ -10,11 +10,11 @@ from collections.abc import Sequence
 from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias import full_circumference
 from pyhrg.bench.bias.bias_test import RUNS, bias_test
-from pyhrg.bench.bias.full_circumference import SEGMENTS, power_ons, runs_of
-from pyhrg.bench.bias.position_variances import within_finding
-from pyhrg.bench.bias.positions import Plan
+from pyhrg.bench.bias.position import full_circumference
+from pyhrg.bench.bias.position.full_circumference import SEGMENTS, power_ons, runs_of
+from pyhrg.bench.bias.position.position_variances import within_finding
+from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.calibration.calibration_figure import draw
 from pyhrg.bench.calibration.calibration_maps import (
     Calibration,
@@ -31,9 +31,9 @@ from pyhrg.bench.readings.segments import Segments
 from pyhrg.bench.scale_factor import rate_tests
 from pyhrg.bench.scale_factor.rate_tests import exclusions, turn_power_ons
 from pyhrg.bench.scale_factor.scale_factor import SCALE
-from pyhrg.campaign import Campaign, Test
-from pyhrg.device import Device
-from pyhrg.units import DEG
+from pyhrg.common.units import DEG
+from pyhrg.device.device import Device
+from pyhrg.records.campaign import Campaign, Test
 
 AFTER = "calibrated"
 CONTROL = "wrong_map"

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from pyhrg.bench.calibration.calibration_maps import Calibration
 from pyhrg.bench.estimation.harmonics import TILT
 from pyhrg.bench.readings.segments import Segments
-from pyhrg.units import DEG, DEG_PER_H, PPM
+from pyhrg.common.units import DEG, DEG_PER_H, PPM
 
 COLOURS = {"before": "#D55E00", "after": "#0072B2"}
 """Vermilion and blue of M. Okabe and K. Ito: told apart by the colour-blind."""

@@ -15,16 +15,16 @@ from dataclasses import asdict, dataclass, fields, replace
 import numpy as np
 from scipy import stats
 
-from pyhrg.bench.bias import full_circumference
-from pyhrg.bench.bias.full_circumference import Map, fitted_map, runs_of
+from pyhrg.bench.bias.position import full_circumference
+from pyhrg.bench.bias.position.full_circumference import Map, fitted_map, runs_of
 from pyhrg.bench.estimation.harmonics import MEAN, harmonic
 from pyhrg.bench.outcome import Finding
 from pyhrg.bench.procedure import tests_of
 from pyhrg.bench.readings.output_rows import bryan_factor
 from pyhrg.bench.scale_factor.rate_tests import rate_turns
 from pyhrg.bench.scale_factor.scale_factor import SCALE, ScaleFactorMap, fitted
-from pyhrg.campaign import Campaign
-from pyhrg.device import AngleMap, Device
+from pyhrg.device.device import AngleMap, Device
+from pyhrg.records.campaign import Campaign
 
 Estimate = tuple[float, float, float]
 """Value, standard error, degrees of freedom."""

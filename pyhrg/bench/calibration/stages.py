@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 
 from pyhrg.bench.bench import Bench
-from pyhrg.campaign import Campaign, Test
-from pyhrg.device import Device
+from pyhrg.device.device import Device
+from pyhrg.records.campaign import Campaign, Test
 
 
 def staged(tests: Sequence[Test], stage: str) -> list[Test]:

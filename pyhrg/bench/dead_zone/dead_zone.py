@@ -22,9 +22,9 @@ from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of, usable
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.output_rows import bryan_factor
-from pyhrg.campaign import Campaign, Test
-from pyhrg.device import AngleMap, Device
-from pyhrg.units import DEG, DEG_PER_H, HOUR
+from pyhrg.common.units import DEG, DEG_PER_H, HOUR
+from pyhrg.device.device import AngleMap, Device
+from pyhrg.records.campaign import Campaign, Test
 
 MAP, PLAIN = "dead_zone_map", "dead_zone"
 COMPENSATED, CANCELLED = "dead_zone_compensated", "dead_zone_cancelled"

@@ -8,8 +8,8 @@ from matplotlib.figure import Figure
 
 from pyhrg.bench.dead_zone.lock import Run
 from pyhrg.bench.estimation.harmonics import MEAN, Fit
-from pyhrg.theory import adler_mean_rate
-from pyhrg.units import DEG_PER_H
+from pyhrg.common.units import DEG_PER_H
+from pyhrg.theory.closed_forms import adler_mean_rate
 
 BLUE, ORANGE = "#0072B2", "#D55E00"
 

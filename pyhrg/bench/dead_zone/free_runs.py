@@ -8,9 +8,10 @@ import numpy as np
 from pyhrg.bench.dead_zone.lock import Run
 from pyhrg.bench.dead_zone.turning import FOURTH
 from pyhrg.bench.estimation.harmonics import MEAN, Fit
-from pyhrg.bench.outcome import Finding, Table, mean_finding
-from pyhrg.theory import adler_lock_angle, adler_mean_rate
-from pyhrg.units import DEG_PER_H
+from pyhrg.bench.outcome import Finding, mean_finding
+from pyhrg.common.pages.markup import Table
+from pyhrg.common.units import DEG_PER_H
+from pyhrg.theory.closed_forms import adler_lock_angle, adler_mean_rate
 
 
 def adler_findings(plain: Sequence[Run], fitted: Fit, lock: float) -> tuple[Finding, ...]:

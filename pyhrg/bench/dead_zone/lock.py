@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from pyhrg.bench.outcome import BenchError
+from pyhrg.common.site import EARTH_RATE
+from pyhrg.common.units import DEG
 from pyhrg.records import Log
-from pyhrg.site import EARTH_RATE
-from pyhrg.units import DEG
 
 PERIOD = math.pi / 2
 """Of the dead zone in the pattern angle, rad."""

@@ -15,9 +15,9 @@ from pyhrg.bench.estimation.row_fit import Part, RowFit, inflations, row_fit
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.plateaus import plateaus
 from pyhrg.bench.readings.segments import SEGMENT
+from pyhrg.common.site import EARTH_RATE
+from pyhrg.common.units import DEG
 from pyhrg.records import Log
-from pyhrg.site import EARTH_RATE
-from pyhrg.units import DEG
 
 Array = NDArray[np.float64]
 

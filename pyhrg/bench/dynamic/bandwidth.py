@@ -13,12 +13,13 @@ from numpy.typing import NDArray
 from scipy import stats
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table, mean_finding
+from pyhrg.bench.outcome import BenchError, Finding, Outcome, mean_finding
 from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
-from pyhrg.campaign import Campaign, Test
+from pyhrg.common.pages.markup import Table
+from pyhrg.common.units import DEG
 from pyhrg.records import Log
-from pyhrg.units import DEG
+from pyhrg.records.campaign import Campaign, Test
 
 KIND = "bandwidth"
 INTERVAL = 1e-3

@@ -12,14 +12,15 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table
+from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.plateaus import plateaus
-from pyhrg.campaign import Campaign, Test
+from pyhrg.common.pages.markup import Table
+from pyhrg.common.site import EARTH_RATE
+from pyhrg.common.units import DEG
 from pyhrg.records import Log
-from pyhrg.site import EARTH_RATE
-from pyhrg.units import DEG
+from pyhrg.records.campaign import Campaign, Test
 
 KIND = "range"
 LIMIT = 100e-6

@@ -14,12 +14,13 @@ from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS
-from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table
+from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
-from pyhrg.campaign import Campaign, Test
+from pyhrg.common.pages.markup import Table
+from pyhrg.common.site import EARTH_RATE
+from pyhrg.common.units import DEG_PER_H
 from pyhrg.records import Log
-from pyhrg.site import EARTH_RATE
-from pyhrg.units import DEG_PER_H
+from pyhrg.records.campaign import Campaign, Test
 
 Array = NDArray[np.float64]
 

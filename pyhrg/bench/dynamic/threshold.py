@@ -14,13 +14,14 @@ from matplotlib.figure import Figure
 from scipy import stats
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.outcome import BenchError, Finding, Outcome, Table
+from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.plateaus import Plateau, plateaus
-from pyhrg.campaign import Campaign, Test
+from pyhrg.common.pages.markup import Table
+from pyhrg.common.units import DEG
 from pyhrg.records import Log
-from pyhrg.units import DEG
+from pyhrg.records.campaign import Campaign, Test
 
 KIND = "threshold"
 RATES = tuple(np.array([2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01]) * 1e-3 * DEG)

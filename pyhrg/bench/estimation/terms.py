@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, MEAN, design, inflation
-from pyhrg.units import DEG
+from pyhrg.common.units import DEG
 
 Array = NDArray[np.float64]
 

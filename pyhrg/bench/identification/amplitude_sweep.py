@@ -33,8 +33,8 @@ from pyhrg.bench.readings.output_rows import (
     output_error,
     useful,
 )
-from pyhrg.campaign import Campaign, Test
-from pyhrg.units import DEG
+from pyhrg.common.units import DEG
+from pyhrg.records.campaign import Campaign, Test
 
 KIND = "amplitude"
 AMPLITUDES = (0.8, 1.0, 1.2, 1.0, 0.8)

@@ -19,8 +19,8 @@ from pyhrg.bench.identification.virtual_rotation import programme
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.readings.output_rows import Array, Rows, Terms, fitted, useful
-from pyhrg.campaign import Campaign, Test
-from pyhrg.units import DEG
+from pyhrg.common.units import DEG
+from pyhrg.records.campaign import Campaign, Test
 
 KIND = "force_map"
 RATE = 0.5 * DEG

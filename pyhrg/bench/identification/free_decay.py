@@ -11,11 +11,11 @@ from pyhrg.bench.estimation.row_fit import Part, RowFit, row_fit
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.output_rows import FEWEST
 from pyhrg.bench.readings.segments import AT_REST
+from pyhrg.common.site import Site
+from pyhrg.common.units import DEG
 from pyhrg.fmu import CONTROL_PERIOD
-from pyhrg.free_orbit import Array, FreeShell
 from pyhrg.records import Log
-from pyhrg.site import Site
-from pyhrg.units import DEG
+from pyhrg.theory.free_orbit import Array, FreeShell
 
 TERMS = ("decay", "damping cos", "damping sin", "split cos", "split sin")
 CHANNELS = ("angle", "amplitude")

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pyhrg.bench.readings.output_rows import Rows, Terms
-from pyhrg.units import DEG, DEG_PER_H
+from pyhrg.common.units import DEG, DEG_PER_H
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
 """Told apart by colour-blind readers too (Okabe and Ito)."""

@@ -24,8 +24,8 @@ from pyhrg.bench.readings.output_rows import (
     output_error,
     useful,
 )
-from pyhrg.campaign import Campaign, Test
-from pyhrg.units import DEG, DEG_PER_H
+from pyhrg.common.units import DEG, DEG_PER_H
+from pyhrg.records.campaign import Campaign, Test
 
 KIND = "phase_step"
 OFFSETS = (0.0, 2e-3, -2e-3, 0.0)

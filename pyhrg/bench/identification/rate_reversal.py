@@ -27,8 +27,8 @@ from pyhrg.bench.readings.output_rows import (
     output_error,
     useful,
 )
-from pyhrg.campaign import Campaign, Test
-from pyhrg.units import DEG
+from pyhrg.common.units import DEG
+from pyhrg.records.campaign import Campaign, Test
 
 KIND = "rate"
 RATES = (5 * DEG, -5 * DEG)

@@ -25,8 +25,8 @@ from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.output_rows import FEWEST, TRANSIENT, bryan_factor
-from pyhrg.campaign import Campaign, Test
-from pyhrg.units import ARCSEC, DEG
+from pyhrg.common.units import ARCSEC, DEG
+from pyhrg.records.campaign import Campaign, Test
 
 KIND = "ring_down"
 POSITIONS = 8

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import usable
 from pyhrg.bench.readings.noise_records import NoiseRecord, alike, noise_records
-from pyhrg.campaign import Campaign
-from pyhrg.noise_model import NoiseCoefficients, coefficients
+from pyhrg.noise.model import NoiseCoefficients, coefficients
+from pyhrg.records.campaign import Campaign
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,6 @@ import math
 
 import numpy as np
 
-from pyhrg.allan import allan_deviation
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.noise.noise_of_tests import Noise, noise
 from pyhrg.bench.noise.random_walk_figure import Shown, draw
@@ -12,9 +11,10 @@ from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import WARM_UP
-from pyhrg.campaign import Campaign, Test
-from pyhrg.noise_model import Coefficient
-from pyhrg.units import DEG, HOUR
+from pyhrg.common.units import DEG, HOUR
+from pyhrg.noise.allan import allan_deviation
+from pyhrg.noise.model import Coefficient
+from pyhrg.records.campaign import Campaign, Test
 
 OFF, ON = KINDS = ("static", "virtual_rotation")
 DURATION = 2 * HOUR

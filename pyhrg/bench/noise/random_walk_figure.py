@@ -8,10 +8,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pyhrg.allan import AllanDeviation, expected_deviation
-from pyhrg.noise_likelihood import Array
-from pyhrg.noise_model import NoiseCoefficients
-from pyhrg.units import DEG_PER_H
+from pyhrg.common.units import DEG_PER_H
+from pyhrg.noise.allan import AllanDeviation, expected_deviation
+from pyhrg.noise.likelihood import Array
+from pyhrg.noise.model import NoiseCoefficients
 
 LARGEST = math.sqrt(0.5)
 """Share of the deviation from which a noise is the largest."""

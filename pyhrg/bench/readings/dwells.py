@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.segments import SEGMENT, rests
+from pyhrg.common.site import EARTH_RATE
 from pyhrg.records import Log
-from pyhrg.site import EARTH_RATE
 
 Array = NDArray[np.float64]
 

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.segments import AT_REST, WARM_UP
-from pyhrg.noise_likelihood import Spectrum, spectrum
-from pyhrg.noise_model import LEAST_SAMPLES, NoiseError, check_record
+from pyhrg.noise.likelihood import Spectrum, spectrum
+from pyhrg.noise.model import LEAST_SAMPLES, NoiseError, check_record
 from pyhrg.records import Log
 
 Array = NDArray[np.float64]

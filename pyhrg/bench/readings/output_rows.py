@@ -15,9 +15,9 @@ from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, Fit
 from pyhrg.bench.estimation.row_fit import Part, inflations, row_fit
 from pyhrg.bench.outcome import BenchError, Finding
 from pyhrg.bench.readings.segments import AT_REST
-from pyhrg.campaign import Campaign
+from pyhrg.common.site import Site
 from pyhrg.records import Log
-from pyhrg.site import Site
+from pyhrg.records.campaign import Campaign
 
 Array = NDArray[np.float64]
 

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.units import DEG
 from pyhrg.records import Log
-from pyhrg.units import DEG
 
 Array = NDArray[np.float64]
 

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
+from pyhrg.common.site import EARTH_RATE
+from pyhrg.common.units import DEG
 from pyhrg.records import Log
-from pyhrg.site import EARTH_RATE
-from pyhrg.units import DEG
 
 Array = NDArray[np.float64]
 

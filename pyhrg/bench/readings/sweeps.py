@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 from pyhrg.bench.estimation.angle_fit import Record, inflation
 from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, harmonic
 from pyhrg.bench.readings.turns import ENCODER, SETTLE, UNSTEADY
+from pyhrg.common.site import EARTH_RATE
+from pyhrg.common.units import DEG
 from pyhrg.records import Log
-from pyhrg.site import EARTH_RATE
-from pyhrg.units import DEG
 
 Array = NDArray[np.float64]
 

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 
 from pyhrg.bench.outcome import Outcome
 from pyhrg.bench.procedure import Procedure
-from pyhrg.bench.reporting.markup import paragraph, table
 from pyhrg.bench.reporting.report import PICTURE, Results, findings_table, notes
+from pyhrg.common.pages.markup import paragraph, table
 
 PAGE = "report.html"
 STYLE = (

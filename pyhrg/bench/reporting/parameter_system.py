@@ -3,8 +3,9 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from pyhrg.bench.outcome import Outcome, Table
+from pyhrg.bench.outcome import Outcome
 from pyhrg.bench.reporting.report import shown
+from pyhrg.common.pages.markup import Table
 
 
 @dataclass(frozen=True)

@@ -12,9 +12,10 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from pyhrg.bench.outcome import Finding, Outcome, Table
+from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.reporting.judgement import Judgement, judged, unmatched
+from pyhrg.common.pages.markup import Table
 
 SCHEMA = "hrg-bench/1"
 RESULT, PICTURE = "result.json", "figure.png"

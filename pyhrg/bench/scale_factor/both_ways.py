@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from pyhrg.bench.readings.turns import Turn
-from pyhrg.units import DEG
+from pyhrg.common.units import DEG
 
 Array = NDArray[np.float64]
 

@@ -15,20 +15,14 @@ from numpy.typing import NDArray
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.largest import largest_interval
 from pyhrg.bench.estimation.line import Line
-from pyhrg.bench.outcome import (
-    BenchError,
-    Finding,
-    Outcome,
-    Table,
-    deviation_finding,
-    mean_finding,
-)
+from pyhrg.bench.outcome import BenchError, Finding, Outcome, deviation_finding, mean_finding
 from pyhrg.bench.procedure import Procedure, tests_of
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.turns import PERIOD, SETTLE, Turn
 from pyhrg.bench.scale_factor.rate_tests import INTERVAL, RUNS, WARM_UP, exclusions, turns_of
-from pyhrg.campaign import Campaign, Test
-from pyhrg.units import DEG
+from pyhrg.common.pages.markup import Table
+from pyhrg.common.units import DEG
+from pyhrg.records.campaign import Campaign, Test
 
 Array = NDArray[np.float64]
 

@@ -6,8 +6,8 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import exclusions_of, tests_of
 from pyhrg.bench.readings.turns import PERIOD, Turn, left_out, turns
-from pyhrg.campaign import Campaign, Test
-from pyhrg.units import DEG
+from pyhrg.common.units import DEG
+from pyhrg.records.campaign import Campaign, Test
 
 KIND = "rate"
 RUNS = 7

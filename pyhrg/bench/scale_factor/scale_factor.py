@@ -19,9 +19,10 @@ from numpy.typing import NDArray
 from pyhrg.bench.estimation.angle_fit import AngleFit, Record, fit_angles, inflation
 from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, TILT, harmonic
 from pyhrg.bench.estimation.magnitude import magnitude_interval
-from pyhrg.bench.outcome import BenchError, Finding, Table
+from pyhrg.bench.outcome import BenchError, Finding
 from pyhrg.bench.readings.turns import Turn
-from pyhrg.units import DEG, PPM
+from pyhrg.common.pages.markup import Table
+from pyhrg.common.units import DEG, PPM
 
 Array = NDArray[np.float64]
 

@@ -19,8 +19,8 @@ from pyhrg.bench.readings.turns import Turn
 from pyhrg.bench.scale_factor.both_ways import draw_both_ways
 from pyhrg.bench.scale_factor.rate_tests import KIND, RUNS, exclusions, rate_turns, record_turns
 from pyhrg.bench.scale_factor.scale_factor import ScaleFactorMap, fitted, period_table
-from pyhrg.campaign import Campaign, Test
-from pyhrg.units import DEG
+from pyhrg.common.units import DEG
+from pyhrg.records.campaign import Campaign, Test
 
 Array = NDArray[np.float64]
 

@@ -8,7 +8,7 @@ from scipy import stats
 
 from pyhrg.bench.outcome import BenchError, Finding
 from pyhrg.bench.readings.sweeps import WHOLE, Sweep
-from pyhrg.units import DEG
+from pyhrg.common.units import DEG
 
 
 @dataclass(frozen=True)

@@ -22,8 +22,8 @@ from pyhrg.bench.scale_factor.scale_factor import fitted
 from pyhrg.bench.self_calibration import cycles
 from pyhrg.bench.self_calibration.cycles import Cycle, averaging, pooled
 from pyhrg.bench.self_calibration.self_calibration_figure import draw
-from pyhrg.campaign import Campaign, Test
-from pyhrg.units import DEG, DEG_PER_H
+from pyhrg.common.units import DEG, DEG_PER_H
+from pyhrg.records.campaign import Campaign, Test
 
 KIND = "self_calibration"
 KINDS = (KIND, "virtual_rotation", "static")

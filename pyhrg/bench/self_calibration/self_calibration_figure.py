@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pyhrg.bench.self_calibration.cycles import Cycle
-from pyhrg.units import DEG, DEG_PER_H
+from pyhrg.common.units import DEG, DEG_PER_H
 
 
 def draw(figure: Figure, on: Sequence[Sequence[Cycle]], off: Sequence[Sequence[Cycle]]) -> None:

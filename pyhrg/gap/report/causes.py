@@ -2,11 +2,12 @@
 
 import html
 
-from pyhrg.bench.reporting.markup import paragraph
-from pyhrg.device_keys import KEYS
+from pyhrg.common.pages.markup import paragraph
+from pyhrg.common.pages.svg import number
+from pyhrg.device.keys import KEYS
 from pyhrg.gap.diagnose import Diagnosed
-from pyhrg.gap.diagnosis import Cause
-from pyhrg.gap.noise_search import NoiseFound
+from pyhrg.gap.evidence.noise.noise_search import NoiseFound
+from pyhrg.gap.findings.diagnosis import Cause
 from pyhrg.gap.report.words import (
     bar,
     effect_words,
@@ -16,7 +17,6 @@ from pyhrg.gap.report.words import (
     unit_of,
     value_words,
 )
-from pyhrg.pages.svg import number
 
 SETS, GROUPS = 10, 10
 """Listed at most."""

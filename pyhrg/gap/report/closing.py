@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from pyhrg.bench.reporting.markup import paragraph
+from pyhrg.common.pages.markup import paragraph
+from pyhrg.common.pages.svg import Scale, decades, number
 from pyhrg.gap.diagnose import Diagnosed
-from pyhrg.gap.diagnosis import Gap, GapFigure
+from pyhrg.gap.findings.diagnosis import Gap, GapFigure
 from pyhrg.gap.report.words import markup_table
-from pyhrg.pages.svg import Scale, decades, number
 
 WIDTH = 240
 UNITS = {"angle_arcsec": ("output angle", "arcsec"), "rate_deg_h": ("rate over 100 s", "deg/h")}

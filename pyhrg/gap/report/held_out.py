@@ -5,11 +5,11 @@ import html
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.reporting.markup import paragraph
+from pyhrg.common.pages.markup import paragraph
 from pyhrg.gap.diagnose import Diagnosed
-from pyhrg.gap.report.bins import extremes
-from pyhrg.gap.report.strips import Band, Labels, Size, Strip, drawing
-from pyhrg.gap.report.views import VIEWS, noises
+from pyhrg.gap.report.figures.bins import extremes
+from pyhrg.gap.report.figures.strips import Band, Labels, Size, Strip, drawing
+from pyhrg.gap.report.figures.views import VIEWS, noises
 
 Array = NDArray[np.float64]
 

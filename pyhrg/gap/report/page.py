@@ -4,18 +4,18 @@ import html
 from collections.abc import Mapping
 from importlib.resources import files
 
-from pyhrg.bench.reporting.markup import paragraph
+from pyhrg.common.pages.markup import paragraph
+from pyhrg.common.pages.shell import Anchored, asset, contents, document
 from pyhrg.gap.diagnose import Diagnosed
 from pyhrg.gap.report.causes import causes, ranking
 from pyhrg.gap.report.closing import closing
+from pyhrg.gap.report.figures.scales import scales
 from pyhrg.gap.report.held_out import held_out
 from pyhrg.gap.report.places import places
 from pyhrg.gap.report.residuals import residuals
-from pyhrg.gap.report.scales import scales
+from pyhrg.gap.report.sections import Section
 from pyhrg.gap.report.verdict import headline, sentences
 from pyhrg.gap.report.words import markup_table, plain
-from pyhrg.gap.sections import Section
-from pyhrg.pages.shell import Anchored, asset, contents, document
 
 PAGE = "report.html"
 TITLE = "Where simulation and gyro part"

@@ -3,9 +3,9 @@
 import html
 from collections.abc import Sequence
 
-from pyhrg.bench.reporting.markup import paragraph
+from pyhrg.common.pages.markup import paragraph
 from pyhrg.gap.diagnose import Diagnosed
-from pyhrg.gap.diagnosis import Where
+from pyhrg.gap.findings.diagnosis import Where
 from pyhrg.gap.report.words import CHANNELS, COORDINATES, bar, markup_table, percent
 
 MOST = 14

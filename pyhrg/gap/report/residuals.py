@@ -3,10 +3,10 @@
 import html
 from collections.abc import Mapping
 
-from pyhrg.bench.reporting.markup import paragraph
+from pyhrg.common.pages.markup import paragraph
 from pyhrg.gap.diagnose import Diagnosed
-from pyhrg.gap.report.panels import ALL, Panel, markup, panels
-from pyhrg.gap.report.views import AXES, VIEWS, Axis
+from pyhrg.gap.report.figures.panels import ALL, Panel, markup, panels
+from pyhrg.gap.report.figures.views import AXES, VIEWS, Axis
 
 LEAD = (
     "Mean residual, record less simulation, in bins of each coordinate. The grey band holds 95 % "

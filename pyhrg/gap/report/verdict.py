@@ -1,10 +1,10 @@
 """A diagnosis in plain words."""
 
+from pyhrg.common.pages.svg import number
 from pyhrg.gap.diagnose import Diagnosed
-from pyhrg.gap.diagnosis import Cause, Diagnosis
+from pyhrg.gap.findings.diagnosis import Cause, Diagnosis
 from pyhrg.gap.report.closing import sentences as closed_by
 from pyhrg.gap.report.words import effect_words, listed, percent, plain, unit_of, value_words
-from pyhrg.pages.svg import number
 
 
 def headline(said: Diagnosis) -> str:

@@ -4,9 +4,9 @@ import html
 import math
 from collections.abc import Sequence
 
-from pyhrg.gap.catalogue import Effect
-from pyhrg.gap.design import Group
-from pyhrg.pages.svg import number
+from pyhrg.common.pages.svg import number
+from pyhrg.gap.effects.catalogue import Effect
+from pyhrg.gap.effects.design import Group
 
 SUFFIXES = {
     "_deg_h_per_K_min": "deg/h per K/min",

@@ -8,9 +8,9 @@ import itertools
 
 import numpy as np
 
+from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.gap.soundness.doubt import Array, Believed, Doubt, Witness, doubt, has
 from pyhrg.records import Log
-from pyhrg.units import DEG, DEG_PER_H
 
 ROUNDING = 0.1 * DEG
 """Departure of the wave's angle that neither noise nor a coarse log makes, rad."""

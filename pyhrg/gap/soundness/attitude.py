@@ -4,9 +4,9 @@ import itertools
 
 import numpy as np
 
+from pyhrg.common.units import HZ
 from pyhrg.gap.soundness.doubt import Array, Believed, Doubt, Witness, doubt, has
 from pyhrg.records import Log
-from pyhrg.units import HZ
 
 ACCELERATIONS = ("acceleration_x", "acceleration_y", "acceleration_z")
 STANDING = (

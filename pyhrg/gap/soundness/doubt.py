@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.device import Device
+from pyhrg.common.site import Site
+from pyhrg.device.device import Device
 from pyhrg.records import Log
 from pyhrg.records.columns import BY_FIELD
-from pyhrg.site import Site
 
 Array = NDArray[np.float64]
 

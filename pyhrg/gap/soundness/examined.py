@@ -4,7 +4,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pyhrg.campaign import Test
 from pyhrg.gap.soundness.angles import arrangements, doubts_of_angles, witnesses_of_bryan_factor
 from pyhrg.gap.soundness.attitude import (
     doubts_of_attitude,
@@ -20,6 +19,7 @@ from pyhrg.gap.soundness.resonator import (
     witnesses_of_decay_time,
 )
 from pyhrg.records import Log, LogError
+from pyhrg.records.campaign import Test
 
 
 @dataclass(frozen=True)

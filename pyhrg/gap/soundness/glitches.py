@@ -7,9 +7,9 @@ from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation
 
-from pyhrg.gap.observations import CHANNELS, FORCES, commanded, jolts, later, settling
-from pyhrg.gap.replay import replayable
-from pyhrg.gap.robust import robust_deviation
+from pyhrg.common.robust import robust_deviation
+from pyhrg.gap.replay.observations import CHANNELS, FORCES, commanded, jolts, later, settling
+from pyhrg.gap.replay.replay import replayable
 from pyhrg.gap.soundness.attitude import ACCELERATIONS
 from pyhrg.gap.soundness.doubt import Array, Believed, Doubt, has, with_columns
 from pyhrg.records import Log

@@ -6,12 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from pyhrg.campaign import INDEX, Campaign, CampaignError, Test
-from pyhrg.device import Device
-from pyhrg.device_file import DeviceError, from_table
-from pyhrg.device_keys import KEYS
+from pyhrg.device.device import Device
+from pyhrg.device.device_file import DeviceError, from_table
+from pyhrg.device.keys import KEYS
 from pyhrg.gap.soundness.doubt import Believed, Witness
 from pyhrg.gap.soundness.examined import Examined, examined
+from pyhrg.records.campaign import INDEX, Campaign, CampaignError, Test
 
 NEEDED = ("coriolis_factor", "decay_time_s", "frequency_Hz")
 MOST = 0.5

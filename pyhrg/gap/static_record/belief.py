@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from fmu_build.files import toml_of
+from pyhrg.common.files import toml_of
 from pyhrg.gap.static_record.terms import KINDS, Kind
 
 Array = NDArray[np.float64]

@@ -5,8 +5,8 @@ from pathlib import Path
 from pyhrg import records
 from pyhrg.gap.static_record.record import StaticRecord, of_increments, of_log
 from pyhrg.gap.static_record.terms import ACCELEROMETER, GYRO
-from pyhrg.imu_records import recorded
-from pyhrg.imu_records.log import content
+from pyhrg.records.imu import recorded
+from pyhrg.records.imu.log import content
 
 AXES = ("x", "y", "z")
 BENCH_COLUMN = b"gyro_angle_deg"
@@ -15,7 +15,7 @@ HEADER = 4096
 
 
 def read(path: Path, trusted: bool = False) -> StaticRecord:
-    """The record in a file: an IMU's (PSINS, CSV, Parquet: `pyhrg.imu_records`; body axes forward,
+    """The record in a file: an IMU's (PSINS, CSV, Parquet: `pyhrg.records.imu`; body axes forward,
     right, down) or a bench log (`pyhrg.records`).
 
     Args:

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.gap.static_record.belief import TOLERANCE_PERCENT, Belief
-from pyhrg.gap.static_record.diagnosis import Cause, ChannelDiagnosis, Closing
+from pyhrg.gap.static_record.fit.diagnosis import Cause, ChannelDiagnosis, Closing
+from pyhrg.gap.static_record.fit.unknowns import Unknown, octaves
+from pyhrg.gap.static_record.fit.whiteness import Whiteness
 from pyhrg.gap.static_record.terms import GYRO
-from pyhrg.gap.static_record.unknowns import Unknown, octaves
-from pyhrg.gap.static_record.whiteness import Whiteness
 
 Array = NDArray[np.float64]
 

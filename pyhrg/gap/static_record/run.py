@@ -6,14 +6,14 @@ from pathlib import Path
 
 import tomli_w
 
-from fmu_build.files import staging
+from pyhrg.common.files import staging
 from pyhrg.gap.static_record import belief as beliefs
 from pyhrg.gap.static_record.belief import PERIODS, TOLERANCE_PERCENT, Belief, BeliefError
-from pyhrg.gap.static_record.diagnosis import ChannelDiagnosis, diagnosed
-from pyhrg.gap.static_record.hypotheses import FALSE_ALARMS
-from pyhrg.gap.static_record.page import page
+from pyhrg.gap.static_record.fit.diagnosis import ChannelDiagnosis, diagnosed
+from pyhrg.gap.static_record.fit.hypotheses import FALSE_ALARMS
 from pyhrg.gap.static_record.reading import read
 from pyhrg.gap.static_record.record import StaticRecord
+from pyhrg.gap.static_record.report.page import page
 from pyhrg.gap.static_record.result import RecordDiagnosis, as_json
 from pyhrg.gap.static_record.shared_motion import shared_power
 

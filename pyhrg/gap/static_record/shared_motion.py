@@ -5,8 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.gap.static_record.fit.unknowns import octaves
 from pyhrg.gap.static_record.record import Channel
-from pyhrg.gap.static_record.unknowns import octaves
 
 Array = NDArray[np.float64]
 

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from pyhrg.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G
+from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G
 
 
 @dataclass(frozen=True)

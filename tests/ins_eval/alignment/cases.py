@@ -5,14 +5,14 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 from scipy.stats import chi2
 
-from ins_eval import earth
 from ins_eval.alignment.result import Alignment
+from ins_eval.common import earth
+from ins_eval.common.increments import Increments
+from ins_eval.common.rotation import mat_from_euler
+from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.triad import Constant, Triad
-from ins_eval.increments import Increments
-from ins_eval.rotation import mat_from_euler
-from ins_eval.sensor_errors import SensorErrors
 from ins_eval.trajectories.trajectory import Knots, Trajectory
-from pyhrg.units import DEG
+from pyhrg.common.units import DEG
 
 Array = NDArray[np.float64]
 

@@ -8,12 +8,12 @@ import pytest
 
 from ins_eval.alignment.align import align
 from ins_eval.alignment.analytic import AlignmentError, analytic_alignment, static_alignment
-from ins_eval.alignment.inertial_frame import inertial_frame_alignment
+from ins_eval.alignment.inertial.inertial_frame import inertial_frame_alignment
+from ins_eval.common.increments import Increments
+from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.specification import imu
-from ins_eval.increments import Increments
-from ins_eval.sensor_errors import SensorErrors
 from ins_eval.trajectories.catalogue import trajectory
-from pyhrg.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
+from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
 from tests.ins_eval.alignment.cases import (
     LATITUDE,
     MAT_NB,

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from ins_eval import earth
 from ins_eval.alignment.analytic import AlignmentError, static_alignment
-from ins_eval.increments import Increments
-from ins_eval.rotation import body_rate_from_euler, euler_from_mat, mat_from_euler
-from pyhrg.units import DEG, DEG_PER_H
+from ins_eval.common import earth
+from ins_eval.common.increments import Increments
+from ins_eval.common.rotation import body_rate_from_euler, euler_from_mat, mat_from_euler
+from pyhrg.common.units import DEG, DEG_PER_H
 from tests.ins_eval.cases import at_rest
 
 LATITUDE = 40 * DEG

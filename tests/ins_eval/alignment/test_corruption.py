@@ -10,10 +10,10 @@ import pytest
 from ins_eval.alignment.align import align
 from ins_eval.alignment.corruption import check_samples
 from ins_eval.alignment.result import AlignmentError
+from ins_eval.common.increments import Increments
+from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.specification import imu
-from ins_eval.increments import Increments
-from ins_eval.sensor_errors import SensorErrors
-from pyhrg.units import DEG
+from pyhrg.common.units import DEG
 from tests.ins_eval.alignment.cases import (
     POSITION,
     attitude_error,

@@ -6,15 +6,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ins_eval import earth
 from ins_eval.alignment import gyrocompass
 from ins_eval.alignment.analytic import analytic_alignment, static_alignment
-from ins_eval.alignment.fine import fine_alignment
-from ins_eval.alignment.inertial_frame import inertial_frame_alignment
+from ins_eval.alignment.inertial.inertial_frame import inertial_frame_alignment
+from ins_eval.alignment.kalman.fine import fine_alignment
 from ins_eval.alignment.result import Alignment
-from ins_eval.increments import Increments
-from ins_eval.sensor_errors import SensorErrors
-from pyhrg.units import DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
+from ins_eval.common import earth
+from ins_eval.common.increments import Increments
+from ins_eval.common.sensor_errors import SensorErrors
+from pyhrg.common.units import DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
 from tests.ins_eval.alignment.cases import (
     GRAVITY,
     LATITUDE,

@@ -5,9 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from ins_eval import earth
 from ins_eval.alignment.hidden_bias import draw, growth, predicted
-from pyhrg.units import DEG, DEG_PER_H
+from ins_eval.common import earth
+from pyhrg.common.units import DEG, DEG_PER_H
 
 LATITUDE, BIAS = 40 * DEG, 0.01 * DEG_PER_H
 HOURS_2 = 7200.0

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 
 from ins_eval.alignment.measured_noise import measured_noise
-from ins_eval.sensor_errors import SensorErrors
-from pyhrg.units import DEG_PER_SQRT_H
+from ins_eval.common.sensor_errors import SensorErrors
+from pyhrg.common.units import DEG_PER_SQRT_H
 from tests.ins_eval.alignment.cases import POSITION, measured, swaying
 
 TRUE = SensorErrors(angle_random_walk=0.001 * DEG_PER_SQRT_H, velocity_random_walk=3e-4)

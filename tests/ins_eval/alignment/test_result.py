@@ -7,9 +7,9 @@ import pytest
 
 from ins_eval.alignment.align import align
 from ins_eval.alignment.result import Alignment, AlignmentError, euler_from_rotation_vector
-from ins_eval.rotation import euler_from_mat, mat_from_euler
-from ins_eval.sensor_errors import SensorErrors
-from pyhrg.units import DEG, DEG_PER_H
+from ins_eval.common.rotation import euler_from_mat, mat_from_euler
+from ins_eval.common.sensor_errors import SensorErrors
+from pyhrg.common.units import DEG, DEG_PER_H
 from tests.ins_eval.cases import at_rest
 
 

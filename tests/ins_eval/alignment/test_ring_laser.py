@@ -11,17 +11,17 @@ from scipy.stats import chi2
 from ins_eval.alignment import alignment_figure
 from ins_eval.alignment.align import align
 from ins_eval.alignment.analytic import AlignmentError, static_alignment
-from ins_eval.alignment.inertial_frame import inertial_frame_fit
+from ins_eval.alignment.inertial.inertial_frame import inertial_frame_fit
 from ins_eval.alignment.measured_noise import MeasuredNoise, measured_noise
+from ins_eval.common.increments import Increments
+from ins_eval.common.rotation import euler_from_mat
+from ins_eval.common.sensor_errors import SensorErrors
+from ins_eval.common.state import State
 from ins_eval.imu import recorded
 from ins_eval.imu.recorded import RecordedImu
-from ins_eval.increments import Increments
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
-from ins_eval.rotation import euler_from_mat
-from ins_eval.sensor_errors import SensorErrors
-from ins_eval.state import State
-from pyhrg.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
+from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
 from tests.ins_eval.alignment.cases import still
 
 REAL = Path(__file__).parents[4] / "shared" / "real"

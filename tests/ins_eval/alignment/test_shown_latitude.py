@@ -8,10 +8,10 @@ import pytest
 from ins_eval.alignment.align import align
 from ins_eval.alignment.result import AlignmentError
 from ins_eval.alignment.shown_latitude import check_latitude
+from ins_eval.common.increments import Increments
+from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.specification import imu
-from ins_eval.increments import Increments
-from ins_eval.sensor_errors import SensorErrors
-from pyhrg.units import DEG, DEG_PER_H
+from pyhrg.common.units import DEG, DEG_PER_H
 from tests.ins_eval.alignment.cases import (
     LATITUDE,
     POSITION,

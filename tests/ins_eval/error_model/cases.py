@@ -6,11 +6,11 @@ import numpy as np
 from scipy.integrate import cumulative_trapezoid
 from scipy.spatial.transform import Rotation
 
-from ins_eval import earth
-from ins_eval.increments import Increments
+from ins_eval.common import earth
+from ins_eval.common.increments import Increments
+from ins_eval.common.state import State, track_error
 from ins_eval.navigation.height import Clamped, Height
 from ins_eval.navigation.strapdown import navigate
-from ins_eval.state import State, track_error
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 
 EVERY = 60.0

@@ -5,10 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ins_eval import earth
 from ins_eval.alignment.analytic import static_alignment
-from ins_eval.error_model.adjoint import weights
+from ins_eval.common import earth
+from ins_eval.common.sensor_errors import SensorErrors
+from ins_eval.common.state import Track, track_error
 from ins_eval.error_model.aligning import alignment_model
+from ins_eval.error_model.budget.adjoint import weights
 from ins_eval.error_model.linear_model import (
     joined,
     linear_model,
@@ -18,8 +20,6 @@ from ins_eval.error_model.linear_model import (
 from ins_eval.error_model.motion import along
 from ins_eval.error_model.states import ATTITUDE, COUNT
 from ins_eval.navigation.height import Clamped
-from ins_eval.sensor_errors import SensorErrors
-from ins_eval.state import Track, track_error
 from ins_eval.trajectories.catalogue import trajectory
 from tests.ins_eval.error_model.test_closed_forms import at_rest
 

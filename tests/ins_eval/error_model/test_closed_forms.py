@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from ins_eval import earth
+from ins_eval.common import earth
 from ins_eval.error_model.dynamics import dynamics
 from ins_eval.error_model.linear_model import linear_model, propagated
 from ins_eval.error_model.motion import Motion
 from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import Clamped, Free
-from pyhrg.units import DEG_PER_H
+from pyhrg.common.units import DEG_PER_H
 
 CLAMPED = Clamped(np.zeros(1))
 BIAS = 1e-8

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scipy.stats import chi2
 
+from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.error_model.effects import (
     BIASES,
     accelerometer_bias,
@@ -14,7 +15,6 @@ from ins_eval.error_model.linear_model import linear_model, propagated_covarianc
 from ins_eval.error_model.motion import along
 from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import Clamped, Free
-from ins_eval.sensor_errors import SensorErrors
 from tests.ins_eval.error_model.cases import Flight, weave
 
 NOISE = SensorErrors(angle_random_walk=3e-6, velocity_random_walk=3e-4)

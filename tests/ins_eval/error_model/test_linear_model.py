@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
+from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.error_model.dynamics import dynamics, sensor_inputs
 from ins_eval.error_model.effects import (
     BIASES,
@@ -27,7 +28,6 @@ from ins_eval.error_model.linear_model import (
 from ins_eval.error_model.motion import Motion, along
 from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
-from ins_eval.sensor_errors import SensorErrors
 from ins_eval.trajectories.catalogue import trajectory
 from tests.ins_eval.error_model.cases import Flight, weave
 

@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 from ins_eval.imu import specification, triad_keys
-from pyhrg.imu_records import columns
+from pyhrg.records.imu import columns
 
 TEXT = (Path(__file__).parents[3] / "docs" / "imus.md").read_text()
 NAMED = set(re.findall(r"`([^`\n]+)`", TEXT))

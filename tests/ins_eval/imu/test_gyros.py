@@ -5,15 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from ins_eval.common.increments import Increments
 from ins_eval.imu.gyros import FmuGyros, case_axes, flown, mean_bias, starting_up
 from ins_eval.imu.mounting import ORTHOGONAL, mounted
-from ins_eval.increments import Increments
-from pyhrg import theory
 from pyhrg.bench.bench import Bench
-from pyhrg.device import Device
+from pyhrg.common.units import DEG_PER_H, STANDARD_GRAVITY
+from pyhrg.device.device import Device
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
-from pyhrg.units import DEG_PER_H, STANDARD_GRAVITY
+from pyhrg.theory import closed_forms as theory
 
 QUIET = replace(TYPICAL, angle_random_walk=0.0, pickoff_noise=0.0, power_on_scatter=0.0)
 

@@ -5,14 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from ins_eval.common.increments import Increments
+from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.mounting import mounted
 from ins_eval.imu.specification import READY, imu
-from ins_eval.increments import Increments
-from ins_eval.sensor_errors import SensorErrors
+from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G, STANDARD_GRAVITY
 from pyhrg.fmu import GyroFmu
-from pyhrg.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G, STANDARD_GRAVITY
 from tests.ins_eval.imu.logs import resting
 
 TRUTH = resting(10.0)

@@ -8,14 +8,14 @@ import numpy as np
 import pandas as pd
 import pytest
 
+from ins_eval.common.increments import Increments
 from ins_eval.imu import recorded
 from ins_eval.imu.specification import imu
-from ins_eval.increments import Increments
 from ins_eval.trajectories.catalogue import names, trajectory
-from pyhrg.imu_records.columns import ACCELEROMETERS, GYROS, ROTATION, VELOCITY, Quantity
-from pyhrg.imu_records.log import LogError
-from pyhrg.imu_records.plausibility import Readings, check
-from pyhrg.units import DEG, STANDARD_GRAVITY
+from pyhrg.common.units import DEG, STANDARD_GRAVITY
+from pyhrg.records.imu.columns import ACCELEROMETERS, GYROS, ROTATION, VELOCITY, Quantity
+from pyhrg.records.imu.log import LogError
+from pyhrg.records.imu.plausibility import Readings, check
 from tests.ins_eval.imu.logs import (
     FORCE_G,
     FORCE_M_S2,

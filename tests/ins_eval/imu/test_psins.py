@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from ins_eval import earth
+from ins_eval.common import earth
+from ins_eval.common.rotation import euler_from_mat
 from ins_eval.imu import recorded
-from ins_eval.rotation import euler_from_mat
-from pyhrg.imu_records.log import LogError
-from pyhrg.units import ARCSEC, DEG
+from pyhrg.common.units import ARCSEC, DEG
+from pyhrg.records.imu.log import LogError
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 

@@ -11,8 +11,8 @@ from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.specification import READY, SpecificationError
 from ins_eval.imu.stated_gyros import StatedGyros
-from pyhrg.parameters import TYPICAL
-from pyhrg.units import ARCSEC, DEG, DEG_PER_H, MICRO_G, PPM
+from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, MICRO_G, PPM
+from pyhrg.device.ready_devices import TYPICAL
 
 
 def read(folder: Path, text: str) -> Imu:

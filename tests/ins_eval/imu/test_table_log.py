@@ -6,10 +6,10 @@ import numpy as np
 import pandas as pd
 import pytest
 
+from ins_eval.common.increments import Increments
 from ins_eval.imu import recorded
-from ins_eval.increments import Increments
-from pyhrg.imu_records.columns import ACCELEROMETERS, GYROS, Quantity
-from pyhrg.imu_records.log import LogError
+from pyhrg.records.imu.columns import ACCELEROMETERS, GYROS, Quantity
+from pyhrg.records.imu.log import LogError
 from tests.ins_eval.imu.logs import frame, resting, saved
 
 RANDOM = Increments(

@@ -6,9 +6,9 @@ from numpy.random import default_rng
 
 from benchmarks.navigation.motions import Flight, coning, static, weaving
 from benchmarks.navigation.weave import Weave
+from ins_eval.common.state import Track
 from ins_eval.navigation.coefficients import SAMPLES
-from ins_eval.state import Track
-from pyhrg.units import DEG_PER_H
+from pyhrg.common.units import DEG_PER_H
 
 HOUR = 3600
 TWO_MINUTES = 120

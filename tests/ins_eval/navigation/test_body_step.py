@@ -9,7 +9,7 @@ from scipy.special import j1
 
 from ins_eval.navigation.body_step import body_step, turned_integrals
 from ins_eval.navigation.coefficients import SAMPLES, weights
-from pyhrg.units import DEG_PER_H
+from pyhrg.common.units import DEG_PER_H
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
 

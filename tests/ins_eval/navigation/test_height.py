@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 
-from ins_eval import earth, theory
-from ins_eval.increments import Increments
+from ins_eval import theory
+from ins_eval.common import earth
+from ins_eval.common.increments import Increments
+from ins_eval.common.state import State, Track
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
 from ins_eval.navigation.strapdown import navigate
-from ins_eval.state import State, Track
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 from tests.ins_eval.cases import at_rest
 

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from benchmarks.navigation.weave import Weave
-from ins_eval.increments import Increments
+from ins_eval.common.increments import Increments
+from ins_eval.common.state import State
 from ins_eval.navigation.height import Clamped, Free
 from ins_eval.navigation.strapdown import NavigationError, check_rotation, navigate
-from ins_eval.state import State
 from tests.ins_eval.cases import at_rest
 
 START = State(0.5, 0.0, 0.0, np.zeros(3), np.eye(3))

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from ins_eval.increments import Increments
+from ins_eval.common.increments import Increments
+from ins_eval.common.state import track_error
 from ins_eval.navigation.coefficients import SAMPLES
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
-from ins_eval.state import track_error
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 
 SECONDS = 60

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
+from ins_eval.common.state import State, position_error
 from ins_eval.navigation.coefficients import SAMPLES
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.parking.mission import Mission, mission
-from ins_eval.state import State, position_error
 from ins_eval.trajectories.catalogue import trajectory
-from pyhrg.units import DEG_PER_H
+from pyhrg.common.units import DEG_PER_H
 from tests.ins_eval.cases import at_rest
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from ins_eval.parking.angle import REACH, flattest, least_bias
-from pyhrg.units import DEG, DEG_PER_H
+from pyhrg.common.units import DEG, DEG_PER_H
 
 AXIS = 11.0 * DEG
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ins_eval import earth
+from ins_eval.common import earth
 from ins_eval.parking.mission import INTERVAL, STILL, Mission, StartUpError, since
 from tests.ins_eval.cases import short_mission
 

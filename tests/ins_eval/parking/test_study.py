@@ -5,17 +5,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from ins_eval.increments import Increments
+from ins_eval.common.increments import Increments
 from ins_eval.parking.case import CASES, Known, Start
 from ins_eval.parking.gyro import mapped
 from ins_eval.parking.mission import INTERVAL, STILL
 from ins_eval.parking.study import Comparison, compare, ratios
-from pyhrg import theory
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.bias.full_circumference import SHORTEST
+from pyhrg.bench.bias.position.full_circumference import SHORTEST
+from pyhrg.common.units import DEG_PER_H
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
-from pyhrg.units import DEG_PER_H
+from pyhrg.theory import closed_forms as theory
 from tests.ins_eval.cases import short_mission
 
 NAMES = [case.name for case in CASES]

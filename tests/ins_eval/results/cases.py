@@ -3,9 +3,9 @@
 import numpy as np
 import xarray as xr
 
+from ins_eval.common.rotation import mat_from_euler
+from ins_eval.common.state import Track
 from ins_eval.results import flights
-from ins_eval.rotation import mat_from_euler
-from ins_eval.state import Track
 
 ROWS = 7
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from ins_eval.common.state import track_error
 from ins_eval.results import flights, quantities
-from ins_eval.state import track_error
 from tests.ins_eval.results.cases import covariance, dataset, track
 
 

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from ins_eval.study.bench_plan import WARMER, BenchPlan
-from ins_eval.study.gyro_map import TERMS, characterised
-from ins_eval.study.knowledge import knowledge
-from ins_eval.study.maker import METHODS, Method, calibrated_gyro
-from ins_eval.study.population import RAW
-from ins_eval.study.true_maps import slow_parameters, soaked
-from pyhrg.device import Device
+from ins_eval.mission_model.gyro_map import TERMS, characterised
+from ins_eval.study.gyros.bench_plan import WARMER, BenchPlan
+from ins_eval.study.gyros.knowledge import knowledge
+from ins_eval.study.gyros.maker import METHODS, Method, calibrated_gyro
+from ins_eval.study.gyros.population import RAW
+from ins_eval.study.gyros.true_maps import slow_parameters, soaked
+from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 
 

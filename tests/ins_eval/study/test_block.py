@@ -5,10 +5,10 @@ from pathlib import Path
 
 import numpy as np
 
+from ins_eval.mission_model.triads import Triads
 from ins_eval.study.block import block
-from ins_eval.study.triads import Triads
 from pyhrg.fmu import GyroFmu
-from tests.ins_eval.study.conftest import KIND, SEED
+from tests.ins_eval.conftest import KIND, SEED
 
 
 def same(one: Triads, other: Triads) -> bool:

@@ -5,15 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from ins_eval.mission_model.triads import Triads
 from ins_eval.study.block import Kind, Triad, gathered, triad, triad_seed
 from ins_eval.study.conditions import CONDITIONS, NOISY, Sample
-from ins_eval.study.population import TRIMMED
+from ins_eval.study.gyros.population import TRIMMED
 from ins_eval.study.specification import TEST
-from ins_eval.study.triads import Triads
 from pyhrg.bench.calibration.calibration_maps import calibrated
-from pyhrg.device import AngleMap
+from pyhrg.common.units import DEG_PER_H
+from pyhrg.device.device import AngleMap
 from pyhrg.fmu import GyroFmu
-from pyhrg.units import DEG_PER_H
 from tests.ins_eval.study.cases import study
 
 KIND = Kind(TRIMMED, "mean")

@@ -11,14 +11,14 @@ import pytest
 from numpy.typing import NDArray
 
 from ins_eval.study import agreement
-from ins_eval.study import columns as c
 from ins_eval.study.conclusion import FILES, NEITHER, conclude
 from ins_eval.study.experiment import COSIMULATED, flown_of, made
-from ins_eval.study.maker import METHODS
+from ins_eval.study.gyros.maker import METHODS
 from ins_eval.study.report.result import read
 from ins_eval.study.run import block
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.specification import TEST, TRAIN, PlannedMission, Study
+from ins_eval.study.tables import columns as c
 from ins_eval.trajectories import catalogue
 
 PLAN = {"runs": 2, "positions": 16, "segments": 1, "fixed_segments": 2, "periods": 1}

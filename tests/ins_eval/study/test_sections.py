@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pytest
 
-from fmu_build.toml_table import SpecificationError
 from ins_eval.study import study_file
 from ins_eval.study.experiment import DEFAULTS, kind
 from ins_eval.study.sections import SECTIONS
-from pyhrg.units import DEG_PER_H, HOUR, MICRO_G
+from pyhrg.common.toml_table import SpecificationError
+from pyhrg.common.units import DEG_PER_H, HOUR, MICRO_G
 from tests.ins_eval.study import cases
 
 

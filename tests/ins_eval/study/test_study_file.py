@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pytest
 
-from fmu_build.toml_table import SpecificationError
 from ins_eval.study import study_file
 from ins_eval.study.run.identity import identity
 from ins_eval.study.specification import TEST, TRAIN, fewest_triads
 from ins_eval.trajectories import catalogue
+from pyhrg.common.toml_table import SpecificationError
 from tests.ins_eval.study import cases
 
 

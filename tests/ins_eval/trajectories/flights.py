@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from ins_eval import earth
-from ins_eval.state import position_error
-from ins_eval.trajectories.manoeuvre import Manoeuvre
+from ins_eval.common import earth
+from ins_eval.common.state import position_error
+from ins_eval.trajectories.manoeuvres.manoeuvre import Manoeuvre
+from ins_eval.trajectories.manoeuvres.overlays import Overlay
 from ins_eval.trajectories.mission import Mission, Start, length, trajectory
-from ins_eval.trajectories.overlays import Overlay
 from ins_eval.trajectories.trajectory import Trajectory
 
 LATITUDE = np.deg2rad(45.0)

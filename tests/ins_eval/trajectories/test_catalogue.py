@@ -5,9 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from ins_eval.common.state import TrackError, track_error
 from ins_eval.navigation.height import Clamped, Free
 from ins_eval.navigation.strapdown import navigate
-from ins_eval.state import TrackError, track_error
 from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.trajectory import Trajectory

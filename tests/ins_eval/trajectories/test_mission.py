@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 from ins_eval.trajectories.errors import MovingStartError, TrajectoryError
-from ins_eval.trajectories.manoeuvre import Manoeuvre
+from ins_eval.trajectories.manoeuvres.manoeuvre import Manoeuvre
+from ins_eval.trajectories.manoeuvres.overlays import Sway
+from ins_eval.trajectories.manoeuvres.straights import Accelerate, Rest, Straight
+from ins_eval.trajectories.manoeuvres.turns import CoordinatedTurn, Turn
+from ins_eval.trajectories.manoeuvres.vertical import Climb
 from ins_eval.trajectories.mission import Mission, Start, length, trajectory
-from ins_eval.trajectories.overlays import Sway
-from ins_eval.trajectories.straights import Accelerate, Rest, Straight
-from ins_eval.trajectories.turns import CoordinatedTurn, Turn
-from ins_eval.trajectories.vertical import Climb
 
 STANDING = Start(latitude=0.8, longitude=0.1)
 MOVING = Start(latitude=0.8, longitude=0.1, speed=20.0)

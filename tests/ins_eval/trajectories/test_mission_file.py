@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 from ins_eval.trajectories.keys import keys
+from ins_eval.trajectories.manoeuvres.overlays import Sway
+from ins_eval.trajectories.manoeuvres.straights import Straight
+from ins_eval.trajectories.manoeuvres.turns import CoordinatedTurn, UTurn
+from ins_eval.trajectories.manoeuvres.vocabulary import MANOEUVRES, OVERLAYS
 from ins_eval.trajectories.mission import Start
 from ins_eval.trajectories.mission_file import MissionError, read
-from ins_eval.trajectories.overlays import Sway
-from ins_eval.trajectories.straights import Straight
-from ins_eval.trajectories.turns import CoordinatedTurn, UTurn
-from ins_eval.trajectories.vocabulary import MANOEUVRES, OVERLAYS
 
 DOCUMENT = Path(__file__).parents[3] / "docs" / "missions.md"
 

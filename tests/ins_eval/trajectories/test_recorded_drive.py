@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from ins_eval import earth
-from ins_eval.state import position_error
+from ins_eval.common import earth
+from ins_eval.common.state import position_error
 from ins_eval.trajectories.recorded_drive import COLUMNS, Drive, DriveError, read, trajectory
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 

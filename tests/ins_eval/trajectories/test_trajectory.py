@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from ins_eval import earth
+from ins_eval.common import earth
 from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.trajectory import Trajectory
 

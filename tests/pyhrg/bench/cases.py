@@ -3,10 +3,10 @@
 from dataclasses import replace
 
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.bias import full_circumference
-from pyhrg.device import Device
+from pyhrg.bench.bias.position import full_circumference
+from pyhrg.device.device import Device
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
 
 QUIET = replace(TYPICAL.without_noise(), power_on_scatter=0.0)
 

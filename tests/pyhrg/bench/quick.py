@@ -3,12 +3,12 @@
 import sys
 from dataclasses import replace
 
-from fmu_build.cli import main
 from pyhrg.bench import catalogue
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.bias import fixed_position, full_circumference
+from pyhrg.bench.bias.position import fixed_position, full_circumference
 from pyhrg.bench.procedure import Procedure
-from pyhrg.campaign import Test
+from pyhrg.common.cli import main
+from pyhrg.records.campaign import Test
 from tests.pyhrg.bench.cases import QUICK_PLAN
 
 RUNS = 3

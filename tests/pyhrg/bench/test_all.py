@@ -8,11 +8,11 @@ from pathlib import Path
 
 import pytest
 
-from fmu_build.cli import main
-from pyhrg import device_file
 from pyhrg.bench.catalogue import PROCEDURES
 from pyhrg.bench.reporting.parameter_system import TABLE_1
-from pyhrg.parameters import TYPICAL
+from pyhrg.common.cli import main
+from pyhrg.device import device_file
+from pyhrg.device.ready_devices import TYPICAL
 
 
 @pytest.fixture(scope="module")

@@ -10,14 +10,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from fmu_build.cli import main
-from pyhrg.bench import command
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias import fixed_position
+from pyhrg.bench.bias.position import fixed_position
 from pyhrg.bench.session import KEPT
 from pyhrg.bench.store import Store
+from pyhrg.cli import bench as command
+from pyhrg.common.cli import main
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
 from tests.pyhrg.bench.cases import slow_bench
 from tests.pyhrg.bench.quick import LONG, LONG_TEST
 

@@ -11,13 +11,13 @@ from pathlib import Path
 
 import pytest
 
-from pyhrg import campaign as campaigns
-from pyhrg.bench.bias import fixed_position, full_circumference
+from pyhrg.bench.bias.position import fixed_position, full_circumference
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.procedure import Procedure
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
 from pyhrg.records import LogError
+from pyhrg.records import campaign as campaigns
 from tests.pyhrg.bench.cases import QUICK_PLAN, slow_bench
 
 Rows = list[dict[str, str]]

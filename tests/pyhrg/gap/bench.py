@@ -5,14 +5,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from pyhrg import device_file
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.programme import Programme
-from pyhrg.campaign import Campaign, Test
-from pyhrg.device import Device
-from pyhrg.device_keys import KEYS
+from pyhrg.common.units import DEG
+from pyhrg.device import device_file
+from pyhrg.device.device import Device
+from pyhrg.device.keys import KEYS
 from pyhrg.fmu import GyroFmu
-from pyhrg.units import DEG
+from pyhrg.records.campaign import Campaign, Test
 from tests.pyhrg.gap.soundness.conftest import BELIEVED
 
 THERMOMETER = 5e-3

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.gap.design import Block, Design, Group
+from pyhrg.gap.effects.design import Block, Design, Group
 
 Array = NDArray[np.float64]
 

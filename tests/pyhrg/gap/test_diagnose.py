@@ -12,16 +12,16 @@ import pytest
 from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.campaign import Campaign, CampaignError
-from pyhrg.device import Device
+from pyhrg.common.units import DEG, HZ
+from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
-from pyhrg.gap.attribution import attributed
-from pyhrg.gap.catalogue import EFFECTS, Catalogue
 from pyhrg.gap.diagnose import Diagnosed, diagnosed
-from pyhrg.gap.observations import Observed, observed
-from pyhrg.gap.simulation import Simulation
+from pyhrg.gap.effects.catalogue import EFFECTS, Catalogue
+from pyhrg.gap.evidence.attribution import attributed
+from pyhrg.gap.replay.observations import Observed, observed
+from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records import Log
-from pyhrg.units import DEG, HZ
+from pyhrg.records.campaign import Campaign, CampaignError
 from tests.pyhrg.gap.bench import recorded
 from tests.pyhrg.gap.soundness.conftest import BELIEVED
 from tests.pyhrg.gap.soundness.spoil import Change, at, removed, spoilt
@@ -142,7 +142,7 @@ def test_of_many_effects_at_once_the_small_ones_are_found_beside_the_large(
 def test_a_search_that_is_ended_is_left_where_the_gyro_was_simulated(
     simulation: Simulation, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("pyhrg.gap.attribution.ROUNDS", 1)
+    monkeypatch.setattr("pyhrg.gap.evidence.attribution.ROUNDS", 1)
     true = replace(BELIEVED, drive_gain_mismatch=1e-3)
     tests = [observed(test, BELIEVED) for test in tiny(simulation, true).tests]
     found = attributed(simulation, BELIEVED, tests, Catalogue(FEW))

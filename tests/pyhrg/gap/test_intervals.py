@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pyhrg.gap.catalogue import EFFECTS
-from pyhrg.gap.judgement import _intervals
+from pyhrg.gap.effects.catalogue import EFFECTS
+from pyhrg.gap.findings.verdict import _intervals
 
 AXIS = EFFECTS["damping_anisotropy"]
 Array = NDArray[np.float64]

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pyhrg.gap.jump import after
-from pyhrg.gap.jump_search import MOMENTS, jumps
-from pyhrg.gap.remainder import Remainder
-from pyhrg.gap.whitening import SlowNoise
+from pyhrg.gap.effects.jump import after
+from pyhrg.gap.evidence.jump_search import MOMENTS, jumps
+from pyhrg.gap.evidence.residuals import Remainder
+from pyhrg.gap.whitening.whitening import SlowNoise
 
 Array = NDArray[np.float64]
 

@@ -8,12 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyhrg import campaign
-from pyhrg.campaign import Campaign
+from pyhrg.common.units import ARCSEC
 from pyhrg.gap.diagnose import diagnosed
-from pyhrg.gap.simulation import Simulation
-from pyhrg.records import Log
-from pyhrg.units import ARCSEC
+from pyhrg.gap.replay.simulation import Simulation
+from pyhrg.records import Log, campaign
+from pyhrg.records.campaign import Campaign
 from tests.pyhrg.gap.soundness.spoil import added, spoilt
 
 WIDER = 1.3

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pyhrg.gap.jump import since
-from pyhrg.gap.remainder import Remainder
-from pyhrg.gap.step_search import MOST, steps
-from pyhrg.gap.whitening import SlowNoise
+from pyhrg.gap.effects.jump import since
+from pyhrg.gap.evidence.residuals import Remainder
+from pyhrg.gap.evidence.step_search import MOST, steps
+from pyhrg.gap.whitening.whitening import SlowNoise
 
 Array = NDArray[np.float64]
 

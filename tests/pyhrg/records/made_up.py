@@ -6,9 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
+from pyhrg.common.site import EARTH_RATE
+from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.records import COLUMNS, Log, write
-from pyhrg.site import EARTH_RATE
-from pyhrg.units import ARCSEC, DEG
 
 LATITUDE = 40 * DEG
 K = 0.277

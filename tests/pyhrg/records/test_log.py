@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pyhrg.common.units import DEG
 from pyhrg.records import COLUMNS, read, write
-from pyhrg.units import DEG
 from tests.pyhrg.records.made_up import made_up_log
 
 

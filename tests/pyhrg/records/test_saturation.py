@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.records import Log, read, write
-from pyhrg.units import ARCSEC, DEG
 from tests.pyhrg.records.made_up import made_up_log
 
 RESPONSES = (

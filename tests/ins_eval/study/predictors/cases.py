@@ -3,16 +3,16 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study import pattern_drift, signals
-from ins_eval.study.bench_plan import WARMER
-from ins_eval.study.gyro_map import TERMS
-from ins_eval.study.mission_weights import MissionWeights
-from ins_eval.study.noise_weights import KINDS
-from ins_eval.study.predictors.turned_maps import started
-from ins_eval.study.signals import COUNT
-from ins_eval.study.standing import Standing
-from ins_eval.study.triads import Triads
-from pyhrg.units import DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G
+from ins_eval.mission_model import pattern_drift, signals
+from ins_eval.mission_model.gyro_map import TERMS
+from ins_eval.mission_model.mission_weights import MissionWeights
+from ins_eval.mission_model.noise_weights import KINDS
+from ins_eval.mission_model.signals import COUNT
+from ins_eval.mission_model.standing import Standing
+from ins_eval.mission_model.triads import Triads
+from ins_eval.study.gyros.bench_plan import WARMER
+from ins_eval.study.predictors.parts.turned_maps import started
+from pyhrg.common.units import DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G
 
 Array = NDArray[np.float64]
 

@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study.flown import flown
-from ins_eval.study.mission_weights import MissionWeights
-from ins_eval.study.triads import Triads
+from ins_eval.mission_model.flown import flown
+from ins_eval.mission_model.mission_weights import MissionWeights
+from ins_eval.mission_model.triads import Triads
 
 Array = NDArray[np.float64]
 

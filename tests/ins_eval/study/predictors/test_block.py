@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from ins_eval.study import columns
-from ins_eval.study.flown import map_errors
+from ins_eval.mission_model.flown import map_errors
 from ins_eval.study.predictors import block
+from ins_eval.study.predictors.parts.turned_maps import started
 from ins_eval.study.predictors.prediction import Drawn
-from ins_eval.study.predictors.turned_maps import started
+from ins_eval.study.tables import columns
 from tests.ins_eval.study.predictors import cases, flights
 
 TRIADS = cases.triads(seed=2, count=6)

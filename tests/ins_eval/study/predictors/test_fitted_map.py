@@ -8,8 +8,8 @@ from scipy.stats import binom
 
 from ins_eval.study.predictors import block, fitted_map, oracle
 from ins_eval.study.predictors.knowledge import bench_knowledge
-from ins_eval.study.predictors.map_drift import NO_DRIFT
-from ins_eval.study.predictors.turned_maps import unstarted
+from ins_eval.study.predictors.parts.map_drift import NO_DRIFT
+from ins_eval.study.predictors.parts.turned_maps import unstarted
 from ins_eval.study.predictors.unpredictable import unpredictable
 from tests.ins_eval.study.predictors import cases, flights
 

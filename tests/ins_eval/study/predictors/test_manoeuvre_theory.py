@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ins_eval.study.flown import map_errors
-from ins_eval.study.gyro_map import TERMS
+from ins_eval.mission_model.flown import map_errors
+from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.study.predictors import manoeuvre_theory
-from pyhrg.units import DEG_PER_H
+from pyhrg.common.units import DEG_PER_H
 from tests.ins_eval.study.predictors import cases
 
 NONE = np.zeros((1, 1, 2, 2))

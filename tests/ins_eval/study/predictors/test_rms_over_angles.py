@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from ins_eval.study.flown import map_errors
-from ins_eval.study.gyro_map import TERMS
+from ins_eval.mission_model.flown import map_errors
+from ins_eval.mission_model.gyro_map import TERMS
+from ins_eval.study.predictors.parts.turned_maps import started
 from ins_eval.study.predictors.rms_over_angles import rms_over_angles, triad_rms_over_angles
-from ins_eval.study.predictors.turned_maps import started
 
 WEIGHTS = np.random.default_rng(1).normal(size=(1, 2, 2 * TERMS, 3))
 MAPS = np.random.default_rng(2).normal(size=(1, 2 * TERMS, 3))

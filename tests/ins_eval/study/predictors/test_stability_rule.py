@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from ins_eval.study.predictors import stability_rule
-from pyhrg.units import DEG_PER_H, HOUR, NAUTICAL_MILE
+from pyhrg.common.units import DEG_PER_H, HOUR, NAUTICAL_MILE
 
 
 def test_a_hundredth_of_a_degree_an_hour_is_a_mile_an_hour() -> None:

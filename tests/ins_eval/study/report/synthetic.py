@@ -6,9 +6,9 @@ import numpy as np
 import pandas as pd
 from scipy import stats
 
-from ins_eval.study import columns as c
-from ins_eval.study import score as scored
 from ins_eval.study.report.result import StudyResult, result
+from ins_eval.study.tables import columns as c
+from ins_eval.study.tables import score as scored
 
 MISSIONS = {
     "car": "car",

@@ -5,12 +5,12 @@ from dataclasses import replace
 
 import pytest
 
-from ins_eval.study import columns as c
-from ins_eval.study import score as scored
 from ins_eval.study.report.apart import apart, by_condition, holds, sentence
 from ins_eval.study.report.page import page
 from ins_eval.study.report.requirements import figure
 from ins_eval.study.report.result import StudyResult
+from ins_eval.study.tables import columns as c
+from ins_eval.study.tables import score as scored
 from tests.ins_eval.study.report.synthetic import CONDITIONS, synthetic
 
 

@@ -7,10 +7,10 @@ from typing import Any
 import pandas as pd
 import pytest
 
-from ins_eval.study import columns as c
 from ins_eval.study.report.page import write
 from ins_eval.study.report.result import StudyResult
 from ins_eval.study.report.sections import SECTIONS
+from ins_eval.study.tables import columns as c
 from tests.ins_eval.study.report.synthetic import synthetic
 from tests.programs import find_chromium
 

@@ -7,9 +7,9 @@ import pandas as pd
 import pytest
 from scipy.stats import binom
 
-from ins_eval.study import columns as c
-from ins_eval.study.report.budget import rms, shares
-from ins_eval.study.report.growth import growth
+from ins_eval.study.report.figures.budget import rms, shares
+from ins_eval.study.report.figures.growth import growth
+from ins_eval.study.tables import columns as c
 
 
 def flights(triads: int, missions: int, seed: int) -> pd.DataFrame:

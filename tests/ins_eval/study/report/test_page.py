@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from ins_eval.study import columns as c
 from ins_eval.study.report.page import page, write
 from ins_eval.study.report.result import StudyResult
 from ins_eval.study.report.sections import SECTIONS
+from ins_eval.study.tables import columns as c
 from tests.elements import elements
 from tests.ins_eval.study.report.synthetic import MISSIONS, synthetic
 

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from ins_eval.study import columns as c
 from ins_eval.study.report.result import ResultError, read, result
+from ins_eval.study.tables import columns as c
 from tests.ins_eval.study.report.synthetic import synthetic
 
 

@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import pytest
 
-from ins_eval.study import score as scored
 from ins_eval.study.report.breaks import breaks, controls
 from ins_eval.study.report.requirements import UNSEEN, requirements
 from ins_eval.study.report.result import StudyResult
 from ins_eval.study.report.verdict import headline, sentences
-from ins_eval.study.score import ALL, Score
+from ins_eval.study.tables import score as scored
+from ins_eval.study.tables.score import ALL, Score
 from tests.ins_eval.study.report.synthetic import synthetic
 
 BLANK = Score("", "", "map", ALL, UNSEEN, 0.0, 0.0, 0.0, 0.95, 100, 1)

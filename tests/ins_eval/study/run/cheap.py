@@ -69,8 +69,8 @@ def only_study(group: str) -> list[EntryPoint]:
 if __name__ == "__main__":
     import sys
 
-    from fmu_build import cli
-    from ins_eval.study import command
+    from ins_eval.cli import study as command
+    from pyhrg.common import cli
     from tests.ins_eval.study.run import cheap
 
     cli.entry_points = only_study  # type: ignore[assignment]

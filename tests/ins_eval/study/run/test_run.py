@@ -20,7 +20,7 @@ from ins_eval.study.run.identity import Identity, identity
 from ins_eval.study.run.run import Cluster, run
 from ins_eval.study.run.workers import ANY_PORT
 from ins_eval.study.specification import Study
-from pyhrg.made_by import difference
+from pyhrg.common.made_by import difference
 from tests.ins_eval.study import cases
 from tests.ins_eval.study.run.cheap import CHEAP, conclude, made
 from tests.ins_eval.study.run.processes import contents

@@ -3,7 +3,7 @@
 from dataclasses import replace
 from pathlib import Path
 
-from ins_eval.study.command import experiment
+from ins_eval.cli.study import experiment
 from ins_eval.study.run.run import Cluster, run
 from ins_eval.study.run.workers import connected
 from tests.ins_eval.study.run.processes import contents

@@ -3,8 +3,8 @@
 import numpy as np
 import pandas as pd
 
-from ins_eval.study import columns
 from ins_eval.study.predictors import block
+from ins_eval.study.tables import columns
 from tests.ins_eval.study.predictors import cases, flights
 
 CLASSES = {"car": (11, 12), "ship": (13,)}

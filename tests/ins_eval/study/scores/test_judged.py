@@ -6,9 +6,9 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from ins_eval.study import columns, score
-from ins_eval.study.score import ALL, SCORES, Score
 from ins_eval.study.scores.judged import scores
+from ins_eval.study.tables import columns, score
+from ins_eval.study.tables.score import ALL, SCORES, Score
 from tests.ins_eval.study.scores.tables import CLASSES, table
 
 

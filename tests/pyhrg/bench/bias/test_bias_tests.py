@@ -5,15 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pyhrg import theory
-from pyhrg.bench.bias import fixed_position, full_circumference
 from pyhrg.bench.bias.bias_test import BiasRun, BiasTest
-from pyhrg.bench.bias.positions import Plan
+from pyhrg.bench.bias.position import fixed_position, full_circumference
+from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.outcome import BenchError
-from pyhrg.device import Device
+from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H
+from pyhrg.device.device import Device
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
-from pyhrg.units import ARCSEC, DEG, DEG_PER_H
+from pyhrg.theory import closed_forms as theory
 from tests.pyhrg.bench.cases import QUIET, slow_bench
 
 

@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 from benchmarks.intervals.calibration import PLAN, drawn, repeat, truth
-from pyhrg import device_file, theory
-from pyhrg.bench.bias.full_circumference import power_ons
+from pyhrg.bench.bias.position.full_circumference import power_ons
 from pyhrg.bench.calibration.calibration import (
     AFTER,
     CONTROL,
@@ -22,11 +21,13 @@ from pyhrg.bench.calibration.calibration_maps import calibrated, calibration, tu
 from pyhrg.bench.calibration.stages import of_stage, stage_bench
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.scale_factor.rate_tests import record_turns
-from pyhrg.campaign import Campaign
-from pyhrg.device import AngleMap, Device
+from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H
+from pyhrg.device import device_file
+from pyhrg.device.device import AngleMap, Device
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
-from pyhrg.units import ARCSEC, DEG, DEG_PER_H
+from pyhrg.records.campaign import Campaign
+from pyhrg.theory import closed_forms as theory
 from tests.pyhrg.bench.cases import QUIET, slow_bench
 
 RICH = replace(TYPICAL, demodulation_offset=2e-5, pickoff_cubic=3e-5, misalignment=5e-5)

@@ -6,16 +6,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pyhrg import theory
 from pyhrg.bench.bench import PowerOn
 from pyhrg.bench.dead_zone import dead_zone
 from pyhrg.bench.dead_zone.lock import run_of
 from pyhrg.bench.estimation.harmonic_amplitude import interval
 from pyhrg.bench.outcome import BenchError, Outcome
-from pyhrg.campaign import Campaign
+from pyhrg.common.units import DEG, DEG_PER_H
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
-from pyhrg.units import DEG, DEG_PER_H
+from pyhrg.records.campaign import Campaign
+from pyhrg.theory import closed_forms as theory
 from tests.pyhrg.bench.cases import QUIET, slow_bench
 
 CAPTURING = replace(

@@ -5,14 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pyhrg import theory
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.dynamic import bandwidth, measuring_range, start_up
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.reporting.judgement import judged
+from pyhrg.common.units import DEG
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
-from pyhrg.units import DEG
+from pyhrg.theory import closed_forms as theory
 from tests.pyhrg.bench.cases import QUIET
 
 IDEAL = QUIET.without_anisotropy()

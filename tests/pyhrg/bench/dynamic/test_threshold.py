@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pyhrg import theory
 from pyhrg.bench.bench import PowerOn
 from pyhrg.bench.dynamic import threshold
 from pyhrg.bench.outcome import BenchError
+from pyhrg.common.units import DEG
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
-from pyhrg.units import DEG
+from pyhrg.theory import closed_forms as theory
 from tests.pyhrg.bench.cases import QUIET, slow_bench
 
 PAPER = replace(QUIET, damping_anisotropy=1.93e-5)

@@ -22,9 +22,9 @@ from pyhrg.bench.identification import (
     virtual_rotation,
 )
 from pyhrg.bench.outcome import BenchError
-from pyhrg.device import Device
+from pyhrg.common.units import DEG
+from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
-from pyhrg.units import DEG
 from tests.pyhrg.bench.cases import QUIET, slow_bench
 
 REPEATS = 40

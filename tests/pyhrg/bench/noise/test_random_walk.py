@@ -9,15 +9,15 @@ import pytest
 from matplotlib.figure import Figure
 
 from benchmarks.intervals import random_walk as coverage
-from pyhrg import campaign
 from pyhrg.bench.bench import PowerOn
 from pyhrg.bench.noise import random_walk
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.readings.noise_records import noise_records
-from pyhrg.device import Device
+from pyhrg.common.units import ARCSEC, DEG
+from pyhrg.device.device import Device
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
-from pyhrg.units import ARCSEC, DEG
+from pyhrg.records import campaign
 from tests.pyhrg.bench.cases import QUIET, slow_bench
 
 

@@ -9,11 +9,11 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.turns import left_out, turns
+from pyhrg.common.site import EARTH_RATE, Site
+from pyhrg.common.units import DEG
+from pyhrg.device.ready_devices import Device
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import Device
 from pyhrg.records import Log
-from pyhrg.site import EARTH_RATE, Site
-from pyhrg.units import DEG
 
 LATITUDE = Site().latitude
 

@@ -6,7 +6,7 @@ import pytest
 
 from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.reporting.judgement import Judgement, judged, unmatched
-from pyhrg.units import DEG_PER_H
+from pyhrg.common.units import DEG_PER_H
 
 NAN, INF = math.nan, math.inf
 

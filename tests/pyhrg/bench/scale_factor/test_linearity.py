@@ -7,14 +7,14 @@ import pytest
 from matplotlib.figure import Figure
 
 from benchmarks.intervals.linearity import RATES, repeat
-from pyhrg import theory
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.estimation.line import Line
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.scale_factor import linearity
+from pyhrg.common.units import DEG_PER_H
+from pyhrg.device.ready_devices import TYPICAL, Device
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL, Device
-from pyhrg.units import DEG_PER_H
+from pyhrg.theory import closed_forms as theory
 
 INPUT = np.array([-3.0, -2.0, -1.0, 1.0, 2.0, 3.0])
 

@@ -9,14 +9,14 @@ import pytest
 from matplotlib.figure import Figure
 
 from benchmarks.intervals._scale_factor import gyro, noiseless, truths
-from pyhrg import theory
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.scale_factor import scale_factor_angle, scale_factor_rate
-from pyhrg.campaign import Campaign
+from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H
+from pyhrg.device.ready_devices import TYPICAL, Device
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL, Device
-from pyhrg.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H
+from pyhrg.records.campaign import Campaign
+from pyhrg.theory import closed_forms as theory
 
 METHODS = pytest.mark.parametrize("method", [scale_factor_angle, scale_factor_rate])
 

@@ -6,15 +6,15 @@ import numpy as np
 import pytest
 
 from benchmarks.intervals.self_calibration import repeat
-from pyhrg import theory
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.readings.sweeps import sweeps
 from pyhrg.bench.self_calibration.self_calibration import ROTATION, evaluate, record
-from pyhrg.campaign import Campaign
-from pyhrg.device import Device
+from pyhrg.common.units import DEG_PER_H, DEG_PER_SQRT_H, PPM
+from pyhrg.device.device import Device
+from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
-from pyhrg.parameters import TYPICAL
-from pyhrg.units import DEG_PER_H, DEG_PER_SQRT_H, PPM
+from pyhrg.records.campaign import Campaign
+from pyhrg.theory import closed_forms as theory
 from tests.pyhrg.bench.cases import QUIET, slow_bench
 
 NOISE = {"noise.virtualRotation": (1e-3 * DEG_PER_SQRT_H / ROTATION) ** 2}

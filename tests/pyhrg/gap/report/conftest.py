@@ -5,17 +5,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pyhrg import device_file
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.campaign import Campaign
-from pyhrg.device import Device
-from pyhrg.device_keys import KEYS
+from pyhrg.common.units import DEG
+from pyhrg.device import device_file
+from pyhrg.device.device import Device
+from pyhrg.device.keys import KEYS
 from pyhrg.fmu import GyroFmu
-from pyhrg.gap.catalogue import EFFECTS, Catalogue
 from pyhrg.gap.diagnose import Diagnosed, diagnosed
-from pyhrg.gap.simulation import Simulation
+from pyhrg.gap.effects.catalogue import EFFECTS, Catalogue
+from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records import Log
-from pyhrg.units import DEG
+from pyhrg.records.campaign import Campaign
 from tests.pyhrg.gap.soundness.conftest import BELIEVED
 
 NOISE = {

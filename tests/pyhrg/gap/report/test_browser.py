@@ -7,9 +7,9 @@ from typing import Any
 import pytest
 
 from pyhrg.gap.diagnose import Diagnosed
+from pyhrg.gap.report.figures.panels import panels
+from pyhrg.gap.report.figures.views import VIEWS
 from pyhrg.gap.report.page import page as drawn
-from pyhrg.gap.report.panels import panels
-from pyhrg.gap.report.views import VIEWS
 from tests.programs import find_chromium
 
 api = pytest.importorskip("playwright.sync_api")

@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from pyhrg.gap import folder, sections
 from pyhrg.gap.diagnose import Diagnosed
-from pyhrg.gap.sections import Section
+from pyhrg.gap.report import folder, sections
+from pyhrg.gap.report.sections import Section
 
 
 def names(path: Path) -> set[str]:

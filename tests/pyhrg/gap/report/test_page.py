@@ -5,14 +5,14 @@ from dataclasses import replace
 
 import pytest
 
-from pyhrg.gap.command import summary
+from pyhrg.cli.gap import summary
 from pyhrg.gap.diagnose import Diagnosed
-from pyhrg.gap.diagnosis import UNSETTLED, WIDER, Cause, NextTest
-from pyhrg.gap.nameless_noise import Nameless
+from pyhrg.gap.evidence.noise.nameless_noise import Nameless
+from pyhrg.gap.evidence.weighing import Weighed
+from pyhrg.gap.findings.diagnosis import UNSETTLED, WIDER, Cause, NextTest
 from pyhrg.gap.report.page import page
-from pyhrg.gap.sections import Section
-from pyhrg.gap.weighing import Weighed
-from pyhrg.gap.whitening import Correlated
+from pyhrg.gap.report.sections import Section
+from pyhrg.gap.whitening.whitening import Correlated
 from tests.elements import elements
 
 MOST_BYTES = 3_000_000

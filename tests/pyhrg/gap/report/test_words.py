@@ -2,7 +2,7 @@
 
 import pytest
 
-from pyhrg.gap.catalogue import DETERMINISTIC, NOISES
+from pyhrg.gap.effects.catalogue import DETERMINISTIC, NOISES
 from pyhrg.gap.report.words import effect_words, listed, percent, unit_of, value_words
 
 

@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import pytest
 
-from pyhrg import device_file
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.campaign import Campaign
-from pyhrg.device import Device
+from pyhrg.common.units import ARCSEC, DEG, DEG_PER_SQRT_H, HZ
+from pyhrg.device import device_file
+from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
-from pyhrg.units import ARCSEC, DEG, DEG_PER_SQRT_H, HZ
+from pyhrg.records.campaign import Campaign
 
 BELIEVED = Device(
     name="believed",

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.campaign import Campaign
 from pyhrg.records import COLUMNS, Log
+from pyhrg.records.campaign import Campaign
 
 Change = Callable[[Log], Log]
 Array = NDArray[np.float64]

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pyhrg.campaign import Campaign
+from pyhrg.common.units import ARCSEC
 from pyhrg.gap.soundness import sound
 from pyhrg.gap.soundness.glitches import FEW, INPUTS, LEAST, glitches
 from pyhrg.records import Log
-from pyhrg.units import ARCSEC
+from pyhrg.records.campaign import Campaign
 from tests.pyhrg.gap.soundness.spoil import added as moved
 from tests.pyhrg.gap.soundness.spoil import spoilt
 

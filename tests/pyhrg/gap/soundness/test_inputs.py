@@ -6,10 +6,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pyhrg.campaign import Campaign
+from pyhrg.common.units import DEG
 from pyhrg.gap.soundness import sound
 from pyhrg.records import Log
-from pyhrg.units import DEG
+from pyhrg.records.campaign import Campaign
 from tests.pyhrg.gap.soundness.spoil import (
     Change,
     at,

@@ -8,13 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pyhrg import campaign
-from pyhrg.campaign import Campaign, CampaignError
+from pyhrg.common.units import DEG, HZ
 from pyhrg.fmu import GyroFmu
-from pyhrg.gap.catalogue import DETERMINISTIC, NOISES, Effect, NoiseEffect
+from pyhrg.gap.effects.catalogue import DETERMINISTIC, NOISES, Effect, NoiseEffect
 from pyhrg.gap.soundness import sound
-from pyhrg.records import COLUMNS, Log
-from pyhrg.units import DEG, HZ
+from pyhrg.records import COLUMNS, Log, campaign
+from pyhrg.records.campaign import Campaign, CampaignError
 from tests.pyhrg.gap.soundness.conftest import BELIEVED, recorded
 from tests.pyhrg.gap.soundness.spoil import (
     Change,

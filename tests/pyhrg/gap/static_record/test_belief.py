@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
 from pyhrg.gap.static_record.belief import BeliefError, read
-from pyhrg.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
 
 
 def written(folder: Path, text: str) -> Path:

@@ -1,0 +1,1 @@
+"""What the archive holds beside the binaries."""

@@ -1,0 +1,54 @@
+"""Info pages of the Modelica library, for the documentation."""
+
+import xml.etree.ElementTree as ET
+from collections.abc import Iterable
+from html import escape
+from pathlib import Path
+
+from fmu_build.equations.dae import Dae
+from fmu_build.equations.modelica import Page, library, page
+
+
+def model_pages(dae: Dae) -> str:
+    """Of the model, of every class that declares one of its variables, of the functions it calls.
+
+    Raises:
+        ValueError: an info text that is no well-formed HTML.
+    """
+    classes = dict.fromkeys(Path(variable.file) for variable in dae.variables)
+    own = f"{dae.model.split('.')[-1]}.mo"
+    called = {function.name.split(".")[-1] for function in dae.functions}
+    functions = (file for file in sorted(_library(dae).rglob("*.mo")) if file.stem in called)
+    return _articles([*sorted(classes, key=lambda file: file.name != own), *functions])
+
+
+def guide_pages(dae: Dae) -> str:
+    """Of the users' guide, in its order; empty if the library has none.
+
+    Raises:
+        ValueError: an info text that is no well-formed HTML.
+    """
+    folder = _library(dae) / "UsersGuide"
+    order = folder / "package.order"
+    names = order.read_text(encoding="utf-8").split() if order.exists() else []
+    return _articles(folder / f"{name}.mo" for name in names)
+
+
+def _library(dae: Dae) -> Path:
+    return library(Path(dae.variables[0].file))
+
+
+def _articles(files: Iterable[Path]) -> str:
+    pages = (page(file) for file in files)
+    return "\n".join(_article(p) for p in pages if p.info)
+
+
+def _article(described: Page) -> str:
+    try:
+        ET.fromstring(f"<div>{described.info}</div>")
+    except ET.ParseError as error:
+        raise ValueError(f"the info text of {described.name} is no HTML: {error}") from error
+    return (
+        f"<article><h3>{escape(described.description)}</h3>\n"
+        f'<p class="small"><code>{escape(described.name)}</code></p>\n{described.info}</article>'
+    )

@@ -1,0 +1,1 @@
+"""C to shared libraries, for each platform."""

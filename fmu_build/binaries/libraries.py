@@ -1,0 +1,44 @@
+"""Compiled libraries, kept by the digest of what they are made of; only changes are compiled."""
+
+import hashlib
+from collections.abc import Callable, Sequence
+from importlib.metadata import version
+from pathlib import Path
+
+import platformdirs
+
+from fmu_build.binaries.platforms import FLAGS, UCRT, WINDOWS_RUNTIME, Platform, compile_library
+from pyhrg.common.files import write_whole
+
+
+def kept_library(
+    folder: Path,
+    sources: Sequence[str],
+    identifier: str,
+    target: Platform,
+    progress: Callable[[str], None] = lambda text: None,
+) -> bytes:
+    """Shared library of the C sources in a folder, from the user's cache or compiled.
+
+    Raises:
+        BuildError, OSError.
+    """
+    digest = _digest(folder, sources, identifier, target)
+    path = platformdirs.user_cache_path("hrg") / "libraries" / f"{digest}{target.suffix}"
+    if path.exists():
+        progress(f"unchanged for {target.name}")
+        return path.read_bytes()
+    progress(f"compiling for {target.name}")
+    library = compile_library(folder, sources, identifier, target)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    write_whole(path, library)
+    return library
+
+
+def _digest(folder: Path, sources: Sequence[str], identifier: str, target: Platform) -> str:
+    digest = hashlib.sha256(f"{version('ziglang')} {FLAGS} {UCRT} {target} {identifier}".encode())
+    digest.update(WINDOWS_RUNTIME.read_bytes())
+    headers = sorted(f.name for f in folder.glob("*.h"))
+    for name in (*sources, *headers):
+        digest.update(f"{name}\0".encode() + (folder / name).read_bytes())
+    return digest.hexdigest()

@@ -1,0 +1,88 @@
+"""Rules on variables."""
+
+from collections import defaultdict
+
+from fmu_build.check.archive import Fmu, Variable
+from fmu_build.check.rules.rule import Findings, rule
+
+NUMBERS = ("Real", "Integer", "Enumeration", "Float", "Int", "UInt")
+
+
+def is_number(variable: Variable) -> bool:
+    """Whether start, min and max are numbers."""
+    return variable.kind.startswith(NUMBERS)
+
+
+@rule("names are given once")
+def names_unique(fmu: Fmu) -> Findings:
+    """FMI 2.0.4, 2.2.7."""
+    seen: set[str] = set()
+    for variable in fmu.variables:
+        if variable.name in seen or not variable.name:
+            yield f"{variable.name or 'a variable without a name'} is there more than once"
+        seen.add(variable.name)
+
+
+@rule("value references are shared by aliases only")
+def references(fmu: Fmu) -> Findings:
+    """FMI 3.0.2, 2.4.7: unique over all types. FMI 2.0.4, 2.2.7: aliases are of one type and
+    unit, and at most one of them can be set."""
+    shared = defaultdict(list)
+    for variable in fmu.variables:
+        if "alias" not in variable.given:
+            shared[variable.reference].append(variable)
+    for reference, variables in shared.items():
+        names = ", ".join(v.name for v in variables)
+        kinds = {v.kind for v in variables}
+        if len(variables) > 1 and (fmu.major == 3 or len(kinds) > 1):
+            listed = ", ".join(sorted(kinds))
+            yield f"{names} ({listed}) share the value reference {reference}"
+        elif len({fmu.attribute(v, "unit") for v in variables}) > 1:
+            yield f"{names} share the value reference {reference} and differ in unit"
+        elif sum("start" in v.given for v in variables) > 1:
+            yield f"{names} share the value reference {reference}, and more than one has a start"
+
+
+@rule("start values lie between min and max")
+def starts_within_limits(fmu: Fmu) -> Findings:
+    """FMI 2.0.4, 2.2.7; limits may be those of the declared type."""
+    for variable in filter(is_number, fmu.variables):
+        low, high = (fmu.attribute(variable, key) for key in ("min", "max"))
+        for text in variable.given.get("start", "").split():
+            if low is not None and float(text) < float(low):
+                yield f"{variable.name} starts at {text}, below its min {low}"
+            if high is not None and float(text) > float(high):
+                yield f"{variable.name} starts at {text}, above its max {high}"
+
+
+@rule("min lies below max")
+def limits_in_order(fmu: Fmu) -> Findings:
+    """FMI 2.0.4, 2.2.3."""
+    for variable in filter(is_number, fmu.variables):
+        low, high = (fmu.attribute(variable, key) for key in ("min", "max"))
+        if low is not None and high is not None and float(low) > float(high):
+            yield f"{variable.name} has the min {low} above the max {high}"
+
+
+@rule("nominal values are above zero")
+def nominals(fmu: Fmu) -> Findings:
+    """FMI 2.0.4, 2.2.3."""
+    for variable in filter(is_number, fmu.variables):
+        nominal = fmu.attribute(variable, "nominal")
+        if nominal is not None and not float(nominal) > 0:
+            yield f"{variable.name} has the nominal value {nominal}"
+
+
+@rule("what can be set has a start value, what is calculated has none")
+def starts_given(fmu: Fmu) -> Findings:
+    """FMI 2.0.4, 2.2.7; FMI 3.0.2, 2.4.7.5."""
+    for variable in fmu.variables:
+        has_start = "start" in variable.given
+        needs = variable.causality in ("input", "parameter", "structuralParameter")
+        needs |= variable.given.get("initial") in ("exact", "approx")
+        if needs and not has_start and variable.kind not in ("Clock", "String", "Binary"):
+            yield f"{variable.name} needs a start value"
+        if has_start and (
+            variable.given.get("initial") == "calculated" or variable.causality == "independent"
+        ):
+            yield f"{variable.name} is calculated and has a start value"

@@ -1,0 +1,327 @@
+"""Expressions and functions of the flat model as C."""
+
+import math
+from collections.abc import Callable, Collection, Iterable
+
+from fmu_build.equations.dae import Dae, Function, Json, Node
+
+_BINARY = {
+    "add": "+",
+    "subtract": "-",
+    "multiply": "*",
+    "divide": "/",
+    "less": "<",
+    "less_equal": "<=",
+    "greater": ">",
+    "greater_equal": ">=",
+    "and": "&&",
+    "or": "||",
+}
+_BUILTIN = {
+    "floor": "m_floor",
+    "integer": "m_floor",
+    "abs": "fabs",
+    "sqrt": "sqrt",
+    "sin": "m_sin",
+    "cos": "m_cos",
+    "atan2": "m_atan2",
+    "log": "m_log",
+    "exp": "m_exp",
+}
+
+
+class Emitter:
+    """C text of expressions; vector-valued calls become statements of their own, collected here."""
+
+    def __init__(self, dae: Dae, registers: Collection[int] = ()) -> None:
+        """Variables listed in `registers` have C variables of their own, like states."""
+        self.dae = dae
+        self._registers = registers
+        self.statements: list[str] = []
+        self._calls: dict[int, str] = {}
+        self.target: int | None = None
+        """Variable being assigned: the only one whose storage still holds its `pre` value."""
+
+    def size(self, node: int) -> int | None:
+        """Length of a vector expression, None for a scalar."""
+        n = self.dae.nodes[node]
+        if n.kind in ("variable", "pre", "derivative"):
+            return self.dae.variables[n.value].size
+        if n.kind == "argument":
+            return self.dae.functions[n.value["function"]].inputs[n.value["ordinal"]].size
+        if n.kind == "function_value":
+            return self.dae.functions[n.value["function"]].values[n.value["value"]].size
+        if n.kind == "call":
+            return self.dae.functions[n.value].values[0].size
+        if n.kind == "array":
+            return len(n.args)
+        if n.kind == "comprehension":
+            domain = self.dae.domains[n.value]
+            return len(range(domain.lower, domain.upper + 1, domain.step))
+        if n.kind in ("literal", "index", "binder", "builtin"):
+            return None
+        sizes = {self.size(a) for a in n.args} - {None}
+        if len(sizes) > 1:
+            raise ValueError(f"vectors of different lengths in one expression: {sizes}")
+        return next(iter(sizes), None)
+
+    def scalar(self, node: int, element: int | None = None) -> str:
+        """C expression of one scalar: of the expression itself, or of one element of a vector."""
+        n = self.dae.nodes[node]
+        element = None if self.size(node) is None else element
+        if n.kind in _BINARY:
+            left, right = (self.scalar(a, element) for a in n.args)
+            return f"({left} {_BINARY[n.kind]} {right})"
+        if n.kind == "negate":
+            return f"(-{self.scalar(n.args[0], element)})"
+        if n.kind == "power":
+            return self._power(n, element)
+        if n.kind == "literal":
+            return _number(n.value)
+        if n.kind in ("variable", "pre", "derivative", "argument", "function_value"):
+            return self._reference(n, element)
+        if n.kind == "binder":
+            return f"(double)i{n.value['domain']}"
+        if n.kind == "builtin":
+            if n.value == "no_event":
+                return self.scalar(n.args[0])
+            if n.value not in _BUILTIN:
+                raise ValueError(f"builtin {n.value} is not supported")
+            return f"{_BUILTIN[n.value]}({', '.join(self.scalar(a) for a in n.args)})"
+        if n.kind == "array":
+            assert element is not None
+            return self.scalar(n.args[element])
+        if n.kind == "index":
+            return self._indexed(n)
+        if n.kind == "conditional":
+            return self._conditional(n, element)
+        if n.kind == "call":
+            return self._call(node, n, element)
+        raise ValueError(f"an expression of kind {n.kind} is not supported")
+
+    def elements(self, node: int) -> list[str]:
+        """C expressions of all scalars of an expression."""
+        size = self.size(node)
+        return [self.scalar(node)] if size is None else [self.scalar(node, e) for e in range(size)]
+
+    def _power(self, n: Node, element: int | None) -> str:
+        base, exponent = n.args
+        if self.dae.constant(exponent) != 2:
+            raise ValueError("only squares are supported as powers")
+        return f"m_square({self.scalar(base, element)})"
+
+    def _reference(self, n: Node, element: int | None) -> str:
+        if n.kind == "argument":
+            name = f"a_{self.dae.functions[n.value['function']].inputs[n.value['ordinal']].name}"
+        elif n.kind == "function_value":
+            name = f"l_{self.dae.functions[n.value['function']].values[n.value['value']].name}"
+        else:
+            return self.reference(n.kind, n.value, element or 0)
+        return name if element is None else f"{name}[{element}]"
+
+    def reference(self, kind: str, variable: int, element: int) -> str:
+        """C name of one scalar of the model."""
+        position = self.dae.variables[variable].offset + element
+        if kind == "derivative":
+            return f"d{position}"
+        if kind == "pre":
+            return f"p{position}"
+        own = self.dae.variables[variable].role == "state" or variable in self._registers
+        return f"x{position}" if own else f"v[{position}]"
+
+    def _indexed(self, n: Node) -> str:
+        base, pick = n.args
+        position = self.dae.constant(pick)
+        if position is not None:
+            return self.scalar(base, int(position) - 1)
+        b = self.dae.nodes[base]
+        if b.kind not in ("argument", "function_value"):
+            raise ValueError("a computed subscript outside a function is not supported")
+        return f"{self._reference(b, None)}[{self.subscript(pick)} - 1]"
+
+    def subscript(self, node: int) -> str:
+        """C integer expression of a subscript, which counts from 1."""
+        n = self.dae.nodes[node]
+        if n.kind == "literal":
+            return str(int(n.value))
+        if n.kind == "binder":
+            return f"i{n.value['domain']}"
+        if n.kind in ("add", "subtract", "multiply"):
+            left, right = (self.subscript(a) for a in n.args)
+            return f"({left} {_BINARY[n.kind]} {right})"
+        raise ValueError(f"a subscript that is a {n.kind} is not supported")
+
+    def _conditional(self, n: Node, element: int | None) -> str:
+        *pairs, fallback = n.args
+        before = len(self.statements)
+        text = self.scalar(fallback, element)
+        for condition, branch in zip(reversed(pairs[::2]), reversed(pairs[1::2]), strict=True):
+            text = f"({self.scalar(condition)} ? {self.scalar(branch, element)} : {text})"
+        if len(self.statements) != before:
+            raise ValueError("a vector-valued call within a conditional is not supported")
+        return text
+
+    def _call(self, node: int, n: Node, element: int | None) -> str:
+        function = self.dae.functions[n.value]
+        if function.values[0].size is None:
+            return f"{function_name(function)}({', '.join(self._arguments(n))})"
+        if node not in self._calls:
+            result = f"r{node}"
+            self.statements.append(f"double {result}[{function.values[0].size}];")
+            arguments = ", ".join([*self._arguments(n), result])
+            self.statements.append(f"{function_name(function)}({arguments});")
+            self._calls[node] = result
+        assert element is not None
+        return f"{self._calls[node]}[{element}]"
+
+    def _arguments(self, n: Node) -> list[str]:
+        result = []
+        for parameter, argument in zip(self.dae.functions[n.value].inputs, n.args, strict=True):
+            if parameter.size is None:
+                result.append(self.scalar(argument))
+            else:
+                result.append(self._vector_argument(argument))
+        return result
+
+    def _vector_argument(self, argument: int) -> str:
+        n = self.dae.nodes[argument]
+        if n.kind in ("argument", "function_value"):
+            return self._reference(n, None)
+        if n.kind == "variable" or (n.kind == "pre" and n.value == self.target):
+            variable = self.dae.variables[n.value]
+            if variable.role != "state" and n.value not in self._registers:
+                return f"&v[{variable.offset}]"
+        return f"(const double[]){{{', '.join(self.elements(argument))}}}"
+
+
+def function_name(function: Function) -> str:
+    """C name of a Modelica function."""
+    return "f_" + function.name.replace(".", "_")
+
+
+def function_signature(function: Function, linkage: str) -> str:
+    """C declaration of a Modelica function; a vector result is written through a last pointer."""
+    parameters = [
+        f"double a_{p.name}" if p.size is None else f"const double *a_{p.name}"
+        for p in function.inputs
+    ]
+    output = function.values[0]
+    if output.size is not None:
+        parameters.append(f"double *restrict l_{output.name}")
+    kind = "double" if output.size is None else "void"
+    return f"{linkage} {kind} {function_name(function)}({', '.join(parameters)})"
+
+
+def function_body(dae: Dae, function: Function, linkage: str) -> list[str]:
+    """C definition of a Modelica function, line by line."""
+    output, *rest = function.values
+    lines = [f"{function_signature(function, linkage)} {{"]
+    for local in rest if output.size is not None else function.values:
+        lines.append(f"  double l_{local.name}{f'[{local.size}]' if local.size else ''};")
+    for statement in _without_refills(dae, function.statements):
+        lines.extend(_statement(dae, function, statement, "  ", nested=False))
+    if output.size is None:
+        lines.append(f"  return l_{output.name};")
+    return [*lines, "}"]
+
+
+def _without_refills(dae: Dae, statements: Iterable[Json]) -> list[Json]:
+    """Leave out initial values that the next statements overwrite with initial values again."""
+    result: list[Json] = []
+    run: dict[int, Json] = {}
+    for statement in statements:
+        if _is_fill(dae, statement):
+            run[statement["assignment"]["target"]] = statement
+        else:
+            result += [*run.values(), statement]
+            run.clear()
+    return [*result, *run.values()]
+
+
+def _is_fill(dae: Dae, statement: Json) -> bool:
+    if "assignment" not in statement:
+        return False
+    node = dae.nodes[statement["assignment"]["rhs"]]
+    if node.kind == "comprehension":
+        node = dae.nodes[node.args[0]]
+    return node.kind == "literal"
+
+
+def _statement(
+    dae: Dae, function: Function, statement: Json, indent: str, nested: bool
+) -> list[str]:
+    ((kind, body),) = statement.items()
+    if kind == "assignment":
+        return _assignment(dae, function, body, indent, nested)
+    if kind == "for":
+        domain = dae.domains[body["domain"]]
+        index = f"i{body['domain']}"
+        lines = [
+            f"{indent}for (int {index} = {domain.lower}; {index} <= {domain.upper}; "
+            f"{index} += {domain.step}) {{"
+        ]
+        for inner in body["statements"]:
+            lines.extend(_statement(dae, function, inner, indent + "  ", nested=True))
+        return [*lines, f"{indent}}}"]
+    raise ValueError(f"{function.name}: a statement of kind {kind} is not supported")
+
+
+def _assignment(dae: Dae, function: Function, body: Json, indent: str, nested: bool) -> list[str]:
+    emitter = Emitter(dae)
+    target = function.values[body["target"]]
+    node = dae.nodes[body["rhs"]]
+    name = f"l_{target.name}"
+    if node.kind == "conditional" and target.size is not None:
+        lines = alternatives(dae, body["rhs"], lambda branch: _vector(dae, name, branch, "  "))
+        return [indent + line for line in lines]
+    if node.kind == "array_update":
+        base, pick, value = node.args
+        if dae.nodes[base].kind != "function_value" and nested:
+            raise ValueError(f"{function.name}: {target.name} is reset within a loop")
+        text = f"{name}[{emitter.subscript(pick)} - 1] = {emitter.scalar(value)};"
+    elif node.kind == "comprehension":
+        domain, index = dae.domains[node.value], f"i{node.value}"
+        if domain.step != 1:
+            raise ValueError(f"{function.name}: a loop with a step other than 1 is not supported")
+        text = (
+            f"for (int {index} = {domain.lower}; {index} <= {domain.upper}; {index}++) "
+            f"{name}[{index} - {domain.lower}] = {emitter.scalar(node.args[0])};"
+        )
+    elif target.size is None:
+        text = f"{name} = {emitter.scalar(body['rhs'])};"
+    else:
+        return _vector(dae, name, body["rhs"], indent)
+    return [indent + line for line in (*emitter.statements, text)]
+
+
+def _vector(dae: Dae, name: str, expression: int, indent: str) -> list[str]:
+    emitter = Emitter(dae)
+    values = emitter.elements(expression)
+    text = " ".join(f"{name}[{e}] = {value};" for e, value in enumerate(values))
+    return [indent + line for line in (*emitter.statements, text)]
+
+
+def alternatives(dae: Dae, conditional: int, assigned: Callable[[int], list[str]]) -> list[str]:
+    """A vector that is one of several expressions: only the one that holds is computed.
+
+    Args:
+        dae: the model.
+        conditional: expression.
+        assigned: lines that assign a branch, given its expression.
+    """
+    *pairs, fallback = dae.nodes[conditional].args
+    lines: list[str] = []
+    for condition, branch in zip(pairs[::2], pairs[1::2], strict=True):
+        emitter = Emitter(dae)
+        head = f"{'} else if' if lines else 'if'} ({emitter.scalar(condition)}) {{"
+        if emitter.statements:
+            raise ValueError("a vector-valued call within a condition is not supported")
+        lines += [head, *assigned(branch)]
+    return [*lines, "} else {", *assigned(fallback), "}"]
+
+
+def _number(value: float | int | bool) -> str:
+    number = float(value)
+    if not math.isfinite(number):
+        raise ValueError(f"a literal is not finite: {value}")
+    return repr(number)

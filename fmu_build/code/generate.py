@@ -1,0 +1,198 @@
+"""The model's C source behind the seam `model.h`: equations, no FMI."""
+
+import re
+from collections.abc import Iterable
+from functools import partial
+from itertools import groupby
+
+from fmu_build.code.emit import Emitter, alternatives, function_body, function_name
+from fmu_build.equations.dae import Dae
+from fmu_build.equations.sorting import Assignment, Schedule, schedule
+
+
+def generate(dae: Dae, integrator: str = "runge_kutta_4") -> str:
+    """C source of a model: the functions that `model.h` declares.
+
+    Args:
+        integrator: header `c/INTEGRATOR.h` and the function in it that makes a step.
+
+    Raises:
+        ValueError: the model holds what the generator does not know.
+    """
+    plan = schedule(dae)
+    dae = plan.dae
+    derivatives = _derivatives(dae, plan)
+    parts = [
+        f"/* {dae.model}: generated from its Modelica source. */",
+        '#include "arithmetic.h"',
+        '#include "model.h"',
+        *_functions(dae, "\n".join(derivatives)),
+        *_procedure("void model_parameters(double *v)", _stores(dae, plan.parameters)),
+        *_procedure("void model_defaults(double *v)", _defaults(dae)),
+        *_procedure("void model_start(double *v)", _stores(dae, plan.starts)),
+        *_procedure("void model_held(double *v)", _stores(dae, plan.held)),
+        *derivatives,
+        *_step(dae, integrator),
+        *_procedure("void model_tick(double *v, long long index)", _tick(dae, plan)),
+        *_procedure("int model_is_finite(const double *v)", _finite(dae, plan)),
+        *_procedure("void model_outputs(double *v)", _outputs(dae, plan)),
+    ]
+    return "\n".join(parts) + "\n"
+
+
+def header(dae: Dae) -> str:
+    """The model's constants, included by `model.h`."""
+    return "\n".join(
+        [
+            f"#define MODEL_VARIABLES {dae.scalar_count}",
+            f"#define MODEL_PERIOD(v) ({_period(dae)})",
+            "",
+        ]
+    )
+
+
+def _period(dae: Dae) -> str:
+    if dae.settable_period is not None:
+        return f"(v)[{dae.settable_period.offset}]"
+    return f"{dae.sample_period.numerator}.0 / {dae.sample_period.denominator}.0"
+
+
+def _functions(dae: Dae, derivatives: str) -> list[str]:
+    """Those that derivatives call become part of them, so that everything stays in registers."""
+    lines: list[str] = []
+    for function in dae.functions:
+        inner = f" {function_name(function)}(" in derivatives
+        lines += function_body(dae, function, "INLINE" if inner else "static inline")
+    return lines
+
+
+def _procedure(declaration: str, lines: Iterable[str]) -> list[str]:
+    return [f"{declaration} {{", *(f"  {line}" for line in lines), "}"]
+
+
+def _defaults(dae: Dae) -> list[str]:
+    lines = []
+    for variable in dae.variables:
+        if variable.role not in ("parameter", "input"):
+            continue
+        node = variable.start if variable.role == "input" else variable.binding
+        for element in range(variable.count):
+            value = dae.constant(node, element)
+            if value is not None:
+                lines.append(f"v[{variable.offset + element}] = {value!r};")
+            elif variable.role == "input":
+                raise ValueError(f"{variable.name} has no constant start value")
+    return lines
+
+
+def _stores(dae: Dae, assignments: Iterable[Assignment]) -> list[str]:
+    """Assignments to the variables' own storage."""
+    emitter = Emitter(dae)
+    lines = []
+    for assignment in assignments:
+        expression, target = assignment.expression, assignment.target[1]
+        is_conditional = dae.nodes[expression].kind == "conditional"
+        if is_conditional and emitter.size(expression) is not None:
+            lines += alternatives(dae, expression, partial(_branch, dae, target))
+        else:
+            lines += _stored(emitter, expression, target)
+    return lines
+
+
+def _stored(emitter: Emitter, expression: int, target: int) -> list[str]:
+    emitter.target = target
+    variable = emitter.dae.variables[target]
+    is_scalar = emitter.size(expression) is None
+    lines = []
+    for element in range(variable.count):
+        text = emitter.scalar(expression, None if is_scalar else element)
+        lines += emitter.statements
+        emitter.statements.clear()
+        lines.append(f"v[{variable.offset + element}] = {text};")
+    return lines
+
+
+def _branch(dae: Dae, target: int, expression: int) -> list[str]:
+    """One of several values of a vector; its `pre` value is in its storage already."""
+    node = dae.nodes[expression]
+    is_there = node.kind == "pre" and node.value == target
+    return [] if is_there else [f"  {line}" for line in _stored(Emitter(dae), expression, target)]
+
+
+def _scalars(dae: Dae, role: str) -> list[int]:
+    return [v.offset + e for v in dae.variables if v.role == role for e in range(v.count)]
+
+
+def _states(dae: Dae, lines: Iterable[str]) -> list[str]:
+    """C variables of the states that the lines read."""
+    used = set(re.findall(r"\bx\d+\b", "\n".join(lines)))
+    return [f"const double x{i} = v[{i}];" for i in _scalars(dae, "state") if f"x{i}" in used]
+
+
+def _derivatives(dae: Dae, plan: Schedule) -> list[str]:
+    """Derivatives from states passed by value: everything stays in registers."""
+    states = _scalars(dae, "state")
+    between = [a.target[1] for a in plan.derivatives if a.target[0] == "variable"]
+    emitter = Emitter(dae, registers=between)
+    lines = [f"const double x{i} = x[{n}];" for n, i in enumerate(states)]
+    for assignment in plan.derivatives:
+        kind, index = assignment.target
+        for element in range(dae.variables[index].count):
+            text = emitter.scalar(assignment.expression, element)
+            lines += emitter.statements
+            emitter.statements.clear()
+            if kind == "variable":
+                lines.append(f"const double {emitter.reference(kind, index, element)} = {text};")
+            else:
+                position = states.index(dae.variables[index].offset + element)
+                lines.append(f"dx[{position}] = {text};")
+    signature = "INLINE void derivatives(const double *v, const double *x, double *dx)"
+    return [
+        f"#define STATES {len(states)}",
+        *_procedure(signature, lines),
+    ]
+
+
+def _step(dae: Dae, integrator: str) -> list[str]:
+    """One step of the integrator with inputs and commands held."""
+    states = _scalars(dae, "state")
+    load = [f"x[{n}] = v[{i}];" for n, i in enumerate(states)]
+    store = [f"v[{i}] = x[{n}];" for n, i in enumerate(states)]
+    lines = ["double x[STATES];", *load, f"{integrator}(v, x, h);", *store]
+    step = _procedure("void model_step(double *v, double h)", lines)
+    return [f'#include "{integrator}.h"', *step]
+
+
+def _outputs(dae: Dae, plan: Schedule) -> list[str]:
+    stores = _stores(dae, plan.outputs)
+    return ["model_held(v);", *_states(dae, stores), *stores]
+
+
+def _finite(dae: Dae, plan: Schedule) -> list[str]:
+    """The states, the samples that act on them until the next step, and the outputs sampled."""
+    acting = "\n".join([*_stores(dae, plan.held), *_derivatives(dae, plan)])
+    used = {int(i) for i in re.findall(r"\bv\[(\d+)\]", acting)}
+    sampled = (dae.variables[a.target[1]] for a in plan.tick)
+    outputs = {v.offset for v in sampled if v.causality == "output" and "." not in v.name}
+    samples = sorted(used & set(_scalars(dae, "discrete_real")) | outputs)
+    terms = [f"0.0 * v[{i}]" for i in (*_scalars(dae, "state"), *samples)]
+    # several sums side by side: one long sum would wait for itself
+    sums = [" + ".join(terms[first::8]) for first in range(min(8, len(terms)))]
+    return [f"return isfinite(({') + ('.join(sums)}));"]
+
+
+def _tick(dae: Dae, plan: Schedule) -> list[str]:
+    """One sample; `pre` values are read before anything is written."""
+    stores = []
+    for every, assignments in groupby(plan.tick, key=lambda a: a.every):
+        block = _stores(dae, assignments)
+        stores += block if every == 1 else [f"if (index % {every} == 0) {{", *block, "}"]
+    names = Emitter(dae)
+    used = set(re.findall(r"\bp\d+\b", "\n".join(stores)))
+    before = [
+        f"const double {name} = v[{variable.offset + element}];"
+        for index, variable in enumerate(dae.variables)
+        for element in range(variable.count)
+        if (name := names.reference("pre", index, element)) in used
+    ]
+    return ["(void)index;", *_states(dae, stores), *before, *stores]

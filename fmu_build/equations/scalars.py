@@ -1,0 +1,88 @@
+"""Scalar variables of a model as both FMI standards describe them."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from fmu_build.equations.dae import Dae, Variable
+from fmu_build.equations.modelica import RealType, types_of
+
+
+@dataclass(frozen=True)
+class Scalar:
+    """One scalar variable; `attributes` holds description, quantity, unit, displayUnit, min, max,
+    nominal and start: those that apply."""
+
+    name: str
+    reference: int
+    variable: int
+    causality: str
+    variability: str
+    whole: bool
+    declared: RealType | None
+    attributes: dict[str, str]
+
+
+def scalars(dae: Dae) -> Iterator[Scalar]:
+    """All scalars of a model, in the order of their value references."""
+    types = types_of(variable.file for variable in dae.variables)
+    for index, variable in enumerate(dae.variables):
+        causality = fmi_causality(dae, variable)
+        declared = _declared(variable, types)
+        for element in range(variable.count):
+            yield Scalar(
+                name=variable.element_name(element),
+                reference=variable.offset + element,
+                variable=index,
+                causality=causality,
+                variability=_variability(variable),
+                whole=variable.scalar == "integer",
+                declared=declared,
+                attributes=_description(variable, declared)
+                | _numbers(dae, variable, element, causality),
+            )
+
+
+def fmi_causality(dae: Dae, variable: Variable) -> str:
+    """Causality in the sense of FMI."""
+    if variable.role == "parameter":
+        settable = variable.tunable and dae.is_constant(variable.binding, variable.count)
+        return "parameter" if settable else "calculatedParameter"
+    return variable.causality if "." not in variable.name else "local"
+
+
+def _declared(variable: Variable, types: Mapping[str, RealType]) -> RealType | None:
+    """The library's type of a variable, unless its declaration gives it another unit."""
+    for name, declared in types.items():
+        if name.endswith(f".{variable.type_name}") or name == variable.type_name:
+            return declared if declared.unit == variable.unit else None
+    return None
+
+
+def _variability(variable: Variable) -> str:
+    if variable.role == "parameter":
+        return "fixed"
+    return "discrete" if variable.role == "discrete_real" else "continuous"
+
+
+def _description(variable: Variable, declared: RealType | None) -> dict[str, str]:
+    given = {"description": variable.description, "unit": variable.unit}
+    if declared is not None:
+        given |= {"quantity": declared.quantity, "displayUnit": declared.display_unit}
+    return {name: text for name, text in given.items() if text}
+
+
+def _numbers(dae: Dae, variable: Variable, element: int, causality: str) -> dict[str, str]:
+    whole = variable.scalar == "integer"
+    nodes = {"min": variable.minimum, "max": variable.maximum, "nominal": variable.nominal}
+    if causality == "parameter":
+        nodes["start"] = variable.binding
+    elif causality == "input":
+        nodes["start"] = variable.start
+    values = {name: dae.constant(node, element) for name, node in nodes.items()}
+    if "start" in nodes and values["start"] is None:
+        values["start"] = 0.0
+    return {
+        name: str(int(value)) if whole else repr(value)
+        for name, value in values.items()
+        if value is not None
+    }

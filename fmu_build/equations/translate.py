@@ -1,0 +1,51 @@
+"""Modelica to flat equations: the only caller of the Modelica compiler."""
+
+from pathlib import Path
+
+import rumoca
+
+from fmu_build.equations.dae import Dae, parse
+
+COMPILER_VERSION = "0.10.2"
+SCHEMA_VERSION = 43
+
+
+class TranslationError(Exception):
+    """The Modelica text, or what the compiler made of it, can't be translated."""
+
+
+def translate(library: Path, model: str, source: str = "") -> Dae:
+    """Flat equations of a model.
+
+    Args:
+        library: folder of the top-level package, with its `package.mo`.
+        model: full name of the model, e.g. `HRG.Gyroscopes.HRG`.
+        source: Modelica text of the model, where it is not the library's own.
+
+    Raises:
+        TranslationError: another compiler than the pinned one, a Modelica error, or a construct
+            that the generator does not know.
+    """
+    if rumoca.version() != COMPILER_VERSION:
+        raise TranslationError(
+            f"rumoca {rumoca.version()} is installed; expected {COMPILER_VERSION}, "
+            "for which the generator is written"
+        )
+    try:
+        document = _loaded(library, model, source).to_dict("dae")
+    except rumoca.RumocaError as error:
+        raise TranslationError(f"{model}: {error}") from error
+    if document["schema_version"] != SCHEMA_VERSION:
+        raise TranslationError(
+            f"rumoca wrote schema {document['schema_version']}; expected {SCHEMA_VERSION}"
+        )
+    try:
+        return parse(model, document["storage"], document["source_map"])
+    except ValueError as error:
+        raise TranslationError(f"{model}: {error}") from error
+
+
+def _loaded(library: Path, model: str, source: str) -> rumoca.Model:
+    if source:
+        return rumoca.Session([str(library)]).loads(source, model=model)
+    return rumoca.Session().load(str(library / "package.mo"), model=model)

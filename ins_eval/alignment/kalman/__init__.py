@@ -1,0 +1,1 @@
+"""Fine alignment by a Kalman filter."""

@@ -1,0 +1,1 @@
+"""The subcommands of `hrg` that this package brings, one file each."""

@@ -1,0 +1,1 @@
+"""What the options of `hrg nav` and `hrg align` mean."""

@@ -1,0 +1,1 @@
+"""What the navigator's side shares: Earth, attitude, states, compiled loops."""

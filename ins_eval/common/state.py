@@ -1,0 +1,92 @@
+"""Where a vehicle is and how it moves: at one moment, and over time."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ins_eval.common import earth
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class State:
+    """Latitude, longitude (rad), height (m); velocity (3,) over ground, north, east, down, m/s;
+    attitude `mat_nb` (3, 3)."""
+
+    latitude: float
+    longitude: float
+    height: float
+    velocity: Array
+    mat_nb: Array
+
+
+@dataclass(frozen=True)
+class Track:
+    """States over time.
+
+    time: (m,) s; position: (m, 3) latitude, longitude (rad; continuous, not wrapped), height (m);
+    velocity: (m, 3) north, east, down, m/s; mat_nb: (m, 3, 3).
+    """
+
+    time: Array
+    position: Array
+    velocity: Array
+    mat_nb: Array
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+
+@dataclass(frozen=True)
+class TrackError:
+    """Navigator less truth.
+
+    time: (m,) s; position: (m, 3) north, east, down, m; velocity: (m, 3) north, east, down, m/s;
+    attitude: (m, 3) rotation vector about north, east, down that turns the true axes into the
+    computed ones, rad: `mat_nb` computed = (I + [attitude x]) `mat_nb` true.
+    """
+
+    time: Array
+    position: Array
+    velocity: Array
+    attitude: Array
+
+
+def track_error(track: Track, truth: Track) -> TrackError:
+    """Errors of a track against the truth at the same times.
+
+    Raises:
+        ValueError: the times differ.
+    """
+    if len(track) != len(truth) or not np.allclose(track.time, truth.time, rtol=0, atol=1e-6):
+        raise ValueError("the track and the truth are not of the same times")
+    turned = track.mat_nb @ np.swapaxes(truth.mat_nb, -1, -2)
+    skew = 0.5 * (turned - np.swapaxes(turned, -1, -2))
+    sine = np.stack([skew[..., 2, 1], skew[..., 0, 2], skew[..., 1, 0]], axis=-1)
+    size = np.linalg.norm(sine, axis=-1, keepdims=True)
+    cosine = 0.5 * (np.trace(turned, axis1=-2, axis2=-1)[..., None] - 1)
+    angle = np.arctan2(size, cosine)
+    scale = np.divide(angle, size, out=np.ones_like(size), where=size > 1e-12)
+    return TrackError(
+        time=track.time,
+        position=position_error(track.position, truth.position),
+        velocity=track.velocity - truth.velocity,
+        attitude=sine * scale,
+    )
+
+
+def position_error(position: Array, truth: Array) -> Array:
+    """North, east and down error (..., 3), m, of positions (..., 3) against the truth (..., 3)."""
+    latitude, height = truth[..., 0], truth[..., 2]
+    around = np.remainder(position[..., 1] - truth[..., 1] + np.pi, 2 * np.pi) - np.pi
+    east_radius = (earth.transverse_radius(latitude) + height) * np.cos(latitude)
+    return np.stack(
+        [
+            (position[..., 0] - latitude) * (earth.meridian_radius(latitude) + height),
+            around * east_radius,
+            height - position[..., 2],
+        ],
+        axis=-1,
+    )

@@ -1,0 +1,1 @@
+"""Whose error it is: by effect, axis and time."""

@@ -1,0 +1,108 @@
+"""What the linear model believes of an IMU: effects, and the standard deviations of each."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ins_eval.common.sensor_errors import SensorErrors
+from ins_eval.error_model.effects import (
+    Effect,
+    Sensor,
+    accelerometer_bias,
+    accelerometer_scale_factor,
+    bias_map,
+    gyro_bias,
+    gyro_scale_factor,
+)
+from ins_eval.error_model.motion import Motion
+from ins_eval.imu.gyros import FmuGyros
+from ins_eval.imu.imu import Imu
+from ins_eval.imu.stated_gyros import StatedGyros
+from ins_eval.imu.triad import IDEAL
+
+Array = NDArray[np.float64]
+
+AXES = 3
+HARMONIC = 4
+"""Of the pattern angle, that a calibrated whole-angle gyro's bias mainly goes with."""
+DECADES = (1e1, 1e2, 1e3, 1e4, 1e5)
+"""Correlation times of the processes that make up bias instability, s: its Allan deviation is flat
+to 5 % for times from 100 s to 30 000 s."""
+
+
+@dataclass(frozen=True)
+class Beliefs:
+    """effects: of sensors; deviations: (e, 3) of their coefficients, SI; noise: random walks."""
+
+    effects: tuple[Effect, ...]
+    deviations: Array
+    noise: SensorErrors
+
+    @property
+    def constant(self) -> "Beliefs":
+        """Without what wanders."""
+        stays = [i for i, effect in enumerate(self.effects) if math.isinf(effect.correlation_time)]
+        return Beliefs(tuple(self.effects[i] for i in stays), self.deviations[stays], self.noise)
+
+
+def beliefs(imu: Imu, first_angle: Array | None = None) -> Beliefs:
+    """Of an IMU whose constants nobody knows.
+
+    A calibrated whole-angle gyro's bias is cosine and sine of four times its pattern angle, of
+    equal deviation: the same at every angle.
+
+    Args:
+        imu: any.
+        first_angle: (3,) pattern angles at the motion's start, rad; variances don't depend on them.
+    """
+    errors, force = imu.errors, imu.accelerometers
+    triad = imu.gyros.triad if isinstance(imu.gyros, StatedGyros) else IDEAL
+    crossed = math.hypot(triad.misalignment.size, imu.mounting_deviation)
+    sized = [
+        *((effect, errors.gyro_bias) for effect in _gyro_bias(imu, first_angle)),
+        *((gyro_bias(time), instability(errors.gyro_bias_instability)) for time in DECADES),
+        (gyro_scale_factor(), triad.scale_factor.size),
+        *((effect, crossed) for effect in misalignment("gyro")),
+        (accelerometer_bias(), force.bias.size),
+        *((accelerometer_bias(time), instability(force.bias_instability)) for time in DECADES),
+        (accelerometer_scale_factor(), force.scale_factor.size),
+        *((effect, force.misalignment.size) for effect in misalignment("accelerometer")),
+    ]
+    effects = tuple(effect for effect, size in sized if size > 0)
+    sizes = np.array([size for _, size in sized if size > 0])
+    return Beliefs(effects, np.tile(sizes[:, None], (1, AXES)), errors)
+
+
+def instability(coefficient: float) -> float:
+    """Standard deviation of each of the Gauss-Markov processes, their correlation times a decade
+    apart, that sum to flicker noise of an IEEE coefficient B: B sqrt(ln 10 / pi).
+
+    Their one-sided densities, each 4 s^2 T / (1 + (2 pi f T)^2), sum to s^2 / (f ln 10); flicker's
+    is B^2 / (pi f) (IEEE Std 952-2020, C.1).
+    """
+    return coefficient * math.sqrt(math.log(10) / math.pi)
+
+
+def misalignment(sensor: Sensor) -> tuple[Effect, Effect]:
+    """What each axis feels of the next and of the one after it (Groves 2013, Eq. 4.16)."""
+
+    def felt(shift: int) -> Callable[[Motion], Array]:
+        def regressor(motion: Motion) -> Array:
+            return np.roll(motion.rate if sensor == "gyro" else motion.force, -shift, axis=1)
+
+        return regressor
+
+    family = f"{sensor} misalignment"
+    return (
+        Effect(f"{family}, next axis", sensor, "rad", felt(1), family=family),
+        Effect(f"{family}, axis after", sensor, "rad", felt(2), family=family),
+    )
+
+
+def _gyro_bias(imu: Imu, first_angle: Array | None) -> tuple[Effect, ...]:
+    if isinstance(imu.gyros, FmuGyros) and imu.gyros.calibrated:
+        return bias_map(HARMONIC, np.zeros(AXES) if first_angle is None else first_angle)
+    return (gyro_bias(),)

@@ -1,0 +1,1 @@
+"""The gyros of a study: population, maker, bench, drift."""

@@ -1,0 +1,1 @@
+"""What a vehicle can do, one kind a file."""

@@ -1,0 +1,32 @@
+"""All manoeuvres and overlays by the word that names them in files."""
+
+from ins_eval.trajectories.manoeuvres.manoeuvre import Manoeuvre
+from ins_eval.trajectories.manoeuvres.overlays import Hills, Overlay, Sway
+from ins_eval.trajectories.manoeuvres.straights import Accelerate, Rest, Roll, Straight, Turntable
+from ins_eval.trajectories.manoeuvres.turns import (
+    CoordinatedTurn,
+    FigureEight,
+    STurn,
+    Turn,
+    UTurn,
+    Weave,
+)
+from ins_eval.trajectories.manoeuvres.vertical import Boost, Climb, Pitch
+
+MANOEUVRES: dict[str, type[Manoeuvre]] = {
+    "rest": Rest,
+    "straight": Straight,
+    "accelerate": Accelerate,
+    "turn": Turn,
+    "coordinated-turn": CoordinatedTurn,
+    "s-turn": STurn,
+    "u-turn": UTurn,
+    "figure-eight": FigureEight,
+    "weave": Weave,
+    "climb": Climb,
+    "pitch": Pitch,
+    "roll": Roll,
+    "boost": Boost,
+    "turntable": Turntable,
+}
+OVERLAYS: dict[str, type[Overlay]] = {"sway": Sway, "hills": Hills}

@@ -1,0 +1,1 @@
+"""Bias under acceleration, vibration and shock."""

@@ -1,0 +1,82 @@
+"""Bias under large constant specific force: linear and quadratic terms that gravity can't show.
+
+The input axis stands across the arm's axis, so that the arm's rate is not on it; Earth's rate on it
+averages out over the turns of the arm. Each axis in turn points along the arm, both ways.
+"""
+
+import numpy as np
+
+from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.bias.environment import g_sensitivity
+from pyhrg.bench.bias.environment.g_sensitivity import AXES, SETTLE
+from pyhrg.bench.bias.environment.tumble import PATTERN_ANGLES, turn_pattern
+from pyhrg.bench.outcome import Outcome
+from pyhrg.bench.procedure import Procedure
+from pyhrg.bench.programme import Programme
+from pyhrg.bench.readings.segments import SEGMENT, WARM_UP
+from pyhrg.common.units import DEG_PER_H, STANDARD_GRAVITY
+from pyhrg.records.campaign import Campaign, Test
+
+KIND = "centrifuge"
+LEVELS = (-50.0, -25.0, -10.0, 10.0, 25.0, 50.0)
+"""Specific force along the arm, g."""
+UPRIGHT = {"x": "y", "y": "x", "z": "x"}
+"""Axis that gravity is on while another points along the arm."""
+
+
+def programme(
+    bench: Bench,
+    levels: tuple[float, ...] = LEVELS,
+    pattern_angles: int = PATTERN_ANGLES,
+    segments: int = 1,
+) -> Programme:
+    """One power-on: every axis along the arm at every level, at each pattern angle."""
+    course = bench.programme().attitude(0.0).rest(WARM_UP)
+    for number in range(pattern_angles):
+        if number:
+            turn_pattern(course, bench.device.bryan_factor)
+        for axis in AXES:
+            for level in levels:
+                course.command(**_forces(axis, level * STANDARD_GRAVITY, bench.device.site.gravity))
+                course.rest(SETTLE + segments * (SEGMENT + course.interval))
+    return course
+
+
+def _forces(axis: str, along: float, gravity: float) -> dict[str, float]:
+    forces = {f"acceleration_{name}": 0.0 for name in AXES}
+    return forces | {f"acceleration_{UPRIGHT[axis]}": gravity, f"acceleration_{axis}": along}
+
+
+def record(bench: Bench) -> list[Test]:
+    """One power-on, all axes."""
+    return bench.run([PowerOn("centrifuge", KIND, programme(bench))])
+
+
+def evaluate(campaign: Campaign) -> Outcome:
+    """Linear and quadratic coefficients with intervals."""
+    result = g_sensitivity.measured(campaign, KIND)
+    size = np.max(np.abs(result.points.acceleration)) / STANDARD_GRAVITY
+    columns = {n: c for n, c in result.columns.items() if n.startswith("g ")}
+    share = sum(result.fitted.value(n) * c for n, c in columns.items())
+    worst = float(np.max(np.abs(share)) / DEG_PER_H) if columns else np.nan
+    return Outcome(
+        procedure=PROCEDURE.name,
+        findings=result.findings(),
+        verdict=f"Specific force of up to {size:.3g} g moves the bias by up to {worst:.2g} deg/h.",
+        warnings=g_sensitivity.warnings(result),
+        exclusions=g_sensitivity.exclusions(campaign, (KIND,)),
+        draw=lambda figure: g_sensitivity.draw(figure, result, "Bias on the centrifuge"),
+        values={"terms": dict(zip(result.fitted.names, result.fitted.values, strict=True))},
+    )
+
+
+PROCEDURE = Procedure(
+    name="centrifuge",
+    group="bias",
+    title="Bias on the centrifuge",
+    rows=("g-dependent bias",),
+    source="paper 3.2 (centrifuge test and model); IEEE Std 1431-2004",
+    kinds=(KIND,),
+    record=record,
+    evaluate=evaluate,
+)

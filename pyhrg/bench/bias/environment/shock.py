@@ -1,0 +1,135 @@
+"""Shock pulses: what is made of them, and what they leave in the output angle."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.bench.outcome import BenchError
+from pyhrg.bench.programme import Programme
+from pyhrg.bench.readings.dwells import FORCES
+from pyhrg.common.site import Site
+from pyhrg.common.units import STANDARD_GRAVITY
+from pyhrg.records import Log
+
+Array = NDArray[np.float64]
+
+PEAK = 100 * STANDARD_GRAVITY
+DURATION = 6e-3
+"""Half sine, s."""
+PAUSE = 2.0
+"""Between pulses, s."""
+THRESHOLD = 1.0 * STANDARD_GRAVITY
+"""Specific force that departs from its median by more is a pulse, m/s2."""
+SETTLE, WINDOW = 0.5, 0.5
+"""From a pulse to where the angle is read, and for how long, s."""
+
+QUIET = 20.0
+"""Before the first pulse, where the bias is measured, s."""
+
+
+@dataclass(frozen=True)
+class Pulse:
+    """One pulse in a log.
+
+    axis: x, y or z, with its sign.
+    kept: angle that stays, rad. swing: largest departure within the pause, rad.
+    valid: whether the output was valid throughout.
+    """
+
+    axis: str
+    kept: float
+    swing: float
+    valid: bool
+
+
+def pulses(course: Programme, axis: str, sign: float, count: int = 3) -> None:
+    """Append half-sine pulses along an axis, each as its means over the programme's rows."""
+    name = f"acceleration_{axis}"
+    steady = course.holds(name)
+    rows = max(1, int(np.ceil(DURATION / course.interval - 1e-9)))
+    ends = np.minimum(np.arange(rows + 1) * course.interval, DURATION)
+    swept = PEAK * DURATION / np.pi * (1 - np.cos(np.pi * ends / DURATION))
+    for _ in range(count):
+        for mean in np.diff(swept) / course.interval:
+            course.command(**{name: steady + sign * float(mean)}).rest(course.interval)
+        course.command(**{name: steady}).rest(PAUSE)
+
+
+def found_pulses(log: Log, site: Site) -> list[Pulse]:
+    """Pulses of a log, by its specific force.
+
+    Raises:
+        BenchError: none, or rows too long to see what the gyro does.
+    """
+    force = _pulse_force(log)
+    starts, ends = _bounds(log, force)
+    angle = _without_drift(log, site, starts[0])
+    pairs = zip(starts, ends, strict=True)
+    return [pulse for a, b in pairs if (pulse := _pulse(log, force, angle, int(a), int(b)))]
+
+
+def readings_without(log: Log, site: Site) -> list[float]:
+    """What `Pulse.kept` reads where there is no pulse: in the quiet before the first, rad.
+
+    The drift taken off is as uncertain as the quiet is short, and common to all pulses; it is in
+    these readings as well, so that the difference of means is free of it.
+
+    Raises:
+        BenchError: as `found_pulses`.
+    """
+    starts, ends = _bounds(log, _pulse_force(log))
+    angle = _without_drift(log, site, starts[0])
+    settle, window = (round(t / log.interval) for t in (SETTLE, WINDOW))
+    later = window + settle + int(ends[0] - starts[0])
+    first = starts[0] - round(QUIET / log.interval)
+    begins = range(first, starts[0] - later - window + 1, later + window)
+    change = angle[later:] - angle[:-later]
+    return [float(np.mean(change[begin : begin + window])) for begin in begins]
+
+
+def _pulse_force(log: Log) -> Array:
+    """(n, 3) specific force beyond its median, m/s2."""
+    force = np.column_stack([getattr(log, name) for name in FORCES])
+    return np.asarray(force - np.nanmedian(force, axis=0))
+
+
+def _bounds(log: Log, force: Array) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """First and last rows of the pulses."""
+    shaken = np.max(np.abs(force), axis=1) > THRESHOLD
+    starts = np.flatnonzero(shaken & ~np.append(False, shaken[:-1]))
+    ends = np.flatnonzero(shaken & ~np.append(shaken[1:], False))
+    if not len(starts) or log.interval > WINDOW / 4:
+        raise BenchError(
+            f"{log.source}: {len(starts)} pulses of specific force above {THRESHOLD:.3g} m/s2 in "
+            f"rows of {log.interval:g} s; the shock test needs pulses, and rows of "
+            f"{WINDOW / 4:g} s or less"
+        )
+    if starts[0] * log.interval < QUIET:
+        raise BenchError(
+            f"{log.source}: the first pulse comes after {starts[0] * log.interval:.3g} s; "
+            f"{QUIET:g} s are needed before it to know the bias"
+        )
+    return starts, ends
+
+
+def _without_drift(log: Log, site: Site, first: int) -> Array:
+    """(n,) output angle, Earth's rate and the drift before the first pulse taken out, rad."""
+    angle = log.gyro_angle - np.cumsum(site.vertical_rate * log.axis_up) * log.interval
+    quiet = slice(first - round(QUIET / log.interval), first)
+    return np.asarray(angle - np.polyfit(log.time[quiet], angle[quiet], 1)[0] * log.time)
+
+
+def _pulse(log: Log, force: Array, angle: Array, start: int, end: int) -> Pulse | None:
+    """One pulse; None where the log begins or ends too near to it."""
+    settle, window = (round(t / log.interval) for t in (SETTLE, WINDOW))
+    before, after = slice(start - window, start), slice(end + settle, end + settle + window)
+    if before.start < 0 or after.stop > len(angle):
+        return None
+    level = float(np.mean(angle[before]))
+    peak = np.unravel_index(np.argmax(np.abs(force[start : end + 1])), force[start : end + 1].shape)
+    sign = "+" if force[start : end + 1][peak] > 0 else "-"
+    swing = float(np.max(np.abs(angle[start : after.start] - level)))
+    kept = float(np.mean(angle[after])) - level
+    valid = log.valid[start : after.stop]
+    return Pulse(sign + "xyz"[int(peak[1])], kept, swing, not np.any(valid < 1))

@@ -1,0 +1,1 @@
+"""Bias over the pattern's positions: fixed position and full circumference."""

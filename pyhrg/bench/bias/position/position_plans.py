@@ -1,0 +1,152 @@
+"""The trap in "8 positions": what four plans report of one gyro, against where its pattern starts.
+
+Positions 45 deg of pattern apart (the paper's 8 over 360 deg) take the fourth harmonic at two
+phases 180 deg apart: their standard deviation is A |sin 4(th_0 - th_tau)| times sqrt(8/7), anywhere
+between 0 and 1.07 A. At 22.5 or 11.25 deg it is A / sqrt 2, times sqrt(n/(n-1)), wherever the
+pattern starts.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.bias.position import full_circumference
+from pyhrg.bench.bias.position.full_circumference import SETTLE, programme
+from pyhrg.bench.bias.position.positions import Plan
+from pyhrg.bench.estimation.harmonics import design, fit, harmonic
+from pyhrg.bench.outcome import Finding, Outcome
+from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.readings.segments import WARM_UP, Segments, segment_means
+from pyhrg.common.pages.markup import Table
+from pyhrg.common.units import DEG, DEG_PER_H
+from pyhrg.records.campaign import Campaign, Test
+
+KIND = "position_plans"
+PLANS = tuple(
+    Plan(positions, step * DEG)
+    for positions, step in ((8, 45.0), (8, 22.5), (8, 11.25), (16, 22.5))
+)
+STARTS = np.arange(0.0, 90.0, 5.625) * DEG
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Reported:
+    """What one plan reports: bias stability (n,), rad/s, at start angles (n,), rad."""
+
+    positions: int
+    pattern_step: float
+    start: Array
+    stability: Array
+
+    @property
+    def name(self) -> str:
+        """As the issue of spacing is spoken of: 8 x 45 deg."""
+        return f"{self.positions} x {self.pattern_step / DEG:g} deg"
+
+
+def record(bench: Bench) -> list[Test]:
+    """Every plan from every start angle, one data point a position."""
+    k = bench.device.bryan_factor
+    plans = [Plan(plan.positions, plan.pattern_step, k) for plan in PLANS]
+    return bench.run(
+        [
+            PowerOn(f"plan_{n + 1}_start_{m + 1:02}", KIND, programme(bench, plan, 1), float(start))
+            for n, plan in enumerate(plans)
+            for m, start in enumerate(STARTS)
+        ]
+    )
+
+
+def reports(runs: Sequence[Segments]) -> list[Reported]:
+    """The runs by plan, as number and spacing of their positions show it."""
+    plans: dict[tuple[int, float], list[tuple[float, float]]] = {}
+    for run in runs:
+        step = abs(float(np.median(np.diff(run.pattern_angle)))) / DEG
+        key = (run.dwells, round(step * 4) / 4)
+        start = float(run.pattern_angle[0] % (math.pi / 2))
+        plans.setdefault(key, []).append((start, float(np.std(run.rate, ddof=1))))
+    return [
+        Reported(positions, step * DEG, *np.array(sorted(points)).T)
+        for (positions, step), points in plans.items()
+    ]
+
+
+def evaluate(campaign: Campaign) -> Outcome:
+    """Range of what each plan reports, beside what the map of all of them together says."""
+    latitude = campaign.site.latitude
+    logs = [test.log for test in tests_of(campaign, KIND)]
+    runs = [segment_means(log, latitude, SETTLE, warm_up=WARM_UP) for log in logs]
+    pattern, rate = (
+        np.concatenate([getattr(run, name) for run in runs]) for name in ("pattern_angle", "rate")
+    )
+    fitted = fit(design(pattern, pattern, (4,), tilt=False), rate)
+    amplitude = math.hypot(*(fitted.value(name) for name in harmonic(4)))
+    found = reports(runs)
+    rows = tuple(
+        (r.name, *(f"{x / DEG_PER_H:.4f}" for x in (r.stability.min(), r.stability.max())))
+        for r in found
+    )
+    return Outcome(
+        procedure=PROCEDURE.name,
+        findings=(
+            Finding("fourth harmonic", amplitude, "deg/h", note="amplitude A, of all runs"),
+            Finding("rms of the map", amplitude / math.sqrt(2), "deg/h", note="A / sqrt 2"),
+            *(_spread(r) for r in found),
+        ),
+        verdict=_verdict(found),
+        tables=(Table("Reported bias stability, deg/h", ("plan", "least", "most"), rows),),
+        draw=lambda figure: draw(figure, found, amplitude),
+    )
+
+
+def _spread(reported: Reported) -> Finding:
+    ratio = float(reported.stability.max() / reported.stability.min())
+    n = len(reported.start)
+    return Finding(f"most over least, {reported.name}", ratio, "1", n=n, note="over start angles")
+
+
+def _verdict(found: Sequence[Reported]) -> str:
+    blind = [r for r in found if r.stability.max() > 2 * r.stability.min()]
+    if not blind:
+        return "No plan's figure depends on where the pattern starts by more than a factor of 2."
+    names = ", ".join(r.name for r in blind)
+    return f"What {names} reports depends on where the pattern starts: the fourth harmonic aliases."
+
+
+def draw(figure: Figure, found: Sequence[Reported], amplitude: float) -> None:
+    """Reported stability against the start angle."""
+    axes = figure.add_subplot()
+    for reported, mark in zip(found, "osv^" * len(found), strict=False):
+        axes.plot(
+            reported.start / DEG, reported.stability / DEG_PER_H, mark + "-", ms=4, lw=1,
+            label=reported.name,
+        )  # fmt: skip
+    rms = amplitude / math.sqrt(2) / DEG_PER_H
+    axes.axhline(rms, color="black", ls="--", lw=1, label="A / √2 of the map")
+    axes.set_xlabel("pattern angle at power-on, deg")
+    axes.set_ylabel("reported bias stability, deg/h")
+    axes.set_xlim(0, 90)
+    axes.set_ylim(bottom=0)
+    axes.set_title("Bias stability that a plan of positions reports")
+    axes.grid(alpha=0.3)
+    axes.legend()
+
+
+PROCEDURE = Procedure(
+    name="position-plans",
+    group="bias",
+    title="What plans of positions report, by start angle",
+    rows=(),
+    source=full_circumference.PROCEDURE.source,
+    kinds=(KIND,),
+    record=record,
+    evaluate=evaluate,
+    model="HRGSlow",
+    step=0.1,
+)

@@ -1,0 +1,1 @@
+"""The campaigns of a challenge: plans, instruments, the gyro that is recorded."""

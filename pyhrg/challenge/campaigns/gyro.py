@@ -1,0 +1,106 @@
+"""The true gyro on the true bench: one test of a campaign on the FMU with its sampled loops."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.bench.bench import FORCES, INPUTS, LOGGED, Bench, earth_rate, recorded
+from pyhrg.challenge.campaigns.course import Course
+from pyhrg.challenge.campaigns.instruments import Instruments, logged
+from pyhrg.challenge.campaigns.rate_noise import rate_noise
+from pyhrg.device.device import Device
+from pyhrg.fmu import GyroFmu
+from pyhrg.records import Log
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Disturbance:
+    """What acts on gyro or bench beside the device's own parameters; nothing by default.
+
+    model: parameters of the FMU, by its names, SI.
+    rate: (n, m) or (1, 1) input rate to be added in each step of a course, rad/s, given the true
+        start angle.
+    inputs: (n,) what holds over a row and differs from the bench's command, by its name in a
+        programme, SI.
+    shown: the log as the bench writes it, given what was.
+    """
+
+    model: Mapping[str, float] = field(default_factory=dict)
+    rate: Callable[[Course, float], Array] = lambda course, start_angle: np.zeros((1, 1))
+    inputs: Callable[[Course, float], Mapping[str, Array]] = lambda course, start_angle: {}
+    shown: Callable[[Log], Log] = lambda log: log
+
+
+@dataclass(frozen=True)
+class TrueGyro:
+    """A gyro as it really is; with `HRGSlow`, as it would be with its loops at rest."""
+
+    fmu: GyroFmu
+    device: Device
+    instruments: Instruments = field(default_factory=Instruments)
+    disturbance: Disturbance = field(default_factory=Disturbance)
+
+    def log(
+        self, source: str, course: Course, start_angle: float, generator: np.random.Generator
+    ) -> tuple[Log, Array]:
+        """Run a test.
+
+        Noise moves the pattern as an input rate, and the FMU has none of its own: the other loops
+        have only their channels' noise, and colours need not be the FMU's.
+
+        Args:
+            source: what the log is called in messages.
+            course: of the test.
+            start_angle: true pattern angle at power-on, rad.
+            generator: of all noise.
+
+        Returns:
+            The log, and (n,) what noise makes of its output angle, rad.
+        """
+        drawn = rate_noise(self.device, len(course) * course.steps, course.step, generator)
+        noise = drawn.reshape(len(course), course.steps)
+        shown = self.disturbance.shown(self.exact(source, course, start_angle, noise))
+        log = logged(shown, self.device, self.instruments, generator)
+        turned = np.cumsum(noise.sum(axis=1)) * course.step
+        return log, log.gyro_angle - shown.gyro_angle + turned
+
+    def exact(self, source: str, course: Course, start_angle: float, noise: Array) -> Log:
+        """What bench and gyro do, without noise of the log.
+
+        Args:
+            source: what the log is called in messages.
+            course: of the test.
+            start_angle: true pattern angle at power-on, rad.
+            noise: (n, m) or (1, 1) input rate beside the bench's and Earth's, rad/s.
+        """
+        held = {**course.held, **self.disturbance.inputs(course, start_angle)}
+        commands = {name: held[name] for name in INPUTS}
+        bench = Bench(self.fmu, self._quiet(commands, course.step), step=course.step)
+        earth = earth_rate(self.device, course.each("axis_up"), course.table_angle)
+        added = noise + self.disturbance.rate(course, start_angle)
+        moving = {"angularRate": course.rate + earth + added, "caseTemperature": course.temperature}
+        with bench.power_on(source, start_angle) as gyro:
+            shown = recorded(gyro, moving, commands, course.step, FORCES)
+        columns: dict[str, Any] = {**{name: course.held[name] for name in LOGGED}, **shown}
+        return Log(
+            source=source,
+            interval=course.interval,
+            time=np.asarray(np.arange(1, len(course) + 1) * course.interval, dtype=np.float64),
+            table_angle=course.table_angle_at_ends,
+            temperature=course.case_temperature[1:],
+            valid=np.full(len(course), np.nan),
+            **columns,
+        )
+
+    def _quiet(self, commands: Mapping[str, Array], step: float) -> Device:
+        """The device without noise, its first commands in force from time 0."""
+        first = {INPUTS[name]: float(values[0]) for name, values in commands.items()}
+        quiet = self.device.without_noise()
+        rest = {} if self.fmu.is_sampled else {"samplePeriod": step}
+        model = {**quiet.model, **self.disturbance.model, **first, **rest}
+        return replace(quiet, angle_quantum=0.0, model=model)

@@ -1,0 +1,238 @@
+"""The tests of a campaign: kinds, durations and profiles of the recorded ones, varied by seed."""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pyhrg.bench.programme import Programme
+from pyhrg.common.units import DEG, HOUR
+from pyhrg.device.device import Device
+
+MOST_HOURS = 48.0
+"""Of one kind of test that is made again."""
+STILL_ROWS = 10.0
+"""Of a long test at rest, s."""
+SPIN_UP = 19
+"""Rows in which a table reaches its rate."""
+TURNS = (45, 90, 180, 360)
+"""Of a vehicle's heading, deg."""
+
+
+@dataclass(frozen=True)
+class Plan:
+    """One test to be made."""
+
+    id: str
+    kind: str
+    role: str
+    programme: Programme
+    start_angle: float
+    """Of the pattern, rad."""
+
+
+@dataclass(frozen=True)
+class Variation:
+    """Begins programmes and varies their numbers; draws all from its generator."""
+
+    device: Device
+    generator: np.random.Generator
+
+    def programme(self, interval: float) -> Programme:
+        """A programme at rest."""
+        site, start = self.device.site, self.device.reference_temperature
+        return Programme(interval, site.gravity, start)
+
+    def about(self, value: float, unit: float = 0.01, spread: float = 0.1) -> float:
+        """A value near another, within a relative spread, in whole units."""
+        varied = value * (1 + spread * self.generator.uniform(-1, 1))
+        return round(round(varied / unit) * unit, 9)
+
+    def sign(self) -> int:
+        """Plus or minus one."""
+        return int(self.generator.choice((-1, 1)))
+
+
+Profiled = tuple[str, str, str, Callable[[Variation], Programme]]
+"""Name, kind, role and profile of a test."""
+
+
+def plans(device: Device, generator: np.random.Generator, complete: bool = False) -> list[Plan]:
+    """The tests of one campaign, in the order of the recorded ones; some lack one or two kinds.
+
+    What verifies is always there, and the test at rest, which shows the noise.
+
+    Args:
+        device: that is tested; its reference temperature and site.
+        generator: of every variation.
+        complete: whether no test is lacking.
+    """
+    made = _made(TESTS, device, generator)
+    spare = sorted({plan.kind for plan in made} - {"static", "manoeuvre"})
+    missing = generator.choice((0, 1, 2), p=(0.7, 0.2, 0.1))
+    without = set(generator.choice(spare, size=missing, replace=False))
+    return [plan for plan in made if complete or plan.kind not in without]
+
+
+def further(kind: str, hours: float, device: Device, generator: np.random.Generator) -> list[Plan]:
+    """The tests of one kind again, as often as it takes, to be added to a campaign; at rest, one
+    test that lasts as long.
+
+    Args:
+        kind: of the tests.
+        hours: that they last, at least; no more than `MOST_HOURS` are made.
+        device: that is tested.
+        generator: of every variation.
+
+    Raises:
+        ValueError: no such kind.
+    """
+    chosen = [test for test in TESTS if test[1] == kind]
+    if not chosen:
+        kinds = ", ".join(dict.fromkeys(test[1] for test in TESTS))
+        raise ValueError(f"{kind}: expected one of {kinds}")
+    duration = min(hours, MOST_HOURS) * HOUR
+    if kind == "static":
+        rest = Variation(device, generator).programme(STILL_ROWS).rest(duration)
+        return [Plan("next_1_static", kind, "fit", rest, generator.uniform(0, math.pi / 2))]
+    made: list[Plan] = []
+    while sum(plan.programme.time for plan in made) < duration:
+        number = len(made) // len(chosen) + 1
+        again = _made(chosen, device, generator)
+        made += [replace(plan, id=f"next_{number}_{plan.id}", role="fit") for plan in again]
+    return made
+
+
+def _made(tests: Sequence[Profiled], device: Device, generator: np.random.Generator) -> list[Plan]:
+    vary = Variation(device, generator)
+    return [
+        Plan(name, kind, role, profile(vary), generator.uniform(0, math.pi / 2))
+        for name, kind, role, profile in tests
+    ]
+
+
+def static(vary: Variation) -> Programme:
+    """At rest."""
+    return vary.programme(1.0).rest(vary.about(3600, 60))
+
+
+def positions(vary: Variation) -> Programme:
+    """Eight positions of the pattern, 22.5 deg apart, reached by the table."""
+    course = vary.programme(1.0)
+    step = 22.5 * DEG / vary.device.bryan_factor
+    dwell = vary.about(579, 1, 0.05)
+    rate = vary.about(4.06137, 1e-3) * DEG
+    course.rest(dwell + 20)
+    for _ in range(7):
+        course.turn(step, rate).rest(dwell)
+    return course
+
+
+def spinning(course: Programme, rate: float, duration: float) -> Programme:
+    """A rate of the table, reached linearly."""
+    for bound in np.linspace(0, rate, SPIN_UP + 1)[1:].tolist():
+        course.spin(bound, course.interval)
+    return course.spin(rate, duration - SPIN_UP * course.interval)
+
+
+def rates(rate_deg_per_s: float, duration: float) -> Callable[[Variation], Programme]:
+    """A rate of the table, held."""
+
+    def profile(vary: Variation) -> Programme:
+        rate, length = vary.about(rate_deg_per_s) * DEG, vary.about(duration, 1)
+        return spinning(vary.programme(0.1), rate, length)
+
+    return profile
+
+
+def ring_down(vary: Variation) -> Programme:
+    """The drive off after a while."""
+    course = vary.programme(1.0).rest(vary.about(19, 1))
+    return course.command(drive_on=0.0).rest(vary.about(381, 1))
+
+
+def virtual_rotation(rate_deg_per_s: float) -> Callable[[Variation], Programme]:
+    """A commanded rotation, after a while without."""
+
+    def profile(vary: Variation) -> Programme:
+        course = vary.programme(1.0).rest(9)
+        course.command(virtual_rotation=vary.about(rate_deg_per_s, 1e-3) * DEG)
+        return course.rest(vary.about(491, 1))
+
+    return profile
+
+
+def thermal(vary: Variation) -> Programme:
+    """Soaked, heated, soaked, cooled, soaked; or cooled first."""
+    reference = vary.device.reference_temperature
+    hot, cold = reference + vary.about(35, 1), reference - vary.about(35, 1)
+    first, last = (hot, cold) if vary.sign() > 0 else (cold, hot)
+    course = vary.programme(10.0).rest(vary.about(1800, 10))
+    course.heat(first, vary.about(2400, 10)).rest(vary.about(2400, 10))
+    return course.heat(last, vary.about(5800, 10)).rest(vary.about(2000, 10))
+
+
+def amplitude(vary: Variation) -> Programme:
+    """Three amplitudes while the table turns."""
+    low, high = vary.about(0.8, 0.01, 0.05), vary.about(1.2, 0.01, 0.05)
+    rate = vary.sign() * vary.about(5) * DEG
+    course = spinning(vary.programme(0.1).command(amplitude_setpoint=low), rate, 80.0)
+    course.command(amplitude_setpoint=1.0).spin(rate, 80.0)
+    return course.command(amplitude_setpoint=high).spin(rate, 80.0)
+
+
+def phase_step(vary: Variation) -> Programme:
+    """Offsets of the phase loop, up and down."""
+    step, dwell = vary.about(2e-3, 1e-4, 0.25), vary.about(400, 10)
+    course = vary.programme(1.0)
+    for offset in (0.0, step, -step, 0.0):
+        course.command(phase_offset=offset).rest(dwell)
+    return course
+
+
+def tumble(vary: Variation) -> Programme:
+    """Input axis up, down, and level with x and y up and down."""
+    course = vary.programme(1.0)
+    dwell = vary.about(400, 10)
+    attitudes = [(1.0, 0.0), (-1.0, 0.0)] + [(0.0, across * math.pi / 2) for across in (0, 2, 1, 3)]
+    for axis_up, across in attitudes:
+        course.attitude(axis_up, across).rest(dwell)
+    return course
+
+
+def manoeuvre(vary: Variation) -> Programme:
+    """A vehicle's headings, while it warms up: for verification."""
+    generator = vary.generator
+    course = vary.programme(1.0)
+    duration = 3600
+    while True:
+        angle = vary.sign() * float(generator.choice(TURNS)) * DEG
+        rate = generator.uniform(5, 25) * DEG
+        rest = round(generator.uniform(40, 220))
+        turn = max(2, math.ceil(abs(angle) / rate) + 1)
+        if course.time + rest + turn > duration:
+            break
+        course.rest(rest).turn(angle, rate)
+    course.rest(duration - course.time)
+    warming = vary.about(10) * -np.expm1(-np.arange(duration + 1) / vary.about(1500))
+    return course.tempered(vary.device.reference_temperature + warming)
+
+
+TESTS: tuple[Profiled, ...] = (
+    ("static_fixed", "static", "fit", static),
+    ("positions_8n", "positions", "fit", positions),
+    ("rate_low_pos", "rate", "fit", rates(5, 140)),
+    ("rate_high_pos", "rate", "fit", rates(100, 40)),
+    ("rate_low_neg", "rate", "fit", rates(-5, 140)),
+    ("rate_high_neg", "rate", "fit", rates(-100, 40)),
+    ("ring_down", "ring_down", "fit", ring_down),
+    ("virtual_rotation_pos", "virtual_rotation", "fit", virtual_rotation(1)),
+    ("virtual_rotation_neg", "virtual_rotation", "fit", virtual_rotation(-1)),
+    ("thermal_ramp", "thermal", "fit", thermal),
+    ("amplitude_sweep", "amplitude", "fit", amplitude),
+    ("phase_step", "phase_step", "fit", phase_step),
+    ("tumble", "tumble", "fit", tumble),
+    ("manoeuvre_holdout", "manoeuvre", "holdout", manoeuvre),
+)
+"""Of a campaign."""

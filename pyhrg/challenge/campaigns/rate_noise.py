@@ -1,0 +1,43 @@
+"""Noises of an input rate, drawn outside the FMU: white, flicker, random walk."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.fft import irfft, next_fast_len, rfft, rfftfreq
+
+from pyhrg.device.device import Device
+
+Array = NDArray[np.float64]
+
+
+def rate_noise(device: Device, count: int, step: float, generator: np.random.Generator) -> Array:
+    """Rate noise of a device, each value the mean over a step.
+
+    Densities are those of IEEE Std 952, annex C: N^2, B^2/(2 pi f), K^2/(2 pi f)^2.
+
+    Args:
+        device: its N, B and K.
+        count: of steps.
+        step: s.
+        generator: of the noise; the same is drawn from it whatever the coefficients are.
+
+    Returns:
+        (count,) input-referred rate, rad/s.
+    """
+    white, coloured, steps = generator.standard_normal((3, 2 * count))
+    rate = device.angle_random_walk / math.sqrt(step) * white[:count]
+    if device.bias_instability:
+        rate += device.bias_instability * _flicker(coloured, step)[:count]
+    walk = np.cumsum(steps[:count]) - steps[:count] / 2
+    return np.asarray(rate + device.rate_random_walk * math.sqrt(step) * walk)
+
+
+def _flicker(white: Array, step: float) -> Array:
+    """Unit flicker, shaped in frequency; a period of twice the record leaves no seam in it."""
+    length = next_fast_len(len(white), real=True)
+    frequency = rfftfreq(length, step)
+    frequency[0] = frequency[1] / 2
+    padded = np.concatenate((white, white[: length - len(white)]))
+    shaped = rfft(padded) / np.sqrt(2 * math.pi * frequency * step)
+    return np.asarray(irfft(shaped, length))

@@ -1,0 +1,184 @@
+"""The cases of a challenge, and its folder: what is published, what is sealed, what was said."""
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pyhrg.challenge.case import Case
+from pyhrg.challenge.truths.truth import KINDS, LEAST
+from pyhrg.common.files import write_whole
+from pyhrg.common.made_by import difference, made_by
+from pyhrg.gap.effects.catalogue import NAMES
+
+SCHEMA = "hrg-challenge/1"
+MADE_BY = "made_by"
+STRONG = (LEAST, 10 * LEAST)
+WEAK = (1.0, LEAST)
+"""Ranges of strengths, sigmas."""
+VARIED = 10.0
+"""Of the strongest of several effects over that of one: a gyro as it comes has large and small."""
+
+
+class ChallengeError(Exception):
+    """The folder is another challenge's or other code's, or a result in it can't be used."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What decides a challenge.
+
+    counts: cases by kind.
+    seed: of everything.
+    strongest: sigmas that effects are drawn up to.
+    """
+
+    counts: Mapping[str, int]
+    seed: int
+    strongest: float = STRONG[1]
+
+    def cases(self) -> list[Case]:
+        """Every case; names and order tell nothing of the kinds."""
+        kinds = [kind for kind in KINDS for _ in range(self.counts.get(kind, 0))]
+        generator = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(0,)))
+        order = generator.permutation(len(kinds)).tolist()
+        seeds = np.random.SeedSequence(self.seed, spawn_key=(1,)).generate_state(len(kinds))
+        left_out = iter(range(len(kinds)))
+        effects = {i: NAMES[next(left_out) % len(NAMES)] for i in order if kinds[i] == "left_out"}
+        return [
+            Case(
+                name=f"unit-{place:04d}",
+                kind=kinds[i],
+                seed=int(seed),
+                strengths=self._strengths(kinds[i]),
+                without=(effects[i],) if i in effects else (),
+            )
+            for place, (i, seed) in enumerate(zip(order, seeds.tolist(), strict=True), 1)
+        ]
+
+    def _strengths(self, kind: str) -> tuple[float, float]:
+        if kind == "weak":
+            return WEAK
+        return LEAST, self.strongest * (VARIED if kind == "several" else 1.0)
+
+
+@dataclass(frozen=True)
+class Folder:
+    """A challenge's folder. Truths are apart from the campaigns, and hashed in the index."""
+
+    root: Path
+
+    @property
+    def index(self) -> Path:
+        """What is published before anything is diagnosed."""
+        return self.root / "challenge.json"
+
+    @property
+    def score(self) -> Path:
+        """The figures."""
+        return self.root / "score.json"
+
+    @property
+    def settings(self) -> Path:
+        """What the folder was begun with, and by which code."""
+        return self.root / "settings.json"
+
+    def campaign(self, name: str) -> Path:
+        """Of a case: all that its diagnosis sees."""
+        return self.root / "campaigns" / name
+
+    def truth(self, name: str) -> Path:
+        """Of a case, sealed."""
+        return self.root / "truths" / f"{name}.json"
+
+    def diagnosis(self, name: str) -> Path:
+        """Of a case."""
+        return self.root / "diagnoses" / name
+
+    def next_campaign(self, name: str) -> Path:
+        """A case with the suggested next test."""
+        return self.root / "next" / "campaigns" / name
+
+    def next_diagnosis(self, name: str) -> Path:
+        """Of a case with the suggested next test."""
+        return self.root / "next" / "diagnoses" / name
+
+    def begin(self, settings: Settings) -> None:
+        """Begin a challenge, or go on with the same one.
+
+        Raises:
+            ChallengeError: the folder is another challenge's, or other code has begun it.
+            OSError: it can't be written.
+        """
+        for folder in (self.root / "campaigns", self.root / "truths", self.root / "diagnoses"):
+            folder.mkdir(parents=True, exist_ok=True)
+        asked = {"seed": settings.seed, "counts": dict(settings.counts), "to": settings.strongest}
+        text = as_json({**asked, MADE_BY: made_by()})
+        if self.settings.exists() and self.settings.read_bytes() != text:
+            found = _read(self.settings, *asked, MADE_BY)
+            if differs := difference(found.pop(MADE_BY), made_by()):
+                key, was, now = differs
+                raise ChallengeError(
+                    f"{self.settings}: begun by another version: {key}: found {was}, expected "
+                    f"{now}; results of two versions are not mixed: take an empty folder"
+                )
+            raise ChallengeError(
+                f"{self.settings}: another challenge was begun here: found {found}, "
+                f"expected {asked}, or an empty folder"
+            )
+        write_whole(self.settings, text)
+
+    def begun(self) -> Settings:
+        """What the folder was begun with.
+
+        Raises:
+            ChallengeError: it holds no challenge.
+        """
+        values = _read(self.settings, "seed", "counts", "to")
+        return Settings(values["counts"], values["seed"], values["to"])
+
+    def published(self) -> dict[str, str]:
+        """The published hash of each truth, by case.
+
+        Raises:
+            ChallengeError: nothing is published here yet.
+        """
+        cases = _read(self.index, "cases")["cases"]
+        try:
+            return {case["name"]: case["sha256"] for case in cases}
+        except (KeyError, TypeError) as error:
+            expected = "expected name and sha256 of each case"
+            raise ChallengeError(f"{self.index}: cases: {expected}") from error
+
+    def publish(self, cases: Sequence[Case], hashes: Sequence[str]) -> None:
+        """Write the index, or hold to the one that is there.
+
+        Raises:
+            ChallengeError: a truth isn't the one that was published.
+        """
+        listed = [
+            {"name": case.name, "sha256": digest, "without": list(case.without)}
+            for case, digest in zip(cases, hashes, strict=True)
+        ]
+        text = as_json({"schema": SCHEMA, "cases": listed})
+        if self.index.exists() and self.index.read_bytes() != text:
+            raise ChallengeError(f"{self.index}: truths are not those that it has published")
+        write_whole(self.index, text)
+
+
+def as_json(values: Mapping[str, Any]) -> bytes:
+    """Bytes of a JSON file: the same for the same values."""
+    return (json.dumps(values, indent=1, sort_keys=True) + "\n").encode()
+
+
+def _read(path: Path, *names: str) -> dict[str, Any]:
+    try:
+        values = json.loads(path.read_bytes())
+        return {name: values[name] for name in names}
+    except OSError as error:
+        raise ChallengeError(f"{path}: {error.strerror or error}; expected a challenge") from error
+    except (ValueError, KeyError, TypeError) as error:
+        raise ChallengeError(f"{path}: expected {', '.join(names)} of a challenge") from error

@@ -1,0 +1,1 @@
+"""Diagnoses against truths."""

@@ -1,0 +1,74 @@
+"""Whether probabilities are as good as they say."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.challenge.scoring.figure import CONFIDENCE, Figure, Sense
+
+Array = NDArray[np.float64]
+BINS = 10
+"""Of claims by their probability, as many in each."""
+RESAMPLES = 400
+"""By which the interval is taken."""
+Claims = Sequence[tuple[float, bool]]
+"""Probability that was given, and whether it was so."""
+
+
+def squared_calibration_error(claims: Claims) -> float:
+    """Mean squared calibration error over bins of equal count, without bias: below zero where
+    chance made the bins agree better than they should.
+
+    In each bin the variance of the mean outcome is taken out: A. Kumar, P. Liang, T. Ma, Verified
+    Uncertainty Calibration (2019), Def. 3.1.
+    """
+    return _squared_error(np.array(claims, dtype=np.float64))
+
+
+def _squared_error(claims: Array) -> float:
+    """Of (n, 2) probabilities and outcomes."""
+    ordered = claims[np.lexsort(claims.T[::-1])]
+    total = 0.0
+    for part in np.array_split(ordered, min(BINS, len(ordered) // 2)):
+        given, so = part[:, 0].mean(), part[:, 1].mean()
+        total += len(part) * ((given - so) ** 2 - so * (1 - so) / (len(part) - 1))
+    return float(total / len(ordered))
+
+
+def calibration(
+    name: str, campaigns: Sequence[Claims], seed: int, sense: Sense, target: float
+) -> Figure:
+    """The root of the squared calibration error, not below zero, and its interval by resampling
+    campaigns.
+
+    The interval is the basic one of the bootstrap (A. Davison, D. Hinkley, 1997, Eq. 5.6), for the
+    square: resampling repeats outcomes, which looks like an error, and that is taken out.
+
+    Args:
+        name: of the figure.
+        campaigns: claims of each; those of one campaign hang together.
+        seed: of the resampling.
+        sense: of the target.
+        target: to be held.
+    """
+    said = [np.array(campaign, dtype=np.float64).reshape(-1, 2) for campaign in campaigns]
+    claims = np.concatenate([np.empty((0, 2)), *said])
+    if len(claims) < 2:
+        return Figure(name, 0, math.nan, 0.0, 1.0, sense, target)
+    square = _squared_error(claims)
+    generator = np.random.default_rng(seed)
+    drawn = []
+    for _ in range(RESAMPLES):
+        chosen = generator.integers(len(campaigns), size=len(campaigns)).tolist()
+        again = np.concatenate([said[i] for i in chosen])
+        drawn.append(_squared_error(again) if len(again) > 1 else square)
+    tail = (1 - CONFIDENCE) / 2
+    below, above = np.quantile(drawn, (tail, 1 - tail)).tolist()
+    ends = (_root(2 * square - above), _root(2 * square - below))
+    return Figure(name, len(claims), _root(square), *ends, sense, target)
+
+
+def _root(square: float) -> float:
+    return math.sqrt(max(0.0, square))

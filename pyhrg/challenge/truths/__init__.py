@@ -1,0 +1,1 @@
+"""What is wrong with each gyro of a challenge, sealed."""

@@ -1,0 +1,1 @@
+"""What all packages share: units, files, tables of TOML, pages, the command line."""

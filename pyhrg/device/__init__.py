@@ -1,0 +1,1 @@
+"""The gyro as its maker would list it: parameters, files, ready devices."""

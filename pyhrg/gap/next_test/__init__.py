@@ -1,0 +1,1 @@
+"""Step 6: the test that would separate what is still confounded."""

@@ -1,0 +1,1 @@
+"""Step 1: the inputs of a log, put to the simulated gyro."""

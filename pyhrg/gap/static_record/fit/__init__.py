@@ -1,0 +1,1 @@
+"""Which noise terms explain a static record."""

@@ -1,0 +1,1 @@
+"""Step 2: the noise of each channel, and filters that make it white."""

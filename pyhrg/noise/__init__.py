@@ -1,0 +1,1 @@
+"""Noise of a gyro: Allan deviation, coefficients and their likelihood."""

@@ -1,0 +1,145 @@
+"""A lab's numbers as a campaign's quantities: wrapped angles made continuous, rates integrated."""
+
+import math
+from datetime import datetime
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.records import LogError
+from pyhrg.records.campaign_import.column_mapping import ColumnMapping
+from pyhrg.records.campaign_import.layout import Cells
+from pyhrg.records.timing import even_steps
+
+Array = NDArray[np.float64]
+SAFE = 0.4
+"""Largest step over a wrapped angle's period whose way round is certain."""
+
+
+def times(mapping: ColumnMapping | None, cells: Cells, interval: float | None) -> Array:
+    """(n,) ends of the rows' intervals, s, as logged; counted where no column says them.
+
+    Args:
+        mapping: of the column of times; None where there is none.
+        cells: of the file.
+        interval: as the mapping states it, s; None: the median step is it.
+
+    Raises:
+        LogError: a cell is no number or no time; neither times nor an interval.
+    """
+    if mapping is None:
+        if interval is None:
+            raise LogError(f"{cells.source}: found no column of times mapped and no interval_s")
+        return interval * np.arange(1.0, len(cells.rows) + 1)
+    clock = _clock(mapping, cells) if mapping.time_format else si_values(mapping, cells)
+    if not (mapping.from_zero or mapping.time_format):
+        return clock
+    known = clock[np.isfinite(clock)]
+    if len(known) < 2:
+        raise LogError(f"{cells.source}: {len(known)} times; expected at least 2")
+    return clock - known[0] + (interval or float(np.median(np.diff(known))))
+
+
+def si_values(mapping: ColumnMapping, cells: Cells) -> Array:
+    """(n,) as logged, SI, before it is unwrapped or integrated; NaN where there is no value.
+
+    Raises:
+        LogError: the column is not there, a cell is no number.
+    """
+    if mapping.logged is None:
+        value = mapping.unit.factor * mapping.constant + mapping.unit.offset
+        return np.full(len(cells.rows), value)
+    try:
+        numbers = cells.numbers(mapping.logged)
+    except LogError as error:
+        raise LogError(f"{error} ({mapping.place})") from error
+    return mapping.unit.factor * (mapping.scale * numbers + mapping.offset) + mapping.unit.offset
+
+
+def quantity(mapping: ColumnMapping, cells: Cells, time: Array, interval: float) -> Array:
+    """(n,) a campaign's quantity, SI.
+
+    Raises:
+        LogError: as `si_values`; an angle's way round is not certain; a value or a row is missing
+            in what is to be integrated.
+    """
+    values = si_values(mapping, cells)
+    if mapping.wraps_every:
+        values = _unwrapped(mapping, cells, values, time, interval)
+    if mapping.integrate:
+        values = _integrated(mapping, cells, values, time, interval)
+    known = np.flatnonzero(np.isfinite(values))
+    return values - values[known[0]] if mapping.from_zero and len(known) else values
+
+
+def _clock(mapping: ColumnMapping, cells: Cells) -> Array:
+    """(n,) s since the first of a clock's times."""
+    assert mapping.logged is not None
+    texts = cells.texts(mapping.logged)
+    stamps = [
+        None if cells.is_missing(text) else _stamp(mapping, cells, i, text)
+        for i, text in enumerate(texts)
+    ]
+    first = next((stamp for stamp in stamps if stamp is not None), None)
+    if first is None:
+        raise LogError(f"{cells.source}: {mapping.logged}: found no time ({mapping.place})")
+    try:
+        seconds = [math.nan if s is None else (s - first).total_seconds() for s in stamps]
+    except TypeError as error:
+        raise LogError(f"{cells.source}: {mapping.logged}: some times have a time zone") from error
+    return np.array(seconds)
+
+
+def _stamp(mapping: ColumnMapping, cells: Cells, index: int, text: str) -> datetime:
+    try:
+        if mapping.time_format == "iso":
+            return datetime.fromisoformat(text)
+        return datetime.strptime(text, mapping.time_format)
+    except ValueError:
+        raise LogError(
+            f"{cells.source}: row {cells.rows[index]}, {mapping.logged}: {text!r}; expected a time "
+            f"as {mapping.place}.format says, {mapping.time_format!r}"
+        ) from None
+
+
+def _unwrapped(
+    mapping: ColumnMapping, cells: Cells, values: Array, time: Array, interval: float
+) -> Array:
+    """Continuous; refused where rows or values are missing while it turns, or it turns fast."""
+    known = np.flatnonzero(np.isfinite(values) & np.isfinite(time))
+    period = mapping.wraps_every
+    turned = np.diff(values[known])
+    turned -= period * np.round(turned / period)
+    rate = np.abs(turned) / np.diff(time[known]).clip(interval)
+    nearby = np.maximum(rate, np.maximum(np.append(0, rate[:-1]), np.append(rate[1:], 0)))
+    uncertain = nearby * np.diff(time[known]) > SAFE * period
+    if uncertain.any():
+        row = cells.rows[known[int(np.argmax(uncertain)) + 1]]
+        raise LogError(
+            f"{cells.source}: row {row}, {mapping.logged}: turns by almost half of "
+            f"{mapping.place}.wraps_every or more since the row before; its way round is uncertain"
+        )
+    result = np.full(len(values), np.nan)
+    if len(known):
+        result[known] = values[known[0]] + np.append(0.0, np.cumsum(turned))
+    return result
+
+
+def _integrated(
+    mapping: ColumnMapping, cells: Cells, values: Array, time: Array, interval: float
+) -> Array:
+    """Angles from turns or rates; the rate is held over the first row where it is sampled."""
+    lost = ~np.isfinite(values)
+    lost[1:] |= ~even_steps(time, interval)
+    if lost.any():
+        raise LogError(
+            f"{cells.source}: row {cells.rows[int(np.argmax(lost))]}, {mapping.logged}: no value, "
+            f"or no even time step before it; expected none missing in what "
+            f"{mapping.place}.integrate adds up"
+        )
+    steps = np.diff(time, prepend=time[0] - interval)
+    if mapping.integrate == "increments":
+        return np.cumsum(values)
+    if mapping.integrate == "samples":
+        values = (values + np.append(values[0], values[:-1])) / 2
+    return np.cumsum(values * steps)

@@ -1,0 +1,182 @@
+"""How a lab's text file is laid out, and its cells."""
+
+import codecs
+import csv
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.common.toml_table import TomlTable
+from pyhrg.records import LogError
+from pyhrg.records.table import text_of
+
+SEPARATORS = {"comma": ",", "semicolon": ";", "tab": "\t", "bar": "|", "space": None}
+"""By their names in a mapping; a space stands for any run of blanks."""
+DECIMALS = {"point": ".", "comma": ","}
+MOST_SKIPPED = 10_000
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Of a text file with one row an interval."""
+
+    separator: str | None = ","
+    decimal: str = "."
+    comment: str = ""
+    """What a line to be ignored begins with; empty: there are none."""
+    encoding: str = "utf-8-sig"
+    header: bool = True
+    """Whether a row of names stands above the values."""
+    lines_before_header: int = 0
+    lines_after_header: int = 0
+    """As of units."""
+    missing: frozenset[str] = frozenset({"", "nan"})
+    """Texts of a cell without a value, in lower case."""
+
+
+@dataclass(frozen=True)
+class Cells:
+    """A file taken apart: source names it, rows (n,) are numbers of its lines, from 1."""
+
+    source: str
+    layout: Layout
+    names: tuple[str, ...]
+    rows: NDArray[np.int64]
+    cells: tuple[tuple[str, ...], ...]
+
+    def place(self, column: str | int) -> int:
+        """Of a column among the cells of a row, by its name or its number from 1.
+
+        Raises:
+            LogError: there is no such column, or more than one.
+        """
+        if isinstance(column, int):
+            if not 1 <= column <= len(self.cells[0]):
+                expected = f"expected 1 to {len(self.cells[0])}"
+                raise LogError(f"{self.source}: column {column}: not there; {expected}")
+            return column - 1
+        if self.names.count(column) != 1:
+            found = f"found {self.names.count(column)} columns of that name"
+            among = ", ".join(self.names) or "no header"
+            raise LogError(f"{self.source}: column {column}: {found}; expected one among {among}")
+        return self.names.index(column)
+
+    def texts(self, column: str | int) -> list[str]:
+        """(n,) cells of a column."""
+        place = self.place(column)
+        return [row[place].strip() for row in self.cells]
+
+    def is_missing(self, text: str) -> bool:
+        """Whether a cell's text stands for no value."""
+        return text.lower() in self.layout.missing
+
+    def numbers(self, column: str | int) -> NDArray[np.float64]:
+        """(n,) values of a column, NaN where there is none.
+
+        Raises:
+            LogError: a cell is no number.
+        """
+        texts = self.texts(column)
+        return np.array([self._number(i, column, text) for i, text in enumerate(texts)])
+
+    def _number(self, index: int, column: str | int, text: str) -> float:
+        if self.is_missing(text):
+            return np.nan
+        decimal = self.layout.decimal
+        try:
+            return float(text if decimal == "." else text.replace(decimal, "."))
+        except ValueError:
+            raise LogError(
+                f"{self.source}: row {self.rows[index]}, {column}: {text!r}; expected a number "
+                f"with a decimal {'point' if decimal == '.' else 'comma'}"
+            ) from None
+
+
+def read_layout(table: TomlTable) -> Layout:
+    """A layout from its table in a mapping.
+
+    Raises:
+        SpecificationError: an unknown key, or a value that is none of those it may have.
+    """
+    table.check_known(
+        (
+            *("separator", "decimal", "comment", "encoding", "missing"),
+            *("header", "lines_before_header", "lines_after_header"),
+        )
+    )
+    separator = SEPARATORS[table.text("separator", "comma", tuple(SEPARATORS))]
+    decimal = DECIMALS[table.text("decimal", "point", tuple(DECIMALS))]
+    if separator == decimal:
+        raise table.error("decimal", "comma", "another separator than comma beside it")
+    return Layout(
+        separator,
+        decimal,
+        table.text("comment", ""),
+        _encoding(table),
+        table.flag("header", True),
+        _count(table, "lines_before_header"),
+        _count(table, "lines_after_header"),
+        Layout.missing | _missing(table),
+    )
+
+
+def read_cells(path: Path, layout: Layout) -> Cells:
+    """Take a file apart.
+
+    Raises:
+        LogError: unreadable, not in that encoding, no row of values, rows of unequal length.
+    """
+    lines = _lines(text_of(path, layout.encoding), layout)
+    names: tuple[str, ...] = ()
+    if layout.header:
+        names = tuple(name.strip() for name in next(lines, (0, ()))[1])
+    for _ in range(layout.lines_after_header):
+        next(lines, None)
+    found = tuple(lines)
+    if not found:
+        raise LogError(f"{path.name}: found no row of values")
+    expected = len(names) or len(found[0][1])
+    for row, cells in found:
+        if len(cells) != expected:
+            trouble = f"{len(cells)} cells; expected {expected} as in the first row"
+            raise LogError(f"{path.name}: row {row}: {trouble}")
+    rows = np.array([row for row, _ in found], dtype=np.int64)
+    return Cells(path.name, layout, names, rows, tuple(cells for _, cells in found))
+
+
+def _lines(text: str, layout: Layout) -> Iterator[tuple[int, tuple[str, ...]]]:
+    """Numbers and cells of the lines that hold any."""
+    for number, line in enumerate(text.splitlines(), 1):
+        ignored = layout.comment and line.lstrip().startswith(layout.comment)
+        if number <= layout.lines_before_header or not line.strip() or ignored:
+            continue
+        if layout.separator is None:
+            yield number, tuple(line.split())
+        else:
+            yield number, tuple(next(csv.reader([line], delimiter=layout.separator)))
+
+
+def _encoding(table: TomlTable) -> str:
+    name = table.text("encoding", Layout.encoding)
+    try:
+        codecs.lookup(name)
+    except LookupError:
+        raise table.error("encoding", name, "a text encoding, as utf-8 or latin-1") from None
+    return name
+
+
+def _count(table: TomlTable, key: str) -> int:
+    value = table.number(key, 0, 0, MOST_SKIPPED)
+    if value != int(value):
+        raise table.error(key, value, "a whole number")
+    return int(value)
+
+
+def _missing(table: TomlTable) -> frozenset[str]:
+    texts = table.values.get("missing", [])
+    if not isinstance(texts, list) or not all(isinstance(text, str) for text in texts):
+        raise table.error("missing", texts, "texts in brackets")
+    return frozenset(text.lower() for text in texts)

@@ -1,0 +1,87 @@
+"""Columns of a log as a table (CSV, Parquet)."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.common.units import DEG, STANDARD_GRAVITY
+from pyhrg.records.imu.log import LogError
+
+AXES = ("x", "y", "z")
+"""Forward, right, down."""
+TIME = "time_s"
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """Three columns: SI is value * factor; of a mean over the interval, or its integral."""
+
+    name: str
+    unit: str
+    factor: float
+    integral: bool
+
+    def column(self, axis: str) -> str:
+        """Name in the file."""
+        return "_".join(filter(None, (self.name, axis, self.unit)))
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Of x, y, z."""
+        return tuple(self.column(axis) for axis in AXES)
+
+
+ROTATION = Quantity("rotation", "rad", 1.0, True)
+VELOCITY = Quantity("velocity", "m_s", 1.0, True)
+GYROS = (
+    ROTATION,
+    Quantity("rotation", "deg", DEG, True),
+    Quantity("gyro", "rad_s", 1.0, False),
+    Quantity("gyro", "deg_s", DEG, False),
+)
+ACCELEROMETERS = (
+    VELOCITY,
+    Quantity("accelerometer", "m_s2", 1.0, False),
+    Quantity("accelerometer", "g", STANDARD_GRAVITY, False),
+)
+"""`time_s` is the end of each row's interval; increments (`rotation_x_rad`, `velocity_x_m_s`) or
+means over the interval (`gyro_x_deg_s`, `accelerometer_x_m_s2`), x forward, y right, z down."""
+
+
+def chosen(source: str, header: Sequence[str], among: Sequence[Quantity]) -> Quantity:
+    """The quantity that a header has all three columns of.
+
+    Raises:
+        LogError: none or more than one; a column that stands there twice.
+    """
+    for name in header:
+        if header.count(name) > 1:
+            raise LogError(f"{source}: column {name}: found more than once, expected once")
+    there = [q for q in among if any(column in header for column in q.columns)]
+    if len(there) > 1:
+        names = " and ".join(q.column("x") for q in there)
+        raise LogError(f"{source}: found columns {names}, expected one kind of them")
+    missing = [column for q in there for column in q.columns if column not in header]
+    if not there or missing:
+        kinds = " or ".join(q.column("x") for q in among)
+        raise LogError(
+            f"{source}: found no column {missing[0] if missing else kinds}, expected it "
+            f"among {', '.join(header)}"
+        )
+    return there[0]
+
+
+def per_second(
+    quantity: Quantity, values: NDArray[np.float64], interval: float
+) -> NDArray[np.float64]:
+    """Means over the interval, in the file's unit."""
+    return values / interval if quantity.integral else values
+
+
+def integrals(
+    quantity: Quantity, values: NDArray[np.float64], interval: float
+) -> NDArray[np.float64]:
+    """Increments, SI."""
+    return quantity.factor * (values if quantity.integral else values * interval)

@@ -1,0 +1,1 @@
+"""Closed forms that tests hold the FMU to."""

@@ -1,0 +1,173 @@
+"""Closed forms that tests and predictions hold the simulation to; nothing here is simulated.
+
+Angles are physical pattern angles. `k` is the Bryan factor, `tau` the mean decay time. Sources:
+D. D. Lynch, Vibratory gyro analysis by the method of averaging (1995), in the form checked in
+Senkal and Shkel, Whole-Angle MEMS Gyroscopes (2020); each docstring says what is derived from it.
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pyhrg.device.device import Device
+
+
+def static_bias_phasor(device: Device) -> complex:
+    """Fourth harmonic H of the output bias at rest, B(th) = mean + Re(H exp(-4i th)), rad/s.
+
+    First order in every imperfection, loops closed: damping anisotropy gives
+    -(D/4k) sin 4(th - th_tau); a gain mismatch g of pick-offs or drives +(g/4k tau) sin 4th (the
+    force that sustains the amplitude is misaimed); a non-orthogonality d -(d/4k tau)(1 + cos 4th);
+    a frequency split with phase error p -(dw p/4k) sin 4(th - th_w).
+    """
+    tau = device.decay_time
+    gain = (device.pickoff_gain_mismatch + device.drive_gain_mismatch) / tau
+    skew = (device.pickoff_nonorthogonality + device.drive_nonorthogonality) / tau
+    damping = device.damping_anisotropy * np.exp(4j * device.damping_axis)
+    split = device.frequency_split * device.phase_error * np.exp(4j * device.stiffness_axis)
+    return complex((-1j * (damping + split - gain) - skew) / (4 * device.bryan_factor))
+
+
+def static_bias(device: Device, pattern_angle: ArrayLike) -> NDArray[np.float64]:
+    """Output bias at rest, rad/s, at each pattern angle (rad); see `static_bias_phasor`."""
+    harmonic = static_bias_phasor(device) * np.exp(-4j * np.asarray(pattern_angle))
+    return np.asarray(mean_bias(device) + harmonic.real)
+
+
+def mean_bias(device: Device) -> float:
+    """Output bias at rest averaged over the circumference, rad/s: -(d + nd)/(4 k tau)."""
+    skew = device.pickoff_nonorthogonality + device.drive_nonorthogonality
+    return -skew / (4 * device.bryan_factor * device.decay_time)
+
+
+def circumferential_bias_stability(device: Device) -> float:
+    """Standard deviation of the bias over the circumference, rad/s: amplitude over sqrt 2."""
+    return abs(static_bias_phasor(device)) / math.sqrt(2)
+
+
+def hold_scale_factor_error(control_period: float, delay: float, decay_time: float) -> float:
+    """Scale-factor error of a gyro whose forces lag the pattern: -(Ts/2 + delay)/tau.
+
+    Forces are computed for the angle at the sample and held: on average they point at where the
+    pattern was Ts/2 + delay ago, and the amplitude force 1/tau pulls it back.
+    """
+    return -(control_period / 2 + delay) / decay_time
+
+
+def quadrature_lag_scale_factor(
+    frequency_split: float, natural_frequency: float, bryan_factor: float, rate: float
+) -> float:
+    """Scale-factor error of a gyro with a frequency split whose quadrature loop lags.
+
+    While the pattern turns, the split drives the quadrature by (dw/2) sin 4(th - th_w), a sine of
+    circular frequency v = 4 k W. A critically damped loop (w) leaves i v / (w + i v)^2 of it; the
+    part in phase with cos 4(th - th_w) precesses the pattern with its own turning:
+    -(dw^2/2) (w^2 - v^2)/(w^2 + v^2)^2 on average, and as much as the amplitude of
+    cos 8(th - th_w). From Lynch's equations (module's head); slow turning: -dw^2/(2 w^2).
+    """
+    turning = 4 * bryan_factor * rate
+    share = (natural_frequency**2 - turning**2) / (natural_frequency**2 + turning**2) ** 2
+    return -(frequency_split**2) / 2 * share
+
+
+def quadrature_lag_bias(
+    frequency_split: float, natural_frequency: float, bryan_factor: float, rate: float
+) -> float:
+    """Amplitude of sin 8(th - th_w) in the output of a gyro whose quadrature loop lags, rad/s.
+
+    Looks like a bias, but grows with the square of the rate: the part of the quadrature in
+    `quadrature_lag_scale_factor` that is a quarter period late, dw^2 w v^2/(4 k (w^2 + v^2)^2).
+    """
+    turning = 4 * bryan_factor * rate
+    share = natural_frequency * turning**2 / (natural_frequency**2 + turning**2) ** 2
+    return frequency_split**2 * share / (4 * bryan_factor)
+
+
+def late_ripple(loop: complex, lag: float, bryan_factor: float, rate: float) -> complex:
+    """What a pick-off error's ripple of the amplitude adds to its own scale-factor map.
+
+    A gain mismatch g makes the amplitude loop drive the true amplitude by -(g/2) cos 4th; while
+    the pattern turns this takes a force, aimed at where the pattern was Ts/2 + delay ago (`lag`).
+    The map's harmonic (cosine c, sine s) of order h turns into
+
+        c (1 + Im z) and s (1 + Im z), and a bias of W Re z (s, -c),  z = 2 k W lag H(i h k |W|)
+
+    with the amplitude loop's response H (`loop`) to its set point; the offset's second and the
+    cubic's eighth harmonic alike.
+    """
+    return 2 * bryan_factor * abs(rate) * lag * loop
+
+
+def misaimed_ripple_scale_factor(
+    gain_mismatch: float, nonorthogonality: float, loop: complex
+) -> float:
+    """Scale-factor error of second order of a gyro whose pick-off errors ripple its amplitude.
+
+    The force that makes the ripple (`late_ripple`) is misaimed by the same errors, e.g.
+    -(g/4) sin 4th: -(g^2/2) W sin^2 4th of the output rate, -(g^2 + d^2)/4 Re H of it on average.
+    """
+    return -(gain_mismatch**2 + nonorthogonality**2) / 4 * loop.real
+
+
+def beyond_the_average(
+    device: Device, rate: ArrayLike, pattern_angle: ArrayLike
+) -> dict[str, NDArray[np.float64]]:
+    """What the average over a carrier period leaves out of a turning gyro's loops, to the next
+    order, by field of a log.
+
+    With c = 2 k W, the coupling of the modes, the velocity in the turning case has c/w of the
+    displacement across the pattern. Damping of it takes a quadrature force -c/(w tau), rad/s. Under
+    a split it does work, which takes -(dw/2)(c/w) Im H exp(4i (th - th_w)) of the amplitude force,
+    1/s, with H = (1 + 2z)/(1 + z)^2 of a critically damped loop, z = -4i k W over its natural
+    frequency. The mean modal frequency is c^2/2w higher, rad/s. Where forces are held for a whole
+    number of half carrier periods, these two forces are others by a half.
+
+    Args:
+        device: the gyro.
+        rate: of the case, rad/s.
+        pattern_angle: rad, of the rate's shape.
+    """
+    coupling = 2 * device.bryan_factor * np.asarray(rate)
+    share = coupling / device.frequency
+    z = -2j * coupling / device.amplitude_loop
+    fourth = np.exp(4j * (np.asarray(pattern_angle) - device.stiffness_axis))
+    work = np.imag((1 + 2 * z) / (1 + z) ** 2 * fourth)
+    return {
+        "quadrature_force": -share / device.decay_time,
+        "amplitude_force": -device.frequency_split / 2 * share * work,
+        "frequency_offset": coupling * share / 2,
+    }
+
+
+def angle_random_walk_bias_stability(angle_random_walk: float, average: float) -> float:
+    """Standard deviation of rate means over `average` seconds, rad/s, from N (rad/sqrt(s))."""
+    return angle_random_walk / math.sqrt(average)
+
+
+def lock_rate(device: Device) -> float:
+    """Input rate below which a free pattern locks in, rad/s: amplitude of the bias map.
+
+    With damping anisotropy alone W_L = D/(4k). (R. Adler, A study of locking phenomena in
+    oscillators, 1946: th' = -k (W - mean bias) + (D/4) sin 4(th - th_tau) is his equation.)
+    """
+    return abs(static_bias_phasor(device))
+
+
+def adler_mean_rate(rate: ArrayLike, lock: float) -> NDArray[np.float64]:
+    """Mean output rate at an input rate, rad/s: 0 within +-lock, else sqrt(W^2 - W_L^2)."""
+    given = np.asarray(rate, dtype=float)
+    return np.asarray(np.sign(given) * np.sqrt(np.maximum(given**2 - lock**2, 0.0)))
+
+
+def adler_period(rate: float, lock: float, bryan_factor: float) -> float:
+    """Time in which the pattern turns by 90 deg, s: 2 pi/(4 k sqrt(W^2 - W_L^2))."""
+    return 2 * math.pi / (4 * bryan_factor * math.sqrt(rate**2 - lock**2))
+
+
+def adler_lock_angle(rate: float, lock: float, damping_axis: float) -> float:
+    """Pattern angle at which it locks, rad, one every 90 deg: sin 4(th_L - th_tau) = W/W_L.
+
+    Of the two angles the one with cos 4(th_L - th_tau) < 0 is stable.
+    """
+    return damping_axis + (math.pi - math.asin(rate / lock)) / 4

@@ -1,0 +1,73 @@
+"""FMI 3.0: sound by FMPy's rules, and the same numbers as FMI 2.0."""
+
+import zipfile
+from pathlib import Path
+
+import fmpy
+import fmpy.validation
+import numpy as np
+import pytest
+
+from fmu_build.binaries.platforms import universal
+from fmu_build.bundle import SOURCES, built_fmu
+
+
+@pytest.fixture(scope="module")
+def fmi3_path() -> Path:
+    return built_fmu(fmi=3)
+
+
+def test_fmpy_finds_nothing(fmi3_path: Path) -> None:
+    assert fmpy.validation.validate_fmu(str(fmi3_path)) == []
+
+
+def test_both_standards_give_the_same_bits(fmu_path: Path, fmi3_path: Path) -> None:
+    def run(path: Path) -> np.ndarray:
+        return fmpy.simulate_fmu(
+            str(path),
+            stop_time=2.0,
+            output_interval=0.1,
+            start_values={
+                "seed": 5,
+                "startAngle": 0.4,
+                "angularRate": 0.2,
+                "noise.angleRandomWalk": 1e-12,
+                "resonator.material.dampingAnisotropy": 1e-6,
+            },
+            output=["gyroAngle", "amplitudeForce", "valid"],
+        )
+
+    assert np.array_equal(run(fmu_path), run(fmi3_path))
+
+
+def test_same_variables_but_time(fmu_path: Path, fmi3_path: Path) -> None:
+    two, three = (fmpy.read_model_description(str(p)) for p in (fmu_path, fmi3_path))
+    described = [
+        {(v.name, v.valueReference, v.causality, v.unit, v.start) for v in d.modelVariables}
+        for d in (two, three)
+    ]
+    assert {name for name, *_ in described[1] - described[0]} == {"time"}
+    assert described[0] <= described[1]
+
+
+def test_sources_are_packed_with_their_build_description(fmi3_path: Path) -> None:
+    with zipfile.ZipFile(fmi3_path) as archive:
+        names = set(archive.namelist())
+        text = archive.read("sources/buildDescription.xml").decode()
+    listed = {line.split('"')[1] for line in text.splitlines() if "<SourceFile " in line}
+    assert listed == {*SOURCES, "fmi3.c"}
+    assert {f"sources/{name}" for name in listed} <= names
+
+
+def test_universal_binary_holds_both() -> None:
+    """Header of a fat Mach-O: magic, count, then kind, offset and length of each part."""
+    parts = [
+        b"\xcf\xfa\xed\xfe" + kind + b"\0" * 8 + b"x" * 100 for kind in (b"\7\0\0\1", b"\x0c\0\0\1")
+    ]
+    fat = universal(parts)
+    assert fat[:8] == b"\xca\xfe\xba\xbe\0\0\0\2"
+    for index, part in enumerate(parts):
+        entry = fat[8 + 20 * index : 28 + 20 * index]
+        offset, length = int.from_bytes(entry[8:12]), int.from_bytes(entry[12:16])
+        assert fat[offset : offset + length] == part
+        assert offset % (1 << 14) == 0

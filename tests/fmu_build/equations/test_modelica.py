@@ -1,0 +1,46 @@
+"""The small reader of Modelica's text agrees with a full parser."""
+
+from pathlib import Path
+
+import pymoca.ast
+import pymoca.parser
+import pytest
+
+from fmu_build.bundle import modelica_library
+from fmu_build.equations.modelica import page, types_of
+from tests.modelica.test_library import FILES, defined
+
+UNITS = modelica_library() / "Units" / "package.mo"
+
+
+def attributes(item: pymoca.ast.Class) -> dict[str, str]:
+    """Text attributes that a derived type gives."""
+    (clause,) = item.extends
+    return {
+        a.value.component.name: a.value.modifications[0].value
+        for a in clause.class_modification.arguments
+        if isinstance(a.value.modifications[0].value, str)
+    }
+
+
+def test_types_are_those_of_the_parser() -> None:
+    parsed = defined(UNITS).classes
+    read = types_of([str(UNITS)])
+    assert set(read) == {f"HRG.Units.{name}" for name in parsed}
+    for name, item in parsed.items():
+        given = attributes(item)
+        found = read[f"HRG.Units.{name}"]
+        assert found.description == item.comment
+        assert found.quantity == given.get("quantity", "")
+        assert found.unit == given["unit"]
+        assert found.display_unit == given.get("displayUnit", "")
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda p: str(p.relative_to(modelica_library())))
+def test_pages_are_those_of_the_parser(path: Path) -> None:
+    item = defined(path)
+    read = page(path)
+    place = path.parent if path.name == "package.mo" else path.with_suffix("")
+    assert read.name == ".".join(place.relative_to(modelica_library().parent).parts)
+    assert read.description == item.comment
+    assert bool(read.info) == ("Documentation(info=" in path.read_text())

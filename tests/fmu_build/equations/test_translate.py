@@ -1,0 +1,51 @@
+"""What the generator does not know, it refuses."""
+
+from pathlib import Path
+
+import pytest
+
+from fmu_build.code.generate import generate
+from fmu_build.equations import translate as translate_module
+from fmu_build.equations.translate import TranslationError, translate
+from tests.fmu_build.modelica import SAMPLED, translated
+
+
+def test_modelica_error_names_model_and_cause(tmp_path: Path) -> None:
+    with pytest.raises(TranslationError, match=r"P\.M: .*nowhere"):
+        translated(tmp_path, SAMPLED.replace("twice = 2*x", "twice = 2*nowhere"))
+
+
+def test_other_compiler_version_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(translate_module, "COMPILER_VERSION", "0.0.0")
+    with pytest.raises(TranslationError, match=r"is installed; expected 0\.0\.0"):
+        translate(tmp_path, "P.M")
+
+
+def test_model_without_clock_is_refused(tmp_path: Path) -> None:
+    body = "model M\n Real x(start = 1, fixed = true);\nequation\n der(x) = -x;\nend M;"
+    with pytest.raises(TranslationError, match="has no sample clock"):
+        translated(tmp_path, body)
+
+
+def test_array_reset_within_a_loop_is_refused(tmp_path: Path) -> None:
+    """The compiler mistranslates a conditional assignment of an element within a loop."""
+    body = """
+  function f
+    input Real u;
+    output Real y[3];
+  algorithm
+    for i in 1:6 loop
+      if i > 3 then
+        y[i - 3] := u + i;
+      end if;
+    end for;
+  end f;
+""" + SAMPLED.replace("n = pre(n) + twice", "n = g(f(pre(n)))").replace(
+        "  model M",
+        "  function g\n    input Real u[3];\n    output Real y;\n  algorithm\n"
+        "    y := u[1];\n  end g;\n  model M",
+    )
+    with pytest.raises(
+        ValueError, match="f: a statement of kind assignment_group is not supported"
+    ):
+        generate(translated(tmp_path, body))

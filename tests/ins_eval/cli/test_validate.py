@@ -1,0 +1,161 @@
+"""`hrg validate` from the command line: the small study, from blocks that are there already."""
+
+import argparse
+import csv
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from ins_eval.cli.validate import chosen
+from ins_eval.study import study_file
+from ins_eval.study.run.block import packed
+from ins_eval.study.run.folder import claimed
+from ins_eval.study.run.identity import identity
+from ins_eval.study.specification import TEST, TRAIN, Study
+from pyhrg.common.cli import main
+from tests.ins_eval.study import made_up
+from tests.ins_eval.study.test_experiment import PLAN
+from tests.ins_eval.trajectories.test_recorded_drive import made_up_drive, written
+
+NONE = argparse.Namespace(seed=None, hours=None, triads=None, calibration=None, trajectory=None)
+OPTIONS = ["--hours", "0.2", "--triads", "72", "--seed", "3"]
+
+
+def asked(**options: str) -> Study:
+    return chosen(argparse.Namespace(**{**vars(NONE), **options}))
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Blocks of the study that `OPTIONS` ask for, of gyros that were benched in a hurry."""
+    study = asked(hours="0.2", triads="72", seed="3")
+    hurried = replace(study, settings={"bench": PLAN, "calibration": {**PLAN, "runs": 1}})
+    out = tmp_path_factory.mktemp("validation") / "out"
+    arrays = made_up.many(study, made_up.few(hurried))
+    with claimed(out, identity(study)) as kept:
+        for number, block in enumerate(made_up.blocks(study, arrays)):
+            kept.keep(number, packed(block, kept.identity, number))
+    return out
+
+
+def test_it_is_the_small_study() -> None:
+    assert asked() == study_file.study("small")
+
+
+def test_options_replace_keys() -> None:
+    study = asked(hours="0.5", triads="100", seed="9")
+    assert (study.hours, study.triads, study.seed, study.conditions) == (0.5, 100, 9, 40)
+    assert {mission.hours for mission in study.missions} == {0.5}
+    assert asked(triads="72").conditions == 36
+    mapped = asked(calibration="map")
+    assert (mapped.calibrations, mapped.conditions) == (("map",), 0)
+
+
+@pytest.mark.parametrize(
+    ("name", "training", "judged_class"),
+    [
+        ("aircraft", "car", "aircraft with rolls"),
+        ("car", "aircraft", "car"),
+        ("ship", "car", "ship"),
+    ],
+)
+def test_mission_that_is_asked_for_is_judged(name: str, training: str, judged_class: str) -> None:
+    first, second = asked(trajectory=name).missions
+    assert (first.name, first.half) == (training, TRAIN)
+    assert (second.name, second.half, second.mission_class) == (name, TEST, judged_class)
+    assert first.mission_class != second.mission_class
+
+
+def test_recorded_drive_is_judged(tmp_path: Path) -> None:
+    drive = written(tmp_path, made_up_drive())
+    judged = asked(trajectory=str(drive), hours="0.1").missions[-1]
+    assert (judged.name, judged.half) == ("drive", TEST)
+    assert judged.content == drive.read_bytes()
+
+
+def test_validate_writes_what_it_promises(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["validate", *OPTIONS, "--out", str(folder)]) == 0
+    said = capsys.readouterr().out
+    document = json.loads((folder / "validation.json").read_text())
+    found = document["calibrations"]["mean"]
+    assert (document["seed"], found["mission"], found["flown"]["n"]) == (3, "aircraft", 36)
+    assert found["verdict"] in said
+    scores = json.loads((folder / "study.json").read_text())["scores"]
+    for key in ("fixed_rule", "circumference_rule", "fitted_map"):
+        (score,) = (
+            s
+            for s in scores
+            if (s["score"], s["predictor"], s["half"], s["mission_class"])
+            == ("median_ratio", key, "test", "all")
+        )
+        promise = found["predicted"][key]
+        assert promise["flown_over_predicted"] == score["value"]
+        assert promise["flown_over_predicted_interval_95"] == [score["low"], score["high"]]
+    conditions = said.split("Elsewhere")[1].splitlines()[1:5]
+    assert all("(36 triads)" in line and "the thesis " in line for line in conditions)
+
+
+def test_views_are_of_the_judged_triads(folder: Path) -> None:
+    """The CSV's last row is the end, whose median the document has."""
+    assert main(["validate", *OPTIONS, "--out", str(folder)]) == 0
+    rows = list(csv.DictReader((folder / "position_error.csv").read_text().splitlines()))
+    assert [float(row["time_s"]) for row in rows] == [600, 720]
+    assert {"triad_36_m", "triad_71_m"} <= set(rows[0])
+    assert "triad_35_m" not in rows[0]
+    document = json.loads((folder / "validation.json").read_text())
+    median = document["calibrations"]["mean"]["flown"]["radial_error_nmi"] * 1852
+    assert float(rows[-1]["flown_median_m"]) == pytest.approx(median, rel=1e-5)
+    assert (folder / "validation.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_again_is_told_without_work(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for _ in range(2):
+        assert main(["validate", *OPTIONS, "--out", str(folder)]) == 0
+    said = capsys.readouterr().out
+    assert said[: len(said) // 2] == said[len(said) // 2 :]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--seed", "-1"], "--seed -1: expected a whole number from 0 to"),
+        (["--seed", "abc"], "--seed abc: expected a whole number"),
+        (["--hours", "0"], "--hours 0: expected a number from 0.1 to 10"),
+        (["--hours", "nan"], "--hours nan: expected a number"),
+        (["--hours", "1e9"], "--hours 1e9: expected a number"),
+        (["--triads", "5"], "--triads 5: expected a whole number from 72 to 1000000"),
+        (["--calibration", "best"], "--calibration: invalid choice: 'best'"),
+        (["--trajectory", "nowhere.csv"], "nowhere.csv: can't be read: No such file"),
+        (["--trajectory", "nowhere"], "nowhere: found no such mission, expected aircraft, "),
+        (["--trajectory", "weaving"], "weaving"),
+        (["--workers", "0"], "--workers 0: expected a whole number from 1"),
+        (["--bogus"], "unrecognized arguments: --bogus"),
+    ],
+)
+def test_mistake_is_one_line_and_status_2(
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    arguments: list[str],
+    message: str,
+) -> None:
+    out = tmp_path / "result"
+    try:
+        status = main(["validate", "--out", str(out), *arguments])
+    except SystemExit as stop:
+        status = int(str(stop.code))
+    error = capsys.readouterr().err
+    assert status == 2
+    assert message in error
+    assert error.count("\n") == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_folder_of_something_else_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "validation.json").write_text("mine")
+    assert main(["validate", "--out", str(tmp_path)]) == 2
+    assert "found validation.json, expected an empty folder or a study's" in capsys.readouterr().err
+    assert (tmp_path / "validation.json").read_text() == "mine"

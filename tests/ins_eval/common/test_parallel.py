@@ -1,0 +1,29 @@
+"""Work shared among threads: in order, and stopped as one."""
+
+import threading
+
+import pytest
+
+from ins_eval.common.parallel import in_parallel
+
+
+@pytest.mark.parametrize("workers", [1, 3, None])
+def test_results_and_reports_come_in_the_items_order(workers: int | None) -> None:
+    told: list[int] = []
+    squares = in_parallel(lambda x: x * x, range(20), threading.Event(), workers, told.append)
+    assert squares == [x * x for x in range(20)]
+    assert told == squares
+
+
+def test_failure_stops_work_under_way() -> None:
+    """The first item waits for the stop that the second one's failure must cause."""
+    stop = threading.Event()
+
+    def work(item: int) -> bool:
+        if item == 1:
+            raise ValueError("the second")
+        return item == 0 or stop.wait(10)
+
+    with pytest.raises(ValueError, match="the second"):
+        in_parallel(work, range(4), stop, workers=2)
+    assert stop.is_set()

@@ -1,0 +1,36 @@
+"""Recorded logs for the command line's tests."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+from ins_eval.common.increments import Increments
+from ins_eval.imu import recorded, specification
+from ins_eval.trajectories import catalogue
+
+REAL = Path(__file__).parents[4] / "shared" / "real"
+LATITUDE_DEG = "39.9"
+"""Where the car stands."""
+
+
+def ring_laser() -> Path:
+    """A recorded log; `HRG_REAL` says where such are."""
+    path = Path(os.environ.get("HRG_REAL", REAL)) / "lasergyro.imu.gz"
+    if not path.is_file():
+        pytest.skip(f"{path} is not there; HRG_REAL says where recorded data are")
+    return path
+
+
+def standing(seconds: float, seed: int = 1) -> Increments:
+    """What a simple IMU measures in a car that stands."""
+    truth = catalogue.trajectory("car", seconds, 10.0)
+    increments = truth.increments(-seconds, 0.01, round(seconds * 100))
+    return specification.imu("simple").measure(increments, seed).increments
+
+
+def written(folder: Path, seconds: float) -> Path:
+    """Its log, as CSV."""
+    path = folder / "standing.csv"
+    recorded.write(standing(seconds), path)
+    return path

@@ -1,0 +1,73 @@
+"""A gyro that is no average over its carrier, where one that is is believed in."""
+
+import numpy as np
+import pytest
+
+from fmu_build.bundle import built_fmu
+from fmu_build.roots import ROOTS
+from pyhrg.challenge import case
+from pyhrg.challenge.campaigns.plans import TESTS, Plan, Variation
+from pyhrg.challenge.case import Case, Fmus
+from pyhrg.device.device import Device
+from pyhrg.fmu import GyroFmu
+from pyhrg.gap.diagnose import diagnosed
+from pyhrg.gap.effects.design import LinearTest
+from pyhrg.gap.replay.simulation import Simulation
+from pyhrg.records.campaign import Campaign
+
+NONE = Case("unit-0001", "none", 7, (6.0, 60.0))
+FAST = ("rate_high_pos", "rate_high_neg")
+
+
+def fast_plans(
+    device: Device, generator: np.random.Generator, complete: bool = False
+) -> list[Plan]:
+    """A while at rest, and both ways at 100 deg/s."""
+    vary = Variation(device, generator)
+    still = Plan("static_fixed", "static", "fit", vary.programme(1.0).rest(900.0), 0.3)
+    profiles = {test[0]: test[3] for test in TESTS}
+    angles = generator.uniform(0, np.pi / 2, len(FAST))
+    fast = [
+        Plan(name, "rate", "fit", profiles[name](vary), angle)
+        for name, angle in zip(FAST, angles.tolist(), strict=True)
+    ]
+    return [still, *fast]
+
+
+@pytest.fixture(scope="module")
+def fmus(simulation: Simulation) -> Fmus:
+    carrier = GyroFmu(built_fmu(root=ROOTS["HRGCarrier"]))
+    carrier.prepare()
+    return Fmus(carrier, simulation)
+
+
+def test_short_tests_are_made_at_the_carrier(simulation: Simulation, fmus: Fmus) -> None:
+    made = fast_plans(Device(), np.random.default_rng(1))
+    assert {plan.id for plan in made if fmus.of(plan) is fmus.carrier} == set(FAST)
+    assert {plan.id for plan in made if fmus.of(plan) is simulation.sampled} == {"static_fixed"}
+
+
+@pytest.fixture(scope="module")
+def campaign(simulation: Simulation, fmus: Fmus) -> Campaign:
+    """Without a gap."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(case, "plans", fast_plans)
+        drawn = case.prepared(NONE, simulation)
+    made = drawn.recorded([(plan, fmus.of(plan)) for plan in drawn.plans], case.NOISE)
+    return drawn.campaign([test for test, _ in made])
+
+
+def test_what_the_average_leaves_out_is_no_gap(simulation: Simulation, campaign: Campaign) -> None:
+    said = diagnosed(campaign, simulation).diagnosis
+    assert said.verdict == "no_gap"
+    assert said.unknown_probability < 0.1
+
+
+def test_it_would_be_one(
+    simulation: Simulation, campaign: Campaign, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Were it not known of."""
+    monkeypatch.setattr(
+        LinearTest, "left_out", lambda part, channel: np.zeros(len(part.test.log.time))
+    )
+    assert diagnosed(campaign, simulation).diagnosis.verdict != "no_gap"

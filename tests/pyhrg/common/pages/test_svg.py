@@ -1,0 +1,59 @@
+"""Scales and paths against what they say they draw."""
+
+import re
+
+import numpy as np
+import pytest
+
+from pyhrg.common.pages import svg
+
+
+def test_a_log_scale_puts_decades_at_equal_distances() -> None:
+    scale = svg.Scale(1.0, 1000.0, 0.0, 300.0)
+    np.testing.assert_allclose(scale([1, 10, 100, 1000]), [0, 100, 200, 300], atol=1e-12)
+    assert scale.ticks == [1, 10, 100, 1000]
+
+
+def test_a_linear_scale_has_round_ticks_within() -> None:
+    scale = svg.Scale(0.0, 2.0, 0.0, 100.0, log=False)
+    assert float(scale(0.5)) == 25
+    assert scale.ticks == [0, 0.5, 1, 1.5, 2]
+
+
+@pytest.mark.parametrize(
+    ("values", "limits"),
+    [([3, 40], (1, 100)), ([0.02, np.nan, -5], (0.01, 0.1)), ([10, 10], (10, 100)), ([], (1, 10))],
+)
+def test_decades_hold_every_positive_value(
+    values: list[float], limits: tuple[float, float]
+) -> None:
+    assert svg.decades(values) == pytest.approx(limits)
+
+
+def test_points_lie_where_they_were_put_each_once() -> None:
+    generator = np.random.default_rng(3)
+    x, y = generator.uniform(70, 410, (2, 500))
+    twice = svg.points(np.tile(x, 2), np.tile(y, 2))
+    steps = re.findall(r"m(-?\d+)( |(?=-))(-?\d+)h0", twice)
+    assert "".join(f"m{a}{gap}{b}h0" for a, gap, b in steps) == twice
+    drawn = np.cumsum([(int(a), int(b)) for a, _, b in steps], axis=0)
+    wanted = np.unique(np.rint(svg.FINENESS * np.stack([x, y], axis=1)), axis=0)
+    np.testing.assert_array_equal(drawn, wanted)
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (0.0123456, "0.0123"),
+        (3.4, "3.4"),
+        (12345.0, "12,300"),
+        (-0.5, "−0.5"),
+        (0, "0"),
+        (0.9996, "1"),
+        (2.5e7, "2.5e+07"),
+        (np.nan, "–"),
+        (-np.inf, "−∞"),
+    ],
+)
+def test_numbers_are_told_in_three_digits(value: float, text: str) -> None:
+    assert svg.number(value) == text

@@ -1,0 +1,36 @@
+"""Effects as vectors: there and back, in the format's units, within what a gyro may have."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from pyhrg.common.units import DEG
+from pyhrg.device.device import Device
+from pyhrg.gap.effects.catalogue import DETERMINISTIC, EFFECTS, Effect
+
+DEVICE = Device(damping_anisotropy=1e-6, damping_axis=20 * DEG, phase_error=1e-3)
+
+
+@pytest.mark.parametrize("effect", DETERMINISTIC, ids=lambda effect: effect.name)
+def test_vectors_come_back(effect: Effect) -> None:
+    wanted = effect.scale * np.array([0.6, -0.3][: effect.size])
+    put = effect.put(DEVICE, wanted)
+    np.testing.assert_allclose(effect.vector(put), wanted, rtol=1e-12)
+    np.testing.assert_allclose(effect.vector_of(effect.parameters(wanted)), wanted, rtol=1e-9)
+    kept = {field: getattr(DEVICE, field) for field in effect.fields}
+    assert replace(put, **kept) == DEVICE
+
+
+@pytest.mark.parametrize("effect", DETERMINISTIC, ids=lambda effect: effect.name)
+def test_vectors_end_where_gyros_do(effect: Effect) -> None:
+    low, high = effect.bounds
+    far = effect.put(DEVICE, np.full(effect.size, 1e9))
+    assert np.linalg.norm(effect.vector(far)) == pytest.approx(high)
+    if effect.size == 1:
+        assert effect.vector(effect.put(DEVICE, np.array([-1e9]))) == pytest.approx(low)
+
+
+def test_a_delay_is_never_negative() -> None:
+    delay = EFFECTS["loop_delay"]
+    assert delay.put(DEVICE, np.array([-1e-3])).loop_delay == 0.0

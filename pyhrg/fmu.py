@@ -23,6 +23,8 @@ from fmpy.fmi2 import (
 )
 from numpy.typing import NDArray
 
+from pyhrg.common.errors import HrgError
+
 Array = NDArray[np.float64]
 Loop = Callable[..., int]
 
@@ -34,7 +36,7 @@ class Loops(NamedTuple):
     record: Loop
 
 
-class GyroError(Exception):
+class GyroError(HrgError):
     """The FMU refused a call; the message is its own."""
 
 

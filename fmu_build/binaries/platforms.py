@@ -11,6 +11,8 @@ from pathlib import Path
 import fmpy
 import ziglang
 
+from pyhrg.common.errors import HrgError
+
 COMPILER = [sys.executable, "-m", "ziglang", "cc"]
 PORTABLE_FLAGS = ["-O2", "-ffp-contract=off", "-fno-math-errno", "-fvisibility=hidden"]
 FLAGS = ["-std=c99", *PORTABLE_FLAGS, "-fno-sanitize=all", "-Wall", "-Wextra"]
@@ -51,7 +53,7 @@ PLATFORMS = {
 }
 
 
-class BuildError(Exception):
+class BuildError(HrgError):
     """The C compiler refused the generated sources, or there is nothing to build for."""
 
 

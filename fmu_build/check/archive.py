@@ -8,13 +8,15 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
+from pyhrg.common.errors import HrgError
+
 INTERFACES = ("ModelExchange", "CoSimulation", "ScheduledExecution")
 
 BASE_TYPES = {"Real", "Integer", "Boolean", "String", "Enumeration"}
 """Elements that hold a variable's type in FMI 2.0."""
 
 
-class UnusableError(Exception):
+class UnusableError(HrgError):
     """No FMU that can be checked: not a ZIP file, or without a description that can be read."""
 
 

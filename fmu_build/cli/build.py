@@ -8,11 +8,13 @@ from fmu_build.binaries.platforms import PLATFORMS, BuildError, known_to
 from fmu_build.bundle import Progress, built_fmu
 from fmu_build.equations.translate import TranslationError
 from fmu_build.roots import ROOTS
-from pyhrg.common.cli import Command, UserError
+from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
 
+HELP = "translate the Modelica gyro and build HRG.fmu"
 
-def _add_options(parser: argparse.ArgumentParser) -> None:
+
+def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--model",
         choices=tuple(ROOTS),
@@ -45,23 +47,20 @@ def _platforms(named: list[str], fmi: int, progress: Progress) -> list[str]:
     return known_to(fmi)
 
 
-def _run(options: argparse.Namespace) -> None:
+def run(options: argparse.Namespace) -> None:
     root = ROOTS[options.model]
     out = options.out or Path(f"{root.identifier}.fmu")
     if out.is_dir():
-        raise UserError(f"can't write {out}: it is a folder; expected the name of a file")
+        raise HrgError(f"can't write {out}: it is a folder; expected the name of a file")
     platforms = _platforms(options.platform, options.fmi, _say)
     try:
         built = built_fmu(_say, options.fmi, platforms, root)
     except (TranslationError, BuildError) as error:
-        raise UserError(str(error)) from error
+        raise HrgError(str(error)) from error
     except OSError as error:
-        raise UserError(f"can't build the FMU: {error}") from error
+        raise HrgError(f"can't build the FMU: {error}") from error
     try:
         write_whole(out, built.read_bytes())
     except OSError as error:
-        raise UserError(f"can't write {out}: {error.strerror}") from error
+        raise HrgError(f"can't write {out}: {error.strerror}") from error
     print(out)
-
-
-BUILD = Command("translate the Modelica gyro and build HRG.fmu", _add_options, _run)

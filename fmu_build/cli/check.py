@@ -6,18 +6,20 @@ from pathlib import Path
 
 from fmu_build.check.archive import UnusableError, opened
 from fmu_build.check.report import Check, checks
-from pyhrg.common.cli import Command, UserError
+from pyhrg.common.errors import HrgError
+
+HELP = "check an FMU by rules of the standard and in other importers"
 
 
-def _add_options(parser: argparse.ArgumentParser) -> None:
+def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("fmu", type=Path, metavar="FILE.fmu", help="FMI 2.0 or 3.0")
 
 
-def _run(options: argparse.Namespace) -> None:
+def run(options: argparse.Namespace) -> None:
     try:
         fmu = opened(options.fmu)
     except UnusableError as error:
-        raise UserError(str(error)) from error
+        raise HrgError(str(error)) from error
     count = skipped = 0
     for check in checks(fmu):
         print(_text(check), flush=True)
@@ -38,6 +40,3 @@ def _text(check: Check) -> str:
     remark = f" ({check.remark})" if check.remark else ""
     reasons = [*check.findings, *([check.skipped] if check.skipped else [])]
     return "\n".join([f"{verdict} {check.name}{remark}", *(f"      {r}" for r in reasons)])
-
-
-CHECK = Command("check an FMU by rules of the standard and in other importers", _add_options, _run)

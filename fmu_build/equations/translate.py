@@ -5,12 +5,13 @@ from pathlib import Path
 import rumoca
 
 from fmu_build.equations.dae import Dae, parse
+from pyhrg.common.errors import HrgError
 
 COMPILER_VERSION = "0.10.2"
 SCHEMA_VERSION = 43
 
 
-class TranslationError(Exception):
+class TranslationError(HrgError):
     """The Modelica text, or what the compiler made of it, can't be translated."""
 
 

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.common.rotation import euler_from_mat
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG
 
 Array = NDArray[np.float64]
@@ -14,7 +15,7 @@ NEAREST_VERTICAL = np.deg2rad(1.0)
 """Of the nose: nearer, heading and roll have no meaning apart."""
 
 
-class AlignmentError(Exception):
+class AlignmentError(HrgError):
     """The record can't be aligned on."""
 
 

@@ -5,18 +5,25 @@ from pathlib import Path
 
 from ins_eval.alignment.align import SHORTEST, align
 from ins_eval.cli.flight_options import align_report, sources
-from ins_eval.cli.flight_options.place import FLAGS, add_options, place, refuse_options_of_logs
+from ins_eval.cli.flight_options.place import (
+    FLAGS,
+    add_place_options,
+    place,
+    refuse_options_of_logs,
+)
 from ins_eval.cli.flight_options.records import recorded, simulated
 from ins_eval.cli.flight_options.refusals import REFUSALS
-from pyhrg.common.cli import Command, UserError
+from pyhrg.common.errors import HrgError
 from pyhrg.common.files import staging
 from pyhrg.common.option_numbers import number, whole
+
+HELP = "find a standing vehicle's attitude from its IMU, with one-sigma"
 
 TRAJECTORY = "car"
 """Unless options say otherwise."""
 
 
-def _add_options(parser: argparse.ArgumentParser) -> None:
+def add_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("log", nargs="?", type=Path, metavar="FILE", help="recorded log of a standing vehicle; "
         "without it, an IMU is simulated on one")  # fmt: skip
@@ -29,10 +36,10 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     add("--seed", metavar="N", help="of everything random (default 1)")
     add("--out", type=Path, default=Path("hrg-align"), metavar="DIR", help="output folder "
         "(default hrg-align)")  # fmt: skip
-    add_options(parser)
+    add_place_options(parser)
 
 
-def _run(options: argparse.Namespace) -> None:
+def run(options: argparse.Namespace) -> None:
     seconds = number("--seconds", options.seconds, SHORTEST, 7200)
     first = number("--from-s", options.from_s or "0", 0, 1e6)
     seed = whole("--seed", options.seed or "1", 0, 2**63 - 1)
@@ -49,9 +56,9 @@ def _run(options: argparse.Namespace) -> None:
             alignment = align(record.increments, record.position, imu.errors)
             align_report.write(record, alignment, imu.errors, folder)
     except REFUSALS as error:
-        raise UserError(str(error)) from error
+        raise HrgError(str(error)) from error
     except OSError as error:
-        raise UserError(f"can't write {options.out}: {error.strerror or error}") from error
+        raise HrgError(f"can't write {options.out}: {error.strerror or error}") from error
     print(align_report.summary(record, alignment))
     print(f"\nwritten to {options.out}: {', '.join(align_report.FILES)}")
 
@@ -59,9 +66,4 @@ def _run(options: argparse.Namespace) -> None:
 def _refuse_options_of_simulations(options: argparse.Namespace) -> None:
     for flag, value in (("--trajectory", options.trajectory), ("--seed", options.seed)):
         if value is not None:
-            raise UserError(f"{flag}: is for simulated IMUs, and {options.log} is a recorded log")
-
-
-ALIGN = Command(
-    "find a standing vehicle's attitude from its IMU, with one-sigma", _add_options, _run
-)
+            raise HrgError(f"{flag}: is for simulated IMUs, and {options.log} is a recorded log")

@@ -15,14 +15,16 @@ from ins_eval.flights.log_flight import fly_log
 from ins_eval.flights.truth import still
 from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.errors import MovingStartError
-from pyhrg.common.cli import Command, UserError
+from pyhrg.common.errors import HrgError
 from pyhrg.common.files import staging
+
+HELP = "fly an IMU along a trajectory, and say how far it goes astray"
 
 TRAJECTORY, IMU = "car", "simple"
 """Unless options say otherwise."""
 
 
-def _add_options(parser: argparse.ArgumentParser) -> None:
+def add_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("--trajectory", metavar="NAME|FILE", help="ready mission, mission TOML or recorded drive "
         f"(CSV, may be gzipped) (default {TRAJECTORY}); of a log its truth: {sources.NONE} "
@@ -34,10 +36,10 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     add("--out", type=Path, default=Path("hrg-nav"), metavar="DIR", help="output folder "
         "(default hrg-nav)")  # fmt: skip
     plans.add_options(parser)
-    place.add_options(parser)
+    place.add_place_options(parser)
 
 
-def _run(options: argparse.Namespace) -> None:
+def run(options: argparse.Namespace) -> None:
     recorded = sources.is_log(options.imu)
     names = report.files(
         truth=not recorded or sources.has_truth(options.trajectory), simulated=not recorded
@@ -47,9 +49,9 @@ def _run(options: argparse.Namespace) -> None:
             flown = _of_log(options) if recorded else _simulated(options)
             report.write(flown, folder, names)
     except REFUSALS as error:
-        raise UserError(str(error)) from error
+        raise HrgError(str(error)) from error
     except OSError as error:
-        raise UserError(f"can't write {options.out}: {error.strerror or error}") from error
+        raise HrgError(f"can't write {options.out}: {error.strerror or error}") from error
     print(report.summary(flown))
     print(f"\nwritten to {options.out}: {', '.join(names)}")
 
@@ -63,7 +65,7 @@ def _simulated(options: argparse.Namespace) -> Flown:
     try:
         trajectory = catalogue.trajectory(path, zero * asked.interval, asked.duration)
     except MovingStartError as error:
-        raise UserError(f"{error}; or --start-from-truth") from error
+        raise HrgError(f"{error}; or --start-from-truth") from error
     layout = "{desc} {percentage:3.0f}%|{bar}| {n}/{total} flights [{elapsed}]"
     total = asked.runs + 1
     with tqdm(total=total, desc="navigation", bar_format=layout, delay=2, file=sys.stderr) as bar:
@@ -79,6 +81,3 @@ def _of_log(options: argparse.Namespace) -> Flown:
     reference = sources.reference(name, position, first, asked.duration)
     errors = sources.imu(options.errors_of or IMU, None).errors
     return fly_log(asked, path.name, record.increments, position, errors, reference)
-
-
-NAV = Command("fly an IMU along a trajectory, and say how far it goes astray", _add_options, _run)

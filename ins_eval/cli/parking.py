@@ -17,16 +17,18 @@ from ins_eval.parking.mission import STILL, mission
 from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.trajectory import Trajectory
-from pyhrg.common.cli import Command, UserError
+from pyhrg.common.errors import HrgError
 from pyhrg.common.files import staging
 from pyhrg.common.option_numbers import number, whole
+
+HELP = "start level gyros' patterns where their maps say the error is least, and fly what it buys"
 
 LONGEST_HOURS = 24.0
 MARGIN = 10.0
 """Trajectories go on beyond the mission's end, so that no spline ends within it, s."""
 
 
-def _add_options(parser: argparse.ArgumentParser) -> None:
+def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--seed", default="1", help="of everything random (default 1)")
     parser.add_argument("--hours", default="2", help="mission length (default 2)")
     parser.add_argument("--triads", default="12", help="device triads to fly (default 12)")
@@ -41,7 +43,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _run(options: argparse.Namespace) -> None:
+def run(options: argparse.Namespace) -> None:
     seed = whole("--seed", options.seed, 0, 2**63 - 1)
     triads = whole("--triads", options.triads, FEWEST_FOR_MEDIAN, 10_000)
     hours = _hours(options.hours)
@@ -54,7 +56,7 @@ def _run(options: argparse.Namespace) -> None:
                 found = study.compare(fmu, flying, triads, seed, done=done)
             report.write(found, folder)
     except OSError as error:
-        raise UserError(f"can't write {options.out}: {error.strerror}") from error
+        raise HrgError(f"can't write {options.out}: {error.strerror}") from error
     print(report.summary(found))
     print(f"\nwritten to {options.out}: {', '.join(report.FILES)}")
 
@@ -63,14 +65,14 @@ def _present_fmu() -> Path:
     """The FMU of the present sources, built if it isn't there.
 
     Raises:
-        UserError: it can't be built.
+        HrgError: it can't be built.
     """
     try:
         return built_fmu(lambda text: print(text, file=sys.stderr))
     except (TranslationError, BuildError) as error:
-        raise UserError(str(error)) from error
+        raise HrgError(str(error)) from error
     except OSError as error:
-        raise UserError(f"can't build the FMU: {error}") from error
+        raise HrgError(f"can't build the FMU: {error}") from error
 
 
 @contextmanager
@@ -89,19 +91,12 @@ def _trajectory(name_or_path: str, duration: float) -> Trajectory:
     try:
         return catalogue.trajectory(name_or_path, STILL, duration)
     except TrajectoryError as error:
-        raise UserError(str(error)) from error
+        raise HrgError(str(error)) from error
 
 
 def _hours(text: str) -> float:
     """In whole minutes."""
     hours = number("--hours", text, 0.1, LONGEST_HOURS)
     if abs(hours * 60 - round(hours * 60)) > 0.02:
-        raise UserError(f"--hours {text}: expected whole minutes")
+        raise HrgError(f"--hours {text}: expected whole minutes")
     return round(hours * 60) / 60
-
-
-PARKING = Command(
-    "start level gyros' patterns where their maps say the error is least, and fly what it buys",
-    _add_options,
-    _run,
-)

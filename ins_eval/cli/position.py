@@ -20,11 +20,13 @@ from ins_eval.position.position import (
     position,
 )
 from ins_eval.trajectories.errors import TrajectoryError
-from pyhrg.common.cli import Command, UserError
+from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
 from pyhrg.device.device_file import DeviceError
 from pyhrg.fmu import GyroError, GyroFmu
 from pyhrg.gap.report.sections import Say, Section
+
+HELP = "what the gap of a diagnosis is worth in metres"
 
 FILE = "position.json"
 REFUSALS = (
@@ -52,7 +54,7 @@ def _position(folder: Path, asked: Asked, say: Say) -> Position:
     return position(fmu, found, asked, say)
 
 
-def _add_options(parser: argparse.ArgumentParser) -> None:
+def add_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("diagnosis", type=Path, metavar="DIR", help="folder that hrg gap diagnose wrote")
     add("--mission", action="append", metavar="NAME|FILE", help="ready mission, mission TOML or "
@@ -62,25 +64,22 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     add("--seed", type=int, default=SEED, help=f"of the draws (default {SEED})")
 
 
-def _run(options: argparse.Namespace) -> None:
+def run(options: argparse.Namespace) -> None:
     if options.triads < FEWEST:
-        raise UserError(f"--triads: found {options.triads}, expected {FEWEST} or more")
+        raise HrgError(f"--triads: found {options.triads}, expected {FEWEST} or more")
     if options.seed < 0:
-        raise UserError(f"--seed: found {options.seed}, expected 0 or more")
+        raise HrgError(f"--seed: found {options.seed}, expected 0 or more")
     missions = tuple(options.mission or MISSIONS)
     asked = Asked(missions, options.hours, options.triads, options.seed)
     try:
         found = report.section(_position(options.diagnosis, asked, _say))
         write_whole(options.diagnosis / FILE, found.data())
     except REFUSALS as error:
-        raise UserError(str(error)) from error
+        raise HrgError(str(error)) from error
     except OSError as error:
-        raise UserError(f"{error.filename or options.diagnosis}: {error.strerror}") from error
+        raise HrgError(f"{error.filename or options.diagnosis}: {error.strerror}") from error
     print("\n".join(found.document["said"]))
 
 
 def _say(text: str) -> None:
     print(text, file=sys.stderr, flush=True)
-
-
-POSITION = Command("what the gap of a diagnosis is worth in metres", _add_options, _run)

@@ -10,13 +10,16 @@ from tqdm import tqdm
 
 from ins_eval.study import study_file
 from ins_eval.study.run.errors import StudyRunError
-from ins_eval.study.run.run import Cluster, Experiment, run
+from ins_eval.study.run.run import Cluster, Experiment
+from ins_eval.study.run.run import run as run_blocks
 from ins_eval.study.specification import Study
-from pyhrg.common.cli import Command, UserError
+from pyhrg.common.errors import HrgError
 from pyhrg.common.toml_table import SpecificationError
 
+HELP = "bench gyros and fly them in manoeuvres, many of both, and say which bench figure predicts"
 
-def _add_options(parser: argparse.ArgumentParser) -> None:
+
+def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "study",
         metavar="STUDY",
@@ -46,14 +49,14 @@ def cluster(options: argparse.Namespace) -> Cluster:
     """That the options ask for.
 
     Raises:
-        UserError: no number of workers.
+        HrgError: no number of workers.
     """
     if options.workers is not None and options.workers < 1:
-        raise UserError(f"--workers {options.workers}: expected a whole number from 1")
+        raise HrgError(f"--workers {options.workers}: expected a whole number from 1")
     return Cluster(options.scheduler, options.workers)
 
 
-def _run(options: argparse.Namespace) -> None:
+def run(options: argparse.Namespace) -> None:
     where = cluster(options)
     try:
         study = study_file.study(options.study, options.seed)
@@ -62,7 +65,7 @@ def _run(options: argparse.Namespace) -> None:
         whole = experiment()
         perform(study, options.out, whole, where)
     except SpecificationError as error:
-        raise UserError(str(error)) from error
+        raise HrgError(str(error)) from error
     print(f"written to {options.out}: {', '.join(whole.files)}")
 
 
@@ -78,16 +81,16 @@ def perform(study: Study, out: Path, whole: Experiment, where: Cluster) -> None:
     """Run a study with a bar on stderr.
 
     Raises:
-        UserError: what the user can mend.
+        HrgError: what the user can mend.
         KeyboardInterrupt: says that the same command goes on.
     """
     try:
         with _bar(study.triads) as done:
-            run(study, out, whole, where, done)
+            run_blocks(study, out, whole, where, done)
     except StudyRunError as error:
-        raise UserError(str(error)) from error
+        raise HrgError(str(error)) from error
     except OSError as error:
-        raise UserError(f"can't write {out}: {error.strerror or error}") from error
+        raise HrgError(f"can't write {out}: {error.strerror or error}") from error
     except KeyboardInterrupt:
         raise KeyboardInterrupt("interrupted; the same command goes on from here") from None
 
@@ -101,10 +104,3 @@ def _bar(total: int) -> Iterator[Callable[[int], None]]:
             bar.update(triads)
 
         yield done
-
-
-STUDY = Command(
-    "bench gyros and fly them in manoeuvres, many of both, and say which bench figure predicts",
-    _add_options,
-    _run,
-)

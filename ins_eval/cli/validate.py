@@ -15,11 +15,13 @@ from ins_eval.study.specification import (
 )
 from ins_eval.study.validation import small_study
 from ins_eval.trajectories.errors import TrajectoryError
-from pyhrg.common.cli import Command, UserError
+from pyhrg.common.errors import HrgError
 from pyhrg.common.option_numbers import number, whole
 
+HELP = "bench gyros, fly triads of them, and say which bench test told the truth: the small study"
 
-def _add_options(parser: argparse.ArgumentParser) -> None:
+
+def add_options(parser: argparse.ArgumentParser) -> None:
     study = small_study.default()
     parser.add_argument("--seed", help=f"of everything random (default {study.seed})")
     parser.add_argument("--hours", help=f"mission length (default {study.hours:g})")
@@ -43,7 +45,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     study_command.add_cluster_options(parser)
 
 
-def _run(options: argparse.Namespace) -> None:
+def run(options: argparse.Namespace) -> None:
     where = study_command.cluster(options)
     study = chosen(options)
     experiment = whole_experiment()
@@ -59,7 +61,7 @@ def chosen(options: argparse.Namespace) -> Study:
     """The small study with what the options ask for.
 
     Raises:
-        UserError: an option that is wrong.
+        HrgError: an option that is wrong.
     """
     study = small_study.default()
     if options.seed is not None:
@@ -77,7 +79,7 @@ def chosen(options: argparse.Namespace) -> Study:
         if options.trajectory is not None:
             study = small_study.judged_in(study, options.trajectory)
     except TrajectoryError as error:
-        raise UserError(str(error)) from error
+        raise HrgError(str(error)) from error
     return study
 
 
@@ -86,10 +88,3 @@ def whole_experiment() -> Experiment:
     from ins_eval.study.validation.views import with_views
 
     return with_views(study_command.experiment())
-
-
-VALIDATE = Command(
-    "bench gyros, fly triads of them, and say which bench test told the truth: the small study",
-    _add_options,
-    _run,
-)

@@ -10,10 +10,11 @@ from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.mounting import ORTHOGONAL, Mounting
 from ins_eval.imu.stated_gyros import IDEAL_GYROS, Gyros
 from ins_eval.imu.triad import IDEAL, Triad
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import STANDARD_GRAVITY
 
 
-class StartUpError(Exception):
+class StartUpError(HrgError):
     """Gyros aren't ready when they are needed."""
 
 

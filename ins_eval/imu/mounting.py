@@ -5,13 +5,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pyhrg.common.errors import HrgError
+
 Array = NDArray[np.float64]
 
 WORST_CONDITION = 20.0
 """Most that decoding may magnify one gyro's error against another's: condition number."""
 
 
-class MountingError(ValueError):
+class MountingError(HrgError):
     """The input axes don't span the three directions."""
 
 

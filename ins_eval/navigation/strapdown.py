@@ -13,11 +13,12 @@ from ins_eval.common.state import State, Track
 from ins_eval.navigation import kernel
 from ins_eval.navigation.coefficients import weights
 from ins_eval.navigation.height import Height
+from pyhrg.common.errors import HrgError
 
 Array = NDArray[np.float64]
 
 
-class NavigationError(Exception):
+class NavigationError(HrgError):
     """The navigator can't start or go on; the message says where and why."""
 
 

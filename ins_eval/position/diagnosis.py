@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.device import device_file
 from pyhrg.device.device import Device
@@ -13,7 +14,7 @@ from pyhrg.device.device import Device
 FILES = ("diagnosis.json", "before.toml", "after.toml")
 
 
-class DiagnosisError(Exception):
+class DiagnosisError(HrgError):
     """The folder holds no diagnosis; the message names file, key, found and expected."""
 
 

@@ -1,7 +1,9 @@
 """What goes wrong with trajectories."""
 
+from pyhrg.common.errors import HrgError
 
-class TrajectoryError(Exception):
+
+class TrajectoryError(HrgError):
     """No trajectory comes of it; the message says where, what was found, and what expected."""
 
 

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from scipy import stats
 
 from pyhrg.common import units
+from pyhrg.common.errors import HrgError
 from pyhrg.common.pages.markup import Table
 
 UNITS = {
@@ -38,7 +39,7 @@ UNITS = {
 """Units that findings are shown in: SI value = factor times shown value."""
 
 
-class BenchError(Exception):
+class BenchError(HrgError):
     """The records can't give what was asked; says which, what was found and what is needed."""
 
 

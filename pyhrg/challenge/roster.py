@@ -10,6 +10,7 @@ import numpy as np
 
 from pyhrg.challenge.case import Case
 from pyhrg.challenge.truths.truth import KINDS, LEAST
+from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
 from pyhrg.common.made_by import difference, made_by
 from pyhrg.gap.effects.catalogue import NAMES
@@ -23,7 +24,7 @@ VARIED = 10.0
 """Of the strongest of several effects over that of one: a gyro as it comes has large and small."""
 
 
-class ChallengeError(Exception):
+class ChallengeError(HrgError):
     """The folder is another challenge's or other code's, or a result in it can't be used."""
 
 

@@ -15,11 +15,13 @@ from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.reporting import report
 from pyhrg.bench.reporting.page import PAGE
 from pyhrg.bench.reporting.progress import Progress
-from pyhrg.common.cli import Command, UserError
+from pyhrg.common.errors import HrgError
 from pyhrg.device import device_file
 from pyhrg.device import ready_devices as parameters
 from pyhrg.fmu import GyroError
 from pyhrg.records import LogError, campaign
+
+HELP = "test a gyro as it is used: procedures on the FMU or on recorded logs"
 
 ALL = "all"
 REFUSALS = (
@@ -34,7 +36,7 @@ REFUSALS = (
 """What the user can mend."""
 
 
-def _add_options(parser: argparse.ArgumentParser) -> None:
+def add_options(parser: argparse.ArgumentParser) -> None:
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     width = max(len(name) for name in (*BY_NAME, ALL))
     groups = dict.fromkeys(p.group for p in PROCEDURES)
@@ -74,12 +76,12 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
                 plan.add_argument(option.flag, type=option.kind, metavar="N", help=option.help)
 
 
-def _run(options: argparse.Namespace) -> None:
+def run(options: argparse.Namespace) -> None:
     chosen = PROCEDURES if options.test == ALL else (BY_NAME[options.test],)
     if not 0 <= options.seed < 2**63:
-        raise UserError(f"--seed {options.seed}: expected a whole number from 0 to 2^63 - 1")
+        raise HrgError(f"--seed {options.seed}: expected a whole number from 0 to 2^63 - 1")
     if options.workers is not None and options.workers < 1:
-        raise UserError(f"--workers {options.workers}: expected a whole number from 1")
+        raise HrgError(f"--workers {options.workers}: expected a whole number from 1")
     plan = _plan(options)
     _check_places(options.out, chosen)
     try:
@@ -87,9 +89,9 @@ def _run(options: argparse.Namespace) -> None:
         with Progress(len(source.procedures)) as progress:
             results = session.perform(source, options.out, progress)
     except REFUSALS as error:
-        raise UserError(str(error)) from error
+        raise HrgError(str(error)) from error
     except OSError as error:
-        raise UserError(f"can't write {options.out}: {error.strerror or error}") from error
+        raise HrgError(f"can't write {options.out}: {error.strerror or error}") from error
     print(report.text(results))
     folders = [result.procedure.name for result in results.done if result.outcome]
     print(f"\nwritten to {options.out}: {', '.join([PAGE, *folders])}")
@@ -104,9 +106,7 @@ def _plan(options: argparse.Namespace) -> dict[str, float]:
             if value is None:
                 continue
             if options.test != procedure.name or options.campaign:
-                raise UserError(
-                    f"{option.flag}: plans `hrg bench {procedure.name}` on a simulation"
-                )
+                raise HrgError(f"{option.flag}: plans `hrg bench {procedure.name}` on a simulation")
             given[option.name] = value
     return given
 
@@ -129,14 +129,9 @@ def _check_places(out: Path, chosen: Sequence[Procedure]) -> None:
     """What is in the way is found before the work; what isn't a bench's result is not replaced."""
     above = next(path for path in (out, *out.absolute().parents) if path.exists())
     if not above.is_dir():
-        raise UserError(f"can't write {out}: {above} is no folder")
+        raise HrgError(f"can't write {out}: {above} is no folder")
     if (out / PAGE).is_dir():
-        raise UserError(f"can't write {out}: {out / PAGE} is a folder")
+        raise HrgError(f"can't write {out}: {out / PAGE} is a folder")
     for folder in (out / procedure.name for procedure in chosen):
         if folder.exists() and not (folder / report.RESULT).is_file():
-            raise UserError(f"can't write {out}: {folder} is there and is no result of hrg bench")
-
-
-BENCH = Command(
-    "test a gyro as it is used: procedures on the FMU or on recorded logs", _add_options, _run
-)
+            raise HrgError(f"can't write {out}: {folder} is there and is no result of hrg bench")

@@ -4,7 +4,7 @@ import argparse
 from dataclasses import replace
 from pathlib import Path
 
-from pyhrg.common.cli import Command, UserError
+from pyhrg.common.errors import HrgError
 from pyhrg.common.files import replaced_folder
 from pyhrg.common.toml_table import SpecificationError
 from pyhrg.gap.soundness import sound
@@ -13,8 +13,10 @@ from pyhrg.records.campaign_import.importing import Imported, imported
 from pyhrg.records.campaign_import.mapping import read_mapping
 from pyhrg.records.campaign_import.preview import preview
 
+HELP = "make a campaign of a lab's own logs"
 
-def _add_options(parser: argparse.ArgumentParser) -> None:
+
+def add_options(parser: argparse.ArgumentParser) -> None:
     actions = parser.add_subparsers(dest="action", required=True, metavar="ACTION")
     action = actions.add_parser(
         "import",
@@ -33,13 +35,13 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _run(options: argparse.Namespace) -> None:
+def run(options: argparse.Namespace) -> None:
     if options.out is not None:
         _check_free(options.out)
     try:
         found = imported(read_mapping(options.mapping))
     except (SpecificationError, LogError) as error:
-        raise UserError(str(error)) from error
+        raise HrgError(str(error)) from error
     print(preview(found))
     print("\n" + _judged(found))
     if options.out is not None:
@@ -67,7 +69,7 @@ def _judged(found: Imported) -> str:
 def _check_free(out: Path) -> None:
     """Nobody's files are replaced."""
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
-        raise UserError(f"can't write {out}: found something there, expected nothing yet")
+        raise HrgError(f"can't write {out}: found something there, expected nothing yet")
 
 
 def _write(found: Imported, out: Path) -> None:
@@ -75,7 +77,4 @@ def _write(found: Imported, out: Path) -> None:
         with replaced_folder(out) as aside:
             campaign.write(found.campaign, aside)
     except OSError as error:
-        raise UserError(f"can't write {out}: {error.strerror or error}") from error
-
-
-CAMPAIGN = Command("make a campaign of a lab's own logs", _add_options, _run)
+        raise HrgError(f"can't write {out}: {error.strerror or error}") from error

@@ -10,7 +10,7 @@ from pyhrg.challenge.roster import STRONG, ChallengeError, Folder, Settings
 from pyhrg.challenge.run import Challenge, Diagnose
 from pyhrg.challenge.scoring import report
 from pyhrg.challenge.truths.truth import LEAST
-from pyhrg.common.cli import UserError
+from pyhrg.common.errors import HrgError
 from pyhrg.fmu import GyroError
 
 NAME = "challenge"
@@ -76,7 +76,7 @@ def run(options: argparse.Namespace, diagnose: Diagnose) -> None:
         diagnose: under challenge.
 
     Raises:
-        UserError: an option out of range, a folder of another challenge, an unusable diagnosis.
+        HrgError: an option out of range, a folder of another challenge, an unusable diagnosis.
     """
     settings = _settings(options)
     workers = options.workers or len(os.sched_getaffinity(0))
@@ -84,9 +84,9 @@ def run(options: argparse.Namespace, diagnose: Diagnose) -> None:
     try:
         score = challenge.run(workers, [Folder(other) for other in options.others])
     except REFUSALS as error:
-        raise UserError(str(error)) from error
+        raise HrgError(str(error)) from error
     except OSError as error:
-        raise UserError(f"{error.filename or options.out}: {error.strerror or error}") from error
+        raise HrgError(f"{error.filename or options.out}: {error.strerror or error}") from error
     except KeyboardInterrupt:
         raise KeyboardInterrupt("interrupted; the same command goes on from here") from None
     print(report.text(score))
@@ -98,12 +98,12 @@ def _settings(options: argparse.Namespace) -> Settings:
     for option in KINDS:
         count = getattr(options, option.replace("-", "_"))
         if count < 0:
-            raise UserError(f"--{option} {count}: expected a whole number from 0")
+            raise HrgError(f"--{option} {count}: expected a whole number from 0")
         counts[KIND_OF.get(option, option)] = count
     if not 0 <= options.seed < 2**63:
-        raise UserError(f"--seed {options.seed}: expected a whole number from 0 to 2^63 - 1")
+        raise HrgError(f"--seed {options.seed}: expected a whole number from 0 to 2^63 - 1")
     if options.workers is not None and options.workers < 1:
-        raise UserError(f"--workers {options.workers}: expected a whole number from 1")
+        raise HrgError(f"--workers {options.workers}: expected a whole number from 1")
     if not options.strongest > LEAST:
-        raise UserError(f"--strongest {options.strongest:g}: expected more than {LEAST:g}")
+        raise HrgError(f"--strongest {options.strongest:g}: expected more than {LEAST:g}")
     return Settings(counts, options.seed, options.strongest)

@@ -10,7 +10,7 @@ from fmu_build.binaries.platforms import BuildError
 from fmu_build.equations.translate import TranslationError
 from pyhrg import records
 from pyhrg.cli import challenge
-from pyhrg.common.cli import Command, UserError
+from pyhrg.common.errors import HrgError
 from pyhrg.device import device_file
 from pyhrg.fmu import GyroError
 from pyhrg.gap import static_record
@@ -25,6 +25,8 @@ from pyhrg.gap.report.folder import keep, keep_with_report
 from pyhrg.records import LogError
 from pyhrg.records import campaign as campaigns
 from pyhrg.records.imu.log import LogError as ImuLogError
+
+HELP = "where simulation and a gyro's records part, and why"
 
 REFUSALS = (
     campaigns.CampaignError,
@@ -41,7 +43,7 @@ REFUSALS = (
 """What the user can mend."""
 
 
-def _add_options(parser: argparse.ArgumentParser) -> None:
+def add_options(parser: argparse.ArgumentParser) -> None:
     tasks = parser.add_subparsers(dest="task", metavar="TASK", required=True)
     diagnose = tasks.add_parser("diagnose", help="find what makes the gap")
     diagnose.add_argument(
@@ -74,21 +76,21 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     tasks.choices[challenge.NAME].set_defaults(do=_challenge)
 
 
-def _run(options: argparse.Namespace) -> None:
+def run(options: argparse.Namespace) -> None:
     try:
         options.do(options)
     except REFUSALS as error:
-        raise UserError(str(error)) from error
+        raise HrgError(str(error)) from error
     except OSError as error:
-        raise UserError(f"{error.filename or options.out}: {error.strerror}") from error
+        raise HrgError(f"{error.filename or options.out}: {error.strerror}") from error
 
 
 def _diagnose(options: argparse.Namespace) -> None:
     if not options.source.exists():
-        raise UserError(f"{options.source}: no such folder or file")
+        raise HrgError(f"{options.source}: no such folder or file")
     if options.source.is_dir() == (options.belief is not None):
         expected = "no --belief for a campaign, one for a static record"
-        raise UserError(f"{options.source}: expected {expected}")
+        raise HrgError(f"{options.source}: expected {expected}")
     if options.belief is not None:
         result = static_record.diagnose(
             options.source, options.belief, options.out, options.trusted
@@ -166,6 +168,3 @@ def summary(found: Diagnosed) -> str:
 
 def _say(text: str) -> None:
     print(text, file=sys.stderr, flush=True)
-
-
-GAP = Command("where simulation and a gyro's records part, and why", _add_options, _run)

@@ -4,23 +4,28 @@ import argparse
 import os
 import signal
 import sys
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from importlib.metadata import EntryPoint, entry_points, version
-from typing import NoReturn
+from typing import NoReturn, Protocol
+
+from pyhrg.common.errors import HrgError
 
 
-class UserError(Exception):
-    """Something that the user can mend; one clear line, exit status 2."""
+class Command(Protocol):
+    """A module of a package's `cli` folder: one subcommand of `hrg`.
 
+    `hrg --help` loads all of them, so that a module imports nothing heavy at its top: it parses,
+    calls the front door (`pyhrg`, `ins_eval`), and prints.
+    """
 
-@dataclass(frozen=True)
-class Command:
-    """A subcommand: what it is for, its options, and what it does with them."""
+    HELP: str
+    """What the subcommand does, one line."""
 
-    help: str
-    add_options: Callable[[argparse.ArgumentParser], None]
-    run: Callable[[argparse.Namespace], None]
+    def add_options(self, parser: argparse.ArgumentParser) -> None:
+        """Declare the options; called only when the subcommand is asked for."""
+
+    def run(self, options: argparse.Namespace) -> None:
+        """Do what the options ask for."""
 
 
 class _Parser(argparse.ArgumentParser):
@@ -42,8 +47,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _reported(arguments: Sequence[str] | None) -> int:
     try:
         return _dispatch(arguments)
-    except UserError as error:
+    except HrgError as error:
         print(f"hrg: {error}", file=sys.stderr)
+        return 2
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        place = f"{error.filename}: " if error.filename else ""
+        print(f"hrg: {place}{error.strerror or error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt as interruption:
         print(f"hrg: {interruption or 'interrupted; nothing was written'}", file=sys.stderr)
@@ -59,20 +70,19 @@ def _dispatch(arguments: Sequence[str] | None) -> int:
     )
     parser.add_argument("--version", action="version", version=version("hrg"))
     subparsers = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    commands = {}
-    for entry in _asked_for(sys.argv[1:] if arguments is None else arguments):
-        command: Command = entry.load()
-        commands[entry.name] = command
-        command.add_options(
-            subparsers.add_parser(entry.name, help=command.help, description=command.help)
-        )
+    asked = (sys.argv[1:] if arguments is None else list(arguments))[:1]
+    commands: dict[str, Command] = {}
+    for entry in _find_commands(asked):
+        command = commands[entry.name] = entry.load()
+        subparser = subparsers.add_parser(entry.name, help=command.HELP, description=command.HELP)
+        if entry.name in asked:
+            command.add_options(subparser)
     options = parser.parse_args(arguments)
     commands[options.command].run(options)
     return 0
 
 
-def _asked_for(arguments: Sequence[str]) -> list[EntryPoint]:
-    """The subcommand that the arguments begin with, alone: others bring libraries that take
-    seconds to load. All, to say what there is, where they begin otherwise."""
-    every = sorted(entry_points(group="hrg.commands"), key=lambda e: e.name)
-    return [entry for entry in every if entry.name in arguments[:1]] or every
+def _find_commands(asked: Sequence[str]) -> list[EntryPoint]:
+    """The subcommand that is asked for, alone; all of them where none is."""
+    installed = sorted(entry_points(group="hrg.commands"), key=lambda entry: entry.name)
+    return [entry for entry in installed if entry.name in asked] or installed

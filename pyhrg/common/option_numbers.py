@@ -3,18 +3,18 @@
 import math
 from collections.abc import Callable
 
-from pyhrg.common.cli import UserError
+from pyhrg.common.errors import HrgError
 
 
 def whole(option: str, text: str, low: int, high: int) -> int:
     """Read a whole number.
 
     Raises:
-        UserError: names the option, what was found and what is expected.
+        HrgError: names the option, what was found and what is expected.
     """
     value = _read(int, text)
     if not low <= value <= high:
-        raise UserError(f"{option} {text}: expected a whole number from {low} to {high}")
+        raise HrgError(f"{option} {text}: expected a whole number from {low} to {high}")
     return int(value)
 
 
@@ -22,11 +22,11 @@ def number(option: str, text: str, low: float, high: float) -> float:
     """Read a number.
 
     Raises:
-        UserError: names the option, what was found and what is expected.
+        HrgError: names the option, what was found and what is expected.
     """
     value = _read(float, text)
     if not low <= value <= high:
-        raise UserError(f"{option} {text}: expected a number from {low:g} to {high:g}")
+        raise HrgError(f"{option} {text}: expected a number from {low:g} to {high:g}")
     return value
 
 
@@ -34,11 +34,11 @@ def minutes(option: str, hours: str, most: float) -> int:
     """Read hours that are whole minutes, at least one.
 
     Raises:
-        UserError: names the option, what was found and what is expected.
+        HrgError: names the option, what was found and what is expected.
     """
     value = _read(float, hours) * 60
     if not 0.98 <= value <= most * 60 or abs(value - round(value)) > 0.02:
-        raise UserError(
+        raise HrgError(
             f"{option} {hours}: expected hours up to {most:g}, in whole minutes (1 min is 0.0167)"
         )
     return round(value)

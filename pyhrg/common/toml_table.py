@@ -6,8 +6,10 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from pyhrg.common.errors import HrgError
 
-class SpecificationError(Exception):
+
+class SpecificationError(HrgError):
     """The file can't be used; the message names file, key, what was found and what expected."""
 
 

@@ -9,6 +9,7 @@ from typing import Any
 
 import tomli_w
 
+from pyhrg.common.errors import HrgError
 from pyhrg.common.files import toml_of, write_whole
 from pyhrg.common.site import Site
 from pyhrg.device.device import FMU_NAMES, AngleMap, Device
@@ -37,7 +38,7 @@ NOMINAL = (
 """Design values of a gyro; its errors are for the tests to find."""
 
 
-class DeviceError(Exception):
+class DeviceError(HrgError):
     """The file is no device; the message names file, key, what was found and what expected."""
 
 

@@ -6,10 +6,12 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from pyhrg.common.errors import HrgError
+
 LARGEST = sys.float_info.max
 
 
-class CampaignError(Exception):
+class CampaignError(HrgError):
     """The folder is no campaign; the message names file, key, and what was expected."""
 
 

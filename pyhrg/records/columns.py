@@ -5,10 +5,11 @@ import re
 from dataclasses import dataclass
 from typing import Literal
 
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG
 
 
-class LogError(Exception):
+class LogError(HrgError):
     """The log can't be used; the message names file, row, column, and what was expected."""
 
 

@@ -4,7 +4,7 @@ import argparse
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from pyhrg.common.cli import UserError
+from pyhrg.common.errors import HrgError
 from pyhrg.common.option_numbers import number
 
 FLAGS = ("--latitude-deg", "--longitude-deg", "--height-m")
@@ -20,7 +20,7 @@ class Place:
     height_m: float = 0.0
 
 
-def add_options(parser: argparse.ArgumentParser) -> None:
+def add_place_options(parser: argparse.ArgumentParser) -> None:
     """`--latitude-deg`, `--longitude-deg`, `--height-m`."""
     group = parser.add_argument_group("where a log was recorded, if not where it says itself")
     group.add_argument("--latitude-deg", metavar="DEG", help="geodetic latitude")
@@ -32,13 +32,13 @@ def place(options: argparse.Namespace) -> Place:
     """Checked.
 
     Raises:
-        UserError: an option out of range, or a longitude or height without latitude.
+        HrgError: an option out of range, or a longitude or height without latitude.
     """
     latitude, longitude, height = options.latitude_deg, options.longitude_deg, options.height_m
     if latitude is None:
         for option, value in (("--longitude-deg", longitude), ("--height-m", height)):
             if value is not None:
-                raise UserError(f"{option} {value}: expected --latitude-deg as well")
+                raise HrgError(f"{option} {value}: expected --latitude-deg as well")
         return Place()
     limit = HIGHEST_LATITUDE_DEG
     return Place(
@@ -52,8 +52,8 @@ def refuse_options_of_logs(options: argparse.Namespace, flags: Sequence[str]) ->
     """Where there is no log.
 
     Raises:
-        UserError: one of them is given.
+        HrgError: one of them is given.
     """
     for flag in flags:
         if getattr(options, flag[2:].replace("-", "_")) is not None:
-            raise UserError(f"{flag}: is for recorded logs, and the IMU is simulated")
+            raise HrgError(f"{flag}: is for recorded logs, and the IMU is simulated")

@@ -6,7 +6,7 @@ from typing import Any
 from ins_eval.alignment.align import SHORTEST
 from ins_eval.common.increments import Increments
 from ins_eval.flights.plan import WARM_UP, Plan, rows
-from pyhrg.common.cli import UserError
+from pyhrg.common.errors import HrgError
 from pyhrg.common.option_numbers import minutes, number, whole
 
 HOURS, SAMPLES, ALIGNMENT, SEED, RUNS = "1", "2", "300", "1", "1"
@@ -40,7 +40,7 @@ def rate(options: argparse.Namespace) -> int | None:
     """That is asked for, Hz.
 
     Raises:
-        UserError: out of range.
+        HrgError: out of range.
     """
     return None if options.rate_hz is None else whole("--rate-hz", options.rate_hz, 10, 2000)
 
@@ -49,7 +49,7 @@ def of_simulation(options: argparse.Namespace, interval: float) -> Plan:
     """A flight of an IMU with increments over this interval, s.
 
     Raises:
-        UserError: an option out of range.
+        HrgError: an option out of range.
     """
     hours = options.hours or HOURS
     spacing = rows(interval, _samples(options))
@@ -64,7 +64,7 @@ def of_simulation(options: argparse.Namespace, interval: float) -> Plan:
         **_navigator(options),
     )
     if plan.count > MOST_INCREMENTS:
-        raise UserError(
+        raise HrgError(
             f"--hours {hours} at {1 / interval:g} Hz: {plan.count} increments; "
             f"expected at most {MOST_INCREMENTS}"
         )
@@ -75,12 +75,12 @@ def of_log(options: argparse.Namespace, log: str, increments: Increments) -> Pla
     """A flight of what a log holds after alignment, or of the hours that are asked for.
 
     Raises:
-        UserError: an option out of range or for simulations only, or too short a log.
+        HrgError: an option out of range or for simulations only, or too short a log.
     """
     for option in ("rate_hz", "seed", "runs", "start_from_truth"):
         if getattr(options, option):
             flag = "--" + option.replace("_", "-")
-            raise UserError(f"{flag}: is for simulated IMUs, and {log} is a recorded one")
+            raise HrgError(f"{flag}: is for simulated IMUs, and {log} is a recorded one")
     interval, alignment = increments.interval, _alignment(options)
     spacing = rows(interval, _samples(options))
     count = (len(increments) - round(alignment / interval)) // spacing * spacing
@@ -89,7 +89,7 @@ def of_log(options: argparse.Namespace, log: str, increments: Increments) -> Pla
         asked = minutes("--hours", options.hours, LONGEST_HOURS) * 60 / interval
         needed = max(1, round(asked / spacing)) * spacing
     if count < needed:
-        raise UserError(
+        raise HrgError(
             f"{log}: lasts {increments.duration:g} s; expected {alignment:g} s of alignment "
             f"and {needed * interval:g} s of flight"
         )

@@ -13,7 +13,7 @@ from ins_eval.flights.flight import run_seeds
 from ins_eval.flights.plan import WARM_UP
 from ins_eval.imu.imu import Imu
 from ins_eval.trajectories import catalogue
-from pyhrg.common.cli import UserError
+from pyhrg.common.errors import HrgError
 
 Array = NDArray[np.float64]
 
@@ -33,7 +33,7 @@ def recorded(path: Path, where: Place, first: float, seconds: float) -> Record:
     """A stretch of a log.
 
     Raises:
-        UserError: a log that is shorter, or does not say where it was recorded.
+        HrgError: a log that is shorter, or does not say where it was recorded.
     """
     log, position = sources.log(path, where)
     return Record(path.name, stretch(path, log.increments, first, seconds), position)
@@ -43,11 +43,11 @@ def stretch(path: Path, increments: Increments, first: float, seconds: float) ->
     """Increments from a time since the log's beginning on.
 
     Raises:
-        UserError: a log that is shorter.
+        HrgError: a log that is shorter.
     """
     begin, count = (round(time / increments.interval) for time in (first, seconds))
     if begin + count > len(increments):
-        raise UserError(
+        raise HrgError(
             f"{path}: found {increments.duration:g} s, expected {first + seconds:g} s at least"
         )
     return increments.between(begin, begin + count)

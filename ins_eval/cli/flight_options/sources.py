@@ -16,7 +16,7 @@ from ins_eval.imu.imu import Imu
 from ins_eval.imu.recorded import RecordedImu
 from ins_eval.trajectories import recorded_drive
 from ins_eval.trajectories.trajectory import Knots, Trajectory
-from pyhrg.common.cli import UserError
+from pyhrg.common.errors import HrgError
 
 Array = NDArray[np.float64]
 
@@ -41,7 +41,7 @@ def imu(name: str, rate: int | None) -> Imu:
 
     Raises:
         SpecificationError: none of them, or a file that is wrong.
-        UserError: whole-angle gyros that can't be read at this rate.
+        HrgError: whole-angle gyros that can't be read at this rate.
     """
     found = specification.imu(name)
     if rate is not None:
@@ -50,7 +50,7 @@ def imu(name: str, rate: int | None) -> Imu:
         ticks = found.interval / found.gyros.device.control_period
         if round(ticks) < 1 or abs(ticks - round(ticks)) > 1e-6:
             period = f"{found.gyros.device.control_period:g} s"
-            raise UserError(
+            raise HrgError(
                 f"{name}: found increments over {found.interval:g} s; "
                 f"expected a multiple of the gyros' control period, {period}"
             )
@@ -62,12 +62,12 @@ def log(path: Path, place: Place) -> tuple[RecordedImu, Array]:
 
     Raises:
         LogError: an unreadable file, or one with something in it that can't be.
-        UserError: neither the log nor the options say where.
+        HrgError: neither the log nor the options say where.
     """
     record = recorded.read(path)
     if place.latitude_deg is None:
         if record.position is None:
-            raise UserError(f"{path}: doesn't say where it was recorded; expected --latitude-deg")
+            raise HrgError(f"{path}: doesn't say where it was recorded; expected --latitude-deg")
         return record, record.position
     position = [np.deg2rad(place.latitude_deg), np.deg2rad(place.longitude_deg), place.height_m]
     return record, np.array(position)
@@ -84,7 +84,7 @@ def reference(name: str, position: Array, first: float, last: float) -> Referenc
 
     Raises:
         TrajectoryError: an unreadable drive, or one that is wrong.
-        UserError: a drive that is shorter than the log, or begins elsewhere.
+        HrgError: a drive that is shorter than the log, or begins elsewhere.
     """
     if name == NONE:
         return None
@@ -92,13 +92,13 @@ def reference(name: str, position: Array, first: float, last: float) -> Referenc
         return at_rest(position)
     drive = recorded_drive.read(Path(name))
     if drive.time[-1] < last - first - 1e-6:
-        raise UserError(
+        raise HrgError(
             f"{name}: lasts {drive.time[-1]:g} s; expected all of the log, {last - first:g} s"
         )
     north, east, _ = position_error(drive.position[0], position)
     apart = float(np.hypot(north, east))
     if apart > FARTHEST:
-        raise UserError(
+        raise HrgError(
             f"{name}: begins {apart / 1000:.4g} km from where the log was recorded; expected "
             f"at most {FARTHEST / 1000:g} km"
         )

@@ -13,6 +13,7 @@ from ins_eval.study.specification import CONDITION
 from ins_eval.study.tables import columns
 from ins_eval.study.tables import score as scored
 from ins_eval.study.tables.score import Score
+from pyhrg.common.errors import HrgError
 
 TABLE, DOCUMENT = "study.parquet", "study.json"
 INTERVAL_PERCENT = "interval_percent"
@@ -23,7 +24,7 @@ KINDS = {"int": "iu", "number": "f", "text": "OUT", "numbers": "O"}
 """numpy's kinds that a column's kind may be stored as."""
 
 
-class ResultError(Exception):
+class ResultError(HrgError):
     """A results folder that is none: names file, column or key, what was found and expected."""
 
 

@@ -9,10 +9,11 @@ from pathlib import Path
 from typing import Any
 
 from pyhrg.challenge.truths.truth import Truth
+from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
 
 
-class SealError(Exception):
+class SealError(HrgError):
     """A truth is missing, unreadable, or not the one whose hash was published."""
 
 

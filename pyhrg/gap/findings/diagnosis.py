@@ -6,6 +6,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, Literal
 
+from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
 from pyhrg.gap.findings.quantity import Size
 
@@ -21,7 +22,7 @@ WIDER = (
 Verdict = Literal["no_gap", "explained", "ambiguous", "unexplained"]
 
 
-class DiagnosisError(Exception):
+class DiagnosisError(HrgError):
     """The file is no diagnosis; the message names file, key, found and expected."""
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.errors import HrgError
 from pyhrg.common.files import toml_of
 from pyhrg.gap.static_record.terms import KINDS, Kind
 
@@ -20,7 +21,7 @@ TABLES = "[gyros], [accelerometers] or a channel such as [gyro_x]"
 PERIODS, TOLERANCE_PERCENT = "sinusoid_periods_s", "tolerance_percent"
 
 
-class BeliefError(ValueError):
+class BeliefError(HrgError):
     """The belief can't be used; the message names file, key, what was found and expected."""
 
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.errors import HrgError
 from pyhrg.gap.static_record.terms import GYRO, Kind
 from pyhrg.records import Log
 
@@ -14,7 +15,7 @@ LEAST = 1024
 """Readings of a channel: half of them are held out."""
 
 
-class RecordError(ValueError):
+class RecordError(HrgError):
     """The record can't be diagnosed; the message says why."""
 
 

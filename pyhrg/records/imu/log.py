@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.increments import Increments
 
 Array = NDArray[np.float64]
@@ -20,7 +21,7 @@ LARGEST = 1e12
 """Beyond any reading in any unit, and any time in s."""
 
 
-class LogError(Exception):
+class LogError(HrgError):
     """The file is no log of an IMU; the message names file, row, field, what was found and what
     expected."""
 

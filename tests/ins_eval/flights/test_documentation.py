@@ -5,9 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from ins_eval.cli.align import ALIGN
+from ins_eval.cli import align, nav
 from ins_eval.cli.flight_options import align_report
-from ins_eval.cli.nav import NAV
 from ins_eval.flights import report
 from ins_eval.results.quantities import ALL
 from pyhrg.common.cli import Command, main
@@ -41,7 +40,7 @@ def test_every_column_is_listed() -> None:
         assert f"| `{quantity.column}` | {quantity.meaning} |\n" in PAGE
 
 
-@pytest.mark.parametrize("command", [NAV, ALIGN])
+@pytest.mark.parametrize("command", [nav, align])
 def test_every_option_is_listed(command: Command) -> None:
     parser = argparse.ArgumentParser(add_help=False)
     command.add_options(parser)

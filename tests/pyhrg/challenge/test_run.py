@@ -16,7 +16,7 @@ from pyhrg.challenge.roster import ChallengeError, Folder, Settings
 from pyhrg.challenge.run import Challenge
 from pyhrg.challenge.truths import seal
 from pyhrg.cli import challenge as command
-from pyhrg.common.cli import UserError
+from pyhrg.common.errors import HrgError
 from pyhrg.records import campaign
 from tests.pyhrg.challenge.short import quick_cases  # noqa: F401
 
@@ -231,5 +231,5 @@ def test_command_prints_the_table(tmp_path: Path, capsys: pytest.CaptureFixture[
 def test_options_out_of_range_are_refused(
     tmp_path: Path, arguments: tuple[str, ...], message: str
 ) -> None:
-    with pytest.raises(UserError, match=message):
+    with pytest.raises(HrgError, match=message):
         command.run(options("--out", str(tmp_path), *arguments), says_no_gap)

@@ -18,17 +18,17 @@ from scipy.stats import binomtest
 from tqdm import tqdm
 
 from pyhrg.device.device import Device
-from pyhrg.gap.diagnose import diagnosed
+from pyhrg.gap.diagnose import diagnose
 from pyhrg.gap.findings.diagnosis import Diagnosis
-from pyhrg.gap.replay.models import simulation
+from pyhrg.gap.replay.models import load_simulation
 from pyhrg.records.campaign import Campaign
 from tests.pyhrg.gap.bench import recorded
-from tests.pyhrg.gap.soundness.conftest import BELIEVED
+from tests.pyhrg.gap.soundness.conftest import NOMINAL
 
-SIMULATION = simulation()
-OTHER_LOOPS = replace(BELIEVED, amplitude_loop=3.0, quadrature_loop=12.0, phase_loop=120.0)
+SIMULATION = load_simulation()
+OTHER_LOOPS = replace(NOMINAL, amplitude_loop=3.0, quadrature_loop=12.0, phase_loop=120.0)
 FULL = replace(
-    BELIEVED,
+    NOMINAL,
     pickoff_gain_mismatch=1e-3,
     drive_gain_mismatch=-2e-3,
     phase_error=5e-3,
@@ -37,7 +37,7 @@ FULL = replace(
     misalignment=1e-3,
     loop_delay=5e-4,
 )
-STRONG = replace(BELIEVED, drive_gain_mismatch=1e-3)
+STRONG = replace(NOMINAL, drive_gain_mismatch=1e-3)
 
 
 def honest(device: Device) -> Callable[[int], Campaign]:
@@ -48,7 +48,7 @@ def honest(device: Device) -> Callable[[int], Campaign]:
 def backwards(seed: int) -> Campaign:
     """The residual of a strong effect, reversed in each test."""
     given = recorded(SIMULATION.sampled, STRONG, seed=seed)
-    clean = recorded(SIMULATION.sampled, BELIEVED.without_noise(), seed=seed)
+    clean = recorded(SIMULATION.sampled, NOMINAL.without_noise(), seed=seed)
     tests = []
     for test, other in zip(given.tests, clean.tests, strict=True):
         residual = test.log.gyro_angle - other.log.gyro_angle
@@ -56,7 +56,7 @@ def backwards(seed: int) -> Campaign:
         log = replace(
             test.log,
             gyro_angle=other.log.gyro_angle + turned,
-            wave_angle=other.log.wave_angle - BELIEVED.bryan_factor * turned,
+            wave_angle=other.log.wave_angle - NOMINAL.bryan_factor * turned,
         )
         tests.append(replace(test, recording=log))
     return replace(given, tests=tuple(tests))
@@ -73,7 +73,7 @@ def explained(found: Diagnosis) -> bool:
 
 
 CASES: dict[str, tuple[Callable[[int], Campaign], Callable[[Diagnosis], bool]]] = {
-    "quiet": (honest(BELIEVED), alarm),
+    "quiet": (honest(NOMINAL), alarm),
     "loops": (honest(OTHER_LOOPS), alarm),
     "full": (honest(FULL), alarm),
     "reversed": (backwards, explained),
@@ -85,7 +85,7 @@ def main(campaigns: int, first: int) -> None:
     for name, (made, wrong) in CASES.items():
         count = 0
         for seed in tqdm(range(first, first + campaigns), desc=name, leave=False):
-            found = diagnosed(made(seed), SIMULATION).diagnosis
+            found = diagnose(made(seed), simulation=SIMULATION).diagnosis
             if wrong(found):
                 count += 1
                 causes = [cause.effect for cause in found.causes]

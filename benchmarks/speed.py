@@ -19,7 +19,7 @@ import fmpy
 import numpy as np
 
 from fmu_build.binaries.platforms import COMPILER, FLAGS
-from fmu_build.bundle import built_fmu, modelica_library, write_sources
+from fmu_build.bundle import build_fmu, find_modelica_library, write_sources
 from fmu_build.equations.translate import translate
 from fmu_build.roots import ROOTS
 from pyhrg.device.ready_devices import TYPICAL
@@ -68,10 +68,10 @@ class Speed:
         root = ROOTS[identifier]
         folder.mkdir()
         self.folder = folder
-        write_sources(translate(modelica_library(), root.model), folder, 2, root)
+        write_sources(translate(find_modelica_library(), root.model), folder, 2, root)
         self.bare = compiled(folder, "bare.c", "model.c", "core.c")
         self.host = compiled(folder, "host.c", "model.c", "core.c")
-        self.fmu = GyroFmu(built_fmu(root=root))
+        self.fmu = GyroFmu(build_fmu(root.identifier))
         self.rates = 0.3 * np.sin(np.arange(round(seconds / STEP)) * 1e-3)
         self.parameters = [
             {**TYPICAL.fmu_parameters(), "seed": seed, "startAngle": START} for seed in range(3)

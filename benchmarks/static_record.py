@@ -15,8 +15,12 @@ from scipy.stats import binomtest
 from tqdm import tqdm
 
 from pyhrg.gap.static_record.belief import Belief
-from pyhrg.gap.static_record.fit.diagnosis import ChannelDiagnosis, data_of_channel, diagnosed
-from pyhrg.gap.static_record.fit.evidence import problem
+from pyhrg.gap.static_record.fit.diagnosis import (
+    ChannelDiagnosis,
+    diagnose_channel,
+    transform_channel,
+)
+from pyhrg.gap.static_record.fit.evidence import build_problem
 from pyhrg.gap.static_record.record import Channel
 from pyhrg.gap.static_record.terms import GYRO
 from tests.pyhrg.noises import noisy_angle
@@ -46,10 +50,12 @@ def diagnosis_of(
     term, sigmas = extra
     channel = Channel("gyro", GYRO, 1.0, np.zeros(N))
     half = channel.part(0, channel.half)
-    unit = 2 * problem(data_of_channel(half, belief), belief, 1.0).centres - np.log(10.0)
+    unit = 2 * build_problem(transform_channel(half, belief), belief, 1.0).centres - np.log(10.0)
     drawn[term] = np.sqrt(drawn[term] ** 2 + sigmas * np.exp(unit[term]))
     angle = noisy_angle(N, (*drawn.tolist(), 0.0), generator)
-    return diagnosed(Channel("gyro", GYRO, 1.0, angle), belief, seed=seed), float(drawn[term])
+    return diagnose_channel(Channel("gyro", GYRO, 1.0, angle), belief, seed=seed), float(
+        drawn[term]
+    )
 
 
 def outcome(case: tuple[tuple[float, ...], tuple[int, float], int]) -> str:

@@ -16,13 +16,12 @@ from pathlib import Path
 
 import numpy as np
 
-from fmu_build.bundle import built_fmu
-from fmu_build.roots import ROOTS
-from ins_eval.mission_model.flown import flown
-from ins_eval.mission_model.missions import study_mission
-from ins_eval.mission_model.triads import Triads
-from ins_eval.mission_model.weights_cache import kept_weights
-from ins_eval.study.block import Kind, block
+from fmu_build.bundle import build_fmu
+from ins_eval.mission_model.missions import plan_mission
+from ins_eval.mission_model.position_errors import compute_position_errors
+from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.weights_cache import load_mission_weights
+from ins_eval.study.gyros.drawn_triad import TriadDistribution, draw_triad_block
 from pyhrg.fmu import GyroFmu
 
 MADE = 4
@@ -39,30 +38,30 @@ def timed(what: str, count: int = 1) -> Iterator[None]:
     print(f"{what:44s} {wall:8.2f} s, {cpu:8.2f} s of a core; each {1e3 * cpu / count:.3g} ms")
 
 
-def repeated(triads: Triads, count: int) -> Triads:
+def repeated(triads: TriadBlock, count: int) -> TriadBlock:
     """As many, with seeds of their own."""
-    many = Triads.joined([triads] * -(-count // len(triads)))
+    many = triads.select(list(range(len(triads))) * -(-count // len(triads)))
     seeds = np.random.SeedSequence(1).generate_state(2 * len(many), np.uint64)
     return replace(many, seeds=seeds.reshape(-1, 2))
 
 
 def main(flights: int) -> None:
     """Print the costs."""
-    fmu = GyroFmu(built_fmu(root=ROOTS["HRGSlow"]))
+    fmu = GyroFmu(build_fmu("HRGSlow"))
     fmu.prepare()
-    block(fmu, Kind(), 0, 0, 1)
+    draw_triad_block(fmu, TriadDistribution(), 0, 0, 1)
     with timed("triads: built, calibrated, benched, drifted", MADE):
-        triads = block(fmu, Kind(), 1, 0, MADE)
-    mission = study_mission("car", 2.0)
+        triads = draw_triad_block(fmu, TriadDistribution(), 1, 0, MADE)
+    mission = plan_mission("car", 2.0)
     with tempfile.TemporaryDirectory() as folder:
         with timed("weights of two hours of the car, made"):
-            kept_weights(mission, Path(folder))
+            load_mission_weights(mission, Path(folder))
         with timed("weights, read again"):
-            weights = kept_weights(mission, Path(folder))
+            weights = load_mission_weights(mission, Path(folder))
     many = repeated(triads, min(flights, BLOCK))
     with timed(f"{flights} flights of two hours", flights):
         for _ in range(-(-flights // len(many))):
-            flown(many, weights, 0)
+            compute_position_errors(many, weights, 0)
 
 
 if __name__ == "__main__":

@@ -11,16 +11,24 @@ from pathlib import Path
 
 import platformdirs
 
-from fmu_build.archive.build_description import build_description
-from fmu_build.archive.description import Identity, fmi2_description, fmi3_description
-from fmu_build.archive.enclosures import enclosures
+from fmu_build.archive.build_description import describe_build
+from fmu_build.archive.description import Identity, describe_fmi2, describe_fmi3
+from fmu_build.archive.enclosures import make_enclosures
 from fmu_build.archive.licences import read_licence
-from fmu_build.binaries.libraries import kept_library
-from fmu_build.binaries.platforms import FLAGS, PLATFORMS, PORTABLE_FLAGS, chosen, universal
-from fmu_build.code.generate import generate, header
+from fmu_build.binaries.libraries import fetch_library
+from fmu_build.binaries.platforms import (
+    FLAGS,
+    PLATFORMS,
+    PORTABLE_FLAGS,
+    BuildError,
+    choose_platforms,
+    join_universal,
+    list_platforms,
+)
+from fmu_build.code.generate import generate_header, generate_source
 from fmu_build.equations.dae import Dae
-from fmu_build.equations.scalars import fmi_causality
-from fmu_build.equations.sorting import schedule
+from fmu_build.equations.scalars import find_causality
+from fmu_build.equations.sorting import sort_equations
 from fmu_build.equations.translate import COMPILER_VERSION, translate
 from fmu_build.roots import ROOTS, Root
 from pyhrg.common.files import write_whole
@@ -39,53 +47,69 @@ SHELLS = {2: "fmi2.c", 3: "fmi3.c"}
 Progress = Callable[[str], None]
 
 
-def modelica_library() -> Path:
+def find_modelica_library() -> Path:
     """Folder of the Modelica library that this distribution holds."""
     return Path(str(resources.files("modelica").joinpath("HRG")))
 
 
-def built_fmu(
-    progress: Progress = lambda text: None,
+def build_fmu(
+    model: str = "HRG",
+    *,
     fmi: int = 2,
     platforms: Sequence[str] = (),
-    root: Root = ROOTS["HRG"],
+    out: Path | str | None = None,
+    progress: Progress = lambda text: None,
 ) -> Path:
     """Path of an FMU of the present sources: from the user's cache, built if it isn't there.
 
     Args:
-        progress: is told what is being done.
+        model: a key of `fmu_build.roots.ROOTS`: HRG, HRGCarrier or HRGSlow.
         fmi: version of the standard, 2 or 3.
-        platforms: names from `PLATFORMS`; this machine's if none is given.
-        root: the model.
+        platforms: keys of `PLATFORMS`; "all" for those that the standard knows; none for this
+            machine's.
+        out: file to write; without it, the path is that of the cache.
+        progress: is called with each step's name.
 
     Raises:
-        TranslationError, BuildError, OSError.
+        TranslationError, BuildError: the message says what is wrong.
+        OSError: the cache or `out` can't be written.
     """
-    platforms = chosen(platforms, fmi)
-    folder = f"{sources_digest()[:16]}-fmi{fmi}-{'+'.join(platforms)}"
-    path = platformdirs.user_cache_path("hrg") / folder / f"{root.identifier}.fmu"
+    if model not in ROOTS:
+        raise BuildError(f"model: found {model!r}, expected {', '.join(ROOTS)}")
+    if out is not None and Path(out).is_dir():
+        raise BuildError(f"can't write {out}: it is a folder; expected the name of a file")
+    if "all" in platforms:
+        for name in sorted(PLATFORMS.keys() - list_platforms(fmi)):
+            progress(f"{name} is left out: FMI {fmi}.0 has no folder for it")
+        platforms = list_platforms(fmi)
+    platforms = choose_platforms(platforms, fmi)
+    folder = f"{digest_sources()[:16]}-fmi{fmi}-{'+'.join(platforms)}"
+    path = platformdirs.user_cache_path("hrg") / folder / f"{model}.fmu"
     if path.exists():
         progress("unchanged, from cache")
     else:
-        build(path, progress, fmi, platforms, root)
-    return path
+        write_fmu(path, ROOTS[model], fmi, platforms, progress)
+    if out is None:
+        return path
+    write_whole(Path(out), path.read_bytes())
+    return Path(out)
 
 
-def build(
+def write_fmu(
     path: Path,
-    progress: Progress = lambda text: None,
+    root: Root = ROOTS["HRG"],
     fmi: int = 2,
     platforms: Sequence[str] = (),
-    root: Root = ROOTS["HRG"],
+    progress: Progress = lambda text: None,
 ) -> None:
     """Translate, compile and pack a model; `path` appears only when all is done.
 
     Raises:
         TranslationError, BuildError, OSError.
     """
-    platforms = chosen(platforms, fmi)
+    platforms = choose_platforms(platforms, fmi)
     progress(f"translating {root.model}")
-    dae = translate(modelica_library(), root.model)
+    dae = translate(find_modelica_library(), root.model)
     sources = [*SOURCES, SHELLS[fmi]]
     with tempfile.TemporaryDirectory(prefix="hrg-build-") as name:
         folder = Path(name)
@@ -93,15 +117,15 @@ def build(
         content = {"modelDescription.xml": description.encode()}
         content |= {f"sources/{f.name}": f.read_bytes() for f in _packed(folder, sources)}
         libraries = {
-            platform: kept_library(folder, sources, root.identifier, PLATFORMS[platform], progress)
+            platform: fetch_library(folder, sources, root.identifier, PLATFORMS[platform], progress)
             for platform in platforms
         }
     binaries = _fmi2_binaries if fmi == 2 else _fmi3_binaries
     content |= binaries(libraries, root.identifier)
     if fmi == 3:
-        build_text = build_description(root.identifier, sources, PORTABLE_FLAGS)
+        build_text = describe_build(root.identifier, sources, PORTABLE_FLAGS)
         content["sources/buildDescription.xml"] = build_text.encode()
-    content |= enclosures(dae, root, fmi, content)
+    content |= make_enclosures(dae, root, fmi, content)
     path.parent.mkdir(parents=True, exist_ok=True)
     write_whole(path, _zipped(content))
     progress(f"built {path}")
@@ -112,13 +136,13 @@ PARTS = ("equations", "code", "c", "binaries", "archive")
 SUFFIXES = ("py", "css", "c", "h")
 
 
-def sources_digest() -> str:
+def digest_sources() -> str:
     """Digest of all that determines the FMU: Modelica, generator, C, tools, licence."""
     tools = f"{COMPILER_VERSION} {version('ziglang')} {version('hrg')} {FLAGS}"
     digest = hashlib.sha256(f"{tools} {read_licence()}".encode())
     package = Path(__file__).parent
     for root, pattern in (
-        (modelica_library(), "**/*.mo"),
+        (find_modelica_library(), "**/*.mo"),
         (package, "*.py"),
         *((package / part, f"**/*.{suffix}") for part in PARTS for suffix in SUFFIXES),
     ):
@@ -130,14 +154,14 @@ def sources_digest() -> str:
 
 def write_sources(dae: Dae, folder: Path, fmi: int, root: Root = ROOTS["HRG"]) -> str:
     """Write the C sources into a folder; returns modelDescription.xml."""
-    equations = generate(dae, root.integrator)
+    equations = generate_source(dae, root.integrator)
     digest = hashlib.sha256((equations + _limits(dae, "")).encode())
     for source in sorted((Path(__file__).parent / "c").iterdir()):
         (folder / source.name).write_bytes(source.read_bytes())
         digest.update(source.read_bytes())
     token = digest.hexdigest()[:32]
     (folder / "model.c").write_text(equations)
-    (folder / "model_constants.h").write_text(header(dae))
+    (folder / "model_constants.h").write_text(generate_header(dae))
     (folder / "limits.c").write_text(_limits(dae, token))
     sources = (*SOURCES, SHELLS[fmi])
     licence = read_licence()
@@ -152,7 +176,7 @@ def write_sources(dae: Dae, folder: Path, fmi: int, root: Root = ROOTS["HRG"]) -
         licence.author,
         licence.copyright,
     )
-    return {2: fmi2_description, 3: fmi3_description}[fmi](dae, identity)
+    return {2: describe_fmi2, 3: describe_fmi3}[fmi](dae, identity)
 
 
 def _packed(folder: Path, sources: Sequence[str]) -> list[Path]:
@@ -167,7 +191,7 @@ def _fmi2_binaries(libraries: dict[str, bytes], identifier: str) -> dict[str, by
         platform = PLATFORMS[name]
         path = f"binaries/{platform.fmi2_folder}/{identifier}{platform.suffix}"
         folders.setdefault(path, []).append(library)
-    return {path: x[0] if len(x) == 1 else universal(x) for path, x in folders.items()}
+    return {path: x[0] if len(x) == 1 else join_universal(x) for path, x in folders.items()}
 
 
 def _fmi3_binaries(libraries: dict[str, bytes], identifier: str) -> dict[str, bytes]:
@@ -181,10 +205,10 @@ def _limits(dae: Dae, token: str) -> str:
     lines = ['#include "limits.h"', f'const char *const model_token = "{token}";']
     lines.append("const Limits limits[] = {")
     kinds = {"parameter": "SET_PARAMETER", "input": "SET_INPUT"}
-    plan = schedule(dae)
+    plan = sort_equations(dae)
     on_demand = {a.target[1] for a in (*plan.held, *plan.outputs)}
     for index, variable in enumerate(dae.variables):
-        kind = kinds.get(fmi_causality(dae, variable), "SET_NEVER")
+        kind = kinds.get(find_causality(dae, variable), "SET_NEVER")
         whole = int(variable.scalar == "integer")
         continuous = int(index in on_demand)
         for element in range(variable.count):

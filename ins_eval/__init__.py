@@ -1,1 +1,8 @@
-"""What the gyro does to a navigator."""
+"""What the gyro does to a navigator: flights, alignment, error budgets, the study of bench tests.
+
+Names load on first use.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,7 +1,7 @@
-"""Closed forms of an inertial navigator's errors, for tests and predictions.
+"""Closed forms of an inertial navigator's errors at rest, for tests and predictions.
 
-The errors are those of a vehicle at rest whose height is clamped, for which the linear equations
-have constant coefficients (Britting 1971, chapter 8; Titterton and Weston 2004, section 12.3;
+The vehicle is at rest and its height is clamped, so that the linear error equations have constant
+coefficients (Britting 1971, chapter 8; Titterton and Weston 2004, section 12.3;
 Groves 2013, section 14.2). Signs are those of `TrackError`: navigator less truth.
 """
 
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from scipy.linalg import expm
 
 from ins_eval.common import earth
+from ins_eval.common.rotation import skew
 
 Array = NDArray[np.float64]
 
@@ -23,7 +24,8 @@ ATTITUDE, VELOCITY, POSITION = slice(0, 3), slice(3, 5), slice(5, 7)
 
 
 class Frequencies(NamedTuple):
-    """Of free errors, rad/s: the two Schuler modes, whose beat is Foucault's, and Earth's rate."""
+    """Frequencies of free errors, rad/s: two Schuler modes, whose beat is Foucault's, and Earth's
+    rate."""
 
     fast: float
     slow: float
@@ -31,14 +33,15 @@ class Frequencies(NamedTuple):
 
 
 def schuler_frequency(latitude: float, height: float = 0.0) -> float:
-    """sqrt(g/R), rad/s: 84.4 min (Schuler 1923); R the geometric mean of both radii."""
+    """Return sqrt(g/R), rad/s, a period of 84.4 min (Schuler 1923); R is the geometric mean of both
+    radii of curvature."""
     radius = np.sqrt(_radius_n(latitude, height) * _radius_e(latitude, height))
     return float(np.sqrt(earth.gravity(latitude, height) / radius))
 
 
 def free_frequencies(latitude: float, height: float = 0.0) -> Frequencies:
-    """Roots of (s^2 + W^2) ((s^2 + ws^2)^2 + 4 s^2 W^2 sin^2 L) on a sphere (Britting 1971,
-    chapter 8): Foucault's pendulum beside the 24 h period."""
+    """Return the frequencies of the roots of (s^2 + W^2) ((s^2 + ws^2)^2 + 4 s^2 W^2 sin^2 L),
+    which hold on a sphere (Britting 1971, chapter 8)."""
     vertical = earth.RATE * np.sin(abs(latitude))
     middle = np.hypot(schuler_frequency(latitude, height), vertical)
     return Frequencies(float(middle + vertical), float(middle - vertical), earth.RATE)
@@ -52,15 +55,15 @@ class AtRest:
     height: float = 0.0
 
     def dynamics(self) -> Array:
-        """(7, 7) F of dx/dt = F x + u, of `STATES`."""
-        sin, cos = np.sin(self.latitude), np.cos(self.latitude)
+        """Return F (7, 7) of dx/dt = F x + u, in the order of `STATES`."""
         gravity = earth.gravity(self.latitude, self.height)
-        north, down = earth.RATE * cos, -earth.RATE * sin
+        omega_ie = earth.rotation_rate(self.latitude)
+        north, _, down = omega_ie
         radius_n = _radius_n(self.latitude, self.height)
         radius_e = _radius_e(self.latitude, self.height)
         f = np.zeros((STATES, STATES))
-        f[:3, :3] = -_skew(np.array([north, 0.0, down]))
-        f[0, 4], f[1, 3], f[2, 4] = -1 / radius_e, 1 / radius_n, sin / cos / radius_e
+        f[:3, :3] = -skew(omega_ie)
+        f[0, 4], f[1, 3], f[2, 4] = -1 / radius_e, 1 / radius_n, np.tan(self.latitude) / radius_e
         f[0, 5], f[2, 5] = -down / radius_n, north / radius_n
         f[3, 1], f[4, 0] = -gravity, gravity
         f[3, 4], f[4, 3] = 2 * down, -2 * down
@@ -68,18 +71,18 @@ class AtRest:
         return f
 
     def errors(self, time: Array, start: Array, gyro_bias: Array, force_bias: Array) -> Array:
-        """(m, 7) errors at equally spaced times (m,), s, the first of them 0.
+        """Return the errors (m, 7) at equally spaced times (m,), s, the first of which is 0.
 
         Args:
             start: (7,) errors at time 0.
-            gyro_bias, force_bias: (3,) in navigation axes, rad/s and m/s^2; the accelerometers'
-                down component has no effect.
+            gyro_bias, force_bias: (3,) in navigation axes, rad/s and m/s^2; the down component of
+                the latter has no effect.
         """
-        forced = np.zeros((STATES + 1, STATES + 1))
-        forced[:STATES, :STATES] = self.dynamics()
-        forced[ATTITUDE, STATES] = gyro_bias
-        forced[VELOCITY, STATES] = np.asarray(force_bias)[:2]
-        transition = expm(forced * (time[1] - time[0]))
+        augmented = np.zeros((STATES + 1, STATES + 1))
+        augmented[:STATES, :STATES] = self.dynamics()
+        augmented[ATTITUDE, STATES] = gyro_bias
+        augmented[VELOCITY, STATES] = np.asarray(force_bias)[:2]
+        transition = expm(augmented * (time[1] - time[0]))
         states = [np.append(start, 1.0)]
         for _ in time[1:]:
             states.append(transition @ states[-1])
@@ -87,28 +90,34 @@ class AtRest:
 
 
 def drift_of_level_gyro(bias: float, time: Array, latitude: float) -> Array:
-    """Position error, m: R b (t - sin(ws t)/ws), on one axis and within a few hours; a north gyro's
-    goes east, an east gyro's goes south (Titterton and Weston 2004, section 12.3)."""
+    """Return the position error, m, R b (t - sin(ws t)/ws), which holds for a few hours.
+
+    That of a north gyro is east, that of an east gyro south (Titterton and Weston 2004, section
+    12.3).
+    """
     ws = schuler_frequency(latitude)
     return np.asarray(_radius(latitude) * bias * (time - np.sin(ws * time) / ws))
 
 
 def drift_of_down_gyro(bias: float, time: Array, latitude: float) -> Array:
-    """Position error south, m: R b W cos L (t^2/2 - (1 - cos(ws t))/ws^2); as above."""
+    """Return the position error south, m, R b W cos L (t^2/2 - (1 - cos(ws t))/ws^2); as above."""
     ws = schuler_frequency(latitude)
     grown = 0.5 * time**2 - (1 - np.cos(ws * time)) / ws**2
     return np.asarray(_radius(latitude) * bias * earth.RATE * np.cos(latitude) * grown)
 
 
 def drift_of_accelerometer(bias: float, time: Array, latitude: float) -> Array:
-    """Position error along the bias, m: b (1 - cos(ws t))/ws^2; as above."""
+    """Return the position error along the bias, m, b (1 - cos(ws t))/ws^2; as above."""
     ws = schuler_frequency(latitude)
     return np.asarray(bias * (1 - np.cos(ws * time)) / ws**2)
 
 
-def gyrocompassed(gyro_bias: Array, force_bias: Array, latitude: float) -> Array:
-    """(3,) attitude error, rad, that gyrocompassing settles to with biases in navigation axes:
-    tilts b/g, heading from the east gyro -b/(W cos L) (Groves 2013, section 5.6.2)."""
+def gyrocompassing_error(gyro_bias: Array, force_bias: Array, latitude: float) -> Array:
+    """Return the attitude error (3,), rad, of gyrocompassing with biases in navigation axes.
+
+    Tilts are b/g, and the east gyro causes a heading error of -b/(W cos L) (Groves 2013, section
+    5.6.2).
+    """
     gravity = earth.gravity(latitude, 0.0)
     about_north, about_east = -force_bias[1] / gravity, force_bias[0] / gravity
     rate = earth.RATE * np.cos(latitude)
@@ -117,13 +126,13 @@ def gyrocompassed(gyro_bias: Array, force_bias: Array, latitude: float) -> Array
 
 
 def free_height(error: float, time: Array, latitude: float) -> Array:
-    """Height error that starts as `error`, m: cosh(sqrt(2 g/R) t) of it (Groves 2013, section 5.7),
-    with the normal gravity's own slope for 2 g/R."""
+    """Return the growth of a free height error, m: error cosh(sqrt(2 g/R) t) (Groves 2013, section
+    5.7), with the slope of normal gravity for 2 g/R."""
     return np.asarray(error * np.cosh(np.sqrt(gravity_slope(latitude)) * time))
 
 
 def damped_height(step: float, time: Array, time_constant: float, latitude: float) -> Array:
-    """Height error after a barometer's step, m: the triple pole's response
+    """Return the height error after a step of the barometer, m: the response of the triple pole,
     1 - exp(-a t) (1 - 2 a t + (a^2 - 2 g/R) t^2/2), a = 1 / time_constant (Siouris 1993, 4.5)."""
     a = 1 / time_constant
     bracket = 1 - 2 * a * time + (a**2 - gravity_slope(latitude)) * time**2 / 2
@@ -131,7 +140,7 @@ def damped_height(step: float, time: Array, time_constant: float, latitude: floa
 
 
 def gravity_slope(latitude: float) -> float:
-    """-dg/dh at the ellipsoid, 1/s^2 (NIMA TR8350.2, Eq. 4-3)."""
+    """Return -dg/dh at the ellipsoid, 1/s^2 (NIMA TR8350.2, Eq. 4-3)."""
     sin = np.sin(latitude)
     slope = 1 + earth.FLATTENING + earth.GRAVITY_RATIO - 2 * earth.FLATTENING * sin**2
     return float(2 * earth.gravity(latitude, 0.0) * slope / earth.SEMI_MAJOR)
@@ -147,7 +156,3 @@ def _radius_e(latitude: float, height: float) -> float:
 
 def _radius(latitude: float) -> float:
     return float(earth.gravity(latitude, 0.0)) / schuler_frequency(latitude) ** 2
-
-
-def _skew(v: Array) -> Array:
-    return np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0.0]])

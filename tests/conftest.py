@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from fmu_build.binaries.platforms import known_to
-from fmu_build.bundle import built_fmu
+from fmu_build.binaries.platforms import list_platforms
+from fmu_build.bundle import build_fmu
 from fmu_build.roots import ROOTS
 from pyhrg.fmu import GyroFmu
 from tests.programs import (  # noqa: F401 (hooks of pytest)
@@ -18,7 +18,7 @@ from tests.programs import (  # noqa: F401 (hooks of pytest)
 
 @pytest.fixture(scope="session")
 def fmu_path() -> Path:
-    return built_fmu()
+    return build_fmu()
 
 
 @pytest.fixture(scope="session")
@@ -29,13 +29,13 @@ def fmu(fmu_path: Path) -> GyroFmu:
 @pytest.fixture(scope="session")
 def slow_fmu() -> GyroFmu:
     """The gyro whose loops follow at once, at steps of 0.1 s."""
-    return GyroFmu(built_fmu(root=ROOTS["HRGSlow"]))
+    return GyroFmu(build_fmu("HRGSlow"))
 
 
 @pytest.fixture(scope="session")
 def extracted(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Path]:
     """By FMI version: the FMU for this machine, extracted."""
-    return {fmi: _extracted(built_fmu(fmi=fmi), tmp_path_factory) for fmi in (2, 3)}
+    return {fmi: _extracted(build_fmu(fmi=fmi), tmp_path_factory) for fmi in (2, 3)}
 
 
 @pytest.fixture(params=[2, 3], ids=["fmi2", "fmi3"])
@@ -52,14 +52,14 @@ def folder(request: pytest.FixtureRequest, extracted: dict[int, Path]) -> Path:
 def model_folder(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The extracted FMU of each model and standard in turn."""
     fmi, name = request.param
-    return _extracted(built_fmu(fmi=fmi, root=ROOTS[name]), tmp_path_factory)
+    return _extracted(build_fmu(name, fmi=fmi), tmp_path_factory)
 
 
 @pytest.fixture(scope="session")
 def folders(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Path]:
     """By FMI version: the FMU for every platform, extracted."""
     return {
-        fmi: _extracted(built_fmu(fmi=fmi, platforms=known_to(fmi)), tmp_path_factory)
+        fmi: _extracted(build_fmu(fmi=fmi, platforms=list_platforms(fmi)), tmp_path_factory)
         for fmi in (2, 3)
     }
 

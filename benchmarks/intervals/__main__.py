@@ -18,8 +18,7 @@ from functools import cache, partial
 from scipy.stats import binomtest
 
 import benchmarks.intervals
-from fmu_build.bundle import built_fmu
-from fmu_build.roots import ROOTS
+from fmu_build.bundle import build_fmu
 from pyhrg.fmu import GyroFmu
 
 HONEST = (0.93, 0.97)
@@ -33,7 +32,7 @@ NAMES = sorted(
 @cache
 def gyro(model: str) -> GyroFmu:
     """The FMU, once a process."""
-    return GyroFmu(built_fmu(root=ROOTS[model]))
+    return GyroFmu(build_fmu(model))
 
 
 def held(name: str, seed: int) -> dict[str, bool]:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from scipy import special
 
 from pyhrg.bench.outcome import Outcome
-from pyhrg.bench.readings.spins import Spin, pairs, spins
+from pyhrg.bench.readings.spins import Spin, find_spins, pair_spins
 from pyhrg.device.device import Device
 from pyhrg.records import Log
 
@@ -25,13 +25,13 @@ def against(outcome: Outcome, truths: Mapping[str, float]) -> Intervals:
 
 def quiet(device: Device) -> Device:
     """The same gyro without noise: its test is what the noisy one's would be on the average."""
-    return replace(device, angle_random_walk=0.0, pickoff_noise=0.0)
+    return replace(device, angle_random_walk=0.0, angle_white_noise=0.0)
 
 
 def rate_noise(device: Device, seconds: float) -> float:
     """Standard deviation of a rate mean, rad/s: random walk, and white noise of both its angles."""
     walk = device.angle_random_walk**2 / seconds
-    return float(np.sqrt(walk + 2 * (device.pickoff_noise / seconds) ** 2))
+    return float(np.sqrt(walk + 2 * (device.angle_white_noise / seconds) ** 2))
 
 
 def mean_deviation(noise: float, spread: float, freedom: int) -> float:
@@ -47,7 +47,7 @@ def mean_deviation(noise: float, spread: float, freedom: int) -> float:
 
 def pair_noise(device: Device, log: Log) -> float:
     """Standard deviation of the scale factor of a log's first pair of spins."""
-    both = pairs(spins(log, device.site.vertical_rate), log.source)[0]
+    both = pair_spins(find_spins(log, device.site.vertical_rate), log.source)[0]
     return float(np.sqrt(sum(_slope_variance(device, log, spin) for spin in both)) / 2)
 
 
@@ -59,4 +59,4 @@ def _slope_variance(device: Device, log: Log, spin: Spin) -> float:
     weights: NDArray[np.float64] = np.linalg.pinv(np.column_stack(columns))[1]
     later = np.cumsum(weights[::-1])[::-1]
     walk = device.angle_random_walk**2 * log.interval * float(later @ later)
-    return walk + device.pickoff_noise**2 * float(weights @ weights)
+    return walk + device.angle_white_noise**2 * float(weights @ weights)

@@ -34,7 +34,7 @@ def gyro(seed: int) -> Device:
         drive_nonorthogonality=nd,
         phase_error=p,
         angle_random_walk=generator.uniform(1e-4, 4e-4) * DEG_PER_SQRT_H,
-        pickoff_noise=generator.uniform(0.02, 0.1) * ARCSEC,
+        angle_white_noise=generator.uniform(0.02, 0.1) * ARCSEC,
         power_on_angle=generator.uniform(0.0, math.pi / 2),
     )
 

@@ -31,7 +31,7 @@ def gyro(generator: np.random.Generator) -> Device:
         drive_gain_mismatch=normal(5e-5),
         drive_nonorthogonality=normal(5e-5),
         angle_random_walk=10 ** generator.uniform(-4, -3) * DEG_PER_SQRT_H,
-        pickoff_noise=10 ** generator.uniform(-2, -1) * ARCSEC,
+        angle_white_noise=10 ** generator.uniform(-2, -1) * ARCSEC,
         power_on_angle=generator.uniform(0.0, math.pi / 2),
         model={
             "resonator.material.bryanFactor": 0.277 * (1 + factor_error),

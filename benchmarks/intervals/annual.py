@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from benchmarks.intervals._environment import FAST, Intervals, against, pair_noise, rate_noise
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.thermal import annual
-from pyhrg.bench.bias.thermal.annual import AGEING, MONTH, MONTHS, Months, aged
+from pyhrg.bench.bias.thermal.annual import AGEING, MONTH, MONTHS, Months, age_device
 from pyhrg.bench.bias.thermal_programme import POSITIONS
 from pyhrg.bench.readings.segments import SEGMENT
 from pyhrg.common.units import YEAR
@@ -53,7 +53,7 @@ def scale_stability(device: Device, log: Log) -> dict[str, float]:
 
 def months(device: Device) -> list[Device]:
     """The gyro of each month."""
-    return [aged(device, month * MONTH) for month in range(MONTHS)]
+    return [age_device(device, month * MONTH) for month in range(MONTHS)]
 
 
 def scale_errors(device: Device) -> NDArray[np.float64]:

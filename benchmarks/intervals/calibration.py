@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.bias.position.full_circumference import power_ons
+from pyhrg.bench.bias.position.full_circumference import make_power_ons
 from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.calibration.calibration import PERIODS
-from pyhrg.bench.calibration.calibration_maps import calibration
+from pyhrg.bench.calibration.calibration_maps import fit_maps
 from pyhrg.bench.scale_factor.rate_tests import record_turns
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
@@ -62,8 +62,11 @@ def repeat(fmu: GyroFmu, seed: int) -> dict[str, tuple[float, float, float]]:
     generator = np.random.default_rng(seed)
     device = drawn(generator)
     bench = Bench(fmu, device, seed, step=0.1)
-    tests = [*bench.run(power_ons(bench, PLAN, RUNS, 1)), *record_turns(bench, RATE, PERIODS, 1)]
-    found = calibration(bench.campaign(tests))
+    tests = [
+        *bench.run(make_power_ons(bench, PLAN, RUNS, 1)),
+        *record_turns(bench, RATE, PERIODS, 1),
+    ]
+    found = fit_maps(bench.campaign(tests))
     findings = [*found.bias_map.values(), *found.scale_factor_map.values()]
     expected = truth(device)
     return {f.name: (expected[f.name], f.low, f.high) for f in findings}

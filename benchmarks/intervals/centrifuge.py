@@ -17,7 +17,7 @@ def repeat(fmu: GyroFmu, seed: int) -> Intervals:
     """One power-on, one data point a level."""
     device = feeling(np.random.default_rng(seed), gain=1e-7, square=1e-9)
     bench = Bench(fmu, device, seed, step=1.0)
-    course = centrifuge.programme(bench, LEVELS)
+    course = centrifuge.make_programme(bench, LEVELS)
     tests = bench.run([PowerOn("centrifuge", centrifuge.KIND, course)])
     return against(centrifuge.evaluate(bench.campaign(tests)), truths(device))
 

@@ -4,8 +4,8 @@ import numpy as np
 
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.dead_zone import dead_zone
-from pyhrg.bench.dead_zone.turning import FOURTH, fitted_turning
-from pyhrg.bench.estimation.harmonic_amplitude import magnitude_finding
+from pyhrg.bench.dead_zone.turning import FOURTH, fit_turning
+from pyhrg.bench.estimation.harmonic_amplitude import estimate_amplitude
 from pyhrg.bench.estimation.harmonics import MEAN
 from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
@@ -22,9 +22,9 @@ def repeat(fmu: GyroFmu, seed: int) -> dict[str, tuple[float, float, float]]:
     device = TYPICAL.another(np.random.default_rng(seed))
     for name, gyro in (("", device), (", no anisotropy", device.without_anisotropy())):
         bench = Bench(fmu, gyro, seed, step=0.5)
-        logs = [test.log for test in bench.run(dead_zone.map_runs(bench, RATE))]
-        fitted, _ = fitted_turning(logs, bench.device.site.latitude)
-        lock = magnitude_finding("lock rate", fitted, FOURTH, "deg/h")
+        logs = [test.log for test in bench.run(dead_zone.plan_map_runs(bench, RATE))]
+        fitted, _ = fit_turning(logs, bench.device.site.latitude)
+        lock = estimate_amplitude("lock rate", fitted, FOURTH, "deg/h")
         result[f"lock rate{name}"] = (theory.lock_rate(gyro), lock.low, lock.high)
         result[f"mean bias{name}"] = (theory.mean_bias(gyro), *fitted.interval(MEAN))
     return result

@@ -24,7 +24,7 @@ def repeat(fmu: GyroFmu, seed: int) -> Intervals:
     scatter = generator.uniform(0, 1) * DEG
     device = replace(TYPICAL.another(generator), power_on_scatter=scatter, model=FAST)
     bench = Bench(fmu, device, seed, step=1.0)
-    tests = bench.run(fixed_position.power_ons(bench, RUNS, SEGMENTS))
+    tests = bench.run(fixed_position.make_power_ons(bench, RUNS, SEGMENTS))
     return against(fixed_position.evaluate(bench.campaign(tests)), truths(device))
 
 
@@ -32,7 +32,7 @@ def truths(device: Device) -> dict[str, float]:
     """Means over power-on angles; a run's neighbours share the reading between them, which its
     mean square has 1 + 1/n times and its mean once."""
     bias, deviation = bias_at_power_on(device)
-    white = 2 * (device.pickoff_noise / SEGMENT) ** 2 / SEGMENTS
+    white = 2 * (device.angle_white_noise / SEGMENT) ** 2 / SEGMENTS
     noise = float(np.sqrt(rate_noise(device, SEGMENT) ** 2 + white))
     of_mean = rate_noise(device, SEGMENTS * SEGMENT)
     return {

@@ -16,8 +16,8 @@ from benchmarks.intervals._environment import (
 )
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position import full_circumference
-from pyhrg.bench.bias.position.full_circumference import runs_of
-from pyhrg.bench.bias.position.position_variances import positions_of, within_finding
+from pyhrg.bench.bias.position.full_circumference import read_runs
+from pyhrg.bench.bias.position.position_variances import estimate_within, group_by_position
 from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.readings.segments import SEGMENT, Segments
 from pyhrg.common.units import ARCSEC, DEG
@@ -42,10 +42,10 @@ def repeat(fmu: GyroFmu, seed: int) -> Intervals:
         demodulation_offset=generator.normal(0.0, 1e-6),
     )
     bench = Bench(fmu, device, seed, step=1.0)
-    power_ons = full_circumference.power_ons(bench, PLAN, RUNS, SEGMENTS)
+    power_ons = full_circumference.make_power_ons(bench, PLAN, RUNS, SEGMENTS)
     outcome = full_circumference.evaluate(bench.campaign(bench.run(power_ons)))
     without = replace(bench, device=quiet(device))
-    runs = runs_of(without.campaign(without.run(power_ons)))
+    runs = read_runs(without.campaign(without.run(power_ons)))
     return against(outcome, {**truths(device), **deviations(device, runs)})
 
 
@@ -71,12 +71,12 @@ def truths(device: Device) -> dict[str, float]:
 def deviations(device: Device, runs: Sequence[Segments]) -> dict[str, float]:
     """Of the same runs without noise, and of the noise; neighbours share a reading."""
     noise = rate_noise(device, SEGMENT)
-    white = 2 * (device.pickoff_noise / SEGMENT) ** 2 / SEGMENTS
+    white = 2 * (device.angle_white_noise / SEGMENT) ** 2 / SEGMENTS
     of_mean = rate_noise(device, SEGMENTS * SEGMENT) / math.sqrt(PLAN.positions)
     stability = [mean_deviation(noise, np.std(r.rate, ddof=1), len(r) - 1) for r in runs]
     means = [np.mean(run.rate) for run in runs]
-    within = within_finding("", runs).value
-    between = [np.var([np.mean(group) for group in positions_of(run)], ddof=1) for run in runs]
+    within = estimate_within("", runs).value
+    between = [np.var([np.mean(group) for group in group_by_position(run)], ddof=1) for run in runs]
     return {
         "bias": float(np.mean(means)),
         "bias stability": float(np.mean(stability)),

@@ -15,11 +15,11 @@ from benchmarks.intervals._environment import (
 )
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.thermal import full_temperature
-from pyhrg.bench.bias.thermal.thermal_fit import Thermal, measured
-from pyhrg.bench.bias.thermal.thermal_scale_factor import OVER, REPEATED
-from pyhrg.bench.bias.thermal_programme import programme
-from pyhrg.bench.estimation.terms import pattern_basis
-from pyhrg.bench.readings.spins import pair_scale_factor, pairs, spins
+from pyhrg.bench.bias.thermal.thermal_fit import Thermal, fit_temperature
+from pyhrg.bench.bias.thermal.thermal_scale_factor import REPEATABILITY, STABILITY
+from pyhrg.bench.bias.thermal_programme import make_programme
+from pyhrg.bench.estimation.terms import choose_pattern_basis
+from pyhrg.bench.readings.spins import compute_scale_factor_error, find_spins, pair_spins
 from pyhrg.common.units import DEG_PER_H, MINUTE
 from pyhrg.device.device import Device
 from pyhrg.device.ready_devices import TYPICAL
@@ -40,7 +40,7 @@ def repeat(fmu: GyroFmu, seed: int) -> Intervals:
     """Two power-ons."""
     device = warm(np.random.default_rng(seed))
     bench = Bench(fmu, device, seed, step=1.0)
-    course = programme(bench, SOAKS, ROW)
+    course = make_programme(bench, SOAKS, ROW)
     tests = bench.run([PowerOn(f"thermal_{n}", full_temperature.KIND, course) for n in (1, 2)])
     outcome = full_temperature.evaluate(bench.campaign(tests))
     without = replace(bench, device=quiet(device))
@@ -102,7 +102,7 @@ def scale_factor_error(device: Device, kelvin: float) -> float:
 
 def of_bias(device: Device, mean: Campaign) -> dict[str, float]:
     """Deviations of the bias: of the tests without noise, and of the noise of each figure."""
-    result = measured(mean)
+    result = fit_temperature(mean)
     noise = np.array([rate_noise(device, seconds) for seconds in result.points.duration])
     levels = np.unique(result.soak[np.isfinite(result.soak)])
     alone = [[result.soaks(run)[level].mean for run in (0, 1)] for level in levels]
@@ -121,7 +121,7 @@ def _soak_variance(result: Thermal, noise: Array, level: float, of_run: Array) -
     """Of a soak's mean, which is that of a fit by pattern angle."""
     mine = (result.soak == level) & (of_run > 0)
     part = result.points.part(mine)
-    columns = [np.ones(len(part)), *pattern_basis(part.pattern_angle).columns.values()]
+    columns = [np.ones(len(part)), *choose_pattern_basis(part.pattern_angle).columns.values()]
     weights = np.linalg.pinv(np.column_stack(columns))[0]
     return float(weights**2 @ noise[mine] ** 2)
 
@@ -130,13 +130,16 @@ def of_scale(device: Device, mean: Campaign) -> dict[str, float]:
     """Deviations of the scale factor, likewise; soaks in order, the same number of pairs each."""
     logs, earth = [test.log for test in mean.tests], device.site.vertical_rate
     errors = np.array(
-        [[pair_scale_factor(p) for p in pairs(spins(log, earth), log.source)] for log in logs]
+        [
+            [compute_scale_factor_error(p) for p in pair_spins(find_spins(log, earth), log.source)]
+            for log in logs
+        ]
     )
     soaks = errors.reshape(len(logs), len(SOAKS), -1).swapaxes(0, 1).reshape(len(SOAKS), -1)
     noise = pair_noise(device, logs[0]) ** 2
     within = np.mean(np.var(soaks, axis=1, ddof=1))
     over = np.var(np.mean(soaks, axis=1), ddof=1)
-    return {OVER: _root(over, noise / soaks.shape[1]), REPEATED: _root(within, noise)}
+    return {STABILITY: _root(over, noise / soaks.shape[1]), REPEATABILITY: _root(within, noise)}
 
 
 def _root(*variances: float) -> float:

@@ -37,7 +37,9 @@ def repeat(fmu: GyroFmu, seed: int) -> Intervals:
     truth = linearity.evaluate(campaign)
     names = [f.name for f in truth.findings]
     values = {name: truth.finding(name).value for name in names}
-    values["scale factor repeatability"] = slope_deviation(linearity.lines(campaign)[0], device)
+    values["scale factor repeatability"] = slope_deviation(
+        linearity.read_lines(campaign)[0], device
+    )
     return {
         name: (values[name], outcome.finding(name).low, outcome.finding(name).high)
         for name in names
@@ -47,7 +49,7 @@ def repeat(fmu: GyroFmu, seed: int) -> Intervals:
 def slope_deviation(line: Line, device: Device) -> float:
     """Standard deviation of K from noise on the means at each rate."""
     period = PERIOD / (device.bryan_factor * np.abs(line.input))
-    time = period * np.ceil(linearity.SHORTEST / period * (1 - 1e-3))
-    variance = device.angle_random_walk**2 / time + 2 * device.pickoff_noise**2 / time**2
+    time = period * np.ceil(linearity.SHORTEST_AVERAGE / period * (1 - 1e-3))
+    variance = device.angle_random_walk**2 / time + 2 * device.angle_white_noise**2 / time**2
     lever = line.input - line.input.mean()
     return math.sqrt(float(np.sum(lever**2 * variance))) / float(np.sum(lever**2))

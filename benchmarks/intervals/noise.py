@@ -8,13 +8,13 @@ negative, so that the neighbour takes some of it half of the time.
 import numpy as np
 
 from pyhrg.fmu import GyroFmu
-from pyhrg.noise.model import identify
+from pyhrg.noise.fitting import estimate_noise
 from tests.pyhrg.noises import Mixture, noisy_angle
 
 MODEL = "HRGSlow"
 SAMPLES = 2000
 LETTERS = {
-    "white_angle": "Q",
+    "angle_white_noise": "Q",
     "angle_random_walk": "N",
     "bias_instability": "B",
     "rate_random_walk": "K",
@@ -33,7 +33,7 @@ def repeat(fmu: GyroFmu, seed: int) -> dict[str, tuple[float, float, float]]:
     found = {}
     for number, (title, mixture) in enumerate(MIXTURES.items()):
         angle = noisy_angle(SAMPLES, mixture, np.random.default_rng([number, seed]))
-        noises = identify(angle, 1.0)
+        noises = estimate_noise(angle, 1.0)
         for (name, letter), truth in zip(LETTERS.items(), mixture, strict=False):
             if truth:
                 coefficient = getattr(noises, name)

@@ -20,7 +20,7 @@ def repeat(fmu: GyroFmu, seed: int) -> dict[str, tuple[float, float, float]]:
     """Half an hour each; odd seeds have a rate random walk, even ones flicker, both clear."""
     device = drawn(seed)
     bench = Bench(fmu, device, seed, step=0.1)
-    power_ons = random_walk.power_ons(bench, DURATION)
+    power_ons = random_walk.plan_power_ons(bench, DURATION)
     outcome = random_walk.evaluate(bench.campaign(bench.run(power_ons)))
     return {
         name: (truth, outcome.finding(name).low, outcome.finding(name).high)
@@ -36,7 +36,7 @@ def drawn(seed: int) -> Device:
     return replace(
         TYPICAL.another(generator),
         angle_random_walk=walk,
-        pickoff_noise=TYPICAL.pickoff_noise * factors[1],
+        angle_white_noise=TYPICAL.angle_white_noise * factors[1],
         bias_instability=0.0 if seed % 2 else walk * 0.5 * factors[2],
         rate_random_walk=walk * 0.05 * factors[2] if seed % 2 else 0.0,
         model={NOISE: TYPICAL.model[NOISE] * factors[3]},
@@ -53,7 +53,7 @@ def truths(device: Device) -> dict[str, float]:
     }
     return {
         "angle random walk": walk,
-        "white angle noise": device.pickoff_noise,
+        "white angle noise": device.angle_white_noise,
         "angle random walk under virtual rotation": math.hypot(walk, turning),
         random_walk.RATIO: math.hypot(walk, turning) / walk,
         **{name: truth for name, truth in slow.items() if truth},

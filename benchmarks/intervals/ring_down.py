@@ -15,7 +15,7 @@ def repeat(fmu: GyroFmu, seed: int) -> Intervals:
     """One gyro: ring-downs at four angles, and its pick-offs by table rate."""
     on = bench(fmu, seed)
     device = on.device
-    course = ring_down.programme(on, POSITIONS, ring_down.DECAY)
+    course = ring_down.make_programme(on, POSITIONS, ring_down.DECAY)
     tests = on.run([PowerOn("ring_down", ring_down.KIND, course)])
     campaign = on.campaign([*tests, *rate_reversal.record(on, duration=70.0)])
     damping = device.damping_anisotropy * np.exp(4j * device.damping_axis)

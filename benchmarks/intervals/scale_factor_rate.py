@@ -31,5 +31,5 @@ def period_deviation(device: Device) -> float:
     period = PERIOD / (device.bryan_factor * RATE)
     share = (np.arange(13) * period / INTERVAL) % 1
     kept = float(np.mean(share**2 + (1 - share) ** 2))
-    variance = device.angle_random_walk**2 * period + 2 * kept * device.pickoff_noise**2
+    variance = device.angle_random_walk**2 * period + 2 * kept * device.angle_white_noise**2
     return math.sqrt(variance) / (RATE * period)

@@ -22,7 +22,7 @@ def repeat(fmu: GyroFmu, seed: int) -> dict[str, tuple[float, float, float]]:
     device = TYPICAL.another(np.random.default_rng(seed))
     bench = Bench(fmu, replace(device, name="coverage"), seed, step=0.1)
     tests = threshold.record(bench, rates=(2e-4 * DEG, 5e-5 * DEG), repeats=3, dwell=100.0)
-    found = threshold.responses([test.log for test in tests])
+    found = threshold.measure_responses([test.log for test in tests])
     return {
         f"response {r.rate / DEG:.0e} deg/s": (1.0, r.value - r.reach, r.value + r.reach)
         for r in found

@@ -11,13 +11,19 @@ from pyhrg.fmu import GyroFmu
 from pyhrg.theory import closed_forms as theory
 
 MODEL = "HRGSlow"
+EIGHT = (
+    *tumble.SIX,
+    (tumble.TILT, tumble.RIGHT / 2),
+    (-tumble.TILT, tumble.RIGHT / 2),
+)
+"""Each axis up and down, and two tilted positions: `axis_up` and `across` of an attitude."""
 
 
 def repeat(fmu: GyroFmu, seed: int) -> Intervals:
     """One power-on, one data point a position."""
     device = feeling(np.random.default_rng(seed), gain=1e-6, square=1e-7)
     bench = Bench(fmu, device, seed, step=1.0)
-    course = tumble.programme(bench, tumble.EIGHT, segments=1)
+    course = tumble.make_programme(bench, EIGHT, segments=1)
     tests = bench.run([PowerOn("tumble", tumble.KIND, course)])
     return against(tumble.evaluate(bench.campaign(tests)), truths(device))
 

@@ -7,16 +7,16 @@ import numpy as np
 from benchmarks.intervals._environment import FAST, Intervals, against, quiet
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.environment import vibration_shock
-from pyhrg.bench.bias.environment.shock import found_pulses, readings_without
+from pyhrg.bench.bias.environment.shock import find_pulses, read_quiet_changes
 from pyhrg.bench.bias.environment.vibration_shock import (
     BEFORE,
-    KEPT,
+    KEPT_ANGLE,
     RUNS,
     SHAKE,
     SHOCK,
     STEADY,
-    power_ons,
-    shocked,
+    make_power_ons,
+    make_shock_programme,
 )
 from pyhrg.device.device import Device
 from pyhrg.device.ready_devices import TYPICAL
@@ -39,19 +39,21 @@ def repeat(fmu: GyroFmu, seed: int) -> Intervals:
     bench = Bench(fmu, device, seed, step=1.0)
     after = replace(bench, device=replace(device, model={**device.model, **loose}))
     states = (BEFORE, "vibration_along")
-    tests = bench.run([course for state in states for course in power_ons(bench, state, RUNS)])
-    tests += after.run(power_ons(after, "after_shock", RUNS))
+    tests = bench.run([course for state in states for course in make_power_ons(bench, state, RUNS)])
+    tests += after.run(make_power_ons(after, "after_shock", RUNS))
     struck = replace(bench, device=replace(device, model={**shaken, **square}), step=0.1)
-    pulses = PowerOn(SHOCK, SHOCK, shocked(struck))
+    pulses = PowerOn(SHOCK, SHOCK, make_shock_programme(struck))
     outcome = vibration_shock.evaluate(bench.campaign([*tests, struck.log(pulses)]))
-    kept = {KEPT: kept_angle(replace(struck, device=quiet(struck.device)).log(pulses).log, device)}
+    kept = {
+        KEPT_ANGLE: kept_angle(replace(struck, device=quiet(struck.device)).log(pulses).log, device)
+    }
     return against(outcome, {**during(device), **left(after.device), **kept})
 
 
 def kept_angle(log: Log, device: Device) -> float:
     """Of the test without noise."""
-    kept = np.mean([pulse.kept for pulse in found_pulses(log, device.site)])
-    return float(kept - np.mean(readings_without(log, device.site)))
+    kept = np.mean([pulse.kept for pulse in find_pulses(log, device.site)])
+    return float(kept - np.mean(read_quiet_changes(log, device.site)))
 
 
 def during(device: Device) -> dict[str, float]:

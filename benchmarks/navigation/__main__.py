@@ -13,7 +13,7 @@ from benchmarks.navigation import peer, speed
 from benchmarks.navigation.motions import Flight, coning, static, weaving
 from benchmarks.navigation.weave import Weave
 from ins_eval.common.state import Track
-from ins_eval.navigation.coefficients import SAMPLES
+from ins_eval.navigation.coefficients import SAMPLES_PER_STEP
 from pyhrg.common.units import DEG_PER_H
 
 HOUR = 3600
@@ -39,7 +39,7 @@ def figures(flight: Flight, track: Track) -> tuple[float, float]:
 def compare(flight: Flight) -> None:
     """Print one flight's errors, navigator by navigator."""
     print(f"\n{flight.name}")
-    flown = {f"{n} samples": flight.flown(n) for n in SAMPLES}
+    flown = {f"{n} samples": flight.flown(n) for n in SAMPLES_PER_STEP}
     if strapdown := peer.peer():
         flown["pyins"] = peer.flown(strapdown, flight)
     for name, track in flown.items():
@@ -53,8 +53,8 @@ def orders() -> None:
     errors = []
     for rate in RATES:
         flight = weaving(Weave(), 1200, rate)
-        errors.append([1e3 * figures(flight, flight.flown(n))[0] for n in SAMPLES])
-    for n, found in zip(SAMPLES, np.array(errors).T, strict=True):
+        errors.append([1e3 * figures(flight, flight.flown(n))[0] for n in SAMPLES_PER_STEP])
+    for n, found in zip(SAMPLES_PER_STEP, np.array(errors).T, strict=True):
         order = -np.polyfit(np.log(RATES), np.log(found), 1)[0]
         print(f"  {n} samples, order {order:.1f}         " + "".join(f"{x:12.3g}" for x in found))
 
@@ -65,7 +65,7 @@ def throughput() -> None:
     strapdown = peer.peer()
     pyins = speed.peers(strapdown, flight) if strapdown else np.nan
     print("\nmillion samples/s   end to end   bare loop   end to end over bare loop   over pyins's")
-    for n in SAMPLES:
+    for n in SAMPLES_PER_STEP:
         ours, bare = speed.end_to_end(flight, n), speed.bare_loop(flight, n)
         ratios = f"{ours / bare:14.2f} {ours / pyins:25.1f}"
         print(f"  {n} samples      {ours / 1e6:12.1f} {bare / 1e6:12.1f} {ratios}", flush=True)

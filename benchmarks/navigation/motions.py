@@ -9,10 +9,10 @@ from scipy.spatial.transform import Rotation
 
 from benchmarks.navigation.weave import Weave
 from ins_eval.common import earth
-from ins_eval.common.increments import Increments
 from ins_eval.common.state import State, Track, TrackError, track_error
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
+from pyhrg.records.imu.increments import Increments
 
 Array = NDArray[np.float64]
 

@@ -8,8 +8,8 @@ import pandas as pd
 from scipy.spatial.transform import Rotation
 
 from benchmarks.navigation.motions import KEPT_EACH, Flight
-from ins_eval.common.increments import Increments
 from ins_eval.common.state import State, Track
+from pyhrg.records.imu.increments import Increments
 
 
 def peer() -> Any | None:

@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 from benchmarks.navigation import peer
 from benchmarks.navigation.motions import KEPT_EACH, Flight
 from ins_eval.navigation import kernel
-from ins_eval.navigation.coefficients import weights
+from ins_eval.navigation.coefficients import derive_coefficients
 from ins_eval.navigation.strapdown import navigate
 
 REPEATS = 7
@@ -64,12 +64,12 @@ def bare_loop(flight: Flight, samples: int) -> float:
         interval,
         increments.rotation,
         increments.velocity,
-        weights(samples),
-        flight.clamp().channel(count, samples, interval),
+        derive_coefficients(samples),
+        flight.clamp().make_channel(count, samples, interval),
         keep,
         np.empty((count // samples // keep, kernel.STATE_SIZE)),
     )
-    return count / best(lambda: kernel.navigate(*arguments))
+    return count / best(lambda: kernel.run_steps(*arguments))
 
 
 def peers(strapdown: Any, flight: Flight) -> float:

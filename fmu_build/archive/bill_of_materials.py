@@ -21,7 +21,7 @@ LIBRARIES = (
 )
 
 
-def bill_of_materials(name: str, content: Mapping[str, bytes]) -> str:
+def list_materials(name: str, content: Mapping[str, bytes]) -> str:
     """The bill as JSON, without times or random numbers.
 
     Args:

@@ -3,10 +3,10 @@
 import xml.etree.ElementTree as ET
 from collections.abc import Sequence
 
-from fmu_build.archive.xml import xml_text
+from fmu_build.archive.xml import format_xml
 
 
-def build_description(identifier: str, sources: Sequence[str], options: Sequence[str]) -> str:
+def describe_build(identifier: str, sources: Sequence[str], options: Sequence[str]) -> str:
     """The document for sources of C99 beside their headers.
 
     Args:
@@ -25,4 +25,4 @@ def build_description(identifier: str, sources: Sequence[str], options: Sequence
     )
     for name in sources:
         ET.SubElement(files, "SourceFile", name=name)
-    return xml_text(root)
+    return format_xml(root)

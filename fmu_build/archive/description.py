@@ -5,11 +5,11 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 from fmu_build.archive.units import add_unit_definitions
-from fmu_build.archive.xml import xml_text
+from fmu_build.archive.xml import format_xml
 from fmu_build.equations.dae import Dae
 from fmu_build.equations.dependencies import Graph
 from fmu_build.equations.modelica import RealType
-from fmu_build.equations.scalars import Scalar, scalars
+from fmu_build.equations.scalars import Scalar, list_scalars
 
 LOG_CATEGORIES = {
     "logStatusError": "Refused calls and failed steps, with the reason",
@@ -34,7 +34,7 @@ class Identity:
     copyright: str = ""
 
 
-def fmi2_description(dae: Dae, identity: Identity) -> str:
+def describe_fmi2(dae: Dae, identity: Identity) -> str:
     """modelDescription.xml of FMI 2.0, co-simulation.
 
     Raises:
@@ -54,7 +54,7 @@ def fmi2_description(dae: Dae, identity: Identity) -> str:
     files = ET.SubElement(simulation, "SourceFiles")
     for name in identity.sources:
         ET.SubElement(files, "File", name=name)
-    listed = list(scalars(dae))
+    listed = list(list_scalars(dae))
     _common(root, listed, identity.step, _add_simple_type)
     variables = ET.SubElement(root, "ModelVariables")
     for scalar in listed:
@@ -67,10 +67,10 @@ def fmi2_description(dae: Dae, identity: Identity) -> str:
         text = " ".join(str(reference + 1) for reference in dependencies)
         index = str(scalar.reference + 1)
         ET.SubElement(parents[kind], "Unknown", index=index, dependencies=text)
-    return xml_text(root)
+    return format_xml(root)
 
 
-def fmi3_description(dae: Dae, identity: Identity) -> str:
+def describe_fmi3(dae: Dae, identity: Identity) -> str:
     """modelDescription.xml of FMI 3.0, co-simulation.
 
     Raises:
@@ -89,7 +89,7 @@ def fmi3_description(dae: Dae, identity: Identity) -> str:
         providesIntermediateUpdate="true",
         canReturnEarlyAfterIntermediateUpdate="true",
     )
-    listed = list(scalars(dae))
+    listed = list(list_scalars(dae))
     _common(root, listed, identity.step, _add_float64_type)
     variables = ET.SubElement(root, "ModelVariables")
     for scalar in listed:
@@ -108,7 +108,7 @@ def fmi3_description(dae: Dae, identity: Identity) -> str:
     for kind, scalar, dependencies in _unknowns(dae, listed):
         text = " ".join(str(reference) for reference in dependencies)
         ET.SubElement(structure, kind, valueReference=str(scalar.reference), dependencies=text)
-    return xml_text(root)
+    return format_xml(root)
 
 
 def _root(fmi_version: str, identity: Identity, **token: str) -> ET.Element:

@@ -3,17 +3,19 @@
 from collections.abc import Mapping
 from importlib.metadata import version
 
-from fmu_build.archive.bill_of_materials import bill_of_materials
-from fmu_build.archive.documentation.document import documentation
-from fmu_build.archive.icon import icon_png
-from fmu_build.archive.licences import licence_files
-from fmu_build.archive.reference import reference
-from fmu_build.archive.terminals import terminals_and_icons
+from fmu_build.archive.bill_of_materials import list_materials
+from fmu_build.archive.documentation.document import write_documentation
+from fmu_build.archive.icon import draw_icon
+from fmu_build.archive.licences import list_licence_files
+from fmu_build.archive.reference import simulate_reference
+from fmu_build.archive.terminals import describe_terminals
 from fmu_build.equations.dae import Dae
 from fmu_build.roots import Root
 
 
-def enclosures(dae: Dae, root: Root, fmi: int, content: Mapping[str, bytes]) -> dict[str, bytes]:
+def make_enclosures(
+    dae: Dae, root: Root, fmi: int, content: Mapping[str, bytes]
+) -> dict[str, bytes]:
     """Documentation, icon, terminals, licences, reference results and bill of materials, by path.
 
     Args:
@@ -22,16 +24,16 @@ def enclosures(dae: Dae, root: Root, fmi: int, content: Mapping[str, bytes]) -> 
         fmi: version of the standard, 2 or 3.
         content: description, sources and binaries, by path.
     """
-    run = reference(root.identifier, content)
-    page = documentation(dae, root, version("hrg"), run)
+    run = simulate_reference(root.identifier, content)
+    page = write_documentation(dae, root, version("hrg"), run)
     found = {
         "documentation/index.html": page.encode(),
-        "terminalsAndIcons/terminalsAndIcons.xml": terminals_and_icons(dae).encode(),
-        "terminalsAndIcons/icon.png": icon_png(),
-        "extra/org.cyclonedx/bom.json": bill_of_materials(root.identifier, content).encode(),
+        "terminalsAndIcons/terminalsAndIcons.xml": describe_terminals(dae).encode(),
+        "terminalsAndIcons/icon.png": draw_icon(),
+        "extra/org.cyclonedx/bom.json": list_materials(root.identifier, content).encode(),
     }
     found |= run.files(root.identifier)
-    found |= {f"documentation/licenses/{n}": text for n, text in licence_files(fmi).items()}
+    found |= {f"documentation/licenses/{n}": text for n, text in list_licence_files(fmi).items()}
     if fmi == 2:
-        found["model.png"] = icon_png()
+        found["model.png"] = draw_icon()
     return found

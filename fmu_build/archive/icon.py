@@ -20,7 +20,7 @@ LOBE = 0.16
 """Vibration amplitude over the rim's radius, exaggerated a millionfold."""
 
 
-def icon_png() -> bytes:
+def draw_icon() -> bytes:
     """The icon as PNG."""
     pixels = _pixels()
     rows = b"".join(b"\0" + row.tobytes() for row in pixels)

@@ -66,7 +66,7 @@ def read_licence() -> Licence:
     )
 
 
-def licence_files(fmi: int) -> dict[str, bytes]:
+def list_licence_files(fmi: int) -> dict[str, bytes]:
     """Content of the folder, by file name; `license.txt` is the entry point."""
     notices = {
         "cephes.txt": CEPHES,

@@ -13,9 +13,9 @@ import numpy as np
 from fmpy.model_description import ModelVariable
 from numpy.typing import NDArray
 
-from fmu_build.archive.xml import xml_text
-from fmu_build.binaries.libraries import kept_library
-from fmu_build.binaries.platforms import PLATFORMS, host
+from fmu_build.archive.xml import format_xml
+from fmu_build.binaries.libraries import fetch_library
+from fmu_build.binaries.platforms import PLATFORMS, find_host_platform
 
 FOLDER = "extra/org.fmi-standard.fmi-ls-ref"
 
@@ -51,7 +51,7 @@ class Reference:
         }
 
 
-def reference(name: str, content: Mapping[str, bytes]) -> Reference:
+def simulate_reference(name: str, content: Mapping[str, bytes]) -> Reference:
     """Run an FMU over its default experiment.
 
     Args:
@@ -80,14 +80,14 @@ def reference(name: str, content: Mapping[str, bytes]) -> Reference:
 
 def _complete(root: Path, name: str, fmi_version: str) -> None:
     """Compile for this machine, unless that is done."""
-    platform = PLATFORMS[host()]
+    platform = PLATFORMS[find_host_platform()]
     known = {"2.0": platform.fmi2_folder, "3.0": platform.name}[fmi_version]
     library = root / "binaries" / (known or platform.name) / f"{name}{platform.suffix}"
     if not library.exists():
         sources = root / "sources"
         listed = sorted(file.name for file in sources.glob("*.c"))
         library.parent.mkdir(parents=True, exist_ok=True)
-        library.write_bytes(kept_library(sources, listed, name, platform))
+        library.write_bytes(fetch_library(sources, listed, name, platform))
 
 
 def _inputs(stop: float, variables: Sequence[ModelVariable]) -> NDArray[np.void]:
@@ -126,7 +126,7 @@ def _manifest(name: str) -> str:
         role="result",
         description=f"Outputs of the default experiment with these inputs, in {POINTS} steps",
     )
-    return xml_text(root)
+    return format_xml(root)
 
 
 def _text(table: NDArray[np.void]) -> str:

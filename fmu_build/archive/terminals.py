@@ -3,9 +3,9 @@
 import xml.etree.ElementTree as ET
 from dataclasses import dataclass
 
-from fmu_build.archive.xml import xml_text
+from fmu_build.archive.xml import format_xml
 from fmu_build.equations.dae import Dae
-from fmu_build.equations.scalars import scalars
+from fmu_build.equations.scalars import list_scalars
 
 
 @dataclass(frozen=True)
@@ -45,9 +45,9 @@ TERMINALS = (
 )
 
 
-def terminals_and_icons(dae: Dae) -> str:
+def describe_terminals(dae: Dae) -> str:
     """terminalsAndIcons.xml; terminals hold those members that the model has."""
-    known = {s.name for s in scalars(dae) if s.causality in ("input", "output")}
+    known = {s.name for s in list_scalars(dae) if s.causality in ("input", "output")}
     root = ET.Element("fmiTerminalsAndIcons", fmiVersion="3.0")
     graphics = ET.SubElement(root, "GraphicalRepresentation")
     extent = {"x1": "-100", "y1": "-100", "x2": "100", "y2": "100"}
@@ -58,7 +58,7 @@ def terminals_and_icons(dae: Dae) -> str:
         members = [name for name in terminal.members if name in known]
         if members:
             _add_terminal(parent, terminal, members)
-    return xml_text(root)
+    return format_xml(root)
 
 
 def _add_terminal(parent: ET.Element, terminal: Terminal, members: list[str]) -> None:

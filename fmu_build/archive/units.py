@@ -38,7 +38,7 @@ DISPLAY_UNITS: dict[tuple[str, str], tuple[float, float]] = {
 """Factor and offset of a unit's display unit: display value = factor * value + offset."""
 
 
-def displayed(value: float, unit: str, display: str) -> float:
+def convert_to_display_unit(value: float, unit: str, display: str) -> float:
     """A value in its display unit."""
     factor, offset = DISPLAY_UNITS[unit, display]
     return factor * value + offset

@@ -11,7 +11,7 @@ from fmu_build.binaries.platforms import FLAGS, UCRT, WINDOWS_RUNTIME, Platform,
 from pyhrg.common.files import write_whole
 
 
-def kept_library(
+def fetch_library(
     folder: Path,
     sources: Sequence[str],
     identifier: str,

@@ -57,7 +57,7 @@ class BuildError(HrgError):
     """The C compiler refused the generated sources, or there is nothing to build for."""
 
 
-def host() -> str:
+def find_host_platform() -> str:
     """Name of the platform that this process runs on.
 
     Raises:
@@ -70,20 +70,20 @@ def host() -> str:
     return name
 
 
-def known_to(fmi: int) -> list[str]:
+def list_platforms(fmi: int) -> list[str]:
     """Platforms that archives of a version of the standard have a folder for."""
     return [p.name for p in PLATFORMS.values() if fmi == 3 or p.fmi2_folder]
 
 
-def chosen(names: Sequence[str], fmi: int) -> list[str]:
+def choose_platforms(names: Sequence[str], fmi: int) -> list[str]:
     """Platforms to build for: this machine's if none is named.
 
     Raises:
         BuildError: the standard's archive has no folder for one.
     """
-    platforms = sorted(set(names)) or [host()]
+    platforms = sorted(set(names)) or [find_host_platform()]
     for name in platforms:
-        if name not in known_to(fmi):
+        if name not in list_platforms(fmi):
             raise BuildError(f"FMI {fmi}.0 has no folder for {name}; use --fmi 3")
     return platforms
 
@@ -115,7 +115,7 @@ def compile_library(
     return library.read_bytes()
 
 
-def universal(libraries: list[bytes]) -> bytes:
+def join_universal(libraries: list[bytes]) -> bytes:
     """One fat Mach-O of several thin ones, as `lipo -create` makes it."""
     alignment = 14
     offset = 1 << alignment

@@ -7,7 +7,7 @@ from fmu_build.check.experiment import Experiment
 from fmu_build.check.recording import Trace
 
 
-def disagreements(experiment: Experiment, traces: Mapping[str, Trace]) -> Iterator[str]:
+def find_disagreements(experiment: Experiment, traces: Mapping[str, Trace]) -> Iterator[str]:
     """Every output whose numbers aren't finite, too few, or not the first importer's, bit by bit.
 
     All formats hold every bit: two importers give doubles in memory, libcosimpy and Ecos too, and

@@ -121,7 +121,7 @@ class Fmu:
         return self.types.get(variable.given.get("declaredType", ""), {}).get(name)
 
 
-def opened(path: Path) -> Fmu:
+def open_fmu(path: Path) -> Fmu:
     """Open an FMU.
 
     Raises:

@@ -2,15 +2,15 @@
 
 from collections.abc import Iterator
 
-from fmu_build.binaries.platforms import PLATFORMS, BuildError, host
+from fmu_build.binaries.platforms import PLATFORMS, BuildError, find_host_platform
 from fmu_build.check.archive import Fmu
 from fmu_build.check.experiment import Experiment
 
 
-def missing_binary(fmu: Fmu, planned: Experiment) -> Iterator[str]:
+def find_missing_binary(fmu: Fmu, planned: Experiment) -> Iterator[str]:
     """Says so where there is none; nothing on a machine whose folder we don't know."""
     try:
-        platform = PLATFORMS[host()]
+        platform = PLATFORMS[find_host_platform()]
     except BuildError:
         return
     folder = (platform.fmi2_folder if fmu.major == 2 else None) or platform.name

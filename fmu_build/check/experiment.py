@@ -9,7 +9,7 @@ from fmu_build.check.rules.capabilities import is_true
 STEPS = 25
 
 NUDGE = 1e-3
-"""By which inputs are moved off their start values, so that something happens."""
+"""Inputs are moved off their start values by this much, so that something happens."""
 
 FLOAT = ("Real", "Float64")
 
@@ -33,7 +33,7 @@ class Experiment:
     references: dict[str, int]
 
 
-def experiment(fmu: Fmu) -> Experiment | None:
+def plan_experiment(fmu: Fmu) -> Experiment | None:
     """The run for an FMU; None where it offers no co-simulation."""
     interface = fmu.description.find("CoSimulation")
     if interface is None:

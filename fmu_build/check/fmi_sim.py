@@ -10,13 +10,13 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from fmu_build.check.experiment import Experiment
-from fmu_build.check.recording import FailedError, Recording, Trace, last_words
+from fmu_build.check.recording import FailedError, Recording, Trace, read_last_line
 
 DESCRIPTIVE = {"A", "K", "unit", "displayUnit", "quantity", "relativeQuantity", "nominal"}
 """Attributes without which an FMU computes the same numbers."""
 
 
-def fmi_sim(experiment: Experiment) -> Recording:
+def run_fmi_sim(experiment: Experiment) -> Recording:
     """fmi-sim. Where its reader doesn't know an attribute of the standard that only describes,
     it gets a copy of the FMU without, and the remark says so."""
     removed: list[tuple[str, str]] = []
@@ -62,7 +62,7 @@ def _fmi_sim(experiment: Experiment, path: Path) -> Trace:
 def _reason(text: str) -> str:
     """The error with its causes, without the trace of the stack."""
     head = text.partition("Stack backtrace")[0].rpartition("Error: ")[2]
-    return " ".join(head.split()) or last_words(text)
+    return " ".join(head.split()) or read_last_line(text)
 
 
 def _copy_without(attributes: Iterable[tuple[str, str]], path: Path, copy: Path) -> None:

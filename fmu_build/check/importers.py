@@ -16,8 +16,8 @@ from pathlib import Path
 from shutil import which
 
 from fmu_build.check.experiment import Experiment
-from fmu_build.check.fmi_sim import fmi_sim
-from fmu_build.check.recording import FailedError, Recording, Trace, last_words
+from fmu_build.check.fmi_sim import run_fmi_sim
+from fmu_build.check.recording import FailedError, Recording, Trace, read_last_line
 
 TIMEOUT = 60
 """Seconds after which an importer is taken to hang."""
@@ -52,7 +52,9 @@ class Importer:
             MissingError: none is.
         """
         try:
-            return _program_version(self.package) if self.run is fmi_sim else version(self.package)
+            return (
+                _program_version(self.package) if self.run is run_fmi_sim else version(self.package)
+            )
         except (PackageNotFoundError, FileNotFoundError) as error:
             raise MissingError(f"{self.name} is missing: {self.install}") from error
 
@@ -81,14 +83,14 @@ class Importer:
             if run.returncode < 0:
                 raise FailedError(f"it crashed by signal {-run.returncode}")
             if run.returncode == MISSING_STATUS:
-                reason = last_words(run.stderr)
+                reason = read_last_line(run.stderr)
                 raise MissingError(f"{self.name} can't be loaded ({reason}): {self.install}")
             if run.returncode or not result.exists():
-                raise FailedError(last_words(run.stdout + run.stderr))
+                raise FailedError(read_last_line(run.stdout + run.stderr))
             return Recording(**json.loads(result.read_text()))
 
 
-def fmpy(experiment: Experiment) -> Recording:
+def run_fmpy(experiment: Experiment) -> Recording:
     """FMPy, by `simulate_fmu`."""
     import fmpy
 
@@ -104,7 +106,7 @@ def fmpy(experiment: Experiment) -> Recording:
     return Recording({name: result[name][1:].tolist() for name in experiment.outputs})
 
 
-def ecos(experiment: Experiment) -> Recording:
+def run_ecos(experiment: Experiment) -> Recording:
     """Ecos, by its structure of one instance."""
     from ecospy.EcosSimulation import EcosSimulation
     from ecospy.EcosSimulationStructure import EcosSimulationStructure
@@ -125,7 +127,7 @@ def ecos(experiment: Experiment) -> Recording:
     return Recording(trace)
 
 
-def libcosimpy(experiment: Experiment) -> Recording:
+def run_libcosimpy(experiment: Experiment) -> Recording:
     """libcosimpy: libcosim by its algorithm of fixed step."""
     from libcosimpy.CosimExecution import CosimExecution
     from libcosimpy.CosimObserver import CosimObserver
@@ -161,14 +163,14 @@ FMI_SIM_VERSION = "0.7.0"
 PYTHON_EXTRA = "pip install 'hrg[check]'"
 
 IMPORTERS = (
-    Importer("FMPy", "fmpy", (2, 3), PYTHON_EXTRA, ("fmpy",), fmpy),
+    Importer("FMPy", "fmpy", (2, 3), PYTHON_EXTRA, ("fmpy",), run_fmpy),
     Importer(
         "Ecos",
         "ecospy",
         (2, 3),
         f"{PYTHON_EXTRA}; apt-get install libtbb12",
         ("ecospy.EcosSimulation", "ecospy.EcosSimulationStructure"),
-        ecos,
+        run_ecos,
     ),
     Importer(
         "fmi-sim",
@@ -176,7 +178,7 @@ IMPORTERS = (
         (2, 3),
         f"apt-get install libclang-dev; cargo install fmi-sim --version {FMI_SIM_VERSION}",
         (),
-        fmi_sim,
+        run_fmi_sim,
     ),
     Importer(
         "libcosimpy",
@@ -184,7 +186,7 @@ IMPORTERS = (
         (2,),
         PYTHON_EXTRA,
         ("libcosimpy.CosimExecution", "libcosimpy.CosimObserver"),
-        libcosimpy,
+        run_libcosimpy,
     ),
 )
 

@@ -18,7 +18,7 @@ class FailedError(Exception):
     """The importer refused the FMU, failed or crashed."""
 
 
-def last_words(text: str) -> str:
+def read_last_line(text: str) -> str:
     """What a program said last: where it failed, the reason."""
     lines = [line for line in text.splitlines() if line.strip()]
     return lines[-1] if lines else "it ended without a word"

@@ -1,13 +1,14 @@
 """All checks of an FMU, one after the other."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from pathlib import Path
 from xml.etree.ElementTree import ParseError
 
-from fmu_build.check.agreement import disagreements
-from fmu_build.check.archive import Fmu
-from fmu_build.check.binary import missing_binary
-from fmu_build.check.experiment import Experiment, experiment
+from fmu_build.check.agreement import find_disagreements
+from fmu_build.check.archive import Fmu, open_fmu
+from fmu_build.check.binary import find_missing_binary
+from fmu_build.check.experiment import Experiment, plan_experiment
 from fmu_build.check.importers import IMPORTERS, Importer, MissingError
 from fmu_build.check.recording import FailedError, Trace
 from fmu_build.check.rules import (  # noqa: F401 (modules of rules register themselves)
@@ -37,7 +38,44 @@ class Check:
     skipped: str = ""
 
 
-def checks(fmu: Fmu) -> Iterator[Check]:
+@dataclass(frozen=True)
+class FmuReport:
+    """All checks of an FMU, in the order in which they were made."""
+
+    path: Path
+    checks: tuple[Check, ...]
+
+    @property
+    def finding_count(self) -> int:
+        """Number of findings; none means that the FMU passed every check that ran."""
+        return sum(len(check.findings) for check in self.checks)
+
+    @property
+    def skipped_count(self) -> int:
+        """Number of checks that could not run here."""
+        return sum(bool(check.skipped) for check in self.checks)
+
+
+def check_fmu(path: Path | str, *, progress: Callable[[Check], None] | None = None) -> FmuReport:
+    """Report on an FMU of any maker: our own rules, FMPy's validation, a run in four importers.
+
+    Args:
+        path: an FMU of FMI 2.0 or 3.0.
+        progress: is called with each check as it ends.
+
+    Raises:
+        UnusableError: the file is no FMU that can be read.
+    """
+    path = Path(path)
+    done = []
+    for check in run_checks(open_fmu(path)):
+        if progress is not None:
+            progress(check)
+        done.append(check)
+    return FmuReport(path, tuple(done))
+
+
+def run_checks(fmu: Fmu) -> Iterator[Check]:
     """Our own rules, FMPy's validation, and a short run in every importer with equal numbers.
 
     A damaged archive is one finding an entry, and nothing else is asked of it.
@@ -54,11 +92,11 @@ def checks(fmu: Fmu) -> Iterator[Check]:
 
 def _runs(fmu: Fmu) -> Iterator[Check]:
     """In importers, where one of them can load it."""
-    planned = experiment(fmu)
+    planned = plan_experiment(fmu)
     if planned is None:
         yield Check("importers run it", remark="it offers no co-simulation: no importer was run")
         return
-    missing = list(missing_binary(fmu, planned))
+    missing = list(find_missing_binary(fmu, planned))
     if missing:
         yield Check("importers run it", missing)
         return
@@ -114,4 +152,4 @@ def _agreement(planned: Experiment, traces: dict[str, Trace], skipped: list[str]
         return Check(name, remark="there are no real outputs to compare")
     count = len(planned.outputs) * planned.steps
     remark = f"{count} numbers of {', '.join(traces)}"
-    return Check(name, list(disagreements(planned, traces)), remark)
+    return Check(name, list(find_disagreements(planned, traces)), remark)

@@ -1,9 +1,9 @@
-"""Expressions and functions of the flat model as C."""
+"""Expressions of the flat model as C."""
 
 import math
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Collection
 
-from fmu_build.equations.dae import Dae, Function, Json, Node
+from fmu_build.equations.dae import Dae, Function, Node
 
 _BINARY = {
     "add": "+",
@@ -164,12 +164,12 @@ class Emitter:
     def _call(self, node: int, n: Node, element: int | None) -> str:
         function = self.dae.functions[n.value]
         if function.values[0].size is None:
-            return f"{function_name(function)}({', '.join(self._arguments(n))})"
+            return f"{name_function(function)}({', '.join(self._arguments(n))})"
         if node not in self._calls:
             result = f"r{node}"
             self.statements.append(f"double {result}[{function.values[0].size}];")
             arguments = ", ".join([*self._arguments(n), result])
-            self.statements.append(f"{function_name(function)}({arguments});")
+            self.statements.append(f"{name_function(function)}({arguments});")
             self._calls[node] = result
         assert element is not None
         return f"{self._calls[node]}[{element}]"
@@ -194,130 +194,9 @@ class Emitter:
         return f"(const double[]){{{', '.join(self.elements(argument))}}}"
 
 
-def function_name(function: Function) -> str:
+def name_function(function: Function) -> str:
     """C name of a Modelica function."""
     return "f_" + function.name.replace(".", "_")
-
-
-def function_signature(function: Function, linkage: str) -> str:
-    """C declaration of a Modelica function; a vector result is written through a last pointer."""
-    parameters = [
-        f"double a_{p.name}" if p.size is None else f"const double *a_{p.name}"
-        for p in function.inputs
-    ]
-    output = function.values[0]
-    if output.size is not None:
-        parameters.append(f"double *restrict l_{output.name}")
-    kind = "double" if output.size is None else "void"
-    return f"{linkage} {kind} {function_name(function)}({', '.join(parameters)})"
-
-
-def function_body(dae: Dae, function: Function, linkage: str) -> list[str]:
-    """C definition of a Modelica function, line by line."""
-    output, *rest = function.values
-    lines = [f"{function_signature(function, linkage)} {{"]
-    for local in rest if output.size is not None else function.values:
-        lines.append(f"  double l_{local.name}{f'[{local.size}]' if local.size else ''};")
-    for statement in _without_refills(dae, function.statements):
-        lines.extend(_statement(dae, function, statement, "  ", nested=False))
-    if output.size is None:
-        lines.append(f"  return l_{output.name};")
-    return [*lines, "}"]
-
-
-def _without_refills(dae: Dae, statements: Iterable[Json]) -> list[Json]:
-    """Leave out initial values that the next statements overwrite with initial values again."""
-    result: list[Json] = []
-    run: dict[int, Json] = {}
-    for statement in statements:
-        if _is_fill(dae, statement):
-            run[statement["assignment"]["target"]] = statement
-        else:
-            result += [*run.values(), statement]
-            run.clear()
-    return [*result, *run.values()]
-
-
-def _is_fill(dae: Dae, statement: Json) -> bool:
-    if "assignment" not in statement:
-        return False
-    node = dae.nodes[statement["assignment"]["rhs"]]
-    if node.kind == "comprehension":
-        node = dae.nodes[node.args[0]]
-    return node.kind == "literal"
-
-
-def _statement(
-    dae: Dae, function: Function, statement: Json, indent: str, nested: bool
-) -> list[str]:
-    ((kind, body),) = statement.items()
-    if kind == "assignment":
-        return _assignment(dae, function, body, indent, nested)
-    if kind == "for":
-        domain = dae.domains[body["domain"]]
-        index = f"i{body['domain']}"
-        lines = [
-            f"{indent}for (int {index} = {domain.lower}; {index} <= {domain.upper}; "
-            f"{index} += {domain.step}) {{"
-        ]
-        for inner in body["statements"]:
-            lines.extend(_statement(dae, function, inner, indent + "  ", nested=True))
-        return [*lines, f"{indent}}}"]
-    raise ValueError(f"{function.name}: a statement of kind {kind} is not supported")
-
-
-def _assignment(dae: Dae, function: Function, body: Json, indent: str, nested: bool) -> list[str]:
-    emitter = Emitter(dae)
-    target = function.values[body["target"]]
-    node = dae.nodes[body["rhs"]]
-    name = f"l_{target.name}"
-    if node.kind == "conditional" and target.size is not None:
-        lines = alternatives(dae, body["rhs"], lambda branch: _vector(dae, name, branch, "  "))
-        return [indent + line for line in lines]
-    if node.kind == "array_update":
-        base, pick, value = node.args
-        if dae.nodes[base].kind != "function_value" and nested:
-            raise ValueError(f"{function.name}: {target.name} is reset within a loop")
-        text = f"{name}[{emitter.subscript(pick)} - 1] = {emitter.scalar(value)};"
-    elif node.kind == "comprehension":
-        domain, index = dae.domains[node.value], f"i{node.value}"
-        if domain.step != 1:
-            raise ValueError(f"{function.name}: a loop with a step other than 1 is not supported")
-        text = (
-            f"for (int {index} = {domain.lower}; {index} <= {domain.upper}; {index}++) "
-            f"{name}[{index} - {domain.lower}] = {emitter.scalar(node.args[0])};"
-        )
-    elif target.size is None:
-        text = f"{name} = {emitter.scalar(body['rhs'])};"
-    else:
-        return _vector(dae, name, body["rhs"], indent)
-    return [indent + line for line in (*emitter.statements, text)]
-
-
-def _vector(dae: Dae, name: str, expression: int, indent: str) -> list[str]:
-    emitter = Emitter(dae)
-    values = emitter.elements(expression)
-    text = " ".join(f"{name}[{e}] = {value};" for e, value in enumerate(values))
-    return [indent + line for line in (*emitter.statements, text)]
-
-
-def alternatives(dae: Dae, conditional: int, assigned: Callable[[int], list[str]]) -> list[str]:
-    """A vector that is one of several expressions: only the one that holds is computed.
-
-    Args:
-        dae: the model.
-        conditional: expression.
-        assigned: lines that assign a branch, given its expression.
-    """
-    *pairs, fallback = dae.nodes[conditional].args
-    lines: list[str] = []
-    for condition, branch in zip(pairs[::2], pairs[1::2], strict=True):
-        emitter = Emitter(dae)
-        head = f"{'} else if' if lines else 'if'} ({emitter.scalar(condition)}) {{"
-        if emitter.statements:
-            raise ValueError("a vector-valued call within a condition is not supported")
-        lines += [head, *assigned(branch)]
-    return [*lines, "} else {", *assigned(fallback), "}"]
 
 
 def _number(value: float | int | bool) -> str:

@@ -5,12 +5,13 @@ from collections.abc import Iterable
 from functools import partial
 from itertools import groupby
 
-from fmu_build.code.emit import Emitter, alternatives, function_body, function_name
+from fmu_build.code.emit import Emitter, name_function
+from fmu_build.code.functions import write_alternatives, write_function
 from fmu_build.equations.dae import Dae
-from fmu_build.equations.sorting import Assignment, Schedule, schedule
+from fmu_build.equations.sorting import Assignment, Schedule, sort_equations
 
 
-def generate(dae: Dae, integrator: str = "runge_kutta_4") -> str:
+def generate_source(dae: Dae, integrator: str = "runge_kutta_4") -> str:
     """C source of a model: the functions that `model.h` declares.
 
     Args:
@@ -19,7 +20,7 @@ def generate(dae: Dae, integrator: str = "runge_kutta_4") -> str:
     Raises:
         ValueError: the model holds what the generator does not know.
     """
-    plan = schedule(dae)
+    plan = sort_equations(dae)
     dae = plan.dae
     derivatives = _derivatives(dae, plan)
     parts = [
@@ -40,7 +41,7 @@ def generate(dae: Dae, integrator: str = "runge_kutta_4") -> str:
     return "\n".join(parts) + "\n"
 
 
-def header(dae: Dae) -> str:
+def generate_header(dae: Dae) -> str:
     """The model's constants, included by `model.h`."""
     return "\n".join(
         [
@@ -58,11 +59,11 @@ def _period(dae: Dae) -> str:
 
 
 def _functions(dae: Dae, derivatives: str) -> list[str]:
-    """Those that derivatives call become part of them, so that everything stays in registers."""
+    """Functions that derivatives call are inlined, so that everything stays in registers."""
     lines: list[str] = []
     for function in dae.functions:
-        inner = f" {function_name(function)}(" in derivatives
-        lines += function_body(dae, function, "INLINE" if inner else "static inline")
+        inner = f" {name_function(function)}(" in derivatives
+        lines += write_function(dae, function, "INLINE" if inner else "static inline")
     return lines
 
 
@@ -93,7 +94,7 @@ def _stores(dae: Dae, assignments: Iterable[Assignment]) -> list[str]:
         expression, target = assignment.expression, assignment.target[1]
         is_conditional = dae.nodes[expression].kind == "conditional"
         if is_conditional and emitter.size(expression) is not None:
-            lines += alternatives(dae, expression, partial(_branch, dae, target))
+            lines += write_alternatives(dae, expression, partial(_branch, dae, target))
         else:
             lines += _stored(emitter, expression, target)
     return lines

@@ -4,7 +4,13 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from fmu_build.equations.dae import Dae
-from fmu_build.equations.sorting import CURRENT, Assignment, Target, reached, schedule
+from fmu_build.equations.sorting import (
+    CURRENT,
+    Assignment,
+    Target,
+    sort_equations,
+    trace_references,
+)
 
 
 @dataclass(frozen=True)
@@ -25,7 +31,7 @@ class Graph:
     """Assignments of a model, to be followed back to what can be set."""
 
     def __init__(self, dae: Dae) -> None:
-        plan = schedule(dae)
+        plan = sort_equations(dae)
         self._dae = plan.dae
         self._continuous = _by_target((*plan.held, *plan.derivatives, *plan.outputs))
         ticked = _by_target(plan.tick)
@@ -44,7 +50,9 @@ class Graph:
         self, variable: int, assignments: dict[Target, Assignment], roles: set[str]
     ) -> tuple[int, ...]:
         """Scalars at which the way back ends: of these roles, and computed from nothing."""
-        on_the_way = reached(self._dae, assignments, [("variable", variable)], (*CURRENT, "pre"))
+        on_the_way = trace_references(
+            self._dae, assignments, [("variable", variable)], (*CURRENT, "pre")
+        )
         ends = (self._dae.variables[i] for kind, i in on_the_way if (kind, i) not in assignments)
         return tuple(
             sorted(

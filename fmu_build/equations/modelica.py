@@ -33,17 +33,17 @@ class Page:
     info: str
 
 
-def types_of(files: Iterable[str]) -> dict[str, RealType]:
+def read_types(files: Iterable[str]) -> dict[str, RealType]:
     """Types of the library that Modelica files belong to, by full name."""
     found: dict[str, RealType] = {}
     present = (path for path in map(Path, set(files)) if path.exists())
-    for root in sorted({library(path) for path in present}):
+    for root in sorted({find_library(path) for path in present}):
         for file in sorted(root.rglob("*.mo")):
             found |= _types(file)
     return found
 
 
-def page(file: Path) -> Page:
+def read_page(file: Path) -> Page:
     """The page of the class that a file holds."""
     text = file.read_text(encoding="utf-8")
     name = file.parent.name if file.name == "package.mo" else file.stem
@@ -57,7 +57,7 @@ def page(file: Path) -> Page:
 
 
 @cache
-def library(file: Path) -> Path:
+def find_library(file: Path) -> Path:
     """Folder of the top-level package that a file belongs to."""
     folder = file.parent
     while (folder.parent / "package.mo").exists():

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from fmu_build.equations.dae import Dae, Variable
-from fmu_build.equations.modelica import RealType, types_of
+from fmu_build.equations.modelica import RealType, read_types
 
 
 @dataclass(frozen=True)
@@ -22,11 +22,11 @@ class Scalar:
     attributes: dict[str, str]
 
 
-def scalars(dae: Dae) -> Iterator[Scalar]:
+def list_scalars(dae: Dae) -> Iterator[Scalar]:
     """All scalars of a model, in the order of their value references."""
-    types = types_of(variable.file for variable in dae.variables)
+    types = read_types(variable.file for variable in dae.variables)
     for index, variable in enumerate(dae.variables):
-        causality = fmi_causality(dae, variable)
+        causality = find_causality(dae, variable)
         declared = _declared(variable, types)
         for element in range(variable.count):
             yield Scalar(
@@ -42,7 +42,7 @@ def scalars(dae: Dae) -> Iterator[Scalar]:
             )
 
 
-def fmi_causality(dae: Dae, variable: Variable) -> str:
+def find_causality(dae: Dae, variable: Variable) -> str:
     """Causality in the sense of FMI."""
     if variable.role == "parameter":
         settable = variable.tunable and dae.is_constant(variable.binding, variable.count)

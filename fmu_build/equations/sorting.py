@@ -49,7 +49,7 @@ class Schedule:
 
 
 @lru_cache(maxsize=1)
-def schedule(dae: Dae) -> Schedule:
+def sort_equations(dae: Dae) -> Schedule:
     """Order the model's equations.
 
     Raises:
@@ -102,7 +102,9 @@ def _without_aliases(dae: Dae, continuous: dict[Target, Assignment]) -> Dae:
     return replace(dae, nodes=tuple(nodes))
 
 
-def references(dae: Dae, expression: int, kinds: Collection[str] = CURRENT) -> Iterator[Target]:
+def find_references(
+    dae: Dae, expression: int, kinds: Collection[str] = CURRENT
+) -> Iterator[Target]:
     """Variables that an expression reads by nodes of these kinds."""
     pending = [expression]
     while pending:
@@ -125,7 +127,7 @@ def _changing(
     """Held variables that samples change, with the period of the most frequent of those samples."""
     result = {}
     for target, assignment in held.items():
-        sources = reached(dae, held, [target])
+        sources = trace_references(dae, held, [target])
         periods = [sampled[t].every for t in sources if t in sampled]
         if periods:
             result[target] = replace(assignment, every=min(periods))
@@ -208,10 +210,10 @@ def _state_free(dae: Dae, continuous: dict[Target, Assignment]) -> set[Target]:
     """Continuous variables that depend on parameters, inputs and sampled variables alone."""
     states = {("variable", i) for i, v in enumerate(dae.variables) if v.role == "state"}
     states |= {t for t in continuous if t[0] == "derivative"}
-    return {t for t in continuous if not states & reached(dae, continuous, [t])}
+    return {t for t in continuous if not states & trace_references(dae, continuous, [t])}
 
 
-def reached(
+def trace_references(
     dae: Dae,
     assignments: dict[Target, Assignment],
     roots: Iterable[Target],
@@ -225,7 +227,7 @@ def reached(
         if target not in seen:
             seen.add(target)
             if target in assignments:
-                pending.extend(references(dae, assignments[target].expression, kinds))
+                pending.extend(find_references(dae, assignments[target].expression, kinds))
     return seen
 
 
@@ -233,7 +235,7 @@ def _closure(
     dae: Dae, assignments: dict[Target, Assignment], roots: Iterable[Target]
 ) -> list[Target]:
     """The roots and all assigned variables that they depend on, in the order of declaration."""
-    needed = reached(dae, assignments, roots)
+    needed = trace_references(dae, assignments, roots)
     return [t for t in assignments if t in needed]
 
 
@@ -272,7 +274,7 @@ def _order(dae: Dae, assignments: dict[Target, Assignment]) -> tuple[Assignment,
             names = [dae.variables[t[1]].name for t in path[path.index(target) :]]
             raise ValueError(f"algebraic loop: {' -> '.join(names)}")
         path.append(target)
-        for reference in references(dae, assignments[target].expression):
+        for reference in find_references(dae, assignments[target].expression):
             visit(reference)
         path.pop()
         done.add(target)

@@ -4,7 +4,8 @@ from pathlib import Path
 
 import rumoca
 
-from fmu_build.equations.dae import Dae, parse
+from fmu_build.equations.compiler_document import read_document
+from fmu_build.equations.dae import Dae
 from pyhrg.common.errors import HrgError
 
 COMPILER_VERSION = "0.10.2"
@@ -33,7 +34,7 @@ def translate(library: Path, model: str, source: str = "") -> Dae:
             "for which the generator is written"
         )
     try:
-        document = _loaded(library, model, source).to_dict("dae")
+        document = _load_model(library, model, source).to_dict("dae")
     except rumoca.RumocaError as error:
         raise TranslationError(f"{model}: {error}") from error
     if document["schema_version"] != SCHEMA_VERSION:
@@ -41,12 +42,12 @@ def translate(library: Path, model: str, source: str = "") -> Dae:
             f"rumoca wrote schema {document['schema_version']}; expected {SCHEMA_VERSION}"
         )
     try:
-        return parse(model, document["storage"], document["source_map"])
+        return read_document(model, document["storage"], document["source_map"])
     except ValueError as error:
         raise TranslationError(f"{model}: {error}") from error
 
 
-def _loaded(library: Path, model: str, source: str) -> rumoca.Model:
+def _load_model(library: Path, model: str, source: str) -> rumoca.Model:
     if source:
         return rumoca.Session([str(library)]).loads(source, model=model)
     return rumoca.Session().load(str(library / "package.mo"), model=model)

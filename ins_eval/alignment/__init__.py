@@ -1,1 +1,1 @@
-"""Initial attitude."""
+"""Alignment: initial attitude of a standing vehicle (docs/methods/alignment.md)."""

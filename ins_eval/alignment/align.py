@@ -1,26 +1,31 @@
-"""Alignment of a standing vehicle's record: coarse, then fine."""
+"""Alignment of a standing vehicle: checks of the record, then coarse and fine alignment."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.alignment.corruption import check_explained, check_samples
-from ins_eval.alignment.inertial.inertial_frame import Fit, inertial_frame_fit, swaying_speed
-from ins_eval.alignment.kalman.fine import fine_alignment
+from ins_eval.alignment.inertial.inertial_frame import (
+    InertialFrameFit,
+    estimate_sway_velocity,
+    fit_inertial_frame,
+)
+from ins_eval.alignment.kalman.fine import align_by_kalman_filter
 from ins_eval.alignment.result import Alignment, AlignmentError
 from ins_eval.alignment.shown_latitude import check_latitude
 from ins_eval.common import earth
-from ins_eval.common.increments import Increments
 from ins_eval.common.sensor_errors import SensorErrors
+from pyhrg.records.imu.increments import Increments
 
 Array = NDArray[np.float64]
 
-SHORTEST = 30.0
-"""Record that gyrocompassing is tried on, s."""
-HIGHEST_LATITUDE = np.deg2rad(89.0)
+MIN_DURATION = 30.0
+"""Shortest record that is aligned on, s. Chosen: gyrocompassing takes minutes."""
+MAX_LATITUDE = np.deg2rad(89.0)
+"""Largest latitude, rad. Chosen: at a pole there is no north."""
 FORCE_TOLERANCE = 0.02
-"""Of the mean specific force against gravity."""
-FASTEST_SWAY = 1.0
-"""Standard deviation of the velocity of a vehicle that counts as standing, m/s."""
+"""Largest relative difference of the mean specific force from gravity. Chosen."""
+MAX_SWAY_VELOCITY = 1.0
+"""Largest standard deviation of the velocity of a standing vehicle, m/s. Chosen."""
 
 
 def align(
@@ -30,66 +35,70 @@ def align(
     sway: float | None = None,
     steady: bool = True,
 ) -> Alignment:
-    """Attitude at the end of a record of a vehicle that stands, people moving in it, or sways.
+    """Find the attitude at the end of a record of a vehicle that stands or sways.
 
-    Gravity's turning in the inertial frame gives the coarse attitude, a Kalman filter the fine one.
-    A vehicle that moves steadily on a straight line feels the same forces as one that stands: it
-    can't be told, and its heading comes out wrong by its speed over that of Earth's surface.
-    Nor can a wrong latitude of a vehicle that swings in heading: see `shown_latitude`.
+    People may move in the vehicle. The rotation of gravity in the inertial frame gives the coarse
+    attitude, a Kalman filter the fine one (docs/methods/alignment.md).
+
+    Two cases are not detected. A vehicle in steady straight motion feels the same forces as one at
+    rest; its heading is wrong by its speed over that of Earth's surface. A wrong latitude is hidden
+    by a vehicle that swings in heading (`shown_latitude`).
 
     Args:
         record: all of it is used.
-        position: (3,) latitude, longitude (rad), height (m).
+        position: (3,) latitude, longitude, rad, and height, m.
         errors: of the sensors; the covariance rests on them.
-        sway: standard deviation of the vehicle's level displacement on each axis, m; None takes
-            it from the record.
-        steady: see `fine.fine_alignment`; False for a vehicle whose tilt may creep by less than
-            its accelerometers show.
+        sway: standard deviation of the vehicle's level displacement on each axis, m; None
+            estimates it from the record.
+        steady: whether to use that tilts stay constant where the record shows it; False for a
+            vehicle whose tilt may creep by less than its accelerometers show.
 
     Raises:
-        AlignmentError: a record that can't be aligned on.
+        AlignmentError: a record that can't be aligned on; the message says why.
     """
-    _check(record, position)
+    _check_record(record, position)
     check_samples(record)
     check_latitude(record, float(position[0]), errors)
-    fit = inertial_frame_fit(record, position)
+    fit = fit_inertial_frame(record, position)
     _check_standing(fit, float(earth.gravity(position[0], position[2])))
-    found = fine_alignment(record, position, errors, fit.mat_ib, sway, steady)
-    check_explained(found)
-    return found
+    alignment = align_by_kalman_filter(record, position, errors, fit.mat_ib, sway, steady)
+    check_explained(alignment)
+    return alignment
 
 
-def _check(record: Increments, position: Array) -> None:
+def _check_record(record: Increments, position: Array) -> None:
     bad = ~np.isfinite(np.hstack([record.rotation, record.velocity])).all(axis=1)
     if bad.any():
         row = int(np.argmax(bad))
         values = [*record.rotation[row], *record.velocity[row]]
         raise AlignmentError(f"increment {row}: {values}: expected finite numbers")
-    if record.duration < SHORTEST:
+    if record.duration < MIN_DURATION:
         raise AlignmentError(
-            f"record of {record.duration:g} s: expected at least {SHORTEST:g} s; "
+            f"record of {record.duration:g} s: expected at least {MIN_DURATION:g} s; "
             "heading comes from Earth's rotation and takes minutes"
         )
-    if not (np.isfinite(position).all() and abs(position[0]) <= HIGHEST_LATITUDE):
+    if not (np.isfinite(position).all() and abs(position[0]) <= MAX_LATITUDE):
         raise AlignmentError(
             f"latitude {np.rad2deg(position[0]):.4g} deg, height {position[2]:g} m: expected "
-            f"finite numbers, latitude within {np.rad2deg(HIGHEST_LATITUDE):g} deg of the "
+            f"finite numbers, latitude within {np.rad2deg(MAX_LATITUDE):g} deg of the "
             "equator: at a pole there is no north to find"
         )
     force = np.linalg.norm(record.velocity.sum(axis=0)) / record.duration
     gravity = earth.gravity(position[0], position[2])
     if abs(force / gravity - 1) > FORCE_TOLERANCE:
-        hint = ": is the velocity in g s?" if abs(force - 1) < FORCE_TOLERANCE else ""
+        hint = (
+            ": is the velocity in g s instead of m/s?" if abs(force - 1) < FORCE_TOLERANCE else ""
+        )
         raise AlignmentError(
             f"mean specific force {force:.4g} m/s^2: expected gravity, {gravity:.4g} m/s^2, "
             f"within {100 * FORCE_TOLERANCE:g} %{hint}"
         )
 
 
-def _check_standing(fit: Fit, gravity: float) -> None:
-    speed = swaying_speed(fit, gravity)
-    if speed > FASTEST_SWAY:
+def _check_standing(fit: InertialFrameFit, gravity: float) -> None:
+    speed = estimate_sway_velocity(fit, gravity)
+    if speed > MAX_SWAY_VELOCITY:
         raise AlignmentError(
             f"velocity changes by {speed:.3g} m/s (one sigma) between spans of {fit.span:g} s: "
-            f"expected at most {FASTEST_SWAY:g} m/s of a standing vehicle with rotation in rad"
+            f"expected at most {MAX_SWAY_VELOCITY:g} m/s of a standing vehicle with rotation in rad"
         )

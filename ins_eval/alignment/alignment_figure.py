@@ -1,6 +1,4 @@
-"""The figure of an alignment: how heading and level settle, with their one-sigma."""
-
-from pathlib import Path
+"""Figure of an alignment: heading, pitch and roll over time, with their one-sigma."""
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -13,12 +11,12 @@ from pyhrg.common.units import DEG
 Array = NDArray[np.float64]
 
 ANGLES = (("heading", 2, "tab:blue"), ("pitch", 1, "tab:orange"), ("roll", 0, "tab:green"))
-SETTLING = 0.1
-"""First part of the record whose estimates may leave the axes."""
+UNSCALED_PART = 0.1
+"""First part of the record, which the scale of the axes ignores. Chosen."""
 
 
-def draw(result: Alignment, path: Path, name: str = "") -> None:
-    """Write the figure as PNG.
+def plot_alignment(result: Alignment, name: str = "") -> Figure:
+    """Plot heading, pitch and roll over the record, with their one-sigma.
 
     Raises:
         ValueError: the method keeps no history.
@@ -32,7 +30,7 @@ def draw(result: Alignment, path: Path, name: str = "") -> None:
         value, band = euler[:, column], sigma[:, column]
         axes.fill_between(time, value - band, value + band, color=color, alpha=0.25, linewidth=0)
         axes.plot(time, value, color=color)
-        later = slice(round(SETTLING * len(time)), None)
+        later = slice(round(UNSCALED_PART * len(time)), None)
         low, high = np.min((value - band)[later]), np.max((value + band)[later])
         axes.set_ylim(low - 0.1 * (high - low), high + 0.1 * (high - low))
         axes.set_ylabel(f"{angle}, deg")
@@ -43,11 +41,14 @@ def draw(result: Alignment, path: Path, name: str = "") -> None:
     figure.suptitle(f"Alignment, {result.method}{f': {name}' if name else ''}")
     rows[-1].set_xlabel("time, s")
     rows[-1].set_xlim(time[0], time[-1])
-    figure.savefig(path, dpi=120, metadata={"Software": None})
+    return figure
 
 
 def euler_history_deg(history: History) -> tuple[Array, Array]:
-    """(m, 3) roll, pitch, heading (0 to 360 at the end, continuous before), and one-sigma."""
+    """Return roll, pitch, heading (m, 3), deg, and their one-sigma (m, 3).
+
+    The heading is from 0 to 360 at the end and has no jumps before.
+    """
     euler = np.array([euler_from_mat(mat_nb) for mat_nb in history.mat_nb])
     turns = np.array([euler_from_rotation_vector(mat_nb) for mat_nb in history.mat_nb])
     variance = np.einsum("mij,mjk,mik->mi", turns, history.covariance, turns)

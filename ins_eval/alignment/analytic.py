@@ -1,4 +1,4 @@
-"""Initial attitude at rest: level from gravity, heading by gyrocompassing."""
+"""Static alignment by means: pitch and roll from gravity, heading by gyrocompassing."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -7,22 +7,21 @@ from ins_eval.alignment.bias_instability import mean_variance
 from ins_eval.alignment.gyrocompass import bias_sensitivity
 from ins_eval.alignment.result import Alignment, AlignmentError
 from ins_eval.common import earth
-from ins_eval.common.increments import Increments
 from ins_eval.common.rotation import mat_from_euler
 from ins_eval.common.sensor_errors import SensorErrors
+from pyhrg.records.imu.increments import Increments
 
 Array = NDArray[np.float64]
 
 
-def static_alignment(record: Increments, latitude: float) -> Array:
-    """`mat_nb` (3, 3) of a vehicle at rest (Groves 2013, section 5.6.2).
+def level_and_gyrocompass(record: Increments, latitude: float) -> Array:
+    """Return `mat_nb` (3, 3) of a vehicle at rest (Groves 2013, section 5.6.2).
 
-    Pitch and roll from the mean specific force; yaw from the level components of the mean rate.
-    An east gyro's bias e turns the heading by e/(RATE cos latitude); a level accelerometer's bias
-    b tilts by b/g. Both then cancel in the navigator until the vehicle turns.
+    Pitch and roll follow from the mean specific force, yaw from the level components of the mean
+    rate. The effect of sensor biases is `gyrocompass.bias_sensitivity`.
 
     Raises:
-        AlignmentError: the mean rate is not Earth's: the vehicle was moving.
+        AlignmentError: the mean rate is not Earth's, so the vehicle was moving.
     """
     duration = record.interval * len(record.rotation)
     force = record.velocity.sum(axis=0) / duration
@@ -37,8 +36,11 @@ def static_alignment(record: Increments, latitude: float) -> Array:
 
 
 def attitude_at_rest(rate: Array, force: Array) -> Array:
-    """`mat_nb` (..., 3, 3) from mean rates (..., 3), rad/s, and mean specific forces (..., 3),
-    m/s^2, in body axes, of a vehicle at rest (Groves 2013, section 5.6.2)."""
+    """Return `mat_nb` (..., 3, 3) of a vehicle at rest (Groves 2013, section 5.6.2).
+
+    Args:
+        rate, force: (..., 3) mean rates, rad/s, and mean specific forces, m/s^2, in body axes.
+    """
     roll = np.arctan2(-force[..., 1], -force[..., 2])
     pitch = np.arctan2(force[..., 0], np.hypot(force[..., 1], force[..., 2]))
     levelled = mat_from_euler(roll, pitch, np.zeros_like(roll))
@@ -46,21 +48,19 @@ def attitude_at_rest(rate: Array, force: Array) -> Array:
     return mat_from_euler(roll, pitch, np.arctan2(-level[..., 1], level[..., 0]))
 
 
-def analytic_alignment(record: Increments, position: Array, errors: SensorErrors) -> Alignment:
-    """Attitude of a vehicle that stands still, with the covariance of its sensors' errors.
-
-    Of a vehicle that moves, the covariance knows nothing.
+def align_by_means(record: Increments, position: Array, errors: SensorErrors) -> Alignment:
+    """Find the attitude of a vehicle at rest; the covariance is that of the sensors' errors alone.
 
     Args:
         record: of the vehicle at rest.
-        position: (3,) latitude, longitude (rad), height (m).
+        position: (3,) latitude, longitude, rad, and height, m.
         errors: of the sensors.
 
     Raises:
-        AlignmentError: the mean rate is not Earth's: the vehicle was moving.
+        AlignmentError: the mean rate is not Earth's, so the vehicle was moving.
     """
     latitude, height = float(position[0]), float(position[2])
-    mat_nb = static_alignment(record, latitude)
+    mat_nb = level_and_gyrocompass(record, latitude)
     covariance = analytic_covariance(errors, latitude, height, record.duration)
     return Alignment("analytic", float(record.bounds[-1]), mat_nb, covariance)
 
@@ -68,21 +68,25 @@ def analytic_alignment(record: Increments, position: Array, errors: SensorErrors
 def analytic_covariance(
     errors: SensorErrors, latitude: float, height: float, duration: float
 ) -> Array:
-    """(3, 3) about north, east, down, rad^2, of `static_alignment`."""
+    """Return the covariance (3, 3), about north, east, down, rad^2, of `level_and_gyrocompass`."""
     rate, force = mean_error_variances(errors, duration)
     turns = bias_sensitivity(latitude, earth.gravity(latitude, height))
     return np.asarray(turns @ np.diag([rate] * 3 + [force] * 3) @ turns.T)
 
 
 def mean_error_variances(errors: SensorErrors, duration: float) -> tuple[float, float]:
-    """Of the rate, (rad/s)^2, and of the specific force, (m/s^2)^2, averaged over a duration, s.
+    """Return the variances of mean rate, (rad/s)^2, and mean specific force, (m/s^2)^2.
 
-    Bias whole; bias instability, white noise and the two ends' quantisation averaged.
+    They are those of the bias, and of bias instability, white noise and the quantization at both
+    ends, averaged over the duration, s.
     """
     rate = errors.gyro_bias**2 + mean_variance(errors.gyro_bias_instability)
-    rate += errors.angle_random_walk**2 / duration + errors.angle_quantum**2 / 6 / duration**2
+    rate += (
+        errors.angle_random_walk**2 / duration + errors.angle_quantization_step**2 / 6 / duration**2
+    )
     force = errors.accelerometer_bias**2 + mean_variance(errors.accelerometer_bias_instability)
     force += (
-        errors.velocity_random_walk**2 / duration + errors.velocity_quantum**2 / 6 / duration**2
+        errors.velocity_random_walk**2 / duration
+        + errors.velocity_quantization_step**2 / 6 / duration**2
     )
     return rate, force

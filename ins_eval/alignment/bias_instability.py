@@ -1,6 +1,6 @@
-"""Bias instability over an alignment: flicker noise that begins with the record.
+"""Bias instability during an alignment: flicker noise that begins with the record.
 
-What it has done before counts as the stated bias.
+Its variation before the record counts as the stated bias (docs/methods/alignment.md, Eqs. 10, 11).
 """
 
 import numpy as np
@@ -10,43 +10,49 @@ from scipy.special import xlogy
 Array = NDArray[np.float64]
 
 PROCESSES = 3
+"""Number of Gauss-Markov processes that approximate flicker noise. Chosen."""
 RATIO = 10.0
-"""Of one correlation time to the next."""
+"""Ratio of one correlation time to the next. Chosen."""
 
 
 def correlation_times(longest: float) -> Array:
-    """(3,) of the Gauss-Markov processes whose sum stands for flicker: the longest, s, a tenth and
-    a hundredth of it. What is faster yet is left to the sensors' white noise."""
+    """Return the correlation times (3,), s, of the processes whose sum approximates flicker noise.
+
+    They are the longest, a tenth and a hundredth of it. Faster variation is part of the sensors'
+    white noise.
+    """
     return np.asarray(longest / RATIO ** np.arange(PROCESSES))
 
 
 def process_variance(coefficient: float) -> float:
-    """Of each process.
+    """Return the variance of each process, B^2 ln r / pi.
 
-    Processes of equal variance v whose correlation times T have equal ratios r: the sum of their
-    densities 2 v T/(1 + (w T)^2), taken as an integral over the logarithm of T, is pi v/(w ln r);
-    flicker's is B^2/w.
+    Processes of equal variance v whose correlation times T have the ratio r have the total density
+    sum of 2 v T/(1 + (w T)^2). As an integral over the logarithm of T it is pi v/(w ln r), and that
+    of flicker noise is B^2/w.
 
     Args:
-        coefficient: B of IEEE Std 952.
+        coefficient: B of IEEE Std 952, in the unit of the noise.
     """
     return coefficient**2 * np.log(RATIO) / np.pi
 
 
 def integral_covariance(coefficient: float, times: Array) -> Array:
-    """(n, n) of flicker's integral at times (n,), s, since it began.
+    """Return the covariance (n, n) of the integral of flicker noise at times (n,), s, since its
+    beginning.
 
-    Flicker is white noise summed half a time (`ins_eval.imu.flicker`), its integral one and a half
-    times: the covariance at a and b is 4/pi B^2 times the integral of sqrt((a - u) (b - u)) over u
-    up to the earlier one.
+    Flicker noise is the half-order integral of white noise (`ins_eval.imu.flicker`). The covariance
+    of its integral at times a and b is 4/pi B^2 times the integral of sqrt((a - u) (b - u)) over u
+    from 0 to the earlier time.
     """
     a, b = np.meshgrid(times, times)
-    apart = np.abs(a - b)
-    ratio = (np.sqrt(a) + np.sqrt(b)) ** 2 / np.where(apart > 0, apart, 1.0)
-    within = (a + b) * np.sqrt(a * b) - xlogy(apart**2 / 2, ratio)
-    return np.asarray(coefficient**2 / np.pi * within)
+    lag = np.abs(a - b)
+    ratio = (np.sqrt(a) + np.sqrt(b)) ** 2 / np.where(lag > 0, lag, 1.0)
+    integral = (a + b) * np.sqrt(a * b) - xlogy(lag**2 / 2, ratio)
+    return np.asarray(coefficient**2 / np.pi * integral)
 
 
 def mean_variance(coefficient: float) -> float:
-    """Of flicker's mean from its beginning on: 2/pi B^2, over any duration."""
+    """Return the variance of the mean of flicker noise since its beginning: 2/pi B^2, at any
+    time."""
     return 2 / np.pi * coefficient**2

@@ -1,48 +1,51 @@
-"""How well a standing vehicle can find north and level, in closed form.
+"""Bounds of gyrocompassing in closed form: how well a standing vehicle can find north and level.
 
-Attitude errors are rotation vectors about north, east, down, as in
-`ins_eval.common.state.TrackError`.
+Attitude errors are rotation vectors about north, east, down, as in `TrackError`. The equations are
+in docs/methods/alignment.md.
 """
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ins_eval.common import earth
 
 Array = NDArray[np.float64]
 
 
-def bias_sensitivity(latitude: float, gravity: float) -> Array:
-    """(3, 6): attitude error per gyro and accelerometer bias about and along north, east, down.
+def bias_sensitivity(latitude: ArrayLike, gravity: ArrayLike) -> Array:
+    """Return the attitude error (..., 3, 6) per bias of gyros and accelerometers.
 
-    The tilts cancel the accelerometers' biases and the rotation of Earth that heading and tilt
-    show to the east gyro cancels its bias, so that a navigator that does not turn sees neither
-    (Groves 2013, section 5.6.2): north -b_E/g, east b_N/g, down
-    -e_E/(RATE cos latitude) + b_E/g tan latitude.
+    docs/methods/alignment.md, Eq. 1 (Groves 2013, section 5.6.2). Attitude errors are about north,
+    east, down, rad; biases are about and along the same axes, rad/s and m/s^2. A navigator that
+    does not turn afterwards is affected neither by these biases nor by the attitude errors: they
+    cancel.
     """
-    sensitivity = np.zeros((3, 6))
-    sensitivity[0, 4] = -1 / gravity
-    sensitivity[1, 3] = 1 / gravity
-    sensitivity[2, 1] = -1 / (earth.RATE * np.cos(latitude))
-    sensitivity[2, 4] = np.tan(latitude) / gravity
+    sensitivity = np.zeros((*np.shape(latitude), 3, 6))
+    sensitivity[..., 0, 4] = -1 / np.asarray(gravity)
+    sensitivity[..., 1, 3] = 1 / np.asarray(gravity)
+    sensitivity[..., 2, 1] = -1 / (earth.RATE * np.cos(latitude))
+    sensitivity[..., 2, 4] = np.tan(latitude) / gravity
     return sensitivity
 
 
 def heading_sigma(rate_variance: float, latitude: float) -> float:
-    """rad, of an east rate that is known to a variance, (rad/s)^2."""
+    """Return the heading's standard deviation, rad, for a variance of the east rate, (rad/s)^2."""
     return float(np.sqrt(rate_variance) / (earth.RATE * np.cos(latitude)))
 
 
 def averaged_rate_variance(angle_random_walk: float, duration: float) -> float:
-    """Of the mean of a gyro at rest, (rad/s)^2; the best where the vehicle does not move at all."""
+    """Return the variance of a gyro's mean rate, (rad/s)^2, over a duration, s (Eq. 2).
+
+    No method does better, even if the vehicle does not move at all.
+    """
     return angle_random_walk**2 / duration
 
 
 def fitted_rate_variance(angle_random_walk: float, tilt_noise: float, duration: float) -> float:
-    """Of the slope of a straight line fitted to the tilt by least squares, (rad/s)^2.
+    """Return the variance of a straight line's slope fitted to the tilt, (rad/s)^2 (Eq. 3).
 
-    What gravity's direction in the inertial frame gives. The tilt walks by the gyro's N and is
-    measured in white noise r: 6/5 N^2/T + 12 r^2/T^3.
+    This is the bound of alignment in the inertial frame. The tilt error is a random walk by the
+    gyro's N, measured in white noise r: 6/5 N^2/T + 12 r^2/T^3.
 
     Args:
         angle_random_walk: N, rad/sqrt(s).
@@ -54,11 +57,11 @@ def fitted_rate_variance(angle_random_walk: float, tilt_noise: float, duration: 
 
 
 def optimal_rate_variance(angle_random_walk: float, tilt_noise: float, duration: float) -> float:
-    """Of the best linear estimate of the same slope: N^2/(T - 2/k tanh(k T/2)), k = N/r.
+    """Return the variance of the best linear estimate of the same slope, (rad/s)^2 (Eq. 4).
 
-    The inverse of the least cost J of fitting a unit slope by a walk: with x(t) free,
-    J = min of the integral of (t - x)^2/r^2 + x'^2/N^2, so x'' = k^2 (x - t), x' = 0 at both ends.
-    Without tilt noise it is the gyro's average; without walk, the straight line's 12 r^2/T^3.
+    It is N^2/(T - 2/k tanh(k T/2)) with k = N/r, the inverse of the smallest cost of a unit slope:
+    the integral of (t - x)^2/r^2 + x'^2/N^2 over all x(t), so that x'' = k^2 (x - t) and x' = 0 at
+    both ends. Without tilt noise it is Eq. 2, without random walk 12 r^2/T^3.
     """
     k = angle_random_walk / tilt_noise
     lost = 2 / k * np.tanh(k * duration / 2)

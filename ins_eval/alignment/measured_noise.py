@@ -1,7 +1,8 @@
-"""Sensor noise found in the record of a standing vehicle, where people's motion hides it.
+"""Sensor noise measured in a standing vehicle, although people move in it.
 
-The Allan deviation of a gyro in a vehicle that people move in is that of the vehicle. What the
-gyros and the accelerometers disagree on is theirs alone: the innovations of fine alignment.
+The Allan deviation of a gyro there is that of the vehicle's motion. The innovations of the fine
+alignment are differences of gyros and accelerometers, which only their own noise causes.
+docs/methods/alignment.md, Eq. 12.
 """
 
 from collections.abc import Callable
@@ -11,84 +12,90 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize
 
-from ins_eval.alignment.inertial.inertial_frame import inertial_frame_fit
+from ins_eval.alignment.inertial.inertial_frame import fit_inertial_frame
 from ins_eval.alignment.kalman.dead_reckoning import Reckoning
-from ins_eval.alignment.kalman.fine import filtered, settled
+from ins_eval.alignment.kalman.fine import reckon_until_linear, run_filter
 from ins_eval.alignment.result import AlignmentError
-from ins_eval.common.increments import Increments
 from ins_eval.common.sensor_errors import SensorErrors
+from pyhrg.records.imu.increments import Increments
 
 Array = NDArray[np.float64]
 
-SHORTEST = 1200.0
-"""Record whose slow tilt tells the gyros' walk from the accelerometers' noise, s."""
+MIN_DURATION = 1200.0
+"""Shortest record, s, that separates the gyros' random walk from the accelerometers' noise.
+Chosen."""
 FIRST_GUESS = (1e-7, 1e-4)
-"""Angle random walk, rad/sqrt(s), and velocity random walk, m/s/sqrt(s)."""
+"""Start of the search: angle random walk, rad/sqrt(s), and velocity random walk, m/s/sqrt(s).
+Chosen."""
 BOUNDS = ((1e-11, 1e-3), (1e-9, 1e-1), (1e-6, 1e2))
-"""Of both, and of the sway, m."""
-CURVED = 0.1
-"""Change of a logarithm over which the likelihood's curvature is taken."""
+"""Search ranges of both and of the sway, m. Chosen."""
+CURVATURE_STEP = 0.1
+"""Change of a parameter's logarithm over which the curvature of the likelihood is taken. Chosen."""
 
 
 @dataclass(frozen=True)
 class MeasuredNoise:
-    """errors: the stated ones with the likeliest angle and velocity random walk; sway: of the
-    vehicle, m; relative_sigma: (3,) of the three, from the likelihood's curvature."""
+    """Noise estimated by maximum likelihood.
+
+    errors: the stated ones with the estimated angle and velocity random walk; sway: estimated sway
+    of the vehicle, m; relative_sigma: (3,) relative one-sigma of the three estimates, from the
+    curvature of the likelihood.
+    """
 
     errors: SensorErrors
     sway: float
     relative_sigma: Array
 
 
-def measured_noise(record: Increments, position: Array, errors: SensorErrors) -> MeasuredNoise:
-    """Angle and velocity random walk that make a standing vehicle's record likeliest.
+def measure_noise(record: Increments, position: Array, errors: SensorErrors) -> MeasuredNoise:
+    """Estimate angle and velocity random walk from a standing vehicle's record.
 
-    Biases and quanta remain as stated: the record can't show them.
+    Biases and quantization steps remain as stated: the record does not determine them.
 
     Args:
         record: of a vehicle that stands, people moving in it, or sways.
-        position: (3,) latitude, longitude (rad), height (m).
-        errors: of the sensors.
+        position: (3,) latitude, longitude, rad, and height, m.
+        errors: stated sensor errors.
 
     Raises:
         AlignmentError: a record that can't be aligned on, or is too short.
     """
-    if record.duration < SHORTEST:
+    if record.duration < MIN_DURATION:
         raise AlignmentError(
-            f"record of {record.duration:g} s: expected at least {SHORTEST:g} s to measure "
+            f"record of {record.duration:g} s: expected at least {MIN_DURATION:g} s to measure "
             "the gyros' angle random walk on"
         )
     guess = _with_walks(errors, np.log(FIRST_GUESS))
-    coarse = inertial_frame_fit(record, position).mat_ib
-    run, _, sway = settled(record, position, guess, coarse, None)
-    found = minimize(
+    coarse = fit_inertial_frame(record, position).mat_ib
+    run, _, sway = reckon_until_linear(record, position, guess, coarse, None)
+    estimate = minimize(
         lambda x: -_log_likelihood(run, errors, x),
         np.log([*FIRST_GUESS, sway]),
         method="Nelder-Mead",
         bounds=np.log(BOUNDS),
         options={"xatol": 0.03, "fatol": 0.1, "maxfev": 300},
     ).x
-    information = -_curvature(lambda x: _log_likelihood(run, errors, x), found)
+    information = -_curvature(lambda x: _log_likelihood(run, errors, x), estimate)
     sigma = np.sqrt(np.diag(np.linalg.inv(information)))
-    return MeasuredNoise(_with_walks(errors, found[:2]), float(np.exp(found[2])), sigma)
+    return MeasuredNoise(_with_walks(errors, estimate[:2]), float(np.exp(estimate[2])), sigma)
 
 
 def _log_likelihood(run: Reckoning, errors: SensorErrors, logarithms: Array) -> float:
     sway = float(np.exp(logarithms[2]))
-    return filtered(run, _with_walks(errors, logarithms[:2]), sway).log_likelihood
+    return run_filter(run, _with_walks(errors, logarithms[:2]), sway).log_likelihood
 
 
 def _curvature(function: Callable[[Array], float], at: Array) -> Array:
-    """Matrix of second derivatives by central differences."""
-    steps = CURVED * np.eye(len(at))
+    """Return the matrix of second derivatives, by central differences."""
+    steps = CURVATURE_STEP * np.eye(len(at))
     return np.array(
         [
             [
-                sum(a * b * function(at + a * one + b * other) for a in (-1, 1) for b in (-1, 1))
-                / (2 * CURVED) ** 2
-                for other in steps
+                sum(a * b * function(at + a * first + b * second) for a in (-1, 1) for b in (-1, 1))
+                / (2 * CURVATURE_STEP) ** 2
+                for second in steps
             ]
-            for one in steps
+            for first in steps
         ]
     )
 

@@ -1,4 +1,4 @@
-"""What an alignment hands over."""
+"""The result of an alignment: attitude with covariance, biases and history."""
 
 from dataclasses import dataclass
 
@@ -11,20 +11,20 @@ from pyhrg.common.units import DEG
 
 Array = NDArray[np.float64]
 
-NEAREST_VERTICAL = np.deg2rad(1.0)
-"""Of the nose: nearer, heading and roll have no meaning apart."""
+MIN_ANGLE_FROM_VERTICAL = np.deg2rad(1.0)
+"""Smallest angle of the nose from the vertical, rad, at which heading and roll are given. Chosen:
+closer, they are one rotation."""
 
 
 class AlignmentError(HrgError):
-    """The record can't be aligned on."""
+    """The record can't be aligned on; the message says why."""
 
 
 @dataclass(frozen=True)
 class Biases:
-    """Gyro (3,), rad/s, and accelerometer (3,), m/s^2, biases as estimated, body axes: what
-    is constant over the record.
+    """Estimated biases, constant over the record, in body axes.
 
-    covariance: (6, 6) of the estimates' errors, gyros first.
+    gyro: (3,) rad/s; accelerometer: (3,) m/s^2; covariance: (6, 6) of the estimates, gyros first.
     """
 
     gyro: Array
@@ -34,10 +34,10 @@ class Biases:
 
 @dataclass(frozen=True)
 class History:
-    """How the estimate came about.
+    """Estimates over the record.
 
-    time: (m,) s; mat_nb: (m, 3, 3); covariance: (m, 3, 3) as in `Alignment`; innovation: (m, 2)
-    of the level displacement, each divided by its sigma.
+    time: (m,) s; mat_nb: (m, 3, 3) attitudes; covariance: (m, 3, 3) as in `Alignment`; innovation:
+    (m, 2) normalized innovations of the level displacement.
     """
 
     time: Array
@@ -48,12 +48,12 @@ class History:
 
 @dataclass(frozen=True)
 class Alignment:
-    """Attitude at one moment, with its uncertainty.
+    """Attitude at one time, with its covariance.
 
-    method: what made it; time: that it holds at, s; mat_nb: (3, 3); covariance: (3, 3) of the
-    attitude error, rad^2: the rotation vector about north, east, down of
-    `TrackError`. Where the method finds none of them, None: biases; history; sway,
-    standard deviation of the vehicle's level displacement, m.
+    method: its name; time: of the attitude, s; mat_nb: (3, 3) attitude; covariance: (3, 3) of the
+    attitude error, the rotation vector about north, east, down of `TrackError`, rad^2; biases,
+    history, sway (standard deviation of the vehicle's level displacement, m): None where the method
+    does not give them.
     """
 
     method: str
@@ -66,28 +66,28 @@ class Alignment:
 
     @property
     def heading_deg(self) -> float:
-        """Clockwise from north, 0 to 360.
+        """Heading, clockwise from north, 0 to 360 deg.
 
         Raises:
-            AlignmentError: the nose points along the vertical; so do roll and all the sigmas.
+            AlignmentError: the nose points along the vertical; roll and sigmas raise it too.
         """
         self._check_readable()
         return float(np.rad2deg(euler_from_mat(self.mat_nb)[2]) % 360)
 
     @property
     def pitch_deg(self) -> float:
-        """Nose up."""
+        """Pitch, positive nose up, deg."""
         return float(np.rad2deg(euler_from_mat(self.mat_nb)[1]))
 
     @property
     def roll_deg(self) -> float:
-        """Right side down."""
+        """Roll, positive right side down, deg."""
         self._check_readable()
         return float(np.rad2deg(euler_from_mat(self.mat_nb)[0]))
 
     @property
     def euler_sigma_deg(self) -> Array:
-        """(3,) one-sigma of roll, pitch, heading."""
+        """(3,) one-sigma of roll, pitch, heading, deg."""
         self._check_readable()
         turns = euler_from_rotation_vector(self.mat_nb)
         return np.sqrt(np.diag(turns @ self.covariance @ turns.T)) / DEG
@@ -102,17 +102,18 @@ class Alignment:
         )
 
     def _check_readable(self) -> None:
-        if abs(self.pitch_deg * DEG) > np.pi / 2 - NEAREST_VERTICAL:
+        if abs(self.pitch_deg * DEG) > np.pi / 2 - MIN_ANGLE_FROM_VERTICAL:
             raise AlignmentError(
-                f"pitch {self.pitch_deg:.4g} deg: heading and roll have no meaning apart within "
-                f"{np.rad2deg(NEAREST_VERTICAL):g} deg of the vertical; use mat_nb and covariance"
+                f"pitch {self.pitch_deg:.4g} deg: heading and roll are one rotation within "
+                f"{np.rad2deg(MIN_ANGLE_FROM_VERTICAL):g} deg of the vertical; use mat_nb and "
+                "covariance"
             )
 
 
 def euler_from_rotation_vector(mat_nb: Array) -> Array:
-    """(3, 3): changes of roll, pitch, yaw by a small rotation about north, east, down.
+    """Return (3, 3) the changes of roll, pitch, yaw per small rotation about north, east, down.
 
-    The inverse of the Euler rates' matrix (Groves 2013, Eq. 2.58, in navigation axes).
+    It is the inverse of the Euler rates' matrix (Groves 2013, Eq. 2.58, in navigation axes).
     """
     _, pitch, yaw = euler_from_mat(mat_nb)
     sin, cos, tan = np.sin(yaw), np.cos(yaw), np.tan(pitch)

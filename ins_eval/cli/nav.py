@@ -1,83 +1,71 @@
 """`hrg nav`: an IMU's way along a trajectory, and how far it goes astray."""
 
+from __future__ import annotations
+
 import argparse
-import sys
 from pathlib import Path
 
-from tqdm import tqdm
-
-from ins_eval.cli.flight_options import place, plans, sources
-from ins_eval.cli.flight_options.refusals import REFUSALS
-from ins_eval.flights import report
-from ins_eval.flights.experiment import experiment
-from ins_eval.flights.flown import Flown
-from ins_eval.flights.log_flight import fly_log
-from ins_eval.flights.truth import still
-from ins_eval.trajectories import catalogue
-from ins_eval.trajectories.errors import MovingStartError
-from pyhrg.common.errors import HrgError
-from pyhrg.common.files import staging
+import ins_eval
+from ins_eval.cli.place import PLACE, add_place_options
+from pyhrg.common.cli import collect_given, progress_bar, refuse
+from pyhrg.common.files import check_output_folder
 
 HELP = "fly an IMU along a trajectory, and say how far it goes astray"
-
-TRAJECTORY, IMU = "car", "simple"
-"""Unless options say otherwise."""
+OF_SIMULATIONS = ("rate_hz", "seed", "runs")
+OF_LOGS = ("errors_of", *PLACE)
+OF_BOTH = ("hours", "samples", "height", "align_s")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("--trajectory", metavar="NAME|FILE", help="ready mission, mission TOML or recorded drive "
-        f"(CSV, may be gzipped) (default {TRAJECTORY}); of a log its truth: {sources.NONE} "
-        f"(default), {sources.REST}, or a recorded drive that begins with it")  # fmt: skip
-    add("--imu", default=IMU, metavar="NAME|FILE", help="ready IMU, IMU TOML, or recorded log "
-        f"(default {IMU})")  # fmt: skip
+        "(CSV, may be gzipped) (default car); of a log its truth: none (default), rest, or a "
+        "recorded drive that begins with it")  # fmt: skip
+    add("--imu", default="simple", metavar="NAME|FILE", help="ready IMU, IMU TOML, or recorded log "
+        "(default simple)")  # fmt: skip
     add("--errors-of", metavar="NAME|FILE", help="ready IMU or IMU TOML: the errors that alignment "
-        f"believes of a log (default {IMU})")  # fmt: skip
+        "believes of a log (default simple)")  # fmt: skip
     add("--out", type=Path, default=Path("hrg-nav"), metavar="DIR", help="output folder "
         "(default hrg-nav)")  # fmt: skip
-    plans.add_options(parser)
-    place.add_place_options(parser)
+    add("--hours", type=float, metavar="H", help="flight, in whole minutes (default 1; of a log, "
+        "what it holds)")  # fmt: skip
+    add("--rate-hz", type=int, metavar="HZ", help="of the increments, 10 to 2000 (default: the "
+        "IMU's)")  # fmt: skip
+    add("--samples", type=int, metavar="N", help="increments a step, 2 to 4 (default 2)")
+    add("--height", choices=("clamped", "free", "baro"), help="what holds the height: the true "
+        "one, nothing, or a loop with the true one (default clamped)")  # fmt: skip
+    start = parser.add_mutually_exclusive_group()
+    start.add_argument("--align-s", type=float, metavar="S", help="from power-on to time 0, "
+                       "alignment in it (default 300)")  # fmt: skip
+    start.add_argument("--start-from-truth", action="store_true", help="no alignment")
+    add("--seed", type=int, metavar="N", help="of everything random (default 1)")
+    add("--runs", type=int, metavar="N", help="flights, each with an IMU of its own (default 1)")
+    add_place_options(parser)
 
 
 def run(options: argparse.Namespace) -> None:
-    recorded = sources.is_log(options.imu)
-    names = report.files(
-        truth=not recorded or sources.has_truth(options.trajectory), simulated=not recorded
-    )
-    try:
-        with staging(options.out, names) as folder:
-            flown = _of_log(options) if recorded else _simulated(options)
-            report.write(flown, folder, names)
-    except REFUSALS as error:
-        raise HrgError(str(error)) from error
-    except OSError as error:
-        raise HrgError(f"can't write {options.out}: {error.strerror or error}") from error
-    print(report.summary(flown))
-    print(f"\nwritten to {options.out}: {', '.join(names)}")
+    check_output_folder(options.out)
+    is_log = Path(options.imu).suffix not in ("", ".toml")
+    flight = _fly_log(options) if is_log else _fly(options)
+    flight.write(options.out)
+    print(flight.summary)
+    print(f"\nwritten to {options.out}: {', '.join(flight.files)}")
 
 
-def _simulated(options: argparse.Namespace) -> Flown:
-    place.refuse_options_of_logs(options, ("--errors-of", *place.FLAGS))
-    imu = sources.imu(options.imu, plans.rate(options))
-    asked = plans.of_simulation(options, imu.interval)
-    _, zero = still(asked.alignment, asked.interval)
-    path = options.trajectory or TRAJECTORY
-    try:
-        trajectory = catalogue.trajectory(path, zero * asked.interval, asked.duration)
-    except MovingStartError as error:
-        raise HrgError(f"{error}; or --start-from-truth") from error
-    layout = "{desc} {percentage:3.0f}%|{bar}| {n}/{total} flights [{elapsed}]"
-    total = asked.runs + 1
-    with tqdm(total=total, desc="navigation", bar_format=layout, delay=2, file=sys.stderr) as bar:
-        return experiment(asked, trajectory, imu, bar.update)
+def _fly(options: argparse.Namespace) -> ins_eval.Flight:
+    refuse(options, OF_LOGS, "is for recorded logs, and the IMU is simulated")
+    arguments = collect_given(options, (*OF_SIMULATIONS, *OF_BOTH))
+    if options.start_from_truth:
+        arguments["align_s"] = None
+    with progress_bar("navigation", "flights") as progress:
+        return ins_eval.fly(
+            options.trajectory or "car", options.imu, progress=progress, **arguments
+        )
 
 
-def _of_log(options: argparse.Namespace) -> Flown:
-    path = Path(options.imu)
-    record, position = sources.log(path, place.place(options))
-    asked = plans.of_log(options, path.name, record.increments)
-    name = options.trajectory or sources.NONE
-    first = -(asked.alignment or 0.0)
-    reference = sources.reference(name, position, first, asked.duration)
-    errors = sources.imu(options.errors_of or IMU, None).errors
-    return fly_log(asked, path.name, record.increments, position, errors, reference)
+def _fly_log(options: argparse.Namespace) -> ins_eval.Flight:
+    reason = f"is for simulated IMUs, and {Path(options.imu).name} is a recorded one"
+    refuse(options, (*OF_SIMULATIONS, "start_from_truth"), reason)
+    truth = options.trajectory or "none"
+    arguments = collect_given(options, (*OF_BOTH, *OF_LOGS))
+    return ins_eval.fly_log(options.imu, truth=truth, **arguments)

@@ -1,1 +1,1 @@
-"""What the navigator's side shares: Earth, attitude, states, compiled loops."""
+"""What all of the navigator's side shares: Earth, attitude, states, statistics, compiled loops."""

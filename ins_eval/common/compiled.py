@@ -1,4 +1,4 @@
-"""Compilation of the inner loops, kept on disk from run to run."""
+"""Compiled inner loops (numba), cached on disk from one run to the next."""
 
 import hashlib
 import tempfile
@@ -15,10 +15,10 @@ from platformdirs import user_cache_path
 _SETTINGS: Any = config
 
 
-def sources() -> list[Path]:
-    """Files that hold compiled functions, or constants that are compiled into them."""
+def list_sources() -> list[Path]:
+    """Return all files with compiled functions, or with constants that are compiled into them."""
     here = Path(__file__)
-    files = [p for p in sorted(here.parents[1].rglob("*.py")) if b"@compiled" in p.read_bytes()]
+    files = [p for p in sorted(here.parents[1].rglob("*.py")) if b"@compile_loop" in p.read_bytes()]
     site = find_spec("pyhrg.common.site")
     assert site is not None
     assert site.origin is not None
@@ -26,31 +26,35 @@ def sources() -> list[Path]:
 
 
 @cache
-def folder() -> Path:
-    """Of the cache. Numba notices a change in a function's own file alone, so that the folder is
-    named after the contents of all of them."""
-    texts = b"\0".join(path.read_bytes() for path in sources())
+def cache_folder() -> Path:
+    """Return the cache's folder, which is named after the contents of all `list_sources`.
+
+    Numba alone notices a change in a function's own file only, not in a file that it imports.
+    """
+    texts = b"\0".join(path.read_bytes() for path in list_sources())
     return user_cache_path("hrg") / f"compiled-{hashlib.sha256(texts).hexdigest()[:16]}"
 
 
 @cache
-def kept() -> bool:
-    """Whether the cache's folder can be written."""
+def is_cache_writable() -> bool:
+    """Tell whether files can be written to the cache's folder."""
     try:
-        folder().mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=folder()):
+        cache_folder().mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=cache_folder()):
             return True
     except OSError:
         return False
 
 
-def compiled(function: Callable[..., Any]) -> Any:
-    """Decorator: `numba.njit`, cached in `folder`, or nowhere: beside its source, compiled code
-    would outlive a change in another file."""
-    if not kept():
+def compile_loop(function: Callable[..., Any]) -> Any:
+    """Decorator: `numba.njit`, cached in `cache_folder`, or not at all if that is not writable.
+
+    Numba's own place, beside the source file, would serve stale code after a change elsewhere.
+    """
+    if not is_cache_writable():
         return numba.njit(function)
     before = _SETTINGS.CACHE_DIR
-    _SETTINGS.CACHE_DIR = str(folder())
+    _SETTINGS.CACHE_DIR = str(cache_folder())
     try:
         return numba.njit(cache=True)(function)
     finally:

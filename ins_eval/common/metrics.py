@@ -1,4 +1,4 @@
-"""Figures of merit of position errors, with their intervals."""
+"""Statistics of position errors, with confidence intervals."""
 
 from dataclasses import dataclass
 
@@ -8,30 +8,30 @@ from scipy.stats import binom, ttest_1samp
 
 Array = NDArray[np.float64]
 
-FEWEST_FOR_MEDIAN = 6
-"""Smallest sample whose extremes hold the median with 95 % confidence: 1 - 2 / 2^6 = 96.9 %."""
+MIN_SAMPLE_FOR_MEDIAN = 6
+"""Smallest sample whose range contains the median with 95 % confidence: 1 - 2 / 2^6 = 96.9 %."""
 
 
 def median_interval(sample: ArrayLike, confidence: float = 0.95) -> tuple[float, float]:
-    """Confidence interval of the median from order statistics, without assumptions.
+    """Distribution-free confidence interval of a sample's median.
 
-    The k-th and the k-th last value, with k - 1 the largest number of values that lie below the
-    median with at most (1 - confidence)/2 of probability.
+    The interval reaches from the k-th smallest to the k-th largest value. k is the largest number
+    with a binomial probability P(fewer than k values below the median) <= (1 - confidence)/2.
 
     Raises:
-        ValueError: fewer than `FEWEST_FOR_MEDIAN` values for 95 %.
+        ValueError: too few values for the confidence; 95 % needs `MIN_SAMPLE_FOR_MEDIAN`.
     """
     ordered = np.sort(np.asarray(sample, dtype=float))
     n = len(ordered)
     below = int(binom.ppf((1 - confidence) / 2, n, 0.5)) - 1
     if below < 0:
-        raise ValueError(f"{n} values can't hold the median with {confidence:.0%} confidence")
+        raise ValueError(f"{n} values can't bound the median with {confidence:.0%} confidence")
     return float(ordered[below]), float(ordered[n - 1 - below])
 
 
 @dataclass(frozen=True)
 class PairedRatio:
-    """Geometric mean of a sample's ratios to another, with its 95 % interval."""
+    """Geometric mean of the ratios of paired samples, with its 95 % confidence interval."""
 
     value: float
     low: float
@@ -42,10 +42,10 @@ class PairedRatio:
 
 
 def paired_ratio(sample: ArrayLike, reference: ArrayLike) -> PairedRatio:
-    """Of positive samples (n,) of the same things, pair by pair: Student's t on the logarithms.
+    """Geometric mean ratio of two positive samples (n,), compared pair by pair.
 
-    The logarithm of a radial error's ratio is close to normal where that of the ratio is far from
-    it. Pairs that are equal throughout give an interval of no width.
+    The interval is Student's t on the logarithms: the ratio of radial errors is far from normal,
+    its logarithm is close to it. If all ratios are equal, the interval has width 0.
     """
     logarithm = np.log(np.asarray(sample, dtype=float) / np.asarray(reference, dtype=float))
     mean = float(np.mean(logarithm))

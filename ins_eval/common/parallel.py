@@ -1,4 +1,4 @@
-"""Work shared among threads, the same result on any number of them."""
+"""Work spread over threads; results do not depend on their number."""
 
 import os
 import threading
@@ -10,21 +10,21 @@ Item = TypeVar("Item")
 Result = TypeVar("Result")
 
 
-def in_parallel(
+def map_in_threads(
     work: Callable[[Item], Result],
     items: Sequence[Item],
     stop: threading.Event,
     workers: int | None = None,
     done: Callable[[Result], None] = lambda result: None,
 ) -> list[Result]:
-    """Results in the items' order.
+    """Apply `work` to all items on several threads, and return the results in the items' order.
 
     Args:
-        work: done once an item; releases the interpreter where it takes long.
-        items: what is worked on.
-        stop: set when anything fails or interrupts, so that work under way can end.
-        workers: threads; as many as this process has cores, if not given.
-        done: told each result, in order.
+        work: called once for each item; it should release the interpreter lock while it computes.
+        items: arguments of `work`.
+        stop: set when a call fails or is interrupted, so that running calls can end early.
+        workers: number of threads; by default the number of cores of this process.
+        done: called with each result, in order.
     """
     results = []
     with ThreadPoolExecutor(workers or len(os.sched_getaffinity(0))) as pool:

@@ -11,7 +11,7 @@ Array = NDArray[np.float64]
 
 
 def mat_from_euler(roll: Array, pitch: Array, yaw: Array) -> Array:
-    """`mat_nb` (..., 3, 3) from Euler angles (...), rad."""
+    """Return `mat_nb` (..., 3, 3) of Euler angles (...), rad (Groves 2013, Eq. 2.24)."""
     sr, cr = np.sin(roll), np.cos(roll)
     sp, cp = np.sin(pitch), np.cos(pitch)
     sy, cy = np.sin(yaw), np.cos(yaw)
@@ -24,7 +24,8 @@ def mat_from_euler(roll: Array, pitch: Array, yaw: Array) -> Array:
 
 
 def euler_from_mat(mat_nb: Array) -> tuple[float, float, float]:
-    """Roll, pitch, yaw, rad, of one `mat_nb` (3, 3) that does not point straight up or down."""
+    """Return roll, pitch, yaw, rad, of one `mat_nb` (3, 3); the nose must not point straight up or
+    down (Groves 2013, Eq. 2.25)."""
     roll = float(np.arctan2(mat_nb[2, 1], mat_nb[2, 2]))
     pitch = float(np.arcsin(np.clip(-mat_nb[2, 0], -1.0, 1.0)))
     return roll, pitch, float(np.arctan2(mat_nb[1, 0], mat_nb[0, 0]))
@@ -33,7 +34,8 @@ def euler_from_mat(mat_nb: Array) -> tuple[float, float, float]:
 def body_rate_from_euler(
     roll: Array, pitch: Array, roll_rate: Array, pitch_rate: Array, yaw_rate: Array
 ) -> Array:
-    """`omega_nb_b` (..., 3), rad/s, from Euler angles and their rates."""
+    """Return `omega_nb_b` (..., 3), rad/s, of Euler angles and their rates (Groves 2013, Eq.
+    2.57)."""
     sr, cr = np.sin(roll), np.cos(roll)
     sp, cp = np.sin(pitch), np.cos(pitch)
     return np.stack(
@@ -44,3 +46,12 @@ def body_rate_from_euler(
         ],
         axis=-1,
     )
+
+
+def skew(v: Array) -> Array:
+    """Return the matrices (..., 3, 3) of the cross product: skew(v) @ u = v x u."""
+    matrix = np.zeros((*np.shape(v), 3))
+    matrix[..., 0, 1], matrix[..., 0, 2] = -v[..., 2], v[..., 1]
+    matrix[..., 1, 0], matrix[..., 1, 2] = v[..., 2], -v[..., 0]
+    matrix[..., 2, 0], matrix[..., 2, 1] = -v[..., 1], v[..., 0]
+    return matrix

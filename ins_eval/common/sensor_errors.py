@@ -1,16 +1,16 @@
-"""An IMU as linear models see it: standard deviations and densities of its errors."""
+"""Sensor errors of an IMU as standard deviations and noise coefficients, for linear models."""
 
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
 class SensorErrors:
-    """The same for each of three axes; SI. Terms of IEEE Std 528.
+    """Errors of each axis, the same for all three; SI units, terms of IEEE Std 528.
 
-    gyro_bias: rad/s; angle_random_walk: rad/sqrt(s); gyro_bias_instability: rad/s;
-    accelerometer_bias: m/s^2; velocity_random_walk: m/s/sqrt(s);
-    accelerometer_bias_instability: m/s^2; angle_quantum: rad; velocity_quantum: m/s, one count of
-    the increments.
+    gyro_bias, accelerometer_bias: standard deviation of the constant bias, rad/s and m/s^2;
+    angle_random_walk, velocity_random_walk: coefficient N, rad/sqrt(s) and m/s/sqrt(s);
+    gyro_bias_instability, accelerometer_bias_instability: coefficient B, rad/s and m/s^2;
+    angle_quantization_step, velocity_quantization_step: one count of the increments, rad and m/s.
     """
 
     gyro_bias: float = 0.0
@@ -19,5 +19,5 @@ class SensorErrors:
     accelerometer_bias: float = 0.0
     velocity_random_walk: float = 0.0
     accelerometer_bias_instability: float = 0.0
-    angle_quantum: float = 0.0
-    velocity_quantum: float = 0.0
+    angle_quantization_step: float = 0.0
+    velocity_quantization_step: float = 0.0

@@ -1,4 +1,4 @@
-"""Where a vehicle is and how it moves: at one moment, and over time."""
+"""Position, velocity and attitude of a vehicle: at one time, over time, and their errors."""
 
 from dataclasses import dataclass
 
@@ -12,8 +12,11 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class State:
-    """Latitude, longitude (rad), height (m); velocity (3,) over ground, north, east, down, m/s;
-    attitude `mat_nb` (3, 3)."""
+    """State of a vehicle at one time.
+
+    latitude, longitude: rad; height: above the ellipsoid, m; velocity: (3,) over ground, north,
+    east, down, m/s; mat_nb: (3, 3) attitude, from body to navigation axes.
+    """
 
     latitude: float
     longitude: float
@@ -24,7 +27,7 @@ class State:
 
 @dataclass(frozen=True)
 class Track:
-    """States over time.
+    """States of a vehicle at m times.
 
     time: (m,) s; position: (m, 3) latitude, longitude (rad; continuous, not wrapped), height (m);
     velocity: (m, 3) north, east, down, m/s; mat_nb: (m, 3, 3).
@@ -41,7 +44,7 @@ class Track:
 
 @dataclass(frozen=True)
 class TrackError:
-    """Navigator less truth.
+    """Errors of a track: navigator less truth.
 
     time: (m,) s; position: (m, 3) north, east, down, m; velocity: (m, 3) north, east, down, m/s;
     attitude: (m, 3) rotation vector about north, east, down that turns the true axes into the
@@ -55,16 +58,16 @@ class TrackError:
 
 
 def track_error(track: Track, truth: Track) -> TrackError:
-    """Errors of a track against the truth at the same times.
+    """Return the errors of a track against the truth at the same times.
 
     Raises:
-        ValueError: the times differ.
+        ValueError: the times differ by more than 1 microsecond.
     """
     if len(track) != len(truth) or not np.allclose(track.time, truth.time, rtol=0, atol=1e-6):
-        raise ValueError("the track and the truth are not of the same times")
+        raise ValueError("track and truth: expected the same times")
     turned = track.mat_nb @ np.swapaxes(truth.mat_nb, -1, -2)
-    skew = 0.5 * (turned - np.swapaxes(turned, -1, -2))
-    sine = np.stack([skew[..., 2, 1], skew[..., 0, 2], skew[..., 1, 0]], axis=-1)
+    odd = 0.5 * (turned - np.swapaxes(turned, -1, -2))
+    sine = np.stack([odd[..., 2, 1], odd[..., 0, 2], odd[..., 1, 0]], axis=-1)
     size = np.linalg.norm(sine, axis=-1, keepdims=True)
     cosine = 0.5 * (np.trace(turned, axis1=-2, axis2=-1)[..., None] - 1)
     angle = np.arctan2(size, cosine)
@@ -78,7 +81,10 @@ def track_error(track: Track, truth: Track) -> TrackError:
 
 
 def position_error(position: Array, truth: Array) -> Array:
-    """North, east and down error (..., 3), m, of positions (..., 3) against the truth (..., 3)."""
+    """Return north, east and down errors (..., 3), m, of positions (..., 3) against true ones.
+
+    Both are latitude, longitude (rad) and height (m).
+    """
     latitude, height = truth[..., 0], truth[..., 2]
     around = np.remainder(position[..., 1] - truth[..., 1] + np.pi, 2 * np.pi) - np.pi
     east_radius = (earth.transverse_radius(latitude) + height) * np.cos(latitude)

@@ -1,1 +1,1 @@
-"""Linear error model of the navigator."""
+"""Linear error model of the navigator (docs/methods/error_model.md)."""

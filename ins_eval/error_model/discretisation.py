@@ -1,4 +1,4 @@
-"""From rates of change to steps of a linear system; batched over steps."""
+"""Discretization of linear systems, for many steps at once."""
 
 from collections.abc import Iterator
 from math import factorial
@@ -9,30 +9,31 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 
-def van_loan(f: Array, density: Array, step: float) -> tuple[Array, Array]:
-    """Transition and covariance gained over a step, exact for constant F and density.
+def discretize(f: Array, density: Array, step: float) -> tuple[Array, Array]:
+    """Return transition Phi and noise covariance Q, each (n, k, k), of steps with constant
+    dynamics.
+
+    docs/methods/error_model.md, Eq. 7 (Van Loan 1978, Theorem 1).
 
     Args:
-        f: (n, k, k), 1/s; density: (n, k, k) of the white noise that drives the states; step: s.
-
-    Returns:
-        Phi and Q, each (n, k, k) (Van Loan 1978, Theorem 1).
+        f: (n, k, k) dynamics, 1/s; density: (n, k, k) of the white noise that drives the states;
+        step: duration of a step, s.
     """
     k = f.shape[-1]
     block = np.zeros((len(f), 2 * k, 2 * k))
     block[:, :k, :k] = -f
     block[:, :k, k:] = density
     block[:, k:, k:] = np.swapaxes(f, -1, -2)
-    whole = exponential(block * step)
-    phi = np.swapaxes(whole[:, k:, k:], -1, -2)
-    gained = phi @ whole[:, :k, k:]
-    return phi, 0.5 * (gained + np.swapaxes(gained, -1, -2))
+    exponential = matrix_exponential(block * step)
+    phi = np.swapaxes(exponential[:, k:, k:], -1, -2)
+    covariance = phi @ exponential[:, :k, k:]
+    return phi, 0.5 * (covariance + np.swapaxes(covariance, -1, -2))
 
 
-def to_end_of_step(f: Array, step: float, parts: int) -> Iterator[Array]:
-    """Transitions (n, k, k) to the end of a step from its equally spaced moments, the last
-    first: parts + 1 of them."""
-    part = exponential(f * (step / parts))
+def transitions_to_step_end(f: Array, step: float, parts: int) -> Iterator[Array]:
+    """Yield the transitions (n, k, k) to the end of each step from parts + 1 equally spaced times
+    in it, the last time first."""
+    part = matrix_exponential(f * (step / parts))
     transition = np.broadcast_to(np.eye(f.shape[-1]), f.shape)
     yield transition
     for _ in range(parts):
@@ -40,12 +41,12 @@ def to_end_of_step(f: Array, step: float, parts: int) -> Iterator[Array]:
         yield transition
 
 
-def exponential(a: Array) -> Array:
-    """Matrix exponentials (n, k, k) of a batch; scaling and squaring, Taylor to the 15th power
-    (Higham 2008, section 10.3; Paterson and Stockmeyer 1973).
+def matrix_exponential(a: Array) -> Array:
+    """Return the matrix exponentials (n, k, k) of a batch.
 
-    `scipy.linalg.expm` goes matrix by matrix through a threaded solver, which takes many times as
-    long for thousands of small ones where cores are shared.
+    The method is scaling and squaring with a Taylor polynomial of degree 15 (Higham 2008, section
+    10.3; Paterson and Stockmeyer 1973). `scipy.linalg.expm` would call a threaded solver for each
+    matrix, which is many times slower for thousands of small matrices on shared cores.
     """
     norm = float(np.max(np.sum(np.abs(a), axis=-1), initial=0.0))
     squarings = max(0, int(np.ceil(np.log2(max(norm, 0.5) / 0.5))))

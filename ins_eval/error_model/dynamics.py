@@ -1,9 +1,10 @@
-"""How errors drive each other: the matrix of the linearised navigation equations."""
+"""Dynamics matrix of the linearized navigation equations."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.common import earth
+from ins_eval.common.rotation import skew
 from ins_eval.error_model.motion import Motion, step_mean
 from ins_eval.error_model.states import ATTITUDE, COUNT, HEIGHT_INTEGRAL, POSITION, VELOCITY
 from ins_eval.navigation.height import BaroDamped, Clamped, Height
@@ -14,14 +15,14 @@ NORTH, EAST, DOWN = 0, 1, 2
 
 
 def dynamics(motion: Motion, height: Height) -> Array:
-    """(n, 10, 10) F of each step, dx/dt = F x + inputs, at the step's mean velocity and force.
+    """Return F (n, 10, 10) of each step, dx/dt = F x + G u, at the step's mean velocity and force.
 
-    Phi-angle error equations in full: Earth's and transport rate, their errors, Coriolis, gravity
-    with latitude and height, curvature of WGS-84 with latitude (Groves 2013, section 14.2.4, whose
-    attitude error has the opposite sign, taken further).
+    docs/methods/error_model.md, Eqs. 2 to 5: the phi-angle error equations with Earth's and
+    transport rate, their errors, Coriolis, gravity by latitude and height, and the radii of WGS-84
+    by latitude (Groves 2013, section 14.2.4, with the attitude error's sign reversed).
 
-    A clamped height has no error in velocity, and one in position that is the reference's own,
-    constant. A damped one is that of `height.BaroDamped`, its reference without error.
+    A clamped height has no velocity error, and its position error is that of the reference,
+    constant. A damped height follows `height.BaroDamped` with a reference without error.
     """
     middle = slice(2, None, 4)
     latitude, altitude = motion.latitude[middle], motion.height[middle]
@@ -31,8 +32,8 @@ def dynamics(motion: Motion, height: Height) -> Array:
 
 
 def sensor_inputs(motion: Motion, height: Height) -> Array:
-    """(m, 10, 6) G at the nodes: rates of change per error of each gyro, rad/s, and of each
-    accelerometer, m/s^2, in body axes."""
+    """Return G (m, 10, 6) at the nodes: rate of change of the states per error of each gyro, rad/s,
+    and of each accelerometer, m/s^2, in body axes."""
     g = np.zeros((len(motion.mat_nb), COUNT, 6))
     g[:, ATTITUDE, :3] = motion.mat_nb
     g[:, VELOCITY, 3:] = motion.mat_nb
@@ -41,7 +42,8 @@ def sensor_inputs(motion: Motion, height: Height) -> Array:
 
 
 def free_states(height: Height) -> NDArray[np.bool_]:
-    """(10,) True but for a velocity that is clamped: it has no error, whatever it starts with."""
+    """Return (10,) True for each state but the vertical velocity of a clamped height, which is
+    always without error."""
     free = np.ones(COUNT, dtype=bool)
     free[VELOCITY.start + DOWN] = not isinstance(height, Clamped)
     return free
@@ -50,7 +52,7 @@ def free_states(height: Height) -> NDArray[np.bool_]:
 def _matrix(
     latitude: Array, altitude: Array, velocity: Array, force_n: Array, height: Height
 ) -> Array:
-    omega_ie = earth.RATE * _stack(np.cos(latitude), 0.0, -np.sin(latitude))
+    omega_ie = earth.rotation_rate(latitude)
     omega_en, by_position, by_velocity = _transport(latitude, altitude, velocity)
     radius_n = earth.meridian_radius(latitude) + altitude
     earth_by_position = np.zeros((len(latitude), 3, 3))
@@ -60,19 +62,20 @@ def _matrix(
     f = np.zeros((len(latitude), COUNT, COUNT))
     f[:, POSITION, POSITION] = _position_by_position(latitude, altitude, velocity)
     f[:, POSITION, VELOCITY] = np.eye(3)
-    across = _skew(velocity)
-    f[:, VELOCITY, POSITION] = across @ (2 * earth_by_position + by_position)
+    cross = skew(velocity)
+    f[:, VELOCITY, POSITION] = cross @ (2 * earth_by_position + by_position)
     f[:, VELOCITY, POSITION] += _gravity_by_position(latitude, altitude)
-    f[:, VELOCITY, VELOCITY] = across @ by_velocity - _skew(2 * omega_ie + omega_en)
-    f[:, VELOCITY, ATTITUDE] = -_skew(force_n)
+    f[:, VELOCITY, VELOCITY] = cross @ by_velocity - skew(2 * omega_ie + omega_en)
+    f[:, VELOCITY, ATTITUDE] = -skew(force_n)
     f[:, ATTITUDE, POSITION] = -earth_by_position - by_position
     f[:, ATTITUDE, VELOCITY] = -by_velocity
-    f[:, ATTITUDE, ATTITUDE] = -_skew(omega_ie + omega_en)
-    return _with_height(f, height)
+    f[:, ATTITUDE, ATTITUDE] = -skew(omega_ie + omega_en)
+    return _apply_height_aiding(f, height)
 
 
 def _transport(latitude: Array, altitude: Array, velocity: Array) -> tuple[Array, Array, Array]:
-    """`omega_en` (n, 3) and its derivatives (n, 3, 3) to position (m) and velocity (m/s)."""
+    """Return `omega_en` (n, 3), rad/s, and its derivatives (n, 3, 3) by position, m, and
+    velocity."""
     meridian, transverse = earth.meridian_radius(latitude), earth.transverse_radius(latitude)
     radius_n, radius_e = meridian + altitude, transverse + altitude
     sin, cos = np.sin(latitude), np.cos(latitude)
@@ -98,7 +101,8 @@ def _transport(latitude: Array, altitude: Array, velocity: Array) -> tuple[Array
 
 
 def _position_by_position(latitude: Array, altitude: Array, velocity: Array) -> Array:
-    """(n, 3, 3): an error in metres at the true place, which moves over a curved Earth."""
+    """Return (n, 3, 3) the rate of position errors by position errors, both in metres at the true
+    place, which moves over a curved Earth."""
     radius_n = earth.meridian_radius(latitude) + altitude
     radius_e = earth.transverse_radius(latitude) + altitude
     tan = np.tan(latitude)
@@ -113,7 +117,7 @@ def _position_by_position(latitude: Array, altitude: Array, velocity: Array) -> 
 
 
 def _gravity_by_position(latitude: Array, altitude: Array) -> Array:
-    """(n, 3, 3): gravity's slope with latitude and height; central differences, to 1e-9."""
+    """Return (n, 3, 3) gravity by position, by central differences that are exact to 1e-9."""
     radius_n = earth.meridian_radius(latitude) + altitude
     angle, rise = 1e-3, 1e3
     to_north = earth.gravity(latitude + angle, altitude) - earth.gravity(latitude - angle, altitude)
@@ -124,7 +128,7 @@ def _gravity_by_position(latitude: Array, altitude: Array) -> Array:
     return f
 
 
-def _with_height(f: Array, height: Height) -> Array:
+def _apply_height_aiding(f: Array, height: Height) -> Array:
     position, velocity = POSITION.start + DOWN, VELOCITY.start + DOWN
     if isinstance(height, Clamped):
         f[:, [position, velocity]] = 0.0
@@ -140,12 +144,3 @@ def _with_height(f: Array, height: Height) -> Array:
 
 def _stack(north: Array, east: Array | float, down: Array) -> Array:
     return np.stack(np.broadcast_arrays(north, east, down), axis=-1)
-
-
-def _skew(v: Array) -> Array:
-    """(n, 3, 3) matrices of the cross product v x."""
-    m = np.zeros((len(v), 3, 3))
-    m[:, 0, 1], m[:, 0, 2] = -v[:, 2], v[:, 1]
-    m[:, 1, 0], m[:, 1, 2] = v[:, 2], -v[:, 0]
-    m[:, 2, 0], m[:, 2, 1] = -v[:, 1], v[:, 0]
-    return m

@@ -1,7 +1,8 @@
-"""What sensors do wrong, as coefficients of known signals along the true motion.
+"""Sensor errors as coefficients times known signals along the true motion.
 
-An effect belongs to all three gyros or all three accelerometers; each axis has a coefficient of
-its own: error_i(t) = coefficient_i x regressor_i(t), measured less true, body axes.
+An effect belongs to all three gyros or to all three accelerometers, and each axis has its own
+coefficient: error_i(t) = coefficient_i x regressor_i(t), measured less true, in body axes
+(docs/methods/error_model.md, Eq. 6).
 """
 
 from collections.abc import Callable
@@ -15,20 +16,21 @@ from ins_eval.error_model.motion import Motion
 
 Array = NDArray[np.float64]
 
-BRYAN_FACTOR = 0.277
-"""Turning of a gyro's pattern per turning of its case, backward."""
+ANGULAR_GAIN = 0.277
+"""Angular gain (Bryan factor) k of a hemispherical gyro: the pattern lags the case by k times its
+rotation."""
 
 Sensor = Literal["gyro", "accelerometer"]
 
 
 @dataclass(frozen=True)
 class Effect:
-    """One kind of error.
+    """One kind of sensor error.
 
-    unit: of its coefficients, SI; regressor: (m, 3) at a motion's nodes; correlation_time: s; a
-    coefficient that wanders (Gauss-Markov, first order) instead of being constant. It holds over a
-    step, which must be much shorter. family: effects that a budget counts as one; its own name
-    unless given.
+    unit: of its coefficients, SI; regressor: signal (m, 3) at the nodes of a motion;
+    correlation_time: of the coefficients, s; infinite for constants, otherwise they are first-order
+    Gauss-Markov processes, constant during a step, which must be much shorter; family: name under
+    which a budget sums several effects; by default the effect's own name.
     """
 
     name: str
@@ -47,36 +49,36 @@ def _ones(motion: Motion) -> Array:
 
 
 def gyro_bias(correlation_time: float = np.inf) -> Effect:
-    """Constant rates, or wandering ones."""
+    """Gyro bias: constant, or a Gauss-Markov process that is part of the bias instability."""
     name = "gyro bias" if np.isinf(correlation_time) else "gyro bias instability"
     return Effect(name, "gyro", "rad/s", _ones, correlation_time)
 
 
 def accelerometer_bias(correlation_time: float = np.inf) -> Effect:
-    """Constant specific forces, or wandering ones."""
+    """Accelerometer bias: constant, or a Gauss-Markov process, part of the bias instability."""
     wanders = "" if np.isinf(correlation_time) else " instability"
     return Effect(f"accelerometer bias{wanders}", "accelerometer", "m/s^2", _ones, correlation_time)
 
 
 BIASES = (gyro_bias(), accelerometer_bias())
-"""With position, velocity and attitude: the fifteen states."""
+"""Effects that complete position, velocity and attitude to the usual fifteen-state model."""
 
 
 def gyro_scale_factor() -> Effect:
-    """Measured rate over true rate, less 1."""
+    """Relative scale-factor error of the gyros."""
     return Effect("gyro scale factor", "gyro", "1", lambda motion: motion.rate)
 
 
 def accelerometer_scale_factor() -> Effect:
-    """Measured force over true force, less 1."""
+    """Relative scale-factor error of the accelerometers."""
     return Effect("accelerometer scale factor", "accelerometer", "1", lambda motion: motion.force)
 
 
 def bias_map(harmonic: int, first_angle: Array) -> tuple[Effect, Effect]:
-    """Bias that goes with the pattern angle: cosine and sine of so many times it.
+    """Bias map: cosine and sine of a multiple of the pattern angle.
 
     Args:
-        harmonic: 2, 4, 8: multiple of the physical pattern angle.
+        harmonic: multiple of the physical pattern angle: 2, 4 or 8.
         first_angle: (3,) pattern angles at the motion's start, rad.
     """
 
@@ -93,8 +95,10 @@ def bias_map(harmonic: int, first_angle: Array) -> tuple[Effect, Effect]:
 
 
 def pick_off_map(harmonic: int, first_angle: Array) -> tuple[Effect, Effect]:
-    """Scale factor that goes with the pattern angle (pick-offs of unequal gain, not orthogonal):
-    true rate times the cosine and sine of so many times it. Arguments as `bias_map`."""
+    """Scale-factor map: true rate times the cosine and sine of a multiple of the pattern angle.
+
+    Pick-offs of unequal gain, or that are not orthogonal, cause it. Arguments as of `bias_map`.
+    """
 
     def effect(name: str, wave: Callable[[Array], Array]) -> Effect:
         return Effect(
@@ -109,5 +113,5 @@ def pick_off_map(harmonic: int, first_angle: Array) -> tuple[Effect, Effect]:
 
 
 def pattern_angle(motion: Motion, first_angle: Array) -> Array:
-    """(m, 3) pattern angles at the nodes, rad, of three gyros along the body axes."""
-    return np.asarray(first_angle) - BRYAN_FACTOR * motion.turned
+    """Return the pattern angles (m, 3), rad, at the nodes, of gyros along the body axes."""
+    return np.asarray(first_angle) - ANGULAR_GAIN * motion.turned

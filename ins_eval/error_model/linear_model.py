@@ -1,4 +1,4 @@
-"""The linear error model along a motion, in discrete steps, and its mean and covariance."""
+"""The linear error model along a motion in discrete steps, and its mean and covariance."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -7,12 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.common.sensor_errors import SensorErrors
-from ins_eval.common.state import TrackError
-from ins_eval.error_model.discretisation import to_end_of_step, van_loan
+from ins_eval.error_model.discretisation import discretize, transitions_to_step_end
 from ins_eval.error_model.dynamics import dynamics, free_states, sensor_inputs
 from ins_eval.error_model.effects import BIASES, Effect
 from ins_eval.error_model.motion import BOOLE, PARTS, Motion, step_mean
-from ins_eval.error_model.states import ATTITUDE, COUNT, POSITION, VELOCITY
+from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import Height
 
 Array = NDArray[np.float64]
@@ -22,11 +21,11 @@ AXES = 3
 
 @dataclass(frozen=True)
 class LinearModel:
-    """x[k+1] = transition[k] x[k] + inputs[k] c + noise of covariance `gained[k]`.
+    """Steps x[k+1] = transition[k] x[k] + inputs[k] c + noise of covariance `noise_covariance[k]`.
 
-    time: (n + 1,) s; transition: (n, 10, 10); inputs: (n, 10, e, 3) per coefficient of each effect
-    and axis; constant_errors: (n, 10, 6) per error of each gyro (rad/s) and accelerometer (m/s^2)
-    that is constant over the step; gained: (n, 10, 10).
+    time: (n + 1,) bounds of the steps, s; transition: (n, 10, 10); inputs: (n, 10, e, 3) per
+    coefficient of each effect and axis; constant_errors: (n, 10, 6) per error of each gyro, rad/s,
+    and accelerometer, m/s^2, that is constant over the step; noise_covariance: (n, 10, 10).
     """
 
     time: Array
@@ -34,75 +33,77 @@ class LinearModel:
     transition: Array
     inputs: Array
     constant_errors: Array
-    gained: Array
+    noise_covariance: Array
 
     def __len__(self) -> int:
         return len(self.transition)
 
     @property
     def step(self) -> float:
-        """s."""
+        """Duration of a step, s."""
         return float(self.time[1] - self.time[0])
 
     @property
     def persistence(self) -> Array:
-        """(e,) what is left of each coefficient after a step; 1 where it is constant."""
+        """(e,) correlation of each coefficient from one step to the next; 1 for constants."""
         times = np.array([effect.correlation_time for effect in self.effects])
         return np.exp(-self.step / times)
 
 
-def linear_model(
+def linearize(
     motion: Motion,
     height: Height,
     effects: Sequence[Effect] = BIASES,
     noise: SensorErrors | None = None,
 ) -> LinearModel:
-    """Linearise the navigator along a motion.
+    """Linearize the navigator along a motion (docs/methods/error_model.md, Eqs. 2 to 8).
 
     Args:
-        motion: the truth, or what was flown.
-        height: what holds the navigator's height.
-        effects: errors of the sensors that have coefficients.
-        noise: angle and velocity random walks are taken from it.
+        motion: the truth, or the motion of a navigator's track.
+        height: height aiding of the navigator.
+        effects: sensor errors that have coefficients.
+        noise: its angle and velocity random walks drive the model; None is no noise.
     """
-    model = assembled(
+    model = assemble_model(
         motion, dynamics(motion, height), sensor_inputs(motion, height), effects, noise
     )
     return replace(model, transition=model.transition * free_states(height)[:, None])
 
 
-def assembled(
+def assemble_model(
     motion: Motion,
     f: Array,
     g: Array,
     effects: Sequence[Effect],
     noise: SensorErrors | None,
 ) -> LinearModel:
-    """Model of given dynamics f (n, 10, 10) of the steps and inputs g (m, 10, 6) at the nodes.
+    """Assemble a model from dynamics f (n, 10, 10) of the steps and inputs g (m, 10, 6) at nodes.
 
-    Transition and noise are exact for the step's mean dynamics and noise density (Van Loan 1978);
-    the turning of the sensors within a step is integrated by Boole's rule.
+    Transition and noise covariance are exact for the step's mean dynamics and noise density (Van
+    Loan 1978). The rotation of the sensors within a step is integrated by Boole's rule.
     """
-    transition, gained = van_loan(f, step_mean(_density(g, noise or SensorErrors())), motion.step)
+    transition, covariance = discretize(
+        f, step_mean(_density(g, noise or SensorErrors())), motion.step
+    )
     regressors, columns = _signals(effects, motion)
     inputs = np.zeros((len(f), COUNT, len(effects), AXES))
     constant = np.zeros((len(f), COUNT, 2 * AXES))
-    for back, to_end in enumerate(to_end_of_step(f, motion.step, PARTS)):
+    for back, to_end in enumerate(transitions_to_step_end(f, motion.step, PARTS)):
         node = slice(PARTS - back, len(g) - back, PARTS)
         carried = motion.step * BOOLE[back] * (to_end @ g[node])
         inputs += carried[:, :, columns] * regressors[node, None]
         constant += carried
-    return LinearModel(motion.time, tuple(effects), transition, inputs, constant, gained)
+    return LinearModel(motion.time, tuple(effects), transition, inputs, constant, covariance)
 
 
-def joined(first: LinearModel, then: LinearModel) -> LinearModel:
-    """One model after the other, with the same effects.
+def join_models(first: LinearModel, then: LinearModel) -> LinearModel:
+    """Join two models with the same effects into one, first one and then the other.
 
     Raises:
-        ValueError: models that don't follow on each other.
+        ValueError: the second does not begin where the first ends, or steps or effects differ.
     """
-    apart = then.time[0] - first.time[-1]
-    if abs(apart) > 1e-6 or abs(first.step - then.step) > 1e-9 * then.step:
+    gap = then.time[0] - first.time[-1]
+    if abs(gap) > 1e-6 or abs(first.step - then.step) > 1e-9 * then.step:
         raise ValueError(
             f"models up to {first.time[-1]} s with steps of {first.step} s and from "
             f"{then.time[0]} s with steps of {then.step} s: expected the same moment and step"
@@ -116,12 +117,13 @@ def joined(first: LinearModel, then: LinearModel) -> LinearModel:
         np.concatenate([first.transition, then.transition]),
         np.concatenate([first.inputs, then.inputs]),
         np.concatenate([first.constant_errors, then.constant_errors]),
-        np.concatenate([first.gained, then.gained]),
+        np.concatenate([first.noise_covariance, then.noise_covariance]),
     )
 
 
-def propagated(model: LinearModel, initial: Array, coefficients: Array) -> Array:
-    """Errors that constant coefficients (e, 3) and initial errors (10,) lead to: (n + 1, 10)."""
+def propagate(model: LinearModel, initial: Array, coefficients: Array) -> Array:
+    """Return the errors (n + 1, 10) that constant coefficients (e, 3) and initial errors (10,)
+    cause."""
     drive = np.tensordot(model.inputs, coefficients, axes=2)
     x = np.empty((len(model) + 1, COUNT))
     x[0] = initial
@@ -130,19 +132,21 @@ def propagated(model: LinearModel, initial: Array, coefficients: Array) -> Array
     return x
 
 
-def propagated_covariance(
+def propagate_covariance(
     model: LinearModel, initial: Array, sigmas: Array, keep_every: int = 1
 ) -> Array:
-    """Covariance of the errors over time, (n / keep_every + 1, 10, 10).
+    """Return the covariance of the errors over time, (n / keep_every + 1, 10, 10).
+
+    docs/methods/error_model.md, Eq. 9.
 
     Args:
         model: with its noise.
         initial: (10, 10) covariance at the start.
-        sigmas: (e, 3) standard deviations of the coefficients; those that wander keep theirs.
-        keep_every: steps between those that are kept.
+        sigmas: (e, 3) standard deviations of the coefficients, the same at all times.
+        keep_every: steps between the rows that are kept.
     """
     variance = np.ravel(sigmas) ** 2
-    stays = np.repeat(model.persistence, AXES)
+    persistence = np.repeat(model.persistence, AXES)
     p, cross = np.array(initial, dtype=float), np.zeros((COUNT, len(variance)))
     inputs = model.inputs.reshape(len(model), COUNT, -1)
     kept = [p]
@@ -150,20 +154,15 @@ def propagated_covariance(
         carried = phi @ cross
         both = carried @ inputs[k].T
         p = phi @ p @ phi.T + both + both.T + (inputs[k] * variance) @ inputs[k].T
-        p = p + model.gained[k]
-        cross = (carried + inputs[k] * variance) * stays
+        p = p + model.noise_covariance[k]
+        cross = (carried + inputs[k] * variance) * persistence
         if (k + 1) % keep_every == 0:
             kept.append(p)
     return np.stack(kept)
 
 
-def as_track_error(time: Array, errors: Array) -> TrackError:
-    """Errors (m, 10) at times (m,) under the names that the navigator's own have."""
-    return TrackError(time, errors[:, POSITION], errors[:, VELOCITY], errors[:, ATTITUDE])
-
-
 def _signals(effects: Sequence[Effect], motion: Motion) -> tuple[Array, NDArray[np.intp]]:
-    """(m, e, 3) regressors at the nodes, and which of the six sensors (e, 3) they belong to."""
+    """Return regressors (m, e, 3) at the nodes, and the sensor of each (e, 3), 0 to 5."""
     regressors = np.empty((len(motion.mat_nb), len(effects), AXES))
     sensors = np.empty((len(effects), AXES), dtype=np.intp)
     for number, effect in enumerate(effects):
@@ -173,6 +172,6 @@ def _signals(effects: Sequence[Effect], motion: Motion) -> tuple[Array, NDArray[
 
 
 def _density(g: Array, noise: SensorErrors) -> Array:
-    """(m, 10, 10) density of white noise on the states, at the nodes."""
+    """Return the density (m, 10, 10) of the white noise on the states at the nodes."""
     walks = np.repeat([noise.angle_random_walk, noise.velocity_random_walk], AXES)
     return np.einsum("nij,j,nkj->nik", g, walks**2, g)

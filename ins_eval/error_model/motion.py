@@ -1,7 +1,7 @@
-"""The motion that errors are linearised about: a trajectory's, or one that was flown.
+"""The motion about which errors are linearized: that of a trajectory, or of a navigator's track.
 
-A step of the linear model has five nodes, at its quarters: attitude may turn within a step, and
-Boole's rule over the nodes sees it.
+Each step of the linear model has five nodes, a quarter of a step apart. Boole's rule over the nodes
+takes in the rotation of the vehicle within a step.
 """
 
 from dataclasses import dataclass
@@ -9,24 +9,25 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.common.increments import Increments
 from ins_eval.common.state import State, Track
 from ins_eval.trajectories.trajectory import Trajectory
+from pyhrg.records.imu.increments import Increments
 
 Array = NDArray[np.float64]
 
 PARTS = 4
-"""Parts of a step, with a node at each bound."""
+"""Parts of a step; there is a node at each bound."""
 BOOLE = np.array([7.0, 32.0, 12.0, 32.0, 7.0]) / 90
-"""Weights of a step's nodes in its mean; exact for polynomials of fifth degree."""
+"""Weights of a step's nodes in its mean, by Boole's rule; exact for polynomials of degree 5."""
 
 
 @dataclass(frozen=True)
 class Motion:
     """Motion at the nodes (m,) of n steps, m = 4 n + 1.
 
-    step: s; start: s; latitude: (m,) rad; height: (m,) m; velocity: (m, 3) north, east, down,
-    m/s; mat_nb: (m, 3, 3); rate: (m, 3) `omega_ib_b`, rad/s; force: (m, 3) `f_b`, m/s^2;
+    step, start: duration of a step and time of the first node, s; latitude: (m,) rad; height: (m,)
+    m; velocity: (m, 3) north, east, down, m/s; mat_nb: (m, 3, 3); rate: (m, 3) `omega_ib_b`, rad/s;
+    force: (m, 3) `f_b`, m/s^2;
     turned: (m, 3) integral of `rate` on each axis from the start, rad.
     """
 
@@ -45,19 +46,19 @@ class Motion:
 
     @property
     def time(self) -> Array:
-        """(n + 1,) bounds of the steps, s."""
+        """(n + 1,) times of the steps' bounds, s."""
         return np.asarray(self.start + self.step * np.arange(len(self) + 1.0))
 
 
 def step_mean(at_nodes: Array) -> Array:
-    """(n, ...) means over the steps, from (m, ...)."""
+    """Return means (n, ...) over the steps of values (m, ...) at the nodes."""
     first = len(at_nodes) - PARTS
     parts = (w * at_nodes[k : first + k : PARTS] for k, w in enumerate(BOOLE))
     return np.asarray(sum(parts))
 
 
-def along(trajectory: Trajectory, start: float, step: float, count: int) -> Motion:
-    """Motion of a trajectory over `count` steps of `step` seconds from `start`."""
+def sample_motion(trajectory: Trajectory, start: float, step: float, count: int) -> Motion:
+    """Sample the motion of a trajectory in `count` steps of `step` seconds from time `start`."""
     spacing = step / PARTS
     time = np.asarray(start + spacing * np.arange(PARTS * count + 1.0))
     position = trajectory.position(time)
@@ -75,17 +76,17 @@ def along(trajectory: Trajectory, start: float, step: float, count: int) -> Moti
     )
 
 
-def flown(start: State, track: Track, increments: Increments) -> Motion:
-    """Motion that a navigator put out, with the increments that it came from.
+def motion_of_track(start: State, track: Track, increments: Increments) -> Motion:
+    """Return the motion of a navigator's track.
 
     Args:
-        start: where it started, with the increments.
-        track: what followed at equal times, each a node: four rows a step.
-        increments: at least up to the last of these times.
+        start: state in which the navigation began, at the increments' start.
+        track: navigated states at equally spaced times, each of which is a node: four rows a step.
+        increments: from which the track was computed, at least up to its last time.
 
     Raises:
-        ValueError: a track that has no whole number of steps, or whose times do not follow the
-            increments' start at multiples of their interval.
+        ValueError: the rows are no whole number of steps, or their times are no multiples of the
+            increments' interval after the increments' start.
     """
     per_node, nodes = _intervals_per_node(track.time, increments), len(track) + 1
     bounds = slice(0, per_node * len(track) + 1, per_node)
@@ -118,7 +119,7 @@ def _intervals_per_node(time: Array, increments: Increments) -> int:
 
 
 def _at_bounds(sums: Array, interval: float, per_node: int, nodes: int) -> Array:
-    """Rates (nodes, 3) at the nodes: means over a node's spacing, centred, one-sided at ends."""
+    """Return rates (nodes, 3): means over one spacing around each node, one-sided at the ends."""
     total = _running_sum(sums)
     centre = per_node * np.arange(nodes)
     reach = max(per_node // 2, 1)

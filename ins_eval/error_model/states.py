@@ -1,8 +1,8 @@
-"""States of the linear error model, by name and place.
+"""The ten states of the linear error model: names, units and places in the state vector.
 
-Ten of them: those of `TrackError` (computed less true; position in metres at the true place;
-attitude as the rotation vector that turns the true axes into the computed ones), and the integral
-of a baro-damped height loop. What the sensors do wrong comes in as inputs (`effects`).
+Nine are the errors of `TrackError`: computed less true, position in metres at the true place,
+attitude as the rotation vector that turns the true axes into the computed ones. The tenth is the
+integral of the baro-damped height loop. Sensor errors are inputs (`effects`).
 """
 
 NAMES = (

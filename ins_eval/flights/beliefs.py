@@ -20,14 +20,14 @@ from ins_eval.error_model.effects import (
 from ins_eval.error_model.motion import Motion
 from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
+from ins_eval.imu.sensor_error_model import IDEAL_SENSORS
 from ins_eval.imu.stated_gyros import StatedGyros
-from ins_eval.imu.triad import IDEAL
 
 Array = NDArray[np.float64]
 
 AXES = 3
 HARMONIC = 4
-"""Of the pattern angle, that a calibrated whole-angle gyro's bias mainly goes with."""
+"""Harmonic of the pattern angle that a calibrated whole-angle gyro's bias mainly follows."""
 DECADES = (1e1, 1e2, 1e3, 1e4, 1e5)
 """Correlation times of the processes that make up bias instability, s: its Allan deviation is flat
 to 5 % for times from 100 s to 30 000 s."""
@@ -43,13 +43,13 @@ class Beliefs:
 
     @property
     def constant(self) -> "Beliefs":
-        """Without what wanders."""
+        """The beliefs without effects that wander."""
         stays = [i for i, effect in enumerate(self.effects) if math.isinf(effect.correlation_time)]
         return Beliefs(tuple(self.effects[i] for i in stays), self.deviations[stays], self.noise)
 
 
-def beliefs(imu: Imu, first_angle: Array | None = None) -> Beliefs:
-    """Of an IMU whose constants nobody knows.
+def state_beliefs(imu: Imu, first_angle: Array | None = None) -> Beliefs:
+    """Effects of an IMU whose constants nobody knows.
 
     A calibrated whole-angle gyro's bias is cosine and sine of four times its pattern angle, of
     equal deviation: the same at every angle.
@@ -59,24 +59,27 @@ def beliefs(imu: Imu, first_angle: Array | None = None) -> Beliefs:
         first_angle: (3,) pattern angles at the motion's start, rad; variances don't depend on them.
     """
     errors, force = imu.errors, imu.accelerometers
-    triad = imu.gyros.triad if isinstance(imu.gyros, StatedGyros) else IDEAL
+    triad = imu.gyros.error_model if isinstance(imu.gyros, StatedGyros) else IDEAL_SENSORS
     crossed = math.hypot(triad.misalignment.size, imu.mounting_deviation)
     sized = [
         *((effect, errors.gyro_bias) for effect in _gyro_bias(imu, first_angle)),
-        *((gyro_bias(time), instability(errors.gyro_bias_instability)) for time in DECADES),
+        *((gyro_bias(time), size_gauss_markov(errors.gyro_bias_instability)) for time in DECADES),
         (gyro_scale_factor(), triad.scale_factor.size),
-        *((effect, crossed) for effect in misalignment("gyro")),
+        *((effect, crossed) for effect in model_misalignment("gyro")),
         (accelerometer_bias(), force.bias.size),
-        *((accelerometer_bias(time), instability(force.bias_instability)) for time in DECADES),
+        *(
+            (accelerometer_bias(time), size_gauss_markov(force.bias_instability))
+            for time in DECADES
+        ),
         (accelerometer_scale_factor(), force.scale_factor.size),
-        *((effect, force.misalignment.size) for effect in misalignment("accelerometer")),
+        *((effect, force.misalignment.size) for effect in model_misalignment("accelerometer")),
     ]
     effects = tuple(effect for effect, size in sized if size > 0)
     sizes = np.array([size for _, size in sized if size > 0])
     return Beliefs(effects, np.tile(sizes[:, None], (1, AXES)), errors)
 
 
-def instability(coefficient: float) -> float:
+def size_gauss_markov(coefficient: float) -> float:
     """Standard deviation of each of the Gauss-Markov processes, their correlation times a decade
     apart, that sum to flicker noise of an IEEE coefficient B: B sqrt(ln 10 / pi).
 
@@ -86,7 +89,7 @@ def instability(coefficient: float) -> float:
     return coefficient * math.sqrt(math.log(10) / math.pi)
 
 
-def misalignment(sensor: Sensor) -> tuple[Effect, Effect]:
+def model_misalignment(sensor: Sensor) -> tuple[Effect, Effect]:
     """What each axis feels of the next and of the one after it (Groves 2013, Eq. 4.16)."""
 
     def felt(shift: int) -> Callable[[Motion], Array]:

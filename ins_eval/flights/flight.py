@@ -8,14 +8,14 @@ from numpy.typing import NDArray
 
 from ins_eval.alignment.align import align
 from ins_eval.alignment.result import Alignment
-from ins_eval.common.increments import Increments
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.common.state import Track
 from ins_eval.flights.plan import WARM_UP, Plan
 from ins_eval.flights.truth import Truth
-from ins_eval.imu.imu import Imu, Measured, StartUpError
+from ins_eval.imu.imu import Imu, ImuReading, StartUpError
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
 from ins_eval.navigation.strapdown import navigate
+from pyhrg.records.imu.increments import Increments
 
 Array = NDArray[np.float64]
 
@@ -24,13 +24,13 @@ Array = NDArray[np.float64]
 class Run:
     """One flight; alignment: None when it started from the truth."""
 
-    measured: Measured
+    measured: ImuReading
     alignment: Alignment | None
     track: Track
 
 
 @dataclass(frozen=True)
-class Flights:
+class Runs:
     """All flights of a plan.
 
     own: the navigator's track on ideal increments from the true start; first: the first run;
@@ -43,8 +43,19 @@ class Flights:
     tracks: Sequence[Track]
 
 
-def fly(plan: Plan, truth: Truth, imu: Imu, done: Callable[[], object] = lambda: None) -> Flights:
-    """Fly the ideal increments, then each run's; `done` is called after each.
+def fly_runs(
+    plan: Plan,
+    truth: Truth,
+    imu: Imu,
+    progress: Callable[[int, int], None] | None = None,
+) -> Runs:
+    """All flights of a plan: on ideal increments first, then each run's.
+
+    Args:
+        plan: how to fly.
+        truth: sampled for the plan.
+        imu: that measures.
+        progress: is called with the number of flights done and the number of all.
 
     Raises:
         AlignmentError: what was measured can't be aligned on.
@@ -53,28 +64,29 @@ def fly(plan: Plan, truth: Truth, imu: Imu, done: Callable[[], object] = lambda:
     """
     if plan.alignment is not None:
         imu = imu.from_power_on()
-    own = _navigated(plan, truth, truth.increments, None)
-    done()
+    report = progress or (lambda done, total: None)
+    own = _navigate(plan, truth, truth.increments, None)
+    report(1, plan.runs + 1)
     alignments, tracks = [], []
     first = None
-    for seed in run_seeds(plan.seed, plan.runs):
+    for number, seed in enumerate(spawn_seeds(plan.seed, plan.runs), start=2):
         run = _run(plan, truth, imu, seed)
         first = first or run
         alignments += [run.alignment] if run.alignment else []
         tracks.append(run.track)
-        done()
+        report(number, plan.runs + 1)
     assert first
-    return Flights(own, first, alignments, tracks)
+    return Runs(own, first, alignments, tracks)
 
 
-def run_seeds(seed: int, runs: int) -> list[int]:
-    """Of each run; the first ones are the same however many there are."""
+def spawn_seeds(seed: int, runs: int) -> list[int]:
+    """Seeds of the runs; the first ones are the same however many runs there are."""
     children = np.random.SeedSequence(seed).spawn(runs)
     return [int(child.generate_state(1, np.uint64)[0] >> np.uint64(1)) for child in children]
 
 
-def held(plan: Plan, heights: Array) -> Height:
-    """What holds the navigator's height to these, m, at the bounds of the intervals."""
+def hold_height(plan: Plan, heights: Array) -> Height:
+    """What holds the navigator's height to these heights, m, at the bounds of the intervals."""
     if plan.height == "free":
         return Free()
     return Clamped(heights) if plan.height == "clamped" else BaroDamped(heights)
@@ -87,12 +99,12 @@ def _run(plan: Plan, truth: Truth, imu: Imu, seed: int) -> Run:
             f"{imu.name}: gyros are not ready throughout; expected them to be {WARM_UP:g} s after "
             "power-on, when alignment begins, and from then on"
         )
-    alignment = _aligned(plan, truth, measured.increments, imu.errors)
-    track = _navigated(plan, truth, measured.increments, alignment)
+    alignment = _align(plan, truth, measured.increments, imu.errors)
+    track = _navigate(plan, truth, measured.increments, alignment)
     return Run(measured, alignment, track)
 
 
-def _aligned(
+def _align(
     plan: Plan, truth: Truth, measured: Increments, errors: SensorErrors
 ) -> Alignment | None:
     if plan.alignment is None:
@@ -100,10 +112,8 @@ def _aligned(
     return align(truth.alignment(measured), truth.position, errors)
 
 
-def _navigated(
-    plan: Plan, truth: Truth, measured: Increments, alignment: Alignment | None
-) -> Track:
-    """From the true position and velocity, and the aligned attitude."""
+def _navigate(plan: Plan, truth: Truth, measured: Increments, alignment: Alignment | None) -> Track:
+    """Track from the true position and velocity, and the aligned attitude."""
     start = replace(truth.start, mat_nb=alignment.mat_nb) if alignment else truth.start
-    height = held(plan, truth.heights)
+    height = hold_height(plan, truth.heights)
     return navigate(start, truth.flight(measured), height, plan.keep_every, plan.samples)

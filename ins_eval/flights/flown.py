@@ -1,4 +1,4 @@
-"""What comes of flights."""
+"""Flights of a plan: attitudes, positions, and whose the errors are."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,19 +16,24 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Budget:
-    """Of run 1; shares: as `error_model.budget.budget` gives it; weights: that they rest on."""
+    """Error budget of run 1.
+
+    shares: contributions to the final error, as `error_model.budget` gives them; weights: the
+    adjoint weights that they rest on.
+    """
 
     shares: xr.Dataset
     weights: Weights
 
 
 @dataclass(frozen=True)
-class Flown:
+class FlightData:
     """Flights of a plan, compared with the truth if it is known.
 
-    start: (3,) position at time 0: latitude, longitude, rad, height, m; alignments: of each run,
-    none if they start from the truth; dataset: as `results.flights` gives it: `against` a truth,
-    `own_error` and `sigmas` of simulations, `navigated` alone if there is no truth.
+    start: (3,) position at time 0: latitude, longitude (rad), height (m); alignments: one a run,
+    none if the runs start from the truth; dataset: navigated states by run and time; where a truth
+    is known, true states and errors; for simulated IMUs, the linear model's one-sigma and the
+    navigator's own error.
     """
 
     plan: Plan

@@ -7,15 +7,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.alignment.align import align
-from ins_eval.common.increments import Increments
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.common.state import State, Track
-from ins_eval.flights.flight import held
-from ins_eval.flights.flown import Flown
+from ins_eval.flights.flight import hold_height
+from ins_eval.flights.flown import FlightData
 from ins_eval.flights.plan import Plan
-from ins_eval.flights.truth import still
+from ins_eval.flights.truth import count_still_increments
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.results import flights
+from pyhrg.records.imu.increments import Increments
 
 Array = NDArray[np.float64]
 
@@ -23,8 +23,8 @@ Reference = Callable[[Array], Track]
 """True states at times (m,), s; attitudes that nobody knows are NaN."""
 
 
-def at_rest(position: Array) -> Reference:
-    """The truth of a vehicle that stood there all the time, whatever way it faced."""
+def stand_still(position: Array) -> Reference:
+    """Truth of a vehicle that stood there all the time, whatever way it faced."""
 
     def track(time: Array) -> Track:
         rows = len(time)
@@ -34,14 +34,14 @@ def at_rest(position: Array) -> Reference:
     return track
 
 
-def fly_log(
+def navigate_log(
     plan: Plan,
     name: str,
     log: Increments,
     position: Array,
     errors: SensorErrors,
     reference: Reference | None,
-) -> Flown:
+) -> FlightData:
     """Align on a log's beginning, and navigate.
 
     Args:
@@ -56,7 +56,7 @@ def fly_log(
         AlignmentError: its beginning can't be aligned on.
         NavigationError: the navigator can't start or go on.
     """
-    _, zero = still(plan.alignment, plan.interval, warm_up=0.0)
+    _, zero = count_still_increments(plan.alignment, plan.interval, warm_up=0.0)
     log = replace(log, start=-zero * log.interval)
     alignment = align(log.between(0, zero), position, errors)
     measured = log.between(zero, zero + plan.count)
@@ -65,8 +65,8 @@ def fly_log(
     heights = np.full(plan.count + 1, height)
     if reference:
         heights = reference(measured.bounds).position[:, 2]
-    track = navigate(start, measured, held(plan, heights), plan.keep_every, plan.samples)
-    dataset = flights.navigated([track])
+    track = navigate(start, measured, hold_height(plan, heights), plan.keep_every, plan.samples)
+    dataset = flights.tabulate_navigated([track])
     if reference:
-        dataset = flights.against([track], reference(track.time))
-    return Flown(plan, "dead reckoning", name, np.asarray(position), [alignment], dataset)
+        dataset = flights.compare_with_truth([track], reference(track.time))
+    return FlightData(plan, "dead reckoning", name, np.asarray(position), [alignment], dataset)

@@ -1,24 +1,40 @@
-"""What a flight is asked to be."""
+"""What a flight is asked to be, from the numbers that a user gives."""
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, get_args
+
+from ins_eval.alignment.align import MIN_DURATION
+from pyhrg.common.arguments import (
+    check_number,
+    check_seed,
+    check_whole_minutes,
+    check_whole_number,
+)
+from pyhrg.common.errors import HrgError
+from pyhrg.records.imu.increments import Increments
 
 HeightMode = Literal["clamped", "free", "baro"]
+"""What holds the height: the true one, nothing, or a loop with the true one."""
 
 WARM_UP = 20.0
 """Time from a simulated IMU's power-on to the beginning of alignment, s."""
 ROW_SPACING = 10.0
-"""Time between rows of the result, s: about, since steps must fit into it."""
+"""Time between rows of the result that is aimed at, s; a whole number of steps must fit into it."""
+LONGEST_HOURS = 24.0
+LONGEST_ALIGNMENT = 7200.0
+"""Longest time from power-on to time 0, s."""
+MAX_INCREMENTS = 10_000_000
+MAX_RUNS = 1000
 
 
 @dataclass(frozen=True)
 class Plan:
     """How to fly.
 
-    interval: of the increments, s; count: of increments from time 0 on; keep_every: increments
+    interval: duration of one increment, s; count: increments from time 0 on; keep_every: increments
     between rows of the result; samples: increments a navigation step, 2 to 4; height: what holds
-    it; alignment: duration before time 0, without the warm-up, s, or None to start from the true
-    attitude; seed: of everything random; runs: flights, each with an IMU of its own.
+    it; alignment: duration before time 0 without the warm-up, s, or None to start from the true
+    attitude; seed: of everything random; runs: number of flights, each with an IMU of its own.
     """
 
     interval: float
@@ -32,20 +48,120 @@ class Plan:
 
     @property
     def duration(self) -> float:
-        """Of the flight, s."""
+        """Duration of the flight, s."""
         return self.count * self.interval
 
     @property
     def row_spacing(self) -> float:
-        """s."""
+        """Time between rows of the result, s."""
         return self.keep_every * self.interval
 
 
-def rows(interval: float, samples: int) -> int:
-    """Increments between rows: whole steps, about `ROW_SPACING`, that fill the minute if any do."""
+def plan_simulation(
+    interval: float,
+    *,
+    hours: float = 1.0,
+    samples: int = 2,
+    height: HeightMode = "clamped",
+    align_s: float | None = 300.0,
+    seed: int = 1,
+    runs: int = 1,
+) -> Plan:
+    """Plan of flights of a simulated IMU.
+
+    Args:
+        interval: duration of one increment, s.
+        hours: duration of a flight, in whole minutes.
+        samples: increments a navigation step, 2 to 4.
+        height: what holds the height.
+        align_s: time from power-on to time 0, warm-up and alignment in it; None starts from the
+            true attitude.
+        seed: of everything random.
+        runs: number of flights.
+
+    Raises:
+        HrgError: a number out of range.
+    """
+    spacing = count_row_increments(interval, check_whole_number("samples", samples, 2, 4))
+    wanted = check_whole_minutes("hours", hours, LONGEST_HOURS) * 60 / interval
+    plan = Plan(
+        interval,
+        count=max(1, round(wanted / spacing)) * spacing,
+        keep_every=spacing,
+        samples=samples,
+        height=_check_height(height),
+        alignment=None if align_s is None else _check_alignment(align_s, WARM_UP) - WARM_UP,
+        seed=check_seed(seed),
+        runs=check_whole_number("runs", runs, 1, MAX_RUNS),
+    )
+    if plan.count > MAX_INCREMENTS:
+        raise HrgError(
+            f"hours: found {hours:g} at {1 / interval:g} Hz, {plan.count} increments; "
+            f"expected at most {MAX_INCREMENTS}"
+        )
+    return plan
+
+
+def plan_log(
+    name: str,
+    increments: Increments,
+    *,
+    hours: float | None = None,
+    samples: int = 2,
+    height: HeightMode = "clamped",
+    align_s: float = 300.0,
+) -> Plan:
+    """Plan of the dead reckoning of a recorded log.
+
+    Args:
+        name: of the log, for messages.
+        increments: what the log holds.
+        hours: duration of the flight in whole minutes; all that follows the alignment if None.
+        samples, height: as in `plan_simulation`.
+        align_s: duration of the alignment at the log's beginning.
+
+    Raises:
+        HrgError: a number out of range, or a log that is too short.
+    """
+    interval, alignment = increments.interval, _check_alignment(align_s)
+    spacing = count_row_increments(interval, check_whole_number("samples", samples, 2, 4))
+    count = (len(increments) - round(alignment / interval)) // spacing * spacing
+    needed = spacing
+    if hours is not None:
+        wanted = check_whole_minutes("hours", hours, LONGEST_HOURS) * 60 / interval
+        needed = max(1, round(wanted / spacing)) * spacing
+    if count < needed:
+        raise HrgError(
+            f"{name}: lasts {increments.duration:g} s; expected {alignment:g} s of alignment "
+            f"and {needed * interval:g} s of flight"
+        )
+    return Plan(
+        interval,
+        count if hours is None else needed,
+        spacing,
+        samples=samples,
+        height=_check_height(height),
+        alignment=alignment,
+    )
+
+
+def count_row_increments(interval: float, samples: int) -> int:
+    """Number of increments between rows of the result: whole steps, about `ROW_SPACING`, that fill
+    the minute if any number does."""
     wanted = ROW_SPACING / interval
     minute = round(60 / interval)
     fitting = [n for n in range(samples, minute + 1, samples) if minute % n == 0]
     if abs(minute * interval - 60) > 1e-6 or not fitting:
         fitting = [samples * max(1, round(wanted / samples))]
     return min(fitting, key=lambda n: abs(n - wanted))
+
+
+def _check_alignment(align_s: float, warm_up: float = 0.0) -> float:
+    return check_number("align_s", align_s, warm_up + MIN_DURATION, LONGEST_ALIGNMENT)
+
+
+def _check_height(height: HeightMode) -> HeightMode:
+    if height not in get_args(HeightMode):
+        expected = ", ".join(get_args(HeightMode))
+        raise HrgError(f"height: found {height!r}, expected {expected}")
+    return height

@@ -13,65 +13,65 @@ import xarray as xr
 
 from ins_eval.alignment.result import Alignment
 from ins_eval.common.state import position_error
-from ins_eval.error_model.budget.budget_figure import draw as draw_budget
-from ins_eval.flights.flown import Flown
-from ins_eval.flights.shares import Share, shares, write_shares
+from ins_eval.error_model.budget.budget_figure import plot_budget
+from ins_eval.flights.flown import FlightData
+from ins_eval.flights.shares import Share, list_shares, write_shares
 from ins_eval.results import tables
-from ins_eval.results.growth_figure import growth_figure
-from ins_eval.results.map_figure import map_figure
-from ins_eval.results.png import save
+from ins_eval.results.growth_figure import draw_growth
+from ins_eval.results.map_figure import draw_map
+from ins_eval.results.png import save_png
 
 SCHEMA = "hrg-nav/1"
 COMPONENTS = ("north", "east", "radial")
 LABEL, NUMBER = 42, 12
-"""Widths in the printed table."""
+"""Widths of the printed table's first column and of the others, characters."""
 
 
-def files(truth: bool, simulated: bool) -> tuple[str, ...]:
-    """Names of those that are written of flights with a truth, or of a simulated IMU."""
+def list_files(flight: FlightData) -> tuple[str, ...]:
+    """Names of the files of flights: more with a truth, and more of a simulated IMU."""
     names = ["nav.json", "flights.csv", "flights.parquet", "flights.nc", "map.png"]
     return (
         *names,
-        *(("growth.png",) if truth else ()),
-        *(("budget.csv", "budget.png") if simulated else ()),
+        *(("growth.png",) if "radial_error" in flight.dataset else ()),
+        *(("budget.csv", "budget.png") if flight.budget else ()),
     )
 
 
-def write(flown: Flown, folder: Path, names: tuple[str, ...]) -> None:
-    """Write these `files` into an existing folder."""
-    dataset = flown.dataset.assign_attrs(title=flown.title)
+def write(flight: FlightData, folder: Path) -> None:
+    """Write `list_files` into an existing folder."""
+    dataset = flight.dataset.assign_attrs(title=flight.title)
     writers: Mapping[str, Callable[[Path], None]] = {
-        "nav.json": lambda path: _write_text(json.dumps(document(flown), indent=2) + "\n", path),
+        "nav.json": lambda path: _write_json(make_document(flight), path),
         "flights.csv": lambda path: tables.write_csv(dataset, path),
         "flights.parquet": lambda path: tables.write_parquet(dataset, path),
         "flights.nc": lambda path: tables.write_netcdf(dataset, path),
-        "map.png": lambda path: save(map_figure(dataset), path),
-        "growth.png": lambda path: save(growth_figure(dataset), path),
-        "budget.csv": lambda path: write_shares(shares(flown.budget), path),
-        "budget.png": lambda path: _draw_budget(flown, path),
+        "map.png": lambda path: save_png(draw_map(dataset), path),
+        "growth.png": lambda path: save_png(draw_growth(dataset), path),
+        "budget.csv": lambda path: write_shares(list_shares(flight.budget), path),
+        "budget.png": lambda path: _draw_budget(flight, path),
     }
-    for name in names:
+    for name in list_files(flight):
         writers[name](folder / name)
 
 
-def summary(flown: Flown) -> str:
-    """What a person wants to read."""
-    last = flown.dataset.isel(time=-1)
+def summarize(flight: FlightData) -> str:
+    """Alignment, errors at the end and error budget in words."""
+    last = flight.dataset.isel(time=-1)
     head = f"at the end, after {float(last['time']) / 3600:.4g} h"
-    rows = _end_rows(flown, last)
+    rows = _end_rows(flight, last)
     lines = [f"{head:<{LABEL}}" + "".join(f"{name:>{NUMBER}}" for name in COMPONENTS)]
     lines += [_line(label, row) for label, row in rows]
-    return "\n".join([flown.title, "", *_alignment_lines(flown), *lines, *_budget_lines(flown)])
+    return "\n".join([flight.title, "", *_alignment_lines(flight), *lines, *_budget_lines(flight)])
 
 
-def document(flown: Flown) -> dict[str, Any]:
+def make_document(flight: FlightData) -> dict[str, Any]:
     """Content of nav.json."""
-    plan = flown.plan
+    plan = flight.plan
     result: dict[str, Any] = {
         "schema": SCHEMA,
-        "versions": versions(),
-        "trajectory": flown.trajectory,
-        "imu": flown.imu,
+        "versions": list_versions(),
+        "trajectory": flight.trajectory,
+        "imu": flight.imu,
         "duration_s": plan.duration,
         "rate_hz": 1 / plan.interval,
         "samples": plan.samples,
@@ -80,28 +80,28 @@ def document(flown: Flown) -> dict[str, Any]:
         "seed": plan.seed,
         "runs": plan.runs,
         "row_spacing_s": plan.row_spacing,
-        "at_the_end": _end_document(flown),
-        "alignments": [alignment_document(alignment) for alignment in flown.alignments],
+        "at_the_end": _end_document(flight),
+        "alignments": [describe_alignment(alignment) for alignment in flight.alignments],
     }
-    if "own_north_error" in flown.dataset:
-        result["largest_own_error_mm"] = largest_own_error_mm(flown.dataset)
-    if flown.budget:
-        result["budget_of_run_1"] = [share.document() for share in shares(flown.budget)]
+    if "own_north_error" in flight.dataset:
+        result["largest_own_error_mm"] = find_largest_own_error_mm(flight.dataset)
+    if flight.budget:
+        result["budget_of_run_1"] = [share.document() for share in list_shares(flight.budget)]
     return result
 
 
-def versions() -> dict[str, str]:
-    """Of this package and of what its numbers rest on."""
+def list_versions() -> dict[str, str]:
+    """Versions of this package and of the libraries that its numbers rest on."""
     libraries = {name: version(name) for name in ("hrg", "numpy", "scipy", "numba", "filterpy")}
     return {"python": platform.python_version(), **libraries}
 
 
-def largest_own_error_mm(dataset: xr.Dataset) -> float:
+def find_largest_own_error_mm(dataset: xr.Dataset) -> float:
     """Largest horizontal error of the flight on ideal increments, mm."""
     return float(np.max(np.hypot(dataset["own_north_error"], dataset["own_east_error"]))) * 1000
 
 
-def alignment_document(alignment: Alignment) -> dict[str, Any]:
+def describe_alignment(alignment: Alignment) -> dict[str, Any]:
     """An alignment as numbers with units."""
     roll, pitch, heading = map(float, alignment.euler_sigma_deg)
     return {
@@ -117,8 +117,8 @@ def alignment_document(alignment: Alignment) -> dict[str, Any]:
     }
 
 
-def _end_document(flown: Flown) -> dict[str, Any]:
-    last = flown.dataset.isel(time=-1)
+def _end_document(flight: FlightData) -> dict[str, Any]:
+    last = flight.dataset.isel(time=-1)
     names = [f"{component}_error_m" for component in COMPONENTS]
     names += ["heading_error_deg", "north_sigma_m", "east_sigma_m", "heading_sigma_deg"]
     names += ["latitude_deg", "longitude_deg"]
@@ -135,14 +135,14 @@ def _finite(value: Any) -> Any:
     return value if math.isfinite(value) else None
 
 
-def _end_rows(flown: Flown, last: xr.Dataset) -> list[tuple[str, list[float]]]:
+def _end_rows(flight: FlightData, last: xr.Dataset) -> list[tuple[str, list[float]]]:
     if "north_error" not in last:
-        return [("from where it was aligned, m", _moved(flown, last))]
+        return [("from where it was aligned, m", _moved(flight, last))]
     errors = [last[f"{name}_error"].values for name in COMPONENTS]
     rms = [float(np.sqrt(np.mean(error**2))) for error in errors]
     rows = [("position error, m", [float(error[0]) for error in errors])]
-    if flown.plan.runs > 1:
-        rows = [(f"position error, rms of {flown.plan.runs} runs, m", rms)]
+    if flight.plan.runs > 1:
+        rows = [(f"position error, rms of {flight.plan.runs} runs, m", rms)]
     if "north_sigma" in last:
         sigma = [float(last["north_sigma"]), float(last["east_sigma"])]
         rows.append(("1-sigma by the linear model, m", [*sigma, math.hypot(*sigma)]))
@@ -152,31 +152,31 @@ def _end_rows(flown: Flown, last: xr.Dataset) -> list[tuple[str, list[float]]]:
     return rows
 
 
-def _moved(flown: Flown, last: xr.Dataset) -> list[float]:
+def _moved(flight: FlightData, last: xr.Dataset) -> list[float]:
     """North, east and radial, m, from the start to the end."""
     position = np.array([np.deg2rad(last[f"{name}itude"].item()) for name in ("lat", "long")])
-    north, east, _ = position_error(np.append(position, last["height"].item()), flown.start)
+    north, east, _ = position_error(np.append(position, last["height"].item()), flight.start)
     return [float(north), float(east), math.hypot(north, east)]
 
 
-def _alignment_lines(flown: Flown) -> list[str]:
-    if not flown.alignments:
+def _alignment_lines(flight: FlightData) -> list[str]:
+    if not flight.alignments:
         return ["starts from the true position, velocity and attitude", ""]
-    which = "alignment" if len(flown.alignments) == 1 else "alignment of run 1"
-    return [f"{which}: {flown.alignments[0]}", ""]
+    which = "alignment" if len(flight.alignments) == 1 else "alignment of run 1"
+    return [f"{which}: {flight.alignments[0]}", ""]
 
 
-def _budget_lines(flown: Flown) -> list[str]:
-    if not flown.budget:
+def _budget_lines(flight: FlightData) -> list[str]:
+    if not flight.budget:
         return []
     by_effect: dict[str, list[Share]] = {}
-    for share in shares(flown.budget):
+    for share in list_shares(flight.budget):
         by_effect.setdefault(share.effect, []).append(share)
     sums = {
         effect: [sum(s.north for s in found), sum(s.east for s in found)]
         for effect, found in by_effect.items()
     }
-    which = "" if flown.plan.runs == 1 else " of run 1"
+    which = "" if flight.plan.runs == 1 else " of run 1"
     lines = ["", f"budget{which}, m"]
     lines += [_line(effect, [*sums[effect], math.hypot(*sums[effect])]) for effect in sums]
     total = [sum(parts) for parts in zip(*sums.values(), strict=True)]
@@ -187,10 +187,10 @@ def _line(label: str, row: list[float]) -> str:
     return f"{label:<{LABEL}}" + "".join(f"{x:>{NUMBER}.4g}" for x in row)
 
 
-def _draw_budget(flown: Flown, path: Path) -> None:
-    assert flown.budget
-    draw_budget(flown.budget.weights, flown.budget.shares, path, flown.title)
+def _draw_budget(flight: FlightData, path: Path) -> None:
+    assert flight.budget
+    save_png(plot_budget(flight.budget.weights, flight.budget.shares, flight.title), path)
 
 
-def _write_text(text: str, path: Path) -> None:
-    path.write_text(text)
+def _write_json(document: dict[str, Any], path: Path) -> None:
+    path.write_text(json.dumps(document, indent=2) + "\n")

@@ -21,7 +21,7 @@ class Share:
     east: float
 
     def document(self) -> dict[str, str | float]:
-        """With units in the names."""
+        """The share as numbers with units in their names."""
         return {
             "effect": self.effect,
             "axis": self.axis,
@@ -30,8 +30,8 @@ class Share:
         }
 
 
-def shares(budget: Budget | None) -> list[Share]:
-    """That sum to the linear model's error; those that are zero are left out."""
+def list_shares(budget: Budget | None) -> list[Share]:
+    """Shares that sum to the linear model's error; zero shares are left out."""
     if budget is None:
         return []
     contribution = budget.shares["contribution"].sum("time")
@@ -46,7 +46,7 @@ def shares(budget: Budget | None) -> list[Share]:
 
 
 def write_shares(found: list[Share], path: Path) -> None:
-    """As CSV."""
+    """Write shares as CSV."""
     with path.open("w", newline="") as file:
         writer = csv.DictWriter(file, list(Share("", "", 0.0, 0.0).document()), lineterminator="\n")
         writer.writeheader()

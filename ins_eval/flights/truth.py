@@ -5,10 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.common.increments import Increments
 from ins_eval.common.state import State, Track
 from ins_eval.flights.plan import WARM_UP, Plan
 from ins_eval.trajectories.trajectory import Trajectory
+from pyhrg.records.imu.increments import Increments
 
 Array = NDArray[np.float64]
 
@@ -17,9 +17,9 @@ Array = NDArray[np.float64]
 class Truth:
     """A trajectory, sampled for a plan.
 
-    trajectory: itself; increments: ideal, from power-on; warm, zero: numbers of those before
-    alignment and before time 0; start: at time 0; track: at the kept times; heights: at the bounds
-    of the flight's intervals, m.
+    trajectory: what is sampled; increments: ideal, from power-on; warm, zero: numbers of increments
+    before alignment and before time 0; start: at time 0; track: at the kept times; heights: at the
+    bounds of the flight's intervals, m.
     """
 
     trajectory: Trajectory
@@ -36,25 +36,27 @@ class Truth:
         return np.array([self.start.latitude, self.start.longitude, self.start.height])
 
     def alignment(self, increments: Increments) -> Increments:
-        """Those after the warm-up, until time 0."""
+        """Increments after the warm-up, until time 0."""
         return increments.between(self.warm, self.zero)
 
     def flight(self, increments: Increments) -> Increments:
-        """Those from time 0 on."""
+        """Increments from time 0 on."""
         return increments.between(self.zero, len(increments))
 
 
-def still(alignment: float | None, interval: float, warm_up: float = WARM_UP) -> tuple[int, int]:
-    """Increments of warm-up, and of it and alignment together."""
+def count_still_increments(
+    alignment: float | None, interval: float, warm_up: float = WARM_UP
+) -> tuple[int, int]:
+    """Numbers of increments of the warm-up, and of warm-up and alignment together."""
     if alignment is None:
         return 0, 0
     warm = round(warm_up / interval)
     return warm, warm + round(alignment / interval)
 
 
-def truth(plan: Plan, trajectory: Trajectory) -> Truth:
+def sample_truth(plan: Plan, trajectory: Trajectory) -> Truth:
     """Ideal increments and true states of a trajectory that covers the plan."""
-    warm, zero = still(plan.alignment, plan.interval)
+    warm, zero = count_still_increments(plan.alignment, plan.interval)
     bounds = plan.interval * np.arange(plan.count + 1.0)
     return Truth(
         trajectory=trajectory,

@@ -1,7 +1,10 @@
-"""Three accelerometers."""
+"""Accelerometers that studies use unless told otherwise."""
 
-from ins_eval.imu.triad import Constant, Triad
+from ins_eval.imu.sensor_error_model import AxisConstants, SensorErrorModel
 from pyhrg.common.units import MICRO_G
 
-TYPICAL_ACCELEROMETERS = Triad(bias=Constant(deviation=5 * MICRO_G), white=5 * MICRO_G)
-"""Good enough that a gyro bias of 0.001 deg/h can still be seen in the position error."""
+TYPICAL_ACCELEROMETERS = SensorErrorModel(
+    bias=AxisConstants(deviation=5 * MICRO_G), white=5 * MICRO_G
+)
+"""Bias 5 micro-g, noise 5 micro-g/sqrt(Hz). Chosen so that a gyro bias of 0.001 deg/h still shows
+in the position error."""

@@ -1,28 +1,31 @@
-"""The inertial measurement unit: three gyros, three accelerometers."""
+"""The simulated inertial measurement unit: three gyros and three accelerometers."""
 
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.common.increments import Increments
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.mounting import ORTHOGONAL, Mounting
+from ins_eval.imu.sensor_error_model import IDEAL_SENSORS, SensorErrorModel
 from ins_eval.imu.stated_gyros import IDEAL_GYROS, Gyros
-from ins_eval.imu.triad import IDEAL, Triad
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import STANDARD_GRAVITY
+from pyhrg.records.imu.increments import Increments
 
 
 class StartUpError(HrgError):
-    """Gyros aren't ready when they are needed."""
+    """The gyros are not ready when alignment begins."""
 
 
 @dataclass(frozen=True)
-class Measured:
-    """increments: body axes; pattern_angle: (n, 3) of the gyros at the end of each interval, rad,
-    if they have a pattern; ready: (n,) whether all gyros measure as they are meant to then, if they
-    start up."""
+class ImuReading:
+    """Output of an IMU.
+
+    increments: in body axes; pattern_angle: (n, 3) of the gyros at the end of each interval, rad,
+    None for gyros without a pattern; ready: (n,) whether all gyros are ready at that time, None for
+    gyros without start-up.
+    """
 
     increments: Increments
     pattern_angle: NDArray[np.float64] | None
@@ -33,55 +36,56 @@ class Measured:
 class Imu:
     """An inertial measurement unit; ideal by default.
 
-    gyros, accelerometers: what it is made of;
-    interval: of its increments, s;
+    gyros, accelerometers: the sensors;
+    interval: of the increments, s;
     mounting: of the gyros' input axes, as the navigator believes it;
-    mounting_deviation: standard deviation of what it doesn't know, of each axis in two directions,
-    rad.
+    mounting_deviation: standard deviation of each input axis' error, in each of two directions,
+    rad;
+    name: for reports.
     """
 
     gyros: Gyros = IDEAL_GYROS
-    accelerometers: Triad = IDEAL
+    accelerometers: SensorErrorModel = IDEAL_SENSORS
     interval: float = 0.01
     mounting: Mounting = ORTHOGONAL
     mounting_deviation: float = 0.0
     name: str = ""
 
-    def measure(self, truth: Increments, seed: int | np.random.SeedSequence) -> Measured:
-        """What one such unit makes of the true motion.
+    def measure(self, truth: Increments, seed: int | np.random.SeedSequence) -> ImuReading:
+        """Simulate one unit, drawn at random, on the true motion.
 
         Args:
             truth: true increments, at the unit's interval.
-            seed: of everything that is drawn; the same seed gives the same bytes.
+            seed: of all random draws; the same seed gives the same bytes.
 
         Raises:
-            ValueError: increments at another interval.
-            GyroError: see `FmuGyros.measure`.
+            HrgError: increments at another interval; see also `FmuGyros.measure`.
         """
         if abs(truth.interval / self.interval - 1) > 1e-9:
-            raise ValueError(
+            raise HrgError(
                 f"found increments over {truth.interval:g} s, expected {self.interval:g} s"
             )
         generator = np.random.default_rng(seed)
         aside = np.random.Generator(np.random.PCG64(seed).jumped())
-        mounting = self.mounting.disturbed(self.mounting_deviation, aside)
+        mounting = self.mounting.disturb(self.mounting_deviation, aside)
         reading = self.gyros.measure(truth, mounting, generator)
         velocity = self.accelerometers.measure(truth.velocity, truth.interval, generator)
         increments = Increments(
-            truth.interval, mounting.decoded(reading.rotation), velocity, truth.start
+            truth.interval, mounting.decode(reading.rotation), velocity, truth.start
         )
-        return Measured(increments, reading.pattern_angle, reading.ready)
+        return ImuReading(increments, reading.pattern_angle, reading.ready)
 
     def from_power_on(self) -> "Imu":
-        """The same, for a record that begins when it is switched on."""
+        """Return the same IMU for a record that begins when it is switched on."""
         return replace(self, gyros=self.gyros.from_power_on())
 
     @property
     def errors(self) -> SensorErrors:
-        """What a linear model should believe.
+        """Sensor errors that a linear model should assume.
 
-        An accelerometer's misalignment to the vertical is a bias while the vehicle is level. Scale
-        factors, and misalignments of gyros, act with the manoeuvre and are left out.
+        The misalignment of an accelerometer to the vertical counts as bias, as it does while the
+        vehicle is level. Scale factors and misalignments of gyros are left out, because their
+        effect depends on the manoeuvre.
         """
         force = self.accelerometers
         tilt = STANDARD_GRAVITY * force.misalignment.size
@@ -90,5 +94,5 @@ class Imu:
             accelerometer_bias=float(np.hypot(force.bias.size, tilt)),
             velocity_random_walk=force.white,
             accelerometer_bias_instability=force.bias_instability,
-            velocity_quantum=force.quantum,
+            velocity_quantization_step=force.quantization_step,
         )

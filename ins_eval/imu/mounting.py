@@ -1,4 +1,4 @@
-"""How three gyros are mounted, and how the navigator believes they are."""
+"""Mounting of three gyros: their true input axes, and those that the navigator believes."""
 
 from dataclasses import dataclass
 
@@ -9,62 +9,61 @@ from pyhrg.common.errors import HrgError
 
 Array = NDArray[np.float64]
 
-WORST_CONDITION = 20.0
-"""Most that decoding may magnify one gyro's error against another's: condition number."""
+MAX_CONDITION_NUMBER = 20.0
+"""Largest condition number of the input axes. Chosen: decoding amplifies errors by up to it."""
 
 
 class MountingError(HrgError):
-    """The input axes don't span the three directions."""
+    """The input axes do not span three dimensions."""
 
 
 @dataclass(frozen=True)
 class Mounting:
-    """Input axes of three gyros.
+    """Input axes of three gyros, unit vectors in body axes, one a row.
 
-    axes: (3, 3), a row each, unit vectors in body axes; believed: likewise, as the navigator has
-    them.
+    axes: (3, 3) true ones; believed: (3, 3) those that the navigator uses.
     """
 
     axes: Array
     believed: Array
 
-    def sensed(self, vectors: Array) -> Array:
-        """Components (n, 3) along the true input axes of vectors (n, 3) in body axes."""
+    def project(self, vectors: Array) -> Array:
+        """Project vectors (n, 3) in body axes onto the true input axes (n, 3)."""
         return vectors @ self.axes.T
 
-    def decoded(self, components: Array) -> Array:
-        """Vectors (n, 3) in body axes, as the navigator works them out from components (n, 3)."""
+    def decode(self, components: Array) -> Array:
+        """Return vectors (n, 3) in body axes that the navigator computes from components (n, 3)."""
         return components @ np.linalg.inv(self.believed).T
 
-    def disturbed(self, deviation: float, generator: np.random.Generator) -> "Mounting":
-        """The same belief; each true axis tilted in two directions, deviation (rad) in each."""
+    def disturb(self, deviation: float, generator: np.random.Generator) -> "Mounting":
+        """Draw a mounting error: tilt each true axis by `deviation`, rad, in two directions."""
         tilt = generator.normal(0.0, deviation, size=(3, 3))
         across = tilt - np.sum(tilt * self.axes, axis=1, keepdims=True) * self.axes
-        return Mounting(unit_rows(self.axes + across), self.believed)
+        return Mounting(normalize_rows(self.axes + across), self.believed)
 
 
-def mounted(directions: ArrayLike) -> Mounting:
-    """A mounting that is known exactly, of directions (3, 3), a row each, of any length.
+def make_mounting(directions: ArrayLike) -> Mounting:
+    """Make a mounting that is known exactly, from directions (3, 3) of any length, one a row.
 
     Raises:
-        MountingError: a direction of no length, or axes so nearly in a plane that the condition
-            number is beyond `WORST_CONDITION`.
+        MountingError: a direction of length 0, or axes so nearly in a plane that their condition
+            number exceeds `MAX_CONDITION_NUMBER`.
     """
-    axes = unit_rows(np.asarray(directions, dtype=np.float64))
+    axes = normalize_rows(np.asarray(directions, dtype=np.float64))
     condition = float(np.linalg.cond(axes))
-    if not condition <= WORST_CONDITION:
+    if not condition <= MAX_CONDITION_NUMBER:
         raise MountingError(
             f"found input axes of condition number {condition:.3g}, "
-            f"expected at most {WORST_CONDITION:g}: are they in a plane?"
+            f"expected at most {MAX_CONDITION_NUMBER:g}: are they in a plane?"
         )
     return Mounting(axes, axes)
 
 
-def unit_rows(directions: Array) -> Array:
-    """Rows (3, 3) of length one.
+def normalize_rows(directions: Array) -> Array:
+    """Return rows (3, 3) of length one.
 
     Raises:
-        MountingError: a row that is zero or not finite, or another shape.
+        MountingError: a row that is zero or not finite, or another shape than (3, 3).
     """
     if directions.shape != (3, 3):
         raise MountingError(f"found axes of shape {directions.shape}, expected (3, 3)")
@@ -74,5 +73,5 @@ def unit_rows(directions: Array) -> Array:
     return np.asarray(directions / length)
 
 
-ORTHOGONAL = mounted(np.eye(3))
-"""Along forward, right, down."""
+ORTHOGONAL = make_mounting(np.eye(3))
+"""Input axes along forward, right and down."""

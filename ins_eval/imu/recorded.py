@@ -1,4 +1,4 @@
-"""Recorded IMUs, with the attitude that their logs state."""
+"""Recorded IMU logs, with the place and the attitude that they state."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -6,25 +6,24 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.common.increments import Increments
 from ins_eval.common.rotation import mat_from_euler
+from pyhrg.records.columns import LogError
 from pyhrg.records.imu import recorded
-from pyhrg.records.imu.log import LogError
-from pyhrg.records.imu.recorded import write
+from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.table_log import write_imu_log
 
-__all__ = ["LogError", "RecordedImu", "read", "write"]
+__all__ = ["ImuRecord", "LogError", "read_record", "write_imu_log"]
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class RecordedImu:
-    """A log of an IMU.
+class ImuRecord:
+    """A recorded log of an IMU.
 
-    increments: body axes forward, right, down;
-    position: (3,) latitude, longitude, rad, height, m, if the log says where it was taken;
-    mat_nb: (3, 3) attitude at the start as the log states it, coarse, if it does;
-    source: the file.
+    increments: body axes forward, right, down; position: (3,) latitude, longitude, rad, height, m,
+    None if the log does not state it; mat_nb: (3, 3) attitude at the start as the log states it,
+    which is coarse, or None; source: the file.
     """
 
     increments: Increments
@@ -33,12 +32,17 @@ class RecordedImu:
     source: str
 
 
-def read(path: Path, trusted: bool = False) -> RecordedImu:
-    """The log in a file, as `pyhrg.records.imu.recorded.read`.
+def read_record(path: str | Path, trusted: bool = False) -> ImuRecord:
+    """Read a recorded IMU log: PSINS text, CSV or Parquet, gzipped or not.
+
+    Args:
+        path: the file; the formats are in docs/imus.md.
+        trusted: whether units and axes are taken as stated, even if gravity or Earth's rate
+            contradict them.
 
     Raises:
-        LogError: likewise.
+        LogError: an unreadable file, or one with wrong or contradictory content.
     """
-    log = recorded.read(path, trusted)
+    log = recorded.read_imu_log(Path(path), trusted)
     mat_nb = None if log.attitude is None else mat_from_euler(*log.attitude)
-    return RecordedImu(log.increments, log.position, mat_nb, log.source)
+    return ImuRecord(log.increments, log.position, mat_nb, log.source)

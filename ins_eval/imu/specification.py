@@ -1,46 +1,48 @@
-"""IMUs as TOML files."""
+"""IMUs by name or as TOML files."""
 
 from pathlib import Path
 
-from ins_eval.imu.gyros import DeviceError, FmuGyros, device, difference
+from ins_eval.imu.gyros import DeviceError, FmuGyros, device, read_differences
 from ins_eval.imu.imu import Imu
-from ins_eval.imu.mounting import ORTHOGONAL, Mounting, MountingError, mounted
+from ins_eval.imu.mounting import ORTHOGONAL, Mounting, MountingError, make_mounting
+from ins_eval.imu.sensor_error_model import SensorErrorModel
 from ins_eval.imu.stated_gyros import Gyros, StatedGyros
-from ins_eval.imu.triad import Triad
-from ins_eval.imu.triad_keys import ACCELEROMETERS, GYROS, read_triad, triad_keys
-from pyhrg.common.files import toml_of
-from pyhrg.common.toml_table import SpecificationError, TomlTable
+from ins_eval.imu.triad_keys import ACCELEROMETERS, GYROS, error_keys, read_error_model
+from pyhrg.common.toml_table import SpecificationError, TomlTable, read_table
 from pyhrg.common.units import ARCSEC
 
-__all__ = ["READY", "SpecificationError", "imu", "read"]
+__all__ = ["SpecificationError", "list_imus", "load_imu", "read_imu"]
 
-_FOLDER = Path(__file__).with_name("ready")
-READY = tuple(sorted(path.stem for path in _FOLDER.glob("*.toml")))
-"""Names of the IMUs that come with the package; each is a file in `ready`."""
-
-PLACES = ("first", "second", "third")
-"""The gyros in the order of the mounting's axes."""
-LARGEST_TILT = 3600.0
-"""Of an input axis, arcsec, as a standard deviation."""
+READY_FOLDER = Path(__file__).with_name("ready")
+"""Folder of the IMUs that come with the package, one TOML file each."""
+GYRO_KEYS = ("first", "second", "third")
+"""Keys of the gyros in the order of the mounting's axes."""
+MAX_MOUNTING_ERROR = 3600.0
+"""Largest standard deviation of an input axis' error, arcsec. Chosen."""
 
 
-def imu(name_or_path: str) -> Imu:
-    """One that comes with the package, or the one in a file.
+def list_imus() -> list[str]:
+    """Return the names of the IMUs that come with the package."""
+    return sorted(path.stem for path in READY_FOLDER.glob("*.toml"))
+
+
+def load_imu(name_or_path: str | Path) -> Imu:
+    """Load an IMU that comes with the package (`list_imus`), or one from a TOML file.
 
     Raises:
-        SpecificationError: see `read`; neither a name nor a file.
+        SpecificationError: neither a name nor a file, or a file that is wrong (`read_imu`).
     """
-    if name_or_path in READY:
-        return read(_FOLDER / f"{name_or_path}.toml")
+    if str(name_or_path) in list_imus():
+        return read_imu(READY_FOLDER / f"{name_or_path}.toml")
     if not Path(name_or_path).is_file():
         raise SpecificationError(
-            f"{name_or_path}: found no such file, expected one or {', '.join(READY)}"
+            f"{name_or_path}: found no such file, expected one or {', '.join(list_imus())}"
         )
-    return read(Path(name_or_path))
+    return read_imu(Path(name_or_path))
 
 
-def read(path: Path) -> Imu:
-    """Read an IMU; an empty file is an ideal one at 100 Hz.
+def read_imu(path: Path) -> Imu:
+    """Read an IMU from a TOML file; an empty file is an ideal IMU at 100 Hz.
 
     Args:
         path: TOML. At the top `name` and `rate_hz`; tables `[gyros]` with `device` ("typical" or a
@@ -51,9 +53,9 @@ def read(path: Path) -> Imu:
             the keys of `triad_keys.ACCELEROMETERS`.
 
     Raises:
-        SpecificationError: an unreadable file, an unknown key, a value that is of no use.
+        SpecificationError: an unreadable file, an unknown key, a value of the wrong type or range.
     """
-    table = TomlTable(str(path), "", toml_of(path, SpecificationError))
+    table = read_table(path)
     table.check_known(("name", "rate_hz", "gyros", "accelerometers"))
     mounting = table.table("gyros").table("mounting")
     return Imu(
@@ -61,14 +63,15 @@ def read(path: Path) -> Imu:
         accelerometers=_accelerometers(table.table("accelerometers")),
         interval=1 / table.number("rate_hz", 100.0, 10.0, 2000.0),
         mounting=_mounting(mounting),
-        mounting_deviation=ARCSEC * mounting.number("error_sigma_arcsec", 0.0, 0.0, LARGEST_TILT),
+        mounting_deviation=ARCSEC
+        * mounting.number("error_sigma_arcsec", 0.0, 0.0, MAX_MOUNTING_ERROR),
         name=table.text("name", path.stem),
     )
 
 
-def _accelerometers(table: TomlTable) -> Triad:
-    table.check_known(triad_keys(ACCELEROMETERS))
-    return read_triad(table, ACCELEROMETERS)
+def _accelerometers(table: TomlTable) -> SensorErrorModel:
+    table.check_known(error_keys(ACCELEROMETERS))
+    return read_error_model(table, ACCELEROMETERS)
 
 
 def _mounting(table: TomlTable) -> Mounting:
@@ -77,7 +80,7 @@ def _mounting(table: TomlTable) -> Mounting:
         return ORTHOGONAL
     axes = table.values["axes"]
     try:
-        return mounted(axes)
+        return make_mounting(axes)
     except (MountingError, TypeError, ValueError) as error:
         raise table.error("axes", axes, f"three input axes, each [x, y, z]: {error}") from error
 
@@ -86,20 +89,20 @@ def _gyros(table: TomlTable, folder: Path) -> Gyros:
     if "device" in table.values:
         return _fmu_gyros(table, folder)
     kind = table.text("kind", "ideal", ("ideal", "simple"))
-    table.check_known(("kind", "mounting", *(triad_keys(GYROS) if kind == "simple" else ())))
-    return StatedGyros(read_triad(table, GYROS))
+    table.check_known(("kind", "mounting", *(error_keys(GYROS) if kind == "simple" else ())))
+    return StatedGyros(read_error_model(table, GYROS))
 
 
 def _fmu_gyros(table: TomlTable, folder: Path) -> FmuGyros:
-    table.check_known(("device", "own_axes", "calibrated", "mounting", *PLACES))
+    table.check_known(("device", "own_axes", "calibrated", "mounting", *GYRO_KEYS))
     try:
         return FmuGyros(
             device(table.text("device", "typical"), folder),
             own_axes=table.flag("own_axes", True),
             calibrated=table.flag("calibrated", True),
             differences=tuple(
-                difference(table.table(place).values, f"{table.source}: gyros.{place}")
-                for place in PLACES
+                read_differences(table.table(place).values, f"{table.source}: gyros.{place}")
+                for place in GYRO_KEYS
             ),
         )
     except DeviceError as error:

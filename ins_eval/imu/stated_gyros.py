@@ -1,4 +1,4 @@
-"""Three gyros: what is asked of any kind, and those with the stated errors of a triad."""
+"""The interface of three gyros, and gyros that are simulated by their stated errors."""
 
 from dataclasses import dataclass
 from typing import Protocol
@@ -6,19 +6,22 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.common.increments import Increments
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.mounting import Mounting
-from ins_eval.imu.triad import IDEAL, Triad
+from ins_eval.imu.sensor_error_model import IDEAL_SENSORS, SensorErrorModel
+from pyhrg.records.imu.increments import Increments
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
 class GyroReading:
-    """rotation: (n, 3) increments about the input axes, rad; pattern_angle: (n, 3) at the end of
-    each interval, rad, of gyros that have a pattern; ready: (n,) whether all three measure as they
-    are meant to then, of gyros that start up."""
+    """Output of three gyros.
+
+    rotation: (n, 3) increments about the input axes, rad; pattern_angle: (n, 3) at the end of each
+    interval, rad, None for gyros without a pattern; ready: (n,) whether all three are ready at that
+    time, None for gyros without start-up.
+    """
 
     rotation: Array
     pattern_angle: Array | None = None
@@ -26,46 +29,46 @@ class GyroReading:
 
 
 class Gyros(Protocol):
-    """Three gyros of some kind."""
+    """Interface of three gyros."""
 
     def measure(
         self, truth: Increments, mounting: Mounting, generator: np.random.Generator
     ) -> GyroReading:
-        """What they make of the true motion."""
+        """Simulate the gyros on the true motion."""
 
     def from_power_on(self) -> "Gyros":
-        """The same, for a record that begins when they are switched on."""
+        """Return the same gyros for a record that begins when they are switched on."""
 
     @property
     def errors(self) -> SensorErrors:
-        """What a linear model should believe of one of them."""
+        """Sensor errors of one gyro that a linear model should assume."""
 
 
 @dataclass(frozen=True)
 class StatedGyros:
-    """Gyros with the errors of a triad; ideal by default. IMU studies with them need no FMU."""
+    """Gyros with stated errors, none by default; they need no FMU."""
 
-    triad: Triad = IDEAL
+    error_model: SensorErrorModel = IDEAL_SENSORS
 
     def measure(
         self, truth: Increments, mounting: Mounting, generator: np.random.Generator
     ) -> GyroReading:
         """See `Gyros`."""
-        sensed = mounting.sensed(truth.rotation)
-        return GyroReading(self.triad.measure(sensed, truth.interval, generator))
+        components = mounting.project(truth.rotation)
+        return GyroReading(self.error_model.measure(components, truth.interval, generator))
 
     def from_power_on(self) -> "StatedGyros":
-        """They need no start."""
+        """Return the same gyros, which have no start-up."""
         return self
 
     @property
     def errors(self) -> SensorErrors:
-        """See `Gyros`; scale factor and misalignment act with the manoeuvre and are left out."""
+        """See `Gyros`. Scale factor and misalignment are left out: they depend on the manoeuvre."""
         return SensorErrors(
-            gyro_bias=self.triad.bias.size,
-            angle_random_walk=self.triad.white,
-            gyro_bias_instability=self.triad.bias_instability,
-            angle_quantum=self.triad.quantum,
+            gyro_bias=self.error_model.bias.size,
+            angle_random_walk=self.error_model.white,
+            gyro_bias_instability=self.error_model.bias_instability,
+            angle_quantization_step=self.error_model.quantization_step,
         )
 
 

@@ -1,6 +1,7 @@
 """Missions of the study: all begin on the ground, powered on and aligned at rest.
 
-A mission lasts as long as asked for, or as long as it lasts: a missile flies for minutes.
+A mission ends after the hours asked for, or earlier where its trajectory ends: a missile flies for
+minutes.
 """
 
 from dataclasses import dataclass
@@ -12,70 +13,71 @@ from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.units import HOUR
 
 STILL = 300.0
-"""From power-on to the alignment's end, s (paper, 2.3)."""
+"""Time from power-on to the alignment's end, s (paper, 2.3)."""
 SETTLING = 20.0
-"""From power-on to the alignment's beginning, s."""
+"""Time from power-on to the alignment's beginning, s. Chosen."""
 WARM_UP = 600.0
-"""Time constant with which a resonator follows its case, s: the `thermal_lag` of gyros."""
+"""Time constant with which a resonator follows its case, s: `Device.thermal_lag`. Chosen."""
 CASE_WARM_UP = 300.0
-"""Time constant with which the case warms after power-on, s."""
-LONGEST = 10.0
-"""Hours that a mission of the study may last."""
-CLASSES = (
-    "car",
-    "aircraft",
-    "airliner",
-    "ship",
-    "missile",
-    "long-haul",
-    "static-table",
-)
-"""Ready missions that start at rest; a recorded drive is the eighth."""
+"""Time constant with which the case warms after power-on, s. Chosen."""
+LONGEST_HOURS = 10.0
+"""Longest duration of a mission of the study, h."""
 
 
 @dataclass(frozen=True)
 class StudyMission:
-    """name: for reports; source: name of a ready mission, or a file; hours: of navigation;
-    kept: between the times at which errors are told, s."""
+    """A mission that is flown from power-on to its end.
+
+    name: the name in reports;
+    source: name of a ready mission, or a file;
+    hours: duration of the navigation;
+    interval: time between the instants at which position errors are kept, s.
+    """
 
     name: str
     source: str | Path
     hours: float
-    kept: float
+    interval: float
 
     def trajectory(self) -> Trajectory:
-        """From power-on at -STILL to the end."""
-        return catalogue.trajectory(self.source, STILL, self.hours * HOUR)
+        """The true trajectory from power-on at -STILL s to the end."""
+        return catalogue.load_trajectory(self.source, self.hours * HOUR, STILL)
 
 
-def study_mission(source: str | Path, hours: float) -> StudyMission:
-    """A mission over the hours asked for, or as long as it lasts.
+def plan_mission(source: str | Path, hours: float) -> StudyMission:
+    """A mission of the hours asked for, or of its own duration where that is shorter.
 
     Args:
-        source: name of a ready mission, or a file, as `catalogue.trajectory` takes it.
-        hours: of navigation, up to 10.
+        source: name of a ready mission, or a file, as `catalogue.load_trajectory` takes it.
+        hours: duration of the navigation, up to `LONGEST_HOURS`.
 
     Raises:
         TrajectoryError: hours out of range; no such mission or file.
     """
-    if not 0 < hours <= LONGEST:
-        raise TrajectoryError(f"{source}: found {hours:g} hours, expected above 0 to {LONGEST:g}")
-    duration = min(lasts(source), hours * HOUR)
-    kept = 600.0 if duration >= HOUR else 60.0
-    whole = (duration + 1e-6) // kept * kept
-    if whole < kept:
-        raise TrajectoryError(f"{source}: lasts {duration:g} s, expected {kept:g} or more")
-    return StudyMission(Path(source).name.split(".")[0], source, whole / HOUR, kept)
+    if not 0 < hours <= LONGEST_HOURS:
+        raise TrajectoryError(
+            f"{source}: found {hours:g} hours, expected above 0 to {LONGEST_HOURS:g}"
+        )
+    duration = min(compute_duration(source), hours * HOUR)
+    interval = 600.0 if duration >= HOUR else 60.0
+    whole = (duration + 1e-6) // interval * interval
+    if whole < interval:
+        raise TrajectoryError(f"{source}: lasts {duration:g} s, expected {interval:g} or more")
+    return StudyMission(Path(source).name.split(".")[0], source, whole / HOUR, interval)
 
 
-def lasts(source: str | Path) -> float:
-    """Longest duration of a mission, s; infinite if it repeats, as recorded drives do."""
-    path = file_of(source)
+def compute_duration(source: str | Path) -> float:
+    """Longest duration of a mission, s; infinite where it repeats, as recorded drives do."""
+    path = find_mission_file(source)
     if path.suffix != ".toml":
         return float("inf")
-    return mission.length(mission_file.read(path))
+    return mission.compute_duration(mission_file.read_mission(path))
 
 
-def file_of(source: str | Path) -> Path:
-    """Where a mission is written down."""
-    return catalogue.READY / f"{source}.toml" if source in catalogue.names() else Path(source)
+def find_mission_file(source: str | Path) -> Path:
+    """The file of a mission that is named, or is a file itself."""
+    return (
+        catalogue.READY_FOLDER / f"{source}.toml"
+        if source in catalogue.list_trajectories()
+        else Path(source)
+    )

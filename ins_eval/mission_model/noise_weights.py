@@ -1,8 +1,9 @@
-"""What the noise of a gyro does to the position in a mission, as covariances per unit of noise.
+"""Covariance of the position error in a mission per unit of each gyro noise.
 
-The error is linear in the noise, and the noise nearly Gaussian: a covariance says all, and costs
-a triad nothing. The processes are those of the FMU (`HRG.Noise.ElectronicsNoise`), in steps of the
-linear model; coefficients are those of IEEE Std 952.
+The error is linear in the noise and the noise nearly Gaussian, so that the covariance describes it
+completely; it is computed once for a mission (docs/methods/mission_model.md, Eqs. 10 and 11). The
+processes are those of the FMU (`HRG.Noise.ElectronicsNoise`) in steps of the linear model; the
+coefficients are those of IEEE Std 952.
 """
 
 import numpy as np
@@ -12,20 +13,21 @@ from scipy.signal import lfilter
 Array = NDArray[np.float64]
 
 KINDS = ("angle white noise", "angle random walk", "bias instability", "rate random walk")
-"""In units of rad (one sample of the output), rad/sqrt(s), rad/s, rad/s/sqrt(s)."""
-TIME_CONSTANTS = 0.01 * 8.0 ** np.arange(8)
-"""Of the lags whose sum is flicker noise, s."""
-FLICKER = np.log(8) / np.pi
-"""Scale of their sum, for the density B^2/(2 pi f)."""
+"""Kinds of noise; their strengths are in rad (of one sample of the output), rad/sqrt(s), rad/s and
+rad/s/sqrt(s)."""
+FLICKER_TIME_CONSTANTS = 0.01 * 8.0 ** np.arange(8)
+"""Time constants of the first-order lags whose sum is flicker noise, s; those of the FMU."""
+FLICKER_SCALE = np.log(8) / np.pi
+"""Factor of their sum that makes its power spectral density B^2/(2 pi f)."""
 
 
-def error_weights(transition: Array, per_rate: Array, kept: NDArray[np.int64]) -> Array:
-    """(2 k, n, 3) error north and east at the kept times per rate error in each step.
+def compute_error_weights(transition: Array, per_rate: Array, kept: NDArray[np.int64]) -> Array:
+    """(2 k, n, 3) error north and east at the kept times per rate error in each step (Eq. 9).
 
     Args:
-        transition: (n, 10, 10) of the linear model.
-        per_rate: (n, 10, 3) what a gyro's mean rate error over a step adds.
-        kept: (k,) steps after which errors are told.
+        transition: (n, 10, 10) transition matrices of the linear model.
+        per_rate: (n, 10, 3) state error per mean rate error of each gyro over a step.
+        kept: (k,) numbers of the steps after which errors are kept.
     """
     places = {step: i for i, step in enumerate(kept.tolist())}
     back = np.zeros((2 * len(kept), transition.shape[1]))
@@ -39,44 +41,45 @@ def error_weights(transition: Array, per_rate: Array, kept: NDArray[np.int64]) -
     return np.ascontiguousarray(np.swapaxes(weights, 0, 1))
 
 
-def noise_covariances(weights: Array, step: float, before: int) -> Array:
-    """(KINDS, 3, 2 k, 2 k) m^2 per squared unit of each kind of each gyro's noise.
+def compute_noise_covariances(weights: Array, step: float, before: int) -> Array:
+    """(KINDS, 3, 2 k, 2 k) covariance, m^2, per squared unit of each kind of each gyro's noise.
 
     Args:
-        weights: of `error_weights`.
-        step: s.
-        before: steps from power-on, at which the slow noise begins at zero, to the first of them.
+        weights: result of `compute_error_weights`.
+        step: step of the linear model, s.
+        before: number of steps from power-on, where slow noise starts at zero, to the first step.
     """
     rows, _, axes = weights.shape
     covariances = np.empty((len(KINDS), axes, rows, rows))
     for axis in range(axes):
-        for kind, response in enumerate(_responses(weights[:, :, axis], step, before)):
+        for kind, response in enumerate(_compute_responses(weights[:, :, axis], step, before)):
             covariances[kind, axis] = response @ response.T
     return covariances
 
 
-def factors(covariances: Array) -> Array:
-    """Square roots L, L L^T the covariances (..., m, m), which may be singular."""
+def factor_covariances(covariances: Array) -> Array:
+    """(..., m, m) matrices L with L L^T equal to the covariances, which may be singular."""
     values, vectors = np.linalg.eigh(covariances)
     return np.asarray(vectors * np.sqrt(np.maximum(values, 0.0))[..., None, :])
 
 
-def _responses(weights: Array, step: float, before: int) -> list[Array]:
-    """(2 k, deviates) error per standard normal deviate of each kind of noise."""
+def _compute_responses(weights: Array, step: float, before: int) -> list[Array]:
+    """(2 k, deviates) error per standard normal deviate, for each kind of noise (Eq. 10)."""
     since = np.concatenate([np.zeros((len(weights), before)), weights], axis=1)
     return [
         -np.diff(weights, prepend=0.0, append=0.0) / step,
         weights / np.sqrt(step),
-        FLICKER * sum(_through_lag(since, step, constant) for constant in TIME_CONSTANTS),
-        np.sqrt(step) * _summed_back(since, 1.0),
+        FLICKER_SCALE
+        * sum(_weigh_lag(since, step, constant) for constant in FLICKER_TIME_CONSTANTS),
+        np.sqrt(step) * _sum_backwards(since, 1.0),
     ]
 
 
-def _through_lag(weights: Array, step: float, constant: float) -> Array:
+def _weigh_lag(weights: Array, step: float, constant: float) -> Array:
     decay = np.exp(-step / constant)
-    return (1 - decay) * np.sqrt(constant / step) * _summed_back(weights, decay)
+    return (1 - decay) * np.sqrt(constant / step) * _sum_backwards(weights, decay)
 
 
-def _summed_back(weights: Array, decay: float) -> Array:
-    """Of each step's deviate: what stays of it in later steps, times their weights."""
+def _sum_backwards(weights: Array, decay: float) -> Array:
+    """(2 k, n) sums over this and later steps of weight times decay^(steps between)."""
     return np.asarray(lfilter([1.0], [1.0, -decay], weights[:, ::-1], axis=1)[:, ::-1])

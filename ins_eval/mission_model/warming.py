@@ -1,7 +1,8 @@
-"""How a gyro's case and resonator warm after power-on.
+"""Warming of a gyro's case and resonator after power-on (docs/methods/mission_model.md, Eq. 3).
 
-The case approaches its final temperature with `CASE_WARM_UP`, the resonator the case with
-`WARM_UP`; both begin at the temperature of the calibration.
+The case approaches its final temperature with the time constant `CASE_WARM_UP`. The resonator
+follows the case with `WARM_UP`. Both begin at the temperature of the calibration. Warmth is the
+share, 0 to 1, of the final rise of temperature. Times are seconds since the alignment.
 """
 
 import numpy as np
@@ -12,28 +13,28 @@ from ins_eval.mission_model.missions import CASE_WARM_UP, STILL, WARM_UP
 Array = NDArray[np.float64]
 
 
-def case_warmth(time: Array) -> Array:
-    """How far the case has warmed since power-on, 0 to 1; time: s since alignment."""
+def compute_case_warmth(time: Array) -> Array:
+    """Warmth of the case."""
     return np.asarray(1 - np.exp(-(time + STILL) / CASE_WARM_UP))
 
 
-def heating(time: Array) -> Array:
-    """Rate of that, 1/s."""
+def compute_case_warming_rate(time: Array) -> Array:
+    """Rate of the case's warmth, 1/s."""
     return np.asarray(np.exp(-(time + STILL) / CASE_WARM_UP) / CASE_WARM_UP)
 
 
-def warmth(time: Array) -> Array:
-    """How far the resonator has warmed, 0 to 1."""
-    resonator, case = _left(time)
+def compute_resonator_warmth(time: Array) -> Array:
+    """Warmth of the resonator."""
+    resonator, case = _compute_lags(time)
     return np.asarray(1 - (WARM_UP * resonator - CASE_WARM_UP * case) / (WARM_UP - CASE_WARM_UP))
 
 
-def growth(time: Array) -> Array:
-    """Rate of that, 1/s."""
-    resonator, case = _left(time)
+def compute_resonator_warming_rate(time: Array) -> Array:
+    """Rate of the resonator's warmth, 1/s."""
+    resonator, case = _compute_lags(time)
     return np.asarray((resonator - case) / (WARM_UP - CASE_WARM_UP))
 
 
-def _left(time: Array) -> tuple[Array, Array]:
+def _compute_lags(time: Array) -> tuple[Array, Array]:
     since = time + STILL
     return np.exp(-since / WARM_UP), np.exp(-since / CASE_WARM_UP)

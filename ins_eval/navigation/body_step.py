@@ -1,27 +1,43 @@
-"""One step in body axes: what a few increments of an IMU amount to together; compiled."""
+"""Rotation and velocity change of one navigation step, in body axes, compiled.
+
+The equations are in docs/methods/navigation.md.
+"""
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.common.compiled import compiled
-from ins_eval.navigation.algebra import SMALL_SQUARED, Vector, add, cross, dot, scaled, subtract
-from ins_eval.navigation.coefficients import Weights
+from ins_eval.common.compiled import compile_loop
+from ins_eval.navigation.algebra import (
+    SMALL_ANGLE_SQUARED,
+    Vector,
+    add,
+    cross,
+    dot,
+    scale,
+    subtract,
+)
+from ins_eval.navigation.coefficients import StepCoefficients
 
 Array = NDArray[np.float64]
 
 
-@compiled
-def body_step(
-    rotation: Array, velocity: Array, first: int, weights: Weights
+@compile_loop
+def integrate_body_step(
+    rotation: Array, velocity: Array, first: int, coefficients: StepCoefficients
 ) -> tuple[Vector, Vector, Vector]:
-    """Increments `first` and on, as many as there are weights, in the body axes of their start.
+    """Integrate the increments of one step (docs/methods/navigation.md, Eqs. 1 to 4).
+
+    Args:
+        rotation, velocity: (n, 3) increments, rad and m/s; the step begins with row `first`.
+        coefficients: of as many increments as the step has.
 
     Returns:
-        Rotation vector; velocity change; mean of the velocity change over the step. For constant
-        rate and force they are exact at any angle; to these come coning, sculling and scrolling
-        (Savage 1998, Part I Eq. 23, Part II Eqs. 19 and 82).
+        In the body axes at the step's start: rotation vector, rad; velocity change by specific
+        force, m/s; mean of the velocity change over the step, m/s. All are exact for constant rate
+        and force at any angle; coning, sculling and scrolling terms are added (Savage 1998, Part I
+        Eq. 23, Part II Eqs. 19 and 82).
     """
-    turning, scrolling, mean = weights
+    turning, scrolling, mean = coefficients
     n = len(mean)
     turn = (0.0, 0.0, 0.0)
     push = (0.0, 0.0, 0.0)
@@ -31,47 +47,46 @@ def body_step(
     moving = (0.0, 0.0, 0.0)
     scrolled = (0.0, 0.0, 0.0)
     for j in range(n):
-        alpha_j, beta_j = row(rotation, first + j), row(velocity, first + j)
+        alpha_j, beta_j = get_row(rotation, first + j), get_row(velocity, first + j)
         turn, push = add(turn, alpha_j), add(push, beta_j)
-        turning_mean = add(turning_mean, scaled(mean[j], alpha_j))
-        moving = add(moving, scaled(mean[j], beta_j))
+        turning_mean = add(turning_mean, scale(mean[j], alpha_j))
+        moving = add(moving, scale(mean[j], beta_j))
         for i in range(n):
-            alpha_i = row(rotation, first + i)
+            alpha_i = get_row(rotation, first + i)
             across = cross(alpha_i, beta_j)
-            sculling = add(sculling, scaled(turning[i, j], across))
-            scrolled = add(scrolled, scaled(scrolling[i, j], across))
+            sculling = add(sculling, scale(turning[i, j], across))
+            scrolled = add(scrolled, scale(scrolling[i, j], across))
             if i < j:
-                coning = add(coning, scaled(turning[i, j], cross(alpha_i, alpha_j)))
+                coning = add(coning, scale(turning[i, j], cross(alpha_i, alpha_j)))
     once = cross(turn, push)
     twice = cross(turn, once)
-    uneven = unevenness(turn, push, turning_mean, moving, once)
-    a, b, c = turned_integrals(dot(turn, turn))
-    change = add(add(add(push, sculling), uneven), add(scaled(a, once), scaled(b, twice)))
-    moving = add(add(moving, scrolled), add(scaled(b, once), scaled(c, twice)))
+    slopes = slope_correction(turn, push, turning_mean, moving, once)
+    a, b, c = rotation_integrals(dot(turn, turn))
+    change = add(add(add(push, sculling), slopes), add(scale(a, once), scale(b, twice)))
+    moving = add(add(moving, scrolled), add(scale(b, once), scale(c, twice)))
     return add(turn, coning), change, moving
 
 
-@compiled
-def unevenness(
+@compile_loop
+def slope_correction(
     turn: Vector, push: Vector, turning_mean: Vector, moving: Vector, once: Vector
 ) -> Vector:
-    """Velocity change of second order in the angle and first in the slopes of rate and force.
-
-    With angle r t + d (t^2 - t) and velocity v t + e (t^2 - t), 0 < t < 1, twice the integral of
-    the force through the rotation (Bortz 1971, to second order) leaves
-    (r x (r x e) - d x (r x v)) / 12; d = 3 (r - 2 mean angle), e likewise.
-    """
-    rate_slope = subtract(turn, scaled(2.0, turning_mean))
-    force_slope = subtract(push, scaled(2.0, moving))
+    """Return the velocity change of second order in the angle and first order in the slopes of
+    rate and force (docs/methods/navigation.md, Eq. 5)."""
+    rate_slope = subtract(turn, scale(2.0, turning_mean))
+    force_slope = subtract(push, scale(2.0, moving))
     of_force = cross(turn, cross(turn, force_slope))
-    return scaled(0.25, subtract(of_force, cross(rate_slope, once)))
+    return scale(0.25, subtract(of_force, cross(rate_slope, once)))
 
 
-@compiled
-def turned_integrals(s: float) -> Vector:
-    """(1 - cos x)/x^2, (x - sin x)/x^3, (x^2/2 - 1 + cos x)/x^4 for x^2 = s: weights of r x v and
-    r x (r x v) in the integral and the double integral of a constant force in turning axes."""
-    if s < SMALL_SQUARED:
+@compile_loop
+def rotation_integrals(s: float) -> Vector:
+    """Return (1 - cos x)/x^2, (x - sin x)/x^3 and (x^2/2 - 1 + cos x)/x^4 for s = x^2.
+
+    They are the factors of r x v and r x (r x v) in the integral and the double integral of a
+    constant force in turning axes (docs/methods/navigation.md, Eq. 4).
+    """
+    if s < SMALL_ANGLE_SQUARED:
         return (
             1 / 2 - s / 24 * (1 - s / 30 * (1 - s / 56 * (1 - s / 90))),
             1 / 6 - s / 120 * (1 - s / 42 * (1 - s / 72 * (1 - s / 110))),
@@ -82,6 +97,6 @@ def turned_integrals(s: float) -> Vector:
     return versine / s, (x - np.sin(x)) / (s * x), (s / 2 - versine) / (s * s)
 
 
-@compiled
-def row(table: Array, i: int) -> Vector:
+@compile_loop
+def get_row(table: Array, i: int) -> Vector:
     return (table[i, 0], table[i, 1], table[i, 2])

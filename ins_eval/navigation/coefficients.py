@@ -1,8 +1,8 @@
-"""Weights of coning, sculling and scrolling terms for 2 to 4 increments a step.
+"""Coefficients of the coning, sculling and scrolling terms for 2 to 4 increments a step.
 
-Rate and specific force are taken as the polynomials whose integrals the increments are, and the
-weights integrate their products exactly; the last degree of freedom of coning and sculling goes to
-exactness for pure coning. Derived here, not typed. Lengths are in steps.
+They are derived here from docs/methods/navigation.md, Eqs. 6 to 9: rate and specific force are the
+polynomials whose integrals are the increments, and their products are integrated exactly. The one
+remaining degree of freedom is spent on pure coning. The unit of time is the step.
 """
 
 from functools import lru_cache
@@ -13,19 +13,22 @@ import numpy as np
 from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
+from pyhrg.common.errors import HrgError
+
 Array = NDArray[np.float64]
 
-SAMPLES = (2, 3, 4)
-"""Numbers of increments that a step may have."""
+SAMPLES_PER_STEP = (2, 3, 4)
+"""Numbers of increments that a navigation step may have."""
 
 
-class Weights(NamedTuple):
-    """What products of a step's increments contribute beyond those of constant rate and force.
+class StepCoefficients(NamedTuple):
+    """Factors of the products of a step's increments alpha_i (rotation) and beta_j (velocity).
 
-    turning: (n, n), antisymmetric. Coning: of alpha_i x alpha_j, i < j, to the rotation vector.
-        Sculling: of alpha_i x beta_j to the velocity change (the same numbers: Roscoe 2001).
-    scrolling: (n, n); of alpha_i x beta_j to the mean of the velocity change over the step.
-    mean: (n,); of beta_j to the mean of the velocity change over the step.
+    turning: (n, n), antisymmetric: factors K_ij of alpha_i x alpha_j, i < j, in the rotation vector
+        (coning) and of alpha_i x beta_j in the velocity change (sculling; the same numbers: Roscoe
+        2001).
+    scrolling: (n, n): factors S_ij of alpha_i x beta_j in the mean of the velocity change.
+    mean: (n,): factors m_j of beta_j in the mean of the velocity change.
     """
 
     turning: Array
@@ -34,18 +37,18 @@ class Weights(NamedTuple):
 
 
 @lru_cache
-def weights(samples: int) -> Weights:
-    """Weights for steps of so many increments.
+def derive_coefficients(samples: int) -> StepCoefficients:
+    """Derive the coefficients for steps of 2, 3 or 4 increments.
 
     Raises:
-        ValueError: a number that is not in `SAMPLES`.
+        HrgError: another number of increments.
     """
-    if samples not in SAMPLES:
-        raise ValueError(f"{samples} increments a step: expected {SAMPLES[0]} to {SAMPLES[-1]}")
+    if samples not in SAMPLES_PER_STEP:
+        raise HrgError(f"samples: found {samples} increments a step, expected 2, 3 or 4")
     rates = _unit_integrals(samples)
     to_go = Polynomial([1.0, -1.0])
     products = [[rate_i.integ() * rate_j for rate_j in rates] for rate_i in rates]
-    return Weights(
+    return StepCoefficients(
         turning=_turning(samples),
         scrolling=np.array([[_over_step(to_go * p) for p in row] for row in products]) - 1 / 6,
         mean=np.array([_over_step(to_go * rate) for rate in rates]),
@@ -53,10 +56,11 @@ def weights(samples: int) -> Weights:
 
 
 def _turning(samples: int) -> Array:
-    """Solved from one condition for each pair of powers of time about the middle of the step; the
-    highest pair's place takes pure coning at the order of its frequency that is still open
-    (Miller 1983): sums over pairs m apart, D_m, have sum of D_m (second difference of m^p) = n^p/2,
-    p = 2n - 1."""
+    """Solve docs/methods/navigation.md, Eqs. 6 and 7, for K (n, n).
+
+    There is one condition for each pair of powers of time about the step's middle. The pair of the
+    highest powers is replaced by the condition of pure coning (Miller 1983).
+    """
     pairs = list(combinations(range(samples), 2))
     bounds = np.arange(samples + 1) / samples
     middle = Polynomial([-0.5, 1.0])
@@ -77,7 +81,8 @@ def _turning(samples: int) -> Array:
 
 
 def _excess_turn(a: Polynomial, b: Polynomial) -> float:
-    """Half the integral of (A b - B a), A and B the integrals of the rates a and b from 0."""
+    """Return half the integral of A b - B a over the step; A and B are the integrals of the rates a
+    and b from 0."""
     return 0.5 * _over_step(a.integ(lbnd=0) * b - b.integ(lbnd=0) * a)
 
 
@@ -86,7 +91,8 @@ def _over_step(p: Polynomial) -> float:
 
 
 def _unit_integrals(samples: int) -> list[Polynomial]:
-    """Polynomials over [0, 1] that integrate to 1 over their own part of it, to 0 over others."""
+    """Return the polynomial for each part of the step that integrates to 1 over that part and to 0
+    over each other part."""
     powers = [Polynomial([0.0] * k + [1.0]).integ() for k in range(samples)]
     bounds = np.arange(samples + 1) / samples
     integrals = np.array([np.diff(power(bounds)) for power in powers]).T

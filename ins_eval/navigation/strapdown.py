@@ -1,71 +1,69 @@
-"""Strapdown navigation from increments; reads no file and draws no random number.
+"""Strapdown navigation: from increments of an IMU to position, velocity and attitude.
 
-Two- to four-sample coning and sculling, Coriolis, transport and gravity at the middle of the step,
-WGS-84 (Savage 1998; Groves 2013, chapter 5).
+Coning and sculling with 2 to 4 increments a step, on WGS-84 (Savage 1998; Groves 2013, chapter 5).
+The equations are in docs/methods/navigation.md.
 """
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from ins_eval.common.increments import Increments
 from ins_eval.common.state import State, Track
 from ins_eval.navigation import kernel
-from ins_eval.navigation.coefficients import weights
+from ins_eval.navigation.coefficients import derive_coefficients
 from ins_eval.navigation.height import Height
 from pyhrg.common.errors import HrgError
+from pyhrg.records.imu.increments import Increments
 
 Array = NDArray[np.float64]
 
 
 class NavigationError(HrgError):
-    """The navigator can't start or go on; the message says where and why."""
+    """The navigator can't start or can't go on; the message says where and why."""
 
 
 def navigate(
     start: State, increments: Increments, height: Height, keep_every: int, samples: int = 2
 ) -> Track:
-    """Dead reckoning.
+    """Navigate by dead reckoning, and return the states after every `keep_every` increments.
 
     Args:
-        start: initial state, at the beginning of the first interval.
-        increments: of the IMU; a multiple of `samples` intervals.
-        height: what holds the height.
-        keep_every: intervals between rows of the result, a multiple of `samples`.
+        start: state at the beginning of the first increment.
+        increments: of the IMU; their number is a multiple of `samples`.
+        height: height aiding: `Free()`, `Clamped(heights)` or `BaroDamped(heights)`.
+        keep_every: increments between rows of the result, a multiple of `samples`.
         samples: increments a step, 2 to 4.
 
-    Returns:
-        States after every `keep_every` intervals.
-
     Raises:
-        ValueError: numbers of intervals or heights that do not match.
-        NavigationError: a start within half a degree of a pole, an attitude that is no rotation,
-            or a flight that reaches the pole or diverges.
+        HrgError: `samples` out of range; heights of the wrong number or not finite.
+        NavigationError: numbers of increments that do not match; a start within half a degree of a
+            pole; an attitude that is not a rotation matrix; increments that are not finite; a path
+            that reaches a pole or diverges.
     """
     count = len(increments)
     if count % samples or keep_every % samples or not 1 <= keep_every <= count:
-        raise ValueError(
-            f"{count} intervals, every {keep_every} kept: both must be multiples of {samples}, "
-            "and the second not above the first"
+        raise NavigationError(
+            f"found {count} increments and keep_every {keep_every}: expected multiples of samples, "
+            f"{samples}, and keep_every at most the number of increments"
         )
     check_start(start)
     check_increments(increments)
     rows = np.empty((count // keep_every, kernel.STATE_SIZE))
-    steps, latitude, reached = kernel.navigate(
+    steps, latitude, reached = kernel.run_steps(
         (float(start.latitude), float(start.longitude), float(start.height)),
         tuple(map(float, start.velocity)),
         tuple(map(float, Rotation.from_matrix(start.mat_nb).as_quat(scalar_first=True))),
         float(increments.interval),
         np.ascontiguousarray(increments.rotation, dtype=float),
         np.ascontiguousarray(increments.velocity, dtype=float),
-        weights(samples),
-        height.channel(count, samples, increments.interval),
+        derive_coefficients(samples),
+        height.make_channel(count, samples, increments.interval),
         keep_every // samples,
         rows,
     )
     if steps < count // samples:
         step = increments.between(steps * samples, (steps + 1) * samples)
-        raise NavigationError(_what_ended(step, latitude, reached))
+        raise NavigationError(_describe_stop(step, latitude, reached))
     return Track(
         time=increments.bounds[keep_every::keep_every],
         position=rows[:, :3].copy(),
@@ -75,18 +73,18 @@ def navigate(
 
 
 def check_start(start: State) -> None:
-    """Refuse a state that the navigator can't start from.
+    """Check that the navigator can start from a state.
 
     Raises:
-        NavigationError: says what is wrong.
+        NavigationError: latitude too near a pole, a number that is not finite, or an attitude that
+            is not a rotation matrix.
     """
     latitude = np.rad2deg(start.latitude)
-    if not abs(start.latitude) < kernel.LIMIT:
+    if not abs(start.latitude) < kernel.MAX_LATITUDE:
         hint = "; is it in degrees where radians are meant?" if abs(latitude) > 90 else ""
         raise NavigationError(
-            f"start at latitude {latitude:.4g} deg; "
-            f"expected within {np.rad2deg(kernel.LIMIT):g} deg of the equator, short of the poles"
-            f"{hint}"
+            f"start at latitude {latitude:.4g} deg; expected within "
+            f"{np.rad2deg(kernel.MAX_LATITUDE):g} deg of the equator, short of the poles{hint}"
         )
     if np.shape(start.velocity) != (3,):
         raise NavigationError(
@@ -99,28 +97,28 @@ def check_start(start: State) -> None:
 
 
 def check_rotation(matrix: Array) -> None:
-    """Refuse a matrix that is no rotation.
+    """Check that a matrix is a finite rotation matrix (3, 3).
 
     Raises:
-        NavigationError: says by how much.
+        NavigationError: it is not; the message says by how much.
     """
     matrix = np.asarray(matrix)
     if np.shape(matrix) != (3, 3) or not np.all(np.isfinite(matrix)):
         raise NavigationError(f"attitude of shape {np.shape(matrix)}: expected a finite 3 x 3")
-    skewed = float(np.max(np.abs(matrix @ matrix.T - np.eye(3))))
+    deviation = float(np.max(np.abs(matrix @ matrix.T - np.eye(3))))
     determinant = float(np.linalg.det(matrix))
-    if skewed > 1e-6 or determinant < 0:
+    if deviation > 1e-6 or determinant < 0:
         raise NavigationError(
-            f"attitude is no rotation: C C' differs from 1 by {skewed:.1e}, "
+            f"attitude is not a rotation matrix: C C' differs from 1 by {deviation:.1e}, "
             f"determinant {determinant:.3g}; expected at most 1e-6, and 1"
         )
 
 
 def check_increments(increments: Increments) -> None:
-    """Refuse increments that the compiled navigator can't read; their numbers it checks itself.
+    """Check shapes and interval of increments; the compiled loop checks that values are finite.
 
     Raises:
-        NavigationError: says what is wrong.
+        NavigationError: another shape than (n, 3), or an interval that is not above 0.
     """
     shapes = np.shape(increments.rotation), np.shape(increments.velocity)
     if shapes != ((len(increments), 3),) * 2:
@@ -131,8 +129,8 @@ def check_increments(increments: Increments) -> None:
         raise NavigationError(f"increments of {increments.interval} s: expected longer than 0 s")
 
 
-def _what_ended(step: Increments, latitude: float, height: float) -> str:
-    """Why the navigator stopped, from the step that it could not make and where that led."""
+def _describe_stop(step: Increments, latitude: float, height: float) -> str:
+    """Say why the navigator stopped in a step that led to this latitude and height."""
     reading = np.hstack([step.rotation, step.velocity])
     bad = np.flatnonzero(~np.isfinite(reading).all(axis=1))
     if len(bad):
@@ -142,6 +140,6 @@ def _what_ended(step: Increments, latitude: float, height: float) -> str:
         )
     ended = f"stopped at {step.start:.6g} s, latitude {np.rad2deg(latitude):.4f} deg, "
     ended += f"height {height:.4g} m"
-    if not abs(latitude) < kernel.LIMIT:
-        return f"{ended}: beyond {np.rad2deg(kernel.LIMIT):g} deg, too near a pole"
+    if not abs(latitude) < kernel.MAX_LATITUDE:
+        return f"{ended}: beyond {np.rad2deg(kernel.MAX_LATITUDE):g} deg, too near a pole"
     return f"{ended}: diverged; are the increments in rad and m/s, and without gaps?"

@@ -17,32 +17,33 @@ BiasMap = Callable[[Array], Array]
 """Bias, rad/s, at pattern angles (...), rad; of period pi."""
 
 REACH = 6.0 * DEG
-"""Of the pattern about its parked angle: Earth's level rate turns it by up to 6.4 deg in 2 h at
-latitude 40 deg, 2 deg of pitch by 0.6 deg. Turns with roll add to that, always one way."""
+"""Half width of the pattern angles about the parked one that count, rad. Chosen: Earth's level rate
+turns the pattern by up to 6.4 deg in 2 h at latitude 40 deg, and 2 deg of pitch by 0.6 deg. Turns
+with roll add to that, always one way."""
 _CANDIDATES = np.arange(0.0, 180.0, 0.1) * DEG
 _WITHIN = np.linspace(-REACH, REACH, 25)
 
 
-def least_bias(bias: BiasMap) -> float:
+def find_flattest_zero(bias: BiasMap) -> float:
     """Angle, rad, about which the bias differs least from its mean: the map's flattest zero.
 
     For a gyro whose mean bias is calibrated.
     """
     mean = float(np.mean(bias(_CANDIDATES)))
-    return _least(bias(_within_reach()) - mean)
+    return _find_least(bias(_within_reach()) - mean)
 
 
-def flattest(bias: BiasMap) -> float:
+def find_flattest_extreme(bias: BiasMap) -> float:
     """Angle, rad, about which the bias varies least from its own value: the map's flattest extreme.
 
     For a gyro whose bias at that angle is calibrated.
     """
-    return _least(bias(_within_reach()) - bias(_CANDIDATES)[:, None])
+    return _find_least(bias(_within_reach()) - bias(_CANDIDATES)[:, None])
 
 
 def _within_reach() -> Array:
     return np.asarray(_CANDIDATES[:, None] + _WITHIN)
 
 
-def _least(left: Array) -> float:
-    return float(_CANDIDATES[np.argmin(np.mean(left**2, axis=1))])
+def _find_least(residual: Array) -> float:
+    return float(_CANDIDATES[np.argmin(np.mean(residual**2, axis=1))])

@@ -44,4 +44,4 @@ CASES = (
     Case("flat_at_start", "parked at an extreme, bias there taken out", Start.FLAT, Known.AT_START),
     LIMIT,
 )
-"""The first is what the others are compared with."""
+"""All cases; the others are compared with the first."""

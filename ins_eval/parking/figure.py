@@ -1,28 +1,26 @@
 """The figure of a comparison: position-error growth by case, and ratios at the end."""
 
-from pathlib import Path
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ins_eval.common.metrics import median_interval
 from ins_eval.parking.case import CASES
-from ins_eval.parking.study import Comparison, ratios
+from ins_eval.parking.study import Comparison, compare_with_first_case
 from pyhrg.common.units import NAUTICAL_MILE
 
 COLORS = ("black", "tab:blue", "tab:orange", "tab:red", "tab:green")
 
 
-def draw(result: Comparison, path: Path) -> None:
-    """Write the figure as PNG."""
+def plot_comparison(result: Comparison) -> Figure:
+    """Growth of the position error by case, and ratios to the first case."""
     figure = Figure(figsize=(11, 5), layout="constrained")
     growth, ratios = figure.subplots(1, 2, width_ratios=(1.5, 1))
     _draw_growth(growth, result)
     _draw_ratios(ratios, result)
     n = result.radial.shape[1]
     figure.suptitle(f"Patterns of level gyros parked at power-on: {n} triads on {result.mission}")
-    figure.savefig(path, dpi=120, metadata={"Software": None})
+    return figure
 
 
 def _draw_growth(axes: Axes, result: Comparison) -> None:
@@ -46,7 +44,9 @@ def _draw_ratios(axes: Axes, result: Comparison) -> None:
         (result.greatest, 0.15, "s", f"greatest within {result.hours:g} h"),
     )
     for radial, beside, marker, name in kinds:
-        for row, color, ratio in zip(rows + beside, COLORS, ratios(radial), strict=True):
+        for row, color, ratio in zip(
+            rows + beside, COLORS, compare_with_first_case(radial), strict=True
+        ):
             axes.plot([ratio.low, ratio.high], [row, row], color=color, linewidth=2)
             axes.plot(ratio.value, row, marker, color=color)
             text, above = f"{ratio.value:.2g}", 5 if beside < 0 else -14

@@ -5,46 +5,49 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.common.increments import Increments
-from ins_eval.imu.gyros import GyroFlight, case_force, flown, starting_up
-from ins_eval.parking.angle import flattest, least_bias
+from ins_eval.imu.gyros import GyroOutput, resolve_force_in_case, simulate_gyro, with_start_up
+from ins_eval.parking.angle import find_flattest_extreme, find_flattest_zero
 from ins_eval.parking.case import Known, Start
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position.positions import Plan
-from pyhrg.bench.calibration.calibration import applied, measurements
-from pyhrg.bench.calibration.calibration_maps import angle_map, calibration
-from pyhrg.bench.estimation.harmonics import design
+from pyhrg.bench.calibration.calibration import apply_maps, plan_power_ons
+from pyhrg.bench.calibration.calibration_maps import fit_maps, make_angle_map
+from pyhrg.bench.estimation.harmonics import make_columns
 from pyhrg.device.device import AngleMap, Device
+from pyhrg.records.imu.increments import Increments
 
 Array = NDArray[np.float64]
 
-ANGLES = {Start.ZERO: least_bias, Start.FLAT: flattest}
+ANGLES = {Start.ZERO: find_flattest_zero, Start.FLAT: find_flattest_extreme}
 
 
 @dataclass(frozen=True)
 class MappedGyro:
-    """A gyro on the bench, the map that its maker measured, and the same gyro with all that he
-    measured in its electronics."""
+    """A gyro with its maker's maps.
+
+    bench: with the gyro on it; bias_map: as the maker measured it; calibrated: the gyro with the
+    measured maps in its electronics.
+    """
 
     bench: Bench
     bias_map: AngleMap
     calibrated: Device
 
     def bias(self, pattern_angle: Array) -> Array:
-        """Of the map, rad/s, at pattern angles, rad."""
-        columns = design(pattern_angle, pattern_angle, (2, 4, 8), tilt=False)
+        """Bias by the map, rad/s, at pattern angles, rad."""
+        columns = make_columns(pattern_angle, pattern_angle, (2, 4, 8), tilt=False)
         return np.asarray(sum(getattr(self.bias_map, name) * c for name, c in columns.items()))
 
     def known_bias(self, known: Known, pattern_angle: float) -> float:
-        """What is to be taken out of the output, rad/s."""
+        """Bias that is taken out of the output, rad/s."""
         if known is Known.MAP:
             return 0.0
         if known is Known.MEAN:
             return self.bias_map.mean
         return float(self.bias(np.array(pattern_angle)))
 
-    def flight(self, truth: Increments, axis: int, start: Start, with_maps: bool) -> GyroFlight:
-        """From power-on; the same noise each time.
+    def flight(self, truth: Increments, axis: int, start: Start, with_maps: bool) -> GyroOutput:
+        """Output from power-on, with the same noise each time.
 
         Args:
             truth: true increments.
@@ -55,18 +58,18 @@ class MappedGyro:
         device = self.calibrated if with_maps else self.bench.device
         if start in ANGLES:
             device = replace(device, power_on_angle=ANGLES[start](self.bias))
-        bench = replace(self.bench, device=starting_up(device))
-        force = case_force(truth, np.eye(3)[axis])
-        return flown(bench, truth.rotation[:, axis], force, truth.interval)
+        bench = replace(self.bench, device=with_start_up(device))
+        force = resolve_force_in_case(truth, np.eye(3)[axis])
+        return simulate_gyro(bench, truth.rotation[:, axis], force, truth.interval)
 
 
-def mapped(bench: Bench, plan: Plan | None = None) -> MappedGyro:
+def measure_maps(bench: Bench, plan: Plan | None = None) -> MappedGyro:
     """The maker's calibration, power-ons apart: positions, 100 s each, and turns both ways.
 
     Args:
         bench: with the gyro on it.
         plan: of the positions; the 24 of the bench's full-circumference test, if None.
     """
-    power_ons = measurements(bench, plan, runs=1, segments=1)
-    found = calibration(bench.campaign([bench.log(task) for task in power_ons]))
-    return MappedGyro(bench, angle_map(found.bias_map), applied(bench.device, found))
+    power_ons = plan_power_ons(bench, plan, runs=1, segments=1)
+    found = fit_maps(bench.campaign([bench.log(task) for task in power_ons]))
+    return MappedGyro(bench, make_angle_map(found.bias_map), apply_maps(bench.device, found))

@@ -9,21 +9,21 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.alignment.analytic import static_alignment
-from ins_eval.common.increments import Increments
+from ins_eval.alignment.analytic import level_and_gyrocompass
 from ins_eval.common.rotation import euler_from_mat
 from ins_eval.common.state import State, position_error
 from ins_eval.imu.imu import StartUpError
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories.trajectory import Trajectory
+from pyhrg.records.imu.increments import Increments
 
 Array = NDArray[np.float64]
 
 INTERVAL = 0.01
-"""Of the IMU's increments, s."""
+"""Duration of the IMU's increments, s."""
 STILL = 300.0
-"""From power-on, at rest, to time 0, at which alignment ends and navigation begins, s."""
+"""Time at rest from power-on to time 0, s. Alignment ends and navigation begins at time 0."""
 KEPT = 60.0
 """Time between kept positions, s."""
 
@@ -46,7 +46,7 @@ class Mission:
 
     @property
     def hours(self) -> float:
-        """From time 0 to the end."""
+        """Duration from time 0 to the end."""
         return float(self.time[-1]) / 3600
 
     def align(self, measured: Increments, ready: float = -STILL) -> Array:
@@ -57,10 +57,10 @@ class Mission:
             ready: time from which on all gyros are ready, s.
         """
         first, zero = int(np.ceil((ready + STILL) / INTERVAL - 1e-6)), round(STILL / INTERVAL)
-        return static_alignment(measured.between(first, zero), float(self.start[0]))
+        return level_and_gyrocompass(measured.between(first, zero), float(self.start[0]))
 
     def heading_error(self, measured: Increments, ready: float = -STILL) -> float:
-        """Of the alignment, clockwise, rad; arguments as for `align`."""
+        """Heading error of the alignment, clockwise, rad; arguments as for `align`."""
         heading, true = (
             euler_from_mat(mat)[2] for mat in (self.align(measured, ready), self.align(self.truth))
         )
@@ -80,7 +80,7 @@ class Mission:
         return position_error(track.position, self.position)[:, :2]
 
 
-def since(good: NDArray[np.bool_] | None) -> float:
+def find_ready_time(good: NDArray[np.bool_] | None) -> float:
     """Time from which on, until time 0, every interval of a record from power-on is good, s; None
     are good throughout.
 
@@ -96,7 +96,7 @@ def since(good: NDArray[np.bool_] | None) -> float:
     return first * INTERVAL - STILL
 
 
-def mission(trajectory: Trajectory, hours: float) -> Mission:
+def sample_mission(trajectory: Trajectory, hours: float) -> Mission:
     """The truth along a trajectory that stands still from -STILL to 0, for whole minutes."""
     minutes = round(hours * 60)
     flight = minutes * round(KEPT / INTERVAL)

@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 
 from ins_eval.common.metrics import median_interval
 from ins_eval.parking.case import CASES
-from ins_eval.parking.figure import draw
-from ins_eval.parking.study import Comparison, ratios
+from ins_eval.parking.figure import plot_comparison
+from ins_eval.parking.study import Comparison, compare_with_first_case
 from ins_eval.parking.triad import RECORDS
+from ins_eval.results.png import save_png
 from pyhrg.common.units import DEG, NAUTICAL_MILE
 
 Array = NDArray[np.float64]
@@ -28,8 +29,8 @@ USED = {
 }
 
 
-def summary(result: Comparison) -> str:
-    """What a person wants to read: position errors by case, and what start-up costs."""
+def summarize(result: Comparison) -> str:
+    """Position errors by case, and what start-up costs, in words."""
     n = result.radial.shape[1]
     ready = result.ready.max()
     return "\n".join(
@@ -42,7 +43,7 @@ def summary(result: Comparison) -> str:
             "Rms heading error of the alignment, arcmin",
             "",
             *(
-                f"{case.label:<45}{rms_arcmin(heading):9.3g}"
+                f"{case.label:<45}{find_rms_arcmin(heading):9.3g}"
                 for case, heading in zip(CASES, result.heading, strict=True)
             ),
             "",
@@ -50,7 +51,7 @@ def summary(result: Comparison) -> str:
             "whole maps taken out,\nby what alignment uses, arcmin",
             "",
             *(
-                f"{USED[name]:<45}{rms_arcmin(errors):9.3g}"
+                f"{USED[name]:<45}{find_rms_arcmin(errors):9.3g}"
                 for name, errors in zip(RECORDS, result.start_up, strict=True)
             ),
         ]
@@ -60,7 +61,9 @@ def summary(result: Comparison) -> str:
 def _table(radial: Array, title: str) -> list[str]:
     """Lines about errors (cases, n), m."""
     lines = ["", f"{title:<42}{'median, nmi':>12}   {'95 %':<18}{'ratio':>7}   95 %"]
-    for case, errors, ratio in zip(CASES, radial / NAUTICAL_MILE, ratios(radial), strict=True):
+    for case, errors, ratio in zip(
+        CASES, radial / NAUTICAL_MILE, compare_with_first_case(radial), strict=True
+    ):
         low, high = median_interval(errors)
         between = f"{ratio.low:.3g} to {ratio.high:.3g}" if case is not CASES[0] else ""
         lines.append(
@@ -70,19 +73,19 @@ def _table(radial: Array, title: str) -> list[str]:
     return lines
 
 
-def rms_arcmin(angle: Array) -> float:
-    """Of angles (n,), rad."""
+def find_rms_arcmin(angle: Array) -> float:
+    """Root mean square of angles (n,), rad, in arcmin."""
     return float(np.sqrt(np.mean(angle**2))) / DEG * 60
 
 
 def write(result: Comparison, folder: Path) -> None:
     """Write parking.json, position_error.csv and parking.png into an existing folder."""
-    (folder / "parking.json").write_text(json.dumps(document(result), indent=2) + "\n")
+    (folder / "parking.json").write_text(json.dumps(make_document(result), indent=2) + "\n")
     _write_errors(result, folder / "position_error.csv")
-    draw(result, folder / "parking.png")
+    save_png(plot_comparison(result), folder / "parking.png")
 
 
-def document(result: Comparison) -> dict[str, Any]:
+def make_document(result: Comparison) -> dict[str, Any]:
     """Content of parking.json."""
     used = zip(RECORDS, result.start_up, strict=True)
     return {
@@ -97,7 +100,7 @@ def document(result: Comparison) -> dict[str, Any]:
         "start_up": {
             "ready_s": [float(result.ready.min()), float(result.ready.max())],
             "heading_error_arcmin": {
-                name: {"uses": USED[name], "rms": rms_arcmin(errors)} for name, errors in used
+                name: {"uses": USED[name], "rms": find_rms_arcmin(errors)} for name, errors in used
             },
         },
     }
@@ -110,14 +113,14 @@ def _case(result: Comparison, number: int) -> dict[str, Any]:
         "taken_out": case.known.value,
         "final": _errors(result.final, number),
         "greatest": _errors(result.greatest, number),
-        "heading_error_rms_arcmin": rms_arcmin(result.heading[number]),
+        "heading_error_rms_arcmin": find_rms_arcmin(result.heading[number]),
         "heading_error_arcmin": (result.heading[number] / DEG * 60).tolist(),
     }
 
 
 def _errors(radial: Array, number: int) -> dict[str, Any]:
     """One case of errors (cases, n), m."""
-    own, ratio = radial[number] / NAUTICAL_MILE, ratios(radial)[number]
+    own, ratio = radial[number] / NAUTICAL_MILE, compare_with_first_case(radial)[number]
     return {
         "radial_error_nmi": float(np.median(own)),
         "interval_95_nmi": list(median_interval(own)),

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.common.metrics import PairedRatio, paired_ratio
-from ins_eval.common.parallel import in_parallel
+from ins_eval.common.parallel import map_in_threads
 from ins_eval.imu.accelerometers import TYPICAL_ACCELEROMETERS
-from ins_eval.imu.triad import Triad
-from ins_eval.parking.gyro import mapped
+from ins_eval.imu.sensor_error_model import SensorErrorModel
+from ins_eval.parking.gyro import measure_maps
 from ins_eval.parking.mission import Mission
 from ins_eval.parking.triad import DRIVES, TriadFlights, fly_triad
 from pyhrg.bench.bench import Bench
@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Comparison:
-    """Triads in each of `CASES`."""
+    """Triads flown in each of `CASES`."""
 
     seed: int
     device: str
@@ -57,13 +57,13 @@ class Comparison:
         return np.asarray(self.radial.max(axis=-1))
 
 
-def ratios(radial: Array) -> list[PairedRatio]:
-    """Of errors (cases, n) to those of the first case, by case."""
+def compare_with_first_case(radial: Array) -> list[PairedRatio]:
+    """Ratio of the errors (cases, n) to the first case's, by case."""
     return [paired_ratio(errors, radial[0]) for errors in radial]
 
 
-def work(triads: int, mission: Mission) -> int:
-    """Gyro time that is told as done, minutes."""
+def count_gyro_minutes(triads: int, mission: Mission) -> int:
+    """Gyro time that flying these triads takes, minutes."""
     return triads * DRIVES * len(mission.time)
 
 
@@ -74,10 +74,10 @@ def compare(
     seed: int,
     *,
     device: Device = TYPICAL,
-    accelerometers: Triad = TYPICAL_ACCELEROMETERS,
+    accelerometers: SensorErrorModel = TYPICAL_ACCELEROMETERS,
     plan: Plan | None = None,
     workers: int | None = None,
-    done: Callable[[int], None] = lambda minutes: None,
+    progress: Callable[[int, int], None] | None = None,
 ) -> Comparison:
     """Fly every triad in every case.
 
@@ -90,7 +90,7 @@ def compare(
         accelerometers: of every triad.
         plan: of the positions at which maps are measured (`mapped`).
         workers: threads; as many as this process has cores, if not given.
-        done: told the gyro time, minutes, of each triad that is done.
+        progress: is called with the gyro minutes done and those of all.
     """
     fmu = GyroFmu(fmu_path)
     fmu.prepare()
@@ -102,15 +102,15 @@ def compare(
         devices = [device.another(generator) for _ in range(3)]
         velocity = accelerometers.measure(truth.velocity, truth.interval, generator)
         benches = [Bench(fmu, each, seed=int(generator.integers(2**63))) for each in devices]
-        gyros = [mapped(bench, plan) for bench in benches]
+        gyros = [measure_maps(bench, plan) for bench in benches]
         return fly_triad(gyros, velocity, mission)
 
-    flown = in_parallel(
+    flown = map_in_threads(
         fly,
         np.random.SeedSequence(seed).spawn(triads),
         fmu.stop,
         workers,
-        lambda _: done(work(1, mission)),
+        _count_progress(mission, triads, progress),
     )
     return Comparison(
         seed=seed,
@@ -122,3 +122,17 @@ def compare(
         ready=np.stack([each.ready for each in flown], axis=1),
         start_up=np.stack([each.start_up for each in flown], axis=1),
     )
+
+
+def _count_progress(
+    mission: Mission, triads: int, progress: Callable[[int, int], None] | None
+) -> Callable[[TriadFlights], None]:
+    """A function that reports one triad more at each call."""
+    total, one_triad = count_gyro_minutes(triads, mission), count_gyro_minutes(1, mission)
+    minutes = iter(range(one_triad, total + 1, one_triad))
+
+    def report(_: TriadFlights) -> None:
+        if progress is not None:
+            progress(next(minutes), total)
+
+    return report

@@ -7,24 +7,24 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.common.increments import Increments
-from ins_eval.imu.gyros import GyroFlight
+from ins_eval.imu.gyros import GyroOutput
 from ins_eval.parking.case import CASES, LIMIT, Case, Known, Start
 from ins_eval.parking.gyro import MappedGyro
-from ins_eval.parking.mission import INTERVAL, STILL, Mission, since
+from ins_eval.parking.mission import INTERVAL, STILL, Mission, find_ready_time
+from pyhrg.records.imu.increments import Increments
 
 Array = NDArray[np.float64]
 
 VERTICAL = 2
 """Axis of the gyro that is not parked: turns of the vehicle take its pattern all round."""
 DRIVES = 10
-"""Of gyros through the mission, a triad: three as they come, two level ones parked at each of two
-angles, three with maps."""
+"""Simulations of a gyro through the mission, a triad: three as they come, two level ones parked at
+each of two angles, three with maps."""
 RECORDS = ("running", "ready", "valid", "power_on")
 """What alignment uses of the five minutes: all, of gyros that run already when they begin; from
 when the last gyro is ready; from when the last output is valid; all."""
 RUNNING = 60.0
-"""Since when those gyros run, s."""
+"""Time for which those gyros run before the five minutes begin, s."""
 
 
 @dataclass(frozen=True)
@@ -52,37 +52,37 @@ def fly_triad(gyros: Sequence[MappedGyro], velocity: Array, mission: Mission) ->
     """
 
     @cache
-    def flight(axis: int, start: Start, with_maps: bool) -> GyroFlight:
+    def flight(axis: int, start: Start, with_maps: bool) -> GyroOutput:
         return gyros[axis].flight(mission.truth, axis, start, with_maps)
 
     radial, heading, ready = [], [], []
     for case in CASES:
-        flights = [flight(axis, *_way(axis, case)) for axis in range(3)]
-        measured = _measured(gyros, flights, velocity, case)
-        begin = max(since(each.ready) for each in flights)
+        flights = [flight(axis, *_choose_start(axis, case)) for axis in range(3)]
+        measured = _measure(gyros, flights, velocity, case)
+        begin = max(find_ready_time(each.ready) for each in flights)
         error = mission.fly(measured, begin)
         radial.append(np.hypot(error[:, 0], error[:, 1]))
         heading.append(mission.heading_error(measured, begin))
         ready.append(begin + STILL)
-    flights = [flight(axis, *_way(axis, LIMIT)) for axis in range(3)]
+    flights = [flight(axis, *_choose_start(axis, LIMIT)) for axis in range(3)]
     start_up = _start_up(gyros, flights, velocity, mission)
     return TriadFlights(np.stack(radial), np.array(heading), np.array(ready), start_up)
 
 
-def _way(axis: int, case: Case) -> tuple[Start, bool]:
+def _choose_start(axis: int, case: Case) -> tuple[Start, bool]:
     start = Start.AS_IT_COMES if axis == VERTICAL else case.start
     return start, case.known is Known.MAP
 
 
-def _measured(
-    gyros: Sequence[MappedGyro], flights: Sequence[GyroFlight], velocity: Array, case: Case
+def _measure(
+    gyros: Sequence[MappedGyro], flights: Sequence[GyroOutput], velocity: Array, case: Case
 ) -> Increments:
     """Increments less what is known of the biases."""
     rotation = np.stack([flight.rotation for flight in flights], axis=-1)
     for axis, (gyro, flight) in enumerate(zip(gyros, flights, strict=True)):
         level_only = axis == VERTICAL and case.known is Known.AT_START
         known = Known.MEAN if level_only else case.known
-        first = round((since(flight.ready) + STILL) / INTERVAL)
+        first = round((find_ready_time(flight.ready) + STILL) / INTERVAL)
         angle = float(flight.pattern_angle[first])
         rotation[:, axis] -= gyro.known_bias(known, angle) * INTERVAL
     return Increments(INTERVAL, rotation, velocity, -STILL)
@@ -90,7 +90,7 @@ def _measured(
 
 def _start_up(
     gyros: Sequence[MappedGyro],
-    flights: Sequence[GyroFlight],
+    flights: Sequence[GyroOutput],
     velocity: Array,
     mission: Mission,
 ) -> Array:
@@ -101,9 +101,9 @@ def _start_up(
     longer = Increments(INTERVAL, truth.rotation[rows], truth.velocity[rows], -STILL - RUNNING)
     early = [gyro.flight(longer, axis, LIMIT.start, True) for axis, gyro in enumerate(gyros)]
     running = np.stack([flight.rotation[before:] for flight in early], axis=-1)
-    started = _measured(gyros, flights, velocity, LIMIT)
+    started = _measure(gyros, flights, velocity, LIMIT)
     errors = [mission.heading_error(Increments(INTERVAL, running, velocity[:rest], -STILL))]
     for good in ("ready", "valid"):
-        begin = max(since(getattr(flight, good)) for flight in flights)
+        begin = max(find_ready_time(getattr(flight, good)) for flight in flights)
         errors.append(mission.heading_error(started, begin))
     return np.array([*errors, mission.heading_error(started)])

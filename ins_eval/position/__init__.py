@@ -1,1 +1,1 @@
-"""What the gap between a simulated and a real gyro is worth to a navigator, in metres."""
+"""Position error of a navigator that the gap between a simulated and a real gyro is worth."""

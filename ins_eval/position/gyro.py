@@ -1,4 +1,4 @@
-"""A gyro of a device file in flight: its maps, read off the FMU, and its noise."""
+"""A device in flight: its maps, measured on the FMU, and its noise."""
 
 from dataclasses import dataclass
 
@@ -6,51 +6,59 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.study.gyros.drift import Flight
-from ins_eval.study.gyros.true_maps import coefficients, started_at, turning
+from ins_eval.study.gyros.true_maps import compute_turning_bias, read_flight_coefficients, start_at
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 
 Array = NDArray[np.float64]
 
-RISE = 10.0
-"""Of the case above the reference temperature after power-on, K; the resonator follows."""
-NOISES = ("pickoff_noise", "angle_random_walk", "bias_instability", "rate_random_walk")
-"""Fields of a device in the order of `noise_weights.KINDS`."""
+CASE_RISE = 10.0
+"""Final rise of the case's temperature above the reference temperature after power-on, K; the
+resonator follows. Chosen."""
+NOISE_FIELDS = ("angle_white_noise", "angle_random_walk", "bias_instability", "rate_random_walk")
+"""Fields of a device, in the order of `noise_weights.KINDS`."""
 
 
 @dataclass(frozen=True)
 class Gyro:
-    """coefficients: (signals.COUNT,) of its maps, over the pattern angle itself;
-    noise: (KINDS,) in the units of `noise_weights.KINDS`.
+    """A device that warms by `CASE_RISE` in flight.
+
+    coefficients: (signals.COUNT,) coefficients of its maps over the pattern angle itself;
+    noise: (KINDS,) its noise, in the units of `noise_weights.KINDS`.
     """
 
     device: Device
     coefficients: Array
     noise: Array
 
-    def in_flight(self, angles: Array) -> tuple[Array, Array]:
-        """(r, signals.COUNT, 3) coefficients, and (r, pattern_drift.TURNING, 3) rad/s of the bias
-        that turns the pattern, from power-on angles (r, 3), rad."""
-        each = [
-            [
-                (started_at(self.coefficients, a), turning(self.device, self.coefficients, a))
-                for a in triad
-            ]
-            for triad in angles.tolist()
+    def compute_flight_coefficients(self, angles: Array) -> tuple[Array, Array]:
+        """Coefficients of r triads of such gyros over the turn since power-on.
+
+        Args:
+            angles: (r, 3) power-on angles, rad.
+
+        Returns:
+            (r, signals.COUNT, 3) coefficients of the maps, and (r, pattern_drift.TURNING_TERMS, 3)
+            bias that turns the pattern, rad/s.
+        """
+        triads = angles.tolist()
+        maps = [[start_at(self.coefficients, angle) for angle in triad] for triad in triads]
+        turning = [
+            [compute_turning_bias(self.device, self.coefficients, angle) for angle in triad]
+            for triad in triads
         ]
-        maps, turns = (np.array([[gyro[i] for gyro in triad] for triad in each]) for i in (0, 1))
-        return np.moveaxis(maps, 1, -1), np.moveaxis(turns, 1, -1)
+        return np.moveaxis(np.array(maps), 1, -1), np.moveaxis(np.array(turning), 1, -1)
 
-    def flights(self, angles: Array) -> tuple[Flight, ...]:
-        """Of three such gyros, from power-on angles (3,), rad."""
-        return tuple(Flight(self.device, RISE, angle) for angle in angles.tolist())
+    def make_flights(self, angles: Array) -> tuple[Flight, ...]:
+        """Flights of three such gyros, from their power-on angles (3,), rad."""
+        return tuple(Flight(self.device, CASE_RISE, angle) for angle in angles.tolist())
 
 
-def gyro(fmu: GyroFmu, device: Device) -> Gyro:
-    """Read off the FMU `HRGSlow`.
+def measure_gyro(fmu: GyroFmu, device: Device) -> Gyro:
+    """Measure a device's maps on the FMU `HRGSlow`.
 
     Raises:
         GyroError: values that the FMU refuses.
     """
-    noise = np.array([getattr(device, name) for name in NOISES])
-    return Gyro(device, coefficients(fmu, device, RISE), noise)
+    noise = np.array([getattr(device, name) for name in NOISE_FIELDS])
+    return Gyro(device, read_flight_coefficients(fmu, device, CASE_RISE), noise)

@@ -1,167 +1,179 @@
-"""From a diagnosis to metres: how far the belief's position is from the closed simulation's."""
+"""How far the nominal device's position is from the identified device's, in missions."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.mission_model.mission_weights import MissionWeights
-from ins_eval.mission_model.missions import StudyMission, file_of, study_mission
-from ins_eval.mission_model.weights_cache import kept_weights
-from ins_eval.position.diagnosis import Diagnosis
-from ins_eval.position.errors import errors, noise_rms, power_on_angles
-from ins_eval.position.gyro import Gyro, gyro
-from ins_eval.position.leftover import Leftover, leftover
-from ins_eval.study.block import Triad
-from ins_eval.study.cosimulated import Agreement, agreement, cosimulated, truth
-from ins_eval.study.scores.resampling import Estimate, bootstrapped
+from ins_eval.mission_model.missions import StudyMission, find_mission_file, plan_mission
+from ins_eval.mission_model.weights_cache import load_mission_weights
+from ins_eval.position.diagnosis import DiagnosedGyro
+from ins_eval.position.gyro import Gyro, measure_gyro
+from ins_eval.position.residual_bound import ResidualBound, bound_residual_error
+from ins_eval.position.triad_errors import (
+    compute_error_parts,
+    compute_noise_rms,
+    draw_power_on_angles,
+)
+from ins_eval.study.cosimulated import Agreement, compare_errors, cosimulate, sample_truth
+from ins_eval.study.gyros.drawn_triad import DrawnTriad
+from ins_eval.study.scores.resampling import Estimate, bootstrap
 from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.errors import TrajectoryError
 from pyhrg.fmu import GyroFmu
 
 Array = NDArray[np.float64]
-Say = Callable[[str], None]
 
-MISSIONS = ("car", "aircraft", "ship")
-HOURS, TRIADS, SEED = 2.0, 500, 1
-"""Unless asked otherwise."""
-SAMPLE = 2
-"""Triads that are flown for real, in the first mission."""
-INTERVAL = 0.02
-"""Of their increments, s."""
+COSIMULATED_TRIADS = 2
+"""Number of triads that are co-simulated, in the first mission. Chosen."""
+COSIMULATION_INTERVAL = 0.02
+"""Interval of the increments in the co-simulation, s. Chosen."""
 
 
 @dataclass(frozen=True)
-class Asked:
-    """missions: names or files; hours: of navigation; triads: drawn; seed: of their power-on
-    angles and of the intervals."""
+class PositionRequest:
+    """What is computed.
 
-    missions: Sequence[str] = MISSIONS
-    hours: float = HOURS
-    triads: int = TRIADS
-    seed: int = SEED
+    missions: names of ready missions, or files; hours: duration of the navigation;
+    triads: number of triads; seed: of their power-on angles and of the bootstrap intervals.
+    """
 
-
-USUAL = Asked()
+    missions: Sequence[str | Path]
+    hours: float
+    triads: int
+    seed: int
 
 
 @dataclass(frozen=True)
-class InMission:
-    """What a gap is worth in a mission, horizontal, m.
+class MissionGap:
+    """Distance between the positions of the nominal and the identified device in a mission,
+    horizontal, m.
 
-    time: (k,) s since alignment; missed: (k,) rms over power-on angles of what the belief's
-    position is from the closed simulation's; at_end: the last of it with its interval;
-    before, after: rms of each part of the error at the end, by name, of either gyro;
-    leftover: what the rest of the gap could do; None where no held-out test says.
+    time: (k,) s since alignment; distance: (k,) its rms over triads;
+    at_end: the same at the mission's end, with its interval;
+    nominal_budget, identified_budget: rms error of each device at the end, by named part;
+    residual_bound: position error that the residual of held-out tests could cause; None without
+    such tests.
     """
 
     name: str
     time: Array
-    missed: Array
+    distance: Array
     at_end: Estimate
-    before: dict[str, float]
-    after: dict[str, float]
-    leftover: Leftover | None
+    nominal_budget: dict[str, float]
+    identified_budget: dict[str, float]
+    residual_bound: ResidualBound | None
 
 
 @dataclass(frozen=True)
-class Position:
-    """All missions. sample: what was missed, linear against co-simulated, in the first mission;
-    None where nothing was missed."""
+class MissionGaps:
+    """The distance in every mission that was asked for.
 
-    asked: Asked
-    diagnosis: Diagnosis
-    missions: tuple[InMission, ...]
-    sample: Agreement | None
+    cosimulation: the distance by the linear model compared with that by co-simulation, in the
+    first mission; None where the two devices are equal without noise.
+    """
+
+    request: PositionRequest
+    diagnosis: DiagnosedGyro
+    missions: tuple[MissionGap, ...]
+    cosimulation: Agreement | None
 
 
-def position(
-    fmu: GyroFmu, diagnosis: Diagnosis, asked: Asked = USUAL, say: Say = lambda text: None
-) -> Position:
-    """Fly the gyros of a diagnosis.
+def compute_mission_gaps(
+    fmu: GyroFmu,
+    diagnosis: DiagnosedGyro,
+    request: PositionRequest,
+    report: Callable[[str], None] = lambda text: None,
+) -> MissionGaps:
+    """Position errors of the nominal and the identified device, compared in each mission.
 
     Args:
         fmu: `HRGSlow`.
         diagnosis: of one gyro.
-        asked: missions and numbers.
-        say: told how far it is.
+        request: missions and numbers.
+        report: is called with a line of text at each step.
 
     Raises:
         TrajectoryError: no such mission, or hours out of range.
         GyroError: values that the FMU refuses.
     """
-    missions = [study_mission(_there(name), asked.hours) for name in asked.missions]
-    gyros = gyro(fmu, diagnosis.before), gyro(fmu, diagnosis.after)
-    angles = power_on_angles(asked.triads, asked.seed)
-    flying = [each.in_flight(angles) for each in gyros]
-    found = []
+    missions = [_plan_mission(source, request.hours) for source in request.missions]
+    gyros = measure_gyro(fmu, diagnosis.nominal), measure_gyro(fmu, diagnosis.identified)
+    angles = draw_power_on_angles(request.triads, request.seed)
+    in_flight = [gyro.compute_flight_coefficients(angles) for gyro in gyros]
+    gaps = []
     for mission in missions:
-        say(f"position: {mission.name}")
-        weights = kept_weights(mission)
-        parts = [errors(weights, in_flight) for in_flight in flying]
-        found.append(_in_mission(weights, gyros, parts, asked.seed, diagnosis))
-    sample = None
-    if diagnosis.moved:
-        say(f"position: {missions[0].name}, co-simulated")
-        sample = _sampled(fmu, missions[0], gyros, angles[:SAMPLE])
-    return Position(asked, diagnosis, tuple(found), sample)
+        report(f"position: {mission.name}")
+        weights = load_mission_weights(mission)
+        parts = [compute_error_parts(weights, coefficients) for coefficients in in_flight]
+        gaps.append(_compare_devices(weights, gyros, parts, request.seed, diagnosis))
+    cosimulation = None
+    if diagnosis.is_changed:
+        report(f"position: {missions[0].name}, co-simulated")
+        cosimulation = _check_linearity(fmu, missions[0], gyros, angles[:COSIMULATED_TRIADS])
+    return MissionGaps(request, diagnosis, tuple(gaps), cosimulation)
 
 
-def _there(name: str) -> str:
-    if not file_of(name).is_file():
-        raise TrajectoryError(
-            f"{name}: found no such mission, expected {', '.join(catalogue.names())}, or a file"
-        )
-    return name
+def _plan_mission(source: str | Path, hours: float) -> StudyMission:
+    if not find_mission_file(source).is_file():
+        names = ", ".join(catalogue.list_trajectories())
+        raise TrajectoryError(f"{source}: found no such mission, expected {names}, or a file")
+    return plan_mission(source, hours)
 
 
-def _in_mission(
+def _compare_devices(
     weights: MissionWeights,
     gyros: tuple[Gyro, Gyro],
     parts: Sequence[dict[str, Array]],
     seed: int,
-    diagnosis: Diagnosis,
-) -> InMission:
-    missed = _total(parts[1]) - _total(parts[0])
-    rest = diagnosis.rest
-    return InMission(
+    diagnosis: DiagnosedGyro,
+) -> MissionGap:
+    difference = _sum_parts(parts[1]) - _sum_parts(parts[0])
+    residual = diagnosis.residual
+    return MissionGap(
         name=weights.name,
         time=weights.time,
-        missed=np.array([_rms(missed[:, k]) for k in range(missed.shape[1])]),
-        at_end=bootstrapped(_rms, [missed[:, -1]], seed),
-        before=_budget(parts[0], noise_rms(weights, gyros[0])),
-        after=_budget(parts[1], noise_rms(weights, gyros[1])),
-        leftover=None if rest is None else leftover(weights, rest.beyond_noise),
+        distance=np.array([_compute_rms(difference[:, k]) for k in range(difference.shape[1])]),
+        at_end=bootstrap(_compute_rms, [difference[:, -1]], seed),
+        nominal_budget=_compute_budget(parts[0], compute_noise_rms(weights, gyros[0])),
+        identified_budget=_compute_budget(parts[1], compute_noise_rms(weights, gyros[1])),
+        residual_bound=None if residual is None else bound_residual_error(weights, residual.excess),
     )
 
 
-def _budget(parts: dict[str, Array], noise: dict[str, Array]) -> dict[str, float]:
-    """Rms at the end, by part."""
+def _compute_budget(parts: dict[str, Array], noise: dict[str, Array]) -> dict[str, float]:
+    """Rms of each part at the mission's end, m."""
     return {
-        **{name: float(_rms(part[:, -1])) for name, part in parts.items()},
+        **{name: float(_compute_rms(part[:, -1])) for name, part in parts.items()},
         **{name: float(rms[-1]) for name, rms in noise.items()},
     }
 
 
-def _sampled(
+def _check_linearity(
     fmu: GyroFmu, mission: StudyMission, gyros: tuple[Gyro, Gyro], angles: Array
 ) -> Agreement:
-    flying, weights = truth(mission, INTERVAL), kept_weights(mission)
+    """The linear model's difference between the devices, compared with the co-simulated one."""
+    truth, weights = sample_truth(mission, COSIMULATION_INTERVAL), load_mission_weights(mission)
 
-    def flown(each: Gyro, start: Array) -> Array:
-        triad = Triad((), (), each.flights(start), np.zeros(3), np.zeros(2, dtype=np.uint64))
-        return cosimulated(fmu, flying, triad)
+    def fly(gyro: Gyro, start: Array) -> Array:
+        flights, seeds = gyro.make_flights(start), np.zeros(2, dtype=np.uint64)
+        return cosimulate(fmu, truth, DrawnTriad((), (), flights, np.zeros(3), seeds))
 
-    before, after = (np.stack([flown(each, start) for start in angles]) for each in gyros)
-    expected = [_total(errors(weights, each.in_flight(angles))) for each in gyros]
-    return agreement(expected[1] - expected[0], after - before)
+    nominal, identified = (np.stack([fly(gyro, start) for start in angles]) for gyro in gyros)
+    linear = [
+        _sum_parts(compute_error_parts(weights, gyro.compute_flight_coefficients(angles)))
+        for gyro in gyros
+    ]
+    return compare_errors(linear[1] - linear[0], identified - nominal)
 
 
-def _total(parts: dict[str, Array]) -> Array:
+def _sum_parts(parts: dict[str, Array]) -> Array:
     return np.asarray(sum(parts.values()))
 
 
-def _rms(error: Array) -> Array:
-    """Over triads, of errors (..., r, 2)."""
+def _compute_rms(error: Array) -> Array:
+    """Horizontal rms over triads of errors (..., r, 2)."""
     return np.asarray(np.sqrt(np.sum(error**2, axis=-1).mean(axis=-1)))

@@ -16,13 +16,13 @@ POSITION, VELOCITY, ATTITUDE = slice(0, 3), slice(3, 6), slice(6, 9)
 """Places in a covariance's first nine rows, as `TrackError` orders them."""
 
 
-def navigated(tracks: Sequence[Track]) -> xr.Dataset:
+def tabulate_navigated(tracks: Sequence[Track]) -> xr.Dataset:
     """What the navigator says, dimensions (run, time)."""
     columns = np.stack([_state_columns(track) for track in tracks], axis=1)
     return _dataset(tracks[0].time, quantities.NAVIGATED, columns)
 
 
-def against(tracks: Sequence[Track], truth: Track) -> xr.Dataset:
+def compare_with_truth(tracks: Sequence[Track], truth: Track) -> xr.Dataset:
     """Navigated and true states, and the errors between them.
 
     Args:
@@ -36,7 +36,7 @@ def against(tracks: Sequence[Track], truth: Track) -> xr.Dataset:
     radial = np.hypot(errors[0], errors[1])[None]
     return xr.merge(
         [
-            navigated(tracks),
+            tabulate_navigated(tracks),
             _dataset(truth.time, quantities.TRUE, _state_columns(truth)),
             _dataset(truth.time, quantities.ERROR, errors),
             _dataset(truth.time, (quantities.RADIAL_ERROR,), radial),
@@ -44,13 +44,13 @@ def against(tracks: Sequence[Track], truth: Track) -> xr.Dataset:
     )
 
 
-def own_error(track: Track, truth: Track) -> xr.Dataset:
+def tabulate_own_error(track: Track, truth: Track) -> xr.Dataset:
     """The navigator's own error: a flight on ideal increments from the true start."""
     position = track_error(track, truth).position
     return _dataset(truth.time, quantities.OWN, position.T)
 
 
-def sigmas(time: Array, covariance: Array) -> xr.Dataset:
+def tabulate_sigmas(time: Array, covariance: Array) -> xr.Dataset:
     """1-sigma of position, velocity and attitude.
 
     Args:
@@ -75,7 +75,7 @@ def _state_columns(track: Track) -> Array:
     return np.stack(
         [
             np.rad2deg(track.position[:, 0]),
-            wrapped_deg(np.rad2deg(track.position[:, 1])),
+            wrap_deg(np.rad2deg(track.position[:, 1])),
             track.position[:, 2],
             *track.velocity.T,
             np.rad2deg(np.arctan2(m[:, 1, 0], m[:, 0, 0])) % 360,
@@ -85,7 +85,7 @@ def _state_columns(track: Track) -> Array:
     )
 
 
-def wrapped_deg(longitude: Array) -> Array:
+def wrap_deg(longitude: Array) -> Array:
     """To -180 (included) to 180 deg."""
     return np.asarray((longitude + 180) % 360 - 180)
 

@@ -9,14 +9,14 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Ellipse
 from numpy.typing import NDArray
 
-from ins_eval.results.map_grid import lay_out, unwrapped_deg
+from ins_eval.results.map_grid import lay_out_map, unwrap_deg
 
 Array = NDArray[np.float64]
 
 TRUE_COLOR, NAVIGATED_COLOR = "black", "tab:blue"
 
 
-def map_figure(flights: xr.Dataset) -> Figure:
+def draw_map(flights: xr.Dataset) -> Figure:
     """Path of a Dataset as `flights.against` or `flights.navigated` gives it.
 
     With a truth, a second map in metres shows the runs' errors at the end and their 1-sigma
@@ -41,12 +41,12 @@ def _draw_path(axes: Axes, flights: xr.Dataset) -> None:
     for prefix in prefixes:
         latitude = np.atleast_2d(flights[f"{prefix}latitude"].values)
         longitude = [
-            unwrapped_deg(row, near) for row in np.atleast_2d(flights[f"{prefix}longitude"].values)
+            unwrap_deg(row, near) for row in np.atleast_2d(flights[f"{prefix}longitude"].values)
         ]
         _draw_lines(axes, latitude, np.stack(longitude), prefix == "true_")
         latitudes.append(latitude.ravel())
         longitudes.append(np.concatenate(longitude))
-    lay_out(axes, np.concatenate(latitudes), np.concatenate(longitudes))
+    lay_out_map(axes, np.concatenate(latitudes), np.concatenate(longitudes))
     _mark_ends(axes, latitudes[-1], longitudes[-1])
     if len(prefixes) == 2 and flights.sizes.get("run", 1) == 1:
         _mark_navigated_end(axes, latitudes[0][-1], longitudes[0][-1])
@@ -107,7 +107,7 @@ def _draw_end(axes: Axes, flights: xr.Dataset) -> None:
 
 
 def _ellipse(last: xr.Dataset) -> Ellipse:
-    """Of one sigma, by the linear model."""
+    """One-sigma ellipse of the position error, by the linear model."""
     cross = float(last["north_east_covariance"])
     east, north = float(last["east_sigma"]) ** 2, float(last["north_sigma"]) ** 2
     variances, axes = np.linalg.eigh(np.array([[east, cross], [cross, north]]))

@@ -10,26 +10,26 @@ from matplotlib.transforms import blended_transform_factory
 from numpy.typing import NDArray
 
 from ins_eval.common import earth
-from ins_eval.results.flights import wrapped_deg
+from ins_eval.results.flights import wrap_deg
 
 Array = NDArray[np.float64]
 
 MARGIN = 0.08
-"""Of the map's larger side, around what is drawn."""
+"""Margin around what is drawn, as a share of the map's larger side."""
 SMALLEST = 100.0
-"""Side of a map of a vehicle that stays where it is, m."""
+"""Smallest side of a map, m: that of a vehicle that stays where it is."""
 
 
-def unwrapped_deg(longitude: Array, near: float) -> Array:
+def unwrap_deg(longitude: Array, near: float) -> Array:
     """Longitudes (m,) without jumps, starting within half a turn of `near`, deg."""
     continuous = np.unwrap(longitude, period=360)
     return np.asarray(continuous - 360 * np.round((continuous[0] - near) / 360))
 
 
-def lay_out(axes: Axes, latitude: Array, longitude: Array) -> None:
+def lay_out_map(axes: Axes, latitude: Array, longitude: Array) -> None:
     """Limits around these points (unwrapped, deg), equal lengths, labels, and the bar."""
     middle = (np.min(latitude) + np.max(latitude)) / 2
-    north, east = metres_per_degree(float(middle))
+    north, east = find_metres_per_degree(float(middle))
     centre = np.array([(np.min(longitude) + np.max(longitude)) / 2, middle])
     size = np.array([np.ptp(longitude) * east, np.ptp(latitude) * north])
     half = (np.maximum(size, max(np.max(size) / 2, SMALLEST)) / 2) + MARGIN * np.max(size)
@@ -47,15 +47,15 @@ def lay_out(axes: Axes, latitude: Array, longitude: Array) -> None:
     _scale_bar(axes, 2 * half[0], east)
 
 
-def metres_per_degree(latitude: float) -> tuple[float, float]:
-    """Of latitude and of longitude, on the ellipsoid, at a latitude in deg."""
+def find_metres_per_degree(latitude: float) -> tuple[float, float]:
+    """Metres per degree of latitude and of longitude, on the ellipsoid, at a latitude in deg."""
     radians = np.deg2rad(latitude)
     north = earth.meridian_radius(radians)
     east = earth.transverse_radius(radians) * np.cos(radians)
     return float(np.deg2rad(north)), float(np.deg2rad(east))
 
 
-def round_length(limit: float) -> float:
+def find_round_length(limit: float) -> float:
     """The largest of 1, 2, 5 times a power of ten that is not above the limit."""
     power = 10.0 ** np.floor(np.log10(limit))
     return float(max(step for step in (1, 2, 5) if step * power <= limit * (1 + 1e-9)) * power)
@@ -63,7 +63,7 @@ def round_length(limit: float) -> float:
 
 def _scale_bar(axes: Axes, width: float, metres: float) -> None:
     """A bar in the lower left corner, of a round length up to a quarter of the map's width."""
-    length = round_length(width / 4)
+    length = find_round_length(width / 4)
     left = axes.get_xlim()[0] + 0.04 * width / metres
     across = blended_transform_factory(axes.transData, axes.transAxes)
     bar = Rectangle((left, 0.04), length / metres, 0.012, color="black", transform=across)
@@ -73,7 +73,7 @@ def _scale_bar(axes: Axes, width: float, metres: float) -> None:
 
 
 def _decimals(span: float) -> int:
-    """That tell ticks apart: five or so to a span."""
+    """Number of decimals that separates ticks, five or so to a span."""
     return max(0, -int(np.floor(np.log10(span / 5))))
 
 
@@ -81,7 +81,7 @@ def _longitude_label(span: float) -> Callable[[float, object], str]:
     decimals = _decimals(span)
 
     def label(value: float, _: object = None) -> str:
-        around = float(wrapped_deg(np.array(value)))
+        around = float(wrap_deg(np.array(value)))
         side = "W" if around < 0 else "E"
         text = f"{abs(around):.{decimals}f}°"
         return text if around in (0.0, -180.0) else text + side

@@ -11,7 +11,7 @@ from pyarrow import csv
 from ins_eval.results.quantities import ALL, BY_COLUMN, BY_NAME
 
 
-def frame(dataset: xr.Dataset) -> pd.DataFrame:
+def tabulate(dataset: xr.Dataset) -> pd.DataFrame:
     """One row a run and time; what all runs share is repeated."""
     table = dataset.to_dataframe(dim_order=[d for d in ("run", "time") if d in dataset.dims])
     table = table.reset_index().rename(columns={name: BY_NAME[name].column for name in BY_NAME})
@@ -20,7 +20,7 @@ def frame(dataset: xr.Dataset) -> pd.DataFrame:
 
 def write_csv(dataset: xr.Dataset, path: Path) -> None:
     """Every digit: what is read back is the same to the last bit."""
-    frame(dataset).to_csv(path, index=False, lineterminator="\n")
+    tabulate(dataset).to_csv(path, index=False, lineterminator="\n")
 
 
 def read_csv(path: Path) -> pd.DataFrame:
@@ -30,7 +30,7 @@ def read_csv(path: Path) -> pd.DataFrame:
 
 def write_parquet(dataset: xr.Dataset, path: Path) -> None:
     """Each field's metadata holds `units` and `long_name` as well."""
-    table = pa.Table.from_pandas(frame(dataset), preserve_index=False)
+    table = pa.Table.from_pandas(tabulate(dataset), preserve_index=False)
     fields = [field.with_metadata(_metadata(field.name)) for field in table.schema]
     pq.write_table(table.cast(pa.schema(fields)), path)
 

@@ -1,73 +1,78 @@
-"""Scores of the linear model against the co-simulated sample, noise left out on both sides."""
+"""Scores of the linear model against the co-simulated sample, both without noise."""
 
 from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study.experiment import cosimulated_of, flown_of, methods
+from ins_eval.study.experiment import list_methods, select_cosimulated, select_errors
 from ins_eval.study.gyros.maker import Method
 from ins_eval.study.run.block import Arrays
-from ins_eval.study.scores.resampling import CONFIDENCE, bootstrapped
+from ins_eval.study.scores.resampling import CONFIDENCE, bootstrap
 from ins_eval.study.specification import Study
 from ins_eval.study.tables import score
 from ins_eval.study.tables.score import ALL, Score
 
 Array = NDArray[np.float64]
 
-MOST = 0.01
-"""Of the ensemble's rms, that the two may be apart (asked of the study)."""
+LARGEST_RELATIVE_DIFFERENCE = 0.01
+"""Largest accepted ratio of the rms difference to the rms error. Chosen."""
 
 
-def scores(study: Study, arrays: Arrays) -> list[Score]:
-    """By calibration and class of mission, at the end; none without a sample."""
-    return list(_scores(study, arrays)) if study.cosimulated else []
+def score_agreement(study: Study, arrays: Arrays) -> list[Score]:
+    """Scores by calibration and mission class, at the end; none without a sample."""
+    return list(_score_groups(study, arrays)) if study.cosimulated else []
 
 
-def apart(linear: Array, nonlinear: Array) -> Array:
-    """Rms of the difference over rms, of errors (..., r, m, 2)."""
-    missed = np.sum((linear - nonlinear) ** 2, axis=(-3, -2, -1))
-    return np.asarray(np.sqrt(missed / np.sum(nonlinear**2, axis=(-3, -2, -1))))
+def compute_relative_difference(linear: Array, nonlinear: Array) -> Array:
+    """(...,) ratio of the rms difference to the rms nonlinear error; errors are (..., r, m, 2)."""
+    difference = np.sum((linear - nonlinear) ** 2, axis=(-3, -2, -1))
+    return np.asarray(np.sqrt(difference / np.sum(nonlinear**2, axis=(-3, -2, -1))))
 
 
-def _scores(study: Study, arrays: Arrays) -> Iterator[Score]:
+def _score_groups(study: Study, arrays: Arrays) -> Iterator[Score]:
     classes = dict.fromkeys(mission.mission_class for mission in study.missions)
-    for method in methods(study):
+    for method in list_methods(study):
         for name in (ALL, *classes):
-            flying = [
+            missions = [
                 number
                 for number, mission in enumerate(study.missions)
                 if name in (ALL, mission.mission_class)
             ]
-            yield _score(study, arrays, method, name, flying)
+            yield _score_group(study, arrays, method, name, missions)
 
 
-def _score(
-    study: Study, arrays: Arrays, method: Method, mission_class: str, flying: list[int]
+def _score_group(
+    study: Study, arrays: Arrays, method: Method, mission_class: str, missions: list[int]
 ) -> Score:
-    samples = [np.stack(ends, axis=1) for ends in zip(*_ends(arrays, method, flying), strict=True)]
-    found = bootstrapped(apart, samples, study.seed)
+    samples = [
+        np.stack(errors, axis=1)
+        for errors in zip(*_select_final_errors(arrays, method, missions), strict=True)
+    ]
+    estimate = bootstrap(compute_relative_difference, samples, study.seed)
     return Score(
         score=score.AGREEMENT,
         predictor="",
         calibration=method,
         mission_class=mission_class,
         half=ALL,
-        value=found.value,
-        low=found.low,
-        high=found.high,
+        value=estimate.value,
+        low=estimate.low,
+        high=estimate.high,
         confidence=CONFIDENCE,
         n=len(samples[0]),
         seed=study.seed,
-        asked=f"<= {MOST:g}",
-        holds=found.value <= MOST,
+        asked=f"<= {LARGEST_RELATIVE_DIFFERENCE:g}",
+        holds=estimate.value <= LARGEST_RELATIVE_DIFFERENCE,
     )
 
 
-def _ends(arrays: Arrays, method: Method, flying: list[int]) -> Iterator[tuple[Array, Array]]:
-    """(r, 2) linear and nonlinear error of the sample, of each mission."""
-    for number in flying:
-        nonlinear = cosimulated_of(arrays, method, number)[:, -1]
+def _select_final_errors(
+    arrays: Arrays, method: Method, missions: list[int]
+) -> Iterator[tuple[Array, Array]]:
+    """(r, 2) linear and nonlinear error of the sample at the end, for each mission."""
+    for number in missions:
+        nonlinear = select_cosimulated(arrays, method, number)[:, -1]
         done = np.isfinite(nonlinear).all(axis=-1)
-        error = flown_of(arrays, method, number)
+        error = select_errors(arrays, method, number)
         yield (error.error - error.noise)[done, -1], nonlinear[done]

@@ -1,7 +1,7 @@
-"""Where the thesis is not expected to hold: conditions flown and judged apart from the classes.
+"""Conditions in which the thesis is not expected to hold; they are scored apart from the classes.
 
-The gyros are the study's own, calibrated at the mean. Predictors are those of the study, made on
-its training half; they know nothing of the condition.
+The gyros are the study's own, calibrated at the mean. The predictors are those of the study, made
+on its training half; they do not know the condition.
 """
 
 from collections.abc import Callable, Mapping
@@ -9,12 +9,18 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ins_eval.mission_model.gyro_map import TERMS, terms
-from ins_eval.mission_model.missions import StudyMission, study_mission
-from ins_eval.mission_model.triads import Triads
-from ins_eval.study.block import Kind, Triad, gathered, triad, triad_seed
+from ins_eval.mission_model.gyro_map import TERMS, evaluate_terms
+from ins_eval.mission_model.missions import StudyMission, plan_mission
+from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.study.gyros.drawn_triad import (
+    DrawnTriad,
+    TriadDistribution,
+    draw_triad,
+    make_triad_seed,
+    tabulate_triads,
+)
 from ins_eval.study.gyros.drift import Flight
-from ins_eval.study.gyros.maker import calibrated_gyro
+from ins_eval.study.gyros.maker import calibrate_gyro
 from ins_eval.study.gyros.population import Population
 from ins_eval.study.specification import Study
 from pyhrg.common.units import DEG_PER_H, DEG_PER_SQRT_H
@@ -23,98 +29,116 @@ from pyhrg.fmu import GyroFmu
 
 Generator = np.random.Generator
 
-CONSTANT = 0
-"""Place of a constant bias among the coefficients in flight."""
-HOUR_OF_FLIGHT = 1.0
-"""Straight and level, h."""
+CONSTANT_BIAS = 0
+"""Index of a constant bias among the coefficients in flight."""
+LEVEL_FLIGHT_HOURS = 1.0
+"""Duration of the straight and level flight, h. Chosen."""
 
 
 @dataclass(frozen=True)
 class DriveNoise(Population):
-    """Well-trimmed gyros with noisy drives: least, most: angle random walk, rad/sqrt(s)."""
+    """Well-trimmed gyros with noisy drives.
 
-    least: float
-    most: float
+    smallest_walk, largest_walk: bounds of the angle random walk, log-uniform, rad/sqrt(s).
+    """
+
+    smallest_walk: float
+    largest_walk: float
 
     def draw(self, generator: Generator) -> Device:
-        """A gyro as it is built."""
+        """A gyro as it is built, before the maker's calibration."""
         device = super().draw(generator)
-        low, high = np.log([self.least, self.most])
+        low, high = np.log([self.smallest_walk, self.largest_walk])
         return replace(device, angle_random_walk=float(np.exp(generator.uniform(low, high))))
 
 
-NOISY = DriveNoise(
-    1e-3 * DEG_PER_H, 1e-2 * DEG_PER_H, least=3e-3 * DEG_PER_SQRT_H, most=3e-2 * DEG_PER_SQRT_H
+NOISY_DRIVES = DriveNoise(
+    1e-3 * DEG_PER_H,
+    1e-2 * DEG_PER_H,
+    smallest_walk=3e-3 * DEG_PER_SQRT_H,
+    largest_walk=3e-2 * DEG_PER_SQRT_H,
 )
+"""Gyros whose noise hides their maps. Chosen."""
 
 
 @dataclass(frozen=True)
-class Sample:
-    """What conditions are made of: triads of the study by number, the same as arrays, their kind,
-    and the FMU."""
+class ConditionSample:
+    """Triads of the study that fly in the conditions.
+
+    drawn: the triads by number; triads: the same as arrays; distribution: what they are drawn
+    from; fmu: `HRGSlow`.
+    """
 
     study: Study
-    kind: Kind
+    distribution: TriadDistribution
     fmu: GyroFmu
-    drawn: Mapping[int, Triad]
-    triads: Triads
+    drawn: Mapping[int, DrawnTriad]
+    triads: TriadBlock
 
 
 @dataclass(frozen=True)
 class Condition:
-    """title: its class in results; what: differs, a sentence; mission: a ready one; hours: of it,
-    None as long as the study's; triads: that fly, from the study's."""
+    """A condition.
+
+    title: its mission class in the results; what: a sentence that says what differs; mission: name
+    of a ready mission; hours: its duration, None for the study's; triads: makes the triads that fly
+    from those of the study.
+    """
 
     title: str
     what: str
     mission: str
     hours: float | None
-    triads: Callable[[Sample], Triads]
+    triads: Callable[[ConditionSample], TriadBlock]
 
-    def flying(self, study: Study) -> StudyMission:
-        """Its mission."""
+    def plan(self, study: Study) -> StudyMission:
+        """The mission of the condition in a study."""
         hours = study.hours if self.hours is None else min(self.hours, study.hours)
-        return study_mission(self.mission, hours)
+        return plan_mission(self.mission, hours)
 
 
-def _as_they_are(sample: Sample) -> Triads:
+def _keep_triads(sample: ConditionSample) -> TriadBlock:
     return sample.triads
 
 
-def _less_bias_at_start(sample: Sample) -> Triads:
-    """A constant is taken out: the bias that the bench's map has where each pattern starts."""
+def _remove_power_on_bias(sample: ConditionSample) -> TriadBlock:
+    """A constant is subtracted: the bench's bias map at the angle where each pattern starts."""
     triads = sample.triads
-    waves = terms(triads.start_angle)
-    known = np.einsum("rat,rta->ra", waves, triads.known[:, :TERMS])
-    less = triads.in_flight.copy()
-    less[:, CONSTANT] -= known
-    return replace(triads, in_flight=less)
+    terms = evaluate_terms(triads.start_angle)
+    bias = np.einsum("rat,rta->ra", terms, triads.fitted_map[:, :TERMS])
+    in_flight = triads.in_flight.copy()
+    in_flight[:, CONSTANT_BIAS] -= bias
+    return replace(triads, in_flight=in_flight)
 
 
-def _self_calibrated(sample: Sample) -> Triads:
-    """Each gyro maps itself in the power-on in which it flies; the bench saw it before."""
+def _self_calibrate(sample: ConditionSample) -> TriadBlock:
+    """Each gyro calibrates its map in the power-on in which it flies; the bench measured it
+    before."""
+    plan = sample.distribution.calibration
 
-    def mapped(number: int, axis: int, flight: Flight) -> Flight:
-        seed = _seed(sample.study, number, axis)
-        own = calibrated_gyro(sample.fmu, flight.device, "map", seed, sample.kind.calibration)
-        return replace(flight, device=own)
+    def calibrate_flight(number: int, axis: int, flight: Flight) -> Flight:
+        seed = _make_calibration_seed(sample.study, number, axis)
+        return replace(flight, device=calibrate_gyro(sample.fmu, flight.device, "map", seed, plan))
 
-    def triad_of(number: int, drawn: Triad) -> Triad:
-        flights = (mapped(number, axis, flight) for axis, flight in enumerate(drawn.flights))
-        return replace(drawn, flights=tuple(flights))
-
-    return gathered(sample.fmu, [triad_of(*each) for each in sample.drawn.items()])
-
-
-def _noisy(sample: Sample) -> Triads:
-    """The same seeds, gyros whose drive noise dominates."""
-    kind = replace(sample.kind, population=NOISY)
-    seeds = [triad_seed(sample.study.seed, number) for number in sample.drawn]
-    return gathered(sample.fmu, [triad(sample.fmu, kind, seed) for seed in seeds])
+    triads = [
+        replace(
+            drawn,
+            flights=tuple(calibrate_flight(number, *each) for each in enumerate(drawn.flights)),
+        )
+        for number, drawn in sample.drawn.items()
+    ]
+    return tabulate_triads(sample.fmu, triads)
 
 
-def _seed(study: Study, number: int, axis: int) -> int:
-    """Of a gyro's tests on itself."""
+def _draw_noisy_triads(sample: ConditionSample) -> TriadBlock:
+    """Gyros with dominant drive noise, from the same seeds."""
+    noisy = replace(sample.distribution, population=NOISY_DRIVES)
+    seeds = [make_triad_seed(sample.study.seed, number) for number in sample.drawn]
+    return tabulate_triads(sample.fmu, [draw_triad(sample.fmu, noisy, seed) for seed in seeds])
+
+
+def _make_calibration_seed(study: Study, number: int, axis: int) -> int:
+    """Seed of the noise in a gyro's self-calibration."""
     sequence = np.random.SeedSequence(study.seed, spawn_key=(number, axis))
     return int(sequence.generate_state(1, np.uint64)[0] >> 1)
 
@@ -122,30 +146,31 @@ def _seed(study: Study, number: int, axis: int) -> int:
 CONDITIONS = (
     Condition(
         "straight and level for an hour",
-        "the pattern stays near its power-on angle; what flies is the map's value there",
+        "the pattern stays near its power-on angle, so that only the map's value there matters",
         "straight-and-level",
-        HOUR_OF_FLIGHT,
-        _as_they_are,
+        LEVEL_FLIGHT_HOURS,
+        _keep_triads,
     ),
     Condition(
         "straight and level for an hour, bias at power-on taken out",
-        "as before, by a user who takes out the bias that the bench's map has where it starts",
+        "as before; the user subtracts the bias of the bench's map at the power-on angle",
         "straight-and-level",
-        HOUR_OF_FLIGHT,
-        _less_bias_at_start,
+        LEVEL_FLIGHT_HOURS,
+        _remove_power_on_bias,
     ),
     Condition(
         "self-calibrated",
-        "gyros map themselves in the power-on in which they fly; the bench saw them before",
+        "gyros calibrate their maps in the power-on in which they fly; the bench measured them "
+        "before",
         "aircraft",
         None,
-        _self_calibrated,
+        _self_calibrate,
     ),
     Condition(
         "drive noise dominating",
         "maps of 0.001 to 0.01 deg/h under an angle random walk of 0.003 to 0.03 deg/sqrt(h)",
         "aircraft",
         None,
-        _noisy,
+        _draw_noisy_triads,
     ),
 )

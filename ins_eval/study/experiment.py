@@ -1,4 +1,4 @@
-"""The study's experiment, a block of triads at a time: built, benched, flown."""
+"""The study's experiment, one block of triads at a time: gyros are drawn, benched and flown."""
 
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
@@ -9,16 +9,21 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from fmu_build.bundle import built_fmu
-from fmu_build.roots import ROOTS
-from ins_eval.mission_model.flown import Flown, flown
-from ins_eval.mission_model.missions import StudyMission, study_mission
-from ins_eval.mission_model.triads import Triads
-from ins_eval.mission_model.weights_cache import kept_weights
-from ins_eval.study.block import Kind, Triad, gathered, triad, triad_seed
-from ins_eval.study.conditions import CONDITIONS, Sample
-from ins_eval.study.cosimulated import cosimulated, truth
+from fmu_build.bundle import build_fmu
+from ins_eval.mission_model.missions import StudyMission, plan_mission
+from ins_eval.mission_model.position_errors import PositionErrors, compute_position_errors
+from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.weights_cache import load_mission_weights
+from ins_eval.study.conditions import CONDITIONS, ConditionSample
+from ins_eval.study.cosimulated import cosimulate, sample_truth
 from ins_eval.study.gyros.bench_plan import CALIBRATION, BenchPlan
+from ins_eval.study.gyros.drawn_triad import (
+    DrawnTriad,
+    TriadDistribution,
+    draw_triad,
+    make_triad_seed,
+    tabulate_triads,
+)
 from ins_eval.study.gyros.drift import Drift
 from ins_eval.study.gyros.maker import METHODS, Method
 from ins_eval.study.gyros.population import RAW, TRIMMED
@@ -29,25 +34,26 @@ from pyhrg.fmu import GyroFmu
 
 Array = NDArray[np.float64]
 
-DEFAULTS: dict[str, Any] = {
+DEFAULT_SETTINGS: dict[str, Any] = {
     "trimmed": TRIMMED,
     "raw": RAW,
     "calibration": CALIBRATION,
     "bench": BenchPlan(),
     "drift": Drift(),
 }
-"""By table of a study file."""
-POPULATION: dict[Method, str] = {"mean": "trimmed", "map": "raw"}
-"""What a maker calibrates by its mean has been trimmed."""
+"""Defaults of the tables of a study file."""
+POPULATION_TABLE: dict[Method, str] = {"mean": "trimmed", "map": "raw"}
+"""Table of the population that is calibrated by each method: a gyro that is calibrated at the mean
+has been trimmed before."""
 COSIMULATED = "cosimulated"
 NUMBERS, FLOWN = "numbers", "flown"
 
 
-def kind(study: Study, method: Method) -> Kind:
-    """What the triads of a calibration are drawn from."""
-    own = {name: replace(d, **study.settings.get(name, {})) for name, d in DEFAULTS.items()}
-    return Kind(
-        population=own[POPULATION[method]],
+def make_distribution(study: Study, method: Method) -> TriadDistribution:
+    """The distribution from which the triads of a calibration are drawn."""
+    own = {name: replace(d, **study.settings.get(name, {})) for name, d in DEFAULT_SETTINGS.items()}
+    return TriadDistribution(
+        population=own[POPULATION_TABLE[method]],
         method=method,
         calibration=own["calibration"],
         bench=own["bench"],
@@ -56,112 +62,138 @@ def kind(study: Study, method: Method) -> Kind:
     )
 
 
-def made(study: Study, triads: range) -> Arrays:
-    """All of a block's triads by name: `Triads`, and `Flown` in each mission."""
+def compute_block(study: Study, triads: range) -> Arrays:
+    """Results of a block of triads by name: the fields of `TriadBlock` for each calibration, and of
+    `PositionErrors` for each calibration and mission.
+
+    Args:
+        study: the study.
+        triads: numbers of the block's triads.
+    """
     arrays: dict[str, NDArray[Any]] = {}
-    with missions(study) as flying:
-        for method in methods(study):
-            drawn = _drawn(study, method, triads)
-            block = gathered(fmu("HRGSlow"), drawn)
-            arrays |= _named(block, method)
-            for number, mission in enumerate(flying):
+    with open_missions(study) as missions:
+        for method in list_methods(study):
+            drawn = _draw_triads(study, method, triads)
+            block = tabulate_triads(load_fmu("HRGSlow"), drawn)
+            arrays |= _name_arrays(block, method)
+            for number, mission in enumerate(missions):
                 path = f"{method}/{number}"
-                arrays |= _named(flown(block, kept_weights(mission), number), path)
-                arrays[f"{path}/{COSIMULATED}"] = _sample(study, mission, triads, drawn)
+                errors = compute_position_errors(block, load_mission_weights(mission), number)
+                arrays |= _name_arrays(errors, path)
+                arrays[f"{path}/{COSIMULATED}"] = _cosimulate_sample(study, mission, triads, drawn)
             if method == MEAN:
-                arrays |= _in_conditions(study, dict(zip(triads, drawn, strict=True)), block)
+                arrays |= _fly_conditions(study, dict(zip(triads, drawn, strict=True)), block)
     return arrays
 
 
-def methods(study: Study) -> list[Method]:
-    """Its calibrations."""
+def list_methods(study: Study) -> list[Method]:
+    """The calibrations of a study, in the order of `METHODS`."""
     return [method for method in METHODS if method in study.calibrations]
 
 
-def triads_of(arrays: Arrays, method: Method) -> Triads:
-    """Of a calibration."""
-    return Triads(**{f.name: arrays[f"{method}/{f.name}"] for f in fields(Triads)})
+def select_triads(arrays: Arrays, method: Method) -> TriadBlock:
+    """The triads of a calibration."""
+    return TriadBlock(**_select_fields(TriadBlock, arrays, method))
 
 
-def flown_of(arrays: Arrays, method: Method, mission: int) -> Flown:
-    """Of a calibration, in a mission of the study."""
-    return Flown(**{f.name: arrays[f"{method}/{mission}/{f.name}"] for f in fields(Flown)})
+def select_errors(arrays: Arrays, method: Method, mission: int) -> PositionErrors:
+    """Position errors of a calibration's triads in a mission of the study."""
+    return PositionErrors(**_select_fields(PositionErrors, arrays, f"{method}/{mission}"))
 
 
-def cosimulated_of(arrays: Arrays, method: Method, mission: int) -> Array:
-    """(r, k, 2) m; NaN where it wasn't done."""
+def select_cosimulated(arrays: Arrays, method: Method, mission: int) -> Array:
+    """(r, k, 2) co-simulated errors, m; NaN where a triad was not co-simulated."""
     return arrays[f"{method}/{mission}/{COSIMULATED}"]
 
 
-def in_condition(arrays: Arrays, place: int) -> tuple[list[int], Triads, Flown]:
-    """Numbers of the triads that flew in a condition, by its place in `CONDITIONS`; the triads;
-    their flights."""
+def select_condition(arrays: Arrays, place: int) -> tuple[list[int], TriadBlock, PositionErrors]:
+    """What flew in a condition of `CONDITIONS`, by its place there: numbers of the triads, the
+    triads, their position errors."""
     path = f"{CONDITION}/{place}"
-    triads = Triads(**{f.name: arrays[f"{path}/{f.name}"] for f in fields(Triads)})
-    flights = Flown(**{f.name: arrays[f"{path}/{FLOWN}/{f.name}"] for f in fields(Flown)})
-    return arrays[f"{CONDITION}/{NUMBERS}"].tolist(), triads, flights
+    triads = TriadBlock(**_select_fields(TriadBlock, arrays, path))
+    errors = PositionErrors(**_select_fields(PositionErrors, arrays, f"{path}/{FLOWN}"))
+    return arrays[f"{CONDITION}/{NUMBERS}"].tolist(), triads, errors
+
+
+def _select_fields(
+    kind: type[TriadBlock | PositionErrors], arrays: Arrays, path: str
+) -> dict[str, NDArray[Any]]:
+    """Arrays below a path, by the names of a dataclass's fields."""
+    return {f.name: arrays[f"{path}/{f.name}"] for f in fields(kind)}
 
 
 @contextmanager
-def missions(study: Study) -> Iterator[list[StudyMission]]:
-    """Of a study, as files while this lasts."""
+def open_missions(study: Study) -> Iterator[list[StudyMission]]:
+    """Missions of a study; their files exist inside the context."""
     with ExitStack() as stack:
         yield [
-            study_mission(stack.enter_context(mission.placed()), mission.hours)
+            plan_mission(stack.enter_context(mission.as_file()), mission.hours)
             for mission in study.missions
         ]
 
 
 def prepare(study: Study) -> None:
-    """Build FMUs, and make weights of missions that aren't kept."""
-    fmu("HRGSlow")
+    """Check the settings, build FMUs, and compute weights that are not in the cache, before workers
+    need them.
+
+    Raises:
+        HrgError: settings of the study that do not fit together.
+    """
+    for method in list_methods(study):
+        make_distribution(study, method)
+    load_fmu("HRGSlow")
     if study.cosimulated:
-        fmu("HRG")
-    with missions(study) as flying:
-        for mission in flying:
-            kept_weights(mission)
+        load_fmu("HRG")
+    with open_missions(study) as missions:
+        for mission in missions:
+            load_mission_weights(mission)
     if study.conditions:
         for condition in CONDITIONS:
-            kept_weights(condition.flying(study))
+            load_mission_weights(condition.plan(study))
 
 
 @cache
-def fmu(root: str) -> GyroFmu:
-    """Of a model, built if it isn't there."""
-    return GyroFmu(built_fmu(root=ROOTS[root]))
+def load_fmu(root: str) -> GyroFmu:
+    """The FMU of a model, built where it does not exist."""
+    return GyroFmu(build_fmu(root))
 
 
-def _drawn(study: Study, method: Method, triads: range) -> list[Triad]:
-    own = kind(study, method)
-    return [triad(fmu("HRGSlow"), own, triad_seed(study.seed, number)) for number in triads]
+def _draw_triads(study: Study, method: Method, triads: range) -> list[DrawnTriad]:
+    fmu, distribution = load_fmu("HRGSlow"), make_distribution(study, method)
+    return [draw_triad(fmu, distribution, make_triad_seed(study.seed, n)) for n in triads]
 
 
-def _in_conditions(study: Study, drawn: dict[int, Triad], block: Triads) -> dict[str, NDArray[Any]]:
-    """Of those of a block's triads that fly in conditions."""
+def _fly_conditions(
+    study: Study, drawn: dict[int, DrawnTriad], block: TriadBlock
+) -> dict[str, NDArray[Any]]:
+    """Results of a block's triads that also fly in conditions."""
     sample = {number: each for number, each in drawn.items() if study.is_in_conditions(number)}
     if not sample:
         return {}
     arrays: dict[str, NDArray[Any]] = {f"{CONDITION}/{NUMBERS}": np.array([*sample])}
     rows = [place for place, number in enumerate(drawn) if number in sample]
-    whole = Sample(study, kind(study, MEAN), fmu("HRGSlow"), sample, block.chosen(rows))
+    whole = ConditionSample(
+        study, make_distribution(study, MEAN), load_fmu("HRGSlow"), sample, block.select(rows)
+    )
     for place, condition in enumerate(CONDITIONS):
         triads, path = condition.triads(whole), f"{CONDITION}/{place}"
-        weights = kept_weights(condition.flying(study))
-        noise = len(study.missions) + place
-        arrays |= _named(triads, path)
-        arrays |= _named(flown(triads, weights, noise), f"{path}/{FLOWN}")
+        weights = load_mission_weights(condition.plan(study))
+        errors = compute_position_errors(triads, weights, len(study.missions) + place)
+        arrays |= _name_arrays(triads, path) | _name_arrays(errors, f"{path}/{FLOWN}")
     return arrays
 
 
-def _named(block: Triads | Flown, path: str) -> dict[str, NDArray[Any]]:
+def _name_arrays(block: TriadBlock | PositionErrors, path: str) -> dict[str, NDArray[Any]]:
     return {f"{path}/{f.name}": getattr(block, f.name) for f in fields(block)}
 
 
-def _sample(study: Study, mission: StudyMission, triads: range, drawn: list[Triad]) -> Array:
-    """(r, k, 2) m; NaN but for the sample."""
-    errors = np.full((len(triads), len(kept_weights(mission).time), 2), np.nan)
-    chosen = [place for place, number in enumerate(triads) if study.is_cosimulated(number)]
-    if chosen:
-        flying = truth(mission)
-        errors[chosen] = [cosimulated(fmu("HRG"), flying, drawn[place]) for place in chosen]
+def _cosimulate_sample(
+    study: Study, mission: StudyMission, triads: range, drawn: list[DrawnTriad]
+) -> Array:
+    """(r, k, 2) co-simulated errors, m; NaN for triads that are not in the sample."""
+    errors = np.full((len(triads), len(load_mission_weights(mission).time), 2), np.nan)
+    sample = [place for place, number in enumerate(triads) if study.is_cosimulated(number)]
+    if sample:
+        truth = sample_truth(mission)
+        errors[sample] = [cosimulate(load_fmu("HRG"), truth, drawn[place]) for place in sample]
     return errors

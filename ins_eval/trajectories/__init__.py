@@ -1,1 +1,1 @@
-"""A vehicle's motion: truth, and what an ideal IMU feels on it."""
+"""Motion of a vehicle: the truth that is flown, and the increments of an ideal IMU on it."""

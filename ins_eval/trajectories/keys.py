@@ -3,9 +3,10 @@
 import sys
 from collections.abc import Iterator
 from dataclasses import MISSING, Field, dataclass, field, fields
-from typing import Any, TypeGuard
+from typing import Any, TypeGuard, TypeVar
 
 from ins_eval.trajectories.errors import TrajectoryError
+from pyhrg.common.toml_table import TomlTable
 from pyhrg.common.units import DEG
 
 UNITS = {"deg": DEG, "deg_s": DEG, "m": 1.0, "m_s": 1.0, "s": 1.0, "": 1.0}
@@ -124,6 +125,9 @@ def keys(table: type) -> Iterator[tuple[str, Field[Any], Kind]]:
             yield f"{f.name}_{kind.unit}" if kind.unit else f.name, f, kind
 
 
+T = TypeVar("T", bound="Checked")
+
+
 @dataclass(frozen=True, kw_only=True)
 class Checked:
     """Refuses values out of range."""
@@ -135,6 +139,31 @@ class Checked:
                 found = kind.shown(value)
                 shown = f"{found:.10g}" if isinstance(found, float) else repr(found)
                 raise TrajectoryError(f"{key}: found {shown}, expected {kind.expected}")
+
+
+def build_from_table(kind: type[T], table: TomlTable, **others: Any) -> T:
+    """Build a dataclass from the keys that a table of a file states.
+
+    Args:
+        kind: the dataclass; its fields made by `quantity`, `whole` and `choice` are the keys.
+        table: of a file; a field with a default may be left out.
+        others: values of fields that the file does not state.
+
+    Raises:
+        HrgError: an unknown or missing key, a value out of range; of the table's error class.
+    """
+    known = {key: (field, unit) for key, field, unit in keys(kind)}
+    table.check_known(known)
+    for key, (f, unit) in known.items():
+        if key not in table.values and f.name not in others and f.default is MISSING:
+            raise table.missing(key, unit.expected)
+    values = {
+        known[key][0].name: known[key][1].from_file(table.values[key]) for key in table.values
+    }
+    try:
+        return kind(**values, **others)
+    except TrajectoryError as error:
+        raise table.error_class(f"{table.source}: {table.prefix}{error}") from None
 
 
 def _is_number(value: object) -> TypeGuard[float]:

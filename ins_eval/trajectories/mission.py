@@ -1,4 +1,4 @@
-"""A mission: where it starts and what is done, as data; flown, it is a trajectory."""
+"""Missions as data: a start and manoeuvres, from which a trajectory is built."""
 
 import itertools
 import math
@@ -9,25 +9,25 @@ import numpy as np
 
 from ins_eval.common import earth
 from ins_eval.trajectories import path
-from ins_eval.trajectories.errors import MovingStartError, TrajectoryError
+from ins_eval.trajectories.errors import MovingStartError, TrajectoryError, check_durations
 from ins_eval.trajectories.keys import Checked, quantity
 from ins_eval.trajectories.manoeuvres.manoeuvre import Entry, Leg, Manoeuvre
 from ins_eval.trajectories.manoeuvres.overlays import Overlay
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 
-HEIGHTS = (-1000.0, 200_000.0)
-"""That can be flown, m."""
-HARDEST = 1000.0
-"""Specific force that a vehicle can feel, m/s^2: beyond it, a number is wrong."""
-FASTEST = 100.0
-"""Its rotation rate, rad/s."""
-BEYOND = 10.0
-"""Time that a repeated course goes on after the end asked for, s."""
+HEIGHT_RANGE = (-1000.0, 200_000.0)
+"""Heights that a mission may reach, m. Chosen."""
+MAX_SPECIFIC_FORCE = 1000.0
+"""Largest specific force, m/s^2. Chosen: no vehicle withstands more, so a number must be wrong."""
+MAX_ROTATION_RATE = 100.0
+"""Largest rotation rate, rad/s. Chosen like `MAX_SPECIFIC_FORCE`."""
+END_MARGIN = 10.0
+"""Time by which a trajectory outlasts the duration asked for, s, so that no spline ends in it."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Start(Checked):
-    """Where a mission starts, which way it heads, and how fast. `climb_angle` is the nose's too."""
+    """Place, heading and speed at time 0. `climb_angle` is the pitch of the nose as well."""
 
     latitude: float = quantity("deg", -89, 89)
     longitude: float = quantity("deg", -180, 180)
@@ -39,8 +39,11 @@ class Start(Checked):
 
 @dataclass(frozen=True, kw_only=True)
 class Mission:
-    """Manoeuvres one after another: `departure` once, then `course`, `repeat` times, or as often as
-    the time asked for needs if None; overlays beside them, from time 0."""
+    """Manoeuvres one after another, and overlays that act from time 0.
+
+    The `departure` is flown once, then the `course` is flown `repeat` times; None repeats it for as
+    long as asked.
+    """
 
     name: str
     start: Start
@@ -50,7 +53,7 @@ class Mission:
     repeat: int | None = 1
 
     def manoeuvres(self) -> Iterator[tuple[str, Manoeuvre]]:
-        """All in turn, with their places in the file; without end if `repeat` is None."""
+        """Yield all manoeuvres with their places in the file; endless if `repeat` is None."""
         departure = [(f"departure {i}", m) for i, m in enumerate(self.departure, 1)]
         course = [(f"course {i}", m) for i, m in enumerate(self.course, 1)]
         rounds = itertools.count() if self.repeat is None else range(self.repeat)
@@ -59,83 +62,80 @@ class Mission:
             yield from course
 
 
-def trajectory(mission: Mission, still: float, duration: float) -> Trajectory:
-    """Fly a mission: at rest before time 0, then its manoeuvres.
+def build_trajectory(mission: Mission, duration: float, still: float = 0.0) -> Trajectory:
+    """Build the trajectory of a mission, which stands still until time 0.
 
     Args:
-        mission: what to do.
+        mission: start and manoeuvres.
+        duration: time after time 0, s.
         still: time at rest before time 0, s; 0 for a mission that starts in motion.
-        duration: time after it, s.
 
     Raises:
-        TrajectoryError: times below 0; a manoeuvre that can't be entered; a mission shorter than
-            the duration or beyond 89 deg of latitude; heights, forces or rates that no vehicle has.
-        MovingStartError: in motion when it should stand.
+        TrajectoryError: times below 0; a manoeuvre that can't be entered; a mission that is shorter
+            than the duration or passes 89 deg of latitude; a height, force or rate out of range.
+        MovingStartError: `still` is above 0 and the mission starts in motion.
     """
-    if not (0 <= still < math.inf and 0 < duration < math.inf):
-        raise TrajectoryError(
-            f"{mission.name}: found {still:g} s at rest and {duration:g} s after, expected 0 or "
-            "more and above 0"
-        )
+    check_durations(mission.name, duration, still)
     if still > 0 and mission.start.speed > 0:
         raise MovingStartError(
             f"{mission.name}: starts at {mission.start.speed:g} m/s, expected at rest: it can't "
             f"stand still for {still:g} s before"
         )
-    legs = _legs(mission, duration + BEYOND)
-    lasts = _length(legs)
-    if lasts < duration - 1e-6:
+    legs = _build_legs(mission, duration + END_MARGIN)
+    total = _sum_durations(legs)
+    if total < duration - 1e-6:
         raise TrajectoryError(
-            f"{mission.name}: lasts {lasts:.6g} s, shorter than the {duration:g} s asked for"
+            f"{mission.name}: lasts {total:.6g} s, shorter than the {duration:g} s asked for"
         )
     motions = [overlay.motion() for overlay in mission.overlays]
-    until = min(lasts, duration + BEYOND)
+    until = min(total, duration + END_MARGIN)
     try:
-        knots = path.knots(_origin(mission.start), legs, motions, still, until)
+        knots = path.compute_knots(_origin(mission.start), legs, motions, still, until)
     except TrajectoryError as error:
         raise TrajectoryError(f"{mission.name}: {error}") from None
-    flown = Trajectory(mission.name, knots)
-    _check(flown, knots)
-    return flown
+    trajectory = Trajectory(mission.name, knots)
+    _check_ranges(trajectory, knots)
+    return trajectory
 
 
 def _check_joint(before: Leg, after: Leg) -> None:
-    """Rates of turn meet, as the bank follows them."""
-    ends, begins = float(before.turn_rate(before.duration)), float(after.turn_rate(0.0))
-    if abs(ends - begins) > 1e-9:
+    """Check that the turn rate, and with it the bank, is continuous between two legs."""
+    end_rate, start_rate = float(before.turn_rate(before.duration)), float(after.turn_rate(0.0))
+    if abs(end_rate - start_rate) > 1e-9:
         raise TrajectoryError(
-            f"turns at {math.degrees(begins):.3g} deg/s from the first, where the manoeuvre before "
-            f"ends at {math.degrees(ends):.3g} deg/s; expected the same: give a weave a ramp_s"
+            f"turns at {math.degrees(start_rate):.3g} deg/s at its beginning, and the manoeuvre "
+            f"before ends at {math.degrees(end_rate):.3g} deg/s; expected the same: give a weave a "
+            "ramp_s"
         )
 
 
-def _check(flown: Trajectory, knots: Knots) -> None:
-    omega, force = flown.rate_and_force(knots.time)
-    low, high = HEIGHTS
-    for values, least, most, what in (
+def _check_ranges(trajectory: Trajectory, knots: Knots) -> None:
+    omega, force = trajectory.rate_and_force(knots.time)
+    low, high = HEIGHT_RANGE
+    for values, lowest, highest, unit in (
         (knots.height, low, high, "m of height"),
-        (np.linalg.norm(force, axis=-1), 0.0, HARDEST, "m/s2 of specific force"),
-        (np.linalg.norm(omega, axis=-1), 0.0, FASTEST, "rad/s"),
+        (np.linalg.norm(force, axis=-1), 0.0, MAX_SPECIFIC_FORCE, "m/s2 of specific force"),
+        (np.linalg.norm(omega, axis=-1), 0.0, MAX_ROTATION_RATE, "rad/s"),
     ):
-        wrong = ~((values >= least) & (values <= most))
+        wrong = ~((values >= lowest) & (values <= highest))
         if np.any(wrong):
             i = int(np.argmax(wrong))
             raise TrajectoryError(
-                f"{flown.name}: at {knots.time[i]:.1f} s it has {values[i]:.4g} {what}; "
-                f"expected {least:g} to {most:g}: is a speed too high, or a duration too short?"
+                f"{trajectory.name}: at {knots.time[i]:.1f} s it has {values[i]:.4g} {unit}; "
+                f"expected {lowest:g} to {highest:g}: is a speed too high, or a duration too short?"
             )
 
 
-def length(mission: Mission) -> float:
-    """Time from 0 to the end of the last manoeuvre, s; infinite if it repeats without end.
+def compute_duration(mission: Mission) -> float:
+    """Return the time from 0 to the end of the last manoeuvre, s; infinite for an endless mission.
 
     Raises:
         TrajectoryError: a manoeuvre that can't be entered.
     """
-    return math.inf if mission.repeat is None else _length(_legs(mission, math.inf))
+    return math.inf if mission.repeat is None else _sum_durations(_build_legs(mission, math.inf))
 
 
-def _length(legs: Sequence[Leg]) -> float:
+def _sum_durations(legs: Sequence[Leg]) -> float:
     return math.fsum(leg.duration for leg in legs)
 
 
@@ -143,7 +143,7 @@ def _origin(start: Start) -> path.Origin:
     return path.Origin(start.latitude, start.longitude, start.height, start.heading)
 
 
-def _legs(mission: Mission, until: float) -> list[Leg]:
+def _build_legs(mission: Mission, until: float) -> list[Leg]:
     start = mission.start
     gravity = float(earth.gravity(start.latitude, start.height))
     entry = Entry(start.speed, start.climb_angle, 0.0, gravity)

@@ -1,29 +1,29 @@
-"""Missions as TOML: read, and refused with file, manoeuvre, key, what was found and expected."""
+"""Missions as TOML files. Every key is checked, and messages name file, manoeuvre and key."""
 
-import difflib
-from collections.abc import Collection, Mapping
-from dataclasses import MISSING, dataclass
+from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from ins_eval.trajectories.errors import TrajectoryError
-from ins_eval.trajectories.keys import Checked, keys
+from ins_eval.trajectories.keys import Checked, build_from_table
 from ins_eval.trajectories.manoeuvres.vocabulary import MANOEUVRES, OVERLAYS
 from ins_eval.trajectories.mission import Mission, Start
-from pyhrg.common.files import toml_of
+from pyhrg.common.toml_table import TomlTable, read_table
 
-TOP = ("name", "start", "departure", "course", "overlays", "repeat")
-MOST_REPEATS = 1_000_000
+TOP_LEVEL_KEYS = ("name", "start", "departure", "course", "overlays", "repeat")
+MAX_REPEATS = 1_000_000
+"""Largest number of repetitions of a course. Chosen."""
 
 T = TypeVar("T", bound=Checked)
 
 
 class MissionError(TrajectoryError):
-    """The file is no mission; the message names file, manoeuvre, key, found and expected."""
+    """The file is not a mission; the message names file, manoeuvre, key, found and expected."""
 
 
-def read(path: Path) -> Mission:
-    """Read a mission from TOML.
+def read_mission(path: Path) -> Mission:
+    """Read a mission from a TOML file.
 
     Keys: `name` (the file's by default), `[start]`, `departure` and `course` (arrays of tables,
     each with its `kind`), `overlays` (likewise), `repeat` (true, or how often; 1 by default).
@@ -32,81 +32,58 @@ def read(path: Path) -> Mission:
         MissionError: an unreadable file; a key that is unknown or missing; a value of the wrong
             type or out of range.
     """
-    document = toml_of(path, MissionError)
-    reader = _Reader(str(path))
-    reader.known(document, TOP, "")
-    course = reader.listed(document, "course", MANOEUVRES)
+    top = read_table(path, MissionError)
+    top.check_known(TOP_LEVEL_KEYS)
+    course = _build_all(top, "course", MANOEUVRES)
     if not course:
-        raise reader.error("course", "no manoeuvre", "at least one")
+        raise top.error("course", [], "at least one manoeuvre")
     return Mission(
-        name=reader.name(document.get("name", path.stem)),
-        start=reader.built(Start, reader.table(document.get("start", {}), "start"), "start"),
-        departure=reader.listed(document, "departure", MANOEUVRES),
+        name=_read_name(top, path.stem),
+        start=build_from_table(Start, _set_apart(top, "start", top.values.get("start", {}))),
+        departure=_build_all(top, "departure", MANOEUVRES),
         course=course,
-        overlays=reader.listed(document, "overlays", OVERLAYS),
-        repeat=reader.repeat(document.get("repeat", 1)),
+        overlays=_build_all(top, "overlays", OVERLAYS),
+        repeat=_read_repeat(top),
     )
 
 
-@dataclass(frozen=True)
-class _Reader:
-    """Takes a document apart; knows where it is from, for messages."""
+def _read_name(top: TomlTable, default: str) -> str:
+    name = top.text("name", default)
+    if not name.isprintable() or not name.strip():
+        raise top.error("name", name, "text")
+    return name
 
-    source: str
 
-    def error(self, where: str, found: str, expected: str) -> MissionError:
-        return MissionError(f"{self.source}: {where}: found {found}, expected {expected}")
+def _read_repeat(top: TomlTable) -> int | None:
+    value = top.values.get("repeat", 1)
+    if value is True:
+        return None
+    if type(value) is not int or not 1 <= value <= MAX_REPEATS:
+        raise top.error("repeat", value, f"true or a number from 1 to {MAX_REPEATS}")
+    return value
 
-    def known(self, table: Mapping[str, Any], names: Collection[str], where: str) -> None:
-        for key in table:
-            if key not in names:
-                close = difflib.get_close_matches(key, names, n=1) or list(names)
-                place = f"{where}: {key}" if where else key
-                raise self.error(place, "an unknown key", " or ".join(close))
 
-    def table(self, value: object, where: str) -> dict[str, Any]:
-        if not isinstance(value, dict):
-            raise self.error(where, repr(value), "a table")
-        return value
+def _build_all(top: TomlTable, key: str, kinds: Mapping[str, type[T]]) -> tuple[T, ...]:
+    """Build manoeuvres or overlays, each of its `kind`, from an array of tables."""
+    values = top.values.get(key, [])
+    if not isinstance(values, list):
+        raise top.error(key, values, "an array of tables")
+    tables = (_set_apart(top, f"{key} {i}", value) for i, value in enumerate(values, 1))
+    return tuple(_build(table, kinds) for table in tables)
 
-    def name(self, value: object) -> str:
-        if not isinstance(value, str) or not value.isprintable() or not value.strip():
-            raise self.error("name", repr(value), "text")
-        return value
 
-    def repeat(self, value: object) -> int | None:
-        if value is True:
-            return None
-        if type(value) is not int or not 1 <= value <= MOST_REPEATS:
-            raise self.error("repeat", repr(value), f"true or a number from 1 to {MOST_REPEATS}")
-        return value
+def _build(table: TomlTable, kinds: Mapping[str, type[T]]) -> T:
+    """Build a manoeuvre or overlay of the `kind` that its table states."""
+    kind = table.require("kind", " or ".join(kinds))
+    if not isinstance(kind, str) or kind not in kinds:
+        raise table.error("kind", kind, " or ".join(kinds))
+    values = {key: value for key, value in table.values.items() if key != "kind"}
+    place = f"{table.prefix.removesuffix(': ')} ({kind}): "
+    return build_from_table(kinds[kind], replace(table, prefix=place, values=values))
 
-    def listed(
-        self, document: Mapping[str, Any], key: str, kinds: Mapping[str, type[T]]
-    ) -> tuple[T, ...]:
-        """Manoeuvres or overlays, of a kind each."""
-        values = document.get(key, [])
-        if not isinstance(values, list):
-            raise self.error(key, repr(values), "an array of tables")
-        built = []
-        for i, value in enumerate(values, 1):
-            table = dict(self.table(value, f"{key} {i}"))
-            kind = table.pop("kind", None)
-            if not isinstance(kind, str) or kind not in kinds:
-                found = "no kind" if kind is None else repr(kind)
-                raise self.error(f"{key} {i}: kind", found, " or ".join(kinds))
-            built.append(self.built(kinds[kind], table, f"{key} {i} ({kind})"))
-        return tuple(built)
 
-    def built(self, kind: type[T], table: Mapping[str, Any], where: str) -> T:
-        """A dataclass from its keys, in SI."""
-        known = {key: (field, unit) for key, field, unit in keys(kind)}
-        self.known(table, known.keys(), where)
-        for key, (field, unit) in known.items():
-            if key not in table and field.default is MISSING:
-                raise self.error(f"{where}: {key}", "no such key", unit.expected)
-        values = {known[key][0].name: known[key][1].from_file(table[key]) for key in table}
-        try:
-            return kind(**values)
-        except TrajectoryError as error:
-            raise MissionError(f"{self.source}: {where}: {error}") from None
+def _set_apart(top: TomlTable, place: str, value: object) -> TomlTable:
+    """A table of the mission, named in messages by its place, such as `course 2`."""
+    if not isinstance(value, dict):
+        raise top.error(place, value, "a table")
+    return replace(top, prefix=f"{place}: ", values=value)

@@ -1,4 +1,4 @@
-"""From profiles to positions and attitudes on WGS-84: the path integrated, knots of a spline."""
+"""From profiles of legs to spline knots: the path on WGS-84 is integrated numerically."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -13,26 +13,26 @@ from scipy.integrate import solve_ivp
 from ins_eval.common import earth
 from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.manoeuvres.manoeuvre import Leg
-from ins_eval.trajectories.manoeuvres.overlays import Motion
+from ins_eval.trajectories.manoeuvres.overlays import OverlayMotion
 from ins_eval.trajectories.trajectory import Knots
 
 Array = NDArray[np.float64]
 
-LIMIT = math.radians(89.0)
-"""Largest latitude."""
+MAX_LATITUDE = math.radians(89.0)
+"""Largest latitude of a path, rad. Chosen: at a pole north and east end."""
 SPACINGS = (0.25, 0.2, 0.1, 0.05, 0.02, 0.01)
-"""Times between knots, s."""
-PER_CHANGE = 12
-"""Knots within the shortest change, at least."""
+"""Times between knots that are used, s. Chosen."""
+KNOTS_PER_CHANGE = 12
+"""Smallest number of knots within the shortest change of a signal. Chosen."""
 TOLERANCE = 1e-11
-"""Of the integration: relative, and rad or m."""
-FEWEST = 8
-"""Knots at least."""
+"""Tolerance of the integration, relative and absolute (rad or m). Chosen."""
+MIN_KNOTS = 8
+"""Smallest number of knots; a quintic spline needs six."""
 
 
 @dataclass(frozen=True)
 class Origin:
-    """Where a path begins and which way: rad, m."""
+    """Beginning of a path: latitude, longitude and heading, rad, and height, m."""
 
     latitude: float
     longitude: float
@@ -41,12 +41,12 @@ class Origin:
 
 
 @dataclass(frozen=True)
-class _Flight:
-    """A leg in mission time, with the motions beside it."""
+class _LegInTime:
+    """A leg that begins at mission time `start`, s, with the overlays' motions."""
 
     start: float
     leg: Leg
-    motions: Sequence[Motion]
+    motions: Sequence[OverlayMotion]
 
     def speed(self, time: Any) -> Any:
         return self.leg.speed(time - self.start)
@@ -59,7 +59,7 @@ class _Flight:
         return self.leg.turn_rate(time - self.start)
 
     def derivative(self, time: float, state: Array) -> tuple[float, float, float, float]:
-        """Of latitude, longitude, height and the path's heading."""
+        """Return the rates of latitude, longitude, height and the path's heading."""
         latitude, _, height, heading = map(float, state)
         speed, climb = float(self.speed(time)), float(self.climb_angle(time))
         level = speed * math.cos(climb)
@@ -71,109 +71,113 @@ class _Flight:
         return north, east / math.cos(latitude), speed * math.sin(climb), turn
 
     def channels(self, time: Array, path: Array) -> Array:
-        """(n, 6) latitude, longitude, height, roll, pitch, yaw at times (n,) on a path (4, n)."""
+        """Return position, roll, pitch, yaw (n, 6) at times (n,) on a path (4, n)."""
         climb = self.climb_angle(time)
-        pull = self.speed(time) * np.cos(climb) * self.turn_rate(time) / self.leg.gravity
-        bank = self.leg.lean * np.arctan(pull)
+        tan_bank = self.speed(time) * np.cos(climb) * self.turn_rate(time) / self.leg.gravity
+        bank = self.leg.lean * np.arctan(tan_bank)
         latitude, longitude, height, heading = path
-        roll, pitch, yaw, heave = self._beside(time)
-        rolled = self.leg.roll(time - self.start) + bank + roll
+        roll, pitch, yaw, heave = self._sum_motions(time)
+        total_roll = self.leg.roll(time - self.start) + bank + roll
         position = (latitude, longitude, height + heave)
-        return np.stack([*position, rolled, climb + pitch, heading + yaw], axis=-1)
+        return np.stack([*position, total_roll, climb + pitch, heading + yaw], axis=-1)
 
-    def _beside(self, time: Array) -> Array:
-        """(4, n) roll, pitch, yaw and heave of the motions."""
+    def _sum_motions(self, time: Array) -> Array:
+        """Return roll, pitch, yaw and heave (4, n) of the overlays."""
         added = np.zeros((4, len(time)))
         for m in self.motions:
             added += [signal(time) for signal in (m.roll, m.pitch, m.yaw, m.heave)]
         return added
 
-    def pieces(self, end: float) -> list[tuple[float, float]]:
-        """Between breaks, where all signals are smooth."""
+    def split_at_breaks(self, end: float) -> list[tuple[float, float]]:
+        """Return the intervals between breaks, within which all signals are smooth."""
         own = (self.start + b for s in self.leg.signals for b in s.breaks)
         beside = (b for m in self.motions for b in m.climb_angle.breaks)
         inside = {b for b in (*own, *beside) if self.start + 1e-6 < b < end - 1e-6}
         return list(pairwise([self.start, *sorted(inside), end]))
 
 
-def knots(
-    origin: Origin, legs: Sequence[Leg], motions: Sequence[Motion], still: float, until: float
+def compute_knots(
+    origin: Origin,
+    legs: Sequence[Leg],
+    motions: Sequence[OverlayMotion],
+    still: float,
+    until: float,
 ) -> Knots:
-    """Knots, equally spaced: at rest before time 0, then along the legs.
+    """Compute equally spaced knots: at rest before time 0, then along the legs.
 
     Args:
-        origin: where the path begins.
-        legs: one after another from time 0; the last one goes on as it ends.
-        motions: beside them.
-        still: time at rest, s.
-        until: time at which to end, s; up to a knot more.
+        origin: beginning of the path.
+        legs: one after another from time 0; the last one is continued as it ends.
+        motions: of the overlays.
+        still: time at rest before time 0, s.
+        until: time of the end, s; the knots end up to one spacing later.
 
     Raises:
-        TrajectoryError: a path that leaves the latitudes that can be flown.
+        TrajectoryError: the path passes 89 deg of latitude.
     """
-    spacing = _spacing(legs, motions)
-    grid = spacing * np.arange(max(math.ceil(until / spacing - 1e-9), FEWEST) + 1.0)
-    rest = -spacing * np.arange(math.ceil(still / spacing - 1e-9), 0.0, -1.0)
+    spacing = _choose_spacing(legs, motions)
+    grid = spacing * np.arange(max(math.ceil(until / spacing - 1e-9), MIN_KNOTS) + 1.0)
+    before = -spacing * np.arange(math.ceil(still / spacing - 1e-9), 0.0, -1.0)
     state = np.array([origin.latitude, origin.longitude, origin.height, origin.heading])
     rows = []
-    for flight, end in _flights(legs, motions, float(grid[-1])):
-        for piece in flight.pieces(end):
+    for leg, end in _place_legs(legs, motions, float(grid[-1])):
+        for piece in leg.split_at_breaks(end):
             time = grid[np.searchsorted(grid, piece[0]) : np.searchsorted(grid, piece[1])]
-            path, state = _integrated(flight, piece, state, time)
-            rows.append(flight.channels(time, path))
-    rows.append(flight.channels(grid[-1:], state[:, None]))
+            path, state = _integrate(leg, piece, state, time)
+            rows.append(leg.channels(time, path))
+    rows.append(leg.channels(grid[-1:], state[:, None]))
     moving = np.concatenate(rows)
-    standing = np.broadcast_to(moving[0], (len(rest), 6))
-    return Knots(np.concatenate([rest, grid]), *np.concatenate([standing, moving]).T)
+    standing = np.broadcast_to(moving[0], (len(before), 6))
+    return Knots(np.concatenate([before, grid]), *np.concatenate([standing, moving]).T)
 
 
-def _spacing(legs: Sequence[Leg], motions: Sequence[Motion]) -> float:
+def _choose_spacing(legs: Sequence[Leg], motions: Sequence[OverlayMotion]) -> float:
     signals = [s for leg in legs for s in leg.signals] + [s for m in motions for s in m.signals]
-    wanted = min(signal.scale for signal in signals) / PER_CHANGE
+    wanted = min(signal.scale for signal in signals) / KNOTS_PER_CHANGE
     return next((s for s in SPACINGS if s <= wanted), SPACINGS[-1])
 
 
-def _flights(
-    legs: Sequence[Leg], motions: Sequence[Motion], last: float
-) -> Iterator[tuple[_Flight, float]]:
-    """Legs in mission time and where each ends; the last one reaches `last`."""
+def _place_legs(
+    legs: Sequence[Leg], motions: Sequence[OverlayMotion], last: float
+) -> Iterator[tuple[_LegInTime, float]]:
+    """Yield each leg in mission time with its end, s; the final leg ends at `last`."""
     start = 0.0
     for i, leg in enumerate(legs):
         end = start + leg.duration
         if i == len(legs) - 1 or end >= last:
-            yield _Flight(start, leg, motions), last
+            yield _LegInTime(start, leg, motions), last
             return
-        yield _Flight(start, leg, motions), end
+        yield _LegInTime(start, leg, motions), end
         start = end
 
 
-def _integrated(
-    flight: _Flight, piece: tuple[float, float], state: Array, time: Array
+def _integrate(
+    leg: _LegInTime, piece: tuple[float, float], state: Array, time: Array
 ) -> tuple[Array, Array]:
-    """Path (4, n) at times (n,) within a piece, and the state (4,) at its end.
+    """Integrate the path over a piece; return it (4, n) at times (n,), and its last state (4,).
 
-    Dormand and Prince's method of order 8 (Hairer, Norsett and Wanner 1993).
+    The method is Dormand and Prince's of order 8 (Hairer, Norsett and Wanner 1993).
     """
 
-    def room(_: float, y: Array) -> float:
-        return LIMIT - abs(float(y[0]))
+    def reach_limit(_: float, y: Array) -> float:
+        return MAX_LATITUDE - abs(float(y[0]))
 
-    room.terminal = True  # type: ignore[attr-defined]
+    reach_limit.terminal = True  # type: ignore[attr-defined]
     solved = solve_ivp(
-        flight.derivative,
+        leg.derivative,
         piece,
         state,
         method="DOP853",
         t_eval=np.append(time, piece[1]),
-        events=room,
+        events=reach_limit,
         rtol=TOLERANCE,
         atol=TOLERANCE,
     )
     if solved.status == 1:
+        limit = math.copysign(math.degrees(MAX_LATITUDE), solved.y_events[0][0][0])
         raise TrajectoryError(
-            f"at {solved.t_events[0][0]:.0f} s it passes latitude "
-            f"{math.copysign(math.degrees(LIMIT), solved.y_events[0][0][0]):g} deg; expected to "
-            "stay within 89 deg of the equator, short of the poles"
+            f"at {solved.t_events[0][0]:.0f} s it passes latitude {limit:g} deg; expected to stay "
+            "within 89 deg of the equator, short of the poles"
         )
     if solved.status != 0:
         raise TrajectoryError(f"from {piece[0]:.0f} s on: {solved.message}")

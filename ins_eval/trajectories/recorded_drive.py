@@ -1,4 +1,4 @@
-"""A recorded drive as a trajectory: read, checked, repeated to length with smooth joints."""
+"""Recorded drives: read from CSV, checked, and repeated with smooth joints to any duration."""
 
 import csv
 import gzip
@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.common import earth
-from ins_eval.trajectories.errors import TrajectoryError
+from ins_eval.trajectories.errors import TrajectoryError, check_durations
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 
 Array = NDArray[np.float64]
@@ -29,6 +29,7 @@ COLUMNS = (
     "pitch_deg",
     "yaw_deg",
 )
+"""Columns of the file; others are ignored."""
 LIMITS = {
     "latitude_deg": (-89.0, 89.0),
     "longitude_deg": (-360.0, 360.0),
@@ -40,47 +41,48 @@ LIMITS = {
     "pitch_deg": (-80.0, 80.0),
     "yaw_deg": (-720.0, 720.0),
 }
-SHORTEST = 10
-"""Rows that a drive must have at least."""
-BRIEFEST = 10.0
-"""Time that it must last, s."""
-FASTEST_TURN = 10.0
-"""Largest rate of turn that is a vehicle's, rad/s: beyond it, attitude is garbled."""
-LONGEST_GAP = 5.0
-"""Time between rows that can still be interpolated, s."""
-VELOCITY_AGREEMENT = 1.0
-"""Largest rms difference between recorded velocity and the positions' derivative, m/s."""
-JOINT = 20.0
-"""Time from one repetition's end to the next one's start, s."""
+"""Range of each column. Chosen."""
+MIN_ROWS = 10
+"""Smallest number of rows. Chosen."""
+MIN_DURATION = 10.0
+"""Shortest duration of a drive, s. Chosen."""
+MAX_TURN_RATE = 10.0
+"""Largest Euler rate, rad/s. Chosen: no vehicle turns faster, so the angles must be wrong."""
+MAX_GAP = 5.0
+"""Longest time between rows that is interpolated, s. Chosen."""
+MAX_VELOCITY_DIFFERENCE = 1.0
+"""Largest rms difference of recorded velocity and the derivative of position, m/s. Chosen."""
+JOINT_DURATION = 20.0
+"""Time from the end of one repetition to the start of the next, s. Chosen."""
 
 
 class DriveError(TrajectoryError):
-    """The file is no drive; the message names file, row, field, and what was expected."""
+    """The file is not a drive; the message names file, row, field, found and expected."""
 
 
 @dataclass(frozen=True)
 class Drive:
-    """Columns of a recorded drive as they come: time from 0, degrees turned into rad."""
+    """A recorded drive in SI and rad; `time` (n,) begins at 0."""
 
     name: str
     time: Array
     position: Array
-    """(n, 3) latitude, longitude, height."""
+    """(n, 3) latitude, longitude, rad, height, m."""
     velocity: Array
     """(n, 3) north, east, down, m/s."""
     euler: Array
-    """(n, 3) roll, pitch, yaw; continuous."""
+    """(n, 3) roll, pitch, yaw, rad, without jumps of a full turn."""
 
 
-def read(path: Path) -> Drive:
-    """Read a drive from CSV, gzipped or not.
+def read_drive(path: Path) -> Drive:
+    """Read a drive from a CSV file, gzipped or not.
 
     Raises:
-        DriveError: an unreadable file, a missing column, a value that is no number or out of
-            range, time that does not increase, a long gap, too few rows, or velocities that
-            contradict the positions.
+        DriveError: an unreadable file; a missing column; a value that is not a number or out of
+            range; time that does not increase; a long gap; too few rows; angles that turn too fast;
+            velocities that contradict the positions.
     """
-    rows = _rows(path)
+    rows = _read_rows(path)
     table = np.array(rows)
     columns = {name: table[:, i] for i, name in enumerate(COLUMNS)}
     time = columns["time_s"]
@@ -105,28 +107,29 @@ def read(path: Path) -> Drive:
     return drive
 
 
-def trajectory(drive: Drive, still: float, duration: float) -> Trajectory:
-    """Stand still, then repeat the drive until the duration is covered.
+def repeat_drive(drive: Drive, duration: float, still: float = 0.0) -> Trajectory:
+    """Build a trajectory that stands still until time 0 and then repeats the drive.
 
-    Each repetition begins where the last one ended: positions are carried on, not reset. Joints
-    change velocity and attitude smoothly.
+    Each repetition begins where the one before ended. Joints change velocity and attitude smoothly.
 
     Args:
-        drive: as read.
+        drive: what is repeated.
+        duration: time after time 0, s.
         still: time at rest before time 0, s.
-        duration: time after it, s.
 
     Raises:
-        DriveError: repeated that often, the drive leaves the latitudes that can be flown.
+        TrajectoryError: times below 0.
+        DriveError: the repeated drive leaves the latitudes that are allowed.
     """
-    rest = np.arange(-still, 0.5, 1.0)
-    time = [rest]
-    position = [np.tile(drive.position[0], (len(rest), 1))]
-    euler = [np.tile(drive.euler[0], (len(rest), 1))]
+    check_durations(drive.name, duration, still)
+    standing = np.arange(-still, 0.5, 1.0)
+    time = [standing]
+    position = [np.tile(drive.position[0], (len(standing), 1))]
+    euler = [np.tile(drive.euler[0], (len(standing), 1))]
     velocity = np.zeros(3)
     while time[-1][-1] < duration + 10.0:
-        for piece in (_joint(drive, position[-1][-1], velocity, euler[-1][-1]), None):
-            t, p, e = piece or _continued(drive, position[-1][-1], euler[-1][-1])
+        for piece in (_join(drive, position[-1][-1], velocity, euler[-1][-1]), None):
+            t, p, e = piece or _continue_drive(drive, position[-1][-1], euler[-1][-1])
             time.append(time[-1][-1] + t)
             position.append(p)
             euler.append(e)
@@ -141,21 +144,21 @@ def trajectory(drive: Drive, still: float, duration: float) -> Trajectory:
     return Trajectory(drive.name, Knots(np.concatenate(time), *p.T, *e.T))
 
 
-def _joint(
+def _join(
     drive: Drive, position: Array, velocity: Array, euler: Array
 ) -> tuple[Array, Array, Array]:
-    """Knots each second from a position and velocity to the drive's first velocity and attitude."""
-    s = np.arange(1, JOINT + 0.5) / JOINT
+    """Return a knot each second from a given state to the drive's first velocity and attitude."""
+    s = np.arange(1, JOINT_DURATION + 0.5) / JOINT_DURATION
     ramp = s**2 * (3 - 2 * s)
-    way = JOINT * (s**3 - s**4 / 2)
+    ramp_integral = JOINT_DURATION * (s**3 - s**4 / 2)
     change = drive.velocity[0] - velocity
-    moved = velocity * (s * JOINT)[:, None] + change * way[:, None]
-    to_go = np.remainder(drive.euler[0] - euler + math.pi, 2 * math.pi) - math.pi
-    return s * JOINT, position + _angles(position, moved), euler + to_go * ramp[:, None]
+    moved = velocity * (s * JOINT_DURATION)[:, None] + change * ramp_integral[:, None]
+    turn = np.remainder(drive.euler[0] - euler + math.pi, 2 * math.pi) - math.pi
+    return s * JOINT_DURATION, position + _to_angles(position, moved), euler + turn * ramp[:, None]
 
 
-def _continued(drive: Drive, position: Array, euler: Array) -> tuple[Array, Array, Array]:
-    """The drive's rows after the first, carried on from a position and from a heading's turn."""
+def _continue_drive(drive: Drive, position: Array, euler: Array) -> tuple[Array, Array, Array]:
+    """Return the drive's rows after the first, shifted to follow a given position and attitude."""
     turns = np.round((euler - drive.euler[0]) / (2 * math.pi)) * 2 * math.pi
     moved = drive.position[1:] - drive.position[0]
     moved[:, 1] *= np.cos(drive.position[1:, 0]) / np.cos(position[0] + moved[:, 0])
@@ -166,8 +169,8 @@ def _continued(drive: Drive, position: Array, euler: Array) -> tuple[Array, Arra
     )
 
 
-def _angles(origin: Array, moved: Array) -> Array:
-    """Displacement (n, 3), m north, east, down, as change of latitude, longitude, height."""
+def _to_angles(origin: Array, moved: Array) -> Array:
+    """Convert displacements (n, 3), m, north, east, down, to changes of position, rad and m."""
     latitude, _, height = origin
     return np.stack(
         [
@@ -179,7 +182,7 @@ def _angles(origin: Array, moved: Array) -> Array:
     )
 
 
-def _rows(path: Path) -> list[list[float]]:
+def _read_rows(path: Path) -> list[list[float]]:
     try:
         data = path.read_bytes()
         text = (gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data).decode("utf-8-sig")
@@ -194,25 +197,25 @@ def _rows(path: Path) -> list[list[float]]:
             f"{path}: column {', '.join(missing)} is missing; found {', '.join(header)}"
         )
     if repeated := [name for name in COLUMNS if header.count(name) > 1]:
-        raise DriveError(f"{path}: column {', '.join(repeated)} stands there more than once")
+        raise DriveError(f"{path}: column {', '.join(repeated)} appears more than once")
     places = [header.index(name) for name in COLUMNS]
     try:
-        rows = [_values(path, reader.line_num, row, places) for row in reader if row]
+        rows = [_parse_row(path, reader.line_num, row, places) for row in reader if row]
     except csv.Error as error:
         raise DriveError(f"{path}: row {reader.line_num}: {error}") from error
-    if len(rows) < SHORTEST:
-        raise DriveError(f"{path}: {len(rows)} rows; expected at least {SHORTEST}")
+    if len(rows) < MIN_ROWS:
+        raise DriveError(f"{path}: {len(rows)} rows; expected at least {MIN_ROWS}")
     return rows
 
 
-def _values(path: Path, line: int, row: list[str], places: list[int]) -> list[float]:
+def _parse_row(path: Path, line: int, row: list[str], places: list[int]) -> list[float]:
     values = []
     for name, place in zip(COLUMNS, places, strict=True):
         text = row[place] if place < len(row) else ""
         try:
             value = float(text)
         except ValueError:
-            raise DriveError(f"{path}: row {line}, {name}: {text!r} is no number") from None
+            raise DriveError(f"{path}: row {line}, {name}: {text!r} is not a number") from None
         low, high = LIMITS.get(name, (-math.inf, math.inf))
         if not (math.isfinite(value) and low <= value <= high):
             expected = f"expected {low:g} to {high:g}" if name in LIMITS else "expected a number"
@@ -223,9 +226,9 @@ def _values(path: Path, line: int, row: list[str], places: list[int]) -> list[fl
 
 def _check_time(path: Path, time: Array) -> None:
     steps = np.diff(time)
-    if time[-1] - time[0] < BRIEFEST and np.all(steps > 0):
+    if time[-1] - time[0] < MIN_DURATION and np.all(steps > 0):
         raise DriveError(
-            f"{path}: time_s covers {time[-1] - time[0]:g} s; expected at least {BRIEFEST:g} s"
+            f"{path}: time_s covers {time[-1] - time[0]:g} s; expected at least {MIN_DURATION:g} s"
         )
     if np.any(steps <= 0):
         row = int(np.argmax(steps <= 0)) + 1
@@ -233,22 +236,22 @@ def _check_time(path: Path, time: Array) -> None:
             f"{path}: row {row + 2}, time_s: {time[row]:g} after {time[row - 1]:g}; "
             "expected time to increase"
         )
-    if np.any(steps > LONGEST_GAP):
-        row = int(np.argmax(steps > LONGEST_GAP)) + 1
+    if np.any(steps > MAX_GAP):
+        row = int(np.argmax(steps > MAX_GAP)) + 1
         raise DriveError(
             f"{path}: row {row + 2}, time_s: a gap of {steps[row - 1]:g} s; "
-            f"expected at most {LONGEST_GAP:g} s"
+            f"expected at most {MAX_GAP:g} s"
         )
 
 
 def _check_turns(path: Path, drive: Drive) -> None:
     rates = np.abs(np.diff(drive.euler, axis=0)) / np.diff(drive.time)[:, None]
     row, axis = np.unravel_index(np.argmax(rates), rates.shape)
-    if rates[row, axis] > FASTEST_TURN:
+    if rates[row, axis] > MAX_TURN_RATE:
         name = ("roll_deg", "pitch_deg", "yaw_deg")[axis]
         raise DriveError(
             f"{path}: row {row + 3}, {name}: turns at {np.rad2deg(rates[row, axis]):.0f} deg/s; "
-            f"expected at most {np.rad2deg(FASTEST_TURN):.0f} deg/s"
+            f"expected at most {np.rad2deg(MAX_TURN_RATE):.0f} deg/s"
         )
 
 
@@ -256,9 +259,9 @@ def _check_velocity(path: Path, drive: Drive) -> None:
     knots = Knots(drive.time, *drive.position.T, *drive.euler.T)
     derived = Trajectory(drive.name, knots).velocity(drive.time)
     difference = float(np.sqrt(np.mean(np.sum((derived - drive.velocity) ** 2, axis=1))))
-    if difference > VELOCITY_AGREEMENT:
+    if difference > MAX_VELOCITY_DIFFERENCE:
         raise DriveError(
-            f"{path}: velocities differ from the positions' derivative "
-            f"by {difference:.1f} m/s rms; "
-            f"expected at most {VELOCITY_AGREEMENT:g} m/s: are columns swapped, or units mixed?"
+            f"{path}: velocities differ from the positions' derivative by {difference:.1f} m/s "
+            f"rms; expected at most {MAX_VELOCITY_DIFFERENCE:g} m/s: are columns swapped, or units "
+            "mixed?"
         )

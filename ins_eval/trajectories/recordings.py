@@ -1,15 +1,16 @@
-"""Where recorded drives lie, which the package has no right to bring along.
+"""Recorded drives that are not part of the package, because their licence forbids it.
 
-In the folder that the environment's `HRG_REAL` names, else in `shared/real` beside the project's.
+Their folder is named by the environment variable `HRG_REAL`; without it, it is `shared/real` beside
+the folder of the project.
 """
 
 import os
 from pathlib import Path
 
-BESIDE = Path(__file__).parents[3] / "shared" / "real"
+DEFAULT_FOLDER = Path(__file__).parents[3] / "shared" / "real"
 
 
-def recording(name: str) -> Path | None:
-    """A recorded drive by its file's name; None where it is not there."""
-    path = Path(os.environ.get("HRG_REAL", BESIDE)) / name
+def find_recording(name: str) -> Path | None:
+    """Return the path of a recorded drive by its file's name; None if the file does not exist."""
+    path = Path(os.environ.get("HRG_REAL", DEFAULT_FOLDER)) / name
     return path if path.is_file() else None

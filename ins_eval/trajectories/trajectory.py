@@ -1,8 +1,8 @@
-"""A vehicle's motion as smooth functions of time, and what an ideal IMU feels on it.
+"""Trajectories: motion of a vehicle as smooth functions of time, with an ideal IMU's increments.
 
 A trajectory is a quintic spline through position and attitude. Velocity, acceleration and rates
 are its exact derivatives, and the IMU's increments integrate them by Gauss-Legendre quadrature:
-nothing here inverts the navigator's formulas.
+nothing here inverts the equations of the navigator.
 """
 
 from dataclasses import dataclass
@@ -12,22 +12,22 @@ from numpy.typing import NDArray
 from scipy.interpolate import BSpline, make_interp_spline
 
 from ins_eval.common import earth
-from ins_eval.common.increments import Increments
 from ins_eval.common.rotation import body_rate_from_euler, mat_from_euler
 from ins_eval.common.state import State, Track
+from pyhrg.records.imu.increments import Increments
 
 Array = NDArray[np.float64]
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(3)
 _SLACK = 1e-6
-"""Rounding of times, s."""
+"""Tolerance for the rounding of times, s."""
 _CHUNK = 20_000
-"""Intervals integrated at once: bounds memory."""
+"""Intervals that are integrated at once; chosen to limit memory."""
 
 
 @dataclass(frozen=True)
 class Knots:
-    """Points that a trajectory passes through, all (n,): s, rad, m; yaw continuous."""
+    """Points that a trajectory passes through, all (n,): s, rad, m; yaw without jumps of a turn."""
 
     time: Array
     latitude: Array
@@ -38,14 +38,14 @@ class Knots:
     yaw: Array
 
     def channels(self) -> Array:
-        """(n, 6): latitude, longitude, height, roll, pitch, yaw."""
+        """Return all but time as columns (n, 6)."""
         return np.stack(
             [self.latitude, self.longitude, self.height, self.roll, self.pitch, self.yaw], axis=-1
         )
 
 
 class Trajectory:
-    """Motion of a vehicle between the first and the last knot."""
+    """Motion of a vehicle between the times `start` and `end`, s, of its first and last knot."""
 
     def __init__(self, name: str, knots: Knots) -> None:
         self.name = name
@@ -53,31 +53,31 @@ class Trajectory:
         self.end = float(knots.time[-1])
         channels = knots.channels()
         self._origin = np.append(channels[0, :3], np.zeros(3))
-        """Positions are splined from here on, so that rest is rest to the last bit."""
+        """Position at the first knot; the spline holds differences from it, exactly 0 at rest."""
         self._spline: BSpline = make_interp_spline(knots.time, channels - self._origin, k=5)
         self._knots = np.unique(self._spline.t)
         self._rate = self._spline.derivative(1)
         self._acceleration = self._spline.derivative(2)
 
     def position(self, time: Array) -> Array:
-        """(..., 3) latitude, longitude (rad), height (m)."""
+        """Return latitude, longitude, rad, and height, m, (..., 3) at times (...), s."""
         return self._channels(time)[..., :3]
 
     def _channels(self, time: Array) -> Array:
         return np.asarray(self._spline(time) + self._origin)
 
     def mat_nb(self, time: Array) -> Array:
-        """(..., 3, 3) attitude."""
+        """Return attitudes (..., 3, 3), body to navigation axes, at times (...), s."""
         euler = self._channels(time)[..., 3:]
         return mat_from_euler(euler[..., 0], euler[..., 1], euler[..., 2])
 
     def velocity(self, time: Array) -> Array:
-        """(..., 3) velocity over ground, north, east, down, m/s."""
+        """Return velocity over ground (..., 3), north, east, down, m/s, at times (...), s."""
         return self._velocity(self._channels(time), self._rate(time))
 
     @staticmethod
     def _velocity(position: Array, rate: Array) -> Array:
-        """From channels and their rates."""
+        """Return the velocity (..., 3), m/s, of positions and their rates (..., 6)."""
         north = earth.meridian_radius(position[..., 0]) + position[..., 2]
         east = earth.transverse_radius(position[..., 0]) + position[..., 2]
         return np.stack(
@@ -90,23 +90,22 @@ class Trajectory:
         )
 
     def track(self, time: Array) -> Track:
-        """States at times (m,), s."""
+        """Return the states at times (m,), s."""
         return Track(time, self.position(time), self.velocity(time), self.mat_nb(time))
 
     def state(self, time: float) -> State:
-        """State at one time, s."""
+        """Return the state at one time, s."""
         t = np.array(time)
         latitude, longitude, height = map(float, self.position(t))
         return State(latitude, longitude, height, self.velocity(t), self.mat_nb(t))
 
     def rate_and_force(self, time: Array) -> tuple[Array, Array]:
-        """`omega_ib_b` (..., 3), rad/s, and specific force `f_b` (..., 3), m/s^2."""
+        """Return `omega_ib_b` (..., 3), rad/s, and specific force `f_b` (..., 3), m/s^2."""
         x, dx, ddx = self._channels(time), self._rate(time), self._acceleration(time)
         latitude, height = x[..., 0], x[..., 2]
         mat_nb = mat_from_euler(x[..., 3], x[..., 4], x[..., 5])
         sin, cos = np.sin(latitude), np.cos(latitude)
-        zero = np.zeros_like(sin)
-        omega_ie = earth.RATE * np.stack([cos, zero, -sin], axis=-1)
+        omega_ie = earth.rotation_rate(latitude)
         omega_en = np.stack([dx[..., 1] * cos, -dx[..., 0], -dx[..., 1] * sin], axis=-1)
         omega_nb_b = body_rate_from_euler(x[..., 3], x[..., 4], dx[..., 3], dx[..., 4], dx[..., 5])
         omega_ib_b = omega_nb_b + _to_body(mat_nb, omega_ie + omega_en)
@@ -117,10 +116,10 @@ class Trajectory:
         return omega_ib_b, _to_body(mat_nb, force)
 
     def increments(self, start: float, interval: float, count: int) -> Increments:
-        """Exact increments of an IMU over `count` intervals, s, from `start`, s.
+        """Return the increments of an ideal IMU over `count` intervals, s, from time `start`, s.
 
         Raises:
-            ValueError: intervals outside of the trajectory.
+            ValueError: intervals outside the trajectory.
         """
         end = start + interval * count
         if start < self.start - _SLACK or end > self.end + _SLACK:
@@ -136,8 +135,10 @@ class Trajectory:
         return Increments(interval, both[:, :3].copy(), both[:, 3:].copy(), start)
 
     def _integrals(self, begin: float, bounds: Array) -> Array:
-        """(n, 6) of rate and force between bounds (n + 1,), s since `begin`, so that rounding
-        stays small. Panels end at knots too, since higher derivatives jump there."""
+        """Integrate rate and force (n, 6) between bounds (n + 1,), s since `begin`.
+
+        Panels end at knots too, where higher derivatives jump.
+        """
         knots = self._knots - begin
         inside = (knots > 0) & (knots < bounds[-1])
         edges = np.unique(np.concatenate([bounds, knots[inside]]))
@@ -149,7 +150,7 @@ class Trajectory:
 
     @staticmethod
     def _acceleration_n(x: Array, dx: Array, ddx: Array) -> Array:
-        """Time derivative of the velocity's components, (..., 3)."""
+        """Return the time derivatives (..., 3) of the velocity's components."""
         latitude, height = x[..., 0], x[..., 2]
         sin, cos = np.sin(latitude), np.cos(latitude)
         meridian, transverse = earth.meridian_radius(latitude), earth.transverse_radius(latitude)

@@ -1,1 +1,1 @@
-"""The virtual bench: one test procedure a file, each run on the gyro's FMU."""
+"""The test bench: procedures that record on the simulated gyro and evaluate records of any gyro."""

@@ -1,4 +1,4 @@
-"""The virtual bench: runs a programme on the gyro's FMU and logs it as a real bench would."""
+"""The virtual bench: simulates power-ons of a gyro on its FMU and logs them as a bench does."""
 
 import threading
 import zlib
@@ -11,16 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.store import Store, key_of
-from pyhrg.device.device import LOOPS, Device
+from pyhrg.bench.store import Store, compute_key
+from pyhrg.device.device import Device
 from pyhrg.device.device_file import nominal
+from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.fmu import CONTROL_PERIOD, Gyro, GyroFmu
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign, Test
 
 Array = NDArray[np.float64]
 
-INPUTS = {
+HELD_INPUTS = {
     "acceleration_x": "accelerationX",
     "acceleration_y": "accelerationY",
     "acceleration_z": "accelerationZ",
@@ -31,26 +32,33 @@ INPUTS = {
     "vibration": "vibration",
     "bias_voltage": "biasVoltage",
 }
-"""Inputs of the FMU that hold over a row, by their name in a programme."""
-ENDS = {"gyro_angle": "gyroAngle", "wave_angle": "patternAngle", "amplitude": "amplitude"}
-MEANS = {
+"""The FMU's names of its inputs that are constant within a row, by their name in a programme."""
+OUTPUTS_AT_END = {"gyro_angle": "gyroAngle", "wave_angle": "patternAngle", "amplitude": "amplitude"}
+"""The FMU's names of its outputs that a log has at the end of each row, by their field of a log."""
+OUTPUTS_AVERAGED = {
     "amplitude_force": "amplitudeForce",
     "quadrature_force": "quadratureForce",
     "frequency_offset": "frequencyOffset",
     "valid": "valid",
 }
-"""Outputs of the FMU by their field of a log: at a row's end, and averaged over the row."""
-FORCES = tuple(name for name in MEANS if name != "valid")
-"""Means that say something of the gyro."""
+"""The FMU's names of its outputs that a log has averaged over each row, by their field of a log."""
+LOOP_OUTPUTS = tuple(name for name in OUTPUTS_AVERAGED if name != "valid")
+"""Fields of a log that the control loops put out."""
+
+
+NAMELESS = "gyro without a name"
+"""Name of a device that has none, in campaigns and reports."""
 
 
 @dataclass(frozen=True)
 class PowerOn:
-    """One power-on to be made: its identity within the campaign, and what is done.
+    """A power-on to be simulated.
 
-    id: of the test; also decides the seed, so that a procedure gives the same alone and among all.
-    kind: as in the campaign format.
-    start_angle: of the pattern, rad; the device's own, with its scatter, if None.
+    id: of the test in the campaign. The power-on's seed follows from it and the bench's, so that a
+        procedure gives the same numbers alone and among others.
+    kind: of the test in the campaign.
+    programme: what the bench does to the gyro.
+    start_angle: pattern angle at power-on, rad; drawn from the device's scatter if None.
     """
 
     id: str
@@ -61,11 +69,13 @@ class PowerOn:
 
 @dataclass(frozen=True)
 class Bench:
-    """A gyro on a turntable.
+    """A simulated gyro on a turntable.
 
+    seed: of all noise and of turn-on to turn-on scatter.
     step: communication step, s; rows of a programme are multiples of it.
-    store: where logs are kept to resume from; None keeps none.
-    done: told the gyro time, s, of each power-on when it is over.
+    workers: power-ons that are simulated at the same time.
+    store: keeps logs to resume from; None keeps none.
+    on_power_on: called with the gyro time, s, of each power-on when it is over.
     """
 
     fmu: GyroFmu
@@ -74,16 +84,20 @@ class Bench:
     step: float = 0.01
     workers: int = 1
     store: Store | None = None
-    done: Callable[[float], None] = field(default=lambda seconds: None, compare=False)
+    on_power_on: Callable[[float], None] = field(default=lambda seconds: None, compare=False)
 
     def programme(self, interval: float = 1.0) -> Programme:
-        """A programme for this gyro and site, to be filled."""
+        """An empty programme for this gyro and site, in rows of `interval` seconds."""
         device = self.device
         course = Programme(interval, device.site.gravity, device.reference_temperature)
         return course.command(amplitude_setpoint=device.amplitude)
 
     def run(self, power_ons: Sequence[PowerOn]) -> list[Test]:
-        """Make power-ons, in parallel where there are workers; same numbers on any number."""
+        """Tests of the power-ons, in their order; the same numbers on any number of workers.
+
+        Raises:
+            GyroError: the FMU refuses a value or a step.
+        """
         self.fmu.prepare()
         stop = threading.Event()
         self.fmu.stop = stop
@@ -97,25 +111,25 @@ class Bench:
                 self.fmu.stop = None
 
     def power_on(self, identity: str, start_angle: float | None = None) -> Gyro:
-        """Switch the gyro on: new noise; power-on angle and parameters as well as they repeat.
+        """The gyro, switched on, with noise, start angle and parameters drawn for this power-on.
 
         Args:
-            identity: of the power-on; the same one has the same noise, angle and parameters.
-            start_angle: of the pattern, rad, instead of the device's own.
+            identity: of the power-on; the same one draws the same noise, angle and parameters.
+            start_angle: pattern angle, rad; drawn from the device's scatter if None.
         """
         key = zlib.crc32(identity.encode())
         generator = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(key,)))
         seed = int(generator.integers(2**31))
-        own = generator.normal(self.device.power_on_angle, self.device.power_on_scatter)
-        angle = own if start_angle is None else start_angle
-        missing = LOOPS - self.fmu.references.keys()
+        drawn = generator.normal(self.device.power_on_angle, self.device.power_on_scatter)
+        angle = drawn if start_angle is None else start_angle
+        missing = LOOP_FREQUENCIES - self.fmu.references.keys()
         values = self.device.turned_on(generator).items()
         parameters = {name: value for name, value in values if name not in missing}
         return self.fmu.power_on(parameters, seed, angle)
 
     def log(self, power_on: PowerOn) -> Test:
-        """Make one power-on and log it, or take the log that an earlier attempt kept."""
-        key = key_of(
+        """Test of one power-on: simulated, or from the store where an interrupted run kept it."""
+        key = compute_key(
             power_on.programme,
             **{"id": power_on.id, "seed": self.seed, "step": self.step},
             **{"fmu": self.fmu.folder.name, "device": self.device},
@@ -123,99 +137,108 @@ class Bench:
         )
         log = self.store.load(key) if self.store else None
         if log is None:
-            log = self._recorded(power_on)
+            log = self._simulate(power_on)
             if self.store:
                 self.store.keep(key, log)
-        self.done(power_on.programme.time)
+        self.on_power_on(power_on.programme.time)
         recording = replace(log, source=power_on.id)
         return Test(id=power_on.id, kind=power_on.kind, role="fit", recording=recording)
 
-    def _recorded(self, power_on: PowerOn) -> Log:
+    def _simulate(self, power_on: PowerOn) -> Log:
         programme = power_on.programme
         with self.power_on(power_on.id, power_on.start_angle) as gyro:
-            held = {name: programme.held(name) for name in INPUTS}
-            outputs = recorded(gyro, self._moving(programme), held, self.step)
+            held = {name: programme.values(name) for name in HELD_INPUTS}
+            outputs = record_rows(gyro, self._moving_inputs(programme), held, self.step)
         columns: dict[str, Any] = {
             "time": np.arange(1, len(programme) + 1) * programme.interval,
             "table_angle": programme.table_angle,
             "temperature": programme.temperature[1:],
-            **{name: programme.held(name) for name in LOGGED},
+            **{name: programme.values(name) for name in LOGGED_COMMANDS},
             **outputs,
         }
         return Log(source=power_on.id, interval=programme.interval, exclusions=(), **columns)
 
     def campaign(self, tests: Sequence[Test]) -> Campaign:
-        """The tests with what is believed of the gyro, as a test engineer would bring them home."""
-        return Campaign(self.device.name, self.device.site, nominal(self.device), tuple(tests))
+        """A campaign of the tests, with the device's design values as nominal values."""
+        return Campaign(
+            self.device.name or NAMELESS, self.device.site, nominal(self.device), tuple(tests)
+        )
 
-    def _moving(self, programme: Programme) -> dict[str, Array]:
+    def _moving_inputs(self, programme: Programme) -> dict[str, Array]:
         """(n, m) inputs that change within a row, in each communication step, SI."""
         steps = round(programme.interval / self.step)
         if steps < 1 or abs(steps * self.step - programme.interval) > 1e-9:
             raise ValueError(
                 f"rows of {programme.interval:g} s are no multiple of the step {self.step:g} s"
             )
-        share = middles(steps)
-        rate = between(programme.table_rate, share)
+        share = compute_step_middles(steps)
+        rate = interpolate_rows(programme.table_rate, share)
         begun = np.concatenate(([0.0], programme.table_angle[:-1]))[:, None]
-        swept = programme.interval * share * between(programme.table_rate, share / 2)
-        earth = earth_rate(self.device, programme.held("axis_up")[:, None], begun + swept)
+        swept = programme.interval * share * interpolate_rows(programme.table_rate, share / 2)
+        earth = compute_earth_rate(self.device, programme.values("axis_up")[:, None], begun + swept)
         return {
             "angularRate": rate + earth,
-            "caseTemperature": between(programme.temperature, share),
+            "caseTemperature": interpolate_rows(programme.temperature, share),
         }
 
 
-def recorded(
+def record_rows(
     gyro: Gyro,
     moving: Mapping[str, Array],
     held: Mapping[str, Array],
     step: float,
-    means: Sequence[str] = tuple(MEANS),
+    means: Sequence[str] = tuple(OUTPUTS_AVERAGED),
 ) -> dict[str, Array]:
-    """(n,) what a log shows of a gyro, by field, SI; of the amplitude, that of one control period
-    before each row's end.
+    """Outputs of a gyro as a log has them: (n,) each, by field, SI.
+
+    The amplitude is that of one control period before the end of each row, as the electronics know
+    it.
 
     Args:
-        gyro: that is switched on.
-        moving: (n, m) inputs in each of a row's m steps, by the FMU's names, SI.
-        held: (n,) inputs that hold over a row, by their names in a programme, SI.
+        gyro: switched on.
+        moving: (n, m) inputs in each of a row's m communication steps, by the FMU's names, SI.
+        held: (n,) inputs that are constant within a row, by their names in a programme, SI.
         step: communication step, s.
-        means: fields that are averaged over a row.
+        means: fields that are averaged over each row.
     """
-    commands = {INPUTS[name]: values for name, values in held.items()}
-    averaged = [MEANS[name] for name in means]
-    ends, rows = gyro.record(moving, commands, step, list(ENDS.values()), averaged)
-    fields = dict(zip((*ENDS, *means), [*ends.T, *rows.T], strict=True))
+    commands = {HELD_INPUTS[name]: values for name, values in held.items()}
+    averaged = [OUTPUTS_AVERAGED[name] for name in means]
+    ends, rows = gyro.record(moving, commands, step, list(OUTPUTS_AT_END.values()), averaged)
+    fields = dict(zip((*OUTPUTS_AT_END, *means), [*ends.T, *rows.T], strict=True))
     change = np.diff(fields["amplitude"], prepend=fields["amplitude"][0])
     interval = step * next(iter(moving.values())).shape[1]
     fields["amplitude"] = np.asarray(fields["amplitude"] - change * CONTROL_PERIOD / interval)
     return fields
 
 
-def earth_rate(device: Device, axis_up: Array, table_angle: Array) -> Array:
-    """Earth's rate on the input axis, rad/s; a misaligned axis leans north once a turn.
+def compute_earth_rate(device: Device, axis_up: Array, table_angle: Array) -> Array:
+    """Earth's rate on the input axis, rad/s; a misaligned axis leans north once in a table turn.
 
     Args:
-        device: its misalignment, and where it is tested.
+        device: with its misalignment and its test site.
         axis_up: projection of the table's axis on local up.
-        table_angle: rad.
+        table_angle: rad, of a shape that broadcasts with `axis_up`.
     """
-    north = np.cos(table_angle + device.misalignment_direction)
-    up = axis_up * np.cos(device.misalignment)
-    lean = np.sin(device.misalignment) * north
-    return np.asarray(device.site.vertical_rate * up + device.site.horizontal_rate * lean)
+    azimuth = table_angle + device.misalignment_direction
+    return device.site.compute_earth_rate(axis_up, device.misalignment, azimuth)
 
 
-LOGGED = tuple(name for name in ("axis_up", *INPUTS) if name not in ("vibration", "bias_voltage"))
-"""What a programme holds and a log shows."""
+LOGGED_COMMANDS = tuple(
+    name for name in ("axis_up", *HELD_INPUTS) if name not in ("vibration", "bias_voltage")
+)
+"""Quantities of a programme that a log has as columns."""
 
 
-def middles(steps: int) -> Array:
-    """(m,) of equal steps of a row, as shares of it."""
+def compute_step_middles(steps: int) -> Array:
+    """(m,) middles of the m equal steps of a row, as shares of the row."""
     return np.asarray((np.arange(steps) + 0.5) / steps)
 
 
-def between(bounds: Array, share: Array) -> Array:
-    """(n, m) values at shares (m,) of the way between neighbours of (n + 1,)."""
+def interpolate_rows(bounds: Array, share: Array) -> Array:
+    """(n, m) values within n rows, linear between their bounds.
+
+    Args:
+        bounds: (n + 1,) values at the bounds of the rows.
+        share: (m,) places within a row, as shares of it.
+    """
     return np.asarray(bounds[:-1, None] + np.diff(bounds)[:, None] * share)

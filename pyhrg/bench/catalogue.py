@@ -1,4 +1,4 @@
-"""All test procedures, in the order of a full bench."""
+"""All test procedures of the bench."""
 
 from pyhrg.bench.bias.environment import centrifuge, tumble, vibration_shock
 from pyhrg.bench.bias.position import fixed_position, full_circumference, position_plans
@@ -46,4 +46,4 @@ PROCEDURES: tuple[Procedure, ...] = (
     amplitude_sweep.PROCEDURE,
     calibration.PROCEDURE,
 )
-BY_NAME = {procedure.name: procedure for procedure in PROCEDURES}
+"""In the order in which a full bench runs them."""

@@ -1,4 +1,4 @@
-"""What a procedure returns: findings with intervals, a verdict, what was left out, a figure."""
+"""Outcome of a test procedure: findings with intervals, a verdict, warnings, a figure."""
 
 import re
 from collections.abc import Callable, Sequence
@@ -36,23 +36,23 @@ UNITS = {
     "1/s": 1.0,
     "1": 1.0,
 }
-"""Units that findings are shown in: SI value = factor times shown value."""
+"""Value of a finding's unit in SI, by its name."""
 
 
 class BenchError(HrgError):
-    """The records can't give what was asked; says which, what was found and what is needed."""
+    """The records can't give a result; the message says which, what was found, what is needed."""
 
 
 @dataclass(frozen=True)
 class Finding:
     """One figure of a test.
 
-    name: the field's term, lower case ("bias stability").
-    value: SI; NaN where the records can't give it, `note` says why.
-    unit: to be shown in, one of `UNITS`.
-    low, high: its 95 % interval, SI; NaN where there is none, `note` says why.
-    n: sample size of the interval.
-    at_least: a specification limits it from below, as a range or a bandwidth.
+    name: the standard term, in lower case ("bias stability").
+    value: SI; NaN where the records can't give it, and `note` says why.
+    unit: that the figure is printed in, a key of `UNITS`.
+    low, high: bounds of the 95 % interval, SI; NaN where there is none, and `note` says why.
+    n: size of the sample that the interval is computed from.
+    at_least: True where a specification limits the figure from below, as a range or a bandwidth.
     """
 
     name: str
@@ -65,18 +65,18 @@ class Finding:
     at_least: bool = False
 
     @property
-    def shown(self) -> float:
-        """Value in its unit."""
+    def value_in_unit(self) -> float:
+        """Value in the finding's unit."""
         return self.value / UNITS[self.unit]
 
     @property
-    def interval_shown(self) -> tuple[float, float]:
-        """95 % interval in its unit."""
+    def interval_in_unit(self) -> tuple[float, float]:
+        """Bounds of the 95 % interval in the finding's unit."""
         return self.low / UNITS[self.unit], self.high / UNITS[self.unit]
 
     @property
     def key(self) -> str:
-        """Name with unit, as in a specification: bias_stability_deg_per_h."""
+        """Name with unit, as result.json and a specification have it: bias_stability_deg_per_h."""
         unit = self.unit.replace("/sqrt(h)", "_sqrt_h").replace("/", "_per_")
         unit = unit.translate(str.maketrans("", "", "()^"))
         suffix = "" if self.unit == "1" else f"_{unit.replace('1_per_', 'per_')}"
@@ -85,13 +85,16 @@ class Finding:
 
 @dataclass(frozen=True)
 class Outcome:
-    """Result of a procedure.
+    """What a procedure gives for a campaign.
 
-    verdict: what the figures say, in a sentence or two.
-    warnings: what the plan or the records can't see.
-    exclusions: what was left out of the records, and why.
-    draw: fills a figure; None where there is nothing to look at.
-    values: what the procedure found beyond the findings, for programs (SI).
+    procedure: its name.
+    findings: figures, each of another key.
+    verdict: what the findings mean, in a sentence or two.
+    tables: details, ready to be printed.
+    warnings: effects that the plan or the records can't show, a sentence each.
+    exclusions: rows and logs that were not used, and why, a sentence each.
+    draw: draws the test's figure into an empty one; None where the test has no figure.
+    values: further results for programs, SI, by name.
     """
 
     procedure: str
@@ -110,15 +113,19 @@ class Outcome:
             raise ValueError(f"{self.procedure}: findings of one name: {', '.join(twice)}")
 
     def finding(self, name: str) -> Finding:
-        """By name."""
+        """The finding of this name.
+
+        Raises:
+            KeyError: there is none.
+        """
         for finding in self.findings:
             if finding.name == name:
                 return finding
         raise KeyError(name)
 
 
-def mean_finding(name: str, samples: ArrayLike, unit: str, note: str = "") -> Finding:
-    """Mean of independent samples (n,) with Student's 95 % interval."""
+def estimate_mean(name: str, samples: ArrayLike, unit: str, note: str = "") -> Finding:
+    """Mean of independent normal samples (n,), SI, with Student's 95 % interval."""
     values = np.asarray(samples, dtype=float)
     value, n = float(np.mean(values)), len(values)
     if n < 2:
@@ -127,8 +134,9 @@ def mean_finding(name: str, samples: ArrayLike, unit: str, note: str = "") -> Fi
     return Finding(name, value, unit, value - reach, value + reach, n, note)
 
 
-def deviation_finding(name: str, samples: ArrayLike, unit: str, note: str = "") -> Finding:
-    """Standard deviation (n - 1) of independent normal samples (n,), chi-square 95 % interval."""
+def estimate_deviation(name: str, samples: ArrayLike, unit: str, note: str = "") -> Finding:
+    """Standard deviation (n - 1) of independent normal samples (n,), SI, with its chi-square 95 %
+    interval."""
     values = np.asarray(samples, dtype=float)
     n = len(values)
     if n < 2:
@@ -139,11 +147,11 @@ def deviation_finding(name: str, samples: ArrayLike, unit: str, note: str = "") 
     return Finding(name, value, unit, value * factors[0], value * factors[1], n, note)
 
 
-def pooled_deviation_finding(
+def estimate_pooled_deviation(
     name: str, groups: Sequence[ArrayLike], unit: str, note: str = ""
 ) -> Finding:
-    """Standard deviation within groups of independent normal samples, chi-square 95 % interval;
-    groups of one sample show none."""
+    """Standard deviation within groups of independent normal samples, SI, pooled over the groups,
+    with its chi-square 95 % interval; a group of one sample contributes nothing."""
     values = [np.asarray(group, dtype=float) for group in groups]
     values = [group for group in values if len(group) > 1]
     n = sum(len(group) for group in values)
@@ -152,5 +160,5 @@ def pooled_deviation_finding(
         return Finding(name, np.nan, unit, note=note or "no group of at least 2 samples")
     squares = sum(float(np.sum((group - np.mean(group)) ** 2)) for group in values)
     high, low = (float(q) for q in stats.chi2.ppf([0.025, 0.975], freedom))
-    least, value, most = (float(np.sqrt(squares / divisor)) for divisor in (low, freedom, high))
-    return Finding(name, value, unit, least, most, n, note)
+    lower, value, upper = (float(np.sqrt(squares / divisor)) for divisor in (low, freedom, high))
+    return Finding(name, value, unit, lower, upper, n, note)

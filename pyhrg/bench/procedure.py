@@ -1,9 +1,8 @@
-"""What a test procedure is: it records on the FMU, and evaluates records from anywhere."""
+"""A test procedure: it makes records on the simulated gyro, and evaluates records of any gyro."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from pyhrg.bench.bench import Bench
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.device.device import Device
 from pyhrg.records.campaign import Campaign, Test
@@ -11,34 +10,34 @@ from pyhrg.records.campaign import Campaign, Test
 
 @dataclass(frozen=True)
 class Option:
-    """What a user may choose of a procedure's plan: a keyword of its `record`."""
+    """A part of a procedure's plan that a user may change: a keyword argument of its `record`.
+
+    kind: of its value.
+    help: one line for the help of the command.
+    """
 
     name: str
     kind: type[int] | type[float]
     help: str
 
-    @property
-    def flag(self) -> str:
-        """On the command line."""
-        return f"--{self.name.replace('_', '-')}"
-
 
 @dataclass(frozen=True)
 class Procedure:
-    """One test.
+    """One test of the bench.
 
-    name: on the command line.
-    group: of the report.
+    name: by which users choose it.
+    group: heading in the list of tests.
     title: what it measures.
-    rows: of the paper's Table 1 that it gives, in their English terms.
-    source: where the method and its formulas are from.
-    kinds: of tests that it evaluates (campaign format).
+    rows: rows of the paper's Table 1 that it gives, in their English terms.
+    source: where method and formulas come from.
+    kinds: kinds of campaign tests that it evaluates.
     record: makes the test's power-ons on the virtual bench; takes the options as keywords.
     evaluate: gives the outcome of a campaign that holds tests of these kinds.
-    model: the gyro that the virtual bench takes (`fmu_build.roots.ROOTS`), step: its communication
-        step, s.
-    options: of the plan.
-    exported: the gyro as the test's result makes it, from the one that was tested.
+    model: model that the virtual bench simulates, a key of `fmu_build.roots.ROOTS`.
+    step: communication step of the simulation, s.
+    options: parts of the plan that a user may change.
+    export: gives the device as the test makes it (a calibrated one) from the campaign and the
+        device that was tested; None where the test makes none.
     """
 
     name: str
@@ -52,33 +51,29 @@ class Procedure:
     model: str = "HRG"
     step: float = 0.01
     options: tuple[Option, ...] = ()
-    exported: Callable[[Campaign, Device], Device] | None = None
-
-    def run(self, bench: Bench) -> Outcome:
-        """Record on the virtual bench and evaluate."""
-        return self.evaluate(bench.campaign(self.record(bench)))
+    export: Callable[[Campaign, Device], Device] | None = None
 
 
-def usable(campaign: Campaign, *kinds: str) -> list[Test]:
-    """The campaign's tests of these kinds, if any; not those held out."""
+def select_tests(campaign: Campaign, *kinds: str) -> list[Test]:
+    """The campaign's tests of these kinds without those that are held out; may be none."""
     return [test for test in campaign.of_kind(*kinds) if not test.is_holdout]
 
 
-def tests_of(campaign: Campaign, *kinds: str) -> list[Test]:
-    """The campaign's tests of these kinds that may be used; not those held out.
+def require_tests(campaign: Campaign, *kinds: str) -> list[Test]:
+    """The campaign's tests of these kinds without those that are held out, at least one.
 
     Raises:
         BenchError: there are none.
     """
-    found = usable(campaign, *kinds)
-    if not found:
-        there = ", ".join(sorted({test.kind for test in campaign.tests})) or "no tests"
+    tests = select_tests(campaign, *kinds)
+    if not tests:
+        present = ", ".join(sorted({test.kind for test in campaign.tests})) or "no tests"
         raise BenchError(
-            f"{campaign.device}: no test of kind {' or '.join(kinds)}; the campaign has {there}"
+            f"{campaign.device}: no test of kind {' or '.join(kinds)}; the campaign has {present}"
         )
-    return found
+    return tests
 
 
-def exclusions_of(tests: Sequence[Test]) -> tuple[str, ...]:
-    """What was left out on reading their logs, each with its file."""
+def list_exclusions(tests: Sequence[Test]) -> tuple[str, ...]:
+    """A sentence on each part of the tests' logs that the reader excluded, with the file's name."""
     return tuple(f"{test.log.source}: {text}" for test in tests for text in test.log.exclusions)

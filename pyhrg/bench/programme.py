@@ -1,4 +1,4 @@
-"""What a bench does to a gyro, row by row: table, attitude, temperature, commands."""
+"""Programme of a power-on: what the bench does to the gyro, row by row."""
 
 import math
 
@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-HELD = (
+COMMANDS = (
     "axis_up",
     "acceleration_x",
     "acceleration_y",
@@ -19,25 +19,30 @@ HELD = (
     "vibration",
     "bias_voltage",
 )
-"""What holds over a row; temperature is linear within it, the table's rate as well."""
+"""Quantities that are constant within a row. Case temperature and table rate are not among them:
+they change linearly within a row."""
 
 
 class Programme:
-    """Rows of equal length, appended one manoeuvre after the other; begins at rest, axis up."""
+    """Rows of equal length, appended manoeuvre by manoeuvre.
+
+    At the beginning the table rests, the input axis points up and the drive is on. The methods that
+    append or command return the programme, so that calls can be chained.
+    """
 
     def __init__(self, interval: float, gravity: float, temperature: float = 298.15) -> None:
-        """Begin.
+        """Make an empty programme.
 
         Args:
             interval: length of a row, s.
-            gravity: of the site, m/s2.
-            temperature: of the case, K.
+            gravity: at the site, m/s2.
+            temperature: of the case at power-on, K.
         """
         self.interval = interval
         self.gravity = gravity
-        self._held = dict.fromkeys(HELD, 0.0)
-        self._held.update(axis_up=1.0, acceleration_z=gravity)
-        self._held.update(amplitude_setpoint=1.0, drive_on=1.0, bias_voltage=1.0)
+        self._commands = dict.fromkeys(COMMANDS, 0.0)
+        self._commands.update(axis_up=1.0, acceleration_z=gravity)
+        self._commands.update(amplitude_setpoint=1.0, drive_on=1.0, bias_voltage=1.0)
         self._rates = [0.0]
         self._temperatures = [temperature]
         self._rows: list[dict[str, float]] = []
@@ -47,36 +52,36 @@ class Programme:
 
     @property
     def time(self) -> float:
-        """Length so far, s."""
+        """Duration so far, s."""
         return len(self) * self.interval
 
-    def command(self, **values: float) -> "Programme":
-        """Set what holds from now on (`HELD`), SI."""
-        unknown = values.keys() - self._held.keys()
+    def command(self, **quantities: float) -> "Programme":
+        """Set quantities (`COMMANDS`), SI, for the rows that follow."""
+        unknown = quantities.keys() - self._commands.keys()
         if unknown:
             raise ValueError(f"no such command: {', '.join(sorted(unknown))}")
-        self._held.update(values)
+        self._commands.update(quantities)
         return self
 
-    def override(self, **values: Array) -> "Programme":
-        """Set what held over each row so far (`HELD`), (n,) each, SI."""
-        for name, series in values.items():
-            if name not in self._held or len(series) != len(self):
+    def override(self, **quantities: Array) -> "Programme":
+        """Replace quantities (`COMMANDS`) of the n rows so far, (n,) each, SI."""
+        for name, series in quantities.items():
+            if name not in self._commands or len(series) != len(self):
                 raise ValueError(f"{name}: expected a command and {len(self)} values")
             for row, value in zip(self._rows, series.tolist(), strict=True):
                 row[name] = value
         return self
 
-    def holds(self, name: str) -> float:
-        """What is commanded now, SI."""
-        return self._held[name]
+    def current(self, name: str) -> float:
+        """Value of a quantity (`COMMANDS`) for the rows that follow, SI."""
+        return self._commands[name]
 
     def attitude(self, axis_up: float, across: float = 0.0) -> "Programme":
-        """Tilt the input axis towards east, so that Earth's rate on it is axis_up W_E sin L.
+        """Tilt the input axis towards east: Earth's rate on it is then axis_up W_E sin L.
 
         Args:
             axis_up: cosine of the angle between the input axis and local up, -1 to 1.
-            across: angle about the input axis between the x electrodes and the vertical plane, rad.
+            across: angle about the input axis from the vertical plane to the x electrodes, rad.
         """
         level = self.gravity * math.sqrt(max(0.0, 1 - axis_up**2))
         return self.command(
@@ -87,53 +92,53 @@ class Programme:
         )
 
     def rest(self, duration: float) -> "Programme":
-        """Stand still."""
+        """Rest the table for a time, s."""
         return self.spin(0.0, duration)
 
     def spin(self, rate: float, duration: float) -> "Programme":
-        """Turn at a rate, rad/s, reached over the first row."""
+        """Turn the table at a rate, rad/s, that it reaches within the first row, for a time, s."""
         for _ in range(self._count(duration)):
             self._append(rate, self._temperatures[-1])
         return self
 
     def turn(self, angle: float, rate: float) -> "Programme":
-        """Turn by an angle, rad, at most at `rate`, rad/s, and stop."""
+        """Turn the table by an angle, rad, no faster than `rate`, rad/s, and stop it."""
         rows = max(2, math.ceil(abs(angle) / (abs(rate) * self.interval)) + 1)
         peak = angle / ((rows - 1) * self.interval)
         return self.spin(peak, (rows - 1) * self.interval).spin(0.0, self.interval)
 
     def heat(self, temperature: float, duration: float) -> "Programme":
-        """Bring the case linearly to a temperature, K, at rest."""
+        """Change the case's temperature linearly to one in K within a time, s, at rest."""
         rows = self._count(duration)
         begin = self._temperatures[-1]
         for row in range(1, rows + 1):
             self._append(0.0, begin + (temperature - begin) * row / rows)
         return self
 
-    def tempered(self, temperatures: Array) -> "Programme":
-        """Set the temperature of the case at the bounds of the rows so far, (n + 1,), K."""
+    def set_temperatures(self, temperatures: Array) -> "Programme":
+        """Replace the case's temperature at the bounds of the n rows so far, (n + 1,), K."""
         if len(temperatures) != len(self) + 1:
             raise ValueError(f"expected {len(self) + 1} temperatures, found {len(temperatures)}")
         self._temperatures = temperatures.tolist()
         return self
 
-    def held(self, name: str) -> Array:
-        """(n,) values of what holds over each row."""
+    def values(self, name: str) -> Array:
+        """(n,) values of a quantity (`COMMANDS`) in each row, SI."""
         return np.array([row[name] for row in self._rows])
 
     @property
     def temperature(self) -> Array:
-        """(n + 1,) temperature of the case at the rows' bounds, K."""
+        """(n + 1,) temperature of the case at the bounds of the rows, K."""
         return np.array(self._temperatures)
 
     @property
     def table_rate(self) -> Array:
-        """(n + 1,) rate of the table at the rows' bounds, rad/s; linear between them."""
+        """(n + 1,) rate of the table at the bounds of the rows, rad/s; linear between them."""
         return np.array(self._rates)
 
     @property
     def table_angle(self) -> Array:
-        """(n,) angle of the table at the rows' ends, rad."""
+        """(n,) angle of the table at the ends of the rows, rad."""
         rate = self.table_rate
         return np.asarray(np.cumsum((rate[1:] + rate[:-1]) / 2) * self.interval)
 
@@ -146,4 +151,4 @@ class Programme:
     def _append(self, rate: float, temperature: float) -> None:
         self._rates.append(rate)
         self._temperatures.append(temperature)
-        self._rows.append(dict(self._held))
+        self._rows.append(dict(self._commands))

@@ -1,158 +1,214 @@
-"""Tests done one after the other, on the virtual bench or on a campaign; results as folders."""
+"""The bench's front door: list its tests, run one or several, on a simulated gyro or on records."""
 
+import difflib
 import shutil
-from collections.abc import Callable, Mapping, Sequence
-from contextlib import AbstractContextManager, nullcontext
-from dataclasses import dataclass, field
-from functools import partial
+from collections.abc import Mapping, Sequence
+from numbers import Integral, Real
 from pathlib import Path
 
-from fmu_build.bundle import built_fmu
-from fmu_build.roots import ROOTS
-from pyhrg.bench.bench import Bench
+import pandas as pd
+
+from pyhrg.bench import catalogue
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import Procedure
-from pyhrg.bench.reporting import parameter_system, report
-from pyhrg.bench.reporting.page import PAGE, page
-from pyhrg.bench.reporting.progress import Progress
-from pyhrg.bench.reporting.report import Result, Results
+from pyhrg.bench.reporting.progress import Progress, Show
+from pyhrg.bench.reporting.result import (
+    PAGE,
+    BenchResults,
+    TestFailure,
+    TestResult,
+    check_folder,
+)
+from pyhrg.bench.source import Source, open_records, prepare_simulation
 from pyhrg.bench.store import Store
-from pyhrg.common.files import replaced_folder, write_whole
-from pyhrg.device import device_file
+from pyhrg.common.errors import HrgError
 from pyhrg.device.device import Device
-from pyhrg.fmu import GyroError, GyroFmu
+from pyhrg.fmu import GyroError
 from pyhrg.records import LogError
-from pyhrg.records import campaign as campaigns
 from pyhrg.records.campaign import Campaign
 
-EXPORT = "device.toml"
-KEPT = ".records"
-"""Folder, within the output's, of logs to resume from."""
+LOGS_TO_RESUME = ".records"
+"""Folder within the output folder. It holds the logs that are done until the run is over, so that
+the same call goes on after an interruption."""
 
 
-@dataclass(frozen=True)
-class Source:
-    """Where records come from.
-
-    subject: the gyro, and how it is tested.
-    procedures: that there are records for.
-    records: the campaign that a procedure evaluates.
-    device: that is tested, or what is believed of it.
-    resumes: what the same command does after an interruption.
-    seed: of the virtual bench.
-    limits: the specification.
-    kept: open while the tests are done.
-    """
-
-    subject: str
-    procedures: Sequence[Procedure]
-    records: Callable[[Procedure, Progress], Campaign]
-    device: Device
-    resumes: str
-    seed: int | None = None
-    limits: Mapping[str, float] = field(default_factory=dict)
-    kept: AbstractContextManager[object] = field(default_factory=nullcontext)
+def list_tests() -> pd.DataFrame:
+    """All tests in the order of a full bench: `name`, `group`, `title`, `reads` (the kinds of
+    campaign tests that it evaluates) and `plan` (keywords of `run_test` that change its plan)."""
+    rows = [
+        (p.name, p.group, p.title, ", ".join(p.kinds), ", ".join(o.name for o in p.options))
+        for p in catalogue.PROCEDURES
+    ]
+    return pd.DataFrame(rows, columns=["name", "group", "title", "reads", "plan"])
 
 
-def fmus(procedures: Sequence[Procedure], say: Callable[[str], None]) -> dict[str, GyroFmu]:
-    """The procedures' FMUs by model, built where they aren't yet.
+def run_test(
+    name: str,
+    device: Device | str | Path | None = None,
+    *,
+    campaign: Campaign | str | Path | None = None,
+    seed: int = 1,
+    workers: int | None = None,
+    out: str | Path | None = None,
+    progress: Show = None,
+    **plan: float | None,
+) -> TestResult:
+    """Result of one test of the bench.
 
-    Raises:
-        TranslationError, BuildError, OSError.
-    """
-    models = sorted({procedure.model for procedure in procedures})
-    return {
-        model: GyroFmu(built_fmu(partial(_tell, say, model), root=ROOTS[model])) for model in models
-    }
-
-
-def _tell(say: Callable[[str], None], model: str, text: str) -> None:
-    say(f"FMU {model}: {text}")
-
-
-def simulated(
-    procedures: Sequence[Procedure],
-    gyros: Mapping[str, GyroFmu],
-    device: Device,
-    seed: int,
-    workers: int,
-    out: Path,
-    options: Mapping[str, float],
-) -> Source:
-    """A gyro on the virtual bench; a log once made is kept until all is done.
-
-    Options are those of the only procedure.
-    """
-    store = Store(out / KEPT)
-
-    def records(procedure: Procedure, progress: Progress) -> Campaign:
-        fmu = gyros[procedure.model]
-        bench = Bench(fmu, device, seed, procedure.step, workers, store, progress.power_on)
-        return bench.campaign(procedure.record(bench, **options))
-
-    subject = f"{device.name or 'gyro without a name'}, simulated with seed {seed}"
-    resumes = "the same command goes on from here"
-    return Source(subject, procedures, records, device, resumes, seed, device.specification, store)
-
-
-def recorded(campaign: Campaign, procedures: Sequence[Procedure]) -> Source:
-    """A campaign that was brought home; of several procedures, those whose kind of test it has.
+    Args:
+        name: of the test, see `list_tests`.
+        device: gyro to simulate: a device, the name of a ready one or a device file (TOML); the
+            ready device `typical` if None.
+        campaign: records to evaluate instead of a simulation: a campaign or its folder.
+        seed: of everything random in the simulation, 0 to 2^63 - 1; the same seed gives the same
+            bytes on any number of workers.
+        workers: power-ons that are simulated at the same time; all cores if None.
+        out: output folder; report.html and the test's folder are written there. None writes
+            nothing.
+        progress: True shows a bar and lines on standard error; a function gets each line.
+        plan: changes the plan of the simulated test, see `list_tests`; None leaves the default.
 
     Raises:
-        BenchError: it has none.
-        DeviceError: what is nominally believed of the gyro is no device.
+        HrgError: an argument that can't be used, or records that can't give the result; the message
+            says which, what was found and what was expected.
+        OSError: the output folder can't be written.
     """
-    able = [p for p in procedures if campaign.of_kind(*p.kinds)]
-    if len(procedures) > 1 and not able:
-        kinds = ", ".join(sorted({test.kind for test in campaign.tests})) or "no tests"
-        raise BenchError(f"{campaign.device}: no test evaluates a campaign that has {kinds}")
-    subject = f"{campaign.device}, recorded"
-    resumes = "the same command begins again"
-    chosen = able if len(procedures) > 1 else procedures
-    device = device_file.from_table(campaign.nominal, campaign.device)
-    return Source(subject, chosen, lambda procedure, progress: campaign, device, resumes)
+    return run_tests(
+        [name],
+        device,
+        campaign=campaign,
+        seed=seed,
+        workers=workers,
+        out=out,
+        progress=progress,
+        **plan,
+    )[name]
 
 
-def perform(source: Source, out: Path, progress: Progress) -> Results:
-    """Do the tests; write a folder for each that gave figures, and a page of all.
+def run_tests(
+    names: Sequence[str] | str | None = None,
+    device: Device | str | Path | None = None,
+    *,
+    campaign: Campaign | str | Path | None = None,
+    seed: int = 1,
+    workers: int | None = None,
+    out: str | Path | None = None,
+    progress: Show = None,
+    **plan: float | None,
+) -> BenchResults:
+    """Results of several tests of one gyro, and the paper's Table 1 from them.
+
+    Args:
+        names: of the tests; None for all, with a campaign those that it has records for.
+        device, campaign, seed, workers, out, progress: see `run_test`.
+        plan: see `run_test`; of a single test only.
 
     Raises:
-        BenchError, LogError, GyroError: the only test could not be done, or none of several.
-        OSError: the folder can't be written.
+        HrgError: see `run_test`. Of several tests, one that gives no figures is listed as a failure
+            and the others go on; an error is raised when none gives figures.
+        OSError: the output folder can't be written.
     """
+    procedures = _choose_procedures(names)
+    changes = {name: value for name, value in plan.items() if value is not None}
+    _check_arguments(device, campaign, seed, workers)
+    _check_plan(changes, procedures, campaign is not None)
+    folder = None if out is None else Path(out)
+    if folder is not None:
+        _check_places(folder, procedures)
+    with Progress(progress) as counter:
+        if campaign is not None:
+            source = open_records(campaign, procedures)
+        else:
+            store = None if folder is None else Store(folder / LOGS_TO_RESUME)
+            source = prepare_simulation(procedures, device, seed, workers, store, counter, changes)
+        counter.expect(len(source.procedures))
+        return _perform(source, folder, counter)
+
+
+def _perform(source: Source, out: Path | None, progress: Progress) -> BenchResults:
     try:
-        with source.kept:
-            results = [_result(source, p, out, progress) for p in source.procedures]
+        with source.store:
+            attempts = [_attempt(source, p, out, progress) for p in source.procedures]
     except KeyboardInterrupt:
-        raise KeyboardInterrupt(f"interrupted; {source.resumes}") from None
-    if not any(result.outcome for result in results):
-        reasons = "; ".join(f"{r.procedure.name}: {r.reason}" for r in results)
+        raise KeyboardInterrupt(f"interrupted; {source.resumption}") from None
+    results = BenchResults(source.subject, tuple(attempts), source.limits)
+    if not results.results:
+        reasons = "; ".join(f"{name}: {reason}" for name, reason in results.failures.items())
         raise BenchError(f"no test gave figures; {reasons}")
-    outcomes = [result.outcome for result in results if result.outcome]
-    overview = parameter_system.table(outcomes) if len(results) > 1 else None
-    done = Results(source.subject, tuple(results), source.limits, overview)
-    write_whole(out / PAGE, page(done).encode())
-    return done
+    if out is not None:
+        results.write_page(out)
+    return results
 
 
-def _result(source: Source, procedure: Procedure, out: Path, progress: Progress) -> Result:
-    """What the records can't give is said, and ends a single test."""
+def _attempt(
+    source: Source, procedure: Procedure, out: Path | None, progress: Progress
+) -> TestResult | TestFailure:
+    """Result of one of the tests, written where there is an output folder.
+
+    Raises:
+        BenchError, LogError, GyroError: the only test can't be done.
+    """
     progress.begin(procedure.name)
-    folder = out / procedure.name
     try:
-        records = source.records(procedure, progress)
+        records = source.get_records(procedure)
         outcome = procedure.evaluate(records)
     except (BenchError, LogError, GyroError) as error:
         if len(source.procedures) == 1:
             raise
-        shutil.rmtree(folder, ignore_errors=True)
+        if out is not None:
+            shutil.rmtree(out / procedure.name, ignore_errors=True)
         progress.end()
-        return Result(procedure, None, str(error))
-    with replaced_folder(folder) as aside:
-        report.write(procedure, outcome, source.seed, source.limits, aside)
-        if source.seed is not None:
-            campaigns.write(records, aside)
-        if procedure.exported:
-            device_file.write(procedure.exported(records, source.device), aside / EXPORT)
+        return TestFailure(procedure, str(error))
+    export = procedure.export(records, source.device) if procedure.export else None
+    result = TestResult(procedure, outcome, records, source.seed, source.limits, export)
+    if out is not None:
+        result.write(out / procedure.name)
     progress.end()
-    return Result(procedure, outcome)
+    return result
+
+
+def _choose_procedures(names: Sequence[str] | str | None) -> Sequence[Procedure]:
+    if names is None:
+        return catalogue.PROCEDURES
+    names = [names] if isinstance(names, str) else names
+    by_name = {procedure.name: procedure for procedure in catalogue.PROCEDURES}
+    for name in names:
+        if name not in by_name:
+            close = difflib.get_close_matches(name, by_name, n=1)
+            raise HrgError(f"test: found {name!r}, expected {' or '.join(close) or list(by_name)}")
+    if not names:
+        raise HrgError("names: found no test, expected at least one, or None for all")
+    return [by_name[name] for name in dict.fromkeys(names)]
+
+
+def _check_arguments(device: object, campaign: object, seed: int, workers: int | None) -> None:
+    if device is not None and campaign is not None:
+        raise HrgError("device, campaign: found both, expected one gyro: simulated or recorded")
+    if not isinstance(seed, Integral) or not 0 <= seed < 2**63:
+        raise HrgError(f"seed: found {seed!r}, expected a whole number from 0 to 2^63 - 1")
+    if workers is not None and (not isinstance(workers, Integral) or workers < 1):
+        raise HrgError(f"workers: found {workers!r}, expected a whole number from 1")
+
+
+def _check_plan(plan: Mapping[str, float], procedures: Sequence[Procedure], recorded: bool) -> None:
+    """Refuse changes of a plan that no simulated test follows, and numbers of another kind."""
+    kinds = {o.name: o.kind for o in procedures[0].options} if len(procedures) == 1 else {}
+    for name, value in plan.items():
+        owners = [p.name for p in catalogue.PROCEDURES if name in (o.name for o in p.options)]
+        if recorded or name not in kinds:
+            place = f"only with the simulated test {owners[0]}" if owners else "no such argument"
+            raise HrgError(f"{name}: found {value!r}, expected {place}")
+        if not isinstance(value, Integral if kinds[name] is int else Real):
+            number = "a whole number" if kinds[name] is int else "a number"
+            raise HrgError(f"{name}: found {value!r}, expected {number}")
+
+
+def _check_places(out: Path, procedures: Sequence[Procedure]) -> None:
+    """Refuse, before the work, an output folder that can't take the results."""
+    above = next(path for path in (out, *out.absolute().parents) if path.exists())
+    if not above.is_dir():
+        raise HrgError(f"can't write {out}: {above} is no folder")
+    if (out / PAGE).is_dir():
+        raise HrgError(f"can't write {out}: {out / PAGE} is a folder")
+    for procedure in procedures:
+        check_folder(out / procedure.name)

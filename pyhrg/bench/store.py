@@ -1,4 +1,4 @@
-"""Logs kept while a long run is under way, so that it can be interrupted and resumed."""
+"""Logs on disk during a long run, so that it can be interrupted and resumed."""
 
 import hashlib
 import io
@@ -12,18 +12,17 @@ from zipfile import BadZipFile
 
 import numpy as np
 
-import pyhrg
-from pyhrg.bench.programme import HELD, Programme
+from pyhrg.bench.programme import COMMANDS, Programme
 from pyhrg.common.files import write_whole
 from pyhrg.records import Log
 
 
 @dataclass(frozen=True)
 class Store:
-    """A folder of logs by what they were made from; bits are kept.
+    """A folder of logs, to the bit, under a key of everything that they depend on.
 
-    As a context manager it is there while the run is, and left behind only by one that ended
-    early.
+    As a context manager it makes the folder at the beginning of a run and removes it at the end; a
+    run that ends early leaves the folder behind, unless it is empty.
     """
 
     folder: Path
@@ -40,20 +39,20 @@ class Store:
     ) -> None:
         if error is None:
             shutil.rmtree(self.folder, ignore_errors=True)
-        with suppress(OSError):  # it holds logs
+        with suppress(OSError):  # the folder holds logs
             self.folder.rmdir()
 
     def load(self, key: str) -> Log | None:
-        """The log that was kept under a key; None where there is none that can be read."""
+        """The log of a key; None where there is none or it can't be read."""
         try:
-            with np.load(io.BytesIO(self._path(key).read_bytes())) as kept:
-                columns = {name: kept[name] for name in kept.files if name != "interval"}
-                return Log(source="", interval=float(kept["interval"]), **columns)
+            with np.load(io.BytesIO(self._path(key).read_bytes())) as archive:
+                columns = {name: archive[name] for name in archive.files if name != "interval"}
+                return Log(source="", interval=float(archive["interval"]), **columns)
         except (OSError, EOFError, ValueError, KeyError, BadZipFile):
             return None
 
     def keep(self, key: str, log: Log) -> None:
-        """Keep a log, whole."""
+        """Write a log under a key, whole or not at all."""
         arrays = {f.name: getattr(log, f.name) for f in fields(log)}
         arrays = {name: values for name, values in arrays.items() if isinstance(values, np.ndarray)}
         packed = io.BytesIO()
@@ -64,20 +63,20 @@ class Store:
         return self.folder / f"{key}.npz"
 
 
-def key_of(programme: Programme, **circumstances: object) -> str:
-    """Digest of all that a log depends on, this package's code included."""
-    digest = hashlib.sha256(_code())
+def compute_key(programme: Programme, **circumstances: object) -> str:
+    """Digest of all that a log depends on: programme, circumstances, this package's code."""
+    digest = hashlib.sha256(_digest_code())
     digest.update(repr(sorted(circumstances.items())).encode())
     digest.update(repr(programme.interval).encode())
-    arrays = (programme.table_rate, programme.temperature, *map(programme.held, HELD))
+    arrays = (programme.table_rate, programme.temperature, *map(programme.values, COMMANDS))
     for values in arrays:
         digest.update(np.ascontiguousarray(values).tobytes())
     return digest.hexdigest()[:32]
 
 
 @cache
-def _code() -> bytes:
+def _digest_code() -> bytes:
     digest = hashlib.sha256()
-    for file in sorted(Path(pyhrg.__file__).parent.rglob("*.py")):
+    for file in sorted(Path(__file__).parents[1].rglob("*.py")):
         digest.update(file.read_bytes())
     return digest.digest()

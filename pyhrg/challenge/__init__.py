@@ -1,1 +1,2 @@
-"""Campaigns whose gap is hidden from the diagnosis, and what the diagnoses score."""
+"""The challenge: campaigns with a sealed truth, and the score of their diagnoses
+(docs/methods/challenge.md)."""

@@ -1,4 +1,4 @@
-"""One case of a challenge: a campaign, and its truth."""
+"""A case of a challenge: a campaign and its truth."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -6,18 +6,18 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.challenge.campaigns.course import Course, course_of
+from pyhrg.challenge.campaigns.course import Course, make_course
 from pyhrg.challenge.campaigns.gyro import TrueGyro
 from pyhrg.challenge.campaigns.instruments import Instruments
-from pyhrg.challenge.campaigns.nominal import believed, drawn_nominal, drawn_site
-from pyhrg.challenge.campaigns.plans import Plan, further, plans
-from pyhrg.challenge.truths.meter import Meter, measured
+from pyhrg.challenge.campaigns.nominal import draw_nominal, draw_site, make_nominal_device
+from pyhrg.challenge.campaigns.plans import Plan, plan_further_tests, plan_tests
+from pyhrg.challenge.truths.meter import Meter, make_measured_course
 from pyhrg.challenge.truths.truth import Drawing, TrueState, Truth
 from pyhrg.common.site import Site
 from pyhrg.common.units import ARCSEC
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
-from pyhrg.gap.effects.catalogue import NAMES
+from pyhrg.gap.effects.catalogue import EFFECT_NAMES
 from pyhrg.gap.replay.simulation import Simulation, is_short
 from pyhrg.records.campaign import Campaign, Test
 
@@ -28,7 +28,7 @@ STEPS = 100
 
 @dataclass(frozen=True)
 class Case:
-    """One case: its name says nothing of its kind.
+    """One case. Its name does not depend on its kind.
 
     strengths: sigmas that effects are drawn from.
     without: effects that the diagnosis' catalogue lacks; of these the case's effect is drawn.
@@ -60,8 +60,8 @@ class Fmus:
 
 
 @dataclass(frozen=True)
-class Prepared:
-    """A case before its tests are made."""
+class PreparedCase:
+    """A case that is drawn but not simulated."""
 
     case: Case
     nominal: Mapping[str, float]
@@ -74,7 +74,7 @@ class Prepared:
     def recorded(
         self, plans: Sequence[tuple[Plan, GyroFmu]], stream: int
     ) -> list[tuple[Test, Array]]:
-        """Tests of the true gyro, each by its model, and (n,) what noise makes of each one's output
+        """Tests of the true gyro, each by its model, and (n,) the part of noise in each output
         angle, rad."""
         noise, state = _generator(self.case, stream), self.state
         made = []
@@ -85,31 +85,31 @@ class Prepared:
         return made
 
     def campaign(self, tests: Sequence[Test]) -> Campaign:
-        """Tests, with what is believed of the gyro."""
+        """A campaign of tests with its nominal device."""
         return Campaign(self.case.name, self.site, self.nominal, tuple(tests))
 
 
 GYRO, BENCH, EFFECT, NOISE, NEXT_BENCH, NEXT_NOISE = range(6)
-"""Streams of random numbers: gyro, tests and noise are drawn apart from the effect, so that they
-tell nothing of it."""
+"""Random streams. Gyro, tests and noise have streams of their own, so that they carry no
+information about the effect."""
 
 
-def prepared(case: Case, simulation: Simulation) -> Prepared:
-    """Draw a case: the same wherever it is done."""
+def prepare_case(case: Case, simulation: Simulation) -> PreparedCase:
+    """Draw a case from its seed."""
     gyro = _generator(case, GYRO)
-    nominal, site = drawn_nominal(gyro), drawn_site(gyro)
-    device, own = believed(nominal, site), Instruments().drawn(gyro)
-    made = plans(device, _generator(case, BENCH), complete=bool(case.without))
-    fitted = [(measured(p.programme), p.start_angle) for p in made if p.role == "fit"]
+    nominal, site = draw_nominal(gyro), draw_site(gyro)
+    device, own = make_nominal_device(nominal, site), Instruments().drawn(gyro)
+    made = plan_tests(device, _generator(case, BENCH), complete=bool(case.without))
+    fitted = [(make_measured_course(p.programme), p.start_angle) for p in made if p.role == "fit"]
     meter = Meter(simulation, device, fitted, own)
-    effects = case.without or NAMES
+    effects = case.without or EFFECT_NAMES
     drawing = Drawing(meter, _generator(case, EFFECT), case.strengths, effects)
-    return Prepared(case, nominal, site, device, own, made, drawing.state(case.kind))
+    return PreparedCase(case, nominal, site, device, own, made, drawing.state(case.kind))
 
 
-def generated(case: Case, fmus: Fmus) -> tuple[Campaign, Truth]:
-    """Simulate a case: the same bytes wherever it is done."""
-    drawn = prepared(case, fmus.simulation)
+def generate_case(case: Case, fmus: Fmus) -> tuple[Campaign, Truth]:
+    """Simulate a case; the same seed gives the same bytes."""
+    drawn = prepare_case(case, fmus.simulation)
     made = drawn.recorded([(plan, fmus.of(plan)) for plan in drawn.plans], NOISE)
     noise = np.concatenate([noise for test, noise in made if test.is_holdout])
     rms = float(np.sqrt(np.mean(noise**2))) / ARCSEC
@@ -117,15 +117,15 @@ def generated(case: Case, fmus: Fmus) -> tuple[Campaign, Truth]:
     return campaign, replace(drawn.state.truth, holdout_noise_arcsec=rms)
 
 
-def with_next_test(case: Case, campaign: Campaign, kind: str, hours: float, fmus: Fmus) -> Campaign:
-    """A case's campaign with so many hours more of the tests of one kind, all by `HRG`: hours at
-    the carrier would take as long.
+def add_next_test(case: Case, campaign: Campaign, kind: str, hours: float, fmus: Fmus) -> Campaign:
+    """A case's campaign with further tests of one kind, simulated by `HRG`: the carrier would take
+    too long.
 
     Raises:
         ValueError: no such kind of test.
     """
-    drawn = prepared(case, fmus.simulation)
-    more = further(kind, hours, drawn.device, _generator(case, NEXT_BENCH))
+    drawn = prepare_case(case, fmus.simulation)
+    more = plan_further_tests(kind, hours, drawn.device, _generator(case, NEXT_BENCH))
     made = drawn.recorded([(plan, fmus.simulation.sampled) for plan in more], NEXT_NOISE)
     return drawn.campaign((*campaign.tests, *(test for test, _ in made)))
 
@@ -135,4 +135,4 @@ def _generator(case: Case, stream: int) -> np.random.Generator:
 
 
 def _course(plan: Plan) -> Course:
-    return course_of(plan.programme, plan.programme.interval / STEPS)
+    return make_course(plan.programme, plan.programme.interval / STEPS)

@@ -1,4 +1,4 @@
-"""The cases of a challenge, and its folder: what is published, what is sealed, what was said."""
+"""The cases of a challenge and its folder: published index, campaigns, sealed truths, diagnoses."""
 
 import json
 from collections.abc import Mapping, Sequence
@@ -9,19 +9,20 @@ from typing import Any
 import numpy as np
 
 from pyhrg.challenge.case import Case
-from pyhrg.challenge.truths.truth import KINDS, LEAST
+from pyhrg.challenge.truths.truth import DETECTION_SIGMAS, KINDS
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
-from pyhrg.common.made_by import difference, made_by
-from pyhrg.gap.effects.catalogue import NAMES
+from pyhrg.common.made_by import find_difference, list_versions
+from pyhrg.gap.effects.catalogue import EFFECT_NAMES
 
 SCHEMA = "hrg-challenge/1"
 MADE_BY = "made_by"
-STRONG = (LEAST, 10 * LEAST)
-WEAK = (1.0, LEAST)
+STRONG = (DETECTION_SIGMAS, 10 * DETECTION_SIGMAS)
+WEAK = (1.0, DETECTION_SIGMAS)
 """Ranges of strengths, sigmas."""
-VARIED = 10.0
-"""Of the strongest of several effects over that of one: a gyro as it comes has large and small."""
+STRENGTH_RANGE = 10.0
+"""Strength of the strongest of several effects over that of one: real gyros have large and small
+errors at once."""
 
 
 class ChallengeError(HrgError):
@@ -30,7 +31,7 @@ class ChallengeError(HrgError):
 
 @dataclass(frozen=True)
 class Settings:
-    """What decides a challenge.
+    """The settings that determine a challenge.
 
     counts: cases by kind.
     seed: of everything.
@@ -42,13 +43,17 @@ class Settings:
     strongest: float = STRONG[1]
 
     def cases(self) -> list[Case]:
-        """Every case; names and order tell nothing of the kinds."""
+        """All cases. Names and order do not depend on the kinds."""
         kinds = [kind for kind in KINDS for _ in range(self.counts.get(kind, 0))]
         generator = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(0,)))
         order = generator.permutation(len(kinds)).tolist()
         seeds = np.random.SeedSequence(self.seed, spawn_key=(1,)).generate_state(len(kinds))
         left_out = iter(range(len(kinds)))
-        effects = {i: NAMES[next(left_out) % len(NAMES)] for i in order if kinds[i] == "left_out"}
+        effects = {
+            i: EFFECT_NAMES[next(left_out) % len(EFFECT_NAMES)]
+            for i in order
+            if kinds[i] == "left_out"
+        }
         return [
             Case(
                 name=f"unit-{place:04d}",
@@ -63,52 +68,52 @@ class Settings:
     def _strengths(self, kind: str) -> tuple[float, float]:
         if kind == "weak":
             return WEAK
-        return LEAST, self.strongest * (VARIED if kind == "several" else 1.0)
+        return DETECTION_SIGMAS, self.strongest * (STRENGTH_RANGE if kind == "several" else 1.0)
 
 
 @dataclass(frozen=True)
 class Folder:
-    """A challenge's folder. Truths are apart from the campaigns, and hashed in the index."""
+    """A challenge's folder. Truths lie outside the campaigns; the index has their hashes."""
 
     root: Path
 
     @property
     def index(self) -> Path:
-        """What is published before anything is diagnosed."""
+        """File that is published before anything is diagnosed."""
         return self.root / "challenge.json"
 
     @property
     def score(self) -> Path:
-        """The figures."""
+        """File of the figures."""
         return self.root / "score.json"
 
     @property
     def settings(self) -> Path:
-        """What the folder was begun with, and by which code."""
+        """File of the settings that the folder was begun with, and of the code."""
         return self.root / "settings.json"
 
     def campaign(self, name: str) -> Path:
-        """Of a case: all that its diagnosis sees."""
+        """Folder of a case's campaign: all that its diagnosis sees."""
         return self.root / "campaigns" / name
 
     def truth(self, name: str) -> Path:
-        """Of a case, sealed."""
+        """File of a case's sealed truth."""
         return self.root / "truths" / f"{name}.json"
 
     def diagnosis(self, name: str) -> Path:
-        """Of a case."""
+        """Folder of a case's diagnosis."""
         return self.root / "diagnoses" / name
 
     def next_campaign(self, name: str) -> Path:
-        """A case with the suggested next test."""
+        """Folder of a case's campaign with the suggested next test."""
         return self.root / "next" / "campaigns" / name
 
     def next_diagnosis(self, name: str) -> Path:
-        """Of a case with the suggested next test."""
+        """Folder of the diagnosis of a case with the suggested next test."""
         return self.root / "next" / "diagnoses" / name
 
     def begin(self, settings: Settings) -> None:
-        """Begin a challenge, or go on with the same one.
+        """Begin a challenge, or continue the same one.
 
         Raises:
             ChallengeError: the folder is another challenge's, or other code has begun it.
@@ -117,10 +122,10 @@ class Folder:
         for folder in (self.root / "campaigns", self.root / "truths", self.root / "diagnoses"):
             folder.mkdir(parents=True, exist_ok=True)
         asked = {"seed": settings.seed, "counts": dict(settings.counts), "to": settings.strongest}
-        text = as_json({**asked, MADE_BY: made_by()})
+        text = encode_json({**asked, MADE_BY: list_versions()})
         if self.settings.exists() and self.settings.read_bytes() != text:
             found = _read(self.settings, *asked, MADE_BY)
-            if differs := difference(found.pop(MADE_BY), made_by()):
+            if differs := find_difference(found.pop(MADE_BY), list_versions()):
                 key, was, now = differs
                 raise ChallengeError(
                     f"{self.settings}: begun by another version: {key}: found {was}, expected "
@@ -133,7 +138,7 @@ class Folder:
         write_whole(self.settings, text)
 
     def begun(self) -> Settings:
-        """What the folder was begun with.
+        """The settings that the folder was begun with.
 
         Raises:
             ChallengeError: it holds no challenge.
@@ -155,7 +160,7 @@ class Folder:
             raise ChallengeError(f"{self.index}: cases: {expected}") from error
 
     def publish(self, cases: Sequence[Case], hashes: Sequence[str]) -> None:
-        """Write the index, or hold to the one that is there.
+        """Write the index, or check it against the one that exists.
 
         Raises:
             ChallengeError: a truth isn't the one that was published.
@@ -164,13 +169,13 @@ class Folder:
             {"name": case.name, "sha256": digest, "without": list(case.without)}
             for case, digest in zip(cases, hashes, strict=True)
         ]
-        text = as_json({"schema": SCHEMA, "cases": listed})
+        text = encode_json({"schema": SCHEMA, "cases": listed})
         if self.index.exists() and self.index.read_bytes() != text:
             raise ChallengeError(f"{self.index}: truths are not those that it has published")
         write_whole(self.index, text)
 
 
-def as_json(values: Mapping[str, Any]) -> bytes:
+def encode_json(values: Mapping[str, Any]) -> bytes:
     """Bytes of a JSON file: the same for the same values."""
     return (json.dumps(values, indent=1, sort_keys=True) + "\n").encode()
 

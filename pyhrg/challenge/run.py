@@ -1,48 +1,52 @@
-"""A challenge from its settings to its score: generate, publish, diagnose, test again, score."""
+"""Runs a challenge: simulate, publish hashes, diagnose, add next tests, score."""
 
-import multiprocessing
-import sys
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
+import os
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
 from pathlib import Path
-from typing import TypeVar
 
-from tqdm import tqdm
-
-from pyhrg.challenge.case import Case, Fmus, generated, with_next_test
-from pyhrg.challenge.roster import ChallengeError, Folder, Settings
-from pyhrg.challenge.scoring import diagnosis
-from pyhrg.challenge.scoring.diagnosis import Diagnosis
+from pyhrg.challenge.case import Case, Fmus, add_next_test, generate_case
+from pyhrg.challenge.roster import STRONG, ChallengeError, Folder, Settings
+from pyhrg.challenge.scoring.diagnosis import read_scored
 from pyhrg.challenge.scoring.report import Finished, Score, write
-from pyhrg.challenge.scoring.score import Judged
+from pyhrg.challenge.scoring.score import ScoredCase
 from pyhrg.challenge.truths import seal
-from pyhrg.common.files import replaced_folder
+from pyhrg.challenge.truths.truth import DETECTION_SIGMAS
+from pyhrg.challenge.work import share_work
+from pyhrg.common.arguments import check_seed, check_whole_number
+from pyhrg.common.errors import HrgError
+from pyhrg.common.files import replace_folder
 from pyhrg.fmu import GyroError
-from pyhrg.gap.replay.models import model, simulation
+from pyhrg.gap.diagnose import diagnose as diagnose_campaign
+from pyhrg.gap.effects.catalogue import FULL_CATALOGUE
+from pyhrg.gap.findings.diagnosis import FILE
+from pyhrg.gap.replay.models import load_model, load_simulation
+from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records import campaign as campaigns
-from pyhrg.records.campaign_index import CampaignError
 
 Diagnose = Callable[[Path, Path, Sequence[str]], None]
 """Diagnoses the campaign of a folder into `diagnosis.json` of another, its catalogue without the
 effects of these names; importable by name, for other processes."""
-Result = TypeVar("Result")
-Work = Callable[[Case], Result]
+MAX_CASES = 1_000_000
+MAX_WORKERS = 10_000
 
 
 @dataclass(frozen=True)
 class Challenge:
-    """One challenge."""
+    """One challenge.
+
+    folder: where it is kept; settings: what decides it; diagnose: diagnosis under challenge;
+    progress: whether a bar is shown on standard error.
+    """
 
     folder: Folder
     settings: Settings
     diagnose: Diagnose
+    progress: bool = False
 
     def run(self, workers: int, others: Sequence[Folder] = ()) -> Score:
-        """Do what is not done yet, and score; the same bytes on any number of workers.
+        """Do the remaining work and score; the same bytes on any number of workers.
 
         Args:
             workers: processes.
@@ -57,18 +61,18 @@ class Challenge:
         known = self._others(others)
         cases = self.settings.cases()
         self.folder.begin(self.settings)
-        with _shared(workers) as share:
+        with share_work(workers, self.progress, _fmus) as share:
             hashes = share("generated", partial(_generate, self), cases)
             self.folder.publish(cases, list(hashes))
             list(share("diagnosed", partial(_diagnose, self), cases))
             asked = [case for case in cases if self._is_to_be_settled(case)]
             list(share("tested again", partial(_diagnose_next, self), asked))
-        score = Score([finished(self.folder), *known])
+        score = Score([read_finished(self.folder), *known])
         write(score, self.folder.score)
         return score
 
     def _others(self, folders: Sequence[Folder]) -> list[Finished]:
-        others = [finished(folder) for folder in folders]
+        others = [read_finished(folder) for folder in folders]
         seeds = {self.settings.seed}
         for folder, other in zip(folders, others, strict=True):
             if other.settings.seed in seeds:
@@ -77,150 +81,173 @@ class Challenge:
         return others
 
     def _is_to_be_settled(self, case: Case) -> bool:
-        """Whether something is confounded, and a test is suggested that can be made here."""
-        said = _said(self.folder.diagnosis(case.name))
+        """Whether a next test is proposed for one or two effects of the catalogue."""
+        said = read_scored(self.folder.diagnosis(case.name))
         return case.kind in ("single", "pair") and said.next_test is not None
 
 
-def finished(folder: Folder) -> Finished:
-    """A challenge all of whose cases are diagnosed.
+def run_challenge(
+    out: Path | str,
+    *,
+    none: int = 300,
+    single: int = 150,
+    pairs: int = 150,
+    outside: int = 150,
+    weak: int = 0,
+    several: int = 0,
+    left_out: int = 0,
+    strongest: float = STRONG[1],
+    seed: int = 1,
+    others: Sequence[Path | str] = (),
+    workers: int | None = None,
+    progress: bool = False,
+    diagnose: Diagnose | None = None,
+) -> Score:
+    """Score of the diagnosis on campaigns whose truth is sealed.
+
+    Args:
+        out: folder; a challenge that was begun there is continued.
+        none: number of campaigns without a gap.
+        single: number with one effect of the catalogue.
+        pairs: number with two effects.
+        outside: number with an effect that the catalogue lacks.
+        weak: number with one effect of 1 to 6 sigma.
+        several: number with three to seven effects, up to ten times as strong.
+        left_out: number with an effect that is removed from the catalogue, each in turn.
+        strongest: strengths are drawn from 6 sigma up to this.
+        seed: of everything random; the same seed gives the same bytes on any number of workers.
+        others: folders of finished challenges of other seeds, scored together with this one.
+        workers: campaigns at a time; all cores if None.
+        progress: True shows a bar on standard error.
+        diagnose: diagnosis under challenge; this package's own if None.
+
+    Raises:
+        HrgError: an argument out of range, a folder of another challenge, or a diagnosis or truth
+            that can't be used.
+        OSError: the folder can't be written.
+    """
+    counts = {
+        "none": none,
+        "single": single,
+        "pair": pairs,
+        "outside": outside,
+        "weak": weak,
+        "several": several,
+        "left_out": left_out,
+    }
+    processes = _check_numbers(counts, strongest, workers)
+    settings = Settings(counts, check_seed(seed), strongest)
+    challenge = Challenge(Folder(Path(out)), settings, diagnose or diagnose_folder, progress)
+    try:
+        return challenge.run(processes, [Folder(Path(other)) for other in others])
+    except KeyboardInterrupt:
+        raise KeyboardInterrupt("interrupted; the same command goes on from here") from None
+
+
+def _check_numbers(counts: Mapping[str, int], strongest: float, workers: int | None) -> int:
+    """Number of processes, if all numbers are in range."""
+    for name, count in counts.items():
+        check_whole_number("pairs" if name == "pair" else name, count, 0, MAX_CASES)
+    if not strongest > DETECTION_SIGMAS:
+        raise HrgError(
+            f"strongest: found {strongest:g}, expected a number above {DETECTION_SIGMAS:g}"
+        )
+    processes = len(os.sched_getaffinity(0)) if workers is None else workers
+    return check_whole_number("workers", processes, 1, MAX_WORKERS)
+
+
+def diagnose_folder(campaign: Path, out: Path, without: Sequence[str]) -> None:
+    """Write the diagnosis of a campaign with some effects removed from the catalogue.
+
+    Args:
+        campaign: folder of the campaign.
+        out: folder that exists.
+        without: names of the effects.
+    """
+    simulation = _load_simulation_once()
+    result = diagnose_campaign(
+        campaign, catalogue=FULL_CATALOGUE.without(without), simulation=simulation
+    )
+    result.write_files(out)
+
+
+@cache
+def _load_simulation_once() -> Simulation:
+    return load_simulation()
+
+
+def read_finished(folder: Folder) -> Finished:
+    """A finished challenge, read from its folder.
 
     Raises:
         ChallengeError: it isn't, or a truth is not the one that was published.
     """
     settings, published = folder.begun(), folder.published()
     names = [case.name for case in settings.cases()]
-    cases = [_judged(folder, name, published.get(name, "nothing")) for name in names]
+    cases = [_read_case(folder, name, published.get(name, "nothing")) for name in names]
     return Finished(settings, cases)
 
 
-def _judged(folder: Folder, name: str, published: str) -> Judged:
+def _read_case(folder: Folder, name: str, published: str) -> ScoredCase:
     try:
-        truth = seal.opened(folder.truth(name), published)
+        truth = seal.open_truth(folder.truth(name), published)
     except seal.SealError as error:
         raise ChallengeError(str(error)) from error
     again = folder.next_diagnosis(name)
-    then = _said(again) if (again / diagnosis.FILE).exists() else None
-    return Judged(name, truth, _said(folder.diagnosis(name)), then)
-
-
-def _said(folder: Path) -> Diagnosis:
-    """What a diagnosis says.
-
-    Raises:
-        ChallengeError: it can't be used.
-    """
-    try:
-        return diagnosis.read(folder / diagnosis.FILE)
-    except CampaignError as error:
-        raise ChallengeError(str(error)) from error
+    then = read_scored(again) if (again / FILE).exists() else None
+    return ScoredCase(name, truth, read_scored(folder.diagnosis(name)), then)
 
 
 def _generate(challenge: Challenge, case: Case) -> str:
-    """Make a case's campaign and seal its truth, unless that is done; its hash."""
+    """Simulate a case and seal its truth unless its files exist; return the truth's hash."""
     truth, campaign = challenge.folder.truth(case.name), challenge.folder.campaign(case.name)
     if truth.exists() and (campaign / campaigns.INDEX).exists():
         try:
-            return seal.hash_of(truth)
+            return seal.hash_truth(truth)
         except seal.SealError as error:
             raise ChallengeError(str(error)) from error
     try:
-        made, answer = generated(case, _fmus())
+        made, answer = generate_case(case, _fmus())
     except (ValueError, GyroError) as error:
         raise ChallengeError(f"{case.name}: {error}") from error
-    with replaced_folder(campaign) as aside:
-        campaigns.write(made, aside)
-    return seal.sealed(answer, truth)
+    with replace_folder(campaign) as aside:
+        campaigns.write_campaign(made, aside)
+    return seal.seal_truth(answer, truth)
 
 
 def _diagnose(challenge: Challenge, case: Case) -> None:
     folder = challenge.folder
-    _said_of(challenge, case, folder.campaign(case.name), folder.diagnosis(case.name))
+    _diagnose_once(challenge, case, folder.campaign(case.name), folder.diagnosis(case.name))
 
 
 def _diagnose_next(challenge: Challenge, case: Case) -> None:
-    """Make the test that was suggested, and diagnose again."""
+    """Simulate the proposed next test and diagnose the extended campaign."""
     folder = challenge.folder
-    said = _said(folder.diagnosis(case.name))
+    said = read_scored(folder.diagnosis(case.name))
     kind, hours = str(said.next_test), said.next_hours
     extended = folder.next_campaign(case.name)
     if not (extended / campaigns.INDEX).exists():
-        before = campaigns.read(folder.campaign(case.name))
+        before = campaigns.read_campaign(folder.campaign(case.name))
         try:
-            made = with_next_test(case, before, kind, hours, _fmus())
+            made = add_next_test(case, before, kind, hours, _fmus())
         except (ValueError, GyroError) as error:
             raise ChallengeError(f"{case.name}: next_test: {error}") from error
-        with replaced_folder(extended) as aside:
-            campaigns.write(made, aside)
-    _said_of(challenge, case, extended, folder.next_diagnosis(case.name))
+        with replace_folder(extended) as aside:
+            campaigns.write_campaign(made, aside)
+    _diagnose_once(challenge, case, extended, folder.next_diagnosis(case.name))
 
 
-def _said_of(challenge: Challenge, case: Case, campaign: Path, out: Path) -> None:
-    """Diagnose, unless that is done."""
-    if (out / diagnosis.FILE).exists():
+def _diagnose_once(challenge: Challenge, case: Case, campaign: Path, out: Path) -> None:
+    """Diagnose a campaign unless its diagnosis exists."""
+    if (out / FILE).exists():
         return
-    with replaced_folder(out) as aside:
+    with replace_folder(out) as aside:
         challenge.diagnose(campaign, aside, case.without)
-        if not (aside / diagnosis.FILE).exists():
-            raise ChallengeError(f"{campaign}: the diagnosis has written no {diagnosis.FILE}")
+        if not (aside / FILE).exists():
+            raise ChallengeError(f"{campaign}: the diagnosis has written no {FILE}")
 
 
 @cache
 def _fmus() -> Fmus:
-    """The models, once a process."""
-    return Fmus(model("HRGCarrier"), simulation())
-
-
-@contextmanager
-def _shared(
-    workers: int,
-) -> Iterator[Callable[[str, Work[Result], Sequence[Case]], list[Result]]]:
-    """Work shared among processes, one after the other in this one where there is one worker."""
-    if workers == 1:
-        yield lambda title, work, cases: _told(title, map(work, cases), len(cases))
-        return
-    _fmus()  # built before others ask for it
-    others = set(multiprocessing.active_children())
-    with ProcessPoolExecutor(workers, multiprocessing.get_context("spawn")) as pool:
-        try:
-            yield lambda title, work, cases: _told(
-                title, _results(pool, workers, title, work, cases), len(cases)
-            )
-        except BaseException:
-            # a pool that is asked to end may wait for ever; what is half done is done again
-            for worker in set(multiprocessing.active_children()) - others:
-                worker.terminate()
-            pool.shutdown(wait=False, cancel_futures=True)
-            raise
-
-
-def _results(
-    pool: ProcessPoolExecutor,
-    workers: int,
-    title: str,
-    work: Work[Result],
-    cases: Sequence[Case],
-) -> Iterator[Result]:
-    """In order; a process that was killed is told with the cases that were begun."""
-    names: dict[Future[Result], str] = {pool.submit(work, case): case.name for case in cases}
-    for future in list(names):
-        try:
-            yield future.result()
-        except BrokenProcessPool as error:
-            lost = [name for each, name in names.items() if not _has_result(each)]
-            raise ChallengeError(
-                f"{title}: a worker was killed, perhaps for want of memory, at one of "
-                f"{', '.join(lost[:workers])}; what is done is kept: go on with fewer --workers"
-            ) from error
-
-
-def _has_result(future: Future[Result]) -> bool:
-    return future.done() and future.exception() is None
-
-
-def _told(title: str, results: Iterable[Result], count: int) -> list[Result]:
-    """With a bar on a terminal, and a line that stays when all are done."""
-    done = list(tqdm(results, title, count, leave=False, disable=None if count else True))
-    if count:
-        print(f"{title}: {count} campaign{'' if count == 1 else 's'}", file=sys.stderr)
-    return done
+    """The models, loaded once in each process."""
+    return Fmus(load_model("HRGCarrier"), load_simulation())

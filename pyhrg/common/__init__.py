@@ -1,1 +1,1 @@
-"""What all packages share: units, files, tables of TOML, pages, the command line."""
+"""Shared by all packages: units, errors, files, TOML tables, HTML pages, the command line."""

@@ -4,9 +4,10 @@ import argparse
 import os
 import signal
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from importlib.metadata import EntryPoint, entry_points, version
-from typing import NoReturn, Protocol
+from typing import Any, NoReturn, Protocol
 
 from pyhrg.common.errors import HrgError
 
@@ -86,3 +87,36 @@ def _find_commands(asked: Sequence[str]) -> list[EntryPoint]:
     """The subcommand that is asked for, alone; all of them where none is."""
     installed = sorted(entry_points(group="hrg.commands"), key=lambda entry: entry.name)
     return [entry for entry in installed if entry.name in asked] or installed
+
+
+def collect_given(options: argparse.Namespace, names: Sequence[str]) -> dict[str, Any]:
+    """The options among these that were given, as keyword arguments; the others keep the front
+    door's defaults."""
+    values = {name: getattr(options, name) for name in names}
+    return {name: value for name, value in values.items() if value is not None}
+
+
+def refuse(options: argparse.Namespace, names: Sequence[str], reason: str) -> None:
+    """Refuse options that do not go with the others.
+
+    Raises:
+        HrgError: one of them is given; the message names it and the reason.
+    """
+    for name in names:
+        if getattr(options, name) not in (None, False):
+            raise HrgError(f"--{name.replace('_', '-')}: {reason}")
+
+
+@contextmanager
+def progress_bar(title: str, unit: str) -> Iterator[Callable[[int, int], None]]:
+    """A bar on stderr; what it gives is called with the number done and the number of all."""
+    from tqdm import tqdm
+
+    layout = "{desc} {percentage:3.0f}%|{bar}| {n}/{total} " + unit + " [{elapsed}]"
+    with tqdm(desc=title, bar_format=layout, delay=2, file=sys.stderr) as bar:
+
+        def update(done: int, total: int) -> None:
+            bar.total = total
+            bar.update(done - bar.n)
+
+        yield update

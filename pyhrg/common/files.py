@@ -1,32 +1,29 @@
-"""Files and folders that appear whole or not at all; files that are read or refused."""
+"""Files and folders that appear whole or not at all."""
 
+import errno
 import os
 import shutil
 import tempfile
-import tomllib
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
 
 
-def toml_of(path: Path, refused: type[Exception]) -> dict[str, Any]:
-    """Content of a TOML file.
+def check_output_folder(out: Path) -> None:
+    """Refuse an output folder that can't be made or written, before any long work.
 
-    Args:
-        path: of the file.
-        refused: what is raised, with one line about the file, where it can't be read or is none.
+    Raises:
+        OSError: its nearest existing parent, or itself, is no folder or can't be written.
     """
-    try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise refused(f"{path}: can't be read: {error.strerror or error}") from error
-    except ValueError as error:
-        raise refused(f"{path}: found what is no TOML: {error}") from error
+    nearest = next(path for path in (out, *out.absolute().parents) if path.exists())
+    if not nearest.is_dir():
+        raise NotADirectoryError(errno.ENOTDIR, "it is no folder", str(nearest))
+    if not os.access(nearest, os.W_OK | os.X_OK):
+        raise PermissionError(errno.EACCES, "it can't be written", str(nearest))
 
 
 def write_whole(path: Path, data: bytes) -> None:
-    """Write aside, then rename; nothing is left behind when that fails.
+    """Write a file under another name, then rename it; nothing stays behind when that fails.
 
     Raises:
         OSError: the folder can't be written.
@@ -44,11 +41,11 @@ def write_whole(path: Path, data: bytes) -> None:
 
 
 @contextmanager
-def replaced_folder(folder: Path) -> Iterator[Path]:
-    """A folder aside, that takes the place of `folder` and what is in it when the block succeeds.
+def replace_folder(folder: Path) -> Iterator[Path]:
+    """Give a temporary folder that replaces `folder` and its content when the block succeeds.
 
     Raises:
-        OSError: its parent can't be written.
+        OSError: the parent of `folder` can't be written.
     """
     folder.parent.mkdir(parents=True, exist_ok=True)
     aside = Path(tempfile.mkdtemp(prefix=f".{folder.name}.", dir=folder.parent))
@@ -63,15 +60,15 @@ def replaced_folder(folder: Path) -> Iterator[Path]:
 
 
 @contextmanager
-def staging(out: Path, names: tuple[str, ...]) -> Iterator[Path]:
-    """A folder aside, within `out`, whose files move up when the block succeeds.
+def stage_files(out: Path, names: tuple[str, ...]) -> Iterator[Path]:
+    """Give a temporary folder within `out`, whose files move up to it when the block succeeds.
 
     Args:
-        out: output folder; made if it isn't there, and removed again if the block fails.
-        names: of the files that the block is going to write.
+        out: output folder; made if it does not exist, and removed again if the block fails.
+        names: of the files that the block writes.
 
     Raises:
-        OSError: on entry, if the folder can't be written or a name is taken by a folder.
+        OSError: on entry, the folder can't be written, or a folder has one of the names.
     """
     made = [p for p in (out, *out.parents) if not p.exists()]
     try:

@@ -1,4 +1,4 @@
-"""What computes a result, to the last bit: our own code, and the versions of its libraries."""
+"""Versions of all that decides the last bits of a result: this code and its libraries."""
 
 import hashlib
 from collections.abc import Iterator
@@ -11,36 +11,38 @@ from typing import Any
 PACKAGES = ("fmu_build", "pyhrg", "ins_eval", "modelica")
 SOURCES = frozenset((".py", ".mo", ".c", ".h", ".toml"))
 LIBRARIES = ("numpy", "scipy", "numba", "pyarrow")
-"""Whose versions may show in the last bits."""
+"""Libraries whose versions may change the last bits of a result."""
 
 
 @cache
-def made_by() -> dict[str, str]:
-    """Versions of this code and of its libraries."""
-    return {"hrg": version("hrg"), "code": _code()} | {name: version(name) for name in LIBRARIES}
+def list_versions() -> dict[str, str]:
+    """Version and digest of this code, and versions of its libraries."""
+    return {"hrg": version("hrg"), "code": _digest_code()} | {
+        name: version(name) for name in LIBRARIES
+    }
 
 
-def difference(found: Any, expected: Any, key: str = "") -> tuple[str, Any, Any] | None:
-    """The first key whose values differ, with both; None where nothing does."""
+def find_difference(found: Any, expected: Any, key: str = "") -> tuple[str, Any, Any] | None:
+    """The first key whose values differ, with both values; None if all are equal."""
     if isinstance(found, dict) and isinstance(expected, dict):
         pairs = [(f"{key}.{k}", found.get(k), expected.get(k)) for k in {**expected, **found}]
     elif isinstance(found, list) and isinstance(expected, list) and len(found) == len(expected):
         pairs = [(f"{key}[{i}]", *both) for i, both in enumerate(zip(found, expected, strict=True))]
     else:
         return None if found == expected else (key.removeprefix("."), found, expected)
-    differences = (difference(f, e, k) for k, f, e in pairs)
+    differences = (find_difference(f, e, k) for k, f, e in pairs)
     return next((d for d in differences if d is not None), None)
 
 
-def _code() -> str:
+def _digest_code() -> str:
     digest = hashlib.sha256()
-    for root, file in _sources():
+    for root, file in _list_sources():
         digest.update(file.relative_to(root).as_posix().encode())
         digest.update(file.read_bytes())
     return digest.hexdigest()[:32]
 
 
-def _sources() -> Iterator[tuple[Path, Path]]:
+def _list_sources() -> Iterator[tuple[Path, Path]]:
     for package in PACKAGES:
         spec = find_spec(package)
         assert spec is not None

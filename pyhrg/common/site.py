@@ -1,7 +1,10 @@
-"""Where a gyro is tested."""
+"""The site where a gyro is tested, and Earth's rate there."""
 
 import math
 from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from pyhrg.common.units import DEG
 
@@ -11,12 +14,17 @@ EARTH_RATE = 7.292115e-5
 
 @dataclass(frozen=True)
 class Site:
-    """A laboratory, SI; by default the paper's, at 39.9 deg north."""
+    """A laboratory; by default at 39.9 deg north, as in docs/paper.md."""
 
     latitude: float = 39.9 * DEG
     """Geodetic latitude, rad."""
     gravity: float = 9.8015
     """Local gravity, m/s2."""
+
+    @property
+    def latitude_deg(self) -> float:
+        """Geodetic latitude, deg."""
+        return self.latitude / DEG
 
     @property
     def vertical_rate(self) -> float:
@@ -27,3 +35,18 @@ class Site:
     def horizontal_rate(self) -> float:
         """Component of Earth's rate on local north, rad/s."""
         return EARTH_RATE * math.cos(self.latitude)
+
+    def compute_earth_rate(
+        self, axis_up: ArrayLike, misalignment: float = 0.0, azimuth: ArrayLike = 0.0
+    ) -> NDArray[np.float64]:
+        """Component of Earth's rate on the input axis of a gyro on a turntable, rad/s.
+
+        Args:
+            axis_up: projection of the table's axis on local up.
+            misalignment: angle by which the input axis leans from the table's axis, rad.
+            azimuth: angle from north, about the table's axis, of the side to which the input axis
+                leans, rad; of a shape that broadcasts with `axis_up`.
+        """
+        up = np.asarray(axis_up) * np.cos(misalignment)
+        lean = np.sin(misalignment) * np.cos(azimuth)
+        return np.asarray(self.vertical_rate * up + self.horizontal_rate * lean)

@@ -1,12 +1,22 @@
-"""Tables of a TOML file, every key checked."""
+"""Tables of a TOML or JSON file: values are checked as they are taken out.
+
+Every message has the form "FILE: KEY: found WHAT, expected WHAT".
+"""
 
 import difflib
 import math
+import sys
+import tomllib
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 from pyhrg.common.errors import HrgError
+
+PROPOSALS = 4
+"""Largest number of known keys that a message proposes where none resembles an unknown one.
+Chosen."""
 
 
 class SpecificationError(HrgError):
@@ -15,79 +25,94 @@ class SpecificationError(HrgError):
 
 @dataclass(frozen=True)
 class TomlTable:
-    """A table and where it is from: the file, and the key with its dot."""
+    """A table of a file.
+
+    Attributes:
+        source: the file, for messages.
+        prefix: what messages put before a key of this table, such as `site.` or `mission 2: `.
+        values: the table's content.
+        error_class: exception that is raised; methods say `SpecificationError` for it.
+    """
 
     source: str
     prefix: str
     values: Mapping[str, Any]
+    error_class: type[HrgError] = SpecificationError
 
-    def error(self, key: str, found: object, expected: str) -> SpecificationError:
-        """What is wrong with a key of the table."""
-        return SpecificationError(
+    def error(self, key: str, found: object, expected: str) -> HrgError:
+        """Make the error about a key's value."""
+        return self.error_class(
             f"{self.source}: {self.prefix}{key}: found {found!r}, expected {expected}"
         )
 
-    def missing(self, key: str, expected: str) -> SpecificationError:
-        """That a key is not there."""
-        return SpecificationError(
+    def missing(self, key: str, expected: str) -> HrgError:
+        """Make the error about a key that is not there."""
+        return self.error_class(
             f"{self.source}: {self.prefix}{key}: found no such key, expected {expected}"
         )
 
-    def require(self, key: str, expected: str) -> Any:
-        """What a key says.
+    def check_known(self, names: Collection[str]) -> None:
+        """Refuse keys outside `names`; the message proposes those that resemble an unknown key.
 
         Raises:
-            SpecificationError: it is not there.
+            SpecificationError: the table has another key.
+        """
+        dotted = self.prefix.rpartition(": ")[2]
+        for key in self.values:
+            if key not in names:
+                close = difflib.get_close_matches(key, names, n=1) or sorted(names)[:PROPOSALS]
+                more = " or another" if len(close) == PROPOSALS < len(names) else ""
+                raise self.error_class(
+                    f"{self.source}: {self.prefix}{key}: found an unknown key, "
+                    f"expected {' or '.join(dotted + name for name in close)}{more}"
+                )
+
+    def require(self, key: str, expected: str) -> Any:
+        """A key's value as it stands.
+
+        Raises:
+            SpecificationError: the key is missing.
         """
         if key not in self.values:
             raise self.missing(key, expected)
         return self.values[key]
 
-    def tables(self, key: str) -> list["TomlTable"]:
-        """An array of tables (`[[key]]`); none if it isn't there.
-
-        Raises:
-            SpecificationError: it is anything else.
-        """
-        found = self.values.get(key, [])
-        if not isinstance(found, list) or not all(isinstance(value, dict) for value in found):
-            raise self.error(key, found, f"tables, [[{key}]]")
-        return [
-            TomlTable(self.source, f"{self.prefix}{key}[{i}].", value)
-            for i, value in enumerate(found)
-        ]
-
-    def check_known(self, names: Collection[str]) -> None:
-        """Refuse keys that are none of these.
-
-        Raises:
-            SpecificationError: one is not.
-        """
-        for key in self.values:
-            if key not in names:
-                close = difflib.get_close_matches(key, names, n=1) or sorted(names)
-                raise SpecificationError(
-                    f"{self.source}: {self.prefix}{key}: found an unknown key, "
-                    f"expected {' or '.join(self.prefix + name for name in close)}"
-                )
-
     def table(self, key: str) -> "TomlTable":
-        """A table within; empty if it isn't there.
+        """A table within this one; empty if it is not there.
 
         Raises:
-            SpecificationError: it is no table.
+            SpecificationError: the value is no table.
         """
         value = self.values.get(key, {})
         if not isinstance(value, dict):
             raise self.error(key, value, "a table")
-        return TomlTable(self.source, f"{self.prefix}{key}.", value)
+        return replace(self, prefix=f"{self.prefix}{key}.", values=value)
 
-    def text(self, key: str, default: str, choices: Sequence[str] = ()) -> str:
-        """Text, one of the choices if there are any.
+    def tables(self, key: str) -> list["TomlTable"]:
+        """The tables of an array (`[[key]]`); an empty list if it is not there.
 
         Raises:
-            SpecificationError: anything else.
+            SpecificationError: the value is no array of tables.
         """
+        values = self.values.get(key, [])
+        if not isinstance(values, list):
+            raise self.error(key, values, f"tables, [[{key}]]")
+        for i, value in enumerate(values):
+            if not isinstance(value, dict):
+                raise self.error(f"{key}[{i}]", value, "a table")
+        return [
+            replace(self, prefix=f"{self.prefix}{key}[{i}].", values=value)
+            for i, value in enumerate(values)
+        ]
+
+    def text(self, key: str, default: str | None, choices: Sequence[str] = ()) -> str:
+        """A text, which is one of the choices if there are any; required where there is no default.
+
+        Raises:
+            SpecificationError: the key is missing, or the value is no such text.
+        """
+        if default is None:
+            self.require(key, " or ".join(choices) or "text")
         value = self.values.get(key, default)
         if not isinstance(value, str) or (choices and value not in choices):
             raise self.error(key, value, " or ".join(choices) or "text")
@@ -97,35 +122,103 @@ class TomlTable:
         """True or false.
 
         Raises:
-            SpecificationError: anything else.
+            SpecificationError: the value is neither.
         """
         value = self.values.get(key, default)
         if not isinstance(value, bool):
             raise self.error(key, value, "true or false")
         return value
 
-    def number(self, key: str, default: float, low: float, high: float) -> float:
-        """A number in a range, ends included.
+    def finite_number(self, key: str, default: float | None = None) -> float:
+        """A number; required where there is no default.
 
         Raises:
-            SpecificationError: anything else.
+            SpecificationError: the key is missing, or the value is no finite number.
         """
-        return self._number(key, self.values.get(key, default), low, high)
+        if default is None:
+            self.require(key, "a number")
+        return self._finite(key, self.values.get(key, default))
 
-    def numbers(self, key: str, count: int, high: float) -> tuple[float, ...]:
-        """So many numbers of at most a size.
+    def number(self, key: str, default: float | None, low: float, high: float) -> float:
+        """A number from `low` to `high`, ends included; required where there is no default.
 
         Raises:
-            SpecificationError: anything else.
+            SpecificationError: the key is missing, or the value is no such number.
         """
-        value = self.values[key]
-        if not isinstance(value, list) or len(value) != count:
-            raise self.error(key, value, f"{count} numbers in brackets")
-        return tuple(self._number(f"{key}[{i}]", item, -high, high) for i, item in enumerate(value))
+        value = self.finite_number(key, default)
+        if not low <= value <= high:
+            raise self.error(key, self.values.get(key, default), describe_range(low, high))
+        return value
 
-    def _number(self, key: str, value: object, low: float, high: float) -> float:
+    def whole_number(self, key: str, default: int | None, low: int, high: int) -> int:
+        """A whole number from `low` to `high`, ends included; required where there is no default.
+
+        Raises:
+            SpecificationError: the key is missing, or the value is no such number.
+        """
+        value = self.number(key, default, low, high)
+        if value != int(value):
+            raise self.error(key, value, "a whole number")
+        return int(value)
+
+    def numbers(
+        self, key: str, count: int | None, low: float, high: float, default: Sequence[float] = ()
+    ) -> tuple[float, ...]:
+        """Numbers from `low` to `high`, ends included; the default where the key is missing.
+
+        Args:
+            key: of an array.
+            count: how many; None: any number of them.
+            low: smallest number allowed.
+            high: largest number allowed.
+            default: of a table without the key.
+
+        Raises:
+            SpecificationError: the value is no such array.
+        """
+        values = self.values.get(key, list(default))
+        if not isinstance(values, list) or count not in (None, len(values)):
+            raise self.error(
+                key, values, f"{'' if count is None else f'{count} '}numbers in brackets"
+            )
+        for i, value in enumerate(values):
+            if not low <= self._finite(f"{key}[{i}]", value) <= high:
+                raise self.error(f"{key}[{i}]", value, describe_range(low, high))
+        return tuple(float(value) for value in values)
+
+    def _finite(self, key: str, value: object) -> float:
         if isinstance(value, bool) or not isinstance(value, int | float):
             raise self.error(key, value, "a number")
-        if not (math.isfinite(value) and low <= value <= high):
-            raise self.error(key, value, f"{low:g} to {high:g}")
+        if not abs(value) <= sys.float_info.max:
+            raise self.error(key, value, "a finite number")
         return float(value)
+
+
+def describe_range(low: float, high: float) -> str:
+    """A range in words; `high` may be infinite."""
+    if low == high:
+        return f"{low:g}, the only one there is"
+    return f"a number of at least {low:g}" if math.isinf(high) else f"{low:g} to {high:g}"
+
+
+def read_table(path: Path, error_class: type[HrgError] = SpecificationError) -> TomlTable:
+    """The whole content of a TOML file.
+
+    Raises:
+        SpecificationError: the file can't be read or is no TOML (or `error_class`).
+    """
+    return TomlTable(str(path), "", read_toml(path, error_class), error_class)
+
+
+def read_toml(path: Path, error_class: type[HrgError] = SpecificationError) -> dict[str, Any]:
+    """The content of a TOML file as a dictionary.
+
+    Raises:
+        SpecificationError: the file can't be read or is no TOML (or `error_class`).
+    """
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise error_class(f"{path}: can't be read: {error.strerror or error}") from error
+    except ValueError as error:
+        raise error_class(f"{path}: found what is no TOML: {error}") from error

@@ -1,25 +1,24 @@
-"""Devices as TOML files: keys and units of the campaigns' catalogue and of their `nominal`."""
+"""Devices as TOML files, with the keys and units of the record format."""
 
-import difflib
-import sys
-from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass, fields
+from collections.abc import Collection, Mapping
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
 import tomli_w
 
 from pyhrg.common.errors import HrgError
-from pyhrg.common.files import toml_of, write_whole
+from pyhrg.common.files import write_whole
+from pyhrg.common.keys import Key, read_fields
 from pyhrg.common.site import Site
+from pyhrg.common.toml_table import TomlTable, read_table
 from pyhrg.device.device import FMU_NAMES, AngleMap, Device
-from pyhrg.device.keys import KEYS, MAPS, SITE_KEYS, Key
+from pyhrg.device.keys import KEYS, MAPS, SITE_KEYS
 
-SCATTERED = FMU_NAMES - {"seed", "startAngle"}
+SCATTERED_NAMES = FMU_NAMES - {"seed", "startAngle"}
 """Parameters of the FMU that may differ from power-on to power-on, beside those of `[model]`."""
-FEW = 4
-"""Keys that a message proposes where none is close."""
 
+TABLES = (*MAPS, "site", "specification", "model", "turn_on_scatter")
 
 NOMINAL = (
     "coriolis_factor",
@@ -35,62 +34,62 @@ NOMINAL = (
     "phase_loop_rad_s",
     "reference_temperature_degC",
 )
-"""Design values of a gyro; its errors are for the tests to find."""
+"""Keys of design values: known before any test, while errors are for the tests to find."""
 
 
 class DeviceError(HrgError):
-    """The file is no device; the message names file, key, what was found and what expected."""
+    """A device file can't be used; the message names file, key, what was found and expected."""
 
 
 def read(path: Path, fmu_names: Collection[str] | None = None) -> Device:
-    """Read a device; an empty file is an ideal gyro.
+    """The device in a file; an empty file is an ideal gyro.
 
     Args:
-        path: TOML. At the top `name` and the keys of `device_keys.KEYS`; tables `[bias_map]`
+        path: TOML. At the top `name` and the keys of `pyhrg.device.keys.KEYS`; tables `[bias_map]`
             (deg/h), `[scale_factor_map]` (arcsec of pattern angle), `[site]`, `[specification]`
-            (limits by finding), `[model]` (anything else of the FMU, by its names, SI) and
+            (limits by finding), `[model]` (other parameters of the FMU, by its names, SI) and
             `[turn_on_scatter]` (standard deviations of parameters of the FMU from power-on to
             power-on, by its names, SI).
         fmu_names: names that `[model]` may use (`GyroFmu.references`); None leaves them to the FMU.
 
     Raises:
-        DeviceError: an unreadable file; a key that is unknown or said twice; a value that is no
-            finite number or out of range.
+        DeviceError: an unreadable file, an unknown key, a field set twice, or a value that is not
+            finite or out of range.
     """
-    return from_table(toml_of(path, DeviceError), str(path), fmu_names)
+    return _read_device(read_table(path, DeviceError), fmu_names)
 
 
 def from_table(
     document: Mapping[str, Any], source: str, fmu_names: Collection[str] | None = None
 ) -> Device:
-    """A device from keys and values of such a file, as of a campaign's `nominal`.
+    """The device with the keys and values of a device file, such as a campaign's `nominal`.
 
     Args:
         document: values and tables by key.
-        source: where they come from, for messages.
+        source: file or place of the values, for messages.
         fmu_names: see `read`.
 
     Raises:
         DeviceError: see `read`.
     """
-    return _Reader(source).device(document, fmu_names)
+    return _read_device(TomlTable(source, "", document, DeviceError), fmu_names)
 
 
 def write(device: Device, path: Path) -> None:
-    """Write a device, whole or not at all: what differs from an ideal gyro.
+    """Write the values of a device that differ from an ideal gyro's.
 
-    It reads back to the same bits wherever a number in the file's unit gives them, as for every
-    device that was read, and otherwise to the nearest.
+    The file appears whole or not at all. A device that was read from a file reads back to the same
+    bits; any other to the nearest values that numbers in the file's units give.
 
     Raises:
         OSError: the folder can't be written.
     """
     ideal = Device()
     document: dict[str, Any] = {"name": device.name} if device.name else {}
-    document |= _written(KEYS, device, ideal)
+    document |= _write_keys(KEYS, device, ideal)
     for table, coefficients in MAPS.items():
-        document[table] = _written(coefficients, getattr(device, table), AngleMap())
-    document["site"] = _written(SITE_KEYS, device.site, ideal.site)
+        document[table] = _write_keys(coefficients, getattr(device, table), AngleMap())
+    document["site"] = _write_keys(SITE_KEYS, device.site, ideal.site)
     document["specification"] = dict(device.specification)
     document["turn_on_scatter"] = dict(device.turn_on_scatter)
     document["model"] = dict(device.model)
@@ -99,122 +98,64 @@ def write(device: Device, path: Path) -> None:
 
 
 def nominal(device: Device) -> dict[str, float]:
-    """What a test engineer believes of the gyro before any test, by the keys of a campaign."""
+    """Design values of a device by the keys `NOMINAL`, in the keys' units."""
     by_name = {key.name: key for key in KEYS}
     return {name: by_name[name].from_si(getattr(device, by_name[name].field)) for name in NOMINAL}
 
 
-@dataclass(frozen=True)
-class _Reader:
-    """Takes a document apart; knows where it is from, for messages."""
+def _read_device(document: TomlTable, fmu_names: Collection[str] | None) -> Device:
+    maps: dict[str, Any] = {
+        name: AngleMap(**read_fields(document.table(name), keys)) for name, keys in MAPS.items()
+    }
+    model = document.table("model")
+    _check_model(document, model, fmu_names)
+    scatter = document.table("turn_on_scatter")
+    scatter.check_known(sorted({*SCATTERED_NAMES, *model.values}))
+    device = Device(
+        name=document.text("name", ""),
+        **read_fields(document, KEYS, ("name", *TABLES)),
+        **maps,
+        site=Site(**read_fields(document.table("site"), SITE_KEYS)),
+        specification=_read_positive_numbers(document.table("specification")),
+        model={key: model.finite_number(key) for key in model.values},
+        turn_on_scatter=_read_positive_numbers(scatter),
+    )
+    _check_damping(document, device)
+    return device
 
-    source: str
 
-    def device(self, document: Mapping[str, Any], fmu_names: Collection[str] | None) -> Device:
-        tables = ("name", *MAPS, "site", "specification", "model", "turn_on_scatter")
-        self._known(document, [key.name for key in KEYS] + list(tables))
-        top = {key: value for key, value in document.items() if key not in tables}
-        model = self._table(document, "model")
-        self._check_model(model, fmu_names)
-        scatter = self._table(document, "turn_on_scatter")
-        self._known(scatter, sorted({*SCATTERED, *model}), "turn_on_scatter.")
-        device = Device(
-            name=self._name(document.get("name", "")),
-            **self._values(top, KEYS),
-            **self._maps(document),
-            site=Site(**self._values(self._table(document, "site"), SITE_KEYS, "site.")),
-            specification=self._positive("specification", self._table(document, "specification")),
-            model={key: self._number(f"model.{key}", value) for key, value in model.items()},
-            turn_on_scatter=self._positive("turn_on_scatter", scatter),
+def _read_positive_numbers(table: TomlTable) -> dict[str, float]:
+    values = {key: table.finite_number(key) for key in table.values}
+    for key, value in values.items():
+        if value <= 0:
+            raise table.error(key, value, "a number above 0")
+    return values
+
+
+def _check_model(document: TomlTable, model: TomlTable, fmu_names: Collection[str] | None) -> None:
+    for name in model.values:
+        if name in FMU_NAMES:
+            raise document.error("model", name, "names that have no key or power-on of their own")
+    if fmu_names is not None:
+        model.check_known(fmu_names)
+
+
+def _check_damping(document: TomlTable, device: Device) -> None:
+    """An axis can't gain energy by itself: D/2 <= 1/tau."""
+    highest = 2 / device.decay_time
+    if device.damping_anisotropy > highest:
+        raise document.error(
+            "damping_anisotropy_per_s",
+            device.damping_anisotropy,
+            f"at most 2/decay_time_s, {highest:g}",
         )
-        self._check_damping(device)
-        return device
-
-    def error(self, key: str, found: object, expected: str) -> DeviceError:
-        return DeviceError(f"{self.source}: {key}: found {found!r}, expected {expected}")
-
-    def _known(self, table: Iterable[str], names: Collection[str], prefix: str = "") -> None:
-        for key in table:
-            if key not in names:
-                close = difflib.get_close_matches(key, names, n=1) or sorted(names)[:FEW]
-                raise DeviceError(
-                    f"{self.source}: {prefix}{key}: found an unknown key, expected "
-                    + " or ".join(f"{prefix}{name}" for name in close)
-                    + (" or another" if len(close) == FEW else "")
-                )
-
-    def _table(self, document: Mapping[str, Any], name: str) -> dict[str, Any]:
-        table = document.get(name, {})
-        if not isinstance(table, dict):
-            raise self.error(name, table, "a table")
-        return table
-
-    def _name(self, value: object) -> str:
-        if not isinstance(value, str):
-            raise self.error("name", value, "text")
-        return value
-
-    def _number(self, key: str, value: object) -> float:
-        if isinstance(value, bool) or not isinstance(value, int | float):
-            raise self.error(key, value, "a number")
-        if not abs(value) <= sys.float_info.max:
-            raise self.error(key, value, "a finite number")
-        return float(value)
-
-    def _values(
-        self, table: Mapping[str, Any], keys: Collection[Key], prefix: str = ""
-    ) -> dict[str, Any]:
-        """SI values by field."""
-        self._known(table, [key.name for key in keys], prefix)
-        values: dict[str, Any] = {}
-        for key in (key for key in keys if key.name in table):
-            value = self._number(prefix + key.name, table[key.name])
-            if not key.low <= value <= key.high:
-                raise self.error(prefix + key.name, value, key.expected)
-            if key.field in values:
-                twin = next(k.name for k in keys if k.field == key.field and k.name in table)
-                raise self.error(prefix + key.name, value, f"it or {twin}, which says the same")
-            values[key.field] = key.to_si(value)
-        return values
-
-    def _maps(self, document: Mapping[str, Any]) -> dict[str, Any]:
-        return {
-            name: AngleMap(**self._values(self._table(document, name), keys, f"{name}."))
-            for name, keys in MAPS.items()
-        }
-
-    def _positive(self, name: str, table: Mapping[str, Any]) -> dict[str, float]:
-        """Numbers of a table that must be above 0."""
-        values = {key: self._number(f"{name}.{key}", value) for key, value in table.items()}
-        for key, value in values.items():
-            if value <= 0:
-                raise self.error(f"{name}.{key}", value, "a number above 0")
-        return values
-
-    def _check_model(self, model: Iterable[str], fmu_names: Collection[str] | None) -> None:
-        for key in model:
-            if key in FMU_NAMES:
-                raise self.error("model", key, "names that have no key or power-on of their own")
-        if fmu_names is not None:
-            self._known(model, fmu_names, "model.")
-
-    def _check_damping(self, device: Device) -> None:
-        """An axis can't gain energy by itself: D/2 <= 1/tau."""
-        highest = 2 / device.decay_time
-        if device.damping_anisotropy > highest:
-            raise self.error(
-                "damping_anisotropy_per_s",
-                device.damping_anisotropy,
-                f"at most 2/decay_time_s, {highest:g}",
-            )
 
 
-def _written(keys: Collection[Key], values: Any, defaults: Any) -> dict[str, float]:
-    """What differs from the defaults, in the file's units, under each field's first key."""
-    first = {key.field: key for key in reversed(list(keys))}
-    changed = (f.name for f in fields(values) if f.name in first)
+def _write_keys(keys: Collection[Key], values: Any, defaults: Any) -> dict[str, float]:
+    """Values that differ from the defaults, in the file's units, by each field's first key."""
+    first_keys = {key.field: key for key in reversed(list(keys))}
     return {
-        first[name].name: first[name].from_si(getattr(values, name))
-        for name in changed
-        if getattr(values, name) != getattr(defaults, name)
+        key.name: key.from_si(getattr(values, key.field))
+        for key in (first_keys[f.name] for f in fields(values) if f.name in first_keys)
+        if getattr(values, key.field) != getattr(defaults, key.field)
     }

@@ -1,14 +1,36 @@
-"""The devices that come with the package; each is a file in `devices`."""
+"""The devices that come with the package, and devices by name or file."""
 
 from pathlib import Path
 
 from pyhrg.device import device_file
 from pyhrg.device.device import Device
+from pyhrg.device.device_file import DeviceError
 
-__all__ = ["TABLE2", "TYPICAL", "Device"]
+__all__ = ["READY", "TABLE2", "TYPICAL", "Device", "load_device"]
 
 _FOLDER = Path(__file__).with_name("ready")
-TYPICAL = device_file.read(_FOLDER / "typical.toml")
+READY = tuple(sorted(path.stem for path in _FOLDER.glob("*.toml")))
+"""Names of the ready devices; each is a file in the folder `ready`."""
+
+
+def load_device(name_or_path: str | Path) -> Device:
+    """A device that comes with the package, or the device in a file.
+
+    Args:
+        name_or_path: one of `READY`, or a device file (TOML).
+
+    Raises:
+        DeviceError: neither a name nor a file, or a file that can't be used.
+    """
+    if str(name_or_path) in READY:
+        return device_file.read(_FOLDER / f"{name_or_path}.toml")
+    path = Path(name_or_path)
+    if not path.is_file():
+        raise DeviceError(f"{path}: found no such file, expected one or {', '.join(READY)}")
+    return device_file.read(path)
+
+
+TYPICAL = load_device("typical")
 """A 20 mm gyro whose damping anisotropy is trimmed; the file says what it stands for."""
-TABLE2 = device_file.read(_FOLDER / "table2.toml")
+TABLE2 = load_device("table2")
 """The gyro of the paper's Table 2; the file says what it stands for."""

@@ -1,219 +1,286 @@
 """From a campaign to its diagnosis: quantify, localise, attribute, close, verify."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from pathlib import Path
 
 import numpy as np
+import pandas as pd
+from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
+from pyhrg.common.errors import HrgError
+from pyhrg.common.files import stage_files
+from pyhrg.common.progress import Progress, make_progress_reporter
+from pyhrg.common.units import ARCSEC
+from pyhrg.device import device_file
 from pyhrg.device.device import Device
-from pyhrg.fmu import GyroError
-from pyhrg.gap.closing.closing import believed_device, closed_device
-from pyhrg.gap.closing.gap_figures import gap_figures
-from pyhrg.gap.effects.catalogue import WHOLE, Catalogue, NoiseEffect
-from pyhrg.gap.effects.design import design
-from pyhrg.gap.evidence.attribution import Attribution, attributed
-from pyhrg.gap.evidence.hypothesis import Hypothesis, angles_left
-from pyhrg.gap.evidence.noise.noise_search import NoiseFound, told_apart
-from pyhrg.gap.evidence.noise.quantization import counted, is_rough
-from pyhrg.gap.evidence.noise.unstated_noise import with_noise
-from pyhrg.gap.evidence.residuals import Remainder, remainders
-from pyhrg.gap.evidence.unsteady import unsteady
-from pyhrg.gap.findings.diagnosis import Diagnosis, Where
-from pyhrg.gap.findings.localisation import Place, located
-from pyhrg.gap.findings.quantity import Size, sizes
-from pyhrg.gap.findings.verdict import judged, unnamed
-from pyhrg.gap.next_test.next_test import suggested
-from pyhrg.gap.next_test.rivals import rivals
-from pyhrg.gap.next_test.standing_still import standing_still
-from pyhrg.gap.replay.encoder import encoder_notes
-from pyhrg.gap.replay.free_pattern import steady
-from pyhrg.gap.replay.observations import CHANNELS, Observed, observed
-from pyhrg.gap.replay.replay import tells_start
-from pyhrg.gap.replay.simulation import Answers, Simulation, added
-from pyhrg.gap.soundness import sound
-from pyhrg.gap.whitening.channel_noise import ChannelNoise, angle_noise
+from pyhrg.gap.closing.closing import Closing, Residuals, close_gap, nominal_device
+from pyhrg.gap.closing.gap_figures import compute_gap_figures
+from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue, NoiseEffect
+from pyhrg.gap.effects.design import build_design
+from pyhrg.gap.evidence.attribution import Attribution, attribute_gap
+from pyhrg.gap.evidence.hypothesis import Hypothesis, angle_residuals
+from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
+from pyhrg.gap.evidence.noise.noise_search import find_noise_equivalents
+from pyhrg.gap.evidence.noise.quantization import add_quantization
+from pyhrg.gap.evidence.noise.unstated_noise import complete_stated_noise
+from pyhrg.gap.findings import diagnosis as diagnosis_file
+from pyhrg.gap.findings.diagnosis import Diagnosis, Verdict
+from pyhrg.gap.findings.localisation import locate_gap
+from pyhrg.gap.findings.quantity import measure_sizes
+from pyhrg.gap.findings.verdict import check_residuals, list_unnamed, reach_verdict
+from pyhrg.gap.next_test.next_test import suggest_next_test
+from pyhrg.gap.next_test.rivals import find_rivals
+from pyhrg.gap.next_test.static_test import suggest_static_test
+from pyhrg.gap.replay.encoder import describe_encoder_noise
+from pyhrg.gap.replay.free_pattern import truncate_free_pattern
+from pyhrg.gap.replay.models import load_simulation as build_simulation
+from pyhrg.gap.replay.observations import CHANNELS, ObservedTest, observe_test
+from pyhrg.gap.replay.replay import has_start_angle
+from pyhrg.gap.replay.simulation import Simulation
+from pyhrg.gap.soundness import screen_campaign
+from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
+from pyhrg.records import campaign as campaigns
 from pyhrg.records.campaign import Campaign, CampaignError
+from pyhrg.records.columns import BY_FIELD
 
 Array = NDArray[np.float64]
-Residuals = Mapping[str, Array]
 
-NO_START = "{}: not used: gyro_angle_deg and wave_angle_deg are needed, to tell the start angle"
+NO_START = (
+    "{}: not used: no row with both gyro_angle_deg and wave_angle_deg, which give the start angle"
+)
+BEFORE_FILE, AFTER_FILE = "before.toml", "after.toml"
+"""Device files of the nominal and of the identified device."""
+FILES = (BEFORE_FILE, AFTER_FILE, diagnosis_file.FILE)
 
 
 @dataclass(frozen=True)
-class Diagnosed:
-    """A diagnosis and what it rests on.
+class CampaignDiagnosis:
+    """The diagnosis of a campaign, with the residuals and simulations that it rests on.
 
-    believed: the gyro before.
-    closed: the gyro with what was found.
-    tests: all that were looked at, held-out ones last.
-    before, after: (n,) residual by channel for each test, record less simulation, SI; NaN where
-        they are not compared.
+    diagnosis: content of `diagnosis.json`.
+    attribution: result of the search among effects and noises.
+    nominal: the device as the campaign states it.
+    identified: the nominal device with the causes put in.
+    tests: all tests that were used, held-out ones last.
+    before, after: residuals of each test with the nominal and the identified device.
     """
 
     diagnosis: Diagnosis
     attribution: Attribution
-    believed: Device
-    closed: Device
-    tests: tuple[Observed, ...]
+    nominal: Device
+    identified: Device
+    tests: tuple[ObservedTest, ...]
     before: tuple[Residuals, ...]
     after: tuple[Residuals, ...]
 
     @property
-    def noise(self) -> ChannelNoise:
-        """Of all channels, with what was found of the output angle's."""
-        return replace(self.attribution.channel_noise, angle=self.attribution.noise.noise)
+    def verdict(self) -> Verdict:
+        """`no_gap`, `explained`, `ambiguous` or `unexplained`."""
+        return self.diagnosis.verdict
+
+    @property
+    def causes(self) -> pd.DataFrame:
+        """One row a parameter of each cause.
+
+        Columns: effect, probability, parameter (its name ends with its unit), value, low_95,
+        high_95, equivalents (tuple of effects that are confounded with it).
+        """
+        rows = [
+            (c.effect, c.probability, name, value, *c.interval_95[name], c.equivalents)
+            for c in self.diagnosis.causes
+            for name, value in c.parameters.items()
+        ]
+        columns = ("effect", "probability", "parameter", "value", "low_95", "high_95")
+        return pd.DataFrame(rows, columns=[*columns, "equivalents"])
+
+    @property
+    def noise(self) -> CampaignNoise:
+        """Noise of all channels under the most probable hypothesis."""
+        return self.attribution.channel_noise
+
+    def residuals(self, test_id: str) -> pd.DataFrame:
+        """Residuals of one test, record less simulation, before and after closing.
+
+        Returns:
+            n rows: `time_s`, and for each channel `<channel>_before_<unit>` and
+            `<channel>_after_<unit>`; NaN where record and simulation are not compared.
+            `attrs["units"]` has the unit of each column.
+
+        Raises:
+            HrgError: no such test was used.
+        """
+        index = self._index(test_id)
+        columns, units = {"time_s": self.tests[index].log.time}, {"time_s": "s"}
+        for channel in CHANNELS:
+            unit, factor = BY_FIELD[channel].unit, BY_FIELD[channel].factor
+            if channel == "gyro_angle":
+                unit, factor = "arcsec", ARCSEC
+            for stage, residuals in (("before", self.before), ("after", self.after)):
+                name = f"{channel}_{stage}_{unit}" if unit else f"{channel}_{stage}"
+                columns[name], units[name] = residuals[index][channel] / factor, unit
+        table = pd.DataFrame(columns)
+        table.attrs["units"] = units
+        return table
+
+    def plot(self, test_id: str | None = None, axes: Axes | None = None) -> Axes:
+        """Draw the output-angle residual of one test before and after closing.
+
+        Args:
+            test_id: of the test; by default the last one, which is held out if any is.
+            axes: to draw on; by default those of a new figure.
+
+        Raises:
+            HrgError: no such test was used.
+        """
+        test_id = self.tests[-1].test.id if test_id is None else test_id
+        table = self.residuals(test_id)
+        if axes is None:
+            from matplotlib import pyplot  # slow, and needed here alone
+
+            axes = pyplot.subplots()[1]
+        for stage in ("before", "after"):
+            axes.plot(table["time_s"], table[f"gyro_angle_{stage}_arcsec"], label=stage, lw=0.8)
+        axes.set(title=test_id, xlabel="time, s", ylabel="residual of the output angle, arcsec")
+        axes.legend()
+        return axes
+
+    def write(self, folder: Path | str) -> None:
+        """Write `diagnosis.json`, `before.toml` and `after.toml`: all of them or none.
+
+        Raises:
+            OSError: the folder can't be written.
+        """
+        with stage_files(Path(folder), FILES) as aside:
+            self.write_files(aside)
+
+    def write_files(self, folder: Path) -> None:
+        """Write the same files one after the other into a folder that exists."""
+        device_file.write(self.nominal, folder / BEFORE_FILE)
+        device_file.write(self.identified, folder / AFTER_FILE)
+        diagnosis_file.write(self.diagnosis, folder)
+
+    def _index(self, test_id: str) -> int:
+        ids = [test.test.id for test in self.tests]
+        if test_id not in ids:
+            raise HrgError(f"test_id: found {test_id!r}, expected one of {', '.join(ids)}")
+        return ids.index(test_id)
 
 
-def diagnosed(
-    campaign: Campaign,
-    simulation: Simulation,
-    catalogue: Catalogue = WHOLE,
-    say: Callable[[str], None] = lambda text: None,
-) -> Diagnosed:
-    """Diagnose a campaign.
+def diagnose(
+    campaign: Campaign | Path | str,
+    *,
+    catalogue: Catalogue = FULL_CATALOGUE,
+    simulation: Simulation | None = None,
+    progress: Progress = None,
+) -> CampaignDiagnosis:
+    """Diagnose a campaign: find what makes the gap between its records and the simulation.
 
     Args:
-        campaign: as it was read.
-        simulation: both fidelities.
-        catalogue: all of it, unless one is left out to be missed.
-        say: told how far it is.
+        campaign: a campaign or its folder. Held-out tests are never fitted to.
+        catalogue: effects that may be named.
+        simulation: both fidelities of the gyro; by default they are built, or taken from the cache.
+        progress: True prints each step to standard error; a function is called with it.
 
     Raises:
-        CampaignError: nothing can be said of it.
-        DeviceError: its nominal values are no gyro's.
+        CampaignError: the folder is no campaign, or no test of it can be used.
+        DeviceError: the nominal values are no gyro's.
         LogError: a log can't be used.
-        GyroError: a gyro that the FMU refuses.
+        GyroError: the FMU refuses the nominal device.
+        BuildError, TranslationError: the FMUs can't be built.
     """
-    usable, excluded = sound(campaign)
-    believed = believed_device(usable)
-    told = [test for test in usable.tests if tells_start(test.log)]
-    excluded += tuple(NO_START.format(test.id) for test in usable.tests if test not in told)
-    to_fit = [observed(test, believed) for test in told if not test.is_holdout]
+    report = make_progress_reporter(progress)
+    campaign = (
+        campaign if isinstance(campaign, Campaign) else campaigns.read_campaign(Path(campaign))
+    )
+    simulation = simulation or build_simulation(report)
+    nominal, tests, excluded = _prepare(campaign, simulation)
+    fitted = [test for test in tests if not test.test.is_holdout]
+    attribution = attribute_gap(simulation, nominal, fitted, catalogue, report)
+    attribution = attribution.replace_noises(
+        partial(_complete_noise, attribution, fitted, catalogue.noises)
+    )
+    report("closing")
+    closing = close_gap(simulation, attribution, tests)
+    report("verifying, and looking for the next test")
+    return CampaignDiagnosis(
+        _summarize(campaign.device, simulation, catalogue, attribution, tests, closing, excluded),
+        attribution,
+        nominal,
+        closing.device,
+        tuple(tests),
+        closing.before,
+        closing.after,
+    )
+
+
+def _prepare(
+    campaign: Campaign, simulation: Simulation
+) -> tuple[Device, list[ObservedTest], tuple[str, ...]]:
+    """The nominal device, the tests that can be used (held-out ones last), and a sentence on each
+    thing that was left out."""
+    usable, excluded = screen_campaign(campaign)
+    nominal = nominal_device(usable)
+    started = [test for test in usable.tests if has_start_angle(test.log)]
+    excluded += tuple(NO_START.format(test.id) for test in usable.tests if test not in started)
+    to_fit = [observe_test(test, nominal) for test in started if not test.is_holdout]
     if not to_fit:
         raise CampaignError("; ".join(["no test can be fitted to", *excluded]))
-    believed, notes = with_noise(simulation, believed, to_fit)
-    excluded += (*notes, *encoder_notes({t.test.id: t.encoder for t in to_fit}))
-    tests = [steady(simulation, believed, observed(test, believed)) for test in told]
-    fitted = [t for t in tests if not t.test.is_holdout]
-    found = attributed(simulation, believed, fitted, catalogue, say)
-    found = found.with_noises(partial(_noise, found, fitted, catalogue.noises))
-    say("closing")
-    ordered = (*fitted, *(t for t in tests if t.test.is_holdout))
-    closed, before, after = _closed(simulation, found, ordered)
-    rest = unsteady(_rest(found), {(b.test, b.channel): b.wrong for b in found.design.blocks})
-    say("verifying, and looking for the next test")
-    return Diagnosed(
-        Diagnosis(
-            campaign.device,
-            *judged(found, catalogue.effects, rest),
-            where=_where(found),
-            sizes=_sizes(found, before, after),
-            gap=gap_figures(ordered, _angles(before), _angles(after), found),
-            next_test=suggested(simulation, found, rivals(found, catalogue.effects))
-            or standing_still(found.noise, angle_noise(believed)),
-            unnamed=unnamed(found, rest),
-            excluded=excluded,
-            settled=found.settled,
-        ),
-        found,
-        believed,
-        closed,
-        ordered,
-        before,
-        after,
-    )
+    nominal, notes = complete_stated_noise(simulation, nominal, to_fit)
+    excluded += (*notes, *describe_encoder_noise({t.test.id: t.encoder_noise for t in to_fit}))
+    observed = [observe_test(test, nominal) for test in started]
+    tests = [truncate_free_pattern(simulation, nominal, test) for test in observed]
+    return nominal, sorted(tests, key=lambda test: test.test.is_holdout), excluded
 
 
-def _noise(
-    found: Attribution,
-    tests: Sequence[Observed],
+def _complete_noise(
+    attribution: Attribution,
+    tests: Sequence[ObservedTest],
     noises: Sequence[NoiseEffect],
-    one: Hypothesis,
-) -> NoiseFound:
-    """Of a hypothesis; of the likeliest, with those that records can't tell from each."""
-    noise, believed = one.noise, found.believed
-    if one is found.weighed.best:
-        left = angles_left(found.parts, found.ranked.best.sizes, found.channel_noise, believed)
-        noise = told_apart(noise, left, angle_noise(believed), noises)
-    return counted(noise, tests, believed.angle_quantum, noises)
+    hypothesis: Hypothesis,
+) -> NoiseHypothesis:
+    """A hypothesis' noise with the quantization of the output, and for the most probable
+    hypothesis also with the noises that are confounded with its own."""
+    noise, nominal = hypothesis.noise, attribution.nominal
+    if hypothesis is attribution.posterior.best:
+        sizes, parts = attribution.ranking.best.sizes, attribution.parts
+        residuals = angle_residuals(parts, sizes, attribution.channel_noise, nominal)
+        noise = find_noise_equivalents(noise, residuals, build_angle_noise(nominal), noises)
+    return add_quantization(noise, tests, nominal.quantization_step, noises)
 
 
-def _closed(
-    simulation: Simulation, found: Attribution, tests: Sequence[Observed]
-) -> tuple[Device, tuple[Residuals, ...], tuple[Residuals, ...]]:
-    """The gyro with what was found, and residuals before and after; a search that did not come to
-    rest may end at a gyro that the FMU refuses: then it is the last that could be simulated."""
-    closed = closed_device(found)
-    try:
-        return closed, *_left(simulation, found, closed, tests)
-    except GyroError:
-        if found.settled:
-            raise
-        return found.device, *_left(simulation, found, found.device, tests)
-
-
-def _left(
-    simulation: Simulation, found: Attribution, closed: Device, tests: Sequence[Observed]
-) -> tuple[tuple[Residuals, ...], tuple[Residuals, ...]]:
-    """Residuals of the believed gyro and of the closed one. Tests that were fitted to come first:
-    both were simulated, or next to it, when the search ended."""
-    believed = found.believed
-    before, after = list(found.believed_answers), list[Answers]()
-    for part in found.parts:
-        change = simulation.difference(part.device, closed, part.test)
-        after.append(added(part.answers, change))
-    as_believed = closed.without_noise() == believed.without_noise()
-    for test in tests[len(found.parts) :]:
-        before.append(simulation.answers(believed, test))
-        after.append(before[-1] if as_believed else simulation.answers(closed, test))
-    return (
-        tuple(_residuals(simulation, believed, *pair) for pair in zip(tests, before, strict=True)),
-        tuple(_residuals(simulation, closed, *pair) for pair in zip(tests, after, strict=True)),
+def _summarize(
+    device: str,
+    simulation: Simulation,
+    catalogue: Catalogue,
+    attribution: Attribution,
+    tests: Sequence[ObservedTest],
+    closing: Closing,
+    excluded: tuple[str, ...],
+) -> Diagnosis:
+    features = check_residuals(attribution)
+    verdict, causes, unknown_probability = reach_verdict(attribution, catalogue.effects, features)
+    stated = build_angle_noise(attribution.nominal)
+    stated_noise = replace(attribution.channel_noise, angle=stated)
+    count = len(attribution.parts)
+    before, after = ([of["gyro_angle"] for of in r] for r in (closing.before, closing.after))
+    return Diagnosis(
+        device,
+        verdict,
+        causes,
+        unknown_probability,
+        where=locate_gap(build_design(attribution.parts, stated_noise)),
+        sizes=measure_sizes(
+            attribution.parts, closing.before[:count], closing.after[:count], stated_noise
+        ),
+        gap=compute_gap_figures(tests, before, after, attribution),
+        next_test=suggest_next_test(
+            simulation, attribution, find_rivals(attribution, catalogue.effects)
+        )
+        or suggest_static_test(attribution.noise, stated),
+        unnamed=list_unnamed(attribution, features),
+        excluded=excluded,
+        settled=attribution.settled,
     )
-
-
-def _residuals(
-    simulation: Simulation, device: Device, test: Observed, answers: Answers
-) -> Residuals:
-    """As evidence compares them: channels beside the angle where the pattern is as measured."""
-    around = simulation.over_angle(device, test)
-    residuals = {name: getattr(test.log, name) - answers[name] for name in CHANNELS}
-    turned = device.bryan_factor * residuals["gyro_angle"]
-    for name in CHANNELS[1:]:
-        at_angle = residuals[name] + around.slopes[name] * turned
-        residuals[name] = at_angle - around.bent(name, turned)
-    return {name: np.where(test.rows[name], residuals[name], np.nan) for name in CHANNELS}
-
-
-def _rest(found: Attribution) -> list[Remainder]:
-    noise = replace(found.channel_noise, angle=found.noise.noise)
-    channels = CHANNELS[1:] if is_rough(found.noise, found.believed) else CHANNELS
-    left = remainders(found.parts, found.ranked.best.sizes, noise, found.believed, channels)
-    return [r for r in left if not (r.channel in noise.per_kelvin and noise.reading_steps[r.test])]
-
-
-def _where(found: Attribution) -> tuple[Where, ...]:
-    noise = replace(found.channel_noise, angle=angle_noise(found.believed))
-    places = located(design(found.parts, noise))
-    return tuple(_told(place) for place in places)
-
-
-def _sizes(
-    found: Attribution, before: Sequence[Residuals], after: Sequence[Residuals]
-) -> tuple[Size, ...]:
-    noise = replace(found.channel_noise, angle=angle_noise(found.believed))
-    count = len(found.parts)
-    return sizes(found.parts, before[:count], after[:count], noise)
-
-
-def _told(place: Place) -> Where:
-    return Where(
-        place.test, place.channel, place.coordinate, place.share, place.sigmas, place.harmonic
-    )
-
-
-def _angles(residuals: Sequence[Residuals]) -> list[Array]:
-    return [of["gyro_angle"] for of in residuals]

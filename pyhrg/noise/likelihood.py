@@ -1,14 +1,14 @@
-"""Likelihood of the slow and fast noises of an angle record that is sampled evenly and has no gap.
+"""Restricted likelihood of the noises of an angle record that is evenly sampled, without a gap.
 
 The angle is white noise plus the integral of rates whose two-sided densities are N^2, B^2/(2 pi f)
 and K^2/(2 pi f)^2 (IEEE Std 952, annex C). In the cosine transform (DCT-II) of the record the
 coefficients of such noises are independent but for a straight line and a parabola: exactly for
 white noise and for both random walks, since the transform diagonalizes the second difference with
 free ends and a walk of rate is a bridge plus the line between its ends; nearly for flicker. Line,
-parabola and whatever else is no noise are estimated along (restricted likelihood, H. D. Patterson,
-R. Thompson, Biometrika 58 (1971)), so that none of it touches the noises. Unlike points of an Allan
-curve, the coefficients are not correlated, and none of the record's information is lost. Everything
-here is in units of rad and samples.
+parabola and other signals are estimated along with the noises (restricted likelihood, H. D.
+Patterson, R. Thompson, Biometrika 58 (1971)), so that none of them biases the noises. Unlike points
+of an Allan deviation, the coefficients are not correlated, and none of the record's information is
+lost. Units are rad and samples.
 """
 
 from collections.abc import Sequence
@@ -22,47 +22,51 @@ from scipy.special import zeta
 Array = NDArray[np.float64]
 
 POWERS = (0, 2, 3, 4)
-"""Density of the angle falls as frequency to this: white angle noise, N, B, K."""
-SINGLE = 32
-"""Coefficients that are bands of their own; above, a band is a thirty-second of an octave or so."""
-SAME = 1e-9
-"""A trend of which less than this is left beside the earlier ones is one of them."""
+"""Exponents p of the angle's spectral densities f^-p: angle white noise, N, B, K."""
+SINGLE_BANDS = 32
+"""Number of lowest coefficients that are bands of their own. Chosen; above them, a band is about a
+forty-fifth of an octave."""
+MIN_TREND_SHARE = 1e-9
+"""A trend is dropped if its part orthogonal to the earlier ones is a smaller share than this.
+Chosen."""
 
 
 @dataclass(frozen=True)
 class Spectrum:
     """Sufficient statistics of a record: its cosine transform, summed over b narrow bands.
 
-    Its m trends are orthonormal: line, parabola, and what is left of the others beside them.
+    Its m trends are orthonormal: line, parabola, and the orthogonal parts of the others.
+
+    Attributes:
+        rest: (n,) angles without their trends (least squares), rad.
+        count: (b,) number of coefficients in each band.
+        power: (b,) sum of their squares, rad^2.
+        squares: (m, m, b) sum of products of the transformed trends.
+        products: (m, b) sum of their products with the record, rad.
+        shapes: (4, b) density of each noise at unit strength, in the order of `POWERS`.
     """
 
     rest: Array
-    """(n,) angles without their trends (least squares), rad."""
     count: Array
-    """(b,) coefficients in each band."""
     power: Array
-    """(b,) sum of their squares, rad^2."""
     squares: Array
-    """(m, m, b) sum of products of the transformed trends."""
     products: Array
-    """(m, b) sum of their products with the record, rad."""
     shapes: Array
-    """(4, b) density of each noise at unit strength, in the order of `POWERS`."""
 
 
-def spectrum(angle: Array, trends: Sequence[Array] = ()) -> Spectrum:
-    """Transform a record.
+def compute_spectrum(angle: Array, trends: Sequence[Array] = ()) -> Spectrum:
+    """The spectrum of a record.
 
     Args:
         angle: (n,) rad.
-        trends: (n,) each: what may be in the angles, in any size, beside an offset, a constant rate
-            and a rate ramp.
+        trends: (n,) signals that the angles may contain in any size, beside an offset, a constant
+            rate and a rate ramp.
     """
     n = len(angle)
-    basis = _orthonormal(n, trends)
+    basis = _orthonormalize(n, trends)
     rest = angle - basis @ (basis.T @ angle)
     record, columns = (dct(x, norm="ortho")[..., 1:] for x in (rest, basis.T[1:]))
-    edges = _band_edges(n - 1)
+    edges = _place_band_edges(n - 1)
 
     def summed(values: Array) -> Array:
         return np.asarray(np.add.reduceat(values, edges, axis=-1))
@@ -75,26 +79,28 @@ def spectrum(angle: Array, trends: Sequence[Array] = ()) -> Spectrum:
         power=summed(record**2),
         squares=summed(columns[:, np.newaxis] * columns),
         products=summed(columns * record),
-        shapes=_shapes(centre),
+        shapes=_compute_shapes(centre),
     )
 
 
-def _orthonormal(n: int, trends: Sequence[Array]) -> Array:
-    """(n, 1 + m) constant, line, parabola, and the others as far as they are not among these."""
+def _orthonormalize(n: int, trends: Sequence[Array]) -> Array:
+    """(n, 1 + m) orthonormal constant, line, parabola, and the others without those before them."""
     time = np.linspace(-1.0, 1.0, n)
     columns = np.column_stack([np.ones(n), time, time**2, *trends])
     columns = columns / np.linalg.norm(columns, axis=0).clip(np.finfo(float).tiny)
     basis, share = np.linalg.qr(columns)
-    return np.asarray(basis[:, np.abs(np.diag(share)) > SAME])
+    return np.asarray(basis[:, np.abs(np.diag(share)) > MIN_TREND_SHARE])
 
 
-def _band_edges(coefficients: int) -> NDArray[np.int64]:
-    wide = np.geomspace(SINGLE, coefficients, max(2, int(45 * np.log2(coefficients / SINGLE))))
-    return np.unique(np.concatenate([np.arange(SINGLE), wide[:-1].astype(np.int64)]))
+def _place_band_edges(coefficients: int) -> NDArray[np.int64]:
+    wide = np.geomspace(
+        SINGLE_BANDS, coefficients, max(2, int(45 * np.log2(coefficients / SINGLE_BANDS)))
+    )
+    return np.unique(np.concatenate([np.arange(SINGLE_BANDS), wide[:-1].astype(np.int64)]))
 
 
-def _shapes(frequency: Array) -> Array:
-    """Density of sampled angles, (4, b): the sum over all aliases of omega^-p, by Hurwitz' zeta.
+def _compute_shapes(frequency: Array) -> Array:
+    """(4, b) densities of sampled angles: the sum of omega^-p over all aliases, by Hurwitz' zeta.
 
     Args:
         frequency: (b,) cycles a sample, below 1/2.
@@ -105,31 +111,36 @@ def _shapes(frequency: Array) -> Array:
 
 @dataclass(frozen=True)
 class Misfit:
-    """Minus twice the restricted log likelihood at some strengths, and its quadratic model."""
+    """Minus twice the restricted log likelihood at some strengths, and its quadratic model.
+
+    Attributes:
+        value: minus twice the log likelihood, without constants.
+        information: (4, 4) expected second derivative, twice the inverse covariance of the
+            strengths.
+        right_side: (4,) the model is least where information @ strengths equals it.
+    """
 
     value: float
     information: Array
-    """(4, 4) expected second derivative: twice the inverse covariance of the strengths."""
-    pull: Array
-    """(4,) the model is least where information @ strengths = pull."""
+    right_side: Array
 
 
-def misfit(records: Sequence[Spectrum], strengths: Array) -> Misfit:
-    """Judge strengths by records that share them.
+def compute_misfit(records: Sequence[Spectrum], strengths: Array) -> Misfit:
+    """Misfit of strengths to records that share them.
 
     Args:
-        records: of the angles.
+        records: spectra of the angles.
         strengths: (4,) variance of each noise, rad^2, in the order of `POWERS`; not all zero.
     """
-    parts = [_misfit(record, strengths) for record in records]
+    parts = [_compute_record_misfit(record, strengths) for record in records]
     return Misfit(
         value=sum(part.value for part in parts),
         information=np.sum([part.information for part in parts], axis=0),
-        pull=np.sum([part.pull for part in parts], axis=0),
+        right_side=np.sum([part.right_side for part in parts], axis=0),
     )
 
 
-def _misfit(record: Spectrum, strengths: Array) -> Misfit:
+def _compute_record_misfit(record: Spectrum, strengths: Array) -> Misfit:
     density = strengths @ record.shapes
     trends = len(record.products)
     root = np.linalg.cholesky(np.sum(record.squares / density, axis=-1))
@@ -150,12 +161,16 @@ def _misfit(record: Spectrum, strengths: Array) -> Misfit:
     return Misfit(float(value), information, information @ strengths - slope)
 
 
-def estimator(
+def describe_estimator(
     records: Sequence[Spectrum], model: Misfit, strengths: Array, index: int
 ) -> tuple[float, float]:
-    """Standard deviation, rad^2, and skewness of one strength while the others are fitted.
+    """Standard deviation, rad^2, and skewness of one strength's estimate, the others fitted too.
 
-    Both at given strengths, whose misfit is the model; the skewness as if there were no trends.
+    Args:
+        records: spectra of the angles.
+        model: misfit at `strengths`.
+        strengths: (4,) true strengths, rad^2.
+        index: of the strength. The skewness is that without trends.
     """
     inverse = np.linalg.inv(model.information)[index]
     cubes = squares = 0.0

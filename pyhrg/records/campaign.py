@@ -1,4 +1,4 @@
-"""A campaign: what a test engineer brings home from one gyro, a folder with one log a test."""
+"""A campaign: the tests of one gyro as a folder, with an index and one log a test."""
 
 import json
 import re
@@ -8,60 +8,78 @@ from functools import cached_property
 from pathlib import Path
 from typing import ClassVar
 
-from pyhrg import records
 from pyhrg.common.files import write_whole
 from pyhrg.common.site import Site
+from pyhrg.common.toml_table import TomlTable
 from pyhrg.common.units import DEG
-from pyhrg.records import Log
-from pyhrg.records.campaign_index import CampaignError, Entry, index_of
+from pyhrg.records.campaign_index import CampaignError, read_index
+from pyhrg.records.log import Log, read_log, write_log
 
-__all__ = ["Campaign", "CampaignError", "Site", "StoredLog", "Test", "read", "write"]
+__all__ = [
+    "Campaign",
+    "CampaignError",
+    "Site",
+    "StoredLog",
+    "Test",
+    "read_campaign",
+    "write_campaign",
+]
 
 SCHEMA = "hrg-campaign/1"
 INDEX = "campaign.json"
 ROLES = ("fit", "holdout")
-"""May be used to diagnose; only to verify."""
+"""Tests that a diagnosis may fit, and tests that only verify it."""
 GRAVITY = (9.7, 9.9)
-"""On Earth, m/s2."""
+"""Smallest and largest gravity on Earth, m/s2."""
 FILE_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9._-]*")
+"""Names of files that any system takes."""
 
 
 @dataclass(frozen=True)
 class StoredLog:
-    """A log that is read when it is asked for."""
+    """A log that is read when it is asked for.
+
+    Attributes:
+        path: of the file.
+        interval: sampling interval, s.
+        n: number of rows that the index states.
+        site: where the test was done.
+    """
 
     path: Path
     interval: float
-    """s."""
     n: int
-    """Rows that the campaign promises."""
-    latitude: float
-    """Of the site, rad."""
+    site: Site
 
     def read(self) -> Log:
-        """Read the log; a number of rows that isn't as promised is an exclusion.
+        """Read the log; another number of rows than the index states is an exclusion.
 
         Raises:
-            LogError: as `records.read`.
+            LogError: see `read_log`.
         """
-        log = records.read(self.path, self.interval, self.latitude)
+        log = read_log(self.path, interval_s=self.interval, latitude_deg=self.site.latitude_deg)
         if len(log.time) == self.n:
             return log
-        note = f"{len(log.time)} rows left; {INDEX} says {self.n}"
+        note = f"{len(log.time)} rows are of use; {INDEX} says {self.n}"
         return replace(log, exclusions=(*log.exclusions, note))
 
 
 @dataclass(frozen=True)
 class Test:
-    """One test of one power-on."""
+    """One test of one power-on.
+
+    Attributes:
+        id: name of the test, unlike any other of the campaign; a file name.
+        kind: `static`, `positions`, `rate`, `ring_down`, ... (docs/records.md).
+        role: `fit` or `holdout`.
+        recording: the log, or where it is stored.
+    """
 
     __test__: ClassVar[bool] = False  # not one of pytest's
 
     id: str
     kind: str
-    """`static`, `positions`, `rate`, `ring_down`, ..."""
     role: str
-    """`fit` or `holdout`."""
     recording: Log | StoredLog
 
     @cached_property
@@ -75,51 +93,60 @@ class Test:
 
     @property
     def is_holdout(self) -> bool:
-        """Whether it may only verify, never fit."""
+        """Whether the test may only verify, never fit."""
         return self.role == "holdout"
 
 
 @dataclass(frozen=True)
 class Campaign:
-    """The tests of one gyro."""
+    """The tests of one gyro.
+
+    Attributes:
+        device: name of the gyro.
+        site: where it was tested.
+        nominal: nominal values of the gyro's parameters, by the keys of a device file, in the
+            keys' units.
+        tests: in the order of the index.
+    """
 
     device: str
     site: Site
     nominal: Mapping[str, float]
-    """What is believed of the gyro, under the names and units of the file."""
     tests: tuple[Test, ...]
 
     def of_kind(self, *kinds: str) -> list[Test]:
-        """Its tests of these kinds, in order; those held out too."""
+        """The tests of these kinds, in order; those held out too."""
         return [test for test in self.tests if test.kind in kinds]
 
 
-def read(folder: Path) -> Campaign:
-    """Read a campaign's index; logs are read when they are asked for.
+def read_campaign(folder: Path | str) -> Campaign:
+    """Read a campaign's index (docs/records.md); logs are read when they are asked for.
 
     Raises:
-        CampaignError: no index, another schema, or a key that is missing or has a wrong value.
+        CampaignError: there is no index, it has another schema, or a key is missing or has a wrong
+            value.
     """
-    index = index_of(folder / INDEX)
-    if index.text("schema") != SCHEMA:
-        raise index.error("schema", f"expected {SCHEMA!r}")
-    place = index.entry("site")
+    index = read_index(Path(folder) / INDEX)
+    index.text("schema", None, (SCHEMA,))
+    for key, expected in (("site", "a table"), ("nominal", "a table"), ("tests", "a list")):
+        index.require(key, expected)
+    place = index.table("site")
     site = Site(
-        latitude=place.number("latitude_deg", -90.0, 90.0) * DEG,
-        gravity=place.number("gravity_m_s2", *GRAVITY),
+        latitude=place.number("latitude_deg", None, -90.0, 90.0) * DEG,
+        gravity=place.number("gravity_m_s2", None, *GRAVITY),
     )
-    nominal = index.entry("nominal")
-    tests = tuple(_test(folder, entry, site) for entry in index.entries("tests"))
-    _check_names(folder / INDEX, tests)
+    nominal = index.table("nominal")
+    tests = tuple(_read_test(Path(folder), entry, site) for entry in index.tables("tests"))
+    _check_names(Path(folder) / INDEX, tests)
     return Campaign(
-        device=index.text("device"),
+        device=_read_text(index, "device"),
         site=site,
-        nominal={key: nominal.number(key) for key in nominal.values},
+        nominal={key: nominal.finite_number(key) for key in nominal.values},
         tests=tests,
     )
 
 
-def write(campaign: Campaign, folder: Path) -> None:
+def write_campaign(campaign: Campaign, folder: Path | str) -> None:
     """Write the logs, then the index.
 
     Raises:
@@ -127,19 +154,20 @@ def write(campaign: Campaign, folder: Path) -> None:
         LogError: a log that is yet to be read can't be used.
         OSError: the folder can't be written.
     """
+    folder = Path(folder)
     _check_names(folder, campaign.tests)
     folder.mkdir(parents=True, exist_ok=True)
     for test in campaign.tests:
-        records.write(test.log, folder / _file(test))
+        write_log(test.log, folder / _name_file(test))
     index = {
         "schema": SCHEMA,
         "device": campaign.device,
         "site": {
-            "latitude_deg": float(f"{campaign.site.latitude / DEG:.15g}"),
+            "latitude_deg": float(f"{campaign.site.latitude_deg:.15g}"),
             "gravity_m_s2": campaign.site.gravity,
         },
         "nominal": dict(campaign.nominal),
-        "tests": [_listed(test) for test in campaign.tests],
+        "tests": [_describe_test(test) for test in campaign.tests],
     }
     text = json.dumps(index, indent=1, allow_nan=False) + "\n"
     write_whole(folder / INDEX, text.encode())
@@ -152,31 +180,37 @@ def _check_names(path: Path, tests: tuple[Test, ...]) -> None:
             raise CampaignError(f"{path}: test {name!r}: expected a file name, each once")
 
 
-def _file(test: Test) -> str:
+def _name_file(test: Test) -> str:
     return f"{test.id}.csv.gz"
 
 
-def _listed(test: Test) -> dict[str, str | float]:
+def _describe_test(test: Test) -> dict[str, str | float]:
     return {
         "id": test.id,
         "kind": test.kind,
         "role": test.role,
-        "file": _file(test),
+        "file": _name_file(test),
         "interval_s": test.log.interval,
         "n": len(test.log.time),
     }
 
 
-def _test(folder: Path, entry: Entry, site: Site) -> Test:
-    role = entry.text("role")
-    if role not in ROLES:
-        raise entry.error("role", f"expected {' or '.join(ROLES)}")
-    file = entry.text("file")
+def _read_test(folder: Path, entry: TomlTable, site: Site) -> Test:
+    file = _read_text(entry, "file")
     if not FILE_NAME.fullmatch(file):
-        raise entry.error("file", "expected the name of a file in the campaign's folder")
-    interval = entry.number("interval_s", 1e-6, 1e6)
-    n = entry.number("n", 0, 1e9)
-    if n != int(n):
-        raise entry.error("n", "expected a whole number")
-    stored = StoredLog(folder / file, interval, int(n), site.latitude)
-    return Test(entry.text("id"), entry.text("kind"), role, stored)
+        raise entry.error("file", file, "the name of a file in the campaign's folder")
+    stored = StoredLog(
+        path=folder / file,
+        interval=entry.number("interval_s", None, 1e-6, 1e6),
+        n=entry.whole_number("n", None, 0, 1_000_000_000),
+        site=site,
+    )
+    role = entry.text("role", None, ROLES)
+    return Test(_read_text(entry, "id"), _read_text(entry, "kind"), role, stored)
+
+
+def _read_text(table: TomlTable, key: str) -> str:
+    text = table.text(key, None)
+    if not text:
+        raise table.error(key, text, "a text")
+    return text

@@ -1,4 +1,4 @@
-"""What stands in a log: each column's name in the file, and what it is in SI."""
+"""The columns of a log: each one's name in the file, its unit and its quantity."""
 
 import math
 import re
@@ -15,34 +15,56 @@ class LogError(HrgError):
 
 @dataclass(frozen=True)
 class Column:
-    """A quantity of a log.
+    """A quantity of a log: SI value = factor * value in the file + offset.
 
-    SI value = factor * value in the file + offset.
+    Attributes:
+        field: attribute of `Log`.
+        stem: name in the file, without its unit.
+        unit: unit in the file; empty for a pure number.
+        role: whether the test bench measures the quantity (reference), the test bench commands it,
+            or the gyro measures it (response).
+        quantity: what it is, in words.
+        lowest: smallest value allowed, in the file's unit.
+        highest: largest value allowed, in the file's unit.
+        digits: significant digits that are written: well below the noise of any gyro.
+        optional: whether a log without the column is read without a note.
     """
 
     field: str
-    """In `Log`."""
     stem: str
-    """Name in the file, without its unit."""
     unit: str
-    """In the file; empty for a pure number."""
     role: Literal["reference", "command", "response"]
-    """Measured by the test bench, commanded by it, or measured by the gyro."""
     quantity: str
     factor: float = 1.0
     offset: float = 0.0
     lowest: float = -math.inf
-    """Least value that makes sense, in the file's unit."""
     highest: float = math.inf
     digits: int = 12
-    """Significant digits that are written: well below the noise of any gyro."""
     optional: bool = False
-    """Beyond the campaign format: nothing is said where it isn't there."""
 
     @property
     def name(self) -> str:
         """Name in the file, unit included."""
         return f"{self.stem}_{self.unit}" if self.unit else self.stem
+
+    @property
+    def si_unit(self) -> str:
+        """Unit of the field of `Log`; empty for a pure number."""
+        return SI_UNITS[self.unit]
+
+
+SI_UNITS = {
+    "s": "s",
+    "deg": "rad",
+    "rad": "rad",
+    "deg_s": "rad/s",
+    "m_s2": "m/s2",
+    "degC": "K",
+    "per_s": "1/s",
+    "Hz": "rad/s",
+    "": "",
+}
+"""SI units, by a column's unit in the file."""
 
 
 COLUMNS = (
@@ -64,7 +86,7 @@ COLUMNS = (
     Column("acceleration_z", "accel_z", "m_s2", "reference", "specific force, input axis"),
     Column(
         *("temperature", "temperature", "degC", "reference"),
-        "of the case",
+        "temperature of the case",
         offset=273.15,
         lowest=-100.0,
         highest=150.0,
@@ -130,7 +152,7 @@ COLUMNS = (
         optional=True,
     ),
 )
-"""In the order in which they are written."""
+"""The columns in the order in which they are written."""
 
 BY_FIELD = {column.field: column for column in COLUMNS}
 
@@ -138,13 +160,13 @@ ANY_UNIT = re.compile(
     r"|_(m|u)?rad(_s)?|_deg(_[sh])?|_arcsec|_deg[CF]|_[CFKVNmgsh]|_[mu]s|_min|_mg|_m_s2|_[mk]?Hz"
     r"|_per_[sh]|_ppm|_percent|_mV|_[mun]m"
 )
-"""Suffixes that say a unit, right or wrong, or none."""
+"""Suffixes of a column's name that state a unit, right or wrong, or none."""
 
 
-def mislabelled(name: str) -> Column | None:
-    """The column that a header's name means but gives with another unit, or with none."""
+def find_mislabelled_column(name: str) -> Column | None:
+    """The column that a header names with another unit, or without one; None if there is none."""
     for column in COLUMNS:
-        rest = name.removeprefix(column.stem)
-        if rest != name != column.name and ANY_UNIT.fullmatch(rest):
+        suffix = name.removeprefix(column.stem)
+        if suffix != name != column.name and ANY_UNIT.fullmatch(suffix):
             return column
     return None

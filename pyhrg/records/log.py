@@ -5,8 +5,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 
 from pyhrg.common.files import write_whole
+from pyhrg.common.units import DEG
 from pyhrg.records import mixups, saturation, timing
 from pyhrg.records.columns import BY_FIELD, COLUMNS, LogError
 from pyhrg.records.table import Array, Table, read_table
@@ -14,14 +16,14 @@ from pyhrg.records.table import Array, Table, read_table
 
 @dataclass(frozen=True)
 class Log:
-    """One row an interval. SI, each (n,); NaN where a value is missing, all through where its
-    column is.
+    """Columns of n rows, one row an interval; SI.
 
-    Forces and frequency are means over the interval, angles are taken at its end.
+    A missing value is NaN; a missing column has no other values. Forces, frequency, specific force
+    and commanded rotation are means over the interval; angles are those at its end.
     """
 
     source: str
-    """File name, for messages."""
+    """Name of the file, for messages."""
     interval: float
     """Sampling interval, s."""
     time: Array
@@ -29,19 +31,19 @@ class Log:
     table_angle: Array
     """Turntable encoder about the input axis, rad."""
     axis_up: Array
-    """Projection of the input axis on local up; 0: level and pointing east."""
+    """Projection of the input axis on local up; 0: the axis is level and points east."""
     acceleration_x: Array
     """Specific force in the gyro's frame, m/s2; z is the input axis."""
     acceleration_y: Array
     acceleration_z: Array
     temperature: Array
-    """Of the case, K."""
+    """Temperature of the case, K."""
     virtual_rotation: Array
-    """Commanded rotation as an input rate, rad/s: the pattern turns by + Bryan factor times it."""
+    """Commanded rotation as an input rate, rad/s; it turns the pattern by angular gain times it."""
     amplitude_setpoint: Array
-    """Nominal 1."""
+    """Commanded amplitude; nominal 1."""
     phase_offset: Array
-    """Added to the detected phase, rad."""
+    """Commanded offset that is added to the detected phase, rad."""
     drive_on: Array
     """1, or 0 while amplitude, quadrature and rotation forces are off."""
     gyro_angle: Array
@@ -51,82 +53,101 @@ class Log:
     amplitude: Array
     """Detected antinode amplitude; nominal 1."""
     amplitude_force: Array
-    """Over detected amplitude, 1/s."""
+    """Force of the amplitude loop over the detected amplitude, 1/s."""
     quadrature_force: Array
-    """Amplitude units per second, 1/s."""
+    """Force of the quadrature loop in amplitudes per second, 1/s."""
     frequency_offset: Array
-    """Loop frequency less the nominal one, rad/s."""
+    """Frequency of the phase loop less the nominal one, rad/s."""
     valid: Array
     """Share of the interval in which the output was valid."""
     exclusions: tuple[str, ...] = ()
-    """What was left out on reading, a sentence each; rows are the file's, its header is row 1."""
+    """What reading left out, a sentence each; rows are numbered as in the file, from the header."""
 
     def require(self, *fields: str) -> None:
-        """Ask for columns by field.
+        """Refuse a log in which one of these fields has no value at all.
 
         Raises:
-            LogError: one has no value at all.
+            LogError: one has none.
         """
-        there = [c.name for c in COLUMNS if np.isfinite(getattr(self, c.field)).any()]
-        missing = [BY_FIELD[f].name for f in fields if BY_FIELD[f].name not in there]
+        present = [c.name for c in COLUMNS if np.isfinite(getattr(self, c.field)).any()]
+        missing = [BY_FIELD[f].name for f in fields if BY_FIELD[f].name not in present]
         if missing:
             raise LogError(
                 f"{self.source}: column {', '.join(missing)} is missing or has no values; "
-                f"found {', '.join(there)}"
+                f"found {', '.join(present)}"
             )
 
+    def to_frame(self) -> pd.DataFrame:
+        """The log's columns in SI under their fields' names, one row an interval.
+
+        `attrs["units"]` has the unit of each column, `attrs["source"]` the file.
+        """
+        frame = pd.DataFrame({c.field: getattr(self, c.field) for c in COLUMNS})
+        frame.attrs["units"] = {c.field: c.si_unit or "1" for c in COLUMNS}
+        frame.attrs["source"] = self.source
+        return frame
+
     def stretches(self, *fields: str) -> list[slice]:
-        """Rows without a gap whose values in all these fields are there.
+        """Stretches of rows without a gap in time and without a missing value in these fields.
 
         Raises:
             LogError: a field has no value at all.
         """
         self.require(*fields)
         known = np.isfinite(np.stack([getattr(self, f) for f in ("time", *fields)])).all(axis=0)
-        joined = timing.even_steps(self.time, self.interval) & known[1:] & known[:-1]
-        starts = np.flatnonzero(known & ~np.append(False, joined))
-        ends = np.flatnonzero(known & ~np.append(joined, False)) + 1
+        is_joined = timing.find_even_steps(self.time, self.interval) & known[1:] & known[:-1]
+        starts = np.flatnonzero(known & ~np.append(False, is_joined))
+        ends = np.flatnonzero(known & ~np.append(is_joined, False)) + 1
         return [slice(int(a), int(b)) for a, b in zip(starts, ends, strict=True)]
 
 
-def read(path: Path, interval: float | None = None, latitude: float | None = None) -> Log:
-    """Read a log from CSV, gzipped or not.
+def read_log(
+    path: Path | str, *, interval_s: float | None = None, latitude_deg: float | None = None
+) -> Log:
+    """Read a log from a CSV file (docs/records.md), gzipped or not.
 
-    Rows without time, rows that repeat an earlier one, missing values and saturated stretches are
-    left out, gaps and unknown columns are noted: `Log.exclusions`.
+    Rows without a time, rows that repeat an earlier one, missing values and saturated stretches are
+    left out; gaps and unknown columns are noted. `Log.exclusions` says so, a sentence each.
 
     Args:
         path: of the file.
-        interval: sampling interval, s; the median time step where it isn't given.
-        latitude: of the site, rad; with it Earth's rate is looked for in the gyro's angle.
+        interval_s: sampling interval, s; the median time step if None.
+        latitude_deg: geodetic latitude of the site; with it, the gyro's angle must show Earth's
+            rate.
 
     Raises:
-        LogError: an unreadable file, a column twice or under another unit, no times, too few rows,
-            a field that is no number or out of range, one time with different values, time that
-            runs back, steps that contradict the interval, values in another unit than the
-            header says.
+        LogError: the file can't be read; a column stands there twice or under another unit; there
+            are no times or too few rows; a field is no number or out of range; one time has
+            different values; time runs back, or its steps contradict the interval; values are in
+            another unit than the header says.
     """
-    return checked(read_table(path), interval, latitude)
+    table = read_table(Path(path))
+    return build_log(table, interval_s, None if latitude_deg is None else latitude_deg * DEG)
 
 
-def checked(table: Table, interval: float | None = None, latitude: float | None = None) -> Log:
-    """The log that a table holds; see `read`.
+def build_log(table: Table, interval: float | None = None, latitude: float | None = None) -> Log:
+    """A log of a table's rows, checked and with notes on what was left out.
+
+    Args:
+        table: as it was read.
+        interval: sampling interval, s; the median time step if None.
+        latitude: of the site, rad; None: Earth's rate is not looked for.
 
     Raises:
-        LogError: what is wrong with rows or values, as `read`.
+        LogError: see `read_log`.
     """
-    table = timing.ordered(table)
-    interval = timing.interval_of(table, interval)
-    table = timing.with_gaps_noted(_with_missing_noted(table), interval)
-    table = saturation.without_saturation(table, interval)
+    table = timing.drop_repeated_rows(table)
+    interval = timing.find_interval(table, interval)
+    table = timing.note_gaps(_note_missing_values(table), interval)
+    table = saturation.remove_saturation(table, interval)
     mixups.check_units(table, interval)
     if latitude is not None:
         mixups.check_earth_rate(table, interval, latitude)
     return Log(table.source, interval, exclusions=table.notes, **table.columns)
 
 
-def write(log: Log, path: Path) -> None:
-    """Write a log as CSV, gzipped where the name ends in .gz; the same log gives the same bytes.
+def write_log(log: Log, path: Path) -> None:
+    """Write a log as CSV, gzipped if the name ends in .gz; the same log gives the same bytes.
 
     Columns without any value are not written.
 
@@ -144,12 +165,12 @@ def write(log: Log, path: Path) -> None:
     )
 
 
-def _with_missing_noted(table: Table) -> Table:
+def _note_missing_values(table: Table) -> Table:
     for column in COLUMNS:
         missing = np.isnan(table.columns[column.field])
         if missing.all():
             if not column.optional and f"no column {column.name}" not in table.notes:
-                table = table.noted(missing, f"{column.name} missing")
+                table = table.add_note(missing, f"{column.name} missing")
         else:
-            table = table.noted(missing, f"{column.name} missing")
+            table = table.add_note(missing, f"{column.name} missing")
     return table

@@ -7,63 +7,67 @@ from pyhrg.common.units import DEG
 from pyhrg.records.columns import COLUMNS
 from pyhrg.records.table import Array, Table
 
-FAST = 0.1 * DEG
-"""Table rate that no dead zone holds and no bias hides, rad/s."""
-SHORTEST_WHILE_TURNING = 3
-"""Equal angles in a row that a turning table makes impossible."""
-SHORTEST = 5
-"""Equal values in a row that may be a saturated stretch at all."""
-FALSE_ALARMS = 1e-6
-"""Stretches as long that chance may give in a log."""
+MOVING_TABLE_RATE = 0.1 * DEG
+"""Table rate above which the table turns, rad/s. Chosen: no dead zone holds against it and no bias
+hides it."""
+MIN_RUN_WHILE_TURNING = 3
+"""Smallest number of successive equal angles that a turning table makes impossible."""
+MIN_RUN = 5
+"""Smallest number of successive equal values that is looked at. Chosen."""
+FALSE_ALARM_COUNT = 1e-6
+"""A run is saturated if fewer runs as long are expected by chance in the log. Chosen."""
 
 
-def without_saturation(table: Table, interval: float) -> Table:
-    """Values of saturated stretches made NaN and noted.
+def remove_saturation(table: Table, interval: float) -> Table:
+    """The table without the values of saturated stretches, which are noted.
 
-    An angle is saturated where it repeats while the table turns. Any channel is, where it repeats
-    for longer than the rest of the log under the same commands makes credible: its steps repeat
-    with a share p, so that r repeats in a row out of n come about n p^r times by chance. A value
-    that a channel has most of the time (a gyro without noise, a force that is off) is left alone,
-    and so is one that merely waits for its next quantum: it enters and leaves by one or two.
+    An angle is saturated where it repeats while the table turns. Any channel is saturated where it
+    repeats for longer than the other rows under the same commands make credible. If a share p of n
+    steps repeats the value before, then r repeats in succession are expected n p^r times by chance.
+    Two kinds of runs are left alone: a value that a channel has most of the time (a gyro without
+    noise, a force that is off), and a value that waits for its next quantization step, which it
+    enters and leaves by one or two steps.
     """
-    turning = np.append(False, np.abs(np.diff(table.columns["table_angle"])) > FAST * interval)
-    state = _states(table, turning)
+    turning = np.append(
+        False, np.abs(np.diff(table.columns["table_angle"])) > MOVING_TABLE_RATE * interval
+    )
+    state = _number_states(table, turning)
     for column in COLUMNS:
         if column.role != "response":
             continue
         values = table.columns[column.field]
-        stuck = _improbable(values, state)
+        is_stuck = _find_improbable_runs(values, state)
         if column.field == "gyro_angle" or (
             column.field == "wave_angle" and not np.any(table.columns["virtual_rotation"])
         ):
-            stuck |= _still(values, turning)
-        table = table.noted(stuck, f"{column.name} stands still: saturated, left out")
-        table = table.emptied(column.field, stuck)
+            is_stuck |= _find_stuck_angles(values, turning)
+        table = table.add_note(is_stuck, f"{column.name} stands still: saturated, left out")
+        table = table.clear_values(column.field, is_stuck)
     return table
 
 
-def _states(table: Table, turning: NDArray[np.bool_]) -> NDArray[np.int64]:
-    """(n,) number of the commanded state that each row is in."""
+def _number_states(table: Table, turning: NDArray[np.bool_]) -> NDArray[np.int64]:
+    """(n,) number of the state that each row is in: its commands, and whether the table turns."""
     state = turning.astype(np.int64)
     for column in COLUMNS:
         if column.role == "command":
-            state = _coded(state, table.columns[column.field])
+            state = _number_pairs(state, table.columns[column.field])
     return state
 
 
-def _coded(state: NDArray[np.int64], values: Array) -> NDArray[np.int64]:
-    """(n,) number of the pair of state and value that each row has."""
+def _number_pairs(state: NDArray[np.int64], values: Array) -> NDArray[np.int64]:
+    """(n,) number of the pair of state and value in each row."""
     codes = np.unique(values, return_inverse=True)[1]
     return np.unique(state * (codes.max() + 1) + codes, return_inverse=True)[1]
 
 
-def _runs(same: NDArray[np.bool_]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """First and last row of each run of rows that equal the row before."""
+def _find_runs(same: NDArray[np.bool_]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """First and last row of each run, from (n - 1,) whether a row equals the row before."""
     edges = np.diff(np.concatenate([[0], same.astype(np.int8), [0]]))
     return np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)
 
 
-def _marked(
+def _mark_runs(
     n: int, first: NDArray[np.int64], last: NDArray[np.int64], chosen: NDArray[np.bool_]
 ) -> NDArray[np.bool_]:
     edges = np.zeros(n + 1, dtype=np.int64)
@@ -72,35 +76,35 @@ def _marked(
     return np.cumsum(edges)[:-1] > 0
 
 
-def _still(values: Array, turning: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    first, last = _runs((np.diff(values) == 0) & turning[1:])
-    return _marked(len(values), first, last, last - first + 1 >= SHORTEST_WHILE_TURNING)
+def _find_stuck_angles(values: Array, turning: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    first, last = _find_runs((np.diff(values) == 0) & turning[1:])
+    return _mark_runs(len(values), first, last, last - first + 1 >= MIN_RUN_WHILE_TURNING)
 
 
-def _improbable(values: Array, state: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Repeats of one value are held to how often the other values of the same state repeat."""
+def _find_improbable_runs(values: Array, state: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """(n,) rows of runs that are improbable by how often other values of the same state repeat."""
     inside = state[1:] == state[:-1]
     same = (np.diff(values) == 0) & inside
-    first, last = _runs(same)
+    first, last = _find_runs(same)
     if not len(first):
         return np.zeros(len(values), dtype=bool)
-    level = _coded(state, values)
+    level = _number_pairs(state, values)
     here = np.bincount(level[1:][same])[level[first]]
     repeats = np.bincount(state[1:][same])[state[first]] - here
     others = np.bincount(state[1:][inside])[state[first]] - here
     share = (repeats + 1) / (others + 2)
-    stuck = (
-        (last - first + 1 >= SHORTEST)
+    is_stuck = (
+        (last - first + 1 >= MIN_RUN)
         & (others >= here)
-        & (others * share ** (last - first) < FALSE_ALARMS)
-        & _jumps(values, first, last)
+        & (others * share ** (last - first) < FALSE_ALARM_COUNT)
+        & _is_jump(values, first, last)
     )
-    return _marked(len(values), first, last, stuck)
+    return _mark_runs(len(values), first, last, is_stuck)
 
 
-def _jumps(values: Array, first: NDArray[np.int64], last: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Whether each run is entered or left by more than two quanta of the channel."""
+def _is_jump(values: Array, first: NDArray[np.int64], last: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """(m,) whether a run is entered or left by more than two quantization steps of the channel."""
     size = np.nan_to_num(np.abs(np.diff(values)))
-    quantum = np.min(np.diff(np.unique(values[np.isfinite(values)])), initial=np.inf)
+    quantization_step = np.min(np.diff(np.unique(values[np.isfinite(values)])), initial=np.inf)
     edges = np.concatenate([[0.0], size, [0.0]])
-    return np.maximum(edges[first], edges[last + 1]) > 2 * quantum
+    return np.maximum(edges[first], edges[last + 1]) > 2 * quantization_step

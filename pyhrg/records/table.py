@@ -1,4 +1,4 @@
-"""The file of a log as numbers: CSV, gzipped or not, every field checked."""
+"""A log's file as a table of numbers: CSV, gzipped or not, every field checked."""
 
 import csv
 import gzip
@@ -11,69 +11,76 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.records.columns import BY_FIELD, COLUMNS, Column, LogError, mislabelled
+from pyhrg.records.columns import BY_FIELD, COLUMNS, Column, LogError, find_mislabelled_column
 
 Array = NDArray[np.float64]
 Numbers = tuple[NDArray[np.int64], dict[str, Array]]
-"""Rows' numbers, and columns by their name in the file."""
+"""(n,) numbers of the rows, and (n,) columns by their name in the file."""
 
-SHOWN = 8
-"""Stretches of rows that a message lists before it only counts."""
+MAX_STRETCHES_NAMED = 8
+"""Largest number of stretches of rows that a message names one by one. Chosen."""
 
 
 @dataclass(frozen=True)
 class Table:
-    """Rows of a log while they are being checked."""
+    """Rows of a log while they are being checked.
+
+    Attributes:
+        source: name of the file, for messages.
+        rows: (n,) row in the file; the header is row 1.
+        columns: (n,) values by field, SI; NaN where there is no value.
+        notes: what was left out so far, a sentence each.
+    """
 
     source: str
     rows: NDArray[np.int64]
-    """(n,) row in the file; the header is row 1."""
     columns: dict[str, Array]
-    """(n,) by field, SI; NaN where there is no value."""
     notes: tuple[str, ...] = ()
 
     def error(self, row: int, field: str, trouble: str) -> LogError:
-        """What is wrong at an index of the table."""
+        """Make the error about a field at an index of the table."""
         return LogError(f"{self.source}: row {self.rows[row]}, {BY_FIELD[field].name}: {trouble}")
 
-    def noted(self, chosen: NDArray[np.bool_], trouble: str) -> "Table":
-        """With a sentence on the chosen rows; the same where none is chosen."""
+    def add_note(self, chosen: NDArray[np.bool_], trouble: str) -> "Table":
+        """The table with a sentence on the chosen rows; the table itself where none is chosen."""
         if not chosen.any():
             return self
-        note = f"{spans(self.rows[chosen])}: {trouble}"
+        note = f"{describe_rows(self.rows[chosen])}: {trouble}"
         return replace(self, notes=(*self.notes, note))
 
-    def kept(self, chosen: NDArray[np.bool_]) -> "Table":
-        """Only the chosen rows."""
+    def keep_rows(self, chosen: NDArray[np.bool_]) -> "Table":
+        """The table with the chosen rows alone."""
         columns = {field: values[chosen] for field, values in self.columns.items()}
         return replace(self, rows=self.rows[chosen], columns=columns)
 
-    def emptied(self, field: str, chosen: NDArray[np.bool_]) -> "Table":
-        """Without a column's values in the chosen rows."""
+    def clear_values(self, field: str, chosen: NDArray[np.bool_]) -> "Table":
+        """The table without a column's values in the chosen rows."""
         values = np.where(chosen, np.nan, self.columns[field])
         return replace(self, columns=self.columns | {field: values})
 
 
-def spans(rows: NDArray[np.int64]) -> str:
+def describe_rows(rows: NDArray[np.int64]) -> str:
     """Rows in words: `rows 17, 203-210`."""
-    pieces = np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1)
-    texts = [f"{p[0]}-{p[-1]}" if len(p) > 1 else f"{p[0]}" for p in pieces[:SHOWN]]
-    more = f" and more, {len(rows)} rows in all" if len(pieces) > SHOWN else ""
+    stretches = np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1)
+    texts = [
+        f"{p[0]}-{p[-1]}" if len(p) > 1 else f"{p[0]}" for p in stretches[:MAX_STRETCHES_NAMED]
+    ]
+    more = f" and more, {len(rows)} rows in all" if len(stretches) > MAX_STRETCHES_NAMED else ""
     return f"row{'s' if len(rows) > 1 else ''} {', '.join(texts)}{more}"
 
 
 def read_table(path: Path) -> Table:
-    """Read numbers and turn them into SI.
+    """The rows of a log's file, in SI, with notes on missing and unknown columns.
 
     Raises:
-        LogError: an unreadable file, a column that stands there twice or under a wrong unit, no
-            time, no rows, a row with too few or too many fields, a field that is no number or is
-            out of range.
+        LogError: the file can't be read; a column stands there twice or under a wrong unit; there
+            is no column of times or no row; a row has too few or too many fields; a field is no
+            number or out of range.
     """
-    text = text_of(path)
+    text = read_text(path)
     header = [name.strip() for name in next(csv.reader(text.splitlines()[:1]), [])]
     _check_header(path, header)
-    rows, values = _quickly(text, header) or _carefully(path, text, header)
+    rows, values = _parse_plain(text, header) or _parse_field_by_field(path, text, header)
     if len(rows) < 2:
         raise LogError(f"{path.name}: {len(rows)} rows of values; expected at least 2")
     columns = {column.field: np.full(len(rows), np.nan) for column in COLUMNS}
@@ -88,11 +95,11 @@ def read_table(path: Path) -> Table:
     return Table(path.name, rows, columns, tuple(notes))
 
 
-def text_of(path: Path, encoding: str = "utf-8-sig") -> str:
-    """A file's text, gzip undone whatever its name.
+def read_text(path: Path, encoding: str = "utf-8-sig") -> str:
+    """A file's text, decompressed if it is gzipped, whatever its name.
 
     Raises:
-        LogError: unreadable, cut off, or not in that encoding.
+        LogError: the file can't be read, is cut off, or is not in that encoding.
     """
     try:
         data = path.read_bytes()
@@ -105,7 +112,7 @@ def text_of(path: Path, encoding: str = "utf-8-sig") -> str:
 def _check_header(path: Path, header: list[str]) -> None:
     names = [column.name for column in COLUMNS]
     for name in header:
-        meant = mislabelled(name)
+        meant = find_mislabelled_column(name)
         if name in names and header.count(name) > 1:
             raise LogError(f"{path.name}: column {name} stands there more than once")
         if name not in names and meant and meant.name not in header:
@@ -114,8 +121,8 @@ def _check_header(path: Path, header: list[str]) -> None:
         raise LogError(f"{path.name}: column {names[0]} is missing; found {', '.join(header)}")
 
 
-def _quickly(text: str, header: list[str]) -> Numbers | None:
-    """Rows and columns of a file in which every field is a number; None for any other."""
+def _parse_plain(text: str, header: list[str]) -> Numbers | None:
+    """Rows and columns of a file in which every field is a number; None for any other file."""
     if "\n\n" in text or "\n\r" in text or not text.partition("\n")[2].strip():
         return None
     try:
@@ -127,8 +134,8 @@ def _quickly(text: str, header: list[str]) -> Numbers | None:
     return np.arange(2, len(table) + 2), dict(zip(header, table.T, strict=True))
 
 
-def _carefully(path: Path, text: str, header: list[str]) -> Numbers:
-    """The same of a file with empty fields or rows, or with text in columns that aren't ours."""
+def _parse_field_by_field(path: Path, text: str, header: list[str]) -> Numbers:
+    """Rows and columns of a file with empty fields or rows, or text in unknown columns."""
     reader = csv.reader(io.StringIO(text))
     try:
         lines = [(number, row) for number, row in enumerate(reader, 1) if row][1:]
@@ -140,13 +147,13 @@ def _carefully(path: Path, text: str, header: list[str]) -> Numbers:
                 f"{path.name}: row {number}: {len(row)} fields; expected {len(header)} as in row 1"
             )
     return np.array([number for number, _ in lines], dtype=np.int64), {
-        name: np.array([_number(path, name, number, row[place]) for number, row in lines])
+        name: np.array([_parse_number(path, name, number, row[place]) for number, row in lines])
         for place, name in enumerate(header)
         if any(name == column.name for column in COLUMNS)
     }
 
 
-def _number(path: Path, name: str, row: int, text: str) -> float:
+def _parse_number(path: Path, name: str, row: int, text: str) -> float:
     try:
         return float(text.strip() or "nan")
     except ValueError:
@@ -154,14 +161,14 @@ def _number(path: Path, name: str, row: int, text: str) -> float:
 
 
 def check_range(source: str, column: Column, rows: NDArray[np.int64], values: Array) -> None:
-    """Refuse values (n,) in the file's unit that make no sense.
+    """Refuse values (n,) in the file's unit that are out of a column's range.
 
     Raises:
-        LogError: at the first one, by its row.
+        LogError: one is; the message names the row of the first.
     """
-    wrong = np.isinf(values) | (values < column.lowest) | (values > column.highest)
-    if wrong.any():
-        i = int(np.argmax(wrong))
+    is_wrong = np.isinf(values) | (values < column.lowest) | (values > column.highest)
+    if is_wrong.any():
+        i = int(np.argmax(is_wrong))
         limits = math.isfinite(column.lowest) or math.isfinite(column.highest)
         expected = f"{column.lowest:g} to {column.highest:g}" if limits else "a finite number"
         raise LogError(

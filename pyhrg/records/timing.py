@@ -1,4 +1,4 @@
-"""The times of a log: rows that came twice, time that runs back, gaps."""
+"""Times of a log: repeated rows, time that runs back, gaps."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -6,24 +6,22 @@ from numpy.typing import NDArray
 from pyhrg.records.columns import BY_FIELD, LogError
 from pyhrg.records.table import Array, Table
 
-EVEN = (0.5, 1.5)
-"""Time steps over the interval, from and to, that are one interval long."""
-AGREEMENT = 0.01
-"""Largest relative difference between the interval as stated and as found."""
+EVEN_STEP_RANGE = (0.5, 1.5)
+"""Smallest and largest ratio of a time step to the interval that counts as one interval. Chosen."""
+INTERVAL_TOLERANCE = 0.01
+"""Largest relative difference between the stated interval and the median time step. Chosen."""
 
 
-def ordered(table: Table) -> Table:
-    """Only rows that have a time, each once.
-
-    A row that is repeated in full (a buffer sent twice) is dropped and noted.
+def drop_repeated_rows(table: Table) -> Table:
+    """The table without rows that have no time or repeat an earlier row in full; both are noted.
 
     Raises:
-        LogError: the same time with different values, or time that runs back.
+        LogError: one time has different values, or time runs back.
     """
-    lost = np.isnan(table.columns["time"])
-    table = table.noted(lost, f"no {BY_FIELD['time'].name}, left out").kept(~lost)
-    again = _repeated(table)
-    table = table.noted(again, "an earlier row again, left out").kept(~again)
+    is_lost = np.isnan(table.columns["time"])
+    table = table.add_note(is_lost, f"no {BY_FIELD['time'].name}, left out").keep_rows(~is_lost)
+    is_repeated = _find_repeated_rows(table)
+    table = table.add_note(is_repeated, "an earlier row again, left out").keep_rows(~is_repeated)
     time = table.columns["time"]
     if len(time) < 2:
         raise LogError(f"{table.source}: {len(time)} rows with a time; expected at least 2")
@@ -36,8 +34,8 @@ def ordered(table: Table) -> Table:
     return table
 
 
-def _repeated(table: Table) -> NDArray[np.bool_]:
-    """Rows that an earlier one equals."""
+def _find_repeated_rows(table: Table) -> NDArray[np.bool_]:
+    """(n,) whether a row equals an earlier one."""
     values = np.stack(list(table.columns.values()), axis=-1)
     order = np.argsort(table.columns["time"], kind="stable")
     first, second = order[:-1], order[1:]
@@ -53,39 +51,40 @@ def _repeated(table: Table) -> NDArray[np.bool_]:
             field,
             f"differs from row {table.rows[first[i]]} at the same time; expected one row a time",
         )
-    again = np.zeros(len(values), dtype=bool)
-    again[second] = True
-    return again
+    is_repeated = np.zeros(len(values), dtype=bool)
+    is_repeated[second] = True
+    return is_repeated
 
 
-def interval_of(table: Table, stated: float | None) -> float:
-    """The sampling interval, s: as stated, else the median time step.
+def find_interval(table: Table, stated: float | None) -> float:
+    """The sampling interval, s: the stated one, or else the median time step.
 
     Raises:
-        LogError: the time steps contradict what is stated.
+        LogError: the time steps contradict the stated interval.
     """
-    found = float(np.median(np.diff(table.columns["time"])))
+    median_step = float(np.median(np.diff(table.columns["time"])))
     if stated is None:
-        return found
-    if abs(found - stated) > AGREEMENT * stated:
+        return median_step
+    if abs(median_step - stated) > INTERVAL_TOLERANCE * stated:
         raise LogError(
-            f"{table.source}: {BY_FIELD['time'].name} steps by {found:g}; expected {stated:g}"
+            f"{table.source}: {BY_FIELD['time'].name} steps by {median_step:g}; expected {stated:g}"
         )
     return stated
 
 
-def even_steps(time: Array, interval: float) -> NDArray[np.bool_]:
-    """(n - 1,) whether each step to the next row is one interval."""
+def find_even_steps(time: Array, interval: float) -> NDArray[np.bool_]:
+    """(n - 1,) whether the step to the next row is one interval long."""
     steps = np.diff(time) / interval
-    return (steps >= EVEN[0]) & (steps <= EVEN[1])
+    return (steps >= EVEN_STEP_RANGE[0]) & (steps <= EVEN_STEP_RANGE[1])
 
 
-def with_gaps_noted(table: Table, interval: float) -> Table:
-    """With a sentence on gaps and on rows that came too soon."""
+def note_gaps(table: Table, interval: float) -> Table:
+    """The table with a sentence on gaps and one on rows that came too soon."""
     steps = np.diff(table.columns["time"]) / interval
-    gap = np.append(False, steps > EVEN[1])
+    gap = np.append(False, steps > EVEN_STEP_RANGE[1])
     lost = round(float(np.sum(steps[gap[1:]] - 1)))
-    table = table.noted(gap, f"a gap before each, {lost} rows missing in all")
-    return table.noted(
-        np.append(False, steps < EVEN[0]), "less than half an interval after the row before"
+    table = table.add_note(gap, f"a gap before each, {lost} rows missing in all")
+    return table.add_note(
+        np.append(False, steps < EVEN_STEP_RANGE[0]),
+        "less than half an interval after the row before",
     )

@@ -1,1 +1,1 @@
-"""Closed forms that tests hold the FMU to."""
+"""Closed forms of a gyro's output: tests compare the FMU with them, predictions use them."""

@@ -1,4 +1,4 @@
-"""Closed forms that tests and predictions hold the simulation to; nothing here is simulated.
+"""Closed forms that tests compare the simulation with and predictions use; nothing is simulated.
 
 Angles are physical pattern angles. `k` is the Bryan factor, `tau` the mean decay time. Sources:
 D. D. Lynch, Vibratory gyro analysis by the method of averaging (1995), in the form checked in
@@ -76,8 +76,8 @@ def quadrature_lag_bias(
 ) -> float:
     """Amplitude of sin 8(th - th_w) in the output of a gyro whose quadrature loop lags, rad/s.
 
-    Looks like a bias, but grows with the square of the rate: the part of the quadrature in
-    `quadrature_lag_scale_factor` that is a quarter period late, dw^2 w v^2/(4 k (w^2 + v^2)^2).
+    It resembles a bias but grows with the square of the rate: dw^2 w v^2/(4 k (w^2 + v^2)^2), from
+    the part of the quadrature in `quadrature_lag_scale_factor` that is a quarter period late.
     """
     turning = 4 * bryan_factor * rate
     share = natural_frequency * turning**2 / (natural_frequency**2 + turning**2) ** 2
@@ -85,7 +85,7 @@ def quadrature_lag_bias(
 
 
 def late_ripple(loop: complex, lag: float, bryan_factor: float, rate: float) -> complex:
-    """What a pick-off error's ripple of the amplitude adds to its own scale-factor map.
+    """The change z of a pick-off error's scale-factor map by the amplitude ripple that it causes.
 
     A gain mismatch g makes the amplitude loop drive the true amplitude by -(g/2) cos 4th; while
     the pattern turns this takes a force, aimed at where the pattern was Ts/2 + delay ago (`lag`).
@@ -113,8 +113,8 @@ def misaimed_ripple_scale_factor(
 def beyond_the_average(
     device: Device, rate: ArrayLike, pattern_angle: ArrayLike
 ) -> dict[str, NDArray[np.float64]]:
-    """What the average over a carrier period leaves out of a turning gyro's loops, to the next
-    order, by field of a log.
+    """Corrections of a turning gyro's loop signals, by field of a log: the next order beyond the
+    average over a carrier period.
 
     With c = 2 k W, the coupling of the modes, the velocity in the turning case has c/w of the
     displacement across the pattern. Damping of it takes a quadrature force -c/(w tau), rad/s. Under

@@ -1,4 +1,4 @@
-"""The free vibration in closed form: what a ring-down of the linear shell looks like.
+"""The free vibration of the linear shell in closed form: a ring-down.
 
 The averaged envelope obeys Z' = A Z with a constant A while the rate is constant: decay 1/tau,
 damping anisotropy D e^{4i th_tau}, split dw e^{4i th_w} and the Coriolis coupling 2 k Omega (Lynch
@@ -16,7 +16,7 @@ Complex = NDArray[np.complex128]
 
 @dataclass(frozen=True)
 class FreeShell:
-    """What moves an orbit without drive.
+    """Coefficients of the shell's free motion.
 
     decay: 1/tau, 1/s.
     damping: D exp(4i th_tau), 1/s.
@@ -36,15 +36,15 @@ class FreeShell:
         Args:
             time: (n,) since the drive was switched off, s, ascending.
             angle: of the pattern then, rad; amplitude 1, quadrature zero.
-            pattern_rate: at which rotation alone turns the pattern, -k Omega, rad/s.
-        pickoff: gain mismatch g and non-orthogonality d of the pick-offs, g + i d.
+            pattern_rate: rate of the pattern by rotation of the case alone, -k Omega, rad/s.
+            pickoff: gain mismatch g and non-orthogonality d of the pick-offs, g + i d.
         """
         x, y = self._envelope(time, angle, pattern_rate)
         x, y = (1 + pickoff.real / 2) * x, (1 - pickoff.real / 2) * (y + pickoff.imag * x)
         energy = np.abs(x) ** 2 + np.abs(y) ** 2
         stokes = np.abs(x) ** 2 - np.abs(y) ** 2 + 2j * (x * y.conj()).real
         turns = np.unwrap(np.concatenate(([4 * angle], np.angle(stokes))))[1:] / 4
-        # the decay is common to all: kept apart, so that it never underflows
+        # the decay is common to both: added here, so that the exponential never underflows
         antinode = np.log((energy + np.abs(stokes)) / 2) / 2
         return np.asarray(turns), np.asarray(antinode - self.decay * time)
 

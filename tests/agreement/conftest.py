@@ -2,11 +2,10 @@
 
 import pytest
 
-from fmu_build.bundle import built_fmu
-from fmu_build.roots import ROOTS
+from fmu_build.bundle import build_fmu
 from pyhrg.fmu import GyroFmu
 
 
 @pytest.fixture(scope="session", params=["HRG", "HRGSlow"])
 def fmu(request: pytest.FixtureRequest) -> GyroFmu:
-    return GyroFmu(built_fmu(root=ROOTS[request.param]))
+    return GyroFmu(build_fmu(request.param))

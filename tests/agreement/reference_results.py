@@ -9,7 +9,7 @@ import csv
 from collections.abc import Sequence
 from pathlib import Path
 
-from fmu_build.bundle import modelica_library
+from fmu_build.bundle import find_modelica_library
 from pyhrg.common.files import write_whole
 from tests.agreement.claims import CLAIMS, Result, demonstrations
 
@@ -20,7 +20,7 @@ COLUMNS = ("start_angle_rad", "measured", "expected", "scale")
 
 def reference_path(name: str) -> Path:
     """Table of a model, by its full name."""
-    folder = modelica_library() / "Resources" / "ReferenceResults"
+    folder = find_modelica_library() / "Resources" / "ReferenceResults"
     return folder / f"{name.replace('.', '_')}.csv"
 
 

@@ -5,8 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from fmu_build.bundle import built_fmu
-from fmu_build.roots import ROOTS
+from fmu_build.bundle import build_fmu
 from pyhrg.common.units import ARCSEC, DEG, HZ
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
@@ -24,7 +23,7 @@ SIGNALS = {
 
 def turned(model: str, rate: float) -> dict[str, np.ndarray]:
     """(n,) by field of a log, at instants while the gyro turns."""
-    fmu = GyroFmu(built_fmu(root=ROOTS[model]))
+    fmu = GyroFmu(build_fmu(model))
     rows = []
     with fmu.power_on(GYRO.fmu_parameters(), seed=0, start_angle=0.3) as gyro:
         gyro.advance(rate, SETTLING)

@@ -94,7 +94,7 @@ def test_angle_random_walk_is_what_the_parameter_says(fmu: GyroFmu) -> None:
 
 def test_pickoff_noise_is_what_the_parameter_says(fmu: GyroFmu) -> None:
     """Angle read every 0.1 s: white with the stated deviation, within 3.5 sigma."""
-    device = Device(pickoff_noise=1e-6)
+    device = Device(angle_white_noise=1e-6)
     with fmu.power_on(device.fmu_parameters(), seed=43, start_angle=0.2) as gyro:
         gyro.advance(0.0, 1.0)
         angles = gyro.drive(np.zeros(4000), 0.1)

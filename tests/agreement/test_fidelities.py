@@ -12,7 +12,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from fmu_build.bundle import built_fmu
+from fmu_build.bundle import build_fmu
 from fmu_build.roots import ROOTS
 from pyhrg.fmu import GyroFmu
 
@@ -110,7 +110,7 @@ FLOORS = np.array([1e-8, 1e-7, 1e-7, 1e-7, 1e-6])
 
 @pytest.fixture(scope="module")
 def gyros() -> dict[str, GyroFmu]:
-    return {name: GyroFmu(built_fmu(root=root)) for name, root in ROOTS.items()}
+    return {name: GyroFmu(build_fmu(root.identifier)) for name, root in ROOTS.items()}
 
 
 def channels(gyro_fmu: GyroFmu, parameters: Values, inputs: Values, run: Run) -> np.ndarray:

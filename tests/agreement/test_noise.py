@@ -27,7 +27,7 @@ DRAWS = 20_000
 def kernel(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
     folder = tmp_path_factory.mktemp("noise")
     root = ROOTS["HRG"]
-    bundle.write_sources(translate(bundle.modelica_library(), root.model), folder, 2, root)
+    bundle.write_sources(translate(bundle.find_modelica_library(), root.model), folder, 2, root)
     (folder / "noise.c").write_text(SOURCE)
     command = [
         *COMPILER,

@@ -5,8 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from fmu_build.bundle import built_fmu
-from fmu_build.roots import ROOTS
+from fmu_build.bundle import build_fmu
 from pyhrg.fmu import GyroFmu
 
 K = 0.277
@@ -14,7 +13,7 @@ K = 0.277
 
 @pytest.fixture(scope="module")
 def slow() -> GyroFmu:
-    return GyroFmu(built_fmu(root=ROOTS["HRGSlow"]))
+    return GyroFmu(build_fmu("HRGSlow"))
 
 
 @pytest.mark.parametrize("period", [0.01, 0.1, 1.0])

@@ -22,18 +22,18 @@ from tests.fmu_build.c import native
 def test_same_sources_same_bytes(tmp_path: Path, fmi: int) -> None:
     """In another process, whose hashes fall differently and which finds nothing compiled."""
     code = "import pathlib, sys, fmu_build.bundle as b; "
-    code += f"b.build(pathlib.Path(sys.argv[1]), fmi={fmi})"
+    code += f"b.write_fmu(pathlib.Path(sys.argv[1]), fmi={fmi})"
     command = [sys.executable, "-c", code, str(tmp_path / "again.fmu")]
     environment = {**os.environ, "PYTHONHASHSEED": "12345", "XDG_CACHE_HOME": str(tmp_path)}
     subprocess.run(command, check=True, env=environment)
-    assert (tmp_path / "again.fmu").read_bytes() == bundle.built_fmu(fmi=fmi).read_bytes()
+    assert (tmp_path / "again.fmu").read_bytes() == bundle.build_fmu(fmi=fmi).read_bytes()
 
 
 @pytest.mark.parametrize("fmi", [2, 3])
 def test_packed_sources_are_what_the_modelica_gives_now(tmp_path: Path, fmi: int) -> None:
     """All of them, equations included; and the description that belongs to them."""
     description = bundle.write_sources(native.flat(), tmp_path, fmi)
-    with zipfile.ZipFile(bundle.built_fmu(fmi=fmi)) as archive:
+    with zipfile.ZipFile(bundle.build_fmu(fmi=fmi)) as archive:
         packed = {n: archive.read(n) for n in archive.namelist() if n.endswith((".c", ".h"))}
         assert archive.read("modelDescription.xml").decode() == description
     assert packed.keys() > {"sources/model.c", "sources/limits.c", "sources/model_constants.h"}
@@ -47,13 +47,13 @@ def test_what_is_built_is_not_built_again(fmu_path: Path, monkeypatch: pytest.Mo
 
     monkeypatch.setattr(subprocess, "run", refuse)
     monkeypatch.setattr(bundle, "translate", refuse)
-    assert bundle.built_fmu() == fmu_path
+    assert bundle.build_fmu() == fmu_path
 
 
 def test_failed_build_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(bundle, "generate", lambda dae, integrator: "this is no C")
+    monkeypatch.setattr(bundle, "generate_source", lambda dae, integrator: "this is no C")
     with pytest.raises(BuildError, match="this is no C"):
-        bundle.build(tmp_path / "out" / "HRG.fmu")
+        bundle.write_fmu(tmp_path / "out" / "HRG.fmu")
     assert not (tmp_path / "out").exists()
 
 
@@ -102,6 +102,6 @@ def test_only_what_changed_is_compiled(tmp_path: Path, monkeypatch: pytest.Monke
     monkeypatch.setattr(platformdirs, "user_cache_path", lambda name: tmp_path / name)
     said: list[str] = []
     for fmi in (2, 2, 3):
-        bundle.build(tmp_path / "HRG.fmu", said.append, fmi)
+        bundle.write_fmu(tmp_path / "HRG.fmu", fmi=fmi, progress=said.append)
     compiled = [line.split()[0] for line in said if " for " in line]
     assert compiled == ["compiling", "unchanged", "compiling"]

@@ -3,9 +3,9 @@
 import numpy as np
 
 from ins_eval.common import earth
-from ins_eval.common.increments import Increments
-from ins_eval.parking.mission import STILL, Mission, mission
-from ins_eval.trajectories.catalogue import trajectory
+from ins_eval.parking.mission import STILL, Mission, sample_mission
+from ins_eval.trajectories.catalogue import load_trajectory
+from pyhrg.records.imu.increments import Increments
 
 
 def at_rest(
@@ -25,4 +25,4 @@ def at_rest(
 
 def short_mission(hours: float) -> Mission:
     """The default manoeuvre, cut short."""
-    return mission(trajectory("car", STILL, hours * 3600 + 10), hours)
+    return sample_mission(load_trajectory("car", hours * 3600 + 10, STILL), hours)

@@ -5,34 +5,40 @@ from pathlib import Path
 import pytest
 
 from ins_eval.mission_model.mission_weights import MissionWeights
-from ins_eval.mission_model.missions import StudyMission, study_mission
-from ins_eval.mission_model.triads import Triads
-from ins_eval.mission_model.weights_cache import kept_weights
-from ins_eval.study.block import Kind, Triad, gathered, triad, triad_seed
+from ins_eval.mission_model.missions import StudyMission, plan_mission
+from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.weights_cache import load_mission_weights
+from ins_eval.study.gyros.drawn_triad import (
+    DrawnTriad,
+    TriadDistribution,
+    draw_triad,
+    make_triad_seed,
+    tabulate_triads,
+)
 from ins_eval.study.gyros.population import RAW
 from pyhrg.fmu import GyroFmu
 
-KIND = Kind(RAW, "map")
+KIND = TriadDistribution(RAW, "map")
 SEED = 7
 
 
 @pytest.fixture(scope="session")
 def short() -> StudyMission:
     """Six minutes of the car."""
-    return study_mission("car", 0.1)
+    return plan_mission("car", 0.1)
 
 
 @pytest.fixture(scope="session")
 def weights(short: StudyMission, tmp_path_factory: pytest.TempPathFactory) -> MissionWeights:
     folder: Path = tmp_path_factory.mktemp("weights")
-    return kept_weights(short, folder)
+    return load_mission_weights(short, folder)
 
 
 @pytest.fixture(scope="session")
-def some(slow_fmu: GyroFmu) -> list[Triad]:
-    return [triad(slow_fmu, KIND, triad_seed(SEED, number)) for number in range(2)]
+def some(slow_fmu: GyroFmu) -> list[DrawnTriad]:
+    return [draw_triad(slow_fmu, KIND, make_triad_seed(SEED, number)) for number in range(2)]
 
 
 @pytest.fixture(scope="session")
-def triads(slow_fmu: GyroFmu, some: list[Triad]) -> Triads:
-    return gathered(slow_fmu, some)
+def triads(slow_fmu: GyroFmu, some: list[DrawnTriad]) -> TriadBlock:
+    return tabulate_triads(slow_fmu, some)

@@ -6,14 +6,14 @@ from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
 
 from ins_eval import theory
-from ins_eval.alignment.analytic import static_alignment
+from ins_eval.alignment.analytic import level_and_gyrocompass
 from ins_eval.common import earth
-from ins_eval.common.increments import Increments
 from ins_eval.common.rotation import mat_from_euler
 from ins_eval.common.state import State, Track, track_error
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from pyhrg.common.units import DEG_PER_H
+from pyhrg.records.imu.increments import Increments
 
 RATE = 10
 """Increments a second: enough at rest."""
@@ -23,10 +23,10 @@ GYRO_BIAS, FORCE_BIAS = 1e-4 * DEG_PER_H, 1e-6
 """Small, so that the navigator is linear in them: at 0.01 deg/h it is not, to 0.4 % after 24 h."""
 
 
-def biased(
+def make_biased_increments(
     latitude: float, yaw: float, hours: float, gyro: np.ndarray, force: np.ndarray
 ) -> Increments:
-    """What a level vehicle at rest records; biases in body axes, rad/s and m/s^2."""
+    """Increments of a level vehicle at rest; biases in body axes, rad/s and m/s^2."""
     to_body = mat_from_euler(*np.array([0.0, 0.0, yaw])).T
     rate = to_body @ (earth.RATE * np.array([np.cos(latitude), 0.0, -np.sin(latitude)])) + gyro
     felt = to_body @ np.array([0.0, 0.0, -earth.gravity(latitude, 0.0)]) + force
@@ -46,7 +46,7 @@ def errors(
     gyro, force = (np.zeros(3) if x is None else x for x in (gyro, force))
     turned = Rotation.from_rotvec(start[theory.ATTITUDE]).as_matrix()
     state = State(latitude, 0.0, 0.0, np.append(start[theory.VELOCITY], 0.0), turned)
-    record = biased(latitude, 0.0, hours, gyro, force)
+    record = make_biased_increments(latitude, 0.0, hours, gyro, force)
     track = navigate(state, record, Clamped(np.zeros(len(record) + 1)), EACH * RATE)
     error = track_error(track, at_rest(track.time, latitude))
     return track.time, np.hstack([error.attitude, error.velocity[:, :2], error.position[:, :2]])
@@ -96,19 +96,19 @@ def test_initial_errors_over_24_h(state: int) -> None:
     assert np.max(np.abs(got - expected) / sizes(expected)) < 1e-5
 
 
-def fitted(time: np.ndarray, values: np.ndarray, guesses: np.ndarray) -> np.ndarray:
+def fit_frequencies(time: np.ndarray, values: np.ndarray, guesses: np.ndarray) -> np.ndarray:
     """Frequencies of sinusoids, a mean and a slope, by separable least squares."""
 
-    def left(frequencies: np.ndarray) -> np.ndarray:
+    def residual(frequencies: np.ndarray) -> np.ndarray:
         phases = np.outer(time, frequencies)
         columns = np.column_stack([np.cos(phases), np.sin(phases), np.ones_like(time), time])
         return values - columns @ np.linalg.lstsq(columns, values, rcond=None)[0]
 
     scale = np.max(np.abs(values))
-    found = least_squares(
-        lambda x: left(x * guesses) / scale, np.ones(len(guesses)), xtol=1e-14, ftol=1e-14
+    result = least_squares(
+        lambda x: residual(x * guesses) / scale, np.ones(len(guesses)), xtol=1e-14, ftol=1e-14
     )
-    return np.asarray(found.x * guesses)
+    return np.asarray(result.x * guesses)
 
 
 @pytest.mark.parametrize("latitude_deg", [30.0, 45.0, -60.0])
@@ -119,13 +119,13 @@ def test_schuler_foucault_and_24_h_periods(latitude_deg: float) -> None:
     start = unit(3, 0.01, theory.STATES) + unit(2, 1e-4, theory.STATES)
     time, got = errors(latitude, 48.0, start)
     expected = theory.free_frequencies(latitude)
-    found = fitted(time, got[:, 3], np.array(expected) * [1.01, 0.99, 1.01])
-    assert found == pytest.approx(np.array(expected), rel=1e-4)
+    result = fit_frequencies(time, got[:, 3], np.array(expected) * [1.01, 0.99, 1.01])
+    assert result == pytest.approx(np.array(expected), rel=1e-4)
     schuler_minutes = 2 * np.pi / theory.schuler_frequency(latitude) / 60
     schuler = 2 * np.pi / 60 / schuler_minutes
-    assert np.sqrt(found[0] * found[1]) == pytest.approx(schuler, rel=1e-6)
+    assert np.sqrt(result[0] * result[1]) == pytest.approx(schuler, rel=1e-6)
     assert schuler_minutes == pytest.approx(84.4, abs=0.1)
-    foucault = (found[0] - found[1]) / 2
+    foucault = (result[0] - result[1]) / 2
     assert foucault == pytest.approx(earth.RATE * np.sin(abs(latitude)), rel=2e-3)
 
 
@@ -164,8 +164,8 @@ def test_single_axis_formula_of_accelerometers(axis: int) -> None:
 
 
 def gyrocompassed_state(latitude: float, gyro: np.ndarray, force: np.ndarray) -> State:
-    record = biased(latitude, 0.0, 0.1, gyro, force)
-    return State(latitude, 0.0, 0.0, np.zeros(3), static_alignment(record, latitude))
+    record = make_biased_increments(latitude, 0.0, 0.1, gyro, force)
+    return State(latitude, 0.0, 0.0, np.zeros(3), level_and_gyrocompass(record, latitude))
 
 
 def test_gyrocompassing_settles_where_theory_says() -> None:
@@ -174,7 +174,7 @@ def test_gyrocompassing_settles_where_theory_says() -> None:
     aligned = gyrocompassed_state(latitude, gyro, force).mat_nb
     skew = 0.5 * (aligned - aligned.T)
     attitude = np.array([skew[2, 1], skew[0, 2], skew[1, 0]])
-    expected = theory.gyrocompassed(gyro, force, latitude)
+    expected = theory.gyrocompassing_error(gyro, force, latitude)
     assert attitude == pytest.approx(expected, rel=1e-3, abs=1e-9)
 
 
@@ -188,11 +188,11 @@ def test_east_bias_hides_after_gyrocompassing_and_comes_back_after_a_turn() -> N
     turned = State(latitude, 0.0, 0.0, np.zeros(3), state.mat_nb @ half_turn)
     drifts = []
     for start, yaw in ((state, 0.0), (turned, np.pi)):
-        record = biased(latitude, yaw, 1.0, gyro, np.zeros(3))
+        record = make_biased_increments(latitude, yaw, 1.0, gyro, np.zeros(3))
         track = navigate(start, record, Clamped(np.zeros(len(record) + 1)), len(record))
         position = track_error(track, at_rest(track.time, latitude)).position
         drifts.append(float(position[-1, 0]))
-    attitude = theory.gyrocompassed(gyro, np.zeros(3), latitude)
+    attitude = theory.gyrocompassing_error(gyro, np.zeros(3), latitude)
     before = np.concatenate([attitude, np.zeros(4)])
     expected = theory.AtRest(latitude).errors(np.array([0, 3600.0]), before, -gyro, np.zeros(3))
     alone = theory.AtRest(latitude).errors(

@@ -11,8 +11,8 @@ import pymoca.ast
 import pymoca.parser
 from fmpy.fmi2 import FMU2Slave
 
-from fmu_build.binaries.platforms import FLAGS, PLATFORMS, compile_library, host
-from fmu_build.bundle import SHELLS, SOURCES, modelica_library, write_sources
+from fmu_build.binaries.platforms import FLAGS, PLATFORMS, compile_library, find_host_platform
+from fmu_build.bundle import SHELLS, SOURCES, find_modelica_library, write_sources
 from fmu_build.equations.translate import translate
 from fmu_build.roots import ROOTS, Root
 
@@ -53,7 +53,7 @@ def defined(path: Path) -> pymoca.ast.Class:
     place = path.parent if path.name == "package.mo" else path.with_suffix("")
     found = pymoca.parser.parse(path.read_text())
     assert found is not None, "not Modelica"
-    for name in place.relative_to(modelica_library().parent).parts:
+    for name in place.relative_to(find_modelica_library().parent).parts:
         found = found.classes[name]
     return found
 
@@ -64,7 +64,7 @@ def models(package: str) -> list[Model]:
     Raises:
         ValueError: one states no experiment or has no info page.
     """
-    files = sorted((modelica_library() / package).rglob("*.mo"))
+    files = sorted((find_modelica_library() / package).rglob("*.mo"))
     return [
         _model(path)
         for path in files
@@ -77,7 +77,7 @@ def _model(path: Path) -> Model:
     if not annotation.keys() >= {"experiment", "Documentation"}:
         raise ValueError(f"{path.name}: expected annotation(experiment, Documentation)")
     return Model(
-        name=".".join(path.with_suffix("").relative_to(modelica_library().parent).parts),
+        name=".".join(path.with_suffix("").relative_to(find_modelica_library().parent).parts),
         stop_time=float(_modifiers(annotation["experiment"])["StopTime"].value),
         info=str(_modifiers(annotation["Documentation"])["info"].value),
         text=path.read_text(),
@@ -149,9 +149,9 @@ def built(model: Model) -> Iterator[ModelFmu]:
 
 def _write(model: Model, folder: Path) -> None:
     """An FMU, extracted."""
-    platform = PLATFORMS[host()]
+    platform = PLATFORMS[find_host_platform()]
     root = Root(IDENTIFIER, model.name, model.name, model.integrator, "0.01")
-    dae = translate(modelica_library(), model.name, "" if model.is_own else model.text)
+    dae = translate(find_modelica_library(), model.name, "" if model.is_own else model.text)
     description = write_sources(dae, folder, 2, root)
     flags = [*FLAGS, "-O0"] if model.stop_time <= SHORT else FLAGS
     library = compile_library(folder, [*SOURCES, SHELLS[2]], IDENTIFIER, platform, flags)

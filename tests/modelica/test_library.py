@@ -6,10 +6,10 @@ from pathlib import Path
 import pymoca.ast
 import pytest
 
-from fmu_build.bundle import modelica_library
+from fmu_build.bundle import find_modelica_library
 from tests.modelica.models import defined
 
-FILES = sorted(modelica_library().rglob("*.mo"))
+FILES = sorted(find_modelica_library().rglob("*.mo"))
 
 
 def nested(item: pymoca.ast.Class) -> Iterator[pymoca.ast.Class]:
@@ -22,7 +22,7 @@ def test_the_library_is_there() -> None:
     assert len(FILES) > 30
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda p: str(p.relative_to(modelica_library())))
+@pytest.mark.parametrize("path", FILES, ids=lambda p: str(p.relative_to(find_modelica_library())))
 def test_second_parser_reads_it_and_everything_is_described(path: Path) -> None:
     for item in nested(defined(path)):
         assert item.comment, item.name

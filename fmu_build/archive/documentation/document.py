@@ -6,13 +6,16 @@ from importlib import resources
 
 import numpy as np
 
-from fmu_build.archive.documentation.info_pages import guide_pages, model_pages
-from fmu_build.archive.documentation.plot import line_plot
-from fmu_build.archive.documentation.signal_flow import figure
-from fmu_build.archive.documentation.variable_tables import parameter_tables, variable_table
+from fmu_build.archive.documentation.info_pages import read_guide_pages, read_model_pages
+from fmu_build.archive.documentation.plot import draw_lines
+from fmu_build.archive.documentation.signal_flow import draw_signal_flow
+from fmu_build.archive.documentation.variable_tables import (
+    format_parameter_tables,
+    format_variable_table,
+)
 from fmu_build.archive.reference import Reference
 from fmu_build.equations.dae import Dae
-from fmu_build.equations.scalars import Scalar, scalars
+from fmu_build.equations.scalars import Scalar, list_scalars
 from fmu_build.roots import Root
 
 TEMPLATE = """<!DOCTYPE html>
@@ -36,7 +39,7 @@ from the Modelica model {model} · <a href="licenses/license.txt">Licences</a></
 """
 
 
-def documentation(dae: Dae, root: Root, version: str, run: Reference | None = None) -> str:
+def write_documentation(dae: Dae, root: Root, version: str, run: Reference | None = None) -> str:
     """The page; it needs no other file.
 
     Args:
@@ -67,16 +70,16 @@ def documentation(dae: Dae, root: Root, version: str, run: Reference | None = No
 
 def _sections(dae: Dae, root: Root, run: Reference | None) -> dict[str, str]:
     """Contents by heading, in their order; some may be empty."""
-    listed = list(scalars(dae))
+    listed = list(list_scalars(dae))
     return {
         "Signal flow": _flow(dae),
         "What it does": _run(run, listed) if run else "",
-        "Inputs": variable_table(s for s in listed if s.causality == "input"),
-        "Outputs": variable_table(s for s in listed if s.causality == "output"),
-        "Equations": model_pages(dae),
-        "Parameters": parameter_tables(listed),
+        "Inputs": format_variable_table(s for s in listed if s.causality == "input"),
+        "Outputs": format_variable_table(s for s in listed if s.causality == "output"),
+        "Equations": read_model_pages(dae),
+        "Parameters": format_parameter_tables(listed),
         "How it runs": _stepping(dae, root),
-        "Guide": guide_pages(dae),
+        "Guide": read_guide_pages(dae),
     }
 
 
@@ -95,7 +98,7 @@ def _stepping(dae: Dae, root: Root) -> str:
 
 
 def _periods(dae: Dae) -> list[str]:
-    """Of the sample clocks, from the shortest on, in words."""
+    """Names the sample clocks' periods, the shortest first."""
     multiples = sorted({sample.every for sample in dae.sampled} | {1})
     lengths = [f"{1e3 * float(dae.sample_period * multiple):g} ms" for multiple in multiples]
     if dae.settable_period is None:
@@ -109,7 +112,8 @@ def _periods(dae: Dae) -> list[str]:
 
 def _flow(dae: Dae) -> str:
     return (
-        f"<figure>\n{figure(dae)}\n<figcaption>What each part reads from which, by the equations: "
+        f"<figure>\n{draw_signal_flow(dae)}\n<figcaption>"
+        "What each part reads from which, by the equations: "
         "arrows above lead forward, arrows below back. Point at an arrow for its signals."
         "</figcaption></figure>"
     )
@@ -122,7 +126,7 @@ def _run(run: Reference, listed: Sequence[Scalar]) -> str:
     told = ", ".join(f"<code>{escape(s.name)}</code>" for s in angles)
     driven = ", ".join(f"<code>{escape(name)}</code>" for name in run.driven)
     return (
-        f"<figure>\n{line_plot(run.inputs['time'], lines, 'deg')}\n<figcaption>{told} in the "
+        f"<figure>\n{draw_lines(run.inputs['time'], lines, 'deg')}\n<figcaption>{told} in the "
         f"reference run of this archive ({driven} driven, all else at its default), computed by "
         "this FMU when it was built.</figcaption></figure>"
     )

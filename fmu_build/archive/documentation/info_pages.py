@@ -6,11 +6,11 @@ from html import escape
 from pathlib import Path
 
 from fmu_build.equations.dae import Dae
-from fmu_build.equations.modelica import Page, library, page
+from fmu_build.equations.modelica import Page, find_library, read_page
 
 
-def model_pages(dae: Dae) -> str:
-    """Of the model, of every class that declares one of its variables, of the functions it calls.
+def read_model_pages(dae: Dae) -> str:
+    """Pages of the model, of every class that declares one of its variables, of its functions.
 
     Raises:
         ValueError: an info text that is no well-formed HTML.
@@ -22,8 +22,8 @@ def model_pages(dae: Dae) -> str:
     return _articles([*sorted(classes, key=lambda file: file.name != own), *functions])
 
 
-def guide_pages(dae: Dae) -> str:
-    """Of the users' guide, in its order; empty if the library has none.
+def read_guide_pages(dae: Dae) -> str:
+    """Pages of the users' guide, in its order; none if the library has no guide.
 
     Raises:
         ValueError: an info text that is no well-formed HTML.
@@ -35,11 +35,11 @@ def guide_pages(dae: Dae) -> str:
 
 
 def _library(dae: Dae) -> Path:
-    return library(Path(dae.variables[0].file))
+    return find_library(Path(dae.variables[0].file))
 
 
 def _articles(files: Iterable[Path]) -> str:
-    pages = (page(file) for file in files)
+    pages = (read_page(file) for file in files)
     return "\n".join(_article(p) for p in pages if p.info)
 
 

@@ -10,7 +10,7 @@ WIDTH, HEIGHT, LEFT, BOTTOM, TOP = 900, 300, 70, 40, 20
 COLOURS = ("#265494", "#de781f", "#4c9a6a")
 
 
-def line_plot(time: NDArray[np.float64], lines: dict[str, NDArray[np.float64]], unit: str) -> str:
+def draw_lines(time: NDArray[np.float64], lines: dict[str, NDArray[np.float64]], unit: str) -> str:
     """Lines over time in seconds, each with its label at its end.
 
     Args:

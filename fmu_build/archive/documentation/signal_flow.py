@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from html import escape
 
 from fmu_build.equations.dae import Dae, Variable
-from fmu_build.equations.scalars import fmi_causality
-from fmu_build.equations.sorting import references, schedule
+from fmu_build.equations.scalars import find_causality
+from fmu_build.equations.sorting import find_references, sort_equations
 
 Edges = Mapping[tuple[str, str], frozenset[str]]
 """Names of the variables that go from one component to another."""
@@ -15,13 +15,13 @@ INPUTS, OUTPUTS = "inputs", "outputs"
 BOX_WIDTH, BOX_HEIGHT, GAP, RISE = 104, 44, 46, 30
 
 
-def signal_flow(dae: Dae) -> Edges:
+def find_signal_flow(dae: Dae) -> Edges:
     """Signals between the model's top-level components, its inputs and its outputs."""
-    plan = schedule(dae)
+    plan = sort_equations(dae)
     edges: dict[tuple[str, str], set[str]] = {}
     for assignment in {*plan.held, *plan.derivatives, *plan.outputs, *plan.tick}:
         target = _place(plan.dae, plan.dae.variables[assignment.target[1]])
-        for _, index in references(plan.dae, assignment.expression):
+        for _, index in find_references(plan.dae, assignment.expression):
             source = _place(plan.dae, plan.dae.variables[index])
             if target and source and target != source:
                 name = plan.dae.variables[index].name.split(".")[-1]
@@ -29,9 +29,9 @@ def signal_flow(dae: Dae) -> Edges:
     return {pair: frozenset(names) for pair, names in edges.items()}
 
 
-def figure(dae: Dae) -> str:
+def draw_signal_flow(dae: Dae) -> str:
     """Boxes in a row in the order of declaration; arcs above lead forward, arcs below back."""
-    edges = signal_flow(dae)
+    edges = find_signal_flow(dae)
     used = {name for pair in edges for name in pair}
     declared = dict.fromkeys(_place(dae, variable) for variable in dae.variables)
     inner = [name for name in declared if name in used - {INPUTS, OUTPUTS}]
@@ -61,7 +61,7 @@ def _place(dae: Dae, variable: Variable) -> str:
     if "." in variable.name:
         return variable.name.split(".")[0]
     places = {"input": INPUTS, "output": OUTPUTS}
-    return places.get(fmi_causality(dae, variable), "")
+    return places.get(find_causality(dae, variable), "")
 
 
 def _box(position: int, name: str, middle: float) -> str:

@@ -3,24 +3,24 @@
 from collections.abc import Iterable, Sequence
 from html import escape
 
-from fmu_build.archive.units import displayed
+from fmu_build.archive.units import convert_to_display_unit
 from fmu_build.equations.scalars import Scalar
 
 
-def parameter_tables(listed: Sequence[Scalar]) -> str:
+def format_parameter_tables(listed: Sequence[Scalar]) -> str:
     """One table a component, in the order of declaration; the model's own parameters first."""
     components: dict[str, list[Scalar]] = {"": []}
     for scalar in listed:
         if scalar.causality == "parameter":
             components.setdefault(scalar.name.rpartition(".")[0], []).append(scalar)
     return "\n".join(
-        (f"<h3><code>{escape(name)}</code></h3>\n" if name else "") + variable_table(members)
+        (f"<h3><code>{escape(name)}</code></h3>\n" if name else "") + format_variable_table(members)
         for name, members in components.items()
         if members
     )
 
 
-def variable_table(listed: Iterable[Scalar]) -> str:
+def format_variable_table(listed: Iterable[Scalar]) -> str:
     """Columns that stay empty are left out."""
     rows = [_cells(scalar) for scalar in listed]
     heads = ("Name", "Meaning", "Unit", "Default", "Range")
@@ -37,7 +37,7 @@ def _cells(scalar: Scalar) -> tuple[str, ...]:
     limits = [_number(given[key]) if key in given else "" for key in ("min", "max")]
     default = _number(given["start"]) if "start" in given else ""
     if default and shown and float(given["start"]):
-        value = displayed(float(given["start"]), unit, shown)
+        value = convert_to_display_unit(float(given["start"]), unit, shown)
         default += f' <span class="small">({value:.6g} {escape(shown)})</span>'
     return (
         f"<code>{escape(scalar.name.rpartition('.')[2])}</code>",

@@ -41,7 +41,7 @@ def plain_compression(fmu: Fmu) -> Findings:
 
 
 @rule("there are sources or binaries")
-def implemented(fmu: Fmu) -> Findings:
+def sources_or_binaries(fmu: Fmu) -> Findings:
     """FMI 3.0.2, 2.5."""
     if not any(n.startswith(("sources/", "binaries/")) for n in fmu.names):
         yield "the archive holds neither"

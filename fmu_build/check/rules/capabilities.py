@@ -47,7 +47,7 @@ def default_experiment(fmu: Fmu) -> Findings:
 
 
 @rule("a fixed internal step is above zero")
-def fixed_step(fmu: Fmu) -> Findings:
+def internal_step(fmu: Fmu) -> Findings:
     """FMI 3.0.2, 4.4."""
     for interface in fmu.interfaces:
         text = interface.get("fixedInternalStepSize")

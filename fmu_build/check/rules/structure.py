@@ -30,7 +30,7 @@ def unknowns(fmu: Fmu, position: int) -> list[ET.Element]:
 
 
 @rule("every output is listed once in the model structure")
-def outputs_listed(fmu: Fmu) -> Findings:
+def list_of_outputs(fmu: Fmu) -> Findings:
     """FMI 2.0.4, 2.2.8; FMI 3.0.2, 2.4.8."""
     by_key = known_variables(fmu)
     expected = {k for k, v in by_key.items() if v.causality == "output"}

@@ -85,10 +85,10 @@ PREFIXES = {"G": 1e9, "M": 1e6, "k": 1e3, "c": 1e-2, "m": 1e-3, "u": 1e-6, "n": 
 
 
 HERTZ = (_unit(s=-1), _unit(2 * math.pi, rad=1, s=-1))
-"""Of a frequency, and as the display unit of a circular one."""
+"""Name of a frequency's unit, and of the display unit of a circular frequency."""
 
 
-def meanings(name: str) -> tuple[Dimension, ...]:
+def find_meanings(name: str) -> tuple[Dimension, ...]:
     """What a unit's name may mean, in Modelica's notation: a dot multiplies, all after the one
     slash divides. None where it can't be read for certain."""
     if name == "Hz":

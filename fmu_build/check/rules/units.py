@@ -5,13 +5,13 @@ from collections.abc import Mapping
 
 from fmu_build.check.archive import Fmu, Variable
 from fmu_build.check.rules.rule import Findings, rule
-from fmu_build.check.rules.unit_names import EXPONENTS, Dimension, meanings
+from fmu_build.check.rules.unit_names import EXPONENTS, Dimension, find_meanings
 
 TOLERANCE = 1e-6
 """Relative difference of factors that counts as rounding of a written number."""
 
 
-def declared(given: Mapping[str, str]) -> Dimension:
+def read_declared_unit(given: Mapping[str, str]) -> Dimension:
     """A BaseUnit element as a dimension."""
     exponents = tuple(int(given.get(name, 0)) for name in EXPONENTS)
     return Dimension(exponents, float(given.get("factor", 1)), float(given.get("offset", 0)))
@@ -23,7 +23,7 @@ def dimensions(fmu: Fmu) -> dict[str, Dimension]:
     for unit in fmu.description.findall("UnitDefinitions/Unit"):
         base = unit.find("BaseUnit")
         if base is not None:
-            found[unit.get("name", "")] = declared(base.attrib)
+            found[unit.get("name", "")] = read_declared_unit(base.attrib)
     return found
 
 
@@ -31,7 +31,7 @@ def dimensions(fmu: Fmu) -> dict[str, Dimension]:
 def base_units(fmu: Fmu) -> Findings:
     """SI Brochure, 9th edition; names that can't be read are not judged."""
     for name, dimension in dimensions(fmu).items():
-        meant = meanings(name)
+        meant = find_meanings(name)
         alike = [m for m in meant if m.in_si == dimension.in_si]
         if meant and not alike:
             yield f"{name} has the base units {dimension}, expected {meant[0]}"
@@ -53,7 +53,9 @@ def display_units(fmu: Fmu) -> Findings:
 
 
 def _display_unit(where: str, name: str, display: Mapping[str, str]) -> Findings:
-    pairs = [(own, shown) for own in meanings(name) for shown in meanings(display["name"])]
+    pairs = [
+        (own, shown) for own in find_meanings(name) for shown in find_meanings(display["name"])
+    ]
     alike = [(own, shown) for own, shown in pairs if own.exponents == shown.exponents]
     if pairs and not alike:
         yield f"{where} has another dimension: {pairs[0][1]}, expected {pairs[0][0]}"
@@ -93,7 +95,7 @@ def _state_of(fmu: Fmu, variable: Variable) -> Variable | None:
 
 
 @rule("units, display units and types that variables name are defined")
-def names_defined(fmu: Fmu) -> Findings:
+def unit_names(fmu: Fmu) -> Findings:
     """FMI 2.0.4, 2.2.7; FMI 3.0.2, 2.4.7."""
     units = {u.get("name"): u for u in fmu.description.findall("UnitDefinitions/Unit")}
     for variable in fmu.variables:

@@ -1,1 +1,1 @@
-"""Alignment in the inertial frame."""
+"""Coarse alignment in the inertial frame."""

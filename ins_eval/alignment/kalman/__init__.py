@@ -1,1 +1,1 @@
-"""Fine alignment by a Kalman filter."""
+"""Fine alignment by a Kalman filter on the displacement of a navigator."""

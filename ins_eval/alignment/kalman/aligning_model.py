@@ -1,8 +1,9 @@
-"""The alignment filter's states: those of `standing`, and what wanders during the record.
+"""The 30 states of the alignment filter: the 13 of `standing`, and 17 that vary during the record.
 
-Rotation since the record's start as computed (2), about north and east, rad; bias instability of
-gyros (9), rad/s, and level accelerometers (6), m/s^2, about and along north, east, down: like
-processes of like sensors look the same in any axes.
+These are the rotation since the record's start (2), about north and east, rad, and the Gauss-Markov
+processes of bias instability: of the gyros (9), rad/s, and of the level accelerometers (6), m/s^2,
+in navigation axes. Equal processes of equal sensors are the same in any axes.
+docs/methods/alignment.md, Eq. 8.
 """
 
 import numpy as np
@@ -16,53 +17,53 @@ Array = NDArray[np.float64]
 
 CORE = slice(0, standing.STATES)
 TURNED = slice(CORE.stop, CORE.stop + 2)
-GYRO_WANDER = slice(TURNED.stop, TURNED.stop + 3 * PROCESSES)
-ACCELEROMETER_WANDER = slice(GYRO_WANDER.stop, GYRO_WANDER.stop + 2 * PROCESSES)
-STATES = ACCELEROMETER_WANDER.stop
+GYRO_INSTABILITY = slice(TURNED.stop, TURNED.stop + 3 * PROCESSES)
+ACCELEROMETER_INSTABILITY = slice(GYRO_INSTABILITY.stop, GYRO_INSTABILITY.stop + 2 * PROCESSES)
+STATES = ACCELEROMETER_INSTABILITY.stop
 LEVEL = [0, 1]
-"""Attitude about north and east."""
+"""Places of the attitude about north and east."""
 
 
 def dynamics(latitude: float, height: float, duration: float) -> Array:
-    """(30, 30) time derivative of the states by the states; biases about and along north, east,
-    down."""
+    """Return F (30, 30), dx/dt = F x, with biases about and along north, east, down."""
     f = np.zeros((STATES, STATES))
     f[CORE, CORE] = standing.dynamics(latitude, height)
-    f[standing.ATTITUDE, GYRO_WANDER] = np.tile(np.eye(3), PROCESSES)
+    f[standing.ATTITUDE, GYRO_INSTABILITY] = np.tile(np.eye(3), PROCESSES)
     f[TURNED] = f[LEVEL]
-    f[standing.VELOCITY, ACCELEROMETER_WANDER] = np.tile(np.eye(2), PROCESSES)
+    f[standing.VELOCITY, ACCELEROMETER_INSTABILITY] = np.tile(np.eye(2), PROCESSES)
     return f - np.diag(_decay(duration))
 
 
 def noise(errors: SensorErrors, interval: float, gravity: float, duration: float) -> Array:
-    """(30, 22) root of the densities that drive the states; the vehicle's motion is not in it."""
+    """Return the root (30, 22) of the densities that drive the states, without the vehicle's
+    motion."""
     core = standing.noise(errors, interval, gravity)
-    wander = np.sqrt(2 * _decay(duration) * _wander_variance(errors))[TURNED.stop :]
-    g = np.zeros((STATES, core.shape[1] + len(wander)))
+    drive = np.sqrt(2 * _decay(duration) * _instability_variance(errors))[TURNED.stop :]
+    g = np.zeros((STATES, core.shape[1] + len(drive)))
     g[CORE, : core.shape[1]] = core
     g[TURNED] = g[LEVEL]
-    g[TURNED.stop :, core.shape[1] :] = np.diag(wander)
+    g[TURNED.stop :, core.shape[1] :] = np.diag(drive)
     return g
 
 
 def prior(errors: SensorErrors) -> Array:
-    """(30, 30) covariance before any measurement; nothing has turned yet."""
-    covariance = np.diag(_wander_variance(errors))
+    """Return the covariance (30, 30) before any measurement; the rotation is 0."""
+    covariance = np.diag(_instability_variance(errors))
     covariance[CORE, CORE] = standing.prior(errors)
     return covariance
 
 
 def _decay(duration: float) -> Array:
-    """(30,) inverse correlation times of what wanders, 1/s; 0 elsewhere."""
+    """Return the inverse correlation times (30,), 1/s, of the Gauss-Markov states; 0 elsewhere."""
     times = np.full(STATES, np.inf)
-    times[GYRO_WANDER] = np.repeat(correlation_times(duration), 3)
-    times[ACCELEROMETER_WANDER] = np.repeat(correlation_times(duration), 2)
+    times[GYRO_INSTABILITY] = np.repeat(correlation_times(duration), 3)
+    times[ACCELEROMETER_INSTABILITY] = np.repeat(correlation_times(duration), 2)
     return 1 / times
 
 
-def _wander_variance(errors: SensorErrors) -> Array:
-    """(30,)."""
+def _instability_variance(errors: SensorErrors) -> Array:
+    """Return the stationary variances (30,) of the Gauss-Markov states; 0 elsewhere."""
     variance = np.zeros(STATES)
-    variance[GYRO_WANDER] = process_variance(errors.gyro_bias_instability)
-    variance[ACCELEROMETER_WANDER] = process_variance(errors.accelerometer_bias_instability)
+    variance[GYRO_INSTABILITY] = process_variance(errors.gyro_bias_instability)
+    variance[ACCELEROMETER_INSTABILITY] = process_variance(errors.accelerometer_bias_instability)
     return variance

@@ -1,8 +1,9 @@
 """Fine alignment: a Kalman filter on the displacement of a navigator whose vehicle stands.
 
-The measurement is that the computed displacement stays where it is, up to the vehicle's sway. A
-standing vehicle's displacement is bounded and returns, so its samples are near white; its velocity
-is the derivative of that and would be coloured noise: taken as white it would weigh too little.
+The measurement is that the navigated displacement is 0 but for the vehicle's sway. The displacement
+of a standing vehicle is bounded, so that its samples are nearly white. Its velocity is the
+derivative, which is coloured; taken as white noise, it would get too little weight.
+docs/methods/alignment.md, Eqs. 7 to 9.
 """
 
 from dataclasses import dataclass
@@ -14,36 +15,40 @@ from scipy.optimize import minimize_scalar
 
 from ins_eval.alignment.kalman import aligning_model, standing
 from ins_eval.alignment.kalman.dead_reckoning import (
-    FEWEST_STEPS,
+    MIN_STEPS,
     Reckoning,
-    corrected,
-    in_whole_steps,
-    reckoned,
+    correct_attitude,
+    reckon,
+    split_into_steps,
 )
-from ins_eval.alignment.kalman.tilting import Tilting, likeliest_tilting
+from ins_eval.alignment.kalman.tilting import Tilting, estimate_tilting
 from ins_eval.alignment.result import Alignment, AlignmentError, Biases, History
-from ins_eval.common.increments import Increments
 from ins_eval.common.sensor_errors import SensorErrors
+from pyhrg.records.imu.increments import Increments
 
 Array = NDArray[np.float64]
 
-SETTLED = 1e-4
-"""Correction of the start attitude below which the linear model holds, rad."""
-MOST_PASSES = 6
-MOST_APART = 3.0
-"""Attitudes with and without a steady tilt, in sigma of the difference."""
-NO_ODDS = 1e-6
-"""Of a variance: less than this is rounding."""
+MAX_LINEAR_ERROR = 1e-4
+"""Correction of the start attitude below which the linear model is valid, rad. Chosen."""
+MAX_PASSES = 6
+"""Largest number of passes through the record. Chosen."""
+MAX_DIFFERENCE_SIGMA = 3.0
+"""Largest difference of the attitudes with and without steady tilt, in its sigma. Chosen."""
+MIN_VARIANCE_RATIO = 1e-6
+"""Smallest ratio of the difference's variance to the variance itself; less is rounding. Chosen."""
 SWAY_BOUNDS = (1e-6, 100.0)
-"""Between which the vehicle's displacement is looked for, m."""
-TOLERANCE = 0.05
-"""Of its logarithm."""
+"""Search range of the vehicle's sway, m. Chosen."""
+SWAY_TOLERANCE = 0.05
+"""Tolerance of the logarithm of the sway. Chosen."""
 
 
 @dataclass(frozen=True)
-class Filtered:
-    """state: (m, 30); covariance: (m, 30, 30); innovation: (m, 2), whitened;
-    log_likelihood: of the innovations once the filter has settled."""
+class FilterResult:
+    """Estimates of the filter.
+
+    state: (m, 30); covariance: (m, 30, 30); innovation: (m, 2), whitened; log_likelihood: of the
+    innovations after the filter has settled.
+    """
 
     state: Array
     covariance: Array
@@ -51,7 +56,7 @@ class Filtered:
     log_likelihood: float
 
 
-def fine_alignment(
+def align_by_kalman_filter(
     record: Increments,
     position: Array,
     errors: SensorErrors,
@@ -59,28 +64,28 @@ def fine_alignment(
     sway: float | None = None,
     steady: bool = True,
 ) -> Alignment:
-    """Attitude at the end of a record of a vehicle that stands or sways.
+    """Find the attitude at the end of a record of a vehicle that stands or sways.
 
-    The filter starts from next to no knowledge of the attitude, so nothing is counted twice.
+    The prior of the attitude is so wide that the coarse attitude is not used as information.
 
     Args:
-        record: a few intervals at its beginning are left out if the steps want it.
-        position: (3,) latitude, longitude (rad), height (m).
+        record: a few intervals at its beginning may be left out, so that the steps are whole.
+        position: (3,) latitude, longitude, rad, and height, m.
         errors: of the sensors.
         coarse: `mat_nb` (3, 3) at the record's start, within some degrees.
-        sway: standard deviation of the vehicle's level displacement on each axis, m; None finds
-            the likeliest.
-        steady: whether the vehicle's tilt stays where it is, as far as the record shows it;
-            otherwise any motion of it is as good as any other.
+        sway: standard deviation of the vehicle's level displacement on each axis, m; None
+            estimates it by maximum likelihood.
+        steady: whether to use that the vehicle's tilt stays constant, as far as the record shows
+            it; otherwise nothing is assumed about its tilt.
 
     Raises:
-        AlignmentError: too short a record, or one whose attitude does not settle.
+        AlignmentError: the record is too short, or the attitude does not converge.
     """
-    run, result, sway = settled(record, position, errors, coarse, sway)
+    run, result, sway = reckon_until_linear(record, position, errors, coarse, sway)
     if steady:
-        result = steadied(run, errors, sway, result)
+        result = apply_steady_tilt(run, errors, sway, result)
     attitude, both = standing.ATTITUDE, slice(standing.GYRO.start, standing.ACCELEROMETER.stop)
-    mat_nb = corrected(run.track.mat_nb, result.state[:, attitude])
+    mat_nb = correct_attitude(run.track.mat_nb, result.state[:, attitude])
     covariance = result.covariance[:, attitude, attitude]
     last = result.state[-1]
     return Alignment(
@@ -96,50 +101,55 @@ def fine_alignment(
     )
 
 
-def settled(
+def reckon_until_linear(
     record: Increments, position: Array, errors: SensorErrors, coarse: Array, sway: float | None
-) -> tuple[Reckoning, Filtered, float]:
-    """Dead reckoning whose errors are small enough for the linear model; the sway, m.
+) -> tuple[Reckoning, FilterResult, float]:
+    """Reckon and filter until the start attitude is accurate enough for the linear model.
+
+    Returns:
+        The last dead reckoning, the filter's estimates on it, and the sway, m.
 
     Raises:
-        AlignmentError: too short a record, or one whose attitude does not settle.
+        AlignmentError: the record is too short, or the attitude does not converge.
     """
-    record, each = in_whole_steps(record)
+    record, each = split_into_steps(record)
     mat_nb = coarse
-    for _ in range(MOST_PASSES):
-        run = reckoned(record, position, mat_nb, each)
+    for _ in range(MAX_PASSES):
+        run = reckon(record, position, mat_nb, each)
         if sway is None:
-            sway = likeliest_sway(run, errors)
-        result = filtered(run, errors, sway)
+            sway = estimate_sway(run, errors)
+        result = run_filter(run, errors, sway)
         first = run.first_error(result.state[-1])[standing.ATTITUDE]
-        if np.linalg.norm(first) < SETTLED:
+        if np.linalg.norm(first) < MAX_LINEAR_ERROR:
             return run, result, sway
-        mat_nb = corrected(mat_nb, first)
+        mat_nb = correct_attitude(mat_nb, first)
     raise AlignmentError(
         f"attitude still off by {np.rad2deg(np.linalg.norm(first)):.2g} deg "
-        f"after {MOST_PASSES} passes: the vehicle moved, or the coarse attitude is far off"
+        f"after {MAX_PASSES} passes: the vehicle moved, or the coarse attitude is far off"
     )
 
 
-def steadied(run: Reckoning, errors: SensorErrors, sway: float, free: Filtered) -> Filtered:
-    """With the knowledge that the vehicle's tilt stays where it is, as far as the gyros show it.
+def apply_steady_tilt(
+    run: Reckoning, errors: SensorErrors, sway: float, free: FilterResult
+) -> FilterResult:
+    """Filter with the rotation since the start as a measurement, unless it contradicts `free`.
 
-    A tilt that creeps at a steady rate looks like another rate of Earth. It parts the attitude from
-    that of the accelerometers, which don't mind: where the two differ by more than chance, the
-    steady one is dropped. Their difference has the difference of their variances (Hausman 1978).
+    A tilt that creeps at a steady rate looks like a change of Earth's rate, and shifts the attitude
+    from that of the filter without the assumption. If they differ significantly, `free` is
+    returned. The variance of the difference is the difference of the variances (Hausman 1978).
     """
-    steady = filtered(run, errors, sway, likeliest_tilting(run.turned, run.step, errors))
+    steady = run_filter(run, errors, sway, estimate_tilting(run.turned, run.step, errors))
     attitude = standing.ATTITUDE
     difference = steady.state[-1, attitude] - free.state[-1, attitude]
     before, after = (np.diag(r.covariance[-1])[attitude] for r in (free, steady))
-    variance = np.maximum(before - after, NO_ODDS * before)
-    return steady if np.all(difference**2 < MOST_APART**2 * variance) else free
+    variance = np.maximum(before - after, MIN_VARIANCE_RATIO * before)
+    return steady if np.all(difference**2 < MAX_DIFFERENCE_SIGMA**2 * variance) else free
 
 
-def filtered(
+def run_filter(
     run: Reckoning, errors: SensorErrors, sway: float, tilting: Tilting | None = None
-) -> Filtered:
-    """The Kalman filter over a run; without `tilting`, rotation tells nothing."""
+) -> FilterResult:
+    """Run the Kalman filter; `tilting` adds the rotation since the start as a measurement."""
     size = aligning_model.STATES
     walk, white = (tilting.walk, tilting.white) if tilting else (0.0, 0.0)
     turned = np.eye(2) if tilting else np.empty((0, 2))
@@ -166,16 +176,16 @@ def filtered(
     white_noise = np.linalg.solve(root, np.array(innovation)[..., None])[..., 0]
     diagonal = np.diagonal(root, axis1=1, axis2=2)
     each = -np.sum(0.5 * white_noise**2 + np.log(diagonal), axis=1)
-    likelihood = float(each[FEWEST_STEPS // 2 :].sum())
-    return Filtered(np.array(state), np.array(covariance), white_noise[:, :2], likelihood)
+    likelihood = float(each[MIN_STEPS // 2 :].sum())
+    return FilterResult(np.array(state), np.array(covariance), white_noise[:, :2], likelihood)
 
 
-def likeliest_sway(run: Reckoning, errors: SensorErrors) -> float:
-    """Standard deviation of the vehicle's displacement that makes the innovations likeliest, m."""
-    found = minimize_scalar(
-        lambda x: -filtered(run, errors, float(np.exp(x))).log_likelihood,
+def estimate_sway(run: Reckoning, errors: SensorErrors) -> float:
+    """Estimate the standard deviation of the vehicle's displacement, m, by maximum likelihood."""
+    estimate = minimize_scalar(
+        lambda x: -run_filter(run, errors, float(np.exp(x))).log_likelihood,
         bounds=np.log(SWAY_BOUNDS),
         method="bounded",
-        options={"xatol": TOLERANCE},
+        options={"xatol": SWAY_TOLERANCE},
     )
-    return float(np.exp(found.x))
+    return float(np.exp(estimate.x))

@@ -1,8 +1,8 @@
-"""How much a standing vehicle tilts, from its gyros' record.
+"""Tilting of a standing vehicle, estimated from its gyros' record.
 
-As much of the rotation about level axes as the gyros' own noise leaves unexplained is the
-vehicle's: to and fro, white from step to step, and wandering off, a random walk. Rotation at a
-steady rate is not looked at: it is what heading shows in.
+Rotation about level axes in excess of the gyros' own noise is that of the vehicle. Its model is
+white noise from step to step plus a random walk. A steady rate is left out: it contains the
+heading. docs/methods/alignment.md, Eq. 9.
 """
 
 from dataclasses import dataclass
@@ -16,23 +16,30 @@ from ins_eval.common.sensor_errors import SensorErrors
 Array = NDArray[np.float64]
 
 BOUNDS = ((1e-7, 1.0), (1e-10, 1.0))
-"""Of `Tilting`; less than its lower end makes no difference to heading."""
+"""Search ranges of `Tilting`. Chosen: below the lower ends the heading does not change."""
 
 
 @dataclass(frozen=True)
 class Tilting:
-    """On each level axis. white: standard deviation, rad, the counts' remainders in it;
-    walk: rad/sqrt(s)."""
+    """Tilting about each level axis.
+
+    white: standard deviation, rad, including quantization; walk: coefficient of the random walk,
+    rad/sqrt(s).
+    """
 
     white: float
     walk: float
 
 
-def likeliest_tilting(turned: Array, step: float, errors: SensorErrors) -> Tilting:
-    """The likeliest of rotations since the start (m, 2), rad, every step, s.
+def estimate_tilting(turned: Array, step: float, errors: SensorErrors) -> Tilting:
+    """Estimate the tilting by maximum likelihood.
 
-    Whittle's likelihood of the periodogram of the steps' mean rates, frequency 0 left out
-    (Whittle 1953).
+    Whittle's likelihood of the periodogram of the mean rates, without frequency 0 (Whittle 1953).
+
+    Args:
+        turned: (m, 2) rotation about north and east since the start, rad, at the end of each step.
+        step: s.
+        errors: of the sensors.
     """
     rate = np.diff(turned, axis=0, prepend=0.0) / step
     frequency = np.fft.rfftfreq(len(rate), step)[1:]
@@ -47,5 +54,5 @@ def likeliest_tilting(turned: Array, step: float, errors: SensorErrors) -> Tilti
 
     spread = float(np.sqrt(np.mean(periodogram)))
     start = np.clip(np.log([spread * np.sqrt(step) + 1e-30, spread + 1e-30]), *np.log(BOUNDS).T)
-    found = minimize(cost, start, method="Nelder-Mead", bounds=np.log(BOUNDS))
-    return Tilting(*map(float, np.exp(found.x)))
+    estimate = minimize(cost, start, method="Nelder-Mead", bounds=np.log(BOUNDS))
+    return Tilting(*map(float, np.exp(estimate.x)))

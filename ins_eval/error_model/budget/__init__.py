@@ -1,1 +1,1 @@
-"""Whose error it is: by effect, axis and time."""
+"""Error budgets: contributions to the final position error by effect, axis and time."""

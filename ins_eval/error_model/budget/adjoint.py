@@ -1,4 +1,4 @@
-"""How much an error at any moment weighs in the final one: one pass backward."""
+"""Weights of all errors in the final position error, by the adjoint: one pass backward in time."""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 
 COMPONENTS = ("north", "east")
 HORIZONTAL = np.eye(COUNT)[:2]
-"""(2, 10) the states that make the final position error, north and east."""
+"""(2, 10) matrix that takes the position errors north and east from the state."""
 
 BODY = ("forward", "right", "down")
 SENSORS = tuple(f"{kind} {axis}" for kind in ("gyro", "accelerometer") for axis in BODY)
@@ -21,11 +21,11 @@ SENSORS = tuple(f"{kind} {axis}" for kind in ("gyro", "accelerometer") for axis 
 
 @dataclass(frozen=True)
 class Weights:
-    """Final error, north and east, per error before; m.
+    """Final position error, north and east, m, per earlier error.
 
-    model: whose errors these are; states: (n + 1, 2, 10) per error of each state at the bounds of
-    the steps; sensors: (n, 2, 6) per rad (gyros) and m/s (accelerometers) that a sensor errs by
-    in a step, as `Increments` count them: that is m per rad/s and second, mean over the step.
+    model: the linear model; states: (n + 1, 2, 10) per error of each state at the bounds of the
+    steps; sensors: (n, 2, 6) per error of a gyro's increment, rad, and of an accelerometer's, m/s,
+    in one step.
     """
 
     model: LinearModel
@@ -34,18 +34,21 @@ class Weights:
 
     @property
     def step_coefficients(self) -> Array:
-        """(n, 2, e, 3) per coefficient of each effect and axis that holds during one step."""
+        """(n, 2, e, 3) weights of the coefficients of each effect and axis during one step."""
         return np.asarray(np.einsum("nij,njea->niea", self.states[1:], self.model.inputs))
 
     @property
     def coefficients(self) -> Array:
-        """(2, e, 3) per coefficient that holds all the time."""
+        """(2, e, 3) weights of constant coefficients of each effect and axis."""
         return np.asarray(self.step_coefficients.sum(axis=0))
 
 
-def weights(model: LinearModel) -> Weights:
-    """Weights in the last moment's position error (Bryson and Ho 1975, section 2.7; adjoint method
-    in Zarchan 2012, chapter 4)."""
+def compute_weights(model: LinearModel) -> Weights:
+    """Compute the weights in the position error at the model's end.
+
+    docs/methods/error_model.md, Eqs. 11 and 12 (Bryson and Ho 1975, section 2.7; Zarchan 2012,
+    chapter 4).
+    """
     states = np.empty((len(model) + 1, len(HORIZONTAL), COUNT))
     states[-1] = HORIZONTAL
     for k in range(len(model) - 1, -1, -1):
@@ -53,29 +56,29 @@ def weights(model: LinearModel) -> Weights:
     return Weights(model, states, states[1:] @ model.constant_errors / model.step)
 
 
-def labelled(found: Weights) -> xr.Dataset:
-    """Weights with names, times and units."""
-    time = found.model.time
+def label_weights(weights: Weights) -> xr.Dataset:
+    """Return weights as a dataset with names, times and units."""
+    time = weights.model.time
     middle = 0.5 * (time[1:] + time[:-1])
-    effects = found.model.effects
-    gyro, accelerometer = found.sensors[..., :AXES], found.sensors[..., AXES:]
+    effects = weights.model.effects
+    gyro, accelerometer = weights.sensors[..., :AXES], weights.sensors[..., AXES:]
     axes = ("time", "component", "axis")
     return xr.Dataset(
         {
-            "gyro": (axes, gyro, {"units": "m/rad", "long_name": "final error per gyro's error"}),
+            "gyro": (axes, gyro, {"units": "m/rad", "long_name": "final error per gyro error"}),
             "accelerometer": (
                 axes,
                 accelerometer,
-                {"units": "s", "long_name": "final error per accelerometer's error"},
+                {"units": "s", "long_name": "final error per accelerometer error"},
             ),
             "state_weight": (
                 ("bound", "component", "state"),
-                found.states,
+                weights.states,
                 {"units": "m per state_unit"},
             ),
             "coefficient": (
                 ("component", "effect", "axis"),
-                found.coefficients,
+                weights.coefficients,
                 {"units": "m per effect_unit", "long_name": "final error per constant coefficient"},
             ),
         },

@@ -1,6 +1,4 @@
-"""The figure of a budget: what weighs when, how the error comes about, and whose it is."""
-
-from pathlib import Path
+"""Figure of an error budget: weights over time, growth of the error, contributions by effect."""
 
 import numpy as np
 import xarray as xr
@@ -8,41 +6,46 @@ from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ins_eval.error_model.budget.adjoint import BODY, COMPONENTS, Weights, labelled
-from ins_eval.error_model.budget.budget import total
+from ins_eval.error_model.budget.adjoint import BODY, COMPONENTS, Weights, label_weights
+from ins_eval.error_model.budget.budget import sum_contributions
 from pyhrg.common.units import ARCSEC, HOUR
 
 COLOURS = dict(zip(BODY, ("tab:blue", "tab:orange", "tab:green"), strict=True))
 INITIAL, INITIAL_COLOUR = "initial errors", "0.5"
-SHOWN = 8
-"""Effects with a line and bars of their own; the smallest are shown as one if there are more."""
+MAX_SHOWN_EFFECTS = 8
+"""Largest number of effects that are shown apart; beyond it, the smallest are shown as one."""
 
 
-def draw(found: Weights, shares: xr.Dataset, path: Path, title: str = "Error budget") -> None:
-    """Write the figure of weights and of `budget.budget` as PNG."""
+def plot_budget(weights: Weights, budget: xr.Dataset, title: str = "Error budget") -> Figure:
+    """Plot weights and the budget that `compute_budget` made of them."""
     figure = Figure(figsize=(11, 11), layout="constrained")
     rows = figure.subplots(3, 2, sharey="row")
-    contribution = _largest(shares.contribution)
+    contribution = _select_largest(budget.contribution)
     for column, component in enumerate(COMPONENTS):
         own = contribution.sel(component=component)
-        _weights(rows[0, column], labelled(found).gyro.sel(component=component) * ARCSEC)
-        initial = float(shares.initial.sum("state").sel(component=component))
-        _growth(rows[1, column], own.sum("axis"), initial)
-        _bars(rows[2, column], own.sum("time"), initial)
-        for row, what in enumerate(("weight of the gyros", "made up by then", "by effect, axis")):
-            rows[row, column].set_title(f"{component}: {what}")
+        _plot_weights(
+            rows[0, column], label_weights(weights).gyro.sel(component=component) * ARCSEC
+        )
+        initial = float(budget.initial.sum("state").sel(component=component))
+        _plot_growth(rows[1, column], own.sum("axis"), initial)
+        _plot_bars(rows[2, column], own.sum("time"), initial)
+        for row, title_end in enumerate(
+            ("weight of the gyros", "cumulative", "by effect and axis")
+        ):
+            rows[row, column].set_title(f"{component}: {title_end}")
             rows[row, column].grid(alpha=0.25)
-    rows[0, 0].set_ylabel("final error per gyro's error, m/arcsec")
-    rows[1, 0].set_ylabel("part of the final error, m")
+    rows[0, 0].set_ylabel("final error per gyro error, m/arcsec")
+    rows[1, 0].set_ylabel("contribution to the final error, m")
     rows[0, 1].legend(title="axis", fontsize="small")
     figure.legend(*rows[1, 0].get_legend_handles_labels(), loc="outside lower center", ncols=3)
-    north, east = total(shares)
+    north, east = sum_contributions(budget)
     figure.suptitle(f"{title}: final error {north:.4g} m north, {east:.4g} m east")
-    figure.savefig(path, dpi=120, metadata={"Software": None})
+    return figure
 
 
-def _weights(axes: Axes, weight: xr.DataArray) -> None:
-    """Linear near zero, logarithmic beyond: alignment weighs many times what a flight does."""
+def _plot_weights(axes: Axes, weight: xr.DataArray) -> None:
+    """Plot weights over time, linear near zero and logarithmic beyond: those of the alignment are
+    many times those of the flight."""
     for axis, colour in COLOURS.items():
         axes.plot(weight.time / HOUR, weight.sel(axis=axis), colour, linewidth=0.9, label=axis)
     axes.set_yscale(
@@ -51,9 +54,9 @@ def _weights(axes: Axes, weight: xr.DataArray) -> None:
     axes.set_xlabel("time, h")
 
 
-def _growth(axes: Axes, contribution: xr.DataArray, initial: float) -> None:
+def _plot_growth(axes: Axes, contribution: xr.DataArray, initial: float) -> None:
     hours = contribution.time / HOUR
-    axes.set_prop_cycle(color=colormaps["Dark2"](np.arange(SHOWN)))
+    axes.set_prop_cycle(color=colormaps["Dark2"](np.arange(MAX_SHOWN_EFFECTS)))
     for effect in contribution.effect.values:
         axes.plot(hours, contribution.sel(effect=effect).cumsum("time"), label=effect)
     if initial:
@@ -63,9 +66,8 @@ def _growth(axes: Axes, contribution: xr.DataArray, initial: float) -> None:
     axes.set_xlabel("time, h")
 
 
-def _bars(axes: Axes, contribution: xr.DataArray, initial: float) -> None:
-    """Three bars, one an axis, for each effect in gyros and in accelerometers that has any; one for
-    what the start was off by."""
+def _plot_bars(axes: Axes, contribution: xr.DataArray, initial: float) -> None:
+    """Plot three bars, one an axis, for each effect that is not 0, and one for initial errors."""
     rows: list[tuple[str, np.ndarray]] = []
     for effect in contribution.effect.values:
         by_sensor = contribution.sel(effect=effect).values.reshape(2, len(BODY))
@@ -84,15 +86,15 @@ def _bars(axes: Axes, contribution: xr.DataArray, initial: float) -> None:
         places = np.append(places, -float(len(rows)))
         axes.barh(places[-1], initial, height=0.5, color=INITIAL_COLOUR)
     axes.set_yticks(places, names, fontsize="small")
-    axes.set_xlabel("part of the final error, m")
+    axes.set_xlabel("contribution to the final error, m")
 
 
-def _largest(contribution: xr.DataArray) -> xr.DataArray:
-    """The effects that matter most in the end, those beyond `SHOWN` summed into one."""
-    if contribution.sizes["effect"] <= SHOWN:
+def _select_largest(contribution: xr.DataArray) -> xr.DataArray:
+    """Keep the largest contributions; sum those beyond `MAX_SHOWN_EFFECTS` into one."""
+    if contribution.sizes["effect"] <= MAX_SHOWN_EFFECTS:
         return contribution
     size = abs(contribution.sum("time")).sum(("axis", "component"))
     order = contribution.effect.values[np.argsort(-size.values)]
-    others = contribution.sel(effect=order[SHOWN - 1 :]).sum("effect")
+    others = contribution.sel(effect=order[MAX_SHOWN_EFFECTS - 1 :]).sum("effect")
     others = others.expand_dims(effect=["others"])
-    return xr.concat([contribution.sel(effect=order[: SHOWN - 1]), others], "effect")
+    return xr.concat([contribution.sel(effect=order[: MAX_SHOWN_EFFECTS - 1]), others], "effect")

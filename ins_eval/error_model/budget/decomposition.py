@@ -1,4 +1,4 @@
-"""What the sensors actually did wrong, split into effects."""
+"""Decomposition of known sensor errors into effects."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -6,20 +6,20 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.common.increments import Increments
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.error_model.effects import Effect, Sensor
 from ins_eval.error_model.linear_model import AXES
 from ins_eval.error_model.motion import Motion, step_mean
+from pyhrg.records.imu.increments import Increments
 
 Array = NDArray[np.float64]
 
-REST = "noise and rest"
-"""Name of what no effect explains."""
+UNEXPLAINED = "noise and rest"
+"""Name of the residual that no effect explains."""
 
 
 def sensor_error(measured: Increments, truth: Increments) -> Increments:
-    """Measured less true.
+    """Return measured less true increments.
 
     Raises:
         ValueError: increments of different times.
@@ -38,11 +38,12 @@ def sensor_error(measured: Increments, truth: Increments) -> Increments:
     )
 
 
-def summed(increments: Increments, start: float, step: float, count: int) -> Increments:
-    """Increments over longer intervals, as many as asked for.
+def sum_over_steps(increments: Increments, start: float, step: float, count: int) -> Increments:
+    """Sum increments over `count` steps of `step` seconds from time `start`.
 
     Raises:
-        ValueError: steps that are no whole number of intervals, or that the increments don't span.
+        ValueError: a step that is not a whole number of intervals, or increments that do not cover
+            the steps.
     """
     each = round(step / increments.interval)
     first = round((start - increments.start) / increments.interval)
@@ -65,40 +66,47 @@ def summed(increments: Increments, start: float, step: float, count: int) -> Inc
 
 @dataclass(frozen=True)
 class Prior:
-    """What is known of the sensors before: (e, 3) standard deviations of the effects'
-    coefficients, SI, and the noise that they are seen in."""
+    """Prior knowledge of the sensors.
+
+    deviations: (e, 3) standard deviations of the effects' coefficients, SI; noise: the noise that
+    is superposed.
+    """
 
     deviations: Array
     noise: SensorErrors
 
     def noise_of(self, sensor: Sensor, step: float) -> float:
-        """Standard deviation of a step's sum, rad or m/s."""
+        """Return the noise's standard deviation of a step's increment, rad or m/s."""
         n = self.noise
-        walk, instability, quantum = (
-            (n.angle_random_walk, n.gyro_bias_instability, n.angle_quantum)
+        walk, instability, count = (
+            (n.angle_random_walk, n.gyro_bias_instability, n.angle_quantization_step)
             if sensor == "gyro"
-            else (n.velocity_random_walk, n.accelerometer_bias_instability, n.velocity_quantum)
+            else (
+                n.velocity_random_walk,
+                n.accelerometer_bias_instability,
+                n.velocity_quantization_step,
+            )
         )
-        return float(np.sqrt(walk**2 * step + (instability * step) ** 2 + quantum**2 / 6))
+        return float(np.sqrt(walk**2 * step + (instability * step) ** 2 + count**2 / 6))
 
 
-def decomposed(
+def decompose_errors(
     error: Increments, motion: Motion, effects: Sequence[Effect], prior: Prior | None = None
 ) -> dict[str, Increments]:
-    """The error of the sensors, by family of effects, in the motion's steps.
+    """Decompose the sensors' error into families of effects, in the motion's steps.
 
-    Each axis is fitted to the effects' signals along the motion. Without a prior by ordinary least
-    squares; where signals are nearly alike, large parts cancel: a gyro whose pattern moves by a
-    degree can't tell its bias from its map. With one to the likeliest coefficients, so that what
-    signals have in common goes to those that it is expected of. The parts, `REST` among them, sum
-    to the whole.
+    For each axis, coefficients of the effects' signals along the motion are estimated
+    (docs/methods/error_model.md, Eq. 15). Without a prior this is ordinary least squares, in which
+    large parts may cancel if signals are nearly collinear: a gyro whose pattern moves by one degree
+    does not separate its bias from its map. With a prior it is the maximum a posteriori estimate.
+    The parts, with the residual `UNEXPLAINED`, sum to the error.
 
     Raises:
-        ValueError: an error that doesn't span the motion.
+        ValueError: an error that does not cover the motion.
     """
-    whole = summed(error, motion.start, motion.step, len(motion))
+    total = sum_over_steps(error, motion.start, motion.step, len(motion))
     parts = {effect.family: np.zeros((len(motion), 2, AXES)) for effect in effects}
-    rest = np.stack([whole.rotation, whole.velocity], axis=1)
+    residual = np.stack([total.rotation, total.velocity], axis=1)
     sensors: tuple[Sensor, Sensor] = ("gyro", "accelerometer")
     for place, sensor in enumerate(sensors):
         places = [i for i, effect in enumerate(effects) if effect.sensor == sensor]
@@ -107,31 +115,35 @@ def decomposed(
         own = [effects[i] for i in places]
         signals = np.stack([motion.step * step_mean(e.regressor(motion)) for e in own], axis=-1)
         for axis in range(AXES):
-            seen = signals[:, axis], rest[:, place, axis]
+            problem = signals[:, axis], residual[:, place, axis]
             if prior:
                 noise = prior.noise_of(sensor, motion.step)
-                fitted = signals[:, axis] * _likeliest(*seen, prior.deviations[places, axis], noise)
+                fitted = signals[:, axis] * _estimate_with_prior(
+                    *problem, prior.deviations[places, axis], noise
+                )
             else:
-                fitted = signals[:, axis] * _least_squares(*seen)
+                fitted = signals[:, axis] * _fit_least_squares(*problem)
             for effect, part in zip(own, fitted.T, strict=True):
                 parts[effect.family][:, place, axis] += part
-            rest[:, place, axis] -= fitted.sum(axis=1)
-    parts[REST] = rest
+            residual[:, place, axis] -= fitted.sum(axis=1)
+    parts[UNEXPLAINED] = residual
     return {
         name: Increments(motion.step, part[:, 0], part[:, 1], motion.start)
         for name, part in parts.items()
     }
 
 
-def _least_squares(signals: Array, values: Array) -> Array:
+def _fit_least_squares(signals: Array, values: Array) -> Array:
     size = np.linalg.norm(signals, axis=0)
     size = np.where(size > 0, size, 1.0)
     return np.asarray(np.linalg.lstsq(signals / size, values, rcond=1e-9)[0] / size)
 
 
-def _likeliest(signals: Array, values: Array, deviations: Array, noise: float) -> Array:
-    """Of normal coefficients seen in white noise, by least squares (Gelb 1974, section 4.3); noise
-    too small to be told from rounding counts as that."""
+def _estimate_with_prior(signals: Array, values: Array, deviations: Array, noise: float) -> Array:
+    """Return the maximum a posteriori coefficients (Gelb 1974, section 4.3).
+
+    The noise is taken to be at least 1e-9 of the signals, which is rounding.
+    """
     scaled = signals * deviations
     noise = max(noise, 1e-9 * float(np.max(np.abs(scaled))))
     if noise == 0:

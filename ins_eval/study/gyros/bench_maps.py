@@ -1,67 +1,68 @@
-"""Maps that the bench's tests show, a fit a power-on, by least squares.
+"""Bias and scale-factor maps from bench tests, one least-squares fit for each power-on.
 
-The bench's own fits (`pyhrg.bench.calibration`) weigh the angle's noise by its likelihood and look
-for tilt; the study has thousands of gyros, whose axes are true, and random walk is what their rates
-err by: least squares on rates are as good and cost a hundredth.
+The bench's own fits (`pyhrg.bench.calibration`) weight the angle noise by its likelihood and
+estimate tilt. The study has thousands of gyros, whose input axes are exact and whose rate errors
+are dominated by random walk. Least squares on rates are as accurate there, at a hundredth of the
+cost.
 """
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.error_model.effects import BRYAN_FACTOR
-from ins_eval.mission_model.gyro_map import HARMONICS, TERMS, terms
+from ins_eval.error_model.effects import ANGULAR_GAIN
+from ins_eval.mission_model.gyro_map import HARMONICS, TERMS, evaluate_terms
 from pyhrg.bench.bias.position import full_circumference
 from pyhrg.bench.readings.turns import Turn
-from pyhrg.bench.scale_factor.rate_tests import rate_turns
+from pyhrg.bench.scale_factor.rate_tests import read_rate_turns
 from pyhrg.records.campaign import Campaign
 
 Array = NDArray[np.float64]
 
 
-def scale_maps(tests: Campaign) -> Array:
-    """(runs, TERMS) of the scale factor, a fit a pair of power-ons, one each way.
+def fit_scale_maps(tests: Campaign) -> Array:
+    """(runs, TERMS) scale-factor maps; each fit takes two power-ons, one in each direction.
 
     Raises:
         BenchError: there are no rate tests.
     """
-    turns = rate_turns(tests, slow=True)
+    turns = read_rate_turns(tests, slow=True)
     ways = [[turn for turn in turns if np.sign(turn.table_rate) == sign] for sign in (1, -1)]
-    return np.array([_scale_map(pair) for pair in zip(*ways, strict=True)])
+    return np.array([_fit_scale_map(pair) for pair in zip(*ways, strict=True)])
 
 
-def bias_maps(tests: Campaign, scale: Array) -> Array:
-    """(runs, TERMS) of the bias, rad/s, a fit a power-on over the circumference.
+def fit_bias_maps(tests: Campaign, scale: Array) -> Array:
+    """(runs, TERMS) bias maps, rad/s, one fit for each power-on of the circumference test.
 
     Args:
-        tests: of the gyro.
-        scale: (TERMS,) of its scale factor, of which Earth's rate makes a bias.
+        tests: the gyro's tests.
+        scale: (TERMS,) scale-factor map, which makes a bias of the Earth's rate.
 
     Raises:
         BenchError: there are no position tests, or they are not complete.
     """
     fits = [
-        np.linalg.lstsq(terms(run.pattern_angle), run.rate, rcond=None)[0]
-        for run in full_circumference.runs_of(tests)
+        np.linalg.lstsq(evaluate_terms(run.pattern_angle), run.rate, rcond=None)[0]
+        for run in full_circumference.read_runs(tests)
     ]
     return np.array(fits) - tests.site.vertical_rate * scale
 
 
-def _scale_map(pair: tuple[Turn, ...]) -> Array:
+def _fit_scale_map(pair: tuple[Turn, ...]) -> Array:
     rows, errors = [], []
     for turn in pair:
-        bias = terms((turn.pattern_angle[1:] + turn.pattern_angle[:-1]) / 2)
-        scale = np.diff(_integrals(turn), axis=0) / turn.interval
+        bias = evaluate_terms((turn.pattern_angle[1:] + turn.pattern_angle[:-1]) / 2)
+        scale = np.diff(_integrate_terms(turn), axis=0) / turn.interval
         rows.append(np.hstack([bias, scale]))
         errors.append(np.diff(turn.excess) / turn.interval)
     fitted = np.linalg.lstsq(np.vstack(rows), np.concatenate(errors), rcond=None)[0]
     return np.asarray(fitted[TERMS:])
 
 
-def _integrals(turn: Turn) -> Array:
-    """(n, TERMS) rate times each term, integrated along the detected pattern angle: what a
-    correction of that angle takes out, to any order."""
+def _integrate_terms(turn: Turn) -> Array:
+    """(n, TERMS) integral of rate times each term along the detected pattern angle, rad: what a
+    correction of that angle removes, to any order."""
     integrals = [turn.input_angle]
     for h in HARMONICS:
-        phase, factor = h * turn.pattern_angle, 1 / (h * BRYAN_FACTOR)
+        phase, factor = h * turn.pattern_angle, 1 / (h * ANGULAR_GAIN)
         integrals += [-factor * np.sin(phase), factor * np.cos(phase)]
     return np.stack(integrals, axis=-1)

@@ -13,28 +13,32 @@ maps, warm            one power-on of each of the latter   soaks over the range 
 from dataclasses import dataclass
 from functools import cache
 
-from ins_eval.error_model.effects import BRYAN_FACTOR
+from ins_eval.error_model.effects import ANGULAR_GAIN
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.position import fixed_position, full_circumference
-from pyhrg.bench.bias.position.positions import Plan, chosen
-from pyhrg.bench.scale_factor.rate_tests import turn_power_ons
+from pyhrg.bench.bias.position.positions import Plan, choose_plan
+from pyhrg.bench.scale_factor.rate_tests import make_turn_power_ons
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.records.campaign import Campaign
 
-STEP = 0.1
-"""Of the fast gyro, s."""
-WARMER = 15.0
-"""Than at the calibration, K: where the maps are taken that tell how they change with it."""
-RATE = 5 * DEG
-"""Of the table in scale-factor tests, rad/s."""
+SAMPLE_INTERVAL = 0.1
+"""Sample interval of the FMU on the bench, s. Chosen."""
+WARM_RISE = 15.0
+"""Temperature above that of the calibration at which maps are taken a second time, K. Chosen."""
+TABLE_RATE = 5 * DEG
+"""Rate of the turntable in scale-factor tests, rad/s. Chosen."""
 
 
 @dataclass(frozen=True)
 class BenchPlan:
-    """runs: power-ons of each test; positions: 8N; segments, fixed_segments: of 100 s, at each
-    position and at the fixed one; periods: of the map, in a scale-factor test."""
+    """Length of the bench's tests.
+
+    runs: power-ons of each test; positions: positions around the circumference, 8N; segments,
+    fixed_segments: segments of 100 s at each of these and at the fixed position; periods: periods
+    of the map in a scale-factor test.
+    """
 
     runs: int = 3
     positions: int = 24
@@ -44,36 +48,38 @@ class BenchPlan:
 
 
 CALIBRATION = BenchPlan(runs=1)
-"""A maker's: one power-on."""
+"""The maker's tests: one power-on."""
 
 
-def campaign(
+def record_campaign(
     fmu: GyroFmu, device: Device, plan: BenchPlan, seed: int, fixed: bool = True
 ) -> Campaign:
-    """The tests of a plan.
+    """Records of the tests of a plan.
 
     Args:
         fmu: `HRGSlow`.
         device: the gyro.
-        plan: of the bench.
-        seed: of all noise, from 0.
-        fixed: whether the fixed position is wanted.
+        plan: the length of the tests.
+        seed: seed of all noise, from 0.
+        fixed: whether the fixed-position test is among them.
     """
-    bench = Bench(fmu, device, seed=seed, step=STEP)
-    power_ons = _mapping(bench, plan)
+    bench = Bench(fmu, device, seed=seed, step=SAMPLE_INTERVAL)
+    power_ons = _plan_map_tests(bench, plan)
     if fixed:
-        power_ons += fixed_position.power_ons(bench, plan.runs, plan.fixed_segments)
+        power_ons += fixed_position.make_power_ons(bench, plan.runs, plan.fixed_segments)
     return bench.campaign([bench.log(power_on) for power_on in power_ons])
 
 
-def _mapping(bench: Bench, plan: BenchPlan) -> list[PowerOn]:
+def _plan_map_tests(bench: Bench, plan: BenchPlan) -> list[PowerOn]:
     return [
-        *full_circumference.power_ons(bench, _positions(plan), plan.runs, plan.segments),
-        *turn_power_ons(bench, RATE, plan.periods, plan.runs),
+        *full_circumference.make_power_ons(
+            bench, _choose_positions(plan), plan.runs, plan.segments
+        ),
+        *make_turn_power_ons(bench, TABLE_RATE, plan.periods, plan.runs),
     ]
 
 
 @cache
-def _positions(plan: BenchPlan) -> Plan:
-    """Spaced for the nominal gyro."""
-    return chosen(plan.positions, BRYAN_FACTOR)
+def _choose_positions(plan: BenchPlan) -> Plan:
+    """Table positions whose pattern angles are spaced evenly for the nominal gyro."""
+    return choose_plan(plan.positions, ANGULAR_GAIN)

@@ -1,4 +1,4 @@
-"""From calibration to flight: age, another power-on, and warming up after it."""
+"""What changes a gyro from calibration to flight: age, another power-on, warming after it."""
 
 import math
 from dataclasses import dataclass, replace
@@ -6,22 +6,27 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.mission_model.warming import case_warmth
+from ins_eval.mission_model.warming import compute_case_warmth
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import YEAR
 from pyhrg.device.device import Device
 
 Array = NDArray[np.float64]
 
-AGEING = 0.02
-"""Of each mechanism's own size in a year, 1 sigma; grows with the root of time."""
-LEAKAGE = 0.05
-"""Of the decay time that is lost in a year at most."""
+AGEING_SHARE = 0.02
+"""Standard deviation of each mechanism's change in a year, as a share of its size; it grows with
+the root of time. Chosen."""
+LARGEST_LEAKAGE = 0.05
+"""Largest share of the decay time that is lost in a year. Chosen."""
 
 
 @dataclass(frozen=True)
 class Drift:
-    """age: time from calibration to flight, s; coolest, warmest: rise of the case after
-    power-on above the calibration's temperature, K, uniform between them (`warming`)."""
+    """Distribution of what happens between calibration and flight.
+
+    age: time from calibration to flight, s; coolest, warmest: bounds of the final rise of the
+    case's temperature above that of the calibration, K; uniform between them (`warming`).
+    """
 
     age: float = YEAR / 2
     coolest: float = 2.0
@@ -29,9 +34,9 @@ class Drift:
 
     def __post_init__(self) -> None:
         if not (0 <= self.age < math.inf and 0 <= self.coolest <= self.warmest < math.inf):
-            raise ValueError(
+            raise HrgError(
                 f"found {self.age:g} s of age and {self.coolest:g} to {self.warmest:g} K of "
-                "warming, expected 0 or more, the least first"
+                "warming, expected 0 or more, the smaller first"
             )
 
 
@@ -40,7 +45,7 @@ class Flight:
     """One gyro in one flight.
 
     device: as it is in this power-on, at the calibration's temperature;
-    rise: of its temperature in the end, K; power_on_angle: of its pattern, rad.
+    rise: final rise of its temperature, K; power_on_angle: pattern angle at power-on, rad.
     """
 
     device: Device
@@ -48,13 +53,13 @@ class Flight:
     power_on_angle: float
 
     def case_temperature(self, time: Array) -> Array:
-        """K; time: s since alignment."""
-        return self.device.reference_temperature + self.rise * case_warmth(time)
+        """Temperature of the case, K, at times since alignment, s."""
+        return self.device.reference_temperature + self.rise * compute_case_warmth(time)
 
 
-def flight(device: Device, drift: Drift, generator: np.random.Generator) -> Flight:
-    """What a calibrated gyro is in a flight: aged, turned on once more, from any angle."""
-    old = aged(device, drift.age, generator)
+def draw_flight(device: Device, drift: Drift, generator: np.random.Generator) -> Flight:
+    """A calibrated gyro in a flight: aged, powered on once more, its pattern at any angle."""
+    old = age_gyro(device, drift.age, generator)
     rise = generator.uniform(drift.coolest, drift.warmest)
     angle = generator.uniform(0.0, np.pi)
     parameters = old.turned_on(generator)
@@ -66,9 +71,10 @@ def flight(device: Device, drift: Drift, generator: np.random.Generator) -> Flig
     )
 
 
-def aged(device: Device, age: float, generator: np.random.Generator) -> Device:
-    """A gyro after some time, s: damping and electrodes wander as vectors, gas leaks in."""
-    share = AGEING * np.sqrt(age / YEAR)
+def age_gyro(device: Device, age: float, generator: np.random.Generator) -> Device:
+    """A gyro after some time, s: damping and electrode errors change as vectors, and leaking gas
+    shortens the decay time."""
+    share = AGEING_SHARE * np.sqrt(age / YEAR)
 
     def wandered(cosine: float, sine: float) -> tuple[float, float]:
         step = generator.normal(0.0, share * np.hypot(cosine, sine), 2)
@@ -81,7 +87,7 @@ def aged(device: Device, age: float, generator: np.random.Generator) -> Device:
     drive = wandered(device.drive_gain_mismatch, device.drive_nonorthogonality)
     return replace(
         device,
-        decay_time=device.decay_time * (1 - generator.uniform(0.0, LEAKAGE) * age / YEAR),
+        decay_time=device.decay_time * (1 - generator.uniform(0.0, LARGEST_LEAKAGE) * age / YEAR),
         damping_anisotropy=float(np.hypot(*damping)),
         damping_axis=float(np.arctan2(damping[1], damping[0])) / 4,
         pickoff_gain_mismatch=pickoff[0],

@@ -1,9 +1,9 @@
-"""What gyros there are: distributions over the mechanisms of a device.
+"""Populations of gyros: distributions over the mechanisms of a device.
 
-Each mechanism that makes a bias map has its share of the gyro's size, which is log-uniform; its
-own part is that times a normal deviate (a normal vector where it has an axis). The closed forms
-that turn a bias into a parameter are those of the catalogue of mechanisms (`pyhrg.theory`), so
-that shares are comparable; the map that results is read off the FMU.
+The size of a gyro's bias map is log-uniform. Each mechanism that makes a bias map has a share of
+that size, times a normal deviate, or a normal vector where the mechanism has an axis. The closed
+forms that turn a bias into a parameter are those of `pyhrg.theory`, so that shares are comparable;
+the resulting map is measured by simulation of the FMU. All numbers are chosen.
 
     mechanism                                   share of the bias map
     damping anisotropy                          0.6, any axis
@@ -31,10 +31,10 @@ that shares are comparable; the map that results is read off the FMU.
     rate random walk                            5e-4 to 5e-3 deg/h in an hour, log-uniform
     angle white noise                           0.01 to 0.05 arcsec, log-uniform
 
-Sensitivities to specific force and to the rate of temperature are what compensation leaves: raw
-ones are 1e-3 to 2e-2 deg/h, to a g or a kelvin. At 3e-4 deg/sqrt(h) an hour's tumble tells them
-within 4e-4 deg/h a g; an hour's ramp of a kelvin a minute within 3e-5 deg/h a kelvin, hysteresis
-apart.
+Sensitivities to specific force and to the rate of temperature are residuals of a compensation: raw
+ones are 1e-3 to 2e-2 deg/h per g or per kelvin. With an angle random walk of 3e-4 deg/sqrt(h) a
+tumble test of an hour measures them within 4e-4 deg/h per g; a ramp of an hour at a kelvin per
+minute measures them within 3e-5 deg/h per kelvin, without hysteresis.
 """
 
 import math
@@ -43,6 +43,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ins_eval.mission_model.missions import WARM_UP
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import (
     ARCSEC,
     DEG,
@@ -60,9 +61,9 @@ Generator = np.random.Generator
 
 @dataclass(frozen=True)
 class Population:
-    """Gyros of a kind.
+    """A distribution of gyros.
 
-    smallest, largest: sizes of their bias maps as they are built, rad/s.
+    smallest, largest: bounds of the size of their bias maps as they are built, rad/s.
     """
 
     smallest: float
@@ -71,11 +72,11 @@ class Population:
     def __post_init__(self) -> None:
         if not 0 < self.smallest <= self.largest < math.inf:
             found = f"{self.smallest / DEG_PER_H:g} to {self.largest / DEG_PER_H:g} deg/h"
-            raise ValueError(f"bias maps of {found}: expected above 0, the smallest first")
+            raise HrgError(f"bias maps of {found}: expected above 0, the smaller first")
 
     def draw(self, generator: Generator) -> Device:
-        """A gyro as it is built, before calibration."""
-        size = _log_uniform(generator, self.smallest, self.largest)
+        """A gyro as it is built, before the maker's calibration."""
+        size = _draw_log_uniform(generator, self.smallest, self.largest)
         device = Device(
             decay_time=generator.uniform(300.0, 600.0),
             thermal_lag=WARM_UP,
@@ -86,39 +87,42 @@ class Population:
             power_on_scatter=0.5 * DEG,
         )
         for mechanisms in (
-            _resonator,
-            _electrodes,
-            _electronics,
-            _temperature,
-            _sensitivity,
-            _noise,
+            _add_resonator,
+            _add_electrodes,
+            _add_electronics,
+            _add_temperature,
+            _add_sensitivity,
+            _add_noise,
         ):
             device = mechanisms(device, size, generator)
-        return replace(device, turn_on_scatter=_scatter(device))
+        return replace(device, turn_on_scatter=_compute_scatter(device))
 
 
 TRIMMED = Population(0.01 * DEG_PER_H, 0.1 * DEG_PER_H)
-"""Trimmed mechanically: what flies is the whole map, less its mean."""
+"""Gyros that are trimmed mechanically: their whole map flies, but for its mean."""
 RAW = Population(0.3 * DEG_PER_H, 1.5 * DEG_PER_H)
-"""For calibration by the map: what flies is what the map drifts by."""
+"""Gyros whose whole map is calibrated: only the drift of the map flies."""
 PHASE_LOOP = 400.0
-"""rad/s: it lags behind the frequency of a gyro that warms, 0.1 rad/s^2, by less than 1e-6 rad."""
+"""Bandwidth of the phase loop, rad/s. It follows the frequency of a warming gyro, 0.1 rad/s^2, with
+an error below 1e-6 rad."""
 QUADRATURE_LOOP = 60.0
-"""rad/s: by its lag a split of 1 mHz makes a scale factor of 5e-9 (`pyhrg.theory`); 6 rad/s would
-make it 5e-7, which a gyro that rolls shows."""
+"""Bandwidth of the quadrature loop, rad/s. By its lag a frequency split of 1 mHz makes a
+scale-factor error of 5e-9 (`pyhrg.theory`); 6 rad/s would make 5e-7, which is visible in a vehicle
+that rolls."""
 AMPLITUDE_LOOP = 30.0
-"""rad/s."""
-PER_G = 4e-4 * DEG_PER_H
-PER_KELVIN = 1e-4 * DEG_PER_H
-"""Bias by specific force, and by the case's change of temperature in `WARM_UP`, that compensation
-leaves, 1 sigma, rad/s."""
-REPEATABILITY = 0.005
-"""Of damping, pick-offs and drives, from one power-on to the next, as a share of each."""
+"""Bandwidth of the amplitude loop, rad/s. Chosen."""
+BIAS_PER_G = 4e-4 * DEG_PER_H
+BIAS_PER_KELVIN = 1e-4 * DEG_PER_H
+"""Standard deviations of the bias per g of specific force, and per kelvin by which the case warms
+in `WARM_UP`, after compensation, rad/s."""
+TURN_ON_REPEATABILITY = 0.005
+"""Turn-on to turn-on repeatability of damping, pick-offs and drives: standard deviation as a share
+of each. Chosen."""
 
 
-def _resonator(device: Device, size: float, generator: Generator) -> Device:
+def _add_resonator(device: Device, size: float, generator: Generator) -> Device:
     k = device.bryan_factor
-    split = HZ * _log_uniform(generator, 1e-4, 1e-3)
+    split = HZ * _draw_log_uniform(generator, 1e-4, 1e-3)
     damping = complex(*generator.normal(0.0, 0.6 * size, 2))
     return replace(
         device,
@@ -133,7 +137,7 @@ def _resonator(device: Device, size: float, generator: Generator) -> Device:
     )
 
 
-def _electrodes(device: Device, size: float, generator: Generator) -> Device:
+def _add_electrodes(device: Device, size: float, generator: Generator) -> Device:
     scale = 4 * device.bryan_factor * device.decay_time * size
     pickoff, drive = generator.normal(0.0, 0.4 * scale, (2, 2)).tolist()
     return replace(
@@ -148,7 +152,7 @@ def _electrodes(device: Device, size: float, generator: Generator) -> Device:
     )
 
 
-def _electronics(device: Device, size: float, generator: Generator) -> Device:
+def _add_electronics(device: Device, size: float, generator: Generator) -> Device:
     offset = 2 * device.bryan_factor * device.decay_time * size
     return replace(
         device,
@@ -158,7 +162,7 @@ def _electronics(device: Device, size: float, generator: Generator) -> Device:
     )
 
 
-def _temperature(device: Device, size: float, generator: Generator) -> Device:
+def _add_temperature(device: Device, size: float, generator: Generator) -> Device:
     gain = math.hypot(device.pickoff_gain_mismatch, device.pickoff_nonorthogonality)
     return replace(
         device,
@@ -170,30 +174,30 @@ def _temperature(device: Device, size: float, generator: Generator) -> Device:
     )
 
 
-def _sensitivity(device: Device, size: float, generator: Generator) -> Device:
-    bias, gain = generator.normal(0.0, PER_G, 2).tolist()
+def _add_sensitivity(device: Device, size: float, generator: Generator) -> Device:
+    bias, gain = generator.normal(0.0, BIAS_PER_G, 2).tolist()
     gain_of_bias = 4 * device.bryan_factor * device.decay_time
     return replace(
         device,
         bias_per_acceleration=bias / STANDARD_GRAVITY,
         pickoff_gain_per_acceleration=gain_of_bias * gain / STANDARD_GRAVITY,
-        bias_per_temperature_rate=generator.normal(0.0, PER_KELVIN) * WARM_UP,
+        bias_per_temperature_rate=generator.normal(0.0, BIAS_PER_KELVIN) * WARM_UP,
     )
 
 
-def _noise(device: Device, size: float, generator: Generator) -> Device:
-    per_root_hour = _log_uniform(generator, 5e-4, 5e-3) * DEG_PER_H / math.sqrt(HOUR)
+def _add_noise(device: Device, size: float, generator: Generator) -> Device:
+    per_root_hour = _draw_log_uniform(generator, 5e-4, 5e-3) * DEG_PER_H / math.sqrt(HOUR)
     return replace(
         device,
-        angle_random_walk=_log_uniform(generator, 1e-4, 1e-3) * DEG_PER_SQRT_H,
-        bias_instability=_log_uniform(generator, 5e-4, 5e-3) * DEG_PER_H,
+        angle_random_walk=_draw_log_uniform(generator, 1e-4, 1e-3) * DEG_PER_SQRT_H,
+        bias_instability=_draw_log_uniform(generator, 5e-4, 5e-3) * DEG_PER_H,
         rate_random_walk=per_root_hour,
-        pickoff_noise=_log_uniform(generator, 0.01, 0.05) * ARCSEC,
+        angle_white_noise=_draw_log_uniform(generator, 0.01, 0.05) * ARCSEC,
     )
 
 
-def _scatter(device: Device) -> dict[str, float]:
-    """Standard deviations of the FMU's parameters, by its names, from power-on to power-on."""
+def _compute_scatter(device: Device) -> dict[str, float]:
+    """Standard deviations of the FMU's parameters between power-ons, by their names."""
     pickoff = math.hypot(device.pickoff_gain_mismatch, device.pickoff_nonorthogonality)
     drive = math.hypot(device.drive_gain_mismatch, device.drive_nonorthogonality)
     sizes = {
@@ -203,8 +207,8 @@ def _scatter(device: Device) -> dict[str, float]:
         "drive.gainMismatch": drive,
         "drive.nonOrthogonality": drive,
     }
-    return {name: REPEATABILITY * size for name, size in sizes.items()}
+    return {name: TURN_ON_REPEATABILITY * size for name, size in sizes.items()}
 
 
-def _log_uniform(generator: Generator, low: float, high: float) -> float:
+def _draw_log_uniform(generator: Generator, low: float, high: float) -> float:
     return math.exp(generator.uniform(math.log(low), math.log(high)))

@@ -1,4 +1,4 @@
-"""What a gyro does in flight, read off the FMU `HRGSlow`: whatever mechanisms it has."""
+"""True coefficients of a gyro in flight, measured by simulation of the FMU `HRGSlow`."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -6,80 +6,101 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.mission_model.gyro_map import FAST, NAMES, SLOW, GyroMap, Sweep, characterised
-from ins_eval.mission_model.pattern_drift import TURNING
-from ins_eval.mission_model.signals import STEADY, WARMING, coefficients_of
-from pyhrg.device.device import LOOPS, Device
+from ins_eval.mission_model.gyro_map import FAST, NAMES, SLOW, GyroMap, Sweep, measure_gyro_map
+from ins_eval.mission_model.pattern_drift import TURNING_TERMS
+from ins_eval.mission_model.signals import STEADY, WARMING, slice_coefficients
+from pyhrg.device.device import Device
+from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.fmu import GyroFmu
 
 Array = NDArray[np.float64]
 
-SETTLED = 1.0
-"""Thermal lag of a gyro that is read off warm, s."""
-UNMOVED = 1e6
-"""Thermal lag of one whose resonator stays cool while its case heats, s."""
-FORCE = 10.0
-"""At which sensitivity to specific force is read, m/s^2."""
-HEATING = 0.01
-"""Rate of the case's temperature at which sensitivity to it is read, K/s."""
-QUICK = 0.01
-"""Period at which the gyro is read while it turns fast, s."""
-REFERENCE = "resonator.environment.referenceTemperature"
+SOAKED_LAG = 1.0
+"""Thermal lag of a gyro whose map is measured at another temperature, s: it follows at once."""
+ISOLATED_LAG = 1e6
+"""Thermal lag of a gyro whose resonator stays cool while its case heats, s."""
+READING_FORCE = 10.0
+"""Specific force at which the sensitivity to it is measured, m/s^2. Chosen: about 1 g."""
+READING_TEMPERATURE_RATE = 0.01
+"""Rate of the case's temperature at which the sensitivity to it is measured, K/s. Chosen."""
+FAST_SAMPLE_PERIOD = 0.01
+"""Sample period of the FMU while the gyro turns fast, s. Chosen."""
+REFERENCE_TEMPERATURE = "resonator.environment.referenceTemperature"
 
 
-def soaked(device: Device, rise: float) -> Device:
-    """The gyro in a chamber that is warmer by so many K than its parameters hold at: its resonator
-    follows at once."""
+def soak_gyro(device: Device, rise: float) -> Device:
+    """The gyro in a chamber that is warmer than its reference temperature by `rise`, K, after it
+    has reached that temperature."""
     reference = device.reference_temperature - rise
-    return replace(device, model={**device.model, REFERENCE: reference}, thermal_lag=SETTLED)
+    return replace(
+        device, model={**device.model, REFERENCE_TEMPERATURE: reference}, thermal_lag=SOAKED_LAG
+    )
 
 
-def coefficients(fmu: GyroFmu, device: Device, rise: float) -> Array:
-    """(signals.COUNT,) of a gyro that warms by so many K, over the pattern angle itself.
+def read_flight_coefficients(fmu: GyroFmu, device: Device, rise: float) -> Array:
+    """(signals.COUNT,) coefficients over the pattern angle of a gyro that warms by `rise`, K.
 
-    Read cool, half warm and warm; under specific force along either axis; while its case heats;
-    turning fast.
+    The map is measured cool, half warm and warm; under specific force along either axis; while the
+    case heats; and turning fast.
     """
-    cool, half, warm = (_read(fmu, soaked(device, share * rise)) for share in (0.0, 0.5, 1.0))
+    cool, half, warm = (
+        _read_coefficients(fmu, soak_gyro(device, share * rise)) for share in (0.0, 0.5, 1.0)
+    )
     curving = 2 * (cool + warm) - 4 * half
     across, along = (
-        (_read(fmu, soaked(device, 0.0), {name: np.full(SLOW.rows, FORCE)}) - cool) / FORCE
+        (
+            _read_coefficients(
+                fmu, soak_gyro(device, 0.0), {name: np.full(SLOW.rows, READING_FORCE)}
+            )
+            - cool
+        )
+        / READING_FORCE
         for name in ("accelerationX", "accelerationZ")
     )
-    ramp = device.reference_temperature + HEATING * SLOW.interval * np.arange(float(SLOW.rows))
-    unmoved = replace(device, thermal_lag=UNMOVED)
-    heating = (_read(fmu, unmoved, {"caseTemperature": ramp}) - cool) / HEATING
-    quick = soaked(replace(device, model={**device.model, "samplePeriod": QUICK}), 0.0)
-    squared = (_read(fmu, quick, sweep=FAST) - cool) / FAST.rate**2
+    ramp = device.reference_temperature + READING_TEMPERATURE_RATE * SLOW.interval * np.arange(
+        float(SLOW.rows)
+    )
+    unmoved = replace(device, thermal_lag=ISOLATED_LAG)
+    heating = (
+        _read_coefficients(fmu, unmoved, {"caseTemperature": ramp}) - cool
+    ) / READING_TEMPERATURE_RATE
+    quick = soak_gyro(
+        replace(device, model={**device.model, "samplePeriod": FAST_SAMPLE_PERIOD}), 0.0
+    )
+    squared = (_read_coefficients(fmu, quick, sweep=FAST) - cool) / FAST.rate**2
     warming = warm - cool - curving
     return np.concatenate([cool, warming, curving, rise * heating, across, along, squared])
 
 
-def started_at(found: Array, angle: float) -> Array:
-    """Coefficients (signals.COUNT,) over the pattern's turn from an angle, rad."""
-    maps = found.reshape(-1, 2 * len(NAMES))
-    return np.concatenate([GyroMap.of(each).started_at(angle).coefficients for each in maps])
+def start_at(coefficients: Array, angle: float) -> Array:
+    """(signals.COUNT,) coefficients over the pattern's turn from an angle, rad (Eq. 2 of
+    docs/methods/mission_model.md)."""
+    maps = coefficients.reshape(-1, 2 * len(NAMES))
+    return np.concatenate(
+        [GyroMap.from_coefficients(each).start_at(angle).coefficients for each in maps]
+    )
 
 
-def turning(device: Device, found: Array, angle: float) -> Array:
-    """(TURNING,) of the bias that turns the pattern of the warm gyro, from an angle, rad/s: what
-    the electronics take out of the output, and what is left."""
-    left = found[coefficients_of(slice(STEADY.start, WARMING.stop))].reshape(3, -1).sum(axis=0)
-    taken = np.array([getattr(device.bias_map, name, 0.0) for name in NAMES])
-    bias = GyroMap.of(left).bias + taken
-    return GyroMap(bias, np.zeros_like(bias)).started_at(angle).bias[list(TURNING)]
+def compute_turning_bias(device: Device, coefficients: Array, angle: float) -> Array:
+    """(TURNING_TERMS,) bias that turns the pattern of the warm gyro, from an angle, rad/s: the bias
+    that the electronics subtract from the output, and the residual one."""
+    warm = slice_coefficients(slice(STEADY.start, WARMING.stop))
+    residual = coefficients[warm].reshape(3, -1).sum(axis=0)
+    corrected = np.array([getattr(device.bias_map, name, 0.0) for name in NAMES])
+    bias = GyroMap.from_coefficients(residual).bias + corrected
+    return GyroMap(bias, np.zeros_like(bias)).start_at(angle).bias[list(TURNING_TERMS)]
 
 
-def slow_parameters(device: Device) -> Mapping[str, float]:
-    """Of `HRGSlow`, noise apart."""
+def list_slow_parameters(device: Device) -> Mapping[str, float]:
+    """Parameters of `HRGSlow` for a gyro without noise."""
     parameters = device.without_noise().fmu_parameters()
-    return {name: value for name, value in parameters.items() if name not in LOOPS}
+    return {name: value for name, value in parameters.items() if name not in LOOP_FREQUENCIES}
 
 
-def _read(
+def _read_coefficients(
     fmu: GyroFmu,
     device: Device,
     inputs: Mapping[str, Array] | None = None,
     sweep: Sweep = SLOW,
 ) -> Array:
-    return characterised(fmu, slow_parameters(device), inputs, sweep).coefficients
+    return measure_gyro_map(fmu, list_slow_parameters(device), inputs, sweep).coefficients

@@ -1,1 +1,4 @@
-"""What bench figures say of the position error that triads will have: from simple to best."""
+"""Predictors of the position error from bench figures, from simple to best.
+
+Method: docs/methods/study_predictors.md, whose equations the modules cite.
+"""

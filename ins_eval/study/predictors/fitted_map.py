@@ -1,64 +1,64 @@
-"""Predictor (4): the fitted map of this device, through the linear error model of this manoeuvre.
+"""Predictor (4): this gyro's fitted map, through the linear error model of this mission.
 
-Bias map and scale-factor map as the bench fitted them, and what they gain as the gyros warm, say
-where the error is expected; the bench's uncertainty, the drift of maps between bench and flight,
-noise and accelerometers how far about.
+The expected error comes from the bias and scale-factor maps that the bench fitted, and from their
+change as the gyros warm (Eq. 4). The spread comes from the bench's uncertainty, the drift of maps
+between bench and flight, noise and accelerometers (Eqs. 6 to 8).
 """
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.mission_model.mission_weights import MissionWeights
-from ins_eval.study.predictors.knowledge import BenchKnowledge
-from ins_eval.study.predictors.parts.drawn_errors import at_angles, at_any_angle
-from ins_eval.study.predictors.parts.expected_error import expected_error
+from ins_eval.study.predictors.bench_figures import BenchFigures
+from ins_eval.study.predictors.parts.drawn_errors import draw_at_angles, draw_at_any_angle
+from ins_eval.study.predictors.parts.expected_error import compute_expected_error
 from ins_eval.study.predictors.parts.map_drift import MapDrift
-from ins_eval.study.predictors.parts.turned_maps import started, weights_from
-from ins_eval.study.predictors.prediction import Drawn
+from ins_eval.study.predictors.parts.turned_maps import start_maps, turn_weights
+from ins_eval.study.predictors.prediction import SampledPrediction
 
 Array = NDArray[np.float64]
 
 
 def predict(
-    knowledge: BenchKnowledge,
+    bench: BenchFigures,
     weights: MissionWeights,
     drift: MapDrift,
-    rest: Array,
+    other: Array,
     start_angle: Array,
     seed: int,
-) -> Drawn:
-    """Of triads whose gyros' power-on angles are known.
+) -> SampledPrediction:
+    """Errors of triads whose gyros' power-on angles are known.
 
     Args:
-        knowledge: of r triads.
-        weights: of the mission.
-        drift: of maps, learnt from other triads.
-        rest: (r, k, 2, 2) covariance of what maps don't tell, m^2.
+        bench: figures of r triads.
+        weights: weights of the mission.
+        drift: distribution of the maps' drift, from other triads.
+        other: (r, k, 2, 2) covariance of the error by noise and accelerometers, m^2.
         start_angle: (r, 3) pattern angles at power-on, rad.
-        seed: of everything random.
+        seed: seed of the samples.
     """
-    expected = expected_error(weights, started(knowledge.maps, start_angle))
-    sigma, standard = drift.missed(knowledge), drift.standard
-    return at_angles(weights.maps, expected, sigma, standard, rest, start_angle, seed)
+    expected = compute_expected_error(weights, start_maps(bench.maps, start_angle))
+    sigma, standard = drift.missed(bench), drift.standard
+    return draw_at_angles(weights.maps, expected, sigma, standard, other, start_angle, seed)
 
 
 def predict_any_angle(
-    knowledge: BenchKnowledge,
+    bench: BenchFigures,
     weights: MissionWeights,
     drift: MapDrift,
-    rest: Array,
+    other: Array,
     seed: int,
-) -> Drawn:
-    """Of triads whose gyros' power-on angles are anywhere; arguments as `predict`."""
-    sigma = drift.missed(knowledge)
-    return at_any_angle(weights.maps, knowledge.maps, sigma, drift.standard, rest, seed)
+) -> SampledPrediction:
+    """Errors of triads whose gyros' power-on angles are unknown; arguments as `predict`."""
+    sigma = drift.missed(bench)
+    return draw_at_any_angle(weights.maps, bench.maps, sigma, drift.standard, other, seed)
 
 
-def drift_covariance(
-    knowledge: BenchKnowledge, weights: MissionWeights, drift: MapDrift, start_angle: Array
+def compute_drift_covariance(
+    bench: BenchFigures, weights: MissionWeights, drift: MapDrift, start_angle: Array
 ) -> Array:
-    """(r, k, 2, 2) of the errors that drift alone makes, m^2; arguments as `predict`."""
-    sigma = drift.sigma(knowledge)[:, None, None]
-    carried = np.moveaxis(weights_from(weights.maps, start_angle) * sigma, -1, 0)
+    """(r, k, 2, 2) covariance of the error by drift of the maps, m^2; arguments as `predict`."""
+    sigma = drift.sigma(bench)[:, None, None]
+    carried = np.moveaxis(turn_weights(weights.maps, start_angle) * sigma, -1, 0)
     together = carried @ drift.together @ np.swapaxes(carried, -1, -2)
     return np.asarray(np.sum(together, axis=0))

@@ -1,39 +1,42 @@
-"""The oracle: the same linear error model with the true maps in flight. What it can't tell, nobody
-can: noise and accelerometers, and without the power-on angle where the patterns start."""
+"""The oracle: the linear error model with the true maps in flight (Eq. 9).
+
+Its spread is by noise and accelerometers alone, and by the power-on angle where that is unknown. No
+predictor from a bench can do better.
+"""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.mission_model.mission_weights import MissionWeights
-from ins_eval.study.predictors.parts.drawn_errors import at_any_angle
-from ins_eval.study.predictors.parts.expected_error import expected_error
-from ins_eval.study.predictors.parts.turned_maps import unstarted
-from ins_eval.study.predictors.prediction import Drawn, Normal
+from ins_eval.study.predictors.parts.drawn_errors import draw_at_any_angle
+from ins_eval.study.predictors.parts.expected_error import compute_expected_error
+from ins_eval.study.predictors.parts.turned_maps import undo_start
+from ins_eval.study.predictors.prediction import NormalPrediction, SampledPrediction
 
 Array = NDArray[np.float64]
 
 
-def predict(weights: MissionWeights, maps: Array, rest: Array) -> Normal:
-    """Of triads.
+def predict(weights: MissionWeights, maps: Array, other: Array) -> NormalPrediction:
+    """Errors of triads whose maps in flight are known.
 
     Args:
-        weights: of the mission.
-        maps: (r, COUNT, 3) true ones in flight.
-        rest: (r, k, 2, 2) covariance of what maps don't tell, m^2.
+        weights: weights of the mission.
+        maps: (r, COUNT, 3) true coefficients in flight.
+        other: (r, k, 2, 2) covariance of the error by noise and accelerometers, m^2.
     """
-    return Normal(expected_error(weights, maps), rest)
+    return NormalPrediction(compute_expected_error(weights, maps), other)
 
 
 def predict_any_angle(
-    weights: MissionWeights, maps: Array, rest: Array, start_angle: Array, seed: int
-) -> Drawn:
-    """Of triads of which all is known but the power-on angles.
+    weights: MissionWeights, maps: Array, other: Array, start_angle: Array, seed: int
+) -> SampledPrediction:
+    """Errors of triads whose maps are known and whose power-on angles are not.
 
     Args:
-        weights, maps, rest: as `predict`.
-        start_angle: (r, 3) that the maps begin at, rad: taken out again.
-        seed: of the angles.
+        weights, maps, other: as in `predict`.
+        start_angle: (r, 3) angles at which the maps begin, rad; removed before the prediction.
+        seed: seed of the angles.
     """
-    known = unstarted(maps, start_angle)
+    known = undo_start(maps, start_angle)
     none = np.zeros((1, maps.shape[1]))
-    return at_any_angle(weights.maps, known, np.zeros_like(known), none, rest, seed)
+    return draw_at_any_angle(weights.maps, known, np.zeros_like(known), none, other, seed)

@@ -6,13 +6,13 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.common.radial_error import radius_at
+from ins_eval.common.radial_error import radius_quantile
 
 Array = NDArray[np.float64]
 
 
 class Prediction(Protocol):
-    """Of errors north and east at k times of r triads, m."""
+    """Distribution of the errors north and east of r triads at k times, m."""
 
     @property
     def expected(self) -> Array:
@@ -20,37 +20,38 @@ class Prediction(Protocol):
         ...
 
     def radius(self, share: float) -> Array:
-        """(r, k) radial error that isn't exceeded with this probability."""
+        """(r, k) quantile of the horizontal error at this probability, m."""
         ...
 
 
 @dataclass(frozen=True)
-class Normal:
-    """expected: (r, k, 2) m; covariance: (r, k, 2, 2) m^2."""
+class NormalPrediction:
+    """A normal distribution. expected: (r, k, 2) m; covariance: (r, k, 2, 2) m^2."""
 
     expected: Array
     covariance: Array
 
     def radius(self, share: float) -> Array:
-        """As `Prediction`.
+        """(r, k) quantile of the horizontal error, m.
 
         Raises:
             ValueError: a share that is not between 0 and 1.
         """
-        return radius_at(share, self.expected, self.covariance)
+        return radius_quantile(share, self.expected, self.covariance)
 
 
 @dataclass(frozen=True)
-class Drawn:
-    """A distribution known by draws (r, m, k, 2), m."""
+class SampledPrediction:
+    """A distribution given by samples (r, m, k, 2), m."""
 
-    draws: Array
+    samples: Array
 
     @property
     def expected(self) -> Array:
-        """As `Prediction`."""
-        return np.asarray(self.draws.mean(axis=1))
+        """(r, k, 2) mean of the samples, m."""
+        return np.asarray(self.samples.mean(axis=1))
 
     def radius(self, share: float) -> Array:
-        """As `Prediction`; of m draws the probability is right within sqrt(share (1 - share)/m)."""
-        return np.asarray(np.quantile(np.linalg.norm(self.draws, axis=-1), share, axis=1))
+        """(r, k) quantile of the horizontal error, m. The standard error of its probability is
+        sqrt(share (1 - share)/m)."""
+        return np.asarray(np.quantile(np.linalg.norm(self.samples, axis=-1), share, axis=1))

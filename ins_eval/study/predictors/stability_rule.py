@@ -1,32 +1,32 @@
-"""Predictors (1) and (2): a bias stability and the rule that 0.01 deg/h is 1 nmi/h.
+"""Predictors (1) and (2): a bias stability, and the rule that 0.01 deg/h makes 1 nmi/h (Eqs. 1, 2).
 
-The rule knows neither the device's map nor the manoeuvre. Its distance counts as the median of a
-circular distribution, the usual circular error probable.
+The rule knows neither the gyro's map nor the mission. Its distance is taken as the median of a
+circular normal distribution, the circular error probable.
 """
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study.predictors.prediction import Normal
+from ins_eval.study.predictors.prediction import NormalPrediction
 from pyhrg.common.units import DEG_PER_H, HOUR, NAUTICAL_MILE
 
 Array = NDArray[np.float64]
 
-RULE = (NAUTICAL_MILE / HOUR) / (0.01 * DEG_PER_H)
+DRIFT_PER_STABILITY = (NAUTICAL_MILE / HOUR) / (0.01 * DEG_PER_H)
 """Drift of the position per bias stability, m/s per rad/s."""
-_MEDIAN = np.sqrt(2 * np.log(2))
-"""Median radius of a circular normal pair of standard deviation 1."""
+_CIRCULAR_MEDIAN = np.sqrt(2 * np.log(2))
+"""Median distance from zero of a circular normal distribution with unit standard deviation."""
 
 
-def predict(stability: Array, time: Array) -> Normal:
-    """Of triads.
+def predict(stability: Array, time: Array) -> NormalPrediction:
+    """Errors of triads, by a circular normal distribution about zero.
 
     Args:
-        stability: (r, 3) rad/s, of the fixed-position or the full-circumference test; a triad
-            counts with the root mean square of its three.
+        stability: (r, 3) bias stabilities of the fixed-position or the full-circumference test,
+            rad/s; the rms of the three is the triad's.
         time: (k,) s since alignment.
     """
     triad = np.sqrt(np.mean(np.square(stability), axis=1))
-    sigma = RULE * triad[:, None] * time / _MEDIAN
+    sigma = DRIFT_PER_STABILITY * triad[:, None] * time / _CIRCULAR_MEDIAN
     covariance = sigma[..., None, None] ** 2 * np.eye(2)
-    return Normal(np.zeros((*sigma.shape, 2)), covariance)
+    return NormalPrediction(np.zeros((*sigma.shape, 2)), covariance)

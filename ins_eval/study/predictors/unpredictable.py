@@ -1,4 +1,4 @@
-"""What no gyro map tells of a mission's error: noise and accelerometers."""
+"""Error of a mission by noise and accelerometers, which no gyro map predicts (Eq. 8)."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,13 +8,15 @@ from ins_eval.mission_model.mission_weights import MissionWeights
 Array = NDArray[np.float64]
 
 
-def unpredictable(weights: MissionWeights, noise: Array, accelerometer_bias: float) -> Array:
-    """Covariance (r, k, 2, 2) of the error, m^2.
+def compute_unpredictable_covariance(
+    weights: MissionWeights, noise: Array, accelerometer_bias: float
+) -> Array:
+    """(r, k, 2, 2) covariance of the error, m^2.
 
     Args:
-        weights: of the mission.
-        noise: (r, KINDS, 3) strengths of each gyro's.
-        accelerometer_bias: standard deviation of each accelerometer's, m/s^2.
+        weights: weights of the mission.
+        noise: (r, KINDS, 3) strengths of each gyro's noise.
+        accelerometer_bias: standard deviation of each accelerometer's bias, m/s^2.
     """
     kinds, axes, k = *weights.noise.shape[:2], len(weights.time)
     times = np.arange(k)

@@ -1,1 +1,1 @@
-"""report.html: the study's result as people look at it first."""
+"""report.html: the verdict, figures and scores of a study on one page."""

@@ -1,4 +1,4 @@
-"""What the page's script reads: the points, and each panel's scores in words."""
+"""Data for the page's script: the points, and each panel's scores in words."""
 
 import json
 import math
@@ -7,53 +7,49 @@ from typing import Any
 
 import pandas as pd
 
-from ins_eval.study.report.result import StudyResult
+from ins_eval.study.report.requirements import format_score
+from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
 from ins_eval.study.tables.score import MEDIAN_RATIO, R2_RADIAL, SPEARMAN, Score
-from pyhrg.common.pages.svg import number
 
 DIGITS = 4
+"""Significant digits of a point's numbers. Chosen: more are not visible."""
 NAMES = (c.CALIBRATION, c.HALF, c.CLASS, c.MISSION)
 NUMBERS = (c.FLOWN_RADIAL, *(p.median for p in c.PREDICTORS))
-SHORT = {R2_RADIAL: "R²", MEDIAN_RATIO: "flown/predicted", SPEARMAN: "Spearman"}
+SHORT_NAMES = {R2_RADIAL: "R²", MEDIAN_RATIO: "flown/predicted", SPEARMAN: "Spearman"}
 
 
-def embedded(result: StudyResult) -> str:
-    """JSON that may stand inside a script element."""
-    table = result.table
+def embed_study(data: StudyData) -> str:
+    """JSON that can stand inside a script element."""
+    table = data.table
     content: dict[str, Any] = {
         "triad": table[c.TRIAD].tolist(),
-        "names": {name: _coded(table[name]) for name in NAMES},
-        "numbers": {name: [_rounded(v) for v in table[name]] for name in NUMBERS},
-        "captions": captions(result.scores),
+        "names": {name: _encode(table[name]) for name in NAMES},
+        "numbers": {name: [_round(v) for v in table[name]] for name in NUMBERS},
+        "captions": list_captions(data.scores),
     }
     text = json.dumps(content, separators=(",", ":"), allow_nan=False)
     return text.replace("<", "\\u003c")
 
 
-def captions(scores: Iterable[Score]) -> dict[str, str]:
-    """By panel, calibration, half and class, joined by "|": its scores with intervals."""
-    told: dict[str, list[str]] = {}
+def list_captions(scores: Iterable[Score]) -> dict[str, str]:
+    """Scores with intervals, by panel, calibration, half and class, which are joined by "|"."""
+    captions: dict[str, list[str]] = {}
     for s in scores:
-        if s.score in SHORT and not s.shuffled and s.predictor:
-            key = "|".join((_panel(s), s.calibration, s.half, s.mission_class))
-            told.setdefault(key, []).append(
-                f"{SHORT[s.score]} {number(s.value)} ({number(s.low)} to {number(s.high)}, "
-                f"n {s.n:,})"
-            )
-    return {key: "; ".join(parts) for key, parts in sorted(told.items())}
+        if s.score in SHORT_NAMES and not s.shuffled and s.predictor:
+            panel = f"rank_{s.predictor}" if s.score == SPEARMAN else s.predictor
+            key = "|".join((panel, s.calibration, s.half, s.mission_class))
+            text = f"{SHORT_NAMES[s.score]} {format_score(s).removesuffix(')')}, n {s.n:,})"
+            captions.setdefault(key, []).append(text)
+    return {key: "; ".join(parts) for key, parts in sorted(captions.items())}
 
 
-def _panel(score: Score) -> str:
-    return f"rank_{score.predictor}" if score.score == SPEARMAN else score.predictor
-
-
-def _coded(column: pd.Series) -> dict[str, Any]:
+def _encode(column: pd.Series) -> dict[str, Any]:
     codes, levels = pd.factorize(column, sort=True)
     return {"levels": list(map(str, levels)), "codes": codes.tolist()}
 
 
-def _rounded(value: float) -> float | int | None:
+def _round(value: float) -> float | int | None:
     if not math.isfinite(value):
         return None
     short = float(f"{value:.{DIGITS}g}")

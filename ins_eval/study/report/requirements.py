@@ -1,25 +1,25 @@
-"""What was asked of the unseen half, by mission class, and whether it holds."""
+"""The requirements on scores of the test half, by mission class, and whether they are met."""
 
 from collections.abc import Sequence
 
-from ins_eval.study.report.figures.marks import calibration_title
+from ins_eval.study.report.figures.filters import name_calibration
 from ins_eval.study.report.figures.matrix import TITLES
-from ins_eval.study.report.result import StudyResult
+from ins_eval.study.specification import TEST
+from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
 from ins_eval.study.tables.score import ALL, SCORES, Score
 from pyhrg.common.pages.markup import Table
-from pyhrg.common.pages.svg import number
+from pyhrg.common.pages.svg import format_number
 
-UNSEEN = "test"
 YARDSTICKS = ("oracle", "oracle_any_angle")
-"""Predictors that others are held against: how they do neither makes nor breaks the thesis."""
+"""Predictors with which others are compared; their own scores do not decide about the thesis."""
 
 
-def asked(result: StudyResult) -> list[Score]:
-    """Requirements, a class and calibration each; negative controls stand apart."""
+def select_requirements(data: StudyData) -> list[Score]:
+    """Scores with a requirement, one for each class and calibration; without negative controls."""
     return [
         s
-        for s in unseen(result)
+        for s in select_unseen(data)
         if s.holds is not None
         and not s.shuffled
         and s.mission_class != ALL
@@ -27,46 +27,55 @@ def asked(result: StudyResult) -> list[Score]:
     ]
 
 
-def unseen(result: StudyResult) -> list[Score]:
-    """Scores of gyros and classes that no predictor was made on."""
-    return [s for s in result.scores if s.half == UNSEEN]
+def select_unseen(data: StudyData) -> list[Score]:
+    """Scores of gyros and classes on which no predictor was made."""
+    return [s for s in data.scores if s.half == TEST]
 
 
-def requirements(result: StudyResult) -> Table:
-    """A row a requirement, a column a calibration."""
-    scores = asked(result)
-    calibrations = result.values(c.CALIBRATION)
+def tabulate_requirements(data: StudyData) -> Table:
+    """A row for each requirement, a column for each calibration."""
+    scores = select_requirements(data)
+    calibrations = data.list_values(c.CALIBRATION)
     kinds = dict.fromkeys((s.score, s.predictor) for s in scores)
     rows = tuple(
         (
-            TITLES[kind[1]],
-            SCORES[kind[0]],
+            TITLES[predictor],
+            SCORES[score],
             *(
-                _met([s for s in scores if (s.score, s.predictor, s.calibration) == (*kind, key)])
+                _format_count(
+                    [
+                        s
+                        for s in scores
+                        if (s.score, s.predictor, s.calibration) == (score, predictor, key)
+                    ]
+                )
                 for key in calibrations
             ),
         )
-        for kind in kinds
+        for score, predictor in kinds
     )
-    header = ("Predictor", "What", *map(calibration_title, calibrations))
-    return Table("What was asked of each unseen class, and where it is met", header, rows)
+    header = ("Predictor", "Score", *map(name_calibration, calibrations))
+    return Table("Requirements on each test class, and where they are met", header, rows)
 
 
-def _met(scores: Sequence[Score]) -> str:
+def _format_count(scores: Sequence[Score]) -> str:
     failed = [s for s in scores if not s.holds]
     if not scores:
         return "–"
     met = f"{len(scores) - len(failed)} of {len(scores)}"
-    return f"{met}; not in {where(failed)}" if failed else met
+    return f"{met}; not in {list_classes(failed)}" if failed else met
 
 
-def where(scores: Sequence[Score]) -> str:
-    """Classes with their figures, and what was asked of each."""
+def list_classes(scores: Sequence[Score]) -> str:
+    """Mission classes with their scores and requirements."""
     return "; ".join(
-        f"{s.mission_class}: {figure(s)}{f', asked {s.asked}' if s.asked else ''}" for s in scores
+        f"{s.mission_class}: {format_score(s)}{f', required {s.asked}' if s.asked else ''}"
+        for s in scores
     )
 
 
-def figure(score: Score) -> str:
-    """Value and interval."""
-    return f"{number(score.value)} ({number(score.low)} to {number(score.high)})"
+def format_score(score: Score) -> str:
+    """A score with its interval."""
+    return (
+        f"{format_number(score.value)} ({format_number(score.low)} to {format_number(score.high)})"
+    )

@@ -1,173 +1,141 @@
 """The sections of the report, in order."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
-from ins_eval.study.report.apart import apart
-from ins_eval.study.report.breaks import breaks, controls
-from ins_eval.study.report.figures.budget import budget
-from ins_eval.study.report.figures.growth import panels
-from ins_eval.study.report.figures.matrix import Axis, matrices
-from ins_eval.study.report.figures.ranking import ranking
-from ins_eval.study.report.figures.scatter import predictions
-from ins_eval.study.report.result import CONDITIONS, StudyResult
-from ins_eval.study.tables import columns as c
-from ins_eval.study.tables import score as scored
-from pyhrg.common.pages.markup import Table, paragraph, table
+from ins_eval.study.report.condition_section import render_conditions
+from ins_eval.study.report.failures import render_controls, render_failures
+from ins_eval.study.report.figures.budget import render_budget
+from ins_eval.study.report.figures.growth import render_growth
+from ins_eval.study.report.figures.matrix import IntervalAxis, render_matrices
+from ins_eval.study.report.figures.parts import make_fold
+from ins_eval.study.report.figures.ranking import render_ranking
+from ins_eval.study.report.figures.scatter import render_scatter
+from ins_eval.study.study_data import CONDITIONS_KEY, StudyData
+from ins_eval.study.tables import score
+from ins_eval.study.tables.columns import COLUMNS
+from pyhrg.common.pages.markup import Table, make_paragraph, make_wide_table
+from pyhrg.common.pages.shell import PageSection
 
-R2 = Axis(-0.2, 1.0, 1.0)
-RATIO = Axis(0.1, 100.0, 1.0, log=True)
-CORRELATION = Axis(-0.5, 1.0, 0.0)
-ADVANTAGE = Axis(-1.0, 4.0, 0.0)
-UNPREDICTABLE = Axis(0.01, 10.0, 0.1, log=True)
-DIFFERENCE = Axis(0.0, 0.05, 0.01)
-
-
-@dataclass(frozen=True)
-class Section:
-    """name: its anchor; title; lead: what to look for; content: markup."""
-
-    name: str
-    title: str
-    lead: str
-    content: Callable[[StudyResult], str]
+R2 = IntervalAxis(-0.2, 1.0, 1.0)
+RATIO = IntervalAxis(0.1, 100.0, 1.0, log=True)
+CORRELATION = IntervalAxis(-0.5, 1.0, 0.0)
+ADVANTAGE = IntervalAxis(-1.0, 4.0, 0.0)
+UNPREDICTABLE = IntervalAxis(0.01, 10.0, 0.1, log=True)
+DIFFERENCE = IntervalAxis(0.0, 0.05, 0.01)
 
 
-def _predicted(result: StudyResult) -> str:
+def make_sections(data: StudyData) -> list[PageSection]:
+    """The sections, by anchor, title and content."""
+    return [
+        PageSection("predicted", "Predicted against flown", _render_predictions(data)),
+        PageSection("optimism", "Flown over predicted", _render_ratios(data)),
+        PageSection("beyond", "Fitted map against full circumference", _render_removed(data)),
+        PageSection("growth", "Growth of the error", _render_growth(data)),
+        PageSection("ranking", "Ranking of gyros", _render_ranking(data)),
+        PageSection("coverage", "Intervals and their coverage", _render_coverage(data)),
+        PageSection("breaks", "Where the thesis does not hold", _render_failures(data)),
+        PageSection("budget", "Error budget", _render_budget(data)),
+        PageSection("control", "Negative control", _render_control(data)),
+        PageSection("method", "What was studied, and how", _render_method(data)),
+    ]
+
+
+def _render_predictions(data: StudyData) -> str:
+    lead = (
+        "Each dot is a triad's flight. On the dashed line the flown error is the predicted one; "
+        "above it the predictor was too optimistic."
+    )
+    components = render_matrices(data, score.R2_COMPONENTS, R2)
     return (
-        predictions(result)
-        + matrices(result, scored.R2_RADIAL, R2)
-        + _folded("R2 by components", matrices(result, scored.R2_COMPONENTS, R2))
+        make_paragraph(lead)
+        + render_scatter(data)
+        + render_matrices(data, score.R2_RADIAL, R2)
+        + make_fold("R2 by components", components)
     )
 
 
-def _optimism(result: StudyResult) -> str:
-    return matrices(result, scored.MEDIAN_RATIO, RATIO) + _folded(
-        "Optimism of the rms", matrices(result, scored.OPTIMISM, RATIO)
+def _render_ratios(data: StudyData) -> str:
+    lead = "1 is an accurate prediction; at 10 the flown error is ten times the predicted one."
+    optimism = render_matrices(data, score.OPTIMISM, RATIO)
+    return (
+        make_paragraph(lead)
+        + render_matrices(data, score.MEDIAN_RATIO, RATIO)
+        + make_fold("Ratio of the rms errors", optimism)
     )
 
 
-def _beyond(result: StudyResult) -> str:
-    return matrices(result, scored.VARIANCE_REMOVED, R2)
+def _render_removed(data: StudyData) -> str:
+    lead = "Scores within a class, where a wide spread of gyros favours no predictor."
+    return make_paragraph(lead) + render_matrices(data, score.VARIANCE_REMOVED, R2)
 
 
-def _ranking(result: StudyResult) -> str:
-    return ranking(result) + matrices(result, scored.SPEARMAN, CORRELATION)
+def _render_growth(data: StudyData) -> str:
+    lead = "Median and 5 to 95 % of flights over time, by class and calibration."
+    return make_paragraph(lead) + render_growth(data)
 
 
-def _coverage(result: StudyResult) -> str:
-    level = result.level / 100
-    covered = Axis(min(0.5, level / 2), 1.0, level)
-    asked = paragraph(f"Intervals that are to hold {result.level:g} % of the errors flown.")
+def _render_ranking(data: StudyData) -> str:
+    lead = (
+        "Does a gyro that the bench finds better also fly better? The rms over power-on angles "
+        "removes the luck of a single flight."
+    )
+    ranks = render_matrices(data, score.SPEARMAN, CORRELATION)
+    return make_paragraph(lead) + render_ranking(data) + ranks
+
+
+def _render_coverage(data: StudyData) -> str:
+    level = data.interval_percent / 100
+    axis = IntervalAxis(min(0.5, level / 2), 1.0, level)
+    lead = (
+        f"Intervals that should contain {data.interval_percent:g} % of the flown errors, and be "
+        "no wider than necessary."
+    )
     return (
-        asked + matrices(result, scored.COVERAGE, covered) + matrices(result, scored.WIDTH, RATIO)
+        make_paragraph(lead)
+        + render_matrices(data, score.COVERAGE, axis)
+        + render_matrices(data, score.WIDTH, RATIO)
     )
 
 
-def _breaks(result: StudyResult) -> str:
+def _render_failures(data: StudyData) -> str:
     return (
-        breaks(result)
-        + "<h3>Conditions in which it may fail, judged apart</h3>"
-        + apart(result)
+        render_failures(data)
+        + "<h3>Conditions in which the thesis may fail</h3>"
+        + render_conditions(data)
         + "<h3>Class by class</h3>"
-        + matrices(result, scored.ADVANTAGE, ADVANTAGE)
-        + matrices(result, scored.UNPREDICTABLE_SHARE, UNPREDICTABLE)
+        + render_matrices(data, score.ADVANTAGE, ADVANTAGE)
+        + render_matrices(data, score.UNPREDICTABLE_SHARE, UNPREDICTABLE)
     )
 
 
-def _control(result: StudyResult) -> str:
-    return controls(result) + "".join(
-        matrices(result, score, axis, shuffled=True)
-        for score, axis in ((scored.SPEARMAN, CORRELATION), (scored.R2_COMPONENTS, R2))
-    )
+def _render_budget(data: StudyData) -> str:
+    return make_paragraph("The parts of the flown error.") + render_budget(data)
 
 
-def _method(result: StudyResult) -> str:
-    facts = tuple((key, _fact(value)) for key, value in result.about.items() if key != CONDITIONS)
-    rows = tuple((column.name, column.unit or "–", column.what) for column in c.COLUMNS)
+def _render_control(data: StudyData) -> str:
+    lead = "Each triad gets the predictions of another one; these must not predict its error."
     return (
-        _wide(Table("What was studied", ("", ""), facts))
-        + matrices(result, scored.AGREEMENT, DIFFERENCE)
-        + _folded("Columns of study.parquet", _wide(Table("Columns", ("name", "unit", ""), rows)))
+        make_paragraph(lead)
+        + render_controls(data)
+        + "".join(
+            render_matrices(data, key, axis, shuffled=True)
+            for key, axis in ((score.SPEARMAN, CORRELATION), (score.R2_COMPONENTS, R2))
+        )
     )
 
 
-def _fact(value: Any) -> str:
+def _render_method(data: StudyData) -> str:
+    facts = tuple((k, _format_fact(v)) for k, v in data.about.items() if k != CONDITIONS_KEY)
+    rows = tuple((column.name, column.unit or "–", column.what) for column in COLUMNS)
+    columns = make_wide_table(Table("Columns", ("name", "unit", ""), rows))
+    return (
+        make_wide_table(Table("What was studied", ("", ""), facts))
+        + render_matrices(data, score.AGREEMENT, DIFFERENCE)
+        + make_fold("Columns of study.parquet", columns)
+    )
+
+
+def _format_fact(value: Any) -> str:
     if isinstance(value, dict):
-        return ", ".join(f"{key} {_fact(inner)}" for key, inner in value.items())
-    return ", ".join(map(_fact, value)) if isinstance(value, list) else str(value)
-
-
-def _folded(title: str, content: str) -> str:
-    return f"<details><summary>{title}</summary>{content}</details>"
-
-
-def _wide(content: Table) -> str:
-    return f'<div class="wide">{table(content)}</div>'
-
-
-SECTIONS = (
-    Section(
-        "predicted",
-        "Predicted against flown",
-        "Each dot is a triad's flight. On the dashed line the error flown is the one predicted; "
-        "above it the predictor was too optimistic.",
-        _predicted,
-    ),
-    Section(
-        "optimism",
-        "How far promises are off",
-        "1 is a kept promise; 10 an error ten times as large as promised.",
-        _optimism,
-    ),
-    Section(
-        "beyond",
-        "What the map knows beyond the circumference",
-        "Within a class, where a wide spread of gyros flatters no predictor.",
-        _beyond,
-    ),
-    Section(
-        "growth",
-        "Growth of the error",
-        "Median and 5 to 95 % of flights over time, by class and calibration.",
-        panels,
-    ),
-    Section(
-        "ranking",
-        "Ranking of gyros",
-        "Does the gyro that the bench finds better fly better? The rms over power-on angles takes "
-        "the luck of a single flight away.",
-        _ranking,
-    ),
-    Section(
-        "coverage",
-        "Intervals and how often they hold",
-        "A predicted interval should hold its share of errors, and be no wider than it must.",
-        _coverage,
-    ),
-    Section("breaks", "What breaks the thesis", "", _breaks),
-    Section(
-        "budget",
-        "Budget of effects",
-        "What the flown error is made of.",
-        budget,
-    ),
-    Section(
-        "control",
-        "Negative control",
-        "Predictions of other devices, shuffled, must show nothing.",
-        _control,
-    ),
-    Section("method", "What was studied, and how", "", _method),
-)
-
-
-def markup(section: Section, result: StudyResult) -> str:
-    """A section's HTML."""
-    name = section.name
-    lead = paragraph(section.lead) if section.lead else ""
-    return (
-        f'<section id="{name}" aria-labelledby="{name}-title"><h2 id="{name}-title">'
-        f"{section.title}</h2>{lead}{section.content(result)}</section>"
-    )
+        return ", ".join(f"{key} {_format_fact(inner)}" for key, inner in value.items())
+    return ", ".join(map(_format_fact, value)) if isinstance(value, list) else str(value)

@@ -1,12 +1,13 @@
-"""The verdict in plain language: every sentence follows from scores of the unseen half."""
+"""The verdict in words: every sentence follows from scores of the test half."""
 
 from collections.abc import Sequence
 
-from ins_eval.study.report.figures.marks import calibration_title
-from ins_eval.study.report.promise import WORDS, Ratio
-from ins_eval.study.report.requirements import asked, figure, unseen
-from ins_eval.study.report.result import StudyResult
+from ins_eval.study.report.figures.filters import name_calibration
+from ins_eval.study.report.ratio_verdict import Ratio
+from ins_eval.study.report.requirements import format_score, select_requirements, select_unseen
+from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
+from ins_eval.study.tables.columns import CIRCUMFERENCE_RULE, FITTED_MAP, FIXED_RULE, PREDICTOR_OF
 from ins_eval.study.tables.score import (
     ALL,
     COVERAGE,
@@ -20,52 +21,50 @@ from ins_eval.study.tables.score import (
 )
 
 LARGE_SHARE, SMALL_SHARE = 0.9, 0.1
-"""Of explained variance: from here "nearly all", up to here "next to nothing"."""
-PROMISING = ("fixed_rule", "circumference_rule")
-EXPLAINING = ("circumference_rule", "fitted_map", "oracle")
-COVERING = ("fitted_map", "fitted_map_any_angle")
-"""Predictors whose ratios, explained variance and coverage the verdict tells; tables tell all."""
-CONTROLLED = {R2_COMPONENTS: "R2", SPEARMAN: "Spearman"}
-"""Scores of the negative control."""
-TITLES = {p.key: p.title for p in c.PREDICTORS}
+"""Shares of the variance: "nearly all" from the first, "almost none" up to the second. Chosen."""
+RATIO_PREDICTORS = (FIXED_RULE, CIRCUMFERENCE_RULE)
+R2_PREDICTORS = (CIRCUMFERENCE_RULE, FITTED_MAP, "oracle")
+COVERAGE_PREDICTORS = (FITTED_MAP, "fitted_map_any_angle")
+"""Predictors whose ratio, R2 and coverage the verdict states; the tables have all."""
+CONTROL_SCORES = {R2_COMPONENTS: "R2", SPEARMAN: "Spearman"}
+"""Scores of the negative control, with short names."""
 
 
-def headline(result: StudyResult) -> str:
-    """Whether what was asked of the study holds."""
-    scores = asked(result)
-    held = sum(bool(s.holds) for s in scores)
+def count_requirements(data: StudyData) -> str:
+    """Whether the thesis holds, by the number of requirements that are met."""
+    scores = select_requirements(data)
+    met = sum(bool(s.holds) for s in scores)
     if not scores:
-        return "Nothing was asked of this study: figures without a verdict."
-    if held == len(scores):
-        return f"The thesis holds: all {held} requirements on the unseen half are met."
-    if not held:
-        return f"The thesis does not hold: of {len(scores)} requirements none is met."
-    return f"The thesis holds in part: {held} of {len(scores)} requirements are met."
+        return "This study has no requirements, and therefore no verdict."
+    if met == len(scores):
+        return f"The thesis holds: all {met} requirements on the test half are met."
+    if not met:
+        return f"The thesis does not hold: none of {len(scores)} requirements is met."
+    return f"The thesis holds in part: {met} of {len(scores)} requirements are met."
 
 
-def verdict(result: StudyResult) -> Sequence[tuple[str, list[str]]]:
-    """Sentences by calibration."""
-    return [
-        (calibration_title(key), sentences(result, key)) for key in result.values(c.CALIBRATION)
-    ]
+def list_verdicts(data: StudyData) -> list[tuple[str, list[str]]]:
+    """Calibration and sentences, for each calibration."""
+    calibrations = data.list_values(c.CALIBRATION)
+    return [(name_calibration(key), list_sentences(data, key)) for key in calibrations]
 
 
-def sentences(result: StudyResult, calibration: str) -> list[str]:
-    """On gyros calibrated so, over all unseen classes; nothing on what was not scored."""
-    scores = [s for s in unseen(result) if s.calibration == calibration]
+def list_sentences(data: StudyData, calibration: str) -> list[str]:
+    """Sentences on gyros of a calibration, over all test classes; none on missing scores."""
+    scores = [s for s in select_unseen(data) if s.calibration == calibration]
     overall = [s for s in scores if s.mission_class == ALL]
-    told = [
-        *_promises(overall),
-        *_explained(overall),
-        *_beyond(overall),
-        *_ranked(overall),
-        *_covered(overall, result.level),
-        *_control(overall),
+    sentences = [
+        *_describe_ratios(overall),
+        *_describe_r2(overall),
+        *_describe_removed(overall),
+        *_describe_ranking(overall),
+        *_describe_coverage(overall, data.interval_percent),
+        *_describe_control(overall),
     ]
-    return [*told, _sample(scores)] if told else []
+    return [*sentences, _describe_sample(scores)] if sentences else []
 
 
-def _picked(scores: Sequence[Score], score: str, predictors: Sequence[str]) -> list[Score]:
+def _select(scores: Sequence[Score], score: str, predictors: Sequence[str]) -> list[Score]:
     return [
         s
         for key in predictors
@@ -75,75 +74,79 @@ def _picked(scores: Sequence[Score], score: str, predictors: Sequence[str]) -> l
     ]
 
 
-def _promises(scores: Sequence[Score]) -> list[str]:
+def _title(score: Score) -> str:
+    return PREDICTOR_OF[score.predictor].title
+
+
+def _describe_ratios(scores: Sequence[Score]) -> list[str]:
     return [
-        f"{TITLES[s.predictor]} {WORDS[Ratio(s.value, s.low, s.high).word]}: the median error "
-        f"flown is {figure(s)} times the predicted."
-        for s in _picked(scores, MEDIAN_RATIO, PROMISING)
+        f"{_title(s)} {Ratio(s.value, s.low, s.high).sentence}: the median flown error is "
+        f"{format_score(s)} times the predicted one."
+        for s in _select(scores, MEDIAN_RATIO, RATIO_PREDICTORS)
     ]
 
 
-def _explained(scores: Sequence[Score]) -> list[str]:
-    told = [
-        f"{TITLES[s.predictor]} {_share(s)}, R2 {figure(s)}"
-        for s in _picked(scores, R2_RADIAL, EXPLAINING)
+def _describe_r2(scores: Sequence[Score]) -> list[str]:
+    parts = [
+        f"{_title(s)} {_name_share(s)}, R2 {format_score(s)}"
+        for s in _select(scores, R2_RADIAL, R2_PREDICTORS)
     ]
-    return [f"Differences between flights that are explained: {'; '.join(told)}."] if told else []
+    return [f"Explained variance between flights: {'; '.join(parts)}."] if parts else []
 
 
-def _share(score: Score) -> str:
+def _name_share(score: Score) -> str:
     if score.low >= LARGE_SHARE:
         return "nearly all"
     if score.high <= 0:
         return "none"
     if score.high <= SMALL_SHARE:
-        return "next to nothing"
-    return "part" if score.low > 0 else "no certain part"
+        return "almost none"
+    return "part" if score.low > 0 else "not significantly above none"
 
 
-def _beyond(scores: Sequence[Score]) -> list[str]:
+def _describe_removed(scores: Sequence[Score]) -> list[str]:
     return [
-        f"Mission by mission the fitted map removes {figure(s)} of the variance that the "
-        "full-circumference figure leaves."
-        for s in _picked(scores, VARIANCE_REMOVED, ["fitted_map"])
+        f"Within each mission the fitted map removes {format_score(s)} of the residual variance of "
+        "the full-circumference figure."
+        for s in _select(scores, VARIANCE_REMOVED, [FITTED_MAP])
     ]
 
 
-def _ranked(scores: Sequence[Score]) -> list[str]:
-    told = [
-        f"{TITLES[s.predictor]} {'yes' if s.low > 0 else 'not certainly'}, Spearman {figure(s)}"
-        for s in _picked(scores, SPEARMAN, list(TITLES))
+def _describe_ranking(scores: Sequence[Score]) -> list[str]:
+    parts = [
+        f"{_title(s)} {'yes' if s.low > 0 else 'not significantly'}, Spearman {format_score(s)}"
+        for s in _select(scores, SPEARMAN, list(PREDICTOR_OF))
     ]
-    return [f"Gyros are ranked as they fly: {'; '.join(told)}."] if told else []
+    return [f"Ranking of gyros by their flown error: {'; '.join(parts)}."] if parts else []
 
 
-def _covered(scores: Sequence[Score], level: float) -> list[str]:
-    inside = level / 100
-    told = [
-        f"{TITLES[s.predictor]} {figure(s)}, "
+def _describe_coverage(scores: Sequence[Score], interval_percent: float) -> list[str]:
+    inside = interval_percent / 100
+    parts = [
+        f"{_title(s)} {format_score(s)}, "
         f"{'compatible' if s.low <= inside <= s.high else 'not compatible'} with {inside:g}"
-        for s in _picked(scores, COVERAGE, COVERING)
+        for s in _select(scores, COVERAGE, COVERAGE_PREDICTORS)
     ]
-    return (
-        [f"Share of flown errors inside {level:g} % intervals: {'; '.join(told)}."] if told else []
-    )
+    text = f"Share of flown errors inside {interval_percent:g} % intervals: {'; '.join(parts)}."
+    return [text] if parts else []
 
 
-def _control(scores: Sequence[Score]) -> list[str]:
+def _describe_control(scores: Sequence[Score]) -> list[str]:
     controls = [s for s in scores if s.shuffled]
-    shown = [SCORES[s.score] for s in controls if s.low > 0]
     if not controls:
         return []
-    told = "; ".join(f"{TITLES[s.predictor]} {CONTROLLED[s.score]} {figure(s)}" for s in controls)
-    found = f"NOT nothing in {'; '.join(shown)}. Be wary" if shown else "none is above 0"
-    return [f"Negative control, devices shuffled: {found}: {told}."]
+    failed = [SCORES[s.score] for s in controls if s.low > 0]
+    state = f"it FAILS in {'; '.join(failed)}" if failed else "none is above 0"
+    parts = "; ".join(f"{_title(s)} {CONTROL_SCORES[s.score]} {format_score(s)}" for s in controls)
+    return [f"Negative control, devices shuffled: {state}: {parts}."]
 
 
-def _sample(scores: Sequence[Score]) -> str:
-    counts = " to ".join(f"{n:,}" for n in _ends([s.n for s in scores]))
-    levels = " to ".join(f"{100 * level:g} %" for level in _ends([s.confidence for s in scores]))
-    return f"In brackets: {levels} intervals; n = {counts} triads."
+def _describe_sample(scores: Sequence[Score]) -> str:
+    counts = " to ".join(f"{n:,}" for n in _list_ends([s.n for s in scores]))
+    levels = _list_ends([s.confidence for s in scores])
+    percent = " to ".join(f"{100 * level:g} %" for level in levels)
+    return f"In brackets: {percent} intervals; n = {counts} triads."
 
 
-def _ends(values: Sequence[float]) -> list[float]:
+def _list_ends(values: Sequence[float]) -> list[float]:
     return sorted({min(values), max(values)})

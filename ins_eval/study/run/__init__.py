@@ -1,1 +1,1 @@
-"""Running a study: in blocks that are spread by Dask, kept as they end, and never done twice."""
+"""Runs a study in blocks on Dask workers; each finished block is kept and not computed again."""

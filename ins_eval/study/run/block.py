@@ -1,4 +1,4 @@
-"""A study in blocks of triads: each a pure function of the study and its number."""
+"""Blocks of a study: each result is a pure function of the study and the block's number."""
 
 import io
 from collections.abc import Callable, Mapping
@@ -12,84 +12,85 @@ from numpy.typing import NDArray
 from ins_eval.study.run.errors import StudyRunError
 from ins_eval.study.run.identity import Identity
 from ins_eval.study.specification import Study
-from pyhrg.common.made_by import difference, made_by
+from pyhrg.common.made_by import find_difference, list_versions
 
-MOST = 20
-"""Triads of a block: the bench takes a minute for them, which is what a kill may cost."""
-BLOCKS = 16
-"""Of a study that is small: for as many workers, and a bar that moves."""
+LARGEST_BLOCK = 20
+"""Largest number of triads of a block. Chosen: the bench takes a minute for them, which is the work
+that a killed command loses."""
+SMALL_STUDY_BLOCKS = 16
+"""Number of blocks of a small study. Chosen: enough for many workers and for visible progress."""
 MARK = "made_for"
-"""Array of a block's file that says which block of which study it is."""
+"""Name of the array in a block's file that identifies the study and the block."""
 
 Arrays = Mapping[str, NDArray[Any]]
-"""By name, numbers or text; along the first axis, triads."""
-Made = Callable[[Study, range], Arrays]
-"""What becomes of these triads: a pure function, sent to workers by its name."""
+"""Results by name; the first axis counts triads."""
+BlockComputation = Callable[[Study, range], Arrays]
+"""Computes the results of these triads: a pure function, sent to workers by its name."""
 
 
 @dataclass(frozen=True)
 class BlockWork:
-    """What a worker does for one block; sent to it as it is."""
+    """The work of a worker on one block; it is pickled and sent to the worker."""
 
     study: Study
     identity: Identity
-    made: Made
+    compute: BlockComputation
 
     def __call__(self, number: int) -> bytes:
         """The block's file.
 
         Raises:
-            StudyRunError: this worker's code is not that of the command.
+            StudyRunError: this worker's code differs from the command's.
         """
-        if differs := difference(made_by(), self.identity.made_by):
+        if differs := find_difference(list_versions(), self.identity.made_by):
             key, found, expected = differs
             raise StudyRunError(
                 f"a worker of another version: {key}: found {found}, expected {expected}"
             )
-        arrays = self.made(self.study, triads_of(self.study, number))
-        return packed(arrays, self.identity, number)
+        arrays = self.compute(self.study, list_triads(self.study, number))
+        return pack_block(arrays, self.identity, number)
 
 
-def size(study: Study) -> int:
-    """Triads of each of its blocks but the last."""
-    return min(MOST, -(-study.triads // BLOCKS))
+def count_block_triads(study: Study) -> int:
+    """Number of triads of each block but the last."""
+    return min(LARGEST_BLOCK, -(-study.triads // SMALL_STUDY_BLOCKS))
 
 
-def count(study: Study) -> int:
-    """Of a study's blocks."""
-    return -(-study.triads // size(study))
+def count_blocks(study: Study) -> int:
+    """Number of a study's blocks."""
+    return -(-study.triads // count_block_triads(study))
 
 
-def triads_of(study: Study, number: int) -> range:
-    """Triads of a block, both counted from 0."""
-    first = number * size(study)
-    return range(first, min(first + size(study), study.triads))
+def list_triads(study: Study, number: int) -> range:
+    """Triads of a block; triads and blocks are counted from 0."""
+    first = number * count_block_triads(study)
+    return range(first, min(first + count_block_triads(study), study.triads))
 
 
-def packed(arrays: Arrays, identity: Identity, number: int) -> bytes:
-    """A block's file, which knows which it is; the same bytes of the same arrays."""
+def pack_block(arrays: Arrays, identity: Identity, number: int) -> bytes:
+    """A block's file, with its identity; the same arrays give the same bytes."""
     buffer = io.BytesIO()
-    named: dict[str, Any] = {MARK: np.array(_mark(identity, number)), **arrays}
+    named: dict[str, Any] = {MARK: np.array(_make_mark(identity, number)), **arrays}
     np.savez(buffer, **named)
     return buffer.getvalue()
 
 
-def unpacked(file: bytes, identity: Identity, number: int) -> Arrays | None:
-    """What `packed` was given; None if the file is damaged or another's."""
+def unpack_block(file: bytes, identity: Identity, number: int) -> Arrays | None:
+    """Arrays of a block's file; None if it is damaged or belongs to another block or study."""
     try:
         with np.load(io.BytesIO(file)) as stored:
             arrays = dict(stored.items())
     except (OSError, EOFError, ValueError, BadZipFile):
         return None
     mark = arrays.pop(MARK, None)
-    return arrays if mark is not None and str(mark) == _mark(identity, number) else None
+    return arrays if mark is not None and str(mark) == _make_mark(identity, number) else None
 
 
-def joined(blocks: list[Arrays]) -> Arrays:
-    """Of all triads, in the order of the blocks; some names may be of a few blocks alone."""
+def join_blocks(blocks: list[Arrays]) -> Arrays:
+    """Arrays of all triads, in the order of the blocks; a name may be missing in some blocks."""
     names = dict.fromkeys(name for block in blocks for name in block)
     return {name: np.concatenate([b[name] for b in blocks if name in b]) for name in names}
 
 
-def _mark(identity: Identity, number: int) -> str:
+def _make_mark(identity: Identity, number: int) -> str:
     return f"{identity.digest} {number}"

@@ -1,7 +1,7 @@
-"""What keeps a study from running."""
+"""The error of a study that cannot run."""
 
 from pyhrg.common.errors import HrgError
 
 
 class StudyRunError(HrgError):
-    """The message names folder or block, what was found and what was expected."""
+    """A study cannot run; the message names folder or block, what was found, what was expected."""

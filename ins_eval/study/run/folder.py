@@ -1,4 +1,4 @@
-"""A study's folder: whose it is, which of its blocks are done; one command at a time."""
+"""A study's folder: its identity, its finished blocks; one command works in it at a time."""
 
 import fcntl
 import json
@@ -10,59 +10,59 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ins_eval.study.run.block import Arrays, unpacked
+from ins_eval.study.run.block import Arrays, unpack_block
 from ins_eval.study.run.errors import StudyRunError
 from ins_eval.study.run.identity import Identity
 from pyhrg.common.files import write_whole
-from pyhrg.common.made_by import difference
+from pyhrg.common.made_by import find_difference
 
 IDENTITY = "identity.json"
-BLOCKS = "blocks"
+BLOCK_FOLDER = "blocks"
 PARTIAL = ".partial-*"
-"""What a command that was killed leaves of files that were not whole."""
+"""Folders of unfinished files, which a killed command leaves."""
 
 
 @dataclass(frozen=True)
 class StudyFolder:
-    """path: of the folder; identity: of the study that it holds."""
+    """The folder of a study with this identity."""
 
     path: Path
     identity: Identity
 
     def keep(self, number: int, file: bytes) -> None:
-        """Keep a block's file, whole."""
+        """Write a block's file, whole or not at all."""
         self.blocks.mkdir(exist_ok=True)
         write_whole(self.block(number), file)
 
-    def arrays(self, number: int) -> Arrays | None:
-        """Of a block; None if it isn't there whole."""
+    def load_block(self, number: int) -> Arrays | None:
+        """Arrays of a block; None where it does not exist or is damaged."""
         try:
-            return unpacked(self.block(number).read_bytes(), self.identity, number)
+            return unpack_block(self.block(number).read_bytes(), self.identity, number)
         except FileNotFoundError:
             return None
 
     def forget_blocks(self) -> None:
-        """Once the study is complete."""
+        """Delete the blocks, once the study is complete."""
         shutil.rmtree(self.blocks, ignore_errors=True)
 
     @property
     def blocks(self) -> Path:
-        """Where blocks are kept until the study is complete."""
-        return self.path / BLOCKS
+        """Folder of the blocks until the study is complete."""
+        return self.path / BLOCK_FOLDER
 
     def block(self, number: int) -> Path:
-        """Where a block is kept."""
+        """File of a block."""
         return self.blocks / f"{number:06d}.npz"
 
 
 @contextmanager
-def claimed(path: Path, identity: Identity) -> Iterator[StudyFolder]:
-    """A study's folder, made if it isn't there, for this command alone until the block ends.
+def claim_folder(path: Path, identity: Identity) -> Iterator[StudyFolder]:
+    """A study's folder, for this command alone inside the context; made where it does not exist.
 
     Raises:
-        StudyRunError: it holds something else, or a study that differs, or one of another version;
-            or another command is at work there. Nothing is changed then.
-        OSError: it can't be written.
+        StudyRunError: the folder holds something else, another study or one of another version; or
+            another command works in it. Nothing is changed then.
+        OSError: the folder can't be written.
     """
     path.mkdir(parents=True, exist_ok=True)
     handle = os.open(path, os.O_RDONLY)
@@ -72,15 +72,15 @@ def claimed(path: Path, identity: Identity) -> Iterator[StudyFolder]:
         except BlockingIOError:
             raise StudyRunError(f"{path}: found another command at work there") from None
         _check(path, identity)
-        for left in path.glob(PARTIAL):
-            shutil.rmtree(left)
+        for unfinished in path.glob(PARTIAL):
+            shutil.rmtree(unfinished)
         yield StudyFolder(path, identity)
     finally:
         os.close(handle)
 
 
 def _check(path: Path, identity: Identity) -> None:
-    """Write down whose folder it is, or hold it to what is written there."""
+    """Write the identity into a new folder, or compare it with the one that is there."""
     file = path / IDENTITY
     if not file.exists():
         if others := sorted(p.name for p in path.iterdir() if not p.name.startswith(".")):
@@ -88,13 +88,13 @@ def _check(path: Path, identity: Identity) -> None:
         write_whole(file, identity.text.encode())
         return
     found = _read(file)
-    if differs := difference(found.get("study"), identity.study):
+    if differs := find_difference(found.get("study"), identity.study):
         key, here, asked = differs
         raise StudyRunError(
             f"{file}: another study: {key}: found {here!r}, expected {asked!r}; "
             "choose another folder"
         )
-    if differs := difference(found.get("made_by"), identity.made_by):
+    if differs := find_difference(found.get("made_by"), identity.made_by):
         key, here, asked = differs
         raise StudyRunError(
             f"{file}: a study of another version: {key}: found {here}, expected {asked}; "

@@ -1,4 +1,4 @@
-"""What determines a study's results, to the last bit: the study itself and all that computes it."""
+"""All that determines a study's results to the last bit: the study, the code, its libraries."""
 
 import hashlib
 import json
@@ -6,34 +6,38 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from ins_eval.study.specification import Study
-from pyhrg.common.made_by import made_by
+from pyhrg.common.made_by import list_versions
 
 
 @dataclass(frozen=True)
 class Identity:
-    """study: every key of it, plain; made_by: versions, and the digest of our own code."""
+    """What determines a study's results.
+
+    study: all its fields, as JSON values; made_by: versions of libraries, and the digest of our own
+    code.
+    """
 
     study: dict[str, Any]
     made_by: dict[str, str]
 
     @property
     def digest(self) -> str:
-        """Of both."""
+        """Digest of both."""
         return hashlib.sha256(self.text.encode()).hexdigest()[:32]
 
     @property
     def text(self) -> str:
-        """As JSON."""
+        """Both as JSON."""
         return json.dumps({"study": self.study, "made_by": self.made_by}, indent=1) + "\n"
 
 
-def identity(study: Study) -> Identity:
-    """Of a study, if this machine's code runs it."""
-    return Identity(_plain(study), made_by())
+def identify_study(study: Study) -> Identity:
+    """The identity of a study that this machine's code runs."""
+    return Identity(_describe_study(study), list_versions())
 
 
-def _plain(study: Study) -> dict[str, Any]:
-    """As JSON gives it back; of a mission's file, the digest."""
+def _describe_study(study: Study) -> dict[str, Any]:
+    """Fields of a study as JSON values; a mission's file is replaced by its digest."""
     values = asdict(study)
     for mission in values["missions"]:
         mission["content"] = f"sha256 {hashlib.sha256(mission['content']).hexdigest()}"

@@ -1,34 +1,38 @@
-"""A study from beginning to end, or from wherever it was killed."""
+"""Runs an experiment from its beginning, or from where an earlier command stopped."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
 from ins_eval.study.run import block
-from ins_eval.study.run.block import Arrays, BlockWork, Made
+from ins_eval.study.run.block import Arrays, BlockComputation, BlockWork
 from ins_eval.study.run.errors import StudyRunError
-from ins_eval.study.run.folder import StudyFolder, claimed
-from ins_eval.study.run.identity import identity
-from ins_eval.study.run.workers import connected, spread
+from ins_eval.study.run.folder import StudyFolder, claim_folder
+from ins_eval.study.run.identity import identify_study
+from ins_eval.study.run.workers import connect, run_blocks
 from ins_eval.study.specification import Study
-from pyhrg.common.files import staging
+from pyhrg.common.arguments import check_whole_number
+from pyhrg.common.files import stage_files
 
-Done = Callable[[int], None]
+MOST_WORKERS = 10_000
+"""Largest number of worker processes that is accepted. Chosen."""
+
+Progress = Callable[[int, int], None]
+"""Is called with the number of finished triads and the number of all."""
 
 
 @dataclass(frozen=True)
 class Experiment:
-    """What is done with triads.
+    """The functions of an experiment.
 
     Attributes:
-        made: of a range of triads, by workers.
-        conclude: what a study says, from the arrays of all its triads; writes `files` into a
-            folder.
-        files: in the order in which they appear; the last is the mark of a complete study.
-        prepare: what workers of this machine would otherwise do each for itself.
+        compute: computes the results of a range of triads, on workers.
+        conclude: writes `files` into a folder, from the results of all triads.
+        files: names in the order in which they appear; the last marks a complete study.
+        prepare: does once what each worker of this machine would otherwise do.
     """
 
-    made: Made
+    compute: BlockComputation
     conclude: Callable[[Study, Arrays, Path], None]
     files: tuple[str, ...]
     prepare: Callable[[Study], None] = lambda study: None
@@ -36,66 +40,90 @@ class Experiment:
 
 @dataclass(frozen=True)
 class Cluster:
-    """scheduler: address; None for this machine's cores. workers: how many of them then."""
+    """Who computes the blocks.
+
+    scheduler: address of a Dask scheduler; None for processes of this machine; workers: number of
+    these, None for all cores.
+    """
 
     scheduler: str | None = None
     workers: int | None = None
 
+    def __post_init__(self) -> None:
+        if self.workers is not None:
+            check_whole_number("workers", self.workers, 1, MOST_WORKERS)
+        if self.scheduler is not None and self.workers is not None:
+            raise StudyRunError(
+                f"workers: found {self.workers}, expected none beside scheduler {self.scheduler}"
+            )
 
-def run(
-    study: Study, out: Path, experiment: Experiment, cluster: Cluster, done: Done = lambda _: None
+
+def run_experiment(
+    study: Study,
+    out: Path,
+    experiment: Experiment,
+    cluster: Cluster,
+    progress: Progress | None = None,
 ) -> None:
-    """Run a study, or what is left of it.
+    """Run a study, or the part of it that is not done.
 
     Args:
-        study: what is done.
-        out: folder; may hold blocks of the same study, which are not done again.
-        experiment: how it is done.
-        cluster: by whom; has no influence on any byte.
-        done: told how many more triads are done and kept; at once, how many were before.
+        study: the study.
+        out: output folder; finished blocks of the same study there are not computed again.
+        experiment: the experiment.
+        cluster: who computes; it has no influence on any byte.
+        progress: is called whenever triads are finished, and once at the beginning.
 
     Raises:
-        StudyRunError: another study's folder; workers or scheduler that are lost for good.
+        StudyRunError: the folder of another study; workers or scheduler that are lost for good.
         OSError: `out` can't be written.
     """
-    with claimed(out, identity(study)) as kept:
+    with claim_folder(out, identify_study(study)) as kept:
         if all((out / name).is_file() for name in experiment.files):
-            done(study.triads)
+            if progress:
+                progress(study.triads, study.triads)
         else:
-            _do_blocks(study, kept, experiment, cluster, done)
-            arrays = _all_triads(study, kept)
-            with staging(out, experiment.files) as folder:
+            _run_blocks(study, kept, experiment, cluster, progress)
+            arrays = _join_all_blocks(study, kept)
+            with stage_files(out, experiment.files) as folder:
                 experiment.conclude(study, arrays, folder)
         kept.forget_blocks()
 
 
-def _do_blocks(
-    study: Study, kept: StudyFolder, experiment: Experiment, cluster: Cluster, done: Done
+def _run_blocks(
+    study: Study,
+    kept: StudyFolder,
+    experiment: Experiment,
+    cluster: Cluster,
+    progress: Progress | None,
 ) -> None:
-    left = [n for n in range(block.count(study)) if kept.arrays(n) is None]
+    unfinished = [n for n in range(block.count_blocks(study)) if kept.load_block(n) is None]
+    todo = {number: len(block.list_triads(study, number)) for number in unfinished}
 
-    def triads(number: int) -> int:
-        return len(block.triads_of(study, number))
+    def report() -> None:
+        if progress:
+            progress(study.triads - sum(todo.values()), study.triads)
 
     def keep(number: int, file: bytes) -> None:
         kept.keep(number, file)
-        done(triads(number))
+        del todo[number]
+        report()
 
-    done(study.triads - sum(map(triads, left)))
-    if left:
+    report()
+    if unfinished:
         experiment.prepare(study)
-        work = BlockWork(study, kept.identity, experiment.made)
-        with connected(cluster.scheduler, cluster.workers) as client:
-            spread(client, work, left, f"hrg-study-{kept.identity.digest}", keep)
+        work = BlockWork(study, kept.identity, experiment.compute)
+        with connect(cluster.scheduler, cluster.workers) as client:
+            run_blocks(client, work, unfinished, f"hrg-study-{kept.identity.digest}", keep)
 
 
-def _all_triads(study: Study, kept: StudyFolder) -> Arrays:
+def _join_all_blocks(study: Study, kept: StudyFolder) -> Arrays:
     blocks = []
-    for number in range(block.count(study)):
-        arrays = kept.arrays(number)
+    for number in range(block.count_blocks(study)):
+        arrays = kept.load_block(number)
         if arrays is None:
             raise StudyRunError(
                 f"{kept.block(number)}: found it damaged; the same command makes it again"
             )
         blocks.append(arrays)
-    return block.joined(blocks)
+    return block.join_blocks(blocks)

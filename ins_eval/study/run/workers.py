@@ -1,4 +1,4 @@
-"""Blocks spread over workers by Dask: of this machine, or of any cluster."""
+"""Distributes blocks over Dask workers of this machine or of any cluster."""
 
 import logging
 import os
@@ -17,40 +17,38 @@ from distributed import Client, Future, KilledWorker, LocalCluster
 from ins_eval.study.run.errors import StudyRunError
 
 ADDRESS = r"(tcp|tls)://\S+:\d+"
-ATTENTION = 0.2
-"""Between looks at signals, s."""
-PATIENCE = 10.0
-"""For a scheduler or a result to arrive, s."""
-ANY_PORT = "127.0.0.1:0"
-"""Of a scheduler's own page: several studies may run on a machine at once."""
-
-
-ONE_AT_A_TIME = {"distributed.scheduler.worker-saturation": 1.0}
-"""No block waits at a worker, and is blamed for its death."""
+POLL_INTERVAL = 0.2
+"""Time between checks for signals, s. Chosen."""
+ARRIVAL_TIMEOUT = 10.0
+"""Time to wait for a scheduler or a result, s. Chosen."""
+DASHBOARD_ADDRESS = "127.0.0.1:0"
+"""Any free port for the scheduler's page, so that several studies can run on a machine."""
+NO_PREFETCH = {"distributed.scheduler.worker-saturation": 1.0}
+"""A worker gets one block at a time: a block that waits there would be blamed for its death."""
 
 
 @contextmanager
-def connected(scheduler: str | None, workers: int | None) -> Iterator[Client]:
-    """A Dask client.
+def connect(scheduler: str | None, workers: int | None) -> Iterator[Client]:
+    """A Dask client inside the context.
 
     Args:
-        scheduler: address of a cluster's; None starts workers on this machine, processes of one
-            thread each.
-        workers: how many then; as many as this process has cores, if not given.
+        scheduler: address of a cluster's scheduler; None starts workers on this machine, processes
+            of one thread each.
+        workers: number of these processes; None for the number of cores of this process.
 
     Raises:
-        StudyRunError: no scheduler answers there.
+        StudyRunError: the address is none, or no scheduler answers there.
     """
     if scheduler is None:
         options = {
             "n_workers": workers or len(os.sched_getaffinity(0)),
             "threads_per_worker": 1,
             "memory_limit": 0,
-            "dashboard_address": ANY_PORT,
+            "dashboard_address": DASHBOARD_ADDRESS,
             "silence_logs": logging.CRITICAL,
         }
         with (
-            dask.config.set(ONE_AT_A_TIME),
+            dask.config.set(NO_PREFETCH),
             LocalCluster(**options) as local,
             Client(local, set_as_default=False) as client,
         ):
@@ -59,40 +57,41 @@ def connected(scheduler: str | None, workers: int | None) -> Iterator[Client]:
     if not re.fullmatch(ADDRESS, scheduler):
         raise StudyRunError(f"{scheduler}: found no address, expected tcp://HOST:PORT")
     try:
-        client = Client(scheduler, timeout=PATIENCE, set_as_default=False)
+        client = Client(scheduler, timeout=ARRIVAL_TIMEOUT, set_as_default=False)
     except OSError as error:
         raise StudyRunError(f"{scheduler}: found no scheduler, expected one: {error}") from error
     with client:
         yield client
 
 
-def spread(
+def run_blocks(
     client: Client,
     work: Callable[[int], bytes],
     numbers: Sequence[int],
     name: str,
     done: Callable[[int, bytes], None],
 ) -> None:
-    """Do blocks, in any order.
+    """Compute blocks, in any order.
 
     Args:
-        client: of the cluster.
-        work: gives a block's file; a pure function, so that a lost worker's is done again.
-        numbers: of the blocks.
-        name: of the study, the same for the same work.
-        done: told number and file of each block that is done.
+        client: client of the cluster.
+        work: computes a block's file; a pure function, so that a lost block is computed again.
+        numbers: numbers of the blocks.
+        name: name of the study, the same for the same work.
+        done: is called with number and file of each finished block.
 
     Raises:
-        StudyRunError: a block takes its workers down; the scheduler is gone.
+        StudyRunError: a block kills its workers; the scheduler is gone.
+        KeyboardInterrupt: interrupted by a signal.
     """
     keys = [f"{name}-{number}" for number in numbers]
     number_of: dict[Any, int] = dict(zip(keys, numbers, strict=True))
     futures = client.map(work, numbers, key=keys, retries=0)
-    with _signals() as interrupted:
-        for future in _as_completed(futures, interrupted):
+    with _catch_signals() as interrupted:
+        for future in _yield_completed(futures, interrupted):
             number = number_of[future.key]
             try:
-                file = _result(future, interrupted)
+                file = _wait_for_result(future, interrupted)
             except KilledWorker as error:
                 raise StudyRunError(f"block {number}: found its workers killed: {error}") from error
             except CancelledError as error:
@@ -103,47 +102,47 @@ def spread(
             del future
 
 
-def _as_completed(futures: list[Future[bytes]], interrupted: Event) -> Iterator[Future[bytes]]:
-    """As they end; forgets them, since a result that is still referred to is computed again when
-    its worker dies.
+def _yield_completed(futures: list[Future[bytes]], interrupted: Event) -> Iterator[Future[bytes]]:
+    """Futures as they end. They are forgotten, because a result that is still referred to is
+    computed again when its worker dies.
 
     Raises:
         KeyboardInterrupt: interrupted.
     """
     ended: SimpleQueue[Future[bytes]] = SimpleQueue()
-    left = len(futures)
+    unfinished = len(futures)
     while futures:
         futures.pop().add_done_callback(ended.put)
-    while left:
+    while unfinished:
         if interrupted.is_set():
             raise KeyboardInterrupt
         try:
-            future = ended.get(timeout=ATTENTION)
+            future = ended.get(timeout=POLL_INTERVAL)
         except Empty:
             continue
-        left -= 1
+        unfinished -= 1
         yield future
         del future
 
 
-def _result(future: Future[bytes], interrupted: Event) -> bytes:
-    """Of one that has ended; its worker may have died since, and it is computed again.
+def _wait_for_result(future: Future[bytes], interrupted: Event) -> bytes:
+    """The result of a future that has ended. If its worker has died since, it is computed again.
 
     Raises:
         KeyboardInterrupt: interrupted.
     """
     while not interrupted.is_set():
         try:
-            return future.result(timeout=PATIENCE)
+            return future.result(timeout=ARRIVAL_TIMEOUT)
         except TimeoutError:
             continue
     raise KeyboardInterrupt
 
 
 @contextmanager
-def _signals() -> Iterator[Event]:
-    """Set by SIGINT and SIGTERM while this lasts. Their exception could end in a destructor, of a
-    future for one, which swallows it."""
+def _catch_signals() -> Iterator[Event]:
+    """An event that SIGINT and SIGTERM set inside the context. An exception instead could arise in
+    a destructor, such as that of a future, and be swallowed there."""
     interrupted = Event()
     if current_thread() is not main_thread():
         yield interrupted

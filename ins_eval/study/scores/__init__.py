@@ -1,1 +1,1 @@
-"""How well predictions were kept: figures with intervals over triads."""
+"""Scores of predictions, with intervals over triads (docs/methods/study_predictors.md)."""

@@ -1,4 +1,4 @@
-"""How often flown errors lie inside predicted intervals, with exact binomial intervals."""
+"""Coverage of predicted intervals, with exact binomial intervals (Eq. 17)."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,14 +9,14 @@ from ins_eval.study.scores.resampling import CONFIDENCE, Estimate
 Array = NDArray[np.float64]
 
 
-def coverage(flown: Array, low: Array, high: Array, seed: int) -> Estimate:
-    """Share of flown errors (r, m) within intervals, with Clopper and Pearson's interval.
+def estimate_coverage(flown: Array, low: Array, high: Array, seed: int) -> Estimate:
+    """Share of flown errors inside predicted intervals, with the Clopper-Pearson interval.
 
-    A triad's missions are not independent: one of them counts for each triad, drawn.
+    A triad's missions are not independent, so that one mission of each triad is drawn and counts.
 
     Args:
-        flown, low, high: (r, m).
-        seed: of the drawing.
+        flown, low, high: (r, m) flown errors and ends of their intervals.
+        seed: seed of the draw.
     """
     triads = np.arange(len(flown))
     chosen = np.random.default_rng(seed).integers(flown.shape[1], size=len(flown))

@@ -1,4 +1,4 @@
-"""Rows of the study that are judged together: triads by missions."""
+"""Groups of flights that are scored together: r triads in m missions."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -14,8 +14,8 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Group:
-    """What a score is of: r triads in m missions."""
+class FlightGroup:
+    """Flights of r triads in m missions, all of them in all."""
 
     calibration: str
     mission_class: str
@@ -25,37 +25,37 @@ class Group:
 
     @property
     def triads(self) -> int:
-        """r."""
+        """Number of triads, r."""
         return len(self.rows) // len(self.missions)
 
-    def of(self, name: str) -> Array:
-        """(r, m) of a column of numbers, (r, m, n) of one of lists of numbers."""
+    def select(self, name: str) -> Array:
+        """(r, m) values of a column of numbers; (r, m, n) of a column of lists."""
         values = self.rows[name].to_numpy()
         if values.dtype == object:
             values = np.stack(values)
         return np.asarray(values.reshape(self.triads, len(self.missions), *values.shape[1:]), float)
 
-    def pair(self, prefix: str) -> Array:
-        """(r, m, 2) of columns of errors north and east: `flown`, `noise`, `oracle`, ..."""
-        return np.stack([self.of(f"{prefix}_{axis}_m") for axis in ("north", "east")], axis=-1)
+    def select_pair(self, prefix: str) -> Array:
+        """(r, m, 2) errors north and east of the columns with this prefix, such as `flown`, m."""
+        return np.stack([self.select(f"{prefix}_{axis}_m") for axis in ("north", "east")], axis=-1)
 
 
-def groups(table: pd.DataFrame) -> Iterator[Group]:
-    """By calibration and half: all classes together, then each.
+def group_flights(table: pd.DataFrame) -> Iterator[FlightGroup]:
+    """Groups by calibration and half: all classes together, then each class.
 
     Args:
-        table: of `columns`.
+        table: a table with the columns of `columns`.
 
     Raises:
         ValueError: a triad lacks a mission, or has one twice.
     """
     for (calibration, half), rows in table.groupby([columns.CALIBRATION, columns.HALF]):
-        yield _group(str(calibration), ALL, str(half), rows)
+        yield _make_group(str(calibration), ALL, str(half), rows)
         for name, part in rows.groupby(columns.CLASS):
-            yield _group(str(calibration), str(name), str(half), part)
+            yield _make_group(str(calibration), str(name), str(half), part)
 
 
-def _group(calibration: str, mission_class: str, half: str, rows: pd.DataFrame) -> Group:
+def _make_group(calibration: str, mission_class: str, half: str, rows: pd.DataFrame) -> FlightGroup:
     ordered = rows.sort_values([columns.TRIAD, columns.MISSION], kind="stable")
     missions = tuple(sorted(set(ordered[columns.MISSION])))
     flown = ordered[columns.MISSION].to_numpy()
@@ -67,4 +67,4 @@ def _group(calibration: str, mission_class: str, half: str, rows: pd.DataFrame) 
             f"{calibration}, {mission_class}, {half}: {len(set(triads))} triads, {count} missions "
             f"and {len(flown)} rows; expected one row for each triad and mission"
         )
-    return Group(calibration, mission_class, half, ordered, missions)
+    return FlightGroup(calibration, mission_class, half, ordered, missions)

@@ -1,6 +1,7 @@
-"""Statistics of flown and predicted errors: (..., r, m) of r triads in m missions.
+"""Statistics of flown and predicted errors (..., r, m) of r triads in m missions (Eqs. 11 to 16).
 
-A statistic that a sample can't tell is NaN: R2 where all triads are the same, as in a resample.
+A statistic that is not defined for a sample is NaN, such as R2 of a resample whose triads are all
+the same.
 """
 
 import numpy as np
@@ -10,85 +11,85 @@ from scipy.stats import rankdata
 Array = NDArray[np.float64]
 
 
-def r2(flown: Array, predicted: Array) -> Array:
-    """1 less the mean square about predicted = flown over the variance; nothing is refitted."""
-    return 1 - _ratio(_mean_square(flown - predicted), np.var(flown, axis=(-2, -1)))
+def compute_r2(flown: Array, predicted: Array) -> Array:
+    """(...,) coefficient of determination of predicted = flown, without refit (Eq. 11)."""
+    return 1 - _divide(_compute_mean_square(flown - predicted), np.var(flown, axis=(-2, -1)))
 
 
-def r2_components(flown: Array, predicted: Array) -> Array:
-    """The same of errors north and east (..., r, m, 2), about zero."""
-    missed = np.sum((flown - predicted) ** 2, axis=(-3, -2, -1))
-    return 1 - _ratio(missed, np.sum(flown**2, axis=(-3, -2, -1)))
+def compute_component_r2(flown: Array, predicted: Array) -> Array:
+    """(...,) R2 of errors north and east (..., r, m, 2), about zero (Eq. 12)."""
+    residual = np.sum((flown - predicted) ** 2, axis=(-3, -2, -1))
+    return 1 - _divide(residual, np.sum(flown**2, axis=(-3, -2, -1)))
 
 
-def median_ratio(flown: Array, predicted: Array) -> Array:
-    """Median of flown over predicted."""
-    return np.asarray(np.median(_ratio(flown, predicted), axis=(-2, -1)))
+def compute_median_ratio(flown: Array, predicted: Array) -> Array:
+    """(...,) median of flown over predicted (Eq. 13)."""
+    return np.asarray(np.median(_divide(flown, predicted), axis=(-2, -1)))
 
 
-def optimism(flown: Array, predicted: Array) -> Array:
-    """Root mean square of the flown over that of the predicted: above 1 is too good a promise."""
-    return np.sqrt(_ratio(_mean_square(flown), _mean_square(predicted)))
+def compute_optimism(flown: Array, predicted: Array) -> Array:
+    """(...,) rms of flown over rms of predicted; above 1 the prediction is too optimistic."""
+    return np.sqrt(_divide(_compute_mean_square(flown), _compute_mean_square(predicted)))
 
 
-def variance_removed(flown: Array, predicted: Array, reference: Array) -> Array:
-    """Share of what a reference leaves unexplained that a prediction, as it stands, removes.
+def compute_variance_removed(flown: Array, predicted: Array, reference: Array) -> Array:
+    """(...,) share of a refitted reference's residual variance that a prediction removes (Eq. 14).
 
-    The reference is refitted, scale and offset mission by mission, so that neither its bias nor the
-    spread between missions counts for the prediction; a wide spread of devices, which the reference
-    sees too, does not either.
+    The reference is refitted with scale and offset for each mission; the prediction is taken as it
+    is. Neither a bias of the reference, nor the spread between missions, nor a wide spread of
+    devices, which the reference describes too, counts for the prediction.
     """
-    apart = flown - flown.mean(axis=-2, keepdims=True)
-    wave = reference - reference.mean(axis=-2, keepdims=True)
-    power = np.sum(wave**2, axis=-2, keepdims=True)
-    slope = np.sum(apart * wave, axis=-2, keepdims=True) / np.where(power > 0, power, 1.0)
-    left = apart - slope * wave
-    return 1 - _ratio(_mean_square(flown - predicted), _mean_square(left))
+    centred = flown - flown.mean(axis=-2, keepdims=True)
+    regressor = reference - reference.mean(axis=-2, keepdims=True)
+    power = np.sum(regressor**2, axis=-2, keepdims=True)
+    slope = np.sum(centred * regressor, axis=-2, keepdims=True) / np.where(power > 0, power, 1.0)
+    residual = centred - slope * regressor
+    return 1 - _divide(_compute_mean_square(flown - predicted), _compute_mean_square(residual))
 
 
-def miss(flown: Array, predicted: Array) -> Array:
-    """Mean magnitude of the logarithm of flown over predicted: 0.7 is a factor of 2."""
-    return np.asarray(np.mean(np.abs(np.log(_ratio(flown, predicted))), axis=(-2, -1)))
+def compute_log_error(flown: Array, predicted: Array) -> Array:
+    """(...,) mean |ln(flown / predicted)|; 0.7 is a factor of 2."""
+    return np.asarray(np.mean(np.abs(np.log(_divide(flown, predicted))), axis=(-2, -1)))
 
 
-def advantage(flown: Array, predicted: Array, reference: Array) -> Array:
-    """How much smaller a prediction's `miss` is than a reference's."""
-    return np.asarray(miss(flown, reference) - miss(flown, predicted))
+def compute_advantage(flown: Array, predicted: Array, reference: Array) -> Array:
+    """(...,) log error of a reference less that of a prediction (Eq. 15)."""
+    return np.asarray(compute_log_error(flown, reference) - compute_log_error(flown, predicted))
 
 
-def width_ratio(low: Array, high: Array, other_low: Array, other_high: Array) -> Array:
-    """Median width of intervals over the median width of others."""
+def compute_width_ratio(low: Array, high: Array, other_low: Array, other_high: Array) -> Array:
+    """(...,) median width of intervals over the median width of other intervals."""
     own, other = high - low, other_high - other_low
-    return _ratio(np.median(own, axis=(-2, -1)), np.median(other, axis=(-2, -1)))
+    return _divide(np.median(own, axis=(-2, -1)), np.median(other, axis=(-2, -1)))
 
 
-def unpredictable_share(unpredictable: Array, expected: Array) -> Array:
-    """Root mean square of what can't be predicted over that of expected errors (..., r, m, 2)."""
+def compute_unpredictable_share(unpredictable: Array, expected: Array) -> Array:
+    """(...,) rms of the unpredictable error over rms of expected errors (..., r, m, 2)."""
     power = np.mean(np.sum(expected**2, axis=-1), axis=(-2, -1))
-    return np.sqrt(_ratio(_mean_square(unpredictable), power))
+    return np.sqrt(_divide(_compute_mean_square(unpredictable), power))
 
 
-def spearman(flown: Array, figure: Array) -> Array:
-    """Rank correlation over gyros (..., r, m, 3), mean over missions."""
-    return np.asarray(np.mean(_correlation(_ranks(flown), _ranks(figure)), axis=-1))
+def compute_spearman(flown: Array, figure: Array) -> Array:
+    """(...,) Spearman's rank correlation over gyros (..., r, m, 3), mean over missions (Eq. 16)."""
+    return np.asarray(np.mean(_correlate(_rank_gyros(flown), _rank_gyros(figure)), axis=-1))
 
 
-def _ranks(values: Array) -> Array:
-    """(..., m, 3 r)"""
+def _rank_gyros(values: Array) -> Array:
+    """(..., m, 3 r) ranks of all gyros in each mission."""
     gyros = np.moveaxis(values, -2, -3)
     return np.asarray(rankdata(gyros.reshape(*gyros.shape[:-2], -1), axis=-1))
 
 
-def _correlation(a: Array, b: Array) -> Array:
+def _correlate(a: Array, b: Array) -> Array:
     a, b = (x - x.mean(axis=-1, keepdims=True) for x in (a, b))
     power = np.sum(a**2, axis=-1) * np.sum(b**2, axis=-1)
-    return _ratio(np.sum(a * b, axis=-1), np.sqrt(power))
+    return _divide(np.sum(a * b, axis=-1), np.sqrt(power))
 
 
-def _ratio(over: Array, under: Array) -> Array:
-    """NaN over nothing."""
+def _divide(over: Array, under: Array) -> Array:
+    """Quotient; NaN where the divisor is not positive."""
     return np.divide(over, under, out=np.full(np.shape(over), np.nan), where=under > 0)
 
 
-def _mean_square(values: Array) -> Array:
+def _compute_mean_square(values: Array) -> Array:
     return np.asarray(np.mean(values**2, axis=(-2, -1)))

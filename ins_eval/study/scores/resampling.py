@@ -1,7 +1,7 @@
-"""Intervals over triads: a triad's missions and gyros stay together.
+"""Bootstrap and permutation intervals over triads; a triad's missions and gyros stay together.
 
-A statistic takes arrays (..., r, m, ...) whose triads are counted by the axis before missions,
-with any number of resamples in front, and gives one number a resample.
+A statistic takes arrays (..., r, m, ...) of r triads and m missions, with any number of resamples
+in front, and gives one number for each resample.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -15,75 +15,79 @@ Statistic = Callable[..., Array]
 
 CONFIDENCE = 0.95
 DRAWS = 999
-_ROOM = 4_000_000
-"""Numbers of one array that are resampled at a time."""
+_MOST_NUMBERS = 4_000_000
+"""Largest size of an array that is resampled at once; it bounds memory. Chosen."""
 
 
 @dataclass(frozen=True)
 class Estimate:
-    """A figure, and the ends of its interval with `CONFIDENCE`."""
+    """An estimate and the ends of its interval at `CONFIDENCE`."""
 
     value: float
     low: float
     high: float
 
 
-def bootstrapped(
+def bootstrap(
     statistic: Statistic, samples: Sequence[Array], seed: int, draws: int = DRAWS
 ) -> Estimate:
-    """A statistic of samples (r, m, ...), and its percentile interval over triads drawn with
-    replacement (Davison and Hinkley 1997, section 5.3.1; clusters: section 3.8). Resamples that
-    can't tell it, as NaN says, don't count."""
+    """A statistic of samples (r, m, ...), and its percentile interval.
+
+    Triads are drawn with replacement (Davison and Hinkley 1997, section 5.3.1; clusters: section
+    3.8). Resamples whose statistic is NaN do not count.
+    """
     value = float(statistic(*samples))
     chosen = np.random.default_rng(seed).integers(len(samples[0]), size=(draws, len(samples[0])))
-    parts = [statistic(*(sample[rows] for sample in samples)) for rows in _parts(chosen, samples)]
-    return _estimate(value, np.concatenate(parts))
+    parts = [
+        statistic(*(sample[rows] for sample in samples)) for rows in _split_rows(chosen, samples)
+    ]
+    return _make_estimate(value, np.concatenate(parts))
 
 
-def shuffled(
+def shuffle_devices(
     statistic: Statistic, flown: Array, predicted: Sequence[Array], seed: int, draws: int = DRAWS
 ) -> Estimate:
-    """The negative control: what the statistic is when triads get another's predictions.
+    """The negative control: the statistic when each triad has another triad's predictions.
 
     Args:
-        statistic: of the flown and the predicted.
-        flown: (r, m, ...).
-        predicted: (r, m, ...) each; all shuffled alike, none stays in place.
-        seed: of the shuffling.
+        statistic: takes the flown and the predicted.
+        flown: (r, m, ...) flown errors.
+        predicted: (r, m, ...) each; all are permuted alike, and no triad keeps its own.
+        seed: seed of the permutations.
 
     Returns:
-        mean over shuffles, and the range that holds `CONFIDENCE` of them.
+        mean over permutations, and the range that holds `CONFIDENCE` of them.
 
     Raises:
         ValueError: fewer than two triads.
     """
     if len(flown) < 2:
         raise ValueError(f"{len(flown)} triads: expected 2 or more to shuffle")
-    chosen = _derangements(len(flown), draws, np.random.default_rng(seed))
+    chosen = _draw_derangements(len(flown), draws, np.random.default_rng(seed))
     parts = []
-    for rows in _parts(chosen, [flown, *predicted]):
+    for rows in _split_rows(chosen, [flown, *predicted]):
         same = np.broadcast_to(flown, (len(rows), *flown.shape))
         parts.append(statistic(same, *(sample[rows] for sample in predicted)))
     values = np.concatenate(parts)
-    return _estimate(float(np.mean(values)), values)
+    return _make_estimate(float(np.mean(values)), values)
 
 
-def _derangements(count: int, draws: int, random: np.random.Generator) -> NDArray[np.intp]:
-    """(draws, count): each a cycle through all, in random order."""
+def _draw_derangements(count: int, draws: int, random: np.random.Generator) -> NDArray[np.intp]:
+    """(draws, count) permutations; each is one cycle through all in random order."""
     orders = np.argsort(random.random((draws, count)), axis=1)
     chosen = np.empty_like(orders)
     np.put_along_axis(chosen, orders, np.roll(orders, 1, axis=1), axis=1)
     return chosen
 
 
-def _parts(chosen: NDArray[np.intp], samples: Sequence[Array]) -> Iterator[NDArray[np.intp]]:
-    at_once = max(1, _ROOM // max(sample.size for sample in samples))
+def _split_rows(chosen: NDArray[np.intp], samples: Sequence[Array]) -> Iterator[NDArray[np.intp]]:
+    at_once = max(1, _MOST_NUMBERS // max(sample.size for sample in samples))
     for first in range(0, len(chosen), at_once):
         yield chosen[first : first + at_once]
 
 
-def _estimate(value: float, values: Array) -> Estimate:
+def _make_estimate(value: float, values: Array) -> Estimate:
     tail = (1 - CONFIDENCE) / 2
-    told = values[np.isfinite(values)]
-    low, high = np.quantile(told, [tail, 1 - tail]) if len(told) else (np.nan, np.nan)
+    finite = values[np.isfinite(values)]
+    low, high = np.quantile(finite, [tail, 1 - tail]) if len(finite) else (np.nan, np.nan)
     return Estimate(value, float(low), float(high))

@@ -1,1 +1,1 @@
-"""Columns of a study's tables."""
+"""The formats of a study's table and scores."""

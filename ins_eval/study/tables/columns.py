@@ -1,6 +1,6 @@
-"""Every column of study.parquet, once: one row a triad of gyros, its calibration and a mission.
+"""Every column of study.parquet: one row for each triad of gyros, calibration and mission.
 
-Each column's field metadata carries its `unit` and `what`. For scores see `score.py`.
+The metadata of each column carry its `unit` and `what`. For scores see `score.py`.
 """
 
 from dataclasses import dataclass
@@ -8,8 +8,11 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Column:
-    """name: as in the file, with its unit; kind: "int", "text", "number" or "numbers" (a list);
-    unit: "1" for pure numbers, "" for text; what: it means, a phrase."""
+    """A column.
+
+    name: its name in the file; kind: "int", "text", "number" or "numbers" (a list); unit: "1" for
+    pure numbers, "" for text; what: its meaning, a phrase.
+    """
 
     name: str
     kind: str
@@ -19,7 +22,10 @@ class Column:
 
 @dataclass(frozen=True)
 class Predictor:
-    """key: prefix of its columns; title: as read; what: it knows."""
+    """A predictor of the position error.
+
+    key: prefix of its columns; title: its name in reports; what: what it uses, a phrase.
+    """
 
     key: str
     title: str
@@ -51,26 +57,33 @@ PREDICTORS = (
         "Manoeuvre theory",
         "full-circumference stability through a theory that knows the manoeuvre",
     ),
-    Predictor("fitted_map", "Fitted map", "the bench's maps, temperature and power-on angle known"),
-    Predictor("fitted_map_any_angle", "Fitted map, any angle", "the bench's maps, angle unknown"),
+    Predictor("fitted_map", "Fitted map", "the bench's maps; temperature and power-on angle known"),
     Predictor(
-        "bench_oracle", "Oracle, drift unknown", "true maps on the bench, spread as the fit's"
+        "fitted_map_any_angle", "Fitted map, any angle", "the bench's maps; power-on angle unknown"
     ),
-    Predictor("oracle", "Oracle", "the true parameters; what no bench can know"),
-    Predictor("oracle_any_angle", "Oracle, any angle", "the true parameters, angle unknown"),
+    Predictor(
+        "bench_oracle", "Oracle, drift unknown", "the true maps on the bench, spread as the fit's"
+    ),
+    Predictor("oracle", "Oracle", "the true maps in flight, which no bench measures"),
+    Predictor(
+        "oracle_any_angle", "Oracle, any angle", "the true maps in flight; power-on angle unknown"
+    ),
 )
-"""From simple to best; the oracle is what they are held against."""
+"""All predictors, from simple to best. The oracles are the yardstick of the others."""
+PREDICTOR_OF = {predictor.key: predictor for predictor in PREDICTORS}
+FIXED_RULE, CIRCUMFERENCE_RULE, FITTED_MAP = "fixed_rule", "circumference_rule", "fitted_map"
+"""Keys of the predictors that the verdict compares."""
 
 PARTS = {
     "map": "bias and scale-factor maps at power-on",
-    "warming": "what the maps gain as the gyros warm",
-    "environment": "what the maps gain with specific force, heating and fast turning",
+    "warming": "change of the maps while the gyros warm",
+    "environment": "sensitivity of the maps to specific force, heating and fast turning",
     "drift": "the patterns' own drift",
     "accelerometers": "accelerometer biases",
     "noise": "gyro noise: white, flicker, random walk",
-    "alignment": "what aligning does beyond first order",
+    "alignment": "second-order error of the alignment",
 }
-"""Of the flown error, which they sum up to as vectors."""
+"""Parts of the flown error, which is their sum as vectors."""
 
 TRIAD, CALIBRATION, MISSION, CLASS = "triad", "calibration", "mission", "mission_class"
 HALF, HOURS = "half", "hours"
@@ -85,38 +98,38 @@ GYROS_FLOWN, GYROS_FITTED = "gyros_flown_rms_over_angles_m", "gyros_fitted_rms_o
 GYROS_FIXED, GYROS_CIRCUMFERENCE = "gyros_fixed_stability_deg_h", "gyros_circumference_deg_h"
 
 GROWTH_STEP_HOURS = 1 / 6
-"""Between the elements of `GROWTH`; the first stands one step after the alignment."""
+"""Time between the elements of `GROWTH`; the first is one step after the alignment."""
 
 
-def part(name: str, axis: str) -> str:
-    """Column of a part of the flown error along an axis, "north" or "east"."""
+def name_part(name: str, axis: str) -> str:
+    """The column of a part of the flown error along an axis, "north" or "east"."""
     return f"{name}_{axis}_m"
 
 
 COLUMNS = (
     Column(TRIAD, "int", "1", "number of the triad, from 0"),
-    Column(CALIBRATION, "text", "", "by the maker: mean (bias and scale factor) or map"),
+    Column(CALIBRATION, "text", "", "what the maker calibrates: mean or map"),
     Column(MISSION, "text", "", "name of the mission"),
-    Column(CLASS, "text", "", "of the mission: car, ship, ..."),
+    Column(CLASS, "text", "", "mission class: car, ship, ..."),
     Column(HALF, "text", "", "train, or test: triads and classes that no predictor was made on"),
-    Column(HOURS, "number", "h", "of navigation when the error is judged"),
+    Column(HOURS, "number", "h", "time of navigation at which the error is judged"),
     Column(FLOWN_NORTH, "number", "m", "position error north, navigated less true"),
     Column(FLOWN_EAST, "number", "m", "position error east"),
     Column(FLOWN_RADIAL, "number", "m", "horizontal position error"),
     *(
-        Column(part(name, axis), "number", "m", f"{axis} part of the error: {what}")
+        Column(name_part(name, axis), "number", "m", f"{axis} part of the error: {what}")
         for name, what in PARTS.items()
         for axis in ("north", "east")
     ),
     Column(GROWTH, "numbers", "m", "horizontal position error every 10 min of navigation"),
     Column(RMS_OVER_ANGLES, "number", "m", "rms horizontal error over power-on angles"),
     Column(COSIMULATED, "number", "m", "horizontal error of the co-simulation; NaN where not done"),
-    Column(FIXED_STABILITY, "number", "deg/h", "bench: fixed-position stability, rms of the three"),
-    Column(CIRCUMFERENCE_STABILITY, "number", "deg/h", "bench: full circumference, rms of three"),
+    Column(FIXED_STABILITY, "number", "deg/h", "bench: fixed-position stability, rms of the gyros"),
+    Column(CIRCUMFERENCE_STABILITY, "number", "deg/h", "bench: full-circumference stability, rms"),
     Column(MAP_RMS, "number", "deg/h", "bench: rms of the fitted bias maps over the circumference"),
     Column(UNPREDICTABLE, "number", "m", "rms error by drift of maps, noise and accelerometers"),
-    Column(GYROS_FLOWN, "numbers", "m", "rms error over power-on angles and mountings, each gyro"),
-    Column(GYROS_FITTED, "numbers", "m", "the same of the bench's maps"),
+    Column(GYROS_FLOWN, "numbers", "m", "each gyro: rms error over power-on angles and mountings"),
+    Column(GYROS_FITTED, "numbers", "m", "each gyro: the same rms error by the bench's maps"),
     Column(GYROS_FIXED, "numbers", "deg/h", "bench: fixed-position stability of each gyro"),
     Column(GYROS_CIRCUMFERENCE, "numbers", "deg/h", "bench: full-circumference stability of each"),
     *(

@@ -1,4 +1,4 @@
-"""study.parquet: columns as `columns.py` has them, their units in fields' metadata."""
+"""study.parquet: the columns of `columns.py`, with their units in the metadata."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -9,7 +9,7 @@ import pyarrow.parquet as pq
 
 from ins_eval.study.tables.columns import COLUMNS, Column
 
-KINDS = {
+ARROW_TYPES = {
     "int": pa.int64(),
     "text": pa.string(),
     "number": pa.float64(),
@@ -18,33 +18,33 @@ KINDS = {
 
 
 TABLE = "study.parquet"
-ROWS = 4096
-"""Of a row group."""
+ROW_GROUP_SIZE = 4096
+"""Rows of a row group."""
 
 
-def schema() -> pa.Schema:
-    """Of every column, with `unit` and `what`."""
-    return pa.schema([_field(column) for column in COLUMNS])
+def make_schema() -> pa.Schema:
+    """Schema of the table; the metadata of each column are `unit` and `what`."""
+    return pa.schema([_make_field(column) for column in COLUMNS])
 
 
-def table(columns: Mapping[str, Sequence[Any]]) -> pa.Table:
-    """Rows from the columns' values, by name; exactly those of `schema`.
+def make_table(columns: Mapping[str, Sequence[Any]]) -> pa.Table:
+    """The table from the values of all columns, by name.
 
     Raises:
         ValueError: a column is missing, unknown, or of another length.
     """
-    wanted = schema()
+    wanted = make_schema()
     if differ := set(columns) ^ set(wanted.names):
         raise ValueError(f"columns: found {sorted(columns)}, differing in {sorted(differ)}")
     arrays = [pa.array(columns[field.name], field.type) for field in wanted]
     return pa.Table.from_arrays(arrays, schema=wanted)
 
 
-def write(rows: pa.Table, path: Path) -> None:
-    """The same bytes of the same rows, with the same library."""
-    pq.write_table(rows, path, row_group_size=ROWS)
+def write_table(rows: pa.Table, path: Path) -> None:
+    """Write a table; the same rows and library give the same bytes."""
+    pq.write_table(rows, path, row_group_size=ROW_GROUP_SIZE)
 
 
-def _field(column: Column) -> pa.Field:
+def _make_field(column: Column) -> pa.Field:
     metadata = {"unit": column.unit, "what": column.what}
-    return pa.field(column.name, KINDS[column.kind], metadata=metadata)
+    return pa.field(column.name, ARROW_TYPES[column.kind], metadata=metadata)

@@ -1,1 +1,1 @@
-"""The small study, its verdict on the terminal and a figure: which bench test told the truth."""
+"""The validation: a preset of the study with one test mission, and files of its result."""

@@ -1,1 +1,1 @@
-"""What a vehicle can do, one kind a file."""
+"""Manoeuvres and overlays, one kind a file."""

@@ -1,4 +1,4 @@
-"""What a manoeuvre is: profiles of speed, turn, climb and roll that begin where the last ended."""
+"""Manoeuvres: profiles of speed, turn, climb and roll that continue those of the one before."""
 
 import math
 from abc import ABC, abstractmethod
@@ -13,7 +13,7 @@ ZERO = Steps(0.0)
 
 @dataclass(frozen=True)
 class Entry:
-    """How a vehicle enters a manoeuvre: m/s, rad, rad; local gravity, m/s^2."""
+    """State at a manoeuvre's beginning: speed, m/s; climb angle and roll, rad; gravity, m/s^2."""
 
     speed: float
     climb_angle: float
@@ -23,11 +23,11 @@ class Entry:
 
 @dataclass(frozen=True)
 class Leg:
-    """A manoeuvre from its entry: functions of the time since, s.
+    """A manoeuvre from its entry, as functions of the time since then, s.
 
     speed: along the path, m/s; climb_angle: of the path, rad; turn_rate: of the path's heading,
-    rad/s, beside what a great circle asks for; roll: beside the bank, rad; lean: the bank as a
-    share of that of a coordinated turn.
+    rad/s, in addition to that of a great circle; roll: in addition to the bank, rad; lean: ratio of
+    the bank to that of a coordinated turn.
     """
 
     duration: float
@@ -41,11 +41,11 @@ class Leg:
 
     @property
     def signals(self) -> tuple[Signal, ...]:
-        """All of them."""
+        """All signals of the leg."""
         return self.speed, self.climb_angle, self.roll, self.turn_rate
 
     def exit(self) -> Entry:
-        """How the next manoeuvre is entered."""
+        """Return the state in which the next manoeuvre begins."""
         return Entry(
             speed=float(self.speed(self.duration)),
             climb_angle=float(self.climb_angle(self.duration)),
@@ -60,15 +60,15 @@ class Manoeuvre(Checked, ABC):
 
     @abstractmethod
     def leg(self, entry: Entry) -> Leg:
-        """Its profiles.
+        """Return the manoeuvre's profiles.
 
         Raises:
-            TrajectoryError: it can't be entered like this.
+            TrajectoryError: the manoeuvre can't be entered in this state.
         """
 
 
-def held(entry: Entry, duration: float, **changes: object) -> Leg:
-    """A leg on which everything stays as it was at the entry, but for the changes."""
+def make_leg(entry: Entry, duration: float, **changes: object) -> Leg:
+    """Make a leg on which all signals keep their values at the entry, except those in `changes`."""
     signals: dict[str, object] = {
         "speed": Steps(entry.speed),
         "climb_angle": Steps(entry.climb_angle),
@@ -78,7 +78,7 @@ def held(entry: Entry, duration: float, **changes: object) -> Leg:
 
 
 def horizontal_speed(entry: Entry) -> float:
-    """Of a vehicle that is to turn on its path, m/s.
+    """Return the speed over ground, m/s, of a vehicle that is about to turn.
 
     Raises:
         TrajectoryError: it stands, or goes straight up.
@@ -91,11 +91,11 @@ def horizontal_speed(entry: Entry) -> float:
     return speed
 
 
-def must_stand(entry: Entry) -> None:
-    """Refuse a vehicle that moves.
+def check_standing(entry: Entry) -> None:
+    """Check that the vehicle stands.
 
     Raises:
-        TrajectoryError: says how fast.
+        TrajectoryError: it moves.
     """
     if abs(entry.speed) > 1e-9:
         raise TrajectoryError(f"speed: found {entry.speed:g} m/s, expected 0: the vehicle stands")

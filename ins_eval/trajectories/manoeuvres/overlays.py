@@ -1,4 +1,4 @@
-"""Motion that goes on beside the manoeuvres: the sea's sway, a road's hills."""
+"""Overlays: motion that is added to the manoeuvres, such as sway at sea or hills of a road."""
 
 import math
 from abc import ABC, abstractmethod
@@ -10,14 +10,13 @@ from ins_eval.trajectories.keys import Checked, quantity, whole
 from ins_eval.trajectories.manoeuvres.manoeuvre import ZERO
 from ins_eval.trajectories.manoeuvres.signals import Product, Signal, Sine, Step, Steps, lobe
 
-SPREAD = 0.3
-"""Periods of a seaway's waves: within this share of the mean period."""
+PERIOD_SPREAD = 0.3
+"""Half width of the range of a seaway's wave periods, relative to the mean period. Chosen."""
 
 
 @dataclass(frozen=True)
-class Motion:
-    """Functions of mission time that add to the path's climb angle (rad), the attitude (rad), and
-    the height (m)."""
+class OverlayMotion:
+    """Functions of mission time that are added to climb angle, attitude (rad) and height (m)."""
 
     climb_angle: Signal = ZERO
     roll: Signal = ZERO
@@ -27,24 +26,24 @@ class Motion:
 
     @property
     def signals(self) -> tuple[Signal, ...]:
-        """All of them."""
+        """All signals of the motion."""
         return self.climb_angle, self.roll, self.pitch, self.yaw, self.heave
 
 
 @dataclass(frozen=True, kw_only=True)
 class Overlay(Checked, ABC):
-    """Motion from `start` on, for `duration` or to the end; it swells and fades within `ramp`."""
+    """Motion from `start`, for `duration` or to the end, which grows and fades within `ramp`."""
 
     start: float = quantity("s", 0, 1e6, 0)
     duration: float | None = quantity("s", 1, 1e6, None)
     ramp: float = quantity("s", 1, 1e4, 60)
 
     @abstractmethod
-    def motion(self) -> Motion:
-        """What it adds."""
+    def motion(self) -> OverlayMotion:
+        """Return the motion that the overlay adds."""
 
     def envelope(self) -> Steps:
-        """From 0 to 1 and back."""
+        """Return the factor that rises from 0 to 1 and, if the overlay ends, falls back to 0."""
         if self.duration is None:
             return Steps(0.0, (Step(self.start, self.ramp, 1.0),))
         ramp = min(self.ramp, self.duration / 2)
@@ -53,10 +52,11 @@ class Overlay(Checked, ABC):
 
 @dataclass(frozen=True, kw_only=True)
 class Sway(Overlay):
-    """A seaway's roll, pitch, yaw and heave.
+    """Roll, pitch, yaw and heave in a seaway.
 
-    Without a seed each is one sine of the amplitude and period, at `phase`. With a seed each is a
-    sum of `waves` sines of random phases and of periods within 30 % of the period, of the same rms.
+    Without a seed each is one sine of the given amplitude and period, with phase `phase`. With a
+    seed each is a sum of `waves` sines with random phases and with periods within 30 % of the given
+    one; its rms is the same.
     """
 
     roll: float = quantity("deg", 0, 45, 0)
@@ -71,17 +71,17 @@ class Sway(Overlay):
     seed: int | None = whole(0, 2**63 - 1, None)
     waves: int = whole(1, 100, 7)
 
-    def motion(self) -> Motion:
+    def motion(self) -> OverlayMotion:
         random = None if self.seed is None else np.random.default_rng(self.seed)
         names = ("roll", "pitch", "yaw", "heave")
-        return Motion(**{name: self._signal(name, random) for name in names})
+        return OverlayMotion(**{name: self._signal(name, random) for name in names})
 
     def _signal(self, name: str, random: np.random.Generator | None) -> Signal:
         amplitude, period = getattr(self, name), getattr(self, f"{name}_period")
         sines: tuple[Sine, ...] = (Sine(amplitude, 2 * math.pi / period, self.phase),)
         if random is not None:
             phases = random.uniform(0, 2 * math.pi, self.waves)
-            periods = period * random.uniform(1 - SPREAD, 1 + SPREAD, self.waves)
+            periods = period * random.uniform(1 - PERIOD_SPREAD, 1 + PERIOD_SPREAD, self.waves)
             each = amplitude / math.sqrt(self.waves)
             sines = tuple(
                 Sine(each, 2 * math.pi / float(T), float(phase))
@@ -92,11 +92,11 @@ class Sway(Overlay):
 
 @dataclass(frozen=True, kw_only=True)
 class Hills(Overlay):
-    """The path climbs and falls sinusoidally in time."""
+    """The climb angle varies as a sine of time."""
 
     climb_angle: float = quantity("deg", 0, 30)
     period: float = quantity("s", 1, 1e5)
 
-    def motion(self) -> Motion:
+    def motion(self) -> OverlayMotion:
         sine = Sine(self.climb_angle, 2 * math.pi / self.period)
-        return Motion(climb_angle=Product(self.envelope(), (sine,)))
+        return OverlayMotion(climb_angle=Product(self.envelope(), (sine,)))

@@ -1,4 +1,4 @@
-"""Smooth functions of time from which manoeuvres are made."""
+"""Smooth functions of time of which manoeuvres consist."""
 
 import math
 from dataclasses import dataclass
@@ -12,18 +12,19 @@ class Signal(Protocol):
 
     @property
     def breaks(self) -> tuple[float, ...]:
-        """Times at which a higher derivative jumps, s."""
+        """Times at which a higher derivative is not continuous, s."""
 
     @property
     def scale(self) -> float:
-        """Time within which it changes, s."""
+        """Shortest time within which the signal changes, s."""
 
     def __call__(self, time: Any) -> Any:
-        """Value at a time or at times (n,)."""
+        """Return the value at a time or at times (n,), s."""
 
 
 def smooth_step(s: Any) -> Any:
-    """From 0 at s <= 0 to 1 at s >= 1, first and second derivative 0 at both ends."""
+    """Return the polynomial step from 0 at s <= 0 to 1 at s >= 1 whose first and second derivatives
+    are 0 at both ends."""
     s = np.minimum(np.maximum(s, 0.0), 1.0)
     return s * s * s * (10 + s * (6 * s - 15))
 
@@ -76,7 +77,7 @@ class Sine:
 
 @dataclass(frozen=True)
 class Product:
-    """One signal as the envelope of the sum of others."""
+    """An envelope times a sum of sines."""
 
     envelope: Steps
     parts: tuple[Sine, ...]
@@ -94,10 +95,13 @@ class Product:
 
 
 def step_to(initial: float, final: float, length: float, start: float = 0.0) -> Steps:
-    """One smooth change from one value to another."""
+    """Return one smooth change from a value to another."""
     return Steps(initial, (Step(start, length, final - initial),))
 
 
 def lobe(height: float, ramp: float, hold: float, start: float = 0.0) -> tuple[Step, Step]:
-    """From 0 to `height` within `ramp`, there for `hold`, and back; area height (ramp + hold)."""
+    """Return the steps from 0 to `height` within `ramp`, s, and back after `hold`, s.
+
+    The area is height (ramp + hold).
+    """
     return Step(start, ramp, height), Step(start + ramp + hold, ramp, -height)

@@ -1,30 +1,36 @@
-"""Manoeuvres that keep to their course: rest, straight, accelerate, roll; and a turntable."""
+"""Manoeuvres without a turn of the path: rest, straight, accelerate, roll; and a turntable."""
 
 from dataclasses import dataclass
 
 from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.keys import choice, quantity
-from ins_eval.trajectories.manoeuvres.manoeuvre import Entry, Leg, Manoeuvre, held, must_stand
+from ins_eval.trajectories.manoeuvres.manoeuvre import (
+    Entry,
+    Leg,
+    Manoeuvre,
+    check_standing,
+    make_leg,
+)
 from ins_eval.trajectories.manoeuvres.signals import Steps, lobe, step_to
 
 
 @dataclass(frozen=True, kw_only=True)
 class Rest(Manoeuvre):
-    """Stands still."""
+    """The vehicle stands still."""
 
     duration: float = quantity("s", 0.1, 1e6)
 
     def leg(self, entry: Entry) -> Leg:
-        must_stand(entry)
-        return held(entry, self.duration)
+        check_standing(entry)
+        return make_leg(entry, self.duration)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Straight(Manoeuvre):
-    """Goes on: with the same heading (rhumb line), or without turning (great circle).
+    """Continues at constant speed with constant heading (rhumb line) or on a great circle.
 
-    The great circle is the geodesic of the surface at its height: Clairaut's relation,
-    (N + h) cos(latitude) sin(heading) constant, has the heading turn by
+    The great circle is the geodesic of the surface at its height. By Clairaut's relation,
+    (N + h) cos(latitude) sin(heading) is constant, so that the heading turns at the rate
     v tan(latitude) sin(heading) / (N + h).
     """
 
@@ -32,43 +38,43 @@ class Straight(Manoeuvre):
     path: str = choice("rhumb", "great-circle")
 
     def leg(self, entry: Entry) -> Leg:
-        return held(entry, self.duration, great_circle=self.path == "great-circle")
+        return make_leg(entry, self.duration, great_circle=self.path == "great-circle")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Accelerate(Manoeuvre):
-    """Changes speed smoothly along its path, up or down; peak acceleration 1.875 of the mean."""
+    """Changes the speed smoothly; the peak acceleration is 1.875 times the mean."""
 
     speed: float = quantity("m_s", 0, 4000)
     duration: float = quantity("s", 0.1, 1e6)
 
     def leg(self, entry: Entry) -> Leg:
-        return held(entry, self.duration, speed=step_to(entry.speed, self.speed, self.duration))
+        return make_leg(entry, self.duration, speed=step_to(entry.speed, self.speed, self.duration))
 
 
 @dataclass(frozen=True, kw_only=True)
 class Roll(Manoeuvre):
-    """Rolls about the path, to the right if positive; 360 deg is once around."""
+    """Rolls about the path, to the right if positive; 360 deg is one full roll."""
 
     roll: float = quantity("deg", -3600, 3600, 360)
     duration: float = quantity("s", 0.1, 1e4)
 
     def leg(self, entry: Entry) -> Leg:
-        return held(
+        return make_leg(
             entry, self.duration, roll=step_to(entry.roll, entry.roll + self.roll, self.duration)
         )
 
 
 @dataclass(frozen=True, kw_only=True)
 class Turntable(Manoeuvre):
-    """At rest, turned about its vertical by an angle, at a rate reached within `ramp`."""
+    """Turns about the vertical at rest, by an angle, at a rate that is reached within `ramp`."""
 
     turn: float = quantity("deg", -36_000, 36_000)
     rate: float = quantity("deg_s", 0.001, 1000)
     ramp: float = quantity("s", 0.1, 100, 1)
 
     def leg(self, entry: Entry) -> Leg:
-        must_stand(entry)
+        check_standing(entry)
         hold = abs(self.turn) / self.rate - self.ramp
         if hold < 0:
             raise TrajectoryError(
@@ -76,7 +82,7 @@ class Turntable(Manoeuvre):
                 f"expected at least ramp_s, {self.ramp:g} s: turn further, or slower"
             )
         rate = self.rate if self.turn > 0 else -self.rate
-        return held(
+        return make_leg(
             entry,
             hold + 2 * self.ramp,
             turn_rate=Steps(0.0, lobe(rate, self.ramp, hold)),

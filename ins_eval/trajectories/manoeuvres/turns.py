@@ -1,8 +1,8 @@
 """Manoeuvres that turn.
 
-In a coordinated turn the specific force stays in the plane of symmetry: with the rate of turn w,
-tan(bank) = v w / g, and the radius is v^2 / (g tan(bank)).
-The rate of turn is ramped, so that roll rates are smooth.
+In a coordinated turn the specific force stays in the vehicle's plane of symmetry: at turn rate w
+and speed v, tan(bank) = v w / g, and the radius is v^2 / (g tan(bank)). The turn rate is ramped, so
+that roll rates are smooth.
 """
 
 import math
@@ -12,7 +12,13 @@ import numpy as np
 from scipy.optimize import brentq
 
 from ins_eval.trajectories.keys import choice, quantity, required_choice
-from ins_eval.trajectories.manoeuvres.manoeuvre import Entry, Leg, Manoeuvre, held, horizontal_speed
+from ins_eval.trajectories.manoeuvres.manoeuvre import (
+    Entry,
+    Leg,
+    Manoeuvre,
+    horizontal_speed,
+    make_leg,
+)
 from ins_eval.trajectories.manoeuvres.signals import Product, Sine, Step, Steps, lobe
 
 SIDES = {"right": 1.0, "left": -1.0}
@@ -20,8 +26,11 @@ SIDES = {"right": 1.0, "left": -1.0}
 
 @dataclass(frozen=True, kw_only=True)
 class Turn(Manoeuvre):
-    """A turn within a given time. `lean` is the bank as a share of the coordinated one: 0 stays
-    level, below 0 leans out, as a car does."""
+    """A turn by an angle within a given time.
+
+    `lean` is the ratio of the bank to that of a coordinated turn: 0 stays level, below 0 leans out,
+    as a car does.
+    """
 
     turn: float = quantity("deg", -3600, 3600)
     duration: float = quantity("s", 0.1, 1e5)
@@ -31,14 +40,14 @@ class Turn(Manoeuvre):
         horizontal_speed(entry)
         ramp = self.duration / 3
         rate = self.turn / (2 * ramp)
-        return held(
+        return make_leg(
             entry, self.duration, turn_rate=Steps(0.0, lobe(rate, ramp, ramp)), lean=self.lean
         )
 
 
 @dataclass(frozen=True, kw_only=True)
 class CoordinatedTurn(Manoeuvre):
-    """A turn at a bank; positive to the right. A turn too small for its bank is flown at less."""
+    """A turn at a bank angle, positive to the right; a small turn is flown at a smaller bank."""
 
     turn: float = quantity("deg", -3600, 3600)
     bank: float = quantity("deg", 0.1, 80, 25)
@@ -46,7 +55,7 @@ class CoordinatedTurn(Manoeuvre):
 
     def leg(self, entry: Entry) -> Leg:
         steps = _turn(self.turn, _rate(entry, self.bank), self.ramp)
-        return held(entry, _end(steps), turn_rate=Steps(0.0, steps))
+        return make_leg(entry, _end(steps), turn_rate=Steps(0.0, steps))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -64,7 +73,7 @@ class UTurn(Manoeuvre):
 
 @dataclass(frozen=True, kw_only=True)
 class STurn(Manoeuvre):
-    """A coordinated turn, positive to the right, and the same back, to the heading before."""
+    """A coordinated turn, positive to the right, and the same turn back to the first heading."""
 
     turn: float = quantity("deg", -170, 170)
     bank: float = quantity("deg", 0.1, 80, 25)
@@ -73,12 +82,12 @@ class STurn(Manoeuvre):
     def leg(self, entry: Entry) -> Leg:
         out = _turn(self.turn, _rate(entry, self.bank), self.ramp)
         steps = _and_back(out)
-        return held(entry, _end(steps), turn_rate=Steps(0.0, steps))
+        return make_leg(entry, _end(steps), turn_rate=Steps(0.0, steps))
 
 
 @dataclass(frozen=True, kw_only=True)
 class FigureEight(Manoeuvre):
-    """Two coordinated loops, the first to the given side; ends where it began."""
+    """Two coordinated loops, the first to the given side, that end where they began."""
 
     bank: float = quantity("deg", 0.1, 80, 25)
     ramp: float = quantity("s", 0.1, 100, 4)
@@ -88,15 +97,15 @@ class FigureEight(Manoeuvre):
         rate = _rate(entry, self.bank)
         angle = SIDES[self.side] * _closing_angle(rate, self.ramp)
         steps = _and_back(_turn(angle, rate, self.ramp))
-        return held(entry, _end(steps), turn_rate=Steps(0.0, steps))
+        return make_leg(entry, _end(steps), turn_rate=Steps(0.0, steps))
 
 
 @dataclass(frozen=True, kw_only=True)
 class Weave(Manoeuvre):
-    """Heading swings sinusoidally about the course, coordinated: heading * sin(2 pi t / period).
+    """Coordinated weaving: the heading swings about the course by heading * sin(2 pi t / period).
 
-    With `ramp` 0 it is entered at its full rate of turn, as only a mission's first manoeuvre can
-    be, or one after a weave of the same kind; otherwise the weave swells and fades.
+    With `ramp` 0 it begins at its full turn rate. Only a mission's first manoeuvre can do so, or
+    one after a weave of the same kind. Otherwise the weave grows and fades within `ramp`.
     """
 
     heading: float = quantity("deg", -90, 90)
@@ -109,10 +118,10 @@ class Weave(Manoeuvre):
         frequency = 2 * math.pi / self.period
         swing = Sine(self.heading * frequency, frequency, math.pi / 2)
         if self.ramp == 0:
-            return held(entry, self.duration, turn_rate=swing)
+            return make_leg(entry, self.duration, turn_rate=swing)
         ramp = min(self.ramp, self.duration / 2)
         envelope = Steps(0.0, lobe(1.0, ramp, self.duration - 2 * ramp))
-        return held(entry, self.duration, turn_rate=Product(envelope, (swing,)))
+        return make_leg(entry, self.duration, turn_rate=Product(envelope, (swing,)))
 
 
 def _rate(entry: Entry, bank: float) -> float:
@@ -120,7 +129,7 @@ def _rate(entry: Entry, bank: float) -> float:
 
 
 def _turn(angle: float, rate: float, ramp: float) -> tuple[Step, ...]:
-    """Rate of turn that goes through the angle at a rate or, if the angle is small, at less."""
+    """Return the steps of a turn rate that turns by an angle; a small one at less than `rate`."""
     hold = max(abs(angle) / rate - ramp, 0.0)
     return lobe(angle / (ramp + hold), ramp, hold)
 
@@ -135,13 +144,13 @@ def _end(steps: tuple[Step, ...]) -> float:
 
 
 def _closing_angle(rate: float, ramp: float) -> float:
-    """Angle of a loop that ends where it began; 360 deg, but for its ramps."""
+    """Return the angle, rad, of a loop that ends where it began; without ramps it is 2 pi."""
     points, weights = np.polynomial.legendre.leggauss(40)
     s = 0.5 * (points + 1)
     swept = ramp * (s - s**4 * (2.5 + s * (s - 3)))
 
     def half_chord(angle: float) -> float:
-        """Way made good from the loop's middle on: the arc of the hold, then the ramp."""
+        """Return half the distance from start to end per speed, s: arc of the hold, then ramp."""
         turn_rate = min(rate, angle / ramp)
         arc = 0.5 * (angle - turn_rate * ramp)
         on_ramp = 0.5 * ramp * float(weights @ np.cos(arc + turn_rate * swept))

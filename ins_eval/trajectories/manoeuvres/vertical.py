@@ -8,15 +8,15 @@ from scipy.optimize import brentq
 
 from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.keys import quantity
-from ins_eval.trajectories.manoeuvres.manoeuvre import Entry, Leg, Manoeuvre, held
+from ins_eval.trajectories.manoeuvres.manoeuvre import Entry, Leg, Manoeuvre, make_leg
 from ins_eval.trajectories.manoeuvres.signals import Step, Steps, lobe, smooth_step, step_to
 
 
 @dataclass(frozen=True, kw_only=True)
 class Climb(Manoeuvre):
-    """From level flight to level flight, higher or, if the change is negative, lower.
+    """A change of height from level flight to level flight, downward if it is negative.
 
-    A change too small for the climb angle is flown at less of it.
+    A small change is flown at a smaller climb angle.
     """
 
     height_change: float = quantity("m", -50_000, 50_000)
@@ -31,29 +31,31 @@ class Climb(Manoeuvre):
             )
         rise = abs(self.height_change) / entry.speed
         angle, hold = self.climb_angle, 0.0
-        if _ramped(angle, self.ramp) <= rise:
-            hold = (rise - _ramped(angle, self.ramp)) / math.sin(angle)
+        if _rise_on_ramps(angle, self.ramp) <= rise:
+            hold = (rise - _rise_on_ramps(angle, self.ramp)) / math.sin(angle)
         else:
-            angle = float(brentq(lambda a: _ramped(a, self.ramp) - rise, 0.0, angle, xtol=1e-15))
+            angle = float(
+                brentq(lambda a: _rise_on_ramps(a, self.ramp) - rise, 0.0, angle, xtol=1e-15)
+            )
         steps = lobe(math.copysign(angle, self.height_change), self.ramp, hold)
-        return held(entry, hold + 2 * self.ramp, climb_angle=Steps(0.0, steps))
+        return make_leg(entry, hold + 2 * self.ramp, climb_angle=Steps(0.0, steps))
 
 
 @dataclass(frozen=True, kw_only=True)
 class Pitch(Manoeuvre):
-    """Pulls up or pushes over to a climb angle."""
+    """Changes the climb angle, up or down."""
 
     climb_angle: float = quantity("deg", -80, 90)
     duration: float = quantity("s", 0.1, 1e4)
 
     def leg(self, entry: Entry) -> Leg:
         profile = step_to(entry.climb_angle, self.climb_angle, self.duration)
-        return held(entry, self.duration, climb_angle=profile)
+        return make_leg(entry, self.duration, climb_angle=profile)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Boost(Manoeuvre):
-    """A launch straight up: accelerates all the time, and pitches over after `vertical`."""
+    """A vertical launch: accelerates for `duration`, and pitches over after `vertical`."""
 
     speed: float = quantity("m_s", 1, 4000)
     duration: float = quantity("s", 1, 1000)
@@ -73,7 +75,7 @@ class Boost(Manoeuvre):
                 f"duration_s, {self.duration:g}"
             )
         pitch_over = Step(self.vertical, over, self.climb_angle - entry.climb_angle)
-        return held(
+        return make_leg(
             entry,
             self.duration,
             speed=step_to(entry.speed, self.speed, self.duration),
@@ -81,7 +83,7 @@ class Boost(Manoeuvre):
         )
 
 
-def _ramped(angle: float, ramp: float) -> float:
-    """Rise per speed on the two ramps to a climb angle and back, s."""
+def _rise_on_ramps(angle: float, ramp: float) -> float:
+    """Return the rise on the two ramps to a climb angle and back, per speed, s."""
     points, weights = np.polynomial.legendre.leggauss(30)
     return ramp * float(weights @ np.sin(angle * smooth_step(0.5 * (points + 1))))

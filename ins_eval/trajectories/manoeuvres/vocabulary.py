@@ -1,4 +1,4 @@
-"""All manoeuvres and overlays by the word that names them in files."""
+"""All manoeuvres and overlays by their `kind` in mission files."""
 
 from ins_eval.trajectories.manoeuvres.manoeuvre import Manoeuvre
 from ins_eval.trajectories.manoeuvres.overlays import Hills, Overlay, Sway

@@ -1,4 +1,4 @@
-"""What bias tests have in common: runs, stability and repeatability, findings."""
+"""Bias stability and repeatability over runs, as the paper defines them (4.1)."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -6,18 +6,21 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.outcome import Finding, deviation_finding, mean_finding
+from pyhrg.bench.outcome import Finding, estimate_deviation, estimate_mean
 from pyhrg.bench.readings.segments import Segments
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG_PER_H
 
 RUNS = 7
-"""Power-ons of a test (paper 4.1, item 4)."""
+"""Number of power-ons of a test (paper 4.1, item 4)."""
 
 
 @dataclass(frozen=True)
 class BiasRun:
-    """One power-on: its 100 s means, rad/s, Earth's rate taken out."""
+    """One power-on.
+
+    points: (n,) means over 100 s, rad/s, without Earth's rate.
+    """
 
     points: NDArray[np.float64]
 
@@ -34,13 +37,13 @@ class BiasRun:
 
 @dataclass(frozen=True)
 class BiasTest:
-    """Result of a bias test: runs with the power cycled between them."""
+    """Runs of a bias test, with the power cycled between them."""
 
     runs: tuple[BiasRun, ...]
 
     @property
     def bias(self) -> float:
-        """Mean over all runs, rad/s."""
+        """Mean over the runs, rad/s."""
         return float(np.mean([run.mean for run in self.runs]))
 
     @property
@@ -56,9 +59,9 @@ class BiasTest:
     def findings(self) -> tuple[Finding, ...]:
         """Bias, stability and repeatability with intervals over runs."""
         return (
-            mean_finding("bias", [run.mean for run in self.runs], "deg/h"),
-            mean_finding("bias stability", [run.deviation for run in self.runs], "deg/h"),
-            deviation_finding("bias repeatability", [run.mean for run in self.runs], "deg/h"),
+            estimate_mean("bias", [run.mean for run in self.runs], "deg/h"),
+            estimate_mean("bias stability", [run.deviation for run in self.runs], "deg/h"),
+            estimate_deviation("bias repeatability", [run.mean for run in self.runs], "deg/h"),
         )
 
     def table(self) -> Table:
@@ -70,6 +73,6 @@ class BiasTest:
         return Table("Runs, deg/h", ("run", "mean", "std. dev."), tuple(rows))
 
 
-def bias_test(runs: Sequence[Segments]) -> BiasTest:
-    """Of the segments of each run."""
+def summarize_runs(runs: Sequence[Segments]) -> BiasTest:
+    """Bias test from the data points of each run."""
     return BiasTest(tuple(BiasRun(segments.rate) for segments in runs))

@@ -1,4 +1,4 @@
-"""What changed between two groups of power-ons."""
+"""Changes between two groups of power-ons, with 95 % intervals."""
 
 from collections.abc import Sequence
 
@@ -10,15 +10,20 @@ from pyhrg.bench.bias.circumference import Circumference
 from pyhrg.bench.outcome import Finding
 
 
-def change_finding(
+def estimate_change(
     name: str, before: ArrayLike, after: ArrayLike, unit: str, note: str = ""
 ) -> Finding:
-    """Mean of `after` less mean of `before`, both independent normal samples, Welch's interval."""
+    """Mean of `after` less mean of `before`, with Welch's interval.
+
+    Args:
+        name, unit, note: of the finding.
+        before, after: independent normal samples, SI.
+    """
     x, y = np.asarray(before, dtype=float), np.asarray(after, dtype=float)
     value, n = float(np.mean(y) - np.mean(x)), len(x) + len(y)
     if min(len(x), len(y)) < 2:
-        few = f"{len(x)} and {len(y)} power-ons: at least 2 each for an interval"
-        return Finding(name, value, unit, n=n, note=few)
+        reason = f"{len(x)} and {len(y)} power-ons: at least 2 each for an interval"
+        return Finding(name, value, unit, n=n, note=reason)
     parts = np.array([np.var(x, ddof=1) / len(x), np.var(y, ddof=1) / len(y)])
     total = float(np.sum(parts))
     if total == 0.0:
@@ -28,10 +33,10 @@ def change_finding(
     return Finding(name, value, unit, value - reach, value + reach, n, note)
 
 
-def noise_ratio_finding(
+def estimate_noise_ratio(
     name: str, before: Sequence[Circumference], during: Sequence[Circumference]
 ) -> Finding:
-    """Standard deviation of what the fits leave, during over before, F interval."""
+    """Ratio of the fits' residual standard deviations, during over before, with an F interval."""
     m, n = (sum(run.fitted.freedom for run in runs) for runs in (before, during))
     x, y = (sum(run.noise for run in runs) / free for runs, free in ((before, m), (during, n)))
     if x <= 0:

@@ -10,26 +10,26 @@ from collections.abc import Sequence
 from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias.bias_test import RUNS, bias_test
+from pyhrg.bench.bias.bias_test import RUNS, summarize_runs
 from pyhrg.bench.bias.position import full_circumference
-from pyhrg.bench.bias.position.full_circumference import SEGMENTS, power_ons, runs_of
-from pyhrg.bench.bias.position.position_variances import within_finding
+from pyhrg.bench.bias.position.full_circumference import SEGMENTS, make_power_ons, read_runs
+from pyhrg.bench.bias.position.position_variances import estimate_within
 from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.calibration.calibration_figure import draw
 from pyhrg.bench.calibration.calibration_maps import (
     Calibration,
-    angle_map,
-    calibrated,
-    calibration,
-    plain,
-    turned,
+    add_maps,
+    fit_maps,
+    list_coefficients,
+    make_angle_map,
+    turn_map,
 )
-from pyhrg.bench.calibration.stages import of_stage, stage_bench, staged
-from pyhrg.bench.outcome import Finding, Outcome, mean_finding
-from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.calibration.stages import label_stage, select_stage, stage_bench
+from pyhrg.bench.outcome import Finding, Outcome, estimate_mean
+from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.readings.segments import Segments
 from pyhrg.bench.scale_factor import rate_tests
-from pyhrg.bench.scale_factor.rate_tests import exclusions, turn_power_ons
+from pyhrg.bench.scale_factor.rate_tests import list_turn_exclusions, make_turn_power_ons
 from pyhrg.bench.scale_factor.scale_factor import SCALE
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
@@ -41,9 +41,9 @@ STAGES = {AFTER: "after", CONTROL: "with a wrong map"}
 AWAY = 45 * DEG
 """Pattern axes of the gyro whose maps the control applies, from those of this one, rad."""
 RATE = 15 * DEG
-"""Of the turns, rad/s: fast enough that the random walk hardly disturbs the angle."""
+"""Rate of the turns, rad/s: fast enough that the random walk hardly disturbs the angle."""
 PERIODS = 8
-"""Of a turn each way: seven turns of the table tell its tilt from the bias."""
+"""Periods of a turn each way: over seven turns of the table its tilt separates from the bias."""
 KINDS = (full_circumference.KIND, rate_tests.KIND)
 
 
@@ -52,48 +52,48 @@ def record(
 ) -> list[Test]:
     """The gyro as it is, with its maps, and with wrong ones: positions and turns both ways."""
     before = measure(bench, plan, runs, segments)
-    found = calibration(bench.campaign(before))
+    found = fit_maps(bench.campaign(before))
     tests = list(before)
     for stage, angle in ((AFTER, 0.0), (CONTROL, AWAY)):
-        device = applied(bench.device, found, angle)
+        device = apply_maps(bench.device, found, angle)
         after = measure(stage_bench(bench, device, stage), plan, runs, segments)
-        tests += staged(after, stage)
+        tests += label_stage(after, stage)
     return tests
 
 
 def measure(bench: Bench, plan: Plan | None, runs: int, segments: int) -> list[Test]:
     """Make the power-ons of `measurements`."""
-    return bench.run(measurements(bench, plan, runs, segments))
+    return bench.run(plan_power_ons(bench, plan, runs, segments))
 
 
-def measurements(bench: Bench, plan: Plan | None, runs: int, segments: int) -> list[PowerOn]:
+def plan_power_ons(bench: Bench, plan: Plan | None, runs: int, segments: int) -> list[PowerOn]:
     """Positions, and turns both ways."""
-    turns = turn_power_ons(bench, RATE, PERIODS, runs)
-    return [*power_ons(bench, plan, runs, segments), *turns]
+    turns = make_turn_power_ons(bench, RATE, PERIODS, runs)
+    return [*make_power_ons(bench, plan, runs, segments), *turns]
 
 
-def applied(device: Device, found: Calibration, angle: float = 0.0) -> Device:
+def apply_maps(device: Device, found: Calibration, angle: float = 0.0) -> Device:
     """The gyro with the maps found in its electronics, turned by an angle of pattern, rad."""
-    maps = [turned(angle_map(m), angle) for m in (found.bias_map, found.scale_factor_map)]
-    return calibrated(device, maps[0], maps[1], found.scale_factor)
+    maps = [turn_map(make_angle_map(m), angle) for m in (found.bias_map, found.scale_factor_map)]
+    return add_maps(device, maps[0], maps[1], found.scale_factor)
 
 
-def exported(campaign: Campaign, device: Device) -> Device:
+def export_device(campaign: Campaign, device: Device) -> Device:
     """The gyro with the maps that its tests give."""
-    return applied(device, calibration(campaign))
+    return apply_maps(device, fit_maps(campaign))
 
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Maps with intervals; stability over the circumference before and after."""
-    found = calibration(campaign)
-    stages = [(name, of_stage(campaign, stage)) for stage, name in STAGES.items()]
+    found = fit_maps(campaign)
+    stages = [(name, select_stage(campaign, stage)) for stage, name in STAGES.items()]
     measured = {"before": campaign, **{name: tests for name, tests in stages if tests}}
     results = {
-        name: (found if tests is campaign else calibration(tests), runs_of(tests))
+        name: (found if tests is campaign else fit_maps(tests), read_runs(tests))
         for name, tests in measured.items()
     }
     missing = () if "after" in results else (_not_applied(),)
-    findings = [left(name, *result) for name, result in results.items()]
+    findings = [find_residual_variation(name, *result) for name, result in results.items()]
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(
@@ -107,8 +107,8 @@ def evaluate(campaign: Campaign) -> Outcome:
         exclusions=tuple(text for tests in measured.values() for text in _exclusions(tests)),
         draw=lambda figure: draw_stages(figure, results),
         values={
-            "bias_map": plain(angle_map(found.bias_map)),
-            "scale_factor_map": plain(angle_map(found.scale_factor_map)),
+            "bias_map": list_coefficients(make_angle_map(found.bias_map)),
+            "scale_factor_map": list_coefficients(make_angle_map(found.scale_factor_map)),
             "scale_factor": found.scale_factor,
         },
     )
@@ -116,22 +116,24 @@ def evaluate(campaign: Campaign) -> Outcome:
 
 def _exclusions(tests: Campaign) -> tuple[str, ...]:
     """Only a rate test is asked for whole periods: between positions the table turns less."""
-    positions = tests_of(tests, full_circumference.KIND)
-    return (*exclusions_of(positions), *exclusions(tests, rate_tests.KIND))
+    positions = require_tests(tests, full_circumference.KIND)
+    return (*list_exclusions(positions), *list_turn_exclusions(tests, rate_tests.KIND))
 
 
-def left(stage: str, found: Calibration, runs: Sequence[Segments]) -> tuple[Finding, ...]:
+def find_residual_variation(
+    stage: str, found: Calibration, runs: Sequence[Segments]
+) -> tuple[Finding, ...]:
     """What varies over the circumference."""
-    test = bias_test(runs)
+    test = summarize_runs(runs)
     variation = found.rates.variation()
     return (
-        mean_finding(
+        estimate_mean(
             f"bias stability {stage}",
             [run.deviation for run in test.runs],
             "deg/h",
             "with the tilt of the input axis, which is none of the map's",
         ),
-        within_finding(f"within positions {stage}", runs),
+        estimate_within(f"within positions {stage}", runs),
         Finding(
             f"scale factor variation {stage}",
             variation.value,
@@ -150,13 +152,18 @@ def _not_applied() -> str:
 
 def _verdict(found: dict[str, Finding]) -> str:
     before, variation = found["bias stability before"], found["scale factor variation before"]
-    text = f"Bias stability {before.shown:.2g} deg/h, scale factor variation {variation.shown:.2g}"
+    text = (
+        f"Bias stability {before.value_in_unit:.2g} deg/h, scale factor variation "
+        f"{variation.value_in_unit:.2g}"
+    )
     if "bias stability after" not in found:
         return f"{text} ppm over the circumference; maps are fitted, not verified."
     after, noise = found["bias stability after"], found["within positions after"]
+    variation_after = found["scale factor variation after"]
     return (
-        f"{text} ppm over the circumference as it is; with its maps {after.shown:.2g} deg/h (noise "
-        f"alone {noise.shown:.2g}) and {found['scale factor variation after'].shown:.2g} ppm."
+        f"{text} ppm over the circumference as it is; with its maps {after.value_in_unit:.2g} "
+        f"deg/h (noise alone {noise.value_in_unit:.2g}) and {variation_after.value_in_unit:.2g} "
+        "ppm."
     )
 
 
@@ -166,7 +173,7 @@ def draw_stages(figure: Figure, results: dict[str, tuple[Calibration, list[Segme
     draw(figure, shown)
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="calibration",
     group="calibration",
     title="Bias map and scale-factor map: fitted, applied, and what they leave",
@@ -177,5 +184,5 @@ PROCEDURE = Procedure(
     evaluate=evaluate,
     model="HRGSlow",
     step=0.1,
-    exported=exported,
+    export=export_device,
 )

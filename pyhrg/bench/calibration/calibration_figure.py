@@ -11,7 +11,7 @@ from pyhrg.bench.readings.segments import Segments
 from pyhrg.common.units import DEG, DEG_PER_H, PPM
 
 COLOURS = {"before": "#D55E00", "after": "#0072B2"}
-"""Vermilion and blue of M. Okabe and K. Ito: told apart by the colour-blind."""
+"""Vermilion and blue of M. Okabe and K. Ito: distinct for colour-blind readers too."""
 
 
 def draw(figure: Figure, stages: Mapping[str, tuple[Calibration, Sequence[Segments]]]) -> None:
@@ -22,7 +22,7 @@ def draw(figure: Figure, stages: Mapping[str, tuple[Calibration, Sequence[Segmen
         angle = np.concatenate([run.pattern_angle for run in runs]) % np.pi
         rate = np.concatenate([_level(found, run) for run in runs])
         bias.plot(angle / DEG, rate / DEG_PER_H, ".", ms=3, color=COLOURS[name], label=name)
-        scale.plot(grid / DEG, found.rates.at(grid) / PPM, color=COLOURS[name], label=name)
+        scale.plot(grid / DEG, found.rates.evaluate(grid) / PPM, color=COLOURS[name], label=name)
     bias.set_ylabel("bias, deg/h")
     bias.set_title("Position test, tilt removed")
     scale.set_ylabel("scale factor less its mean, ppm")

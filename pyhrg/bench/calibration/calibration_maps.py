@@ -16,13 +16,13 @@ import numpy as np
 from scipy import stats
 
 from pyhrg.bench.bias.position import full_circumference
-from pyhrg.bench.bias.position.full_circumference import Map, fitted_map, runs_of
-from pyhrg.bench.estimation.harmonics import MEAN, harmonic
+from pyhrg.bench.bias.position.full_circumference import BiasMap, fit_map, read_runs
+from pyhrg.bench.estimation.harmonics import MEAN, name_terms
 from pyhrg.bench.outcome import Finding
-from pyhrg.bench.procedure import tests_of
-from pyhrg.bench.readings.output_rows import bryan_factor
-from pyhrg.bench.scale_factor.rate_tests import rate_turns
-from pyhrg.bench.scale_factor.scale_factor import SCALE, ScaleFactorMap, fitted
+from pyhrg.bench.procedure import require_tests
+from pyhrg.bench.readings.output_rows import read_bryan_factor
+from pyhrg.bench.scale_factor.rate_tests import read_rate_turns
+from pyhrg.bench.scale_factor.scale_factor import SCALE, ScaleFactorMap, fit_scale_factor_map
 from pyhrg.device.device import AngleMap, Device
 from pyhrg.records.campaign import Campaign
 
@@ -34,14 +34,14 @@ Estimate = tuple[float, float, float]
 class Calibration:
     """What the tests of a campaign give.
 
-    bias_map, scale_factor_map: a finding each, by the fields of `AngleMap`; what the records can't
-        tell is not there.
+    bias_map, scale_factor_map: a finding each, by the fields of `AngleMap`; a term that the records
+        can't identify is missing.
     positions, rates: the fits that they are from.
     """
 
     bias_map: Mapping[str, Finding]
     scale_factor_map: Mapping[str, Finding]
-    positions: Map
+    positions: BiasMap
     rates: ScaleFactorMap
 
     @property
@@ -51,19 +51,19 @@ class Calibration:
 
     @property
     def refused(self) -> tuple[str, ...]:
-        """A sentence on each term that the records can't tell."""
+        """A sentence on each term that the records can't identify."""
         return (*self.positions.refused, *self.rates.refused)
 
 
-def calibration(campaign: Campaign) -> Calibration:
+def fit_maps(campaign: Campaign) -> Calibration:
     """Maps from the campaign's position tests and its slow rate tests, both ways.
 
     Raises:
         BenchError: there are none, or not what they must hold.
     """
-    positions = fitted_map(runs_of(campaign))
-    rates = fitted(rate_turns(campaign, slow=True), bryan_factor(campaign))
-    logs = [test.log for test in tests_of(campaign, full_circumference.KIND)]
+    positions = fit_map(read_runs(campaign))
+    rates = fit_scale_factor_map(read_rate_turns(campaign, slow=True), read_bryan_factor(campaign))
+    logs = [test.log for test in require_tests(campaign, full_circumference.KIND)]
     axis_up = float(np.mean(np.concatenate([log.axis_up for log in logs])))
     earth = campaign.site.vertical_rate * axis_up
     names = [name for name in positions.names if name in AngleMap.__dataclass_fields__]
@@ -76,26 +76,26 @@ def calibration(campaign: Campaign) -> Calibration:
     )
 
 
-def angle_map(found: Mapping[str, Finding]) -> AngleMap:
+def make_angle_map(found: Mapping[str, Finding]) -> AngleMap:
     """Coefficients, SI; zero where nothing was found."""
     return AngleMap(**{name: finding.value for name, finding in found.items()})
 
 
-def turned(coefficients: AngleMap, angle: float) -> AngleMap:
+def turn_map(coefficients: AngleMap, angle: float) -> AngleMap:
     """The map of a gyro whose pattern axes are turned by an angle, rad: f(th - angle)."""
     values = {MEAN: coefficients.mean}
     for order in (2, 4, 8):
-        cosine, sine = harmonic(order)
+        cosine, sine = name_terms(order)
         phasor = complex(getattr(coefficients, cosine), getattr(coefficients, sine))
         phasor *= np.exp(1j * order * angle)
         values[cosine], values[sine] = phasor.real, phasor.imag
     return AngleMap(**values)
 
 
-def calibrated(
+def add_maps(
     device: Device, bias_map: AngleMap, scale_factor_map: AngleMap, scale_factor: float = 0.0
 ) -> Device:
-    """The same gyro with maps added to those that its electronics have already.
+    """A gyro with maps added to those that its electronics have already.
 
     Args:
         device: as it was tested.
@@ -117,12 +117,12 @@ def _sum(one: AngleMap, other: AngleMap) -> AngleMap:
     return AngleMap(**{f.name: getattr(one, f.name) + getattr(other, f.name) for f in fields(one)})
 
 
-def plain(coefficients: AngleMap) -> dict[str, float]:
+def list_coefficients(coefficients: AngleMap) -> dict[str, float]:
     """By name, SI."""
     return asdict(coefficients)
 
 
-def _bias(name: str, positions: Map, rates: ScaleFactorMap, earth: float, n: int) -> Finding:
+def _bias(name: str, positions: BiasMap, rates: ScaleFactorMap, earth: float, n: int) -> Finding:
     value, error, freedom = _seen(name, positions)
     term = SCALE if name == MEAN else f"{SCALE} {name}"
     if term not in rates.fit.names:
@@ -136,7 +136,7 @@ def _bias(name: str, positions: Map, rates: ScaleFactorMap, earth: float, n: int
     return _finding(f"bias map {name}", "deg/h", _less((value, error, freedom), share), n)
 
 
-def _seen(name: str, positions: Map) -> Estimate:
+def _seen(name: str, positions: BiasMap) -> Estimate:
     """A term of the position test: over runs where there are three, else of the first."""
     values = [fit.value(name) for fit in positions.fits]
     if len(values) > 2:
@@ -163,7 +163,7 @@ def _finding(name: str, unit: str, estimate: Estimate, n: int) -> Finding:
 def _angle_errors(rates: ScaleFactorMap) -> list[tuple[str, Finding]]:
     found = []
     for order in sorted(rates.orders):
-        cosine, sine = harmonic(order)
+        cosine, sine = name_terms(order)
         for name, source, factor in ((cosine, sine, -1 / order), (sine, cosine, 1 / order)):
             label = f"scale factor map {name}"
             found.append((name, rates.finding(f"{SCALE} {source}", label, "arcsec", factor)))

@@ -1,4 +1,4 @@
-"""Several measurements of one gyro within a campaign, told apart by the kind of their tests."""
+"""Several measurements of one gyro within a campaign, distinguished by the kind of their tests."""
 
 import zlib
 from collections.abc import Sequence
@@ -11,7 +11,7 @@ from pyhrg.device.device import Device
 from pyhrg.records.campaign import Campaign, Test
 
 
-def staged(tests: Sequence[Test], stage: str) -> list[Test]:
+def label_stage(tests: Sequence[Test], stage: str) -> list[Test]:
     """Tests under the name of a stage: kind and id carry it."""
     return [
         replace(
@@ -24,7 +24,7 @@ def staged(tests: Sequence[Test], stage: str) -> list[Test]:
     ]
 
 
-def of_stage(campaign: Campaign, stage: str) -> Campaign | None:
+def select_stage(campaign: Campaign, stage: str) -> Campaign | None:
     """The tests of a stage alone, under their plain kinds; None where there are none."""
     suffix = f"_{stage}"
     found = [

@@ -13,15 +13,19 @@ from dataclasses import replace
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.dead_zone.dead_zone_figure import draw
-from pyhrg.bench.dead_zone.free_runs import adler_findings, remedy_findings, table
-from pyhrg.bench.dead_zone.lock import Run, run_of
-from pyhrg.bench.dead_zone.turning import FOURTH, fitted_turning, turning
-from pyhrg.bench.estimation.harmonic_amplitude import magnitude_finding
+from pyhrg.bench.dead_zone.free_runs import (
+    compare_with_adler,
+    find_residual_dead_zone,
+    tabulate_runs,
+)
+from pyhrg.bench.dead_zone.lock import Run, read_run
+from pyhrg.bench.dead_zone.turning import FOURTH, fit_turning, is_turning
+from pyhrg.bench.estimation.harmonic_amplitude import estimate_amplitude
 from pyhrg.bench.estimation.harmonics import MEAN, Fit
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of, usable
+from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests, select_tests
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.output_rows import bryan_factor
+from pyhrg.bench.readings.output_rows import read_bryan_factor
 from pyhrg.common.units import DEG, DEG_PER_H, HOUR
 from pyhrg.device.device import AngleMap, Device
 from pyhrg.records.campaign import Campaign, Test
@@ -31,7 +35,7 @@ COMPENSATED, CANCELLED = "dead_zone_compensated", "dead_zone_cancelled"
 MAP_RATE = 0.1 * DEG
 MAP_INTERVAL = 5.0
 NET_RATES = (-2.0, -1.5, -1.1, -0.9, -0.5, 0.0, 0.5, 0.9, 1.1, 1.5, 2.0)
-"""Over W_L."""
+"""Input rate less virtual rotation, over W_L."""
 FEWER = (-1.5, -1.2, -0.7, -0.3, 0.3, 0.7, 1.2, 1.5)
 ROTATION = 10.0
 """Virtual rotation over W_L."""
@@ -41,7 +45,7 @@ ROWS = 1000
 LONGEST = 48 * HOUR
 
 
-def spin(
+def make_spin(
     bench: Bench, interval: float, rate: float, duration: float, turn: float = 0.0
 ) -> Programme:
     """One power-on, input axis east: a constant rate under a virtual rotation."""
@@ -49,11 +53,11 @@ def spin(
     return course.spin(rate, math.ceil(duration / interval) * interval)
 
 
-def map_runs(bench: Bench, rate: float = MAP_RATE) -> list[PowerOn]:
+def plan_map_runs(bench: Bench, rate: float = MAP_RATE) -> list[PowerOn]:
     """A turn of the pattern either way."""
     duration = 2 * math.pi / (bench.device.bryan_factor * rate)
     return [
-        PowerOn(f"{MAP}_{name}", MAP, spin(bench, MAP_INTERVAL, signed, duration))
+        PowerOn(f"{MAP}_{name}", MAP, make_spin(bench, MAP_INTERVAL, signed, duration))
         for name, signed in (("positive", rate), ("negative", -rate))
     ]
 
@@ -62,8 +66,8 @@ def record(bench: Bench, longest: float = LONGEST) -> list[Test]:
     """The map; then, where the pattern is captured in reasonable time, free runs at rates around
     W_L: plain, under virtual rotation, with Eq. (5) and with Eq. (7), both of the measured map."""
     bench = replace(bench, device=replace(bench.device, bias_map=AngleMap()))
-    tests = bench.run(map_runs(bench))
-    fitted, _ = fitted_turning([test.log for test in tests], bench.device.site.latitude)
+    tests = bench.run(plan_map_runs(bench))
+    fitted, _ = fit_turning([test.log for test in tests], bench.device.site.latitude)
     lock = math.hypot(*map(fitted.value, FOURTH))
     duration = CAPTURES / (4 * bench.device.bryan_factor * lock) if lock > 0 else math.inf
     if duration > longest:
@@ -72,12 +76,12 @@ def record(bench: Bench, longest: float = LONGEST) -> list[Test]:
     series = (
         (PLAIN, 0.0, NET_RATES, bench.device),
         (PLAIN, ROTATION, FEWER, bench.device),
-        (COMPENSATED, 0.0, FEWER, compensated(bench.device, fitted)),
-        (CANCELLED, 0.0, FEWER, cancelled(bench.device, fitted)),
+        (COMPENSATED, 0.0, FEWER, compensate(bench.device, fitted)),
+        (CANCELLED, 0.0, FEWER, cancel(bench.device, fitted)),
     )
     for kind, turn, rates, device in series:
         courses = {
-            r: spin(bench, interval, (r + turn) * lock, duration, turn * lock) for r in rates
+            r: make_spin(bench, interval, (r + turn) * lock, duration, turn * lock) for r in rates
         }
         tests += replace(bench, device=device).run(
             [PowerOn(f"{kind}_{turn:g}_{rate:g}", kind, c) for rate, c in courses.items()]
@@ -85,15 +89,15 @@ def record(bench: Bench, longest: float = LONGEST) -> list[Test]:
     return tests
 
 
-def compensated(device: Device, fitted: Fit) -> Device:
-    """With the map taken out of the output (paper, Eq. 5)."""
+def compensate(device: Device, fitted: Fit) -> Device:
+    """A gyro with the map taken out of the output (paper, Eq. 5)."""
     cosine, sine = map(fitted.value, FOURTH)
     return replace(device, bias_map=AngleMap(mean=fitted.value(MEAN), cos4=cosine, sin4=sine))
 
 
-def cancelled(device: Device, fitted: Fit) -> Device:
-    """With the map's fourth harmonic cancelled by force (paper, Eq. 7, factors mended); the mean
-    is taken out of the output."""
+def cancel(device: Device, fitted: Fit) -> Device:
+    """A gyro with the map's fourth harmonic cancelled by force (paper, Eq. 7, factors
+    corrected); the mean is taken out of the output."""
     cosine, sine = map(fitted.value, FOURTH)
     model = {
         "controller.cancellation.dampingAnisotropy": 4
@@ -106,12 +110,12 @@ def cancelled(device: Device, fitted: Fit) -> Device:
     )
 
 
-def runs(campaign: Campaign, kind: str) -> tuple[list[Run], list[str]]:
+def read_runs(campaign: Campaign, kind: str) -> tuple[list[Run], list[str]]:
     """Free runs of a kind, and a sentence on each that is left out."""
     found, excluded = [], []
-    for test in usable(campaign, kind):
+    for test in select_tests(campaign, kind):
         try:
-            found.append(run_of(test.log, campaign.site.latitude, bryan_factor(campaign)))
+            found.append(read_run(test.log, campaign.site.latitude, read_bryan_factor(campaign)))
         except BenchError as error:
             excluded.append(str(error))
     return found, excluded
@@ -119,28 +123,28 @@ def runs(campaign: Campaign, kind: str) -> tuple[list[Run], list[str]]:
 
 def evaluate(campaign: Campaign) -> Outcome:
     """W_L of the map; and of free runs what locks, where, and what compensation leaves."""
-    tests = [test for test in tests_of(campaign, MAP, "rate") if turning(test.log)]
+    tests = [test for test in require_tests(campaign, MAP, "rate") if is_turning(test.log)]
     maps = [test.log for test in tests]
     if not maps:
         raise BenchError(f"{campaign.device}: no log turns the pattern by 90 deg below 10 deg/s")
-    fitted, refused = fitted_turning(maps, campaign.site.latitude)
-    lock = magnitude_finding("lock rate", fitted, FOURTH, "deg/h")
-    plain, excluded = runs(campaign, PLAIN)
-    by_output, more = runs(campaign, COMPENSATED)
-    by_force, most = runs(campaign, CANCELLED)
+    fitted, refused = fit_turning(maps, campaign.site.latitude)
+    lock = estimate_amplitude("lock rate", fitted, FOURTH, "deg/h")
+    plain, excluded = read_runs(campaign, PLAIN)
+    by_output, more = read_runs(campaign, COMPENSATED)
+    by_force, most = read_runs(campaign, CANCELLED)
     everything = [*plain, *by_output, *by_force]
-    capture = 1 / (4 * bryan_factor(campaign) * lock.value) if lock.value > 0 else math.inf
+    capture = 1 / (4 * read_bryan_factor(campaign) * lock.value) if lock.value > 0 else math.inf
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(
             lock,
-            *adler_findings(plain, fitted, lock.value),
-            *remedy_findings(by_output, by_force),
+            *compare_with_adler(plain, fitted, lock.value),
+            *find_residual_dead_zone(by_output, by_force),
         ),
         verdict=_verdict(plain, lock, capture),
-        tables=(table(everything, fitted, lock.value),) if everything else (),
+        tables=(tabulate_runs(everything, fitted, lock.value),) if everything else (),
         warnings=tuple(refused),
-        exclusions=(*exclusions_of(tests), *excluded, *more, *most),
+        exclusions=(*list_exclusions(tests), *excluded, *more, *most),
         draw=lambda figure: draw(figure, plain, by_force, fitted, lock.value),
         values={"capture_time": capture},
     )
@@ -151,7 +155,8 @@ def _verdict(plain: Sequence[Run], lock: Finding, capture: float) -> str:
         most = lock.high / DEG_PER_H
         return f"No dead zone is seen: the map's fourth harmonic is at most {most:.2g} deg/h."
     text = (
-        f"The pattern locks in below {lock.shown:.4g} deg/h, captured within {capture / HOUR:.3g} h"
+        f"The pattern locks in below {lock.value_in_unit:.4g} deg/h, captured within "
+        f"{capture / HOUR:.3g} h"
     )
     caught = [run for run in plain if run.locked]
     if not caught:
@@ -162,7 +167,7 @@ def _verdict(plain: Sequence[Run], lock: Finding, capture: float) -> str:
     return f"{text}; {len(caught)} of {len(plain)} free runs are locked."
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="dead-zone",
     group="dead zone",
     title="Dead zone, its compensation and its cancellation",

@@ -8,13 +8,13 @@ import numpy as np
 from pyhrg.bench.dead_zone.lock import Run
 from pyhrg.bench.dead_zone.turning import FOURTH
 from pyhrg.bench.estimation.harmonics import MEAN, Fit
-from pyhrg.bench.outcome import Finding, mean_finding
+from pyhrg.bench.outcome import Finding, estimate_mean
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.theory.closed_forms import adler_lock_angle, adler_mean_rate
 
 
-def adler_findings(plain: Sequence[Run], fitted: Fit, lock: float) -> tuple[Finding, ...]:
+def compare_with_adler(plain: Sequence[Run], fitted: Fit, lock: float) -> tuple[Finding, ...]:
     """Free runs against Adler's closed form with the map's terms."""
     mean = fitted.value(MEAN)
     free = [run for run in plain if not run.locked and run.rotation == 0.0]
@@ -43,7 +43,9 @@ def _lock_angle_error(run: Run, fitted: Fit, lock: float) -> float:
     return math.remainder(error, math.pi / 2)
 
 
-def remedy_findings(compensated: Sequence[Run], cancelled: Sequence[Run]) -> tuple[Finding, ...]:
+def find_residual_dead_zone(
+    compensated: Sequence[Run], cancelled: Sequence[Run]
+) -> tuple[Finding, ...]:
     """What Eqs. (5) and (7) leave of the dead zone: output less input."""
     held = [run.output - run.rate for run in compensated if run.locked]
     turned = [run.output - run.rate for run in cancelled if not run.locked]
@@ -56,10 +58,10 @@ def remedy_findings(compensated: Sequence[Run], cancelled: Sequence[Run]) -> tup
 def _mean(name: str, samples: Sequence[float], unit: str) -> Finding:
     if not samples:
         return Finding(name, np.nan, unit, note="no such run in the records")
-    return mean_finding(name, samples, unit)
+    return estimate_mean(name, samples, unit)
 
 
-def table(everything: Sequence[Run], fitted: Fit, lock: float) -> Table:
+def tabulate_runs(everything: Sequence[Run], fitted: Fit, lock: float) -> Table:
     """Every run, its input and what became of it."""
     header = ("run", "W - V, deg/h", "V, deg/h", "pattern, deg/h", "Adler, deg/h", "output, deg/h")
     mean = fitted.value(MEAN)

@@ -11,9 +11,9 @@ from pyhrg.common.units import DEG
 from pyhrg.records import Log
 
 PERIOD = math.pi / 2
-"""Of the dead zone in the pattern angle, rad."""
+"""Period of the dead zone in the pattern angle, rad."""
 STILL = 1 * DEG
-"""A pattern is locked that moves less than this in the last quarter of the log."""
+"""A pattern that moves less than this in the last quarter of the log is locked, rad."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ class Run:
         return self.rate - self.rotation
 
 
-def run_of(log: Log, latitude: float, bryan_factor: float) -> Run:
+def read_run(log: Log, latitude: float, bryan_factor: float) -> Run:
     """State of the pattern in a log.
 
     Raises:

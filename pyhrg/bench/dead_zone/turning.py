@@ -2,7 +2,7 @@
 
 The mean output rate of a segment less the input is the bias map averaged over what the pattern
 swept meanwhile; neighbours share the angle noise of the bound between them (`row_fit`). A pick-off
-error goes with the rate, the bias does not: both directions tell them apart.
+error goes with the rate, the bias does not: both directions separate them.
 """
 
 from collections.abc import Sequence
@@ -10,10 +10,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, MEAN, harmonic
-from pyhrg.bench.estimation.row_fit import Part, RowFit, inflations, row_fit
+from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, MEAN, name_terms
+from pyhrg.bench.estimation.row_fit import Part, RowFit, compute_inflations, fit_rows
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.readings.plateaus import plateaus
+from pyhrg.bench.readings.plateaus import find_plateaus
 from pyhrg.bench.readings.segments import SEGMENT
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG
@@ -21,7 +21,7 @@ from pyhrg.records import Log
 
 Array = NDArray[np.float64]
 
-FOURTH = harmonic(4)
+FOURTH = name_terms(4)
 ARC = 15 * DEG
 """A segment ends when the pattern has turned by this, or after 100 s, but not within a row."""
 FASTEST = 10 * DEG
@@ -32,13 +32,13 @@ WITH_RATE = ("scale", "rate cos4", "rate sin4")
 GROUPS = {
     "harmonic 4": FOURTH,
     "errors of scale factor and pick-offs": WITH_RATE,
-    "harmonic 2": harmonic(2),
-    "harmonic 8": harmonic(8),
+    "harmonic 2": name_terms(2),
+    "harmonic 8": name_terms(8),
 }
 """Terms beside the mean in the order in which they are asked of the logs."""
 
 
-def turning(log: Log) -> bool:
+def is_turning(log: Log) -> bool:
     """Whether a log is fit for the map: table slow, pattern turned by it, drive and rotation
     constant."""
     log.require(
@@ -49,9 +49,9 @@ def turning(log: Log) -> bool:
     return bool(still and 0.0 < rate < FASTEST and np.ptp(log.wave_angle) >= SWEPT)
 
 
-def fitted_turning(logs: Sequence[Log], latitude: float) -> tuple[RowFit, list[str]]:
+def fit_turning(logs: Sequence[Log], latitude: float) -> tuple[RowFit, list[str]]:
     """Bias map of turning logs, rad/s: mean, harmonics 4 and where they can be seen 2 and 8, and
-    what goes with the rate; and a sentence on each term that can't be told apart.
+    what goes with the rate; and a sentence on each term that can't be identified.
 
     Raises:
         BenchError: too few segments, or the fourth harmonic can't be seen.
@@ -65,13 +65,16 @@ def fitted_turning(logs: Sequence[Log], latitude: float) -> tuple[RowFit, list[s
     names, refused = [MEAN], []
     for name, group in GROUPS.items():
         trial = [*names, *group]
-        if len(trial) + 2 < count and max(inflations(parts, trial).values()) <= LARGEST_INFLATION:
+        if (
+            len(trial) + 2 < count
+            and max(compute_inflations(parts, trial).values()) <= LARGEST_INFLATION
+        ):
             names = trial
         elif name == "harmonic 4":
             raise BenchError(f"{logs[0].source}: the pattern turned too little to see {name}")
         else:
             refused.append(f"the turning logs can't tell {name} from the fourth harmonic's terms")
-    return row_fit(parts, names), refused
+    return fit_rows(parts, names), refused
 
 
 def _part(stretch: Array, fastest: float) -> Part:
@@ -80,7 +83,7 @@ def _part(stretch: Array, fastest: float) -> Part:
     share = rate / fastest
     columns = {
         MEAN: np.ones_like(error),
-        **dict(zip((*harmonic(2), *FOURTH, *harmonic(8)), phasors, strict=True)),
+        **dict(zip((*name_terms(2), *FOURTH, *name_terms(8)), phasors, strict=True)),
         **dict(zip(WITH_RATE, (share, share * phasors[2], share * phasors[3]), strict=True)),
     }
     scaled = {name: span * column for name, column in columns.items()}
@@ -88,10 +91,10 @@ def _part(stretch: Array, fastest: float) -> Part:
 
 
 def _stretches(log: Log, latitude: float) -> list[Array]:
-    """Of each plateau, (n, 9) of its segments, one after the other and equally long: output less
-    input rate, table's rate, length, mean cos 2, sin 2, ... sin 8."""
+    """One array (n, 9) a plateau, a row for each of its equally long segments: output less input
+    rate, table's rate, length, mean cos 2, sin 2, ... sin 8."""
     stretches = []
-    for plateau in plateaus(log, 3 * log.interval):
+    for plateau in find_plateaus(log, 3 * log.interval):
         turned = max(abs(plateau.mean_rate(log, log.wave_angle)), 1e-12)
         found = []
         rows = max(1, round(min(SEGMENT, ARC / turned) / log.interval))
@@ -110,6 +113,6 @@ def _stretches(log: Log, latitude: float) -> list[Array]:
 
 
 def _mean(trig: np.ufunc, phase: Array) -> float:
-    """Of cosine or sine over a phase (n,) that is linear between its values."""
+    """Mean of cosine or sine over a phase (n,) that is linear between its values."""
     middle, half = (phase[1:] + phase[:-1]) / 2, np.diff(phase) / 2
     return float(np.mean(trig(middle) * np.sinc(half / np.pi)))

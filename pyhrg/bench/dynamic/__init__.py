@@ -1,1 +1,1 @@
-"""Range, threshold, start-up, bandwidth."""
+"""Tests of measuring range, threshold, start-up and bandwidth."""

@@ -1,8 +1,7 @@
-"""Measuring range: how fast the gyro may turn, either way.
+"""Measuring range: the largest rate in both directions at which the output is valid and linear.
 
-The table's rate goes up in steps, each a plateau; the range is the highest rate up to which, at
-every step, the output is valid and linear. The next power-on divides the interval between the last
-step within and the first outside.
+The table's rate rises in steps. The range is the rate of the last step before the first at which
+the output is not valid or not linear. Further power-ons divide the interval between these steps.
 """
 
 from collections.abc import Sequence
@@ -13,9 +12,9 @@ from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.plateaus import plateaus
+from pyhrg.bench.readings.plateaus import find_plateaus
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG
@@ -23,23 +22,30 @@ from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign, Test
 
 KIND = "range"
-LIMIT = 100e-6
-"""Of nonlinearity: deviation of the output rate from the input, relative."""
+ERROR_LIMIT = 100e-6
+"""Largest relative error of the output rate that counts as linear."""
 HIGHEST = 5700 * DEG
-"""End of the search: the FMU's greatest rate is 100 rad/s."""
+"""Highest rate of the search, rad/s; the FMU takes up to 100 rad/s."""
 STEPS = np.geomspace(5 * DEG, HIGHEST, 16)
+"""Rates of the first power-on, rad/s."""
 STAGES = 3
+"""Power-ons in each direction, at most."""
 INTERVAL = 0.1
+"""Length of a row, s."""
 SETTLE = 2.0
+"""Time at the beginning of a step that is not used, s."""
+NO_VALIDITY = "valid is missing from rows of the log: linearity alone decides there"
 TURN = 2 * np.pi / (4 * 0.277)
-"""Of the table for a period of the fourth harmonic, rad."""
+"""Table angle for one period of the fourth harmonic of the pattern angle, rad."""
 
 
 @dataclass(frozen=True)
 class Step:
-    """One plateau.
+    """A plateau of the table's rate.
 
-    rate: of the table, rad/s; error: of the output, relative; valid: throughout.
+    rate: of the table, rad/s.
+    error: of the output rate, relative to the table's.
+    valid: whether the output was valid throughout.
     """
 
     rate: float
@@ -48,12 +54,13 @@ class Step:
 
     @property
     def within(self) -> bool:
-        """The output is valid and linear."""
-        return self.valid and abs(self.error) <= LIMIT
+        """Whether the output is valid and linear."""
+        return self.valid and abs(self.error) <= ERROR_LIMIT
 
 
-def programme(bench: Bench, rates: Sequence[float]) -> Programme:
-    """One power-on, input axis east; each rate held for two periods of the pattern or more."""
+def make_programme(bench: Bench, rates: Sequence[float]) -> Programme:
+    """Programme of one power-on, input axis east; each rate lasts two periods or more of the fourth
+    harmonic."""
     course = bench.programme(INTERVAL).attitude(0.0).rest(3.0)
     for rate in rates:
         hold = SETTLE + 2 * max(1.0, np.ceil(abs(rate) * 5.0 / (2 * TURN))) * TURN / abs(rate)
@@ -62,37 +69,37 @@ def programme(bench: Bench, rates: Sequence[float]) -> Programme:
 
 
 def record(bench: Bench, steps: Sequence[float] = tuple(STEPS), stages: int = STAGES) -> list[Test]:
-    """Both directions; each stage closes in between the last rate within and the first outside."""
+    """Tests of both directions; each power-on divides the bracket that the one before gave."""
     tests: list[Test] = []
     for sign, name in ((1, "positive"), (-1, "negative")):
         rates = np.asarray(steps)
         for stage in range(stages):
             task = PowerOn(
-                f"range_{name}_{stage + 1}", KIND, programme(bench, (sign * rates).tolist())
+                f"range_{name}_{stage + 1}", KIND, make_programme(bench, (sign * rates).tolist())
             )
             tests += bench.run([task])
-            low, high = bracket(steps_of(bench.campaign([tests[-1]]), sign))
+            low, high = bracket_range(read_steps(bench.campaign([tests[-1]]), sign))
             if not np.isfinite(high) or low == 0.0:
                 break
             rates = np.linspace(low, high, 8)
     return tests
 
 
-def steps_of(campaign: Campaign, sign: int) -> list[Step]:
-    """Plateaus of one direction, slowest first."""
-    found = [
+def read_steps(campaign: Campaign, sign: int) -> list[Step]:
+    """Steps of one direction, by `sign`, in order of their rates."""
+    steps = [
         step
-        for test in tests_of(campaign, KIND)
-        for step in _steps(test.log, campaign.site.latitude)
+        for test in require_tests(campaign, KIND)
+        for step in _read_steps(test.log, campaign.site.latitude)
         if sign * step.rate > 0
     ]
-    return sorted(found, key=lambda step: abs(step.rate))
+    return sorted(steps, key=lambda step: abs(step.rate))
 
 
-def _steps(log: Log, latitude: float) -> list[Step]:
+def _read_steps(log: Log, latitude: float) -> list[Step]:
     log.require("axis_up")
     steps = []
-    for plateau in plateaus(log, SETTLE + 10 * log.interval):
+    for plateau in find_plateaus(log, SETTLE + 10 * log.interval):
         if abs(plateau.rate) < DEG:
             continue
         settled = replace(plateau, first=plateau.first + round(SETTLE / log.interval))
@@ -104,10 +111,10 @@ def _steps(log: Log, latitude: float) -> list[Step]:
     return steps
 
 
-def bracket(steps: Sequence[Step]) -> tuple[float, float]:
-    """Highest rate up to which every step is within, and the next; rad/s, without sign.
+def bracket_range(steps: Sequence[Step]) -> tuple[float, float]:
+    """Rates, rad/s without sign, of the last step of the range and of the first beyond it.
 
-    The first is 0 where no step is within, the second infinite where none is outside.
+    The first is 0 where the slowest step is beyond the range, the second infinite where no step is.
     """
     inside = 0.0
     for step in steps:
@@ -117,13 +124,13 @@ def bracket(steps: Sequence[Step]) -> tuple[float, float]:
     return inside, np.inf
 
 
-def finding(name: str, steps: Sequence[Step]) -> Finding:
-    """Range of one direction, bracketed by steps; statistics have no part in it."""
-    low, high = bracket(steps)
+def make_finding(name: str, steps: Sequence[Step]) -> Finding:
+    """Range of one direction; its bounds are the rates of two steps, not a confidence interval."""
+    low, high = bracket_range(steps)
     if not np.isfinite(high):
         note = "at least: the search ended here"
     elif low == 0.0:
-        note = "below the slowest step, which is outside; a bracket, no statistics"
+        note = "below the slowest step, which is beyond the range; a bracket, no statistics"
     else:
         outside = next(step for step in steps if abs(step.rate) == high)
         why = "nonlinear" if outside.valid else "not valid"
@@ -132,41 +139,39 @@ def finding(name: str, steps: Sequence[Step]) -> Finding:
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Range either way, and the error at every step."""
-    tests = tests_of(campaign, KIND)
-    both = {"positive": steps_of(campaign, 1), "negative": steps_of(campaign, -1)}
+    """Measuring range in both directions, and the error at every step."""
+    tests = require_tests(campaign, KIND)
+    both = {"positive": read_steps(campaign, 1), "negative": read_steps(campaign, -1)}
     for name, steps in both.items():
         if len(steps) < 3:
             raise BenchError(
                 f"{tests[0].log.source}: {len(steps)} {name} rates of {SETTLE:g} s and more, "
                 "the range takes at least 3"
             )
-    findings = [finding(f"measuring range {name}", steps) for name, steps in both.items()]
+    findings = [make_finding(f"measuring range {name}", steps) for name, steps in both.items()]
     worst = min(findings, key=lambda f: (0.0 if np.isnan(f.value) else f.value, f.high))
     unseen = any(np.isnan(test.log.valid).any() for test in tests)
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(replace(worst, name="measuring range"), *findings),
         verdict=(
-            f"Within {LIMIT / 1e-6:g} ppm of the input and valid up to "
-            f"{worst.shown:.5g} deg/s either way; {worst.note}."
+            f"Within {ERROR_LIMIT / 1e-6:g} ppm of the input and valid up to "
+            f"{worst.value_in_unit:.5g} deg/s either way; {worst.note}."
         ),
-        tables=tuple(_table(name, steps) for name, steps in both.items()),
-        warnings=("valid is missing from rows of the log: judged by linearity alone there",)
-        if unseen
-        else (),
-        exclusions=exclusions_of(tests),
+        tables=tuple(_make_table(name, steps) for name, steps in both.items()),
+        warnings=(NO_VALIDITY,) if unseen else (),
+        exclusions=list_exclusions(tests),
         draw=lambda figure: draw(figure, both),
     )
 
 
-def _table(name: str, steps: Sequence[Step]) -> Table:
+def _make_table(name: str, steps: Sequence[Step]) -> Table:
     rows = [(f"{s.rate / DEG:.6g}", f"{s.error / 1e-6:.3g}", "yes" * s.valid) for s in steps]
     return Table(f"Steps, {name}", ("rate, deg/s", "error, ppm", "valid"), tuple(rows))
 
 
 def draw(figure: Figure, both: dict[str, list[Step]]) -> None:
-    """Error against rate, both directions."""
+    """Draw the error against the rate, both directions."""
     axes = figure.add_subplot()
     for (name, steps), mark in zip(both.items(), ("o", "s"), strict=True):
         rate = np.array([abs(step.rate) for step in steps]) / DEG
@@ -175,7 +180,7 @@ def draw(figure: Figure, both: dict[str, list[Step]]) -> None:
     outside = [abs(s.rate) / DEG for steps in both.values() for s in steps if not s.valid]
     if outside:
         axes.axvspan(min(outside), max(rate), color="0.85", label="not valid")
-    axes.axhline(LIMIT / 1e-6, color="k", ls="--", lw=1, label="limit")
+    axes.axhline(ERROR_LIMIT / 1e-6, color="k", ls="--", lw=1, label="limit")
     axes.set_xlabel("rate of the table, deg/s")
     axes.set_ylabel("error of the output rate, ppm")
     axes.set_title("Measuring range")
@@ -183,7 +188,7 @@ def draw(figure: Figure, both: dict[str, list[Step]]) -> None:
     axes.legend()
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="range",
     group="dynamic",
     title="Measuring range",

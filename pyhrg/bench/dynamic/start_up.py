@@ -1,8 +1,8 @@
-"""Start-up: time from power-on to a valid output, and to one within its specification.
+"""Start-up: time from power-on to a valid output, and to an output within specification.
 
-To specification: the output rate, averaged over the 10 s past, less Earth's rate and less its own
-mean over the last half of the log (a fixed bias is the bias test's), stays within 0.02 deg/h from
-then on. The average ends at the time stated, so that the least is 10 s.
+The output is within specification from the time at which its rate stays within 0.02 deg/h. The rate
+is the mean over the last 10 s less Earth's rate and less the mean over the second half of the log,
+which a constant bias is part of. The time is the end of the average, so that it is at least 10 s.
 """
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG_PER_H
@@ -26,23 +26,29 @@ Array = NDArray[np.float64]
 
 KIND = "start_up"
 AVERAGE = 10.0
+"""Duration over which the rate is averaged, s."""
 SPECIFICATION = 0.02 * DEG_PER_H
+"""Largest error of the averaged rate within specification, rad/s."""
 DURATION = 120.0
+"""Length of a power-on, s."""
 AMPLITUDE_TOLERANCE = 0.2
-"""Of valid output where the log doesn't say: of the set point, as in the electronics' own test."""
+"""Largest relative deviation of the amplitude from its set point at which an output is valid, as in
+the electronics; used where the log has no column `valid`."""
 START = {"startAmplitude": 0.01, "controller.startUp.firstAmplitude": 0.1}
-"""Where the device says nothing: what a start burst leaves, then the paper's two stages (2.3)."""
+"""Parameters of the FMU that the device doesn't state: amplitude after the start burst, and
+amplitude of the first of the paper's two stages (2.3)."""
 
 
 @dataclass(frozen=True)
 class StartUp:
-    """One power-on.
+    """Start-up of one power-on.
 
-    valid, within: times, s, of valid output and of output within specification; NaN: not in the
-    first half of the log.
-    interval: of the log's rows, s: what happened, happened within it before the time given.
-    time, error: (n,) end of the average, s, and averaged rate less that of the last half, rad/s.
-    noise: standard deviation of the averaged rate in the last half, rad/s.
+    valid, within: time to valid output and to output within specification, s; NaN where it is not
+        in the first half of the log.
+    interval: of the log's rows, s; the true times are up to this much earlier.
+    time: (n,) end of the average, s.
+    error: (n,) averaged rate less that over the second half of the log, rad/s.
+    noise: standard deviation of the averaged rate in the second half of the log, rad/s.
     """
 
     valid: float
@@ -54,18 +60,18 @@ class StartUp:
 
 
 def record(bench: Bench, runs: int = RUNS, duration: float = DURATION) -> list[Test]:
-    """Seven power-ons at rest, input axis east, from a small amplitude."""
+    """Tests of power-ons at rest, input axis east, that start at a small amplitude."""
     device = replace(bench.device, model={**START, **bench.device.model})
     course = bench.programme(bench.step).attitude(0.0).rest(duration)
     tasks = [PowerOn(f"start_up_{n + 1}", KIND, course) for n in range(runs)]
     return replace(bench, device=device).run(tasks)
 
 
-def start_up(log: Log, latitude: float) -> StartUp:
-    """Times of one power-on.
+def measure_start_up(log: Log, latitude: float) -> StartUp:
+    """Start-up of one power-on.
 
     Raises:
-        BenchError: the log is shorter than four averages, begins late, or has gaps.
+        BenchError: the log is shorter than four averages, begins late or has gaps.
     """
     log.require("gyro_angle", "amplitude", "amplitude_setpoint", "axis_up")
     rows = round(AVERAGE / log.interval)
@@ -86,8 +92,8 @@ def start_up(log: Log, latitude: float) -> StartUp:
     error, time = rate - settled, log.time[rows:]
     late = error[half:]
     return StartUp(
-        valid=_from_then_on(log.time, _valid(log), log.time[half]),
-        within=_from_then_on(time, np.abs(error) <= SPECIFICATION, log.time[half]),
+        valid=_find_last_start(log.time, _is_valid(log), log.time[half]),
+        within=_find_last_start(time, np.abs(error) <= SPECIFICATION, log.time[half]),
         interval=log.interval,
         time=time,
         error=error,
@@ -95,27 +101,27 @@ def start_up(log: Log, latitude: float) -> StartUp:
     )
 
 
-def _valid(log: Log) -> NDArray[np.bool_]:
+def _is_valid(log: Log) -> NDArray[np.bool_]:
     if not np.isnan(log.valid).any():
         return np.asarray(log.valid > 1 - 1e-9)
     off = np.abs(log.amplitude - log.amplitude_setpoint)
     return np.asarray(off <= AMPLITUDE_TOLERANCE * log.amplitude_setpoint)
 
 
-def _from_then_on(time: Array, good: NDArray[np.bool_], latest: float) -> float:
-    """First time from which on all is good; NaN if later than `latest`."""
+def _find_last_start(time: Array, good: NDArray[np.bool_], latest: float) -> float:
+    """Time, s, from which on `good` is true to the end; NaN if later than `latest`."""
     bad = np.flatnonzero(~good)
     first = bad[-1] + 1 if len(bad) else 0
     return float(time[first]) if first < len(time) and time[first] <= latest else np.nan
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Median and greatest of both times."""
-    tests = tests_of(campaign, KIND)
-    runs = [start_up(test.log, campaign.site.latitude) for test in tests]
+    """Median and largest value of both times over the power-ons."""
+    tests = require_tests(campaign, KIND)
+    runs = [measure_start_up(test.log, campaign.site.latitude) for test in tests]
     findings = (
-        *times("time to valid output", [run.valid for run in runs], runs[0].interval),
-        *times("time to specification", [run.within for run in runs], runs[0].interval),
+        *summarize_times("time to valid output", [run.valid for run in runs], runs[0].interval),
+        *summarize_times("time to specification", [run.within for run in runs], runs[0].interval),
     )
     rows = [(str(i), f"{run.valid:.4g}", f"{run.within:.4g}") for i, run in enumerate(runs, 1)]
     return Outcome(
@@ -127,54 +133,61 @@ def evaluate(campaign: Campaign) -> Outcome:
             "power-ons."
         ),
         tables=(Table("Power-ons", ("run", "valid, s", "to specification, s"), tuple(rows)),),
-        warnings=_warnings(tests, runs),
-        exclusions=exclusions_of(tests),
+        warnings=_list_warnings(tests, runs),
+        exclusions=list_exclusions(tests),
         draw=lambda figure: draw(figure, runs),
     )
 
 
-def times(name: str, samples: Sequence[float], interval: float) -> tuple[Finding, Finding]:
-    """Median and greatest.
+def summarize_times(
+    name: str, samples: Sequence[float], interval: float
+) -> tuple[Finding, Finding]:
+    """Median and largest of times, s.
 
-    Times are whole rows, alike or skewed, so that a mean's interval would be none. The median of
-    all power-ons lies between the least and the greatest of n with 1 - 2^(1-n), whatever the
-    distribution (sign test); the least happened within the row before.
+    Times are whole rows and may be skewed, so that Student's interval doesn't apply. The median of
+    the population lies between the smallest and the largest of n times with the probability
+    1 - 2^(1-n) for any distribution (sign test). The smallest is taken one row earlier.
+
+    Args:
+        name: of the quantity.
+        samples: n times, s; NaN where the event is not in the record.
+        interval: of a row, s.
     """
     n = len(samples)
     largest = Finding(f"greatest {name}", float(np.max(samples)), "s", n=n)
     if np.isnan(samples).any():
         missing = f"{np.isnan(samples).sum()} of {n} not in the first half of the log"
         return Finding(name, np.nan, "s", n=n, note=missing), replace(largest, note=missing)
-    held = 1 - 2.0 ** (1 - n)
+    coverage = 1 - 2.0 ** (1 - n)
     median = Finding(name, float(np.median(samples)), "s", n=n)
-    if held < 0.95:
+    if coverage < 0.95:
         median = replace(median, note=f"median; {n} of at least 6 power-ons: no interval")
     else:
         median = replace(
             median,
             low=float(np.min(samples)) - interval,
             high=largest.value,
-            note=f"median; least and greatest of {n} hold that of all power-ons with {held:.1%}",
+            note=f"median; interval from smallest to largest of {n}, confidence {coverage:.1%}",
         )
     note = f"no interval: another power-on exceeds it with probability 1/{n + 1}"
     return median, replace(largest, note=note)
 
 
-def _warnings(tests: Sequence[Test], runs: Sequence[StartUp]) -> tuple[str, ...]:
-    found = []
+def _list_warnings(tests: Sequence[Test], runs: Sequence[StartUp]) -> tuple[str, ...]:
+    sentences = []
     if any(np.isnan(test.log.valid).any() for test in tests):
-        found.append("valid is missing: taken from the amplitude, within 20 % of its set point")
+        sentences.append("valid is missing: taken from the amplitude, within 20 % of its set point")
     noise = max(run.noise for run in runs)
     if 4 * noise > SPECIFICATION:
-        found.append(
-            f"the averages scatter by {noise / DEG_PER_H:.2g} deg/h: the time to specification is "
-            "that of chance"
+        sentences.append(
+            f"the averages scatter by {noise / DEG_PER_H:.2g} deg/h: noise decides the time to "
+            "specification"
         )
-    return tuple(found)
+    return tuple(sentences)
 
 
 def draw(figure: Figure, runs: Sequence[StartUp]) -> None:
-    """Averaged rate error after power-on."""
+    """Draw the error of the averaged rate against the time since power-on."""
     axes = figure.add_subplot()
     for number, run in enumerate(runs):
         label = f"{len(runs)} power-ons" if number == 0 else None
@@ -194,7 +207,7 @@ def draw(figure: Figure, runs: Sequence[StartUp]) -> None:
     axes.legend()
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="start-up",
     group="dynamic",
     title="Start-up time, to valid output and to specification",

@@ -1,9 +1,9 @@
-"""Threshold: the smallest rate at which the output changes by half of what is expected or more.
+"""Threshold: the smallest rate to which the output responds with at least half the expected change.
 
-Small rates of the table, each way, between rests; the change of the mean output rate from the
-neighbouring rests, over the change of the input. The second half of each dwell counts. A dead zone
-by damping anisotropy is no threshold: it captures the pattern within 1/D, hours, and until then the
-output still follows the input (`dead_zone`).
+The table turns at small rates in both directions, with rests between them. The response is the
+change of the mean output rate from the neighbouring rests over the change of the input; the second
+half of each dwell is used. This test doesn't show a dead zone by damping anisotropy D: the pattern
+is captured only after 1/D, hours, and until then the output follows the input (`dead_zone`).
 """
 
 from collections.abc import Sequence
@@ -15,9 +15,9 @@ from scipy import stats
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.plateaus import Plateau, plateaus
+from pyhrg.bench.readings.plateaus import Plateau, find_plateaus
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
@@ -25,18 +25,26 @@ from pyhrg.records.campaign import Campaign, Test
 
 KIND = "threshold"
 RATES = tuple(np.array([2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01]) * 1e-3 * DEG)
-"""Around the 0.001 deg/s that the paper (3.2) names, and lower."""
+"""Table rates, rad/s, around the paper's 0.001 deg/s (3.2) and lower."""
 REPEATS = 5
+"""Dwells at each rate and direction."""
 DWELL = 100.0
-NEEDED = 0.5
-"""Response that counts as sensed."""
-SETTLED = 0.5
-"""Share of a dwell that counts, its end."""
+"""Duration of a dwell, s."""
+SENSED_RESPONSE = 0.5
+"""Smallest response at which a rate is sensed (GJB 585B)."""
+SETTLED_SHARE = 0.5
+"""Share of a dwell, at its end, that is used."""
 
 
 @dataclass(frozen=True)
 class Response:
-    """Change of the output over change of the input at one rate, with its 95 % interval."""
+    """Response at one rate.
+
+    rate: of the table, rad/s.
+    value: change of the output rate over change of the input rate.
+    reach: half width of its 95 % interval.
+    n: number of dwells.
+    """
 
     rate: float
     value: float
@@ -45,17 +53,17 @@ class Response:
 
     @property
     def sensed(self) -> bool:
-        """Surely half or more."""
-        return self.value - self.reach >= NEEDED
+        """Whether the whole interval is at half or more."""
+        return self.value - self.reach >= SENSED_RESPONSE
 
     @property
     def missed(self) -> bool:
-        """Surely less than half."""
-        return self.value + self.reach < NEEDED
+        """Whether the whole interval is below half."""
+        return self.value + self.reach < SENSED_RESPONSE
 
 
-def programme(bench: Bench, rates: Sequence[float], repeats: int, dwell: float) -> Programme:
-    """One power-on, input axis east: rest, rate, rest, opposite rate, rest, ..."""
+def make_programme(bench: Bench, rates: Sequence[float], repeats: int, dwell: float) -> Programme:
+    """Programme of one power-on, input axis east: rest, rate, rest, opposite rate, rest, ..."""
     course = bench.programme().attitude(0.0).rest(dwell)
     for _ in range(repeats):
         for rate in rates:
@@ -69,33 +77,33 @@ def record(
     repeats: int = REPEATS,
     dwell: float = DWELL,
 ) -> list[Test]:
-    """One power-on through all rates, either way, repeated."""
-    return bench.run([PowerOn("threshold", KIND, programme(bench, rates, repeats, dwell))])
+    """Test of one power-on through all rates in both directions, several times."""
+    return bench.run([PowerOn("threshold", KIND, make_programme(bench, rates, repeats, dwell))])
 
 
-def changes(log: Log) -> list[tuple[float, float]]:
-    """(rate of the table, change of the output rate), rad/s, of each dwell between two rests."""
-    steady = plateaus(log, 10 * log.interval)
-    found = []
+def read_changes(log: Log) -> list[tuple[float, float]]:
+    """Table rate and change of the output rate, rad/s, of each dwell between two rests."""
+    steady = find_plateaus(log, 10 * log.interval)
+    pairs = []
     for before, moved, after in zip(steady, steady[1:], steady[2:], strict=False):
         if moved.rate == 0.0 or abs(before.rate) + abs(after.rate) > 1e-3 * abs(moved.rate):
             continue
-        rest = (_output(log, before) + _output(log, after)) / 2
-        found.append((moved.rate, _output(log, moved) - rest))
-    return found
+        resting = (_read_mean_output(log, before) + _read_mean_output(log, after)) / 2
+        pairs.append((moved.rate, _read_mean_output(log, moved) - resting))
+    return pairs
 
 
-def _output(log: Log, plateau: Plateau) -> float:
-    return plateau.later(SETTLED).mean_rate(log, log.gyro_angle)
+def _read_mean_output(log: Log, plateau: Plateau) -> float:
+    return plateau.later(SETTLED_SHARE).mean_rate(log, log.gyro_angle)
 
 
-def responses(logs: Sequence[Log]) -> list[Response]:
-    """Of every rate, ascending; noise is alike at all rates, so that its variance is pooled.
+def measure_responses(logs: Sequence[Log]) -> list[Response]:
+    """Responses in order of the rates; the noise variance is pooled over all rates.
 
     Raises:
-        BenchError: fewer than 2 rates, or none was repeated.
+        BenchError: there are fewer than 2 rates, or no rate is repeated.
     """
-    pairs = [pair for log in logs for pair in changes(log)]
+    pairs = [pair for log in logs for pair in read_changes(log)]
     groups: dict[float, list[float]] = {}
     for rate, change in pairs:
         key = next((k for k in groups if abs(k - rate) <= 1e-2 * abs(k)), rate)
@@ -114,15 +122,16 @@ def responses(logs: Sequence[Log]) -> list[Response]:
     ]
 
 
-def threshold(name: str, found: Sequence[Response]) -> Finding:
-    """Smallest rate from which on, upwards, all responses are half or more.
+def find_threshold(name: str, responses: Sequence[Response]) -> Finding:
+    """Smallest rate from which on all larger rates have responses of half or more.
 
-    Its interval runs from the greatest rate that is surely missed (0: none) to the least from which
-    on all are surely sensed (infinite: none).
+    The interval begins at the largest rate whose response is certainly below half (0 if there is
+    none). It ends at the smallest rate from which on all responses are certainly half or more
+    (infinite if there is none).
     """
-    rising = sorted(found, key=lambda response: abs(response.rate))
-    value = _least(rising, [response.value >= NEEDED for response in rising])
-    high = _least(rising, [response.sensed for response in rising])
+    rising = sorted(responses, key=lambda response: abs(response.rate))
+    value = _find_smallest(rising, [response.value >= SENSED_RESPONSE for response in rising])
+    high = _find_smallest(rising, [response.sensed for response in rising])
     low = max((abs(r.rate) for r in rising if r.missed), default=0.0)
     n = sum(response.n for response in rising)
     if np.isinf(value):
@@ -131,78 +140,80 @@ def threshold(name: str, found: Sequence[Response]) -> Finding:
     return Finding(name, value, "deg/s", low, high, n, "at most: the lowest rate" if lowest else "")
 
 
-def _least(rising: Sequence[Response], passed: Sequence[bool]) -> float:
-    """Rate from which on all have passed."""
-    least = np.inf
+def _find_smallest(rising: Sequence[Response], passed: Sequence[bool]) -> float:
+    """Smallest rate from which on all responses have passed; infinite if the largest has not."""
+    smallest = np.inf
     for response, ok in zip(reversed(rising), reversed(passed), strict=True):
         if not ok:
             break
-        least = abs(response.rate)
-    return float(least)
+        smallest = abs(response.rate)
+    return float(smallest)
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Threshold either way, and the responses."""
-    tests = tests_of(campaign, KIND)
-    found = responses([test.log for test in tests])
+    """Threshold in both directions, and the response at every rate."""
+    tests = require_tests(campaign, KIND)
+    responses = measure_responses([test.log for test in tests])
     sides = {
-        "positive": [r for r in found if r.rate > 0],
-        "negative": [r for r in found if r.rate < 0],
+        "positive": [r for r in responses if r.rate > 0],
+        "negative": [r for r in responses if r.rate < 0],
     }
     for name, side in sides.items():
         if not side:
             raise BenchError(
                 f"{tests[0].log.source}: no {name} rates, the threshold takes both signs"
             )
-    findings = [threshold(f"threshold {name}", side) for name, side in sides.items()]
+    findings = [find_threshold(f"threshold {name}", side) for name, side in sides.items()]
     worst = max(findings, key=lambda f: (np.isnan(f.value), f.value, f.high))
     longest = max(
         log.time[p.last] - log.time[p.first] + log.interval
         for log in (test.log for test in tests)
-        for p in plateaus(log, 10 * log.interval)
+        for p in find_plateaus(log, 10 * log.interval)
     )
     return Outcome(
         procedure=PROCEDURE.name,
-        findings=(replace(worst, name="threshold"), *findings, *map(_finding, found)),
-        verdict=_verdict(worst),
-        tables=(_table(found),),
+        findings=(replace(worst, name="threshold"), *findings, *map(_make_finding, responses)),
+        verdict=_describe_verdict(worst),
+        tables=(_make_table(responses),),
         warnings=(
             f"dwells last {longest:.4g} s: a dead zone by damping anisotropy captures the pattern "
             "within 1/D, so that one with 1/D longer than that is not seen here",
         ),
-        exclusions=exclusions_of(tests),
-        draw=lambda figure: draw(figure, found),
+        exclusions=list_exclusions(tests),
+        draw=lambda figure: draw(figure, responses),
     )
 
 
-def _verdict(worst: Finding) -> str:
+def _describe_verdict(worst: Finding) -> str:
     note = f" ({worst.note})" if worst.note else ""
-    return f"Threshold {worst.shown:.3g} deg/s{note}, the worse of both signs."
+    return f"Threshold {worst.value_in_unit:.3g} deg/s{note}, the worse of both signs."
 
 
-def _finding(response: Response) -> Finding:
+def _make_finding(response: Response) -> Finding:
     sign = "positive" if response.rate > 0 else "negative"
     name = f"response to {sign} {abs(response.rate) / DEG:.3g} deg per s"
     low, high = response.value - response.reach, response.value + response.reach
     return Finding(name, response.value, "1", low, high, response.n)
 
 
-def _table(found: Sequence[Response]) -> Table:
-    rows = [(f"{r.rate / DEG:.3g}", f"{r.value:.4f}", f"{r.reach:.4f}", str(r.n)) for r in found]
+def _make_table(responses: Sequence[Response]) -> Table:
+    rows = [
+        (f"{r.rate / DEG:.3g}", f"{r.value:.4f}", f"{r.reach:.4f}", str(r.n)) for r in responses
+    ]
     return Table("Responses", ("rate, deg/s", "response", "+- 95 %", "n"), tuple(rows))
 
 
-def draw(figure: Figure, found: Sequence[Response]) -> None:
-    """Response against rate, either way."""
+def draw(figure: Figure, responses: Sequence[Response]) -> None:
+    """Draw the response against the rate, both directions."""
     axes = figure.add_subplot()
     for sign, name, mark in ((1, "positive", "+"), (-1, "negative", "s")):
-        side = [r for r in found if sign * r.rate > 0]
+        side = [r for r in responses if sign * r.rate > 0]
         rate = [abs(r.rate) / DEG for r in side]
         axes.errorbar(
             rate, [r.value for r in side], [r.reach for r in side],
             fmt=mark, mfc="none", ms=7, capsize=3, label=name,
         )  # fmt: skip
-    axes.axhline(NEEDED, color="k", ls="--", lw=1, label="half of what is expected")
+    axes.axhline(SENSED_RESPONSE, color="k", ls="--", lw=1, label="half of what is expected")
     axes.set_xscale("log")
     axes.set_xlabel("rate of the table, deg/s")
     axes.set_ylabel("change of the output over change of the input")
@@ -211,7 +222,7 @@ def draw(figure: Figure, found: Sequence[Response]) -> None:
     axes.legend()
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="threshold",
     group="dynamic",
     title="Threshold around the dead zone",

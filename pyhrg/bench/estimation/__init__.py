@@ -1,1 +1,1 @@
-"""Estimates with honest intervals, whatever the test."""
+"""Estimators with 95 % intervals; they know no gyro and no log."""

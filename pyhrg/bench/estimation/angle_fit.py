@@ -1,10 +1,10 @@
-"""Least squares on angles that white rate noise and white angle noise disturb.
+"""Generalised least squares on angles with white rate noise and white angle noise.
 
-Increments of such an angle have the covariance q dt I + r T with T tridiagonal (2, -1), which the
-sine transform makes diagonal: weighted least squares on transformed increments is exact. Both
-variances are estimated from what the fit leaves, by restricted maximum likelihood (H. D. Patterson,
-R. Thompson, Biometrika 58, 1971), and each term's degrees of freedom follow from how well they are
-known (F. E. Satterthwaite, Biometrics Bulletin 2, 1946).
+Increments of such an angle have the covariance q dt I + r T, where T is tridiagonal (2, -1). The
+discrete sine transform makes it diagonal, so that weighted least squares on the transformed
+increments is exact. Both variances are estimated from the residual by restricted maximum likelihood
+(H. D. Patterson, R. Thompson, Biometrika 58, 1971). Each term's degrees of freedom follow from the
+uncertainty of the variances (F. E. Satterthwaite, Biometrics Bulletin 2, 1946).
 """
 
 from collections.abc import Mapping, Sequence
@@ -18,18 +18,22 @@ from pyhrg.bench.estimation.harmonics import Fit
 
 Array = NDArray[np.float64]
 
-NOISELESS = 1e-60
-"""Taken for the rate noise where nothing is left, rad^2/s: its square is still a number."""
-RATIOS = (-8.0, 20.0)
-"""Logarithm of angle noise over a step's rate noise: from none of the one to none of the other."""
+RATE_NOISE_FLOOR = 1e-60
+"""Density of the rate noise, rad^2/s, that stands for zero where the residual is zero; its square
+is still above the smallest double."""
+LOG_RATIO_BOUNDS = (-8.0, 20.0)
+"""Range in which the logarithm of the ratio of angle noise to the rate noise of a step is searched.
+The ends mean practically no angle noise and practically no rate noise."""
 
 
 @dataclass(frozen=True)
 class Record:
     """One uninterrupted record of an angle.
 
+    interval: between samples, s.
     angle: (n,) rad.
-    columns: (n,) each, what unit terms add to the angle; offsets don't matter.
+    columns: (n,) each, by the term's name: what one unit of the term adds to the angle. A constant
+        in a column has no effect.
     """
 
     interval: float
@@ -39,11 +43,11 @@ class Record:
 
 @dataclass(frozen=True)
 class AngleFit(Fit):
-    """Terms by name; the residual is that of the transformed increments, whitened.
+    """Fitted terms and both noises; the residual is that of the transformed increments, whitened.
 
     freedoms: (terms,) degrees of freedom of the terms' standard errors.
-    rate_noise: white, power spectral density N^2, (rad/s)^2/Hz = rad^2/s.
-    angle_noise: white, variance of a sample, rad^2.
+    rate_noise: power spectral density N^2 of the white rate noise, (rad/s)^2/Hz = rad^2/s.
+    angle_noise: variance of a sample's white angle noise, rad^2.
     """
 
     freedoms: Array
@@ -51,15 +55,16 @@ class AngleFit(Fit):
     angle_noise: float
 
     def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
-        """Student's interval of one term."""
+        """Student's interval of a term, SI."""
         freedom = self.freedoms[self.names.index(name)]
         reach = float(stats.t.ppf((1 + confidence) / 2, freedom)) * self.deviation(name)
         return self.value(name) - reach, self.value(name) + reach
 
 
-def inflation(records: Sequence[Record]) -> float:
-    """Largest factor by which the terms' columns inflate each other's variance."""
-    matrix = np.concatenate([_increments(record) for record in records])[:, :-1]
+def compute_largest_inflation(records: Sequence[Record]) -> float:
+    """Largest variance inflation factor of the terms; infinite where a term is zero or lies in the
+    span of the others."""
+    matrix = np.concatenate([_compute_increments(record) for record in records])[:, :-1]
     norms = np.linalg.norm(matrix, axis=0)
     if np.any(norms == 0.0):
         return np.inf
@@ -70,45 +75,45 @@ def inflation(records: Sequence[Record]) -> float:
 
 
 def fit_angles(records: Sequence[Record]) -> AngleFit:
-    """Fit records by the same terms and the same noise.
+    """Fit of several records by common terms and common noise.
 
     Raises:
-        ValueError: fewer increments than terms and three more.
+        ValueError: the records have fewer increments than terms plus three.
     """
-    tables = [_increments(record) for record in records]
+    tables = [_compute_increments(record) for record in records]
     steps = np.concatenate(
         [np.full(len(t), r.interval) for t, r in zip(tables, records, strict=True)]
     )
-    differences = np.concatenate([_eigenvalues(len(table)) for table in tables])
+    differences = np.concatenate([compute_eigenvalues(len(table)) for table in tables])
     matrix = np.concatenate([fft.dst(table, type=1, norm="ortho", axis=0) for table in tables])
     terms = matrix.shape[1] - 1
     if len(matrix) < terms + 3:
         raise ValueError(f"{len(matrix)} increments can't determine {terms} terms and two noises")
     scale = np.linalg.norm(matrix[:, :-1], axis=0)
     matrix[:, :-1] /= scale
-    variances = _variances(matrix, steps, differences)
-    return _weighted(tuple(records[0].columns), matrix, scale, steps, differences, variances)
+    variances = _estimate_variances(matrix, steps, differences)
+    return _fit_weighted(tuple(records[0].columns), matrix, scale, steps, differences, variances)
 
 
-def _increments(record: Record) -> Array:
+def _compute_increments(record: Record) -> Array:
     """(n - 1, terms + 1) increments of the columns and, last, of the angle."""
     return np.diff(np.column_stack([*record.columns.values(), record.angle]), axis=0)
 
 
-def _eigenvalues(count: int) -> Array:
-    """(count,) of the tridiagonal matrix (2, -1)."""
+def compute_eigenvalues(count: int) -> Array:
+    """(count,) eigenvalues of the tridiagonal matrix (2, -1), ordered as the sine transform."""
     return 2 - 2 * np.cos(np.pi * np.arange(1, count + 1) / (count + 1))
 
 
-def _variances(matrix: Array, steps: Array, differences: Array) -> tuple[float, float]:
+def _estimate_variances(matrix: Array, steps: Array, differences: Array) -> tuple[float, float]:
     """Rate noise, rad^2/s, and angle noise, rad^2, by restricted maximum likelihood."""
     step, freedom = float(np.mean(steps)), len(matrix) - matrix.shape[1] + 1
     terms = matrix[:, :-1]
-    left = matrix[:, -1] - terms @ np.linalg.lstsq(terms, matrix[:, -1], rcond=None)[0]
-    size = float(np.linalg.norm(left))
+    residual = matrix[:, -1] - terms @ np.linalg.lstsq(terms, matrix[:, -1], rcond=None)[0]
+    size = float(np.linalg.norm(residual))
     if size == 0.0:
-        return NOISELESS, 0.0
-    whole = np.column_stack([terms, left / size])
+        return RATE_NOISE_FLOOR, 0.0
+    whole = np.column_stack([terms, residual / size])
 
     def reduced(logarithm: float) -> tuple[float, float]:
         weight = steps / step + np.exp(logarithm) * differences
@@ -118,13 +123,13 @@ def _variances(matrix: Array, steps: Array, differences: Array) -> tuple[float, 
         return float(freedom * np.log(variance) + spread), variance
 
     best = optimize.minimize_scalar(
-        lambda x: reduced(x)[0], bounds=RATIOS, method="bounded", options={"xatol": 0.01}
+        lambda x: reduced(x)[0], bounds=LOG_RATIO_BOUNDS, method="bounded", options={"xatol": 0.01}
     )
     variance = reduced(best.x)[1]
     return variance / step, variance * float(np.exp(best.x))
 
 
-def _weighted(
+def _fit_weighted(
     names: tuple[str, ...],
     matrix: Array,
     scale: Array,
@@ -141,7 +146,7 @@ def _weighted(
     residual = whitened[:, -1] - whitened[:, :-1] @ solution
     freedom = len(residual) - len(names)
     covariance = inverse @ inverse.T
-    # by how much the terms' variances (terms,) move with either noise, and how well that is known
+    # Satterthwaite: derivative of the terms' variances by both noises, and the noises' information
     slopes = (parts / variance) @ (q @ inverse.T) ** 2
     information = (parts / variance) @ (parts / variance).T / 2
     spread = np.einsum("ij,ij->j", slopes, np.linalg.solve(information, slopes))

@@ -1,4 +1,4 @@
-"""Linear fit of what repeats with the pattern's and the table's angle, with honest intervals."""
+"""Least squares with harmonics of the pattern angle and of the table angle."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,21 +12,31 @@ Array = NDArray[np.float64]
 MEAN = "mean"
 TILT = ("tilt_cos", "tilt_sin")
 LARGEST_INFLATION = 10.0
-"""A term whose variance the other terms inflate by more than this can't be told from them."""
+"""Largest variance inflation factor (chosen) of a term that counts as separable from the others."""
 
 
-def harmonic(order: int) -> tuple[str, str]:
-    """Names of the two terms of a harmonic of the pattern angle."""
+def name_terms(order: int) -> tuple[str, str]:
+    """Names of the cosine and the sine term of a harmonic of the pattern angle."""
     return f"cos{order}", f"sin{order}"
 
 
-def design(
+def make_columns(
     pattern_angle: Array, table_angle: Array, harmonics: Sequence[int], tilt: bool
 ) -> dict[str, Array]:
-    """Columns (n,) of the model mean + harmonics of the pattern + once a turn of the table."""
+    """Columns of a linear model: mean, harmonics of the pattern angle and, for a tilt of the input
+    axis, the first harmonic of the table angle.
+
+    Args:
+        pattern_angle, table_angle: (n,) rad.
+        harmonics: orders in the pattern angle.
+        tilt: whether the model has the harmonic of the table angle.
+
+    Returns:
+        (n,) each, by the term's name.
+    """
     columns = {MEAN: np.ones_like(pattern_angle)}
     for order in harmonics:
-        cosine, sine = harmonic(order)
+        cosine, sine = name_terms(order)
         columns[cosine] = np.cos(order * pattern_angle)
         columns[sine] = np.sin(order * pattern_angle)
     if tilt:
@@ -34,28 +44,32 @@ def design(
     return columns
 
 
-def inflation(columns: dict[str, Array]) -> dict[str, float]:
-    """Factor by which the other terms inflate each term's variance; infinite where it is one of
-    them, or none at all (variance inflation factor, uncentred)."""
+def compute_inflations(columns: dict[str, Array]) -> dict[str, float]:
+    """Variance inflation factor (uncentred) of each term; infinite where a term is zero or lies in
+    the span of the others."""
     names = list(columns)
     matrix = np.column_stack([columns[name] for name in names])
     norms = np.linalg.norm(matrix, axis=0)
     result = {}
     for i, name in enumerate(names):
-        rest = np.delete(matrix, i, axis=1) / np.delete(norms, i).clip(1e-300)
-        fitted = rest @ np.linalg.lstsq(rest, matrix[:, i], rcond=1e-10)[0]
-        left = float(np.sum((matrix[:, i] - fitted) ** 2))
-        # a column that is zero, or lies in the others' span to rounding, is not seen
+        others = np.delete(matrix, i, axis=1) / np.delete(norms, i).clip(1e-300)
+        fitted = others @ np.linalg.lstsq(others, matrix[:, i], rcond=1e-10)[0]
+        square = float(np.sum((matrix[:, i] - fitted) ** 2))
+        # a column that is zero or lies in the others' span, but for rounding, counts as unseen
         expected = len(matrix) / (1 if name == MEAN else 2)
-        result[name] = expected / left if left > 1e-9 * expected else np.inf
+        result[name] = expected / square if square > 1e-9 * expected else np.inf
     return result
 
 
 @dataclass(frozen=True)
 class Fit:
-    """Least squares: terms by name with their covariance.
+    """Result of a least-squares fit.
 
-    residual: (n,), freedom: degrees of freedom that are left.
+    names: of the m terms.
+    values: (m,) SI.
+    covariance: (m, m) of the values.
+    residual: (n,).
+    freedom: degrees of freedom of the residual.
     """
 
     names: tuple[str, ...]
@@ -65,29 +79,29 @@ class Fit:
     freedom: int
 
     def value(self, name: str) -> float:
-        """Of one term."""
+        """Value of a term, SI."""
         return float(self.values[self.names.index(name)])
 
     def deviation(self, name: str) -> float:
-        """Standard error of one term."""
+        """Standard error of a term, SI."""
         i = self.names.index(name)
         return float(np.sqrt(self.covariance[i, i]))
 
     def freedom_of(self, *names: str) -> float:
-        """Degrees of freedom of the terms' standard errors, the least."""
+        """Degrees of freedom of the terms' standard errors; the smallest of them."""
         return self.freedom
 
     def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
-        """Student's interval of one term: residuals independent and alike."""
+        """Student's interval of a term, SI, for independent residuals of equal variance."""
         reach = stats.t.ppf((1 + confidence) / 2, self.freedom) * self.deviation(name)
         return self.value(name) - float(reach), self.value(name) + float(reach)
 
 
 def fit(columns: dict[str, Array], values: Array) -> Fit:
-    """Fit values (n,) by the columns.
+    """Least-squares fit of values (n,) by columns (n,) each.
 
     Raises:
-        ValueError: fewer values than terms and one more, or terms that can't be told apart.
+        ValueError: there are fewer values than terms plus one, or the terms are linearly dependent.
     """
     matrix = np.column_stack(list(columns.values()))
     freedom = len(values) - matrix.shape[1]
@@ -98,7 +112,7 @@ def fit(columns: dict[str, Array], values: Array) -> Fit:
     scale = np.linalg.norm(matrix, axis=0)
     q, r = np.linalg.qr(matrix / scale)
     if np.min(np.abs(np.diag(r))) < 1e-6:
-        raise ValueError(f"terms {', '.join(columns)} can't be told apart by these values")
+        raise ValueError(f"terms {', '.join(columns)} can't be separated by these values")
     inverse = np.linalg.inv(r)
     solution = inverse @ (q.T @ values) / scale
     residual = values - matrix @ solution

@@ -1,4 +1,4 @@
-"""The largest of several means, with an interval."""
+"""The largest of several means, with a confidence interval."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -7,17 +7,18 @@ from scipy import stats
 Array = NDArray[np.float64]
 
 
-def largest_interval(samples: Array, confidence: float = 0.95) -> tuple[float, float, float]:
-    """Largest absolute mean.
+def estimate_largest(samples: Array, confidence: float = 0.95) -> tuple[float, float, float]:
+    """Largest absolute value of m means, and the bounds of its interval.
 
-    Every mean gets its Student's interval, simultaneously (Bonferroni) over those that may be the
-    largest; which these are follows from the intervals, until no more can be left out.
+    Every mean has a Student's interval; the intervals hold simultaneously (Bonferroni) for all
+    means that may be the largest. Means whose intervals show that they are not the largest are
+    dropped, and the intervals are computed again, until none can be dropped.
 
     Args:
-        samples: (n, m) n independent samples of m means.
+        samples: (n, m) n independent samples of the m means.
 
     Returns:
-        Value and bounds; NaN bounds where n is 1.
+        Value and bounds; the bounds are NaN where n is 1.
     """
     n, count = samples.shape
     means = np.abs(np.mean(samples, axis=0))

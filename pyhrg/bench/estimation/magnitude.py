@@ -1,4 +1,4 @@
-"""How large a vector is that was measured with noise: never below zero, unbiased by the noise."""
+"""Length of a vector that is measured with noise: unbiased square, and interval."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -7,21 +7,22 @@ from scipy import optimize, special, stats
 Array = NDArray[np.float64]
 
 
-def magnitude_interval(
+def estimate_magnitude(
     values: Array, covariance: Array, confidence: float = 0.95
 ) -> tuple[float, float, float]:
-    """Length of the true vector: estimate and interval.
+    """Length of the true vector and the bounds of its interval.
 
-    The squared length of the measured one is taken as a scaled noncentral chi-square with the mean
-    and variance it has (exact where the covariance is a multiple of a projection), inverted for
-    its noncentrality.
+    The squared length of the measured vector is approximated by a scaled noncentral chi-square
+    variable of the same mean and variance (exact where the covariance is a multiple of a
+    projection). The interval inverts its distribution for the noncentrality.
 
     Args:
-        values: (n,) normal, unbiased.
-        covariance: (n, n).
+        values: (n,) measured components: normal, unbiased.
+        covariance: (n, n) of the components.
 
     Returns:
-        Estimate with the noise's share taken off, at least 0, and bounds, in the unit of values.
+        Estimate, from whose square the noise's expectation is subtracted (at least 0), and bounds;
+        in the unit of `values`.
     """
     square = float(values @ values)
     trace = float(np.trace(covariance))
@@ -37,7 +38,7 @@ def magnitude_interval(
             return float(special.chndtr(square / scale, freedom, noncentrality)) - probability
 
         if square / scale > 1e4:
-            # far from zero the length is normal
+            # far from zero the measured length is normally distributed
             reach = float(stats.norm.ppf(probability)) * np.sqrt(scale)
             return float(np.sqrt(square) - reach)
         if excess(0.0) <= 0.0:

@@ -1,4 +1,4 @@
-"""An anisotropy from its two components: size and axis, as far as they differ from zero."""
+"""Size and axis of an anisotropy from its two components."""
 
 import numpy as np
 from scipy import stats
@@ -7,17 +7,18 @@ from pyhrg.bench.estimation.harmonics import Fit
 from pyhrg.bench.outcome import Finding
 
 
-def anisotropy(
+def estimate_anisotropy(
     fit: Fit, components: tuple[str, str], name: str, axis: str, unit: str
 ) -> tuple[Finding, Finding]:
-    """Size m and axis th of terms m cos 4th and m sin 4th, with their 95 % intervals.
+    """Size m and axis th of an anisotropy with the components m cos 4th and m sin 4th.
 
-    Where the components' 95 % ellipse holds zero the size has an upper bound only, and no axis.
+    Where the components' 95 % confidence ellipse holds zero, the size has an upper bound only and
+    the axis has no value.
 
     Args:
-        fit: with both components, SI.
+        fit: with both components as terms, SI.
         components: names of the terms.
-        name, axis: of the findings.
+        name, axis: names of the two findings.
         unit: of the size.
     """
     index = [fit.names.index(component) for component in components]
@@ -45,10 +46,10 @@ def anisotropy(
     )
 
 
-def component_findings(
+def make_component_findings(
     fit: Fit, components: tuple[str, str], name: str, unit: str
 ) -> tuple[Finding, ...]:
-    """The two components m cos 4th and m sin 4th themselves."""
+    """Findings of the two components m cos 4th and m sin 4th."""
     n = len(fit.residual)
     return tuple(
         Finding(f"{name} {trig}4", fit.value(term), unit, *fit.interval(term), n)

@@ -1,16 +1,15 @@
-"""Least squares on a log's rows, which are white noise plus differences of white noise.
+"""Generalised least squares on rows whose noise is white noise plus differenced white noise.
 
-Increments of an angle are: white rate noise adds to each, white angle noise is subtracted from the
-next one again. Means of a loop's force or frequency are as well. Over a stretch of n rows without
-gap the covariance q h I + r (2, -1 tridiagonal) is diagonal in sines (discrete sine transform I),
-with eigenvalues q h + r (2 - 2 cos(pi j / (n + 1))), so that generalised least squares costs no
-more than a transform.
+Increments of an angle have such noise: white rate noise adds to each row, and the white noise of an
+angle adds to one row and is subtracted from the next. Row means of a loop's force or frequency have
+it as well. Over n rows without gap the covariance q h I + r T, T tridiagonal (2, -1), is diagonal
+in sines (discrete sine transform I). Its eigenvalues are q h + r (2 - 2 cos(pi j / (n + 1))).
 
-Densities q and r are estimated by restricted maximum likelihood (iterated MINQUE: C. R. Rao 1971;
-Searle, Casella and McCulloch, Variance Components, 1992, ch. 11). Where a record is too short to
-show q, its estimate is uncertain and may be zero: each is replaced by its mean over positive values
-and the intervals get Satterthwaite's degrees of freedom. Weights that are estimated cost precision
-too (M. G. Kenward, J. H. Roger, Biometrics 53, 1997).
+The densities q and r are estimated by restricted maximum likelihood (iterated MINQUE: C. R. Rao
+1971; Searle, Casella and McCulloch, Variance Components, 1992, ch. 11). A short record hardly
+determines q, and its estimate may be zero. Each density is therefore replaced by its mean over
+positive values, intervals use Satterthwaite's degrees of freedom, and the covariance is enlarged
+for the uncertainty of the weights (M. G. Kenward, J. H. Roger, Biometrics 53, 1997).
 """
 
 from collections.abc import Mapping, Sequence
@@ -25,20 +24,22 @@ from pyhrg.bench.estimation.harmonics import Fit
 
 Array = NDArray[np.float64]
 
-ROUNDS = 12
-SETTLED = 1e-3
-"""The densities' iteration is done when none changes by more than this share."""
-FEWEST_FREEDOM = 1.0
+ITERATION_LIMIT = 12
+"""Iterations for the densities after which they are taken as they are."""
+CONVERGENCE_SHARE = 1e-3
+"""The densities have converged when none changes by more than this share of itself."""
+SMALLEST_FREEDOM = 1.0
+"""Smallest degrees of freedom that an interval is computed with."""
 
 
 @dataclass(frozen=True)
 class Part:
     """Rows of one stretch without gap.
 
-    columns: (n,) of each term by its name; a term that is missing is zero.
-    values: (n,) what is to be fitted.
-    interval: of a row, s.
-    channel: parts of the same channel share their noise.
+    columns: (n,) of each term by its name; a term without a column is zero here.
+    values: (n,) to be fitted.
+    interval: length of a row, s.
+    channel: name; parts of the same channel have the same noise densities.
     """
 
     columns: Mapping[str, Array]
@@ -55,7 +56,7 @@ class Part:
         return np.column_stack([self.columns.get(name, zero) for name in names])
 
     def variances(self) -> tuple[Array, Array]:
-        """(n,) variances in sines for unit rate noise and unit angle noise."""
+        """(n,) variances of the sine-transformed rows for unit rate noise and unit angle noise."""
         n = len(self)
         share = np.pi * np.arange(1, n + 1) / (n + 1)
         unit_angle: Array = 2 - 2 * np.cos(share)
@@ -64,63 +65,67 @@ class Part:
 
 @dataclass(frozen=True)
 class RowFit(Fit):
-    """Generalised least squares, with degrees of freedom for each term.
+    """Result of the fit; its residual is whitened.
 
-    freedoms: (m,) after Satterthwaite; `freedom` is the least of them.
+    freedoms: (m,) degrees of freedom of the terms (Satterthwaite); `freedom` is the smallest.
     """
 
     freedoms: Array
 
     def freedom_of(self, *names: str) -> float:
-        """Of the terms, the least."""
+        """Smallest of the terms' degrees of freedom."""
         return float(min(self.freedoms[self.names.index(name)] for name in names))
 
     def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
-        """Student's interval of one term."""
+        """Student's interval of a term, SI."""
         reach = float(stats.t.ppf((1 + confidence) / 2, self.freedom_of(name)))
         reach *= self.deviation(name)
         return self.value(name) - reach, self.value(name) + reach
 
 
-def row_fit(parts: Sequence[Part], names: Sequence[str]) -> RowFit:
-    """Fit terms to all parts together; residuals of the result are whitened.
+def fit_rows(parts: Sequence[Part], names: Sequence[str]) -> RowFit:
+    """Fit of common terms to all parts together.
 
     Raises:
-        ValueError: fewer rows than terms and two more, or terms that can't be told apart.
+        ValueError: there are fewer rows than terms plus two, or the terms are linearly dependent.
     """
-    values = np.concatenate([_sines(part.values) for part in parts])
-    matrix = np.vstack([_sines(part.matrix(names)) for part in parts])
+    values = np.concatenate([_transform(part.values) for part in parts])
+    matrix = np.vstack([_transform(part.matrix(names)) for part in parts])
     scale = np.linalg.norm(matrix, axis=0)
     if len(values) < len(names) + 2:
         raise ValueError(f"{len(values)} rows can't determine {len(names)} terms and their scatter")
     if np.min(scale) == 0 or np.linalg.cond(matrix / scale) > 1e6:
-        raise ValueError(f"terms {', '.join(names)} can't be told apart by these rows")
-    problem = _Problem(values, matrix / scale, _components(parts))
-    densities = problem.likely()
-    densities, spread = problem.positive(densities)
-    solution, covariance, residual = problem.solved(densities)
-    freedoms = problem.freedoms(densities, spread)
-    covariance = problem.widened(covariance, densities, spread)
+        raise ValueError(f"terms {', '.join(names)} can't be separated by these rows")
+    problem = _Problem(values, matrix / scale, _make_components(parts))
+    densities, spread = problem.average_positive(problem.estimate_densities())
+    solution, covariance, residual = problem.solve(densities)
+    freedoms = problem.compute_freedoms(densities, spread)
+    covariance = problem.widen(covariance, densities, spread)
     return RowFit(
         tuple(names),
         solution / scale,
         covariance / np.outer(scale, scale),
         residual,
-        int(max(FEWEST_FREEDOM, np.min(freedoms))),
+        int(max(SMALLEST_FREEDOM, np.min(freedoms))),
         freedoms,
     )
 
 
 @dataclass(frozen=True)
 class _Problem:
-    """In sines: values (n,), matrix (n, m), and components (c, n): the variances' parts."""
+    """The fit after the sine transform.
+
+    values: (n,).
+    matrix: (n, m) columns of the terms.
+    components: (c, n) variance of each row per unit of each of the c densities.
+    """
 
     values: Array
     matrix: Array
     components: Array
 
-    def solved(self, densities: Array) -> tuple[Array, Array, Array]:
-        """Terms, their covariance, and the whitened residual."""
+    def solve(self, densities: Array) -> tuple[Array, Array, Array]:
+        """Terms (m,), their covariance (m, m) and the whitened residual (n,)."""
         weight = 1 / np.sqrt(densities @ self.components)
         q, r = np.linalg.qr(self.matrix * weight[:, None])
         inverse = np.linalg.inv(r)
@@ -129,43 +134,49 @@ class _Problem:
         residual = np.asarray(white - q @ shares)
         return np.asarray(inverse @ shares), np.asarray(inverse @ inverse.T), residual
 
-    def likely(self) -> Array:
-        """(c,) densities of greatest restricted likelihood, none negative."""
-        left = self.values - self.matrix @ np.linalg.lstsq(self.matrix, self.values, rcond=None)[0]
-        # floor: rounding of the values, where there is no noise
+    def estimate_densities(self) -> Array:
+        """(c,) densities of maximum restricted likelihood, none negative."""
+        ordinary = (
+            self.values - self.matrix @ np.linalg.lstsq(self.matrix, self.values, rcond=None)[0]
+        )
+        # where there is no noise, the rounding of the values is the floor
         tiny = (1e-16 * float(np.sqrt(np.mean(self.values**2))) + 1e-40) ** 2
         own = self.components > 0
         means = np.array(
-            [np.mean(left[o] ** 2 / c[o]) for o, c in zip(own, self.components, strict=True)]
+            [np.mean(ordinary[o] ** 2 / c[o]) for o, c in zip(own, self.components, strict=True)]
         )
         floor = np.maximum(1e-12 * means, tiny)
         densities = np.maximum(means / 2, floor)
-        for _ in range(ROUNDS):
+        for _ in range(ITERATION_LIMIT):
             before = densities
-            residual = self.solved(densities)[2]
+            residual = self.solve(densities)[2]
             relative = self.components / (densities @ self.components)
             powers = relative @ residual**2
-            densities = np.maximum(np.linalg.solve(self.information(densities), powers), floor)
-            if np.all(np.abs(densities - before) < SETTLED * before):
+            densities = np.maximum(
+                np.linalg.solve(self.compute_information(densities), powers), floor
+            )
+            if np.all(np.abs(densities - before) < CONVERGENCE_SHARE * before):
                 break
         return densities
 
-    def information(self, densities: Array) -> Array:
-        """(c, c) tr(P V_i P V_j), twice the restricted information of the densities."""
+    def compute_information(self, densities: Array) -> Array:
+        """(c, c) tr(P V_i P V_j): twice the Fisher information of the densities in the restricted
+        likelihood."""
         variance = densities @ self.components
         relative = self.components / variance
         q = np.linalg.qr(self.matrix / np.sqrt(variance)[:, None])[0]
         inner = [(q * part[:, None]).T @ q for part in relative]
         count = range(len(relative))
         both = [
-            [_trace(q, relative[i], relative[j], inner[i], inner[j]) for j in count] for i in count
+            [_compute_trace(q, relative[i], relative[j], inner[i], inner[j]) for j in count]
+            for i in count
         ]
         return np.array(both)
 
-    def positive(self, densities: Array) -> tuple[Array, Array]:
-        """Mean and covariance (c, c) of the densities, given that none is negative: of a normal
-        distribution about the estimate that is cut off at zero."""
-        covariance = 2 * np.linalg.inv(self.information(densities))
+    def average_positive(self, densities: Array) -> tuple[Array, Array]:
+        """Mean (c,) and covariance (c, c) of the densities, given that none is negative: those of
+        normal distributions about the estimates, truncated at zero."""
+        covariance = 2 * np.linalg.inv(self.compute_information(densities))
         deviation = np.sqrt(np.diag(covariance))
         edge = -densities / deviation
         mean, variance = stats.truncnorm.stats(edge, np.inf, moments="mv")
@@ -173,8 +184,9 @@ class _Problem:
         spread = np.asarray(covariance * np.outer(shrunk, shrunk), dtype=np.float64)
         return np.asarray(densities + deviation * mean), spread
 
-    def widened(self, covariance: Array, densities: Array, spread: Array) -> Array:
-        """Covariance (m, m) of the terms with what the weights' uncertainty adds."""
+    def widen(self, covariance: Array, densities: Array, spread: Array) -> Array:
+        """Covariance (m, m) of the terms, enlarged for the uncertainty of the weights (Kenward and
+        Roger)."""
         variance = densities @ self.components
         relative = self.components / variance
         white = self.matrix / np.sqrt(variance)[:, None]
@@ -186,26 +198,28 @@ class _Problem:
                 added += spread[i, j] * (both - once[i] @ covariance @ once[j])
         return np.asarray(covariance + 2 * covariance @ added @ covariance)
 
-    def freedoms(self, densities: Array, spread: Array) -> Array:
-        """(m,) of the terms: 2 v^2 over the variance of v, their variance."""
+    def compute_freedoms(self, densities: Array, spread: Array) -> Array:
+        """(m,) degrees of freedom of the terms: 2 v^2 over the variance of their variance v."""
         variance = densities @ self.components
-        covariance = self.solved(densities)[1]
+        covariance = self.solve(densities)[1]
         slopes = []
         for part in self.components:
             weighted = (self.matrix * (part / variance**2)[:, None]).T @ self.matrix
             slopes.append(np.diag(covariance @ weighted @ covariance))
         gradient = np.array(slopes)
         uncertain = np.einsum("im,ij,jm->m", gradient, spread, gradient)
-        return np.maximum(2 * np.diag(covariance) ** 2 / uncertain, FEWEST_FREEDOM)
+        return np.maximum(2 * np.diag(covariance) ** 2 / uncertain, SMALLEST_FREEDOM)
 
 
-def _trace(q: Array, first: Array, second: Array, inner_first: Array, inner_second: Array) -> float:
+def _compute_trace(
+    q: Array, first: Array, second: Array, inner_first: Array, inner_second: Array
+) -> float:
     both = np.sum(q**2 * (first * second)[:, None])
     return float(first @ second - 2 * both + np.sum(inner_first * inner_second.T))
 
 
-def _components(parts: Sequence[Part]) -> Array:
-    """(c, n) rate noise and angle noise of each channel."""
+def _make_components(parts: Sequence[Part]) -> Array:
+    """(c, n) variances per unit of rate noise and of angle noise, for each channel."""
     channels = list(dict.fromkeys(part.channel for part in parts))
     rows = np.zeros((2 * len(channels), sum(len(part) for part in parts)))
     begin = 0
@@ -216,13 +230,13 @@ def _components(parts: Sequence[Part]) -> Array:
     return rows
 
 
-def _sines(values: Array) -> Array:
+def _transform(values: Array) -> Array:
     return np.asarray(dst(values, type=1, norm="ortho", axis=0))
 
 
-def inflations(parts: Sequence[Part], names: Sequence[str]) -> dict[str, float]:
-    """Factor by which the other terms inflate each term's variance; infinite where a term lies in
-    their span or is zero (variance inflation factor, uncentred)."""
+def compute_inflations(parts: Sequence[Part], names: Sequence[str]) -> dict[str, float]:
+    """Variance inflation factor (uncentred) of each term; infinite where a term is zero or lies in
+    the span of the others."""
     matrix = np.vstack([part.matrix(names) for part in parts])
     norms = np.linalg.norm(matrix, axis=0)
     matrix = np.asarray(np.linalg.qr(matrix, mode="r"))
@@ -231,8 +245,9 @@ def inflations(parts: Sequence[Part], names: Sequence[str]) -> dict[str, float]:
         if norms[i] == 0.0:
             result[name] = np.inf
             continue
-        rest = np.delete(matrix / np.where(norms, norms, 1.0), i, axis=1)
+        others = np.delete(matrix / np.where(norms, norms, 1.0), i, axis=1)
         own = matrix[:, i] / norms[i]
-        left = float(np.sum((own - rest @ np.linalg.lstsq(rest, own, rcond=1e-10)[0]) ** 2))
-        result[name] = 1 / left if left > 1e-9 else np.inf
+        fitted = others @ np.linalg.lstsq(others, own, rcond=1e-10)[0]
+        square = float(np.sum((own - fitted) ** 2))
+        result[name] = 1 / square if square > 1e-9 else np.inf
     return result

@@ -1,4 +1,4 @@
-"""Terms of a linear model: which of them the records can tell apart, and where on the pattern."""
+"""Choice of the terms of a linear model that the records can separate."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -6,27 +6,33 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, MEAN, design, inflation
+from pyhrg.bench.estimation.harmonics import (
+    LARGEST_INFLATION,
+    MEAN,
+    compute_inflations,
+    make_columns,
+)
 from pyhrg.common.units import DEG
 
 Array = NDArray[np.float64]
 
-SCATTER = 2
-"""Data points beyond the terms, at least, to show the scatter."""
-INSEPARABLE = 1000.0
-"""A term whose variance the others inflate by more than this is not fitted. Less than that only
-makes intervals wide; leaving the term out would make those of the others false."""
-CURVED = 3 * DEG
-"""A pattern that moves by more than this shows the curvature of its bias map, else the slope alone:
-what is left out is less than 0.06 % of the map."""
+SCATTER_POINTS = 2
+"""Data points that a fit must have beyond the number of its terms, so that the scatter shows."""
+LARGEST_FITTED_INFLATION = 1000.0
+"""Largest variance inflation factor (chosen) of a term that is fitted. A smaller inflation only
+widens intervals, while a term left out would bias the others."""
+CURVATURE_SPAN = 3 * DEG
+"""Range of pattern angle, rad, above which the bias map is fitted with its curvature. Below it, a
+straight line deviates from the map by less than 0.06 % of the map's amplitude."""
 
 
 @dataclass(frozen=True)
 class PatternBasis:
-    """How bias depends on the pattern angle: a fourth harmonic, as far as the records tell.
+    """Basis functions for the bias against the pattern angle: a fourth harmonic.
 
-    columns: beside the mean, each (n,).
-    angle: pattern angle that the mean holds at, rad; None where it is that of the circumference.
+    columns: (n,) each, beside the constant one.
+    angle: pattern angle, rad, at which the constant is the bias; None where the constant is the
+        mean over the circumference.
     """
 
     columns: dict[str, Array]
@@ -34,58 +40,60 @@ class PatternBasis:
 
     @property
     def place(self) -> str:
-        """Where figures hold, for a note."""
+        """Pattern angle that the figures are for, in words."""
         if self.angle is None:
             return "mean over the circumference"
         return f"at a pattern angle of {self.angle / DEG:.1f} deg"
 
 
-def pattern_basis(pattern_angle: Array) -> PatternBasis:
-    """Fourth harmonic about zero where positions cover its period, else about the mean angle.
+def choose_pattern_basis(pattern_angle: Array) -> PatternBasis:
+    """Basis for the bias at pattern angles (n,), rad.
 
-    sin 4(th - c) and 1 - cos 4(th - c) span, with a constant, the same fourth harmonic as sin 4th
-    and cos 4th; the constant is then the bias at c, which a pattern that hardly moves does give.
+    Where the angles cover a period of the fourth harmonic, the functions are cos 4th and sin 4th.
+    Elsewhere they are sin 4(th - c) and 1 - cos 4(th - c) about the mean angle c. With a constant
+    they span the same fourth harmonic, and the constant is the bias at c, which even a pattern that
+    hardly moves determines.
     """
-    columns = design(pattern_angle, pattern_angle, (4,), tilt=False)
-    if max(inflation(columns).values()) <= LARGEST_INFLATION:
+    columns = make_columns(pattern_angle, pattern_angle, (4,), tilt=False)
+    if max(compute_inflations(columns).values()) <= LARGEST_INFLATION:
         return PatternBasis({name: columns[name] for name in columns if name != MEAN}, None)
     centre = float(np.mean(pattern_angle))
     off = 4 * (pattern_angle - centre)
     local = {"slope": np.sin(off)}
-    if np.ptp(pattern_angle) > CURVED:
+    if np.ptp(pattern_angle) > CURVATURE_SPAN:
         local["curvature"] = 1 - np.cos(off)
     return PatternBasis(local, centre)
 
 
-def distinguishable(columns: Mapping[str, Array]) -> tuple[dict[str, Array], dict[str, str]]:
-    """Columns in order, each kept while all kept stay tellable from each other.
+def select_separable(columns: Mapping[str, Array]) -> tuple[dict[str, Array], dict[str, str]]:
+    """Columns (n,) that can be fitted together; each is added, in order, while all stay separable.
 
     Returns:
-        Kept columns, and a sentence on each that is not.
+        The columns that were added, and by name a sentence on each of the others.
     """
-    kept: dict[str, Array] = {}
+    accepted: dict[str, Array] = {}
     refused: dict[str, str] = {}
     for name, column in columns.items():
-        trial = {**kept, name: column}
-        if len(trial) + SCATTER > len(column):
+        trial = {**accepted, name: column}
+        if len(trial) + SCATTER_POINTS > len(column):
             refused[name] = f"{len(column)} data points are too few to fit {name} as well"
             continue
-        worst = max(_inflations(trial).values())
-        if np.isfinite(worst) and worst <= INSEPARABLE:
-            kept[name] = column
+        worst = max(_compute_inflations(trial).values())
+        if np.isfinite(worst) and worst <= LARGEST_FITTED_INFLATION:
+            accepted[name] = column
         elif np.ptp(column) == 0.0:
-            refused[name] = f"{name} can't be had: the records don't vary what it depends on"
+            refused[name] = f"{name} has no value: the records don't vary what it depends on"
         else:
             factor = f"{worst:.3g} times" if np.isfinite(worst) else "infinitely"
             refused[name] = (
-                f"the records can't tell {name} from the other terms: variance inflated {factor}, "
-                f"at most {INSEPARABLE:g} is accepted"
+                f"the records can't separate {name} from the other terms: variance inflated "
+                f"{factor}, at most {LARGEST_FITTED_INFLATION:g} is accepted"
             )
-    return kept, refused
+    return accepted, refused
 
 
-def _inflations(columns: Mapping[str, Array]) -> dict[str, float]:
-    """Factor by which the other columns inflate each one's variance, the mean's apart."""
+def _compute_inflations(columns: Mapping[str, Array]) -> dict[str, float]:
+    """Variance inflation factor (centred) of each column but the mean."""
     names = [name for name in columns if name != MEAN]
     if not names:
         return {MEAN: 1.0}

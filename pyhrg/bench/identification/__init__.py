@@ -1,1 +1,1 @@
-"""What tells the mechanisms apart."""
+"""Tests that separate the mechanisms from each other."""

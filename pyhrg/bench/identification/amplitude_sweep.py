@@ -18,20 +18,20 @@ from pyhrg.bench.identification.rate_reversal import (
     GAIN,
     SCALE,
     SKEW,
-    eighth_findings,
-    pickoff_columns,
+    find_eighth_harmonic,
+    make_pickoff_columns,
 )
 from pyhrg.bench.outcome import BenchError, Outcome
-from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.readings.output_rows import (
-    BIAS,
+    BIAS_TERMS,
     Rows,
     Terms,
-    bias_columns,
-    bryan_factor,
-    fitted,
-    output_error,
-    useful,
+    compute_output_error,
+    fit_terms,
+    make_bias_columns,
+    read_bryan_factor,
+    require_steady_rows,
 )
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
@@ -57,37 +57,37 @@ def record(
     return bench.run([PowerOn("amplitude_sweep", KIND, course)])
 
 
-def stretches_of(campaign: Campaign) -> list[Rows]:
+def find_stretches(campaign: Campaign) -> list[Rows]:
     """Steady rows at each amplitude.
 
     Raises:
         BenchError: a single amplitude.
     """
-    logs = [test.log for test in tests_of(campaign, KIND)]
-    stretches = useful(logs, "frequency_offset")
-    found = {float(rows.held("amplitude_setpoint")[0]) for rows in stretches}
+    logs = [test.log for test in require_tests(campaign, KIND)]
+    stretches = require_steady_rows(logs, "frequency_offset")
+    found = {float(rows.values("amplitude_setpoint")[0]) for rows in stretches}
     if len(found) < 2:
         raise BenchError(f"{logs[0].source}: {len(found)} amplitude; the test needs 2")
     return stretches
 
 
-def cubic(campaign: Campaign, stretches: Sequence[Rows]) -> Terms:
+def fit_cubic(campaign: Campaign, stretches: Sequence[Rows]) -> Terms:
     """Cubic of the pick-offs from the output angle; bias and scale factor may be one."""
-    k = bryan_factor(campaign)
+    k = read_bryan_factor(campaign)
     parts = []
     for rows in stretches:
-        excess = float(rows.held("amplitude_setpoint")[0]) ** 2 - 1
+        excess = float(rows.values("amplitude_setpoint")[0]) ** 2 - 1
         turned = np.diff(np.sin(8 * rows.ends("wave_angle")))
         columns = {
-            **bias_columns(rows),
-            **pickoff_columns(rows, k),
+            **make_bias_columns(rows),
+            **make_pickoff_columns(rows, k),
             CUBIC: 3 / (32 * k) * excess * turned,
         }
-        parts.append(Part(columns, output_error(rows, campaign.site), rows.log.interval))
-    return fitted(parts, [*BIAS, *EIGHTH, CUBIC, SCALE, GAIN, SKEW], REASON)
+        parts.append(Part(columns, compute_output_error(rows, campaign.site), rows.log.interval))
+    return fit_terms(parts, [*BIAS_TERMS, *EIGHTH, CUBIC, SCALE, GAIN, SKEW], REASON)
 
 
-def duffing(stretches: Sequence[Rows]) -> Terms:
+def fit_duffing(stretches: Sequence[Rows]) -> Terms:
     """Stiffness from the loop frequency; the split goes with the angle, temperature with time.
 
     Errors of the electrodes add the eighth harmonic to the split's fourth; those of the pick-offs
@@ -95,28 +95,28 @@ def duffing(stretches: Sequence[Rows]) -> Terms:
     """
     parts = []
     for rows in stretches:
-        h, excess = rows.log.interval, rows.held("amplitude_setpoint") ** 2 - 1
+        h, excess = rows.log.interval, rows.values("amplitude_setpoint") ** 2 - 1
         c4, s4, c8, s8 = (rows.mean_trig(trig, n) for n in (4, 8) for trig in (np.cos, np.sin))
         columns = {
             "frequency": np.ones(len(rows)),
             DUFFING: excess,
             "frequency cos4": c4,
             "frequency sin4": s4,
-            DRIFT: rows.held("time") / rows.log.time[-1] - 0.5,
+            DRIFT: rows.values("time") / rows.log.time[-1] - 0.5,
             "frequency cos8": c8,
             "frequency sin8": s8,
             f"{DUFFING} cos4": excess * c4,
             f"{DUFFING} sin4": excess * s4,
         }
         scaled = {name: h * values for name, values in columns.items()}
-        parts.append(Part(scaled, h * rows.held("frequency_offset"), h))
-    return fitted(parts, list(parts[0].columns), DRIFTING)
+        parts.append(Part(scaled, h * rows.values("frequency_offset"), h))
+    return fit_terms(parts, list(parts[0].columns), DRIFTING)
 
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Duffing shift and pick-off cubic."""
-    stretches = stretches_of(campaign)
-    output, frequency = cubic(campaign, stretches), duffing(stretches)
+    stretches = find_stretches(campaign)
+    output, frequency = fit_cubic(campaign, stretches), fit_duffing(stretches)
     warnings = [output.refused[CUBIC]] if CUBIC in output.refused else []
     warnings += [frequency.refused[name] for name in (DUFFING, DRIFT) if name in frequency.refused]
     return Outcome(
@@ -124,26 +124,26 @@ def evaluate(campaign: Campaign) -> Outcome:
         findings=(
             frequency.finding(DUFFING, "mHz"),
             output.finding(CUBIC, "ppm"),
-            *eighth_findings(output),
+            *find_eighth_harmonic(output),
         ),
         verdict=(
             "What follows the square of the amplitude is stiffness (frequency) or a cubic of the "
             "pick-offs (eighth harmonic); the rest of the eighth harmonic is neither."
         ),
         warnings=tuple(warnings),
-        exclusions=exclusions_of(tests_of(campaign, KIND)),
+        exclusions=list_exclusions(require_tests(campaign, KIND)),
         draw=lambda figure: draw(figure, stretches, output),
     )
 
 
 def draw(figure: Figure, stretches: Sequence[Rows], terms: Terms) -> None:
     """Output rate error over the pattern angle at each amplitude, with the fit."""
-    labels = [f"amplitude {rows.held('amplitude_setpoint')[0]:g}" for rows in stretches]
+    labels = [f"amplitude {rows.values('amplitude_setpoint')[0]:g}" for rows in stretches]
     draw_terms(figure, stretches, terms, labels)
     figure.axes[0].set_title("Output less table and Earth's rate at several amplitudes")
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="amplitude-sweep",
     group="identification",
     title="Amplitude sweep: Duffing stiffness, cubic of the pick-offs",

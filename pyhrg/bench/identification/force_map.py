@@ -12,19 +12,19 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.estimation.phasor import anisotropy, component_findings
+from pyhrg.bench.estimation.phasor import estimate_anisotropy, make_component_findings
 from pyhrg.bench.estimation.row_fit import Part
 from pyhrg.bench.identification.identification_figure import COLOURS
-from pyhrg.bench.identification.virtual_rotation import programme
+from pyhrg.bench.identification.virtual_rotation import make_programme
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
-from pyhrg.bench.readings.output_rows import Array, Rows, Terms, fitted, useful
+from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
+from pyhrg.bench.readings.output_rows import Array, Rows, Terms, fit_terms, require_steady_rows
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
 
 KIND = "force_map"
 RATE = 0.5 * DEG
-"""Of the virtual rotation: slow, for the loops to follow."""
+"""Virtual rotation, rad/s: slow enough for the loops to follow."""
 KINDS = (KIND, "positions", "virtual_rotation")
 MEAN = "mean"
 VECTOR = ("cosine", "sine")
@@ -42,7 +42,7 @@ Sensitivity = Callable[[Array, Array], tuple[Array, Array]]
 
 def record(bench: Bench, rate: float = RATE, pattern_turn: float = 180 * DEG) -> list[Test]:
     """One power-on each way, the pattern turned by virtual rotation."""
-    courses = {way: programme(bench, s * rate, pattern_turn) for way, s in WAYS.items()}
+    courses = {way: make_programme(bench, s * rate, pattern_turn) for way, s in WAYS.items()}
     return bench.run([PowerOn(f"force_map_{way}", KIND, c) for way, c in courses.items()])
 
 
@@ -64,11 +64,11 @@ def damping_in_force(cosine: Array, sine: Array) -> tuple[Array, Array]:
     return cosine / 2, sine / 2
 
 
-def loop_map(campaign: Campaign, column: str, sensitivity: Sensitivity) -> Terms:
+def fit_loop_map(campaign: Campaign, column: str, sensitivity: Sensitivity) -> Terms:
     """Mean and anisotropy of a loop's column over all angles; each power-on has its own mean
     frequency and drift (temperature moves it by 85 ppm/K)."""
-    tests = {test.log.source: test.log for test in tests_of(campaign, *KINDS)}
-    stretches = useful(list(tests.values()), column, at_rest=True)
+    tests = {test.log.source: test.log for test in require_tests(campaign, *KINDS)}
+    stretches = require_steady_rows(list(tests.values()), column, at_rest=True)
     own = column == "frequency_offset"
     names, parts = dict.fromkeys([*([] if own else [MEAN])]), []
     for rows in stretches:
@@ -78,20 +78,20 @@ def loop_map(campaign: Campaign, column: str, sensitivity: Sensitivity) -> Terms
         parts.append(_part(rows, column, sensitivity, means))
     order = [*[name for name in names if name.startswith(MEAN)], *VECTOR]
     order += [name for name in names if name.startswith("drift")]
-    terms = fitted(parts, [*order, *DISTURBING], REASON)
+    terms = fit_terms(parts, [*order, *DISTURBING], REASON)
     if not set(VECTOR) <= set(terms.fit.names):
         raise BenchError(f"{', '.join(tests)}: {column}: {REASON}")
     return terms
 
 
 def _part(rows: Rows, column: str, sensitivity: Sensitivity, means: dict[str, int]) -> Part:
-    h, values = rows.log.interval, rows.held(column)
+    h, values = rows.log.interval, rows.values(column)
     if column == "quadrature_force":
-        values = values / rows.held("amplitude_setpoint")
+        values = values / rows.values("amplitude_setpoint")
     c4, s4, c8, s8 = (rows.mean_trig(trig, n) for n in (4, 8) for trig in (np.cos, np.sin))
-    turned = rows.held("virtual_rotation")
+    turned = rows.values("virtual_rotation")
     odd = dict(zip(DISTURBING, (turned, turned * c4, turned * s4, c8, s8, turned**2), strict=True))
-    elapsed = (rows.held("time") - rows.log.time[-1] / 2) / rows.log.time[-1]
+    elapsed = (rows.values("time") - rows.log.time[-1] / 2) / rows.log.time[-1]
     columns = {
         **{name: elapsed**power for name, power in means.items()},
         **dict(zip(VECTOR, sensitivity(c4, s4), strict=True)),
@@ -102,26 +102,26 @@ def _part(rows: Rows, column: str, sensitivity: Sensitivity, means: dict[str, in
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Split and axis twice over, the decay time, and the amplitude force's own anisotropy."""
-    force = loop_map(campaign, "quadrature_force", split_in_force)
-    frequency = loop_map(campaign, "frequency_offset", split_in_frequency)
-    amplitude = loop_map(campaign, "amplitude_force", damping_in_force)
+    force = fit_loop_map(campaign, "quadrature_force", split_in_force)
+    frequency = fit_loop_map(campaign, "frequency_offset", split_in_frequency)
+    amplitude = fit_loop_map(campaign, "amplitude_force", damping_in_force)
     names = ("frequency split", "stiffness axis")
     again = ("frequency split from loop frequency", "stiffness axis from loop frequency")
     apparent = ("apparent damping anisotropy", "apparent damping axis")
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(
-            *anisotropy(force.fit, VECTOR, *names, "mHz"),
-            *component_findings(force.fit, VECTOR, names[0], "mHz"),
-            *anisotropy(frequency.fit, VECTOR, *again, "mHz"),
+            *estimate_anisotropy(force.fit, VECTOR, *names, "mHz"),
+            *make_component_findings(force.fit, VECTOR, names[0], "mHz"),
+            *estimate_anisotropy(frequency.fit, VECTOR, *again, "mHz"),
             _decay_time(amplitude),
-            *anisotropy(amplitude.fit, VECTOR, *apparent, "1/s"),
+            *estimate_anisotropy(amplitude.fit, VECTOR, *apparent, "1/s"),
         ),
         verdict=(
             "Quadrature force and loop frequency give the split and its axis (against the "
             "pick-offs' axes); the amplitude force gives the sum of damping and electrodes alone."
         ),
-        exclusions=exclusions_of(tests_of(campaign, *KINDS)),
+        exclusions=list_exclusions(require_tests(campaign, *KINDS)),
         draw=lambda figure: draw(figure, [force, frequency]),
         values={"terms": {name: force.fit.value(name) for name in force.fit.names}},
     )
@@ -162,7 +162,7 @@ def draw(figure: Figure, maps: Sequence[Terms]) -> None:
     axes.legend()
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="force-map",
     group="identification",
     title="Loop forces and frequency over the pattern angle: frequency split",

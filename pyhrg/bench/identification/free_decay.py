@@ -7,9 +7,9 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from pyhrg.bench.estimation.harmonics import Fit
-from pyhrg.bench.estimation.row_fit import Part, RowFit, row_fit
+from pyhrg.bench.estimation.row_fit import Part, RowFit, fit_rows
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.readings.output_rows import FEWEST
+from pyhrg.bench.readings.output_rows import SHORTEST_ROWS
 from pyhrg.bench.readings.segments import AT_REST
 from pyhrg.common.site import Site
 from pyhrg.common.units import DEG
@@ -22,7 +22,7 @@ CHANNELS = ("angle", "amplitude")
 SCALES = np.array([1e-7, 1e-8, 1e-8, 1e-6, 1e-6])
 """Steps of the terms for central differences, 1/s and rad/s: errors 1e-8 of the columns."""
 ROUNDS = 30
-CLOSE = 1e-3
+CONVERGENCE_SHARE = 1e-3
 """The fit is done when no combination of terms moves by more than this share of its standard
 error, or than rounding."""
 
@@ -50,7 +50,7 @@ class Decay:
         return self.angle_at_start + self.turned
 
 
-def decays(log: Log, site: Site, k: float) -> list[Decay]:
+def find_decays(log: Log, site: Site, k: float) -> list[Decay]:
     """Ring-downs of a log that begin within a stretch without gap, the table at rest.
 
     The gyro's output shows how the pattern turns, with more digits than its angle is logged with.
@@ -64,14 +64,14 @@ def decays(log: Log, site: Site, k: float) -> list[Decay]:
         for edge in edges[~free[edges]]:
             stop = edges[edges > edge]
             last = int(stop[0]) + 1 if len(stop) else len(rows)
-            if last - edge > FEWEST:
+            if last - edge > SHORTEST_ROWS:
                 found.append(_decay(log, int(rows[edge]), int(rows[last - 1]) + 1, site, k))
     return found
 
 
 def _decay(log: Log, before: int, last: int, site: Site, k: float) -> Decay:
-    """Of the rows after `before`, the last one with the drive on; the amplitude led to their ends,
-    a control period after it was detected."""
+    """Ring-down in the rows after `before`, the last row with the drive on. The amplitude is led to
+    the rows' ends, a control period after it was detected."""
     free = slice(before + 1, last)
     if np.ptp(log.table_angle[before:last]) > AT_REST:
         raise BenchError(
@@ -108,7 +108,9 @@ class Gyro:
         g, d = self.pickoff.real, self.pickoff.imag
         seen = 4 * decay.angle_at_start
         start = decay.angle_at_start + (g * np.sin(seen) - d * (1 + np.cos(seen))) / 4
-        return shell(terms).orbit(decay.time, start, -self.k * decay.rotation, self.pickoff)
+        return describe_shell(terms).orbit(
+            decay.time, start, -self.k * decay.rotation, self.pickoff
+        )
 
 
 def _angle(log: Log, rows: slice, k: float) -> float:
@@ -129,7 +131,7 @@ def fit_decays(found: Sequence[Decay], gyro: Gyro, start: Array) -> RowFit:
     terms = _nearby(found, gyro, start)
     for _ in range(ROUNDS):
         try:
-            step = row_fit([part for decay in found for part in _parts(decay, gyro, terms)], TERMS)
+            step = fit_rows([part for decay in found for part in _parts(decay, gyro, terms)], TERMS)
         except ValueError as error:
             raise BenchError(f"{found[0].source}: ring-down: {error}") from error
         terms = terms + step.values
@@ -145,7 +147,7 @@ def _settled(step: Fit) -> bool:
     if np.all(np.abs(step.values) < 1e-13):
         return True
     values, correlation = step.values / size, step.covariance / np.outer(size, size)
-    return float(values @ np.linalg.pinv(correlation) @ values) < CLOSE**2
+    return float(values @ np.linalg.pinv(correlation) @ values) < CONVERGENCE_SHARE**2
 
 
 def _nearby(found: Sequence[Decay], gyro: Gyro, start: Array) -> Array:
@@ -186,7 +188,7 @@ def _parts(decay: Decay, gyro: Gyro, terms: Array) -> list[Part]:
     return parts
 
 
-def shell(terms: Array) -> FreeShell:
-    """Of the terms in their order."""
+def describe_shell(terms: Array) -> FreeShell:
+    """The shell that the terms, in their order, describe."""
     decay, *rest = (float(value) for value in terms)
     return FreeShell(decay, complex(rest[0], rest[1]), complex(rest[2], rest[3]))

@@ -9,9 +9,9 @@ from pyhrg.bench.readings.output_rows import Rows, Terms
 from pyhrg.common.units import DEG, DEG_PER_H
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
-"""Told apart by colour-blind readers too (Okabe and Ito)."""
+"""Colours that are distinct for colour-blind readers too (Okabe and Ito)."""
 POINTS = 60
-"""Per curve: rows are averaged."""
+"""Points a curve; rows are averaged to that number."""
 
 
 def draw_terms(

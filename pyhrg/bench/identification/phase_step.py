@@ -13,16 +13,16 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.row_fit import Part
 from pyhrg.bench.identification.identification_figure import COLOURS
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.output_rows import (
     Array,
     Rows,
     Terms,
-    bryan_factor,
-    fitted,
-    output_error,
-    useful,
+    compute_output_error,
+    fit_terms,
+    read_bryan_factor,
+    require_steady_rows,
 )
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.campaign import Campaign, Test
@@ -32,13 +32,13 @@ OFFSETS = (0.0, 2e-3, -2e-3, 0.0)
 DWELL = 100.0
 REST = 10.0
 ANGLES = (0.0, 11.25 * DEG)
-"""Of the pattern from power-on: where one sees nothing of the split, the other sees all."""
+"""Pattern angles from power-on, rad: where one shows nothing of the split, the other shows all."""
 TABLE_RATE = 10 * DEG
 RESPONSE = "response to phase"
 REASON = "at least two phase offsets at one position, over a quadrature force that is not zero"
 
 
-def programme(bench: Bench, dwell: float = DWELL) -> Programme:
+def make_programme(bench: Bench, dwell: float = DWELL) -> Programme:
     """One power-on: the offsets one after the other, at each angle."""
     course = bench.programme().rest(REST)
     for before, angle in zip((0.0, *ANGLES), ANGLES, strict=False):
@@ -51,43 +51,43 @@ def programme(bench: Bench, dwell: float = DWELL) -> Programme:
 
 def record(bench: Bench, dwell: float = DWELL) -> list[Test]:
     """One power-on."""
-    return bench.run([PowerOn("phase_step", KIND, programme(bench, dwell))])
+    return bench.run([PowerOn("phase_step", KIND, make_programme(bench, dwell))])
 
 
-def measured(campaign: Campaign) -> tuple[Terms, list[Rows]]:
+def fit_response(campaign: Campaign) -> tuple[Terms, list[Rows]]:
     """Response over the expected one, with the bias and its creep at each position."""
-    logs = [test.log for test in tests_of(campaign, KIND)]
-    stretches = useful(logs, "quadrature_force", at_rest=True)
-    k = bryan_factor(campaign)
+    logs = [test.log for test in require_tests(campaign, KIND)]
+    stretches = require_steady_rows(logs, "quadrature_force", at_rest=True)
+    k = read_bryan_factor(campaign)
     places: dict[tuple[str, int], list[Rows]] = {}
     for rows in stretches:
-        place = (rows.log.source, round(float(rows.held("table_angle")[0]) / (0.1 * DEG)))
+        place = (rows.log.source, round(float(rows.values("table_angle")[0]) / (0.1 * DEG)))
         places.setdefault(place, []).append(rows)
     names, parts, ordered = [RESPONSE], [], []
     for number, group in enumerate(places.values()):
         names[:-1] = [*names[:-1], f"bias {number}", f"creep {number}"]
-        middle = float(np.mean([np.mean(rows.held("wave_angle")) for rows in group]))
+        middle = float(np.mean([np.mean(rows.values("wave_angle")) for rows in group]))
         for rows in group:
             h = rows.log.interval
-            turned = rows.held("wave_angle") - middle
+            turned = rows.values("wave_angle") - middle
             columns = {
                 f"bias {number}": np.full(len(rows), h),
                 f"creep {number}": h * turned,
-                RESPONSE: -h * rows.held("phase_offset") * _force(rows) / (2 * k),
+                RESPONSE: -h * rows.values("phase_offset") * _force(rows) / (2 * k),
             }
-            parts.append(Part(columns, output_error(rows, campaign.site), h))
+            parts.append(Part(columns, compute_output_error(rows, campaign.site), h))
             ordered.append(rows)
-    offsets = {float(offset) for rows in stretches for offset in rows.held("phase_offset")[:1]}
+    offsets = {float(offset) for rows in stretches for offset in rows.values("phase_offset")[:1]}
     if len(offsets) < 2:
         raise BenchError(f"{logs[0].source}: {len(offsets)} phase offset; the test needs 2")
-    terms = fitted(parts, names, REASON)
+    terms = fit_terms(parts, names, REASON)
     return terms, ordered
 
 
 def _force(rows: Rows) -> Array:
     """(n,) quadrature force over amplitude, a line in time as the pattern creeps: its noise is not
     a regressor."""
-    ratio = rows.held("quadrature_force") / rows.held("amplitude_setpoint")
+    ratio = rows.values("quadrature_force") / rows.values("amplitude_setpoint")
     time = np.linspace(-1.0, 1.0, len(rows))
     return np.asarray(np.mean(ratio) + time * (time @ ratio) / (time @ time))
 
@@ -98,7 +98,7 @@ def _mean_force(rows: Rows) -> float:
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Response, the split that it sees, and the phase at which the bias would vanish."""
-    terms, stretches = measured(campaign)
+    terms, stretches = fit_response(campaign)
     force = 2 * max(map(_mean_force, stretches), key=abs)
     seen = terms.finding(RESPONSE, "mHz", "frequency split in the bias, times sin 4th", force)
     return Outcome(
@@ -107,14 +107,14 @@ def evaluate(campaign: Campaign) -> Outcome:
             terms.finding(RESPONSE, "1", "response to phase over that of the quadrature force"),
             seen,
             Finding("frequency split in the quadrature force, times sin 4th", force, "mHz"),
-            _apparent_phase(terms, stretches, bryan_factor(campaign)),
+            _apparent_phase(terms, stretches, read_bryan_factor(campaign)),
         ),
         verdict=(
             "A phase error makes bias of the split as the quadrature force says where the response "
             "is 1. How large the phase error is, no test at rest can say by itself."
         ),
         warnings=tuple(terms.refused.values()),
-        exclusions=exclusions_of(tests_of(campaign, KIND)),
+        exclusions=list_exclusions(require_tests(campaign, KIND)),
         draw=lambda figure: draw(figure, terms, stretches),
     )
 
@@ -148,7 +148,7 @@ def draw(figure: Figure, terms: Terms, stretches: list[Rows]) -> None:
         creep = sum(value for name, value in sums.items() if name.startswith("creep"))
         rate = (float(np.sum(part.values)) - creep) / span
         model = sum(sums.values()) - creep
-        groups.setdefault(place, []).append((rows.held("phase_offset")[0], rate, model / span))
+        groups.setdefault(place, []).append((rows.values("phase_offset")[0], rate, model / span))
     for (place, points), colour in zip(groups.items(), COLOURS, strict=False):
         offset, rate, model = np.array(sorted(points)).T
         number = int(place.split()[1]) + 1
@@ -161,7 +161,7 @@ def draw(figure: Figure, terms: Terms, stretches: list[Rows]) -> None:
     axes.legend()
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="phase-step",
     group="identification",
     title="Steps of the demodulation phase: split times phase error",

@@ -15,17 +15,17 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.row_fit import Part
 from pyhrg.bench.identification.identification_figure import draw_terms
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.readings.output_rows import (
-    BIAS,
+    BIAS_TERMS,
     Array,
     Rows,
     Terms,
-    bias_columns,
-    bryan_factor,
-    fitted,
-    output_error,
-    useful,
+    compute_output_error,
+    fit_terms,
+    make_bias_columns,
+    read_bryan_factor,
+    require_steady_rows,
 )
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
@@ -55,7 +55,7 @@ def record(bench: Bench, rates: Sequence[float] = RATES, duration: float = DURAT
     )
 
 
-def pickoff_columns(rows: Rows, k: float) -> dict[str, Array]:
+def make_pickoff_columns(rows: Rows, k: float) -> dict[str, Array]:
     """Angle errors of the pick-offs in the output, rad."""
     angle = rows.ends("wave_angle")
     return {
@@ -67,28 +67,28 @@ def pickoff_columns(rows: Rows, k: float) -> dict[str, Array]:
     }
 
 
-def measured(campaign: Campaign) -> Terms:
+def fit_pickoff_errors(campaign: Campaign) -> Terms:
     """Bias map, scale factor and pick-off errors from all rates together."""
-    stretches, _ = slow(campaign)
-    k = bryan_factor(campaign)
+    stretches, _ = select_slow_rows(campaign)
+    k = read_bryan_factor(campaign)
     parts = [
         Part(
-            {**bias_columns(rows), **pickoff_columns(rows, k)},
-            output_error(rows, campaign.site),
+            {**make_bias_columns(rows), **make_pickoff_columns(rows, k)},
+            compute_output_error(rows, campaign.site),
             rows.log.interval,
         )
         for rows in stretches
     ]
-    return fitted(parts, [*BIAS, SCALE, GAIN, SKEW, *EIGHTH], REASON)
+    return fit_terms(parts, [*BIAS_TERMS, SCALE, GAIN, SKEW, *EIGHTH], REASON)
 
 
-def slow(campaign: Campaign) -> tuple[list[Rows], tuple[str, ...]]:
+def select_slow_rows(campaign: Campaign) -> tuple[list[Rows], tuple[str, ...]]:
     """Steady rows that loops follow, and a sentence on each faster stretch.
 
     Raises:
         BenchError: there are none.
     """
-    stretches = useful([test.log for test in tests_of(campaign, KIND)])
+    stretches = require_steady_rows([test.log for test in require_tests(campaign, KIND)])
     fast = [rows for rows in stretches if abs(_rate(rows)) > FASTEST]
     left_out = tuple(
         f"{rows.log.source}: {_rate(rows) / DEG:.3g} deg/s left out: above {FASTEST / DEG:g} deg/s "
@@ -104,7 +104,7 @@ def _rate(rows: Rows) -> float:
     return float(np.mean(rows.increments("table_angle"))) / rows.log.interval
 
 
-def eighth_findings(terms: Terms) -> tuple[Finding, ...]:
+def find_eighth_harmonic(terms: Terms) -> tuple[Finding, ...]:
     """Eighth harmonic of the detected angle: a cubic of the pick-offs, and 0.004 arcsec by a split
     of 0.5 mHz that the quadrature loop follows late."""
     return tuple(
@@ -119,9 +119,9 @@ def evaluate(campaign: Campaign) -> Outcome:
     Raises:
         BenchError: one way only.
     """
-    terms = measured(campaign)
+    terms = fit_pickoff_errors(campaign)
     if SCALE in terms.refused:
-        names = ", ".join(test.log.source for test in tests_of(campaign, KIND))
+        names = ", ".join(test.log.source for test in require_tests(campaign, KIND))
         raise BenchError(f"{names}: {terms.refused[SCALE]}; else it is taken for a bias")
     return Outcome(
         procedure=PROCEDURE.name,
@@ -129,15 +129,18 @@ def evaluate(campaign: Campaign) -> Outcome:
             terms.finding(GAIN, "ppm"),
             terms.finding(SKEW, "ppm"),
             terms.finding(SCALE, "ppm"),
-            *eighth_findings(terms),
-            *(terms.finding(name, "deg/h") for name in BIAS),
+            *find_eighth_harmonic(terms),
+            *(terms.finding(name, "deg/h") for name in BIAS_TERMS),
         ),
         verdict=(
             "What reverses with the rate is the pick-offs'; what does not is the bias map, of "
             "which this test can't say whether damping, drives or pick-offs make it."
         ),
         warnings=tuple(terms.refused.values()),
-        exclusions=(*exclusions_of(tests_of(campaign, KIND)), *slow(campaign)[1]),
+        exclusions=(
+            *list_exclusions(require_tests(campaign, KIND)),
+            *select_slow_rows(campaign)[1],
+        ),
         draw=lambda figure: draw(figure, campaign, terms),
         values={"terms": {name: terms.fit.value(name) for name in terms.fit.names}},
     )
@@ -145,12 +148,12 @@ def evaluate(campaign: Campaign) -> Outcome:
 
 def draw(figure: Figure, campaign: Campaign, terms: Terms) -> None:
     """Output rate error over the pattern angle at each rate, with the fit."""
-    stretches, _ = slow(campaign)
+    stretches, _ = select_slow_rows(campaign)
     draw_terms(figure, stretches, terms, [f"{_rate(rows) / DEG:+.3g} deg/s" for rows in stretches])
     figure.axes[0].set_title("Output less table and Earth's rate")
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="rate-reversal",
     group="identification",
     title="Table rate both ways: errors of the pick-offs",

@@ -17,30 +17,37 @@ from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.harmonics import Fit
-from pyhrg.bench.estimation.phasor import anisotropy, component_findings
+from pyhrg.bench.estimation.phasor import estimate_anisotropy, make_component_findings
 from pyhrg.bench.identification import rate_reversal
-from pyhrg.bench.identification.free_decay import TERMS, Decay, Gyro, decays, fit_decays, shell
+from pyhrg.bench.identification.free_decay import (
+    TERMS,
+    Decay,
+    Gyro,
+    describe_shell,
+    find_decays,
+    fit_decays,
+)
 from pyhrg.bench.identification.identification_figure import COLOURS
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.output_rows import FEWEST, TRANSIENT, bryan_factor
+from pyhrg.bench.readings.output_rows import SHORTEST_ROWS, TRANSIENT, read_bryan_factor
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.records.campaign import Campaign, Test
 
 KIND = "ring_down"
 POSITIONS = 8
 PATTERN_STEP = 22.5 * DEG
-"""Between ring-downs: a quarter of the period of the anisotropy."""
+"""Pattern angle between ring-downs, rad: a quarter of the anisotropy's period."""
 TABLE_RATE = 10 * DEG
 REST = 20.0
 DECAY = 120.0
-"""Of one ring-down, s: short, for the split turns a walk of the quadrature into angle."""
+"""Duration of one ring-down, s: short, as the split turns a walk of the quadrature into angle."""
 WALKING = 0.5
 """Split times duration, rad, beyond which that is more than a few percent of the noise."""
 
 
-def programme(bench: Bench, positions: int = POSITIONS, decay: float = DECAY) -> Programme:
+def make_programme(bench: Bench, positions: int = POSITIONS, decay: float = DECAY) -> Programme:
     """One power-on: at each angle the pattern is brought to amplitude, then left alone."""
     course = bench.programme()
     for position in range(positions):
@@ -52,32 +59,32 @@ def programme(bench: Bench, positions: int = POSITIONS, decay: float = DECAY) ->
 
 def record(bench: Bench, positions: int = POSITIONS, decay: float = DECAY) -> list[Test]:
     """One power-on with ring-downs at four angles, twice; and the pick-offs by table rate."""
-    course = programme(bench, positions, decay)
+    course = make_programme(bench, positions, decay)
     return [*bench.run([PowerOn("ring_down", KIND, course)]), *rate_reversal.record(bench)]
 
 
-def measured(campaign: Campaign) -> tuple[Fit, list[Decay], Gyro]:
+def fit_ring_downs(campaign: Campaign) -> tuple[Fit, list[Decay], Gyro]:
     """Fit of all ring-downs of the campaign, the pick-offs' errors taken from its rate tests.
 
-    Angle and amplitude alone don't tell a split from its negative: the quadrature force does.
+    Angle and amplitude alone don't separate a split from its negative; the quadrature force does.
 
     Raises:
         BenchError: the drive is never switched off for long enough.
     """
-    logs = [test.log for test in tests_of(campaign, KIND)]
-    k, site = bryan_factor(campaign), campaign.site
-    found = [decay for log in logs for decay in decays(log, site, k)]
+    logs = [test.log for test in require_tests(campaign, KIND)]
+    k, site = read_bryan_factor(campaign), campaign.site
+    found = [decay for log in logs for decay in find_decays(log, site, k)]
     if not found:
         raise BenchError(
             f"{', '.join(log.source for log in logs)}: the drive is nowhere off for more than "
-            f"{FEWEST} rows after rows with the drive on"
+            f"{SHORTEST_ROWS} rows after rows with the drive on"
         )
     first = found[0]
     rate = float(np.log(first.amplitude[0] / first.amplitude[-1]) / np.ptp(first.time))
     split = _split_guess(campaign)
     gyro = Gyro(k, _pickoff(campaign))
     fit = fit_decays(found, gyro, np.array([rate, 0.0, 0.0, split.real, split.imag]))
-    if (shell(fit.values).split.conjugate() * split).real < 0:
+    if (describe_shell(fit.values).split.conjugate() * split).real < 0:
         fit = replace(fit, values=fit.values * [1, 1, 1, -1, -1])
     return fit, found, gyro
 
@@ -86,7 +93,7 @@ def _pickoff(campaign: Campaign) -> complex:
     """g + i d; zero where the campaign holds no rate test that shows them."""
     if not any(test.kind == rate_reversal.KIND for test in campaign.tests):
         return 0j
-    terms = rate_reversal.measured(campaign)
+    terms = rate_reversal.fit_pickoff_errors(campaign)
     if {rate_reversal.GAIN, rate_reversal.SKEW} & terms.refused.keys():
         return 0j
     return complex(terms.fit.value(rate_reversal.GAIN), terms.fit.value(rate_reversal.SKEW))
@@ -98,7 +105,7 @@ def _split_guess(campaign: Campaign) -> complex:
     What a ring-down left of quadrature is driven out first, with a far greater force.
     """
     columns, values = [], []
-    for test in tests_of(campaign, KIND):
+    for test in require_tests(campaign, KIND):
         log = test.log
         log.require("quadrature_force", "amplitude_setpoint")
         wait = int(np.ceil(TRANSIENT / log.interval))
@@ -113,25 +120,29 @@ def _split_guess(campaign: Campaign) -> complex:
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Decay time, damping anisotropy and split with their axes."""
-    fit, found, gyro = measured(campaign)
+    fit, found, gyro = fit_ring_downs(campaign)
     rate, (low, high) = fit.value(TERMS[0]), fit.interval(TERMS[0])
     damping, split = (TERMS[1], TERMS[2]), (TERMS[3], TERMS[4])
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(
             Finding("decay time", 1 / rate, "s", 1 / high, 1 / low, len(fit.residual)),
-            *anisotropy(fit, damping, "damping anisotropy", "damping axis", "1/s"),
-            *component_findings(fit, damping, "damping anisotropy", "1/s"),
-            *anisotropy(fit, split, "frequency split", "stiffness axis", "mHz"),
-            *component_findings(fit, split, "frequency split", "mHz"),
+            *estimate_anisotropy(fit, damping, "damping anisotropy", "damping axis", "1/s"),
+            *make_component_findings(fit, damping, "damping anisotropy", "1/s"),
+            *estimate_anisotropy(fit, split, "frequency split", "stiffness axis", "mHz"),
+            *make_component_findings(fit, split, "frequency split", "mHz"),
         ),
         verdict=(
             f"Ring-downs: {len(found)}. The damping anisotropy here is the shell's: errors of the "
             "drives take no part. Held to be zero: quadrature when the drive was switched off "
             "(q0/a would add 2 q0/a times the split), tilt of the input axis."
         ),
-        warnings=(*_narrow(found), *_unknown(gyro), *_walking(found, shell(fit.values).split)),
-        exclusions=exclusions_of(tests_of(campaign, KIND)),
+        warnings=(
+            *_narrow(found),
+            *_unknown(gyro),
+            *_walking(found, describe_shell(fit.values).split),
+        ),
+        exclusions=list_exclusions(require_tests(campaign, KIND)),
         draw=lambda figure: draw(figure, found, fit, gyro),
         values={"terms": {name: fit.value(name) for name in TERMS}},
     )
@@ -192,7 +203,7 @@ def draw(figure: Figure, found: Sequence[Decay], fit: Fit, gyro: Gyro) -> None:
         axes.grid(alpha=0.3)
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="ring-down",
     group="identification",
     title="Ring-down: decay time, damping anisotropy and its axis, frequency split",

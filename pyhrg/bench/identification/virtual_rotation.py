@@ -12,17 +12,17 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.row_fit import Part
 from pyhrg.bench.identification.identification_figure import draw_terms
 from pyhrg.bench.outcome import BenchError, Outcome
-from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.output_rows import (
-    BIAS,
+    BIAS_TERMS,
     Array,
     Rows,
     Terms,
-    bias_columns,
-    fitted,
-    output_error,
-    useful,
+    compute_output_error,
+    fit_terms,
+    make_bias_columns,
+    require_steady_rows,
 )
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
@@ -34,7 +34,7 @@ GAIN, COSINE, SINE = "virtual rotation", "virtual rotation cos4", "virtual rotat
 REASON = "the pattern must be turned both ways, each over most of 90 deg"
 
 
-def programme(bench: Bench, rate: float, pattern_turn: float = 180 * DEG) -> Programme:
+def make_programme(bench: Bench, rate: float, pattern_turn: float = 180 * DEG) -> Programme:
     """One power-on: table at rest, axis up, the pattern turned by the drives."""
     course = bench.programme().rest(REST).command(virtual_rotation=rate)
     return course.rest(float(np.ceil(pattern_turn / (bench.device.bryan_factor * abs(rate)))))
@@ -44,31 +44,33 @@ def record(bench: Bench, rate: float = RATE, pattern_turn: float = 180 * DEG) ->
     """One power-on each way."""
     return bench.run(
         [
-            PowerOn(f"virtual_rotation_{way}", KIND, programme(bench, sign * rate, pattern_turn))
+            PowerOn(
+                f"virtual_rotation_{way}", KIND, make_programme(bench, sign * rate, pattern_turn)
+            )
             for way, sign in (("pos", 1.0), ("neg", -1.0))
         ]
     )
 
 
-def columns(rows: Rows) -> dict[str, Array]:
+def make_columns(rows: Rows) -> dict[str, Array]:
     """Terms of the output, rad."""
-    turned = rows.held("virtual_rotation") * rows.log.interval
+    turned = rows.values("virtual_rotation") * rows.log.interval
     return {
-        **bias_columns(rows),
+        **make_bias_columns(rows),
         GAIN: turned,
         COSINE: turned * rows.mean_trig(np.cos, 4),
         SINE: turned * rows.mean_trig(np.sin, 4),
     }
 
 
-def measured(campaign: Campaign) -> Terms:
+def fit_rotation_error(campaign: Campaign) -> Terms:
     """Bias map and the error of the virtual rotation over the circumference."""
-    stretches = useful([test.log for test in tests_of(campaign, KIND)])
+    stretches = require_steady_rows([test.log for test in require_tests(campaign, KIND)])
     parts = [
-        Part(columns(rows), output_error(rows, campaign.site), rows.log.interval)
+        Part(make_columns(rows), compute_output_error(rows, campaign.site), rows.log.interval)
         for rows in stretches
     ]
-    return fitted(parts, [*BIAS, GAIN, COSINE, SINE], REASON)
+    return fit_terms(parts, [*BIAS_TERMS, GAIN, COSINE, SINE], REASON)
 
 
 def evaluate(campaign: Campaign) -> Outcome:
@@ -77,9 +79,9 @@ def evaluate(campaign: Campaign) -> Outcome:
     Raises:
         BenchError: one way only.
     """
-    terms = measured(campaign)
+    terms = fit_rotation_error(campaign)
     if GAIN in terms.refused:
-        names = ", ".join(test.log.source for test in tests_of(campaign, KIND))
+        names = ", ".join(test.log.source for test in require_tests(campaign, KIND))
         raise BenchError(f"{names}: {terms.refused[GAIN]}; else it is taken for a bias")
     return Outcome(
         procedure=PROCEDURE.name,
@@ -87,14 +89,14 @@ def evaluate(campaign: Campaign) -> Outcome:
             terms.finding(GAIN, "ppm", "virtual rotation gain error", -1.0),
             terms.finding(COSINE, "ppm", "gain mismatch of pick-offs and drives", 2.0),
             terms.finding(SINE, "ppm", "non-orthogonality of pick-offs and drives", 2.0),
-            *(terms.finding(name, "deg/h") for name in BIAS),
+            *(terms.finding(name, "deg/h") for name in BIAS_TERMS),
         ),
         verdict=(
             "Virtual rotation gives g + gd and d + nd without the damping anisotropy that a static "
             "test mixes them with; the pick-offs' own share is in the rate test."
         ),
         warnings=tuple(terms.refused.values()),
-        exclusions=exclusions_of(tests_of(campaign, KIND)),
+        exclusions=list_exclusions(require_tests(campaign, KIND)),
         draw=lambda figure: draw(figure, campaign, terms),
         values={"terms": {name: terms.fit.value(name) for name in terms.fit.names}},
     )
@@ -102,13 +104,13 @@ def evaluate(campaign: Campaign) -> Outcome:
 
 def draw(figure: Figure, campaign: Campaign, terms: Terms) -> None:
     """Output rate over the pattern angle in both directions, with the fit."""
-    stretches = useful([test.log for test in tests_of(campaign, KIND)])
-    labels = [f"V = {rows.held('virtual_rotation')[0] / DEG:+.3g} deg/s" for rows in stretches]
+    stretches = require_steady_rows([test.log for test in require_tests(campaign, KIND)])
+    labels = [f"V = {rows.values('virtual_rotation')[0] / DEG:+.3g} deg/s" for rows in stretches]
     draw_terms(figure, stretches, terms, labels)
     figure.axes[0].set_title("Output under virtual rotation, less Earth's rate")
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="virtual-rotation",
     group="identification",
     title="Virtual rotation both ways: gain error, mismatch of the drives",

@@ -3,9 +3,10 @@
 from dataclasses import dataclass
 
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.procedure import usable
-from pyhrg.bench.readings.noise_records import NoiseRecord, alike, noise_records
-from pyhrg.noise.model import NoiseCoefficients, coefficients
+from pyhrg.bench.procedure import select_tests
+from pyhrg.bench.readings.noise_records import NoiseRecord, find_noise_records, select_comparable
+from pyhrg.noise.coefficients import NoiseCoefficients
+from pyhrg.noise.fitting import fit_coefficients
 from pyhrg.records.campaign import Campaign
 
 
@@ -31,7 +32,7 @@ class Noise:
         return max(self.records, key=lambda record: record.n)
 
 
-def noise(campaign: Campaign, kind: str, turning: bool) -> Noise | None:
+def fit_noise_of_tests(campaign: Campaign, kind: str, turning: bool) -> Noise | None:
     """Coefficients of the tests of one kind together; None where there are none.
 
     Args:
@@ -42,8 +43,8 @@ def noise(campaign: Campaign, kind: str, turning: bool) -> Noise | None:
     Raises:
         BenchError: no test has a stretch that is long enough, or one has no noise.
     """
-    tests = usable(campaign, kind)
-    found = [record for test in tests for record in noise_records(test.log)]
+    tests = select_tests(campaign, kind)
+    found = [record for test in tests for record in find_noise_records(test.log)]
     if not tests:
         return None
     wanted = [record for record in found if (record.rotation != 0) == turning]
@@ -52,6 +53,6 @@ def noise(campaign: Campaign, kind: str, turning: bool) -> Noise | None:
         raise BenchError(
             f"{tests[0].log.source}: no stretch that is long enough is {state} virtual rotation"
         )
-    records, exclusions = alike(wanted)
-    best = coefficients([record.spectrum for record in records], records[0].interval)
+    records, exclusions = select_comparable(wanted)
+    best = fit_coefficients([record.spectrum for record in records], records[0].interval)
     return Noise(tuple(records), best, exclusions)

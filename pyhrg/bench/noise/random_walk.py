@@ -5,18 +5,18 @@ import math
 import numpy as np
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.noise.noise_of_tests import Noise, noise
+from pyhrg.bench.noise.noise_of_tests import Noise, fit_noise_of_tests
 from pyhrg.bench.noise.random_walk_figure import Shown, draw
 from pyhrg.bench.outcome import Finding, Outcome
-from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import WARM_UP
 from pyhrg.common.units import DEG, HOUR
-from pyhrg.noise.allan import allan_deviation
-from pyhrg.noise.model import Coefficient
+from pyhrg.noise.allan import estimate_allan_deviation
+from pyhrg.noise.coefficients import Coefficient
 from pyhrg.records.campaign import Campaign, Test
 
-OFF, ON = KINDS = ("static", "virtual_rotation")
+RESTING_KIND, ROTATING_KIND = KINDS = ("static", "virtual_rotation")
 DURATION = 2 * HOUR
 ROTATION = 1 * DEG
 """Commanded, as an input rate: the pattern turns by 0.277 of it, rad/s."""
@@ -24,37 +24,37 @@ TERMS = {
     "angle_random_walk": ("angle random walk", "deg/sqrt(h)"),
     "bias_instability": ("bias instability", "deg/h"),
     "rate_random_walk": ("rate random walk", "deg/h/sqrt(h)"),
-    "white_angle": ("white angle noise", "arcsec"),
+    "angle_white_noise": ("white angle noise", "arcsec"),
 }
-"""Of `NoiseCoefficients`: how a finding is called, and its unit."""
+"""Name and unit of each coefficient's finding, by the field of `NoiseCoefficients`."""
 RATIO = "random walk ratio"
 CREEP = 0.1 * DEG
 """Arc over which the bias map begins to look like slow noise, rad."""
 
 
-def programme(bench: Bench, rotation: float, duration: float = DURATION) -> Programme:
+def make_programme(bench: Bench, rotation: float, duration: float = DURATION) -> Programme:
     """One power-on: at rest, input axis east, so that no Earth rate moves the pattern."""
     course = bench.programme().attitude(0.0).command(virtual_rotation=rotation)
     return course.rest(WARM_UP + duration)
 
 
-def power_ons(bench: Bench, duration: float = DURATION) -> list[PowerOn]:
+def plan_power_ons(bench: Bench, duration: float = DURATION) -> list[PowerOn]:
     """Without and with virtual rotation."""
     return [
-        PowerOn("random_walk_off", OFF, programme(bench, 0.0, duration)),
-        PowerOn("random_walk_on", ON, programme(bench, ROTATION, duration)),
+        PowerOn("random_walk_off", RESTING_KIND, make_programme(bench, 0.0, duration)),
+        PowerOn("random_walk_on", ROTATING_KIND, make_programme(bench, ROTATION, duration)),
     ]
 
 
 def record(bench: Bench) -> list[Test]:
     """Run them."""
-    return bench.run(power_ons(bench))
+    return bench.run(plan_power_ons(bench))
 
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Coefficients without and with virtual rotation, and how much worse it makes the walk."""
-    tests = tests_of(campaign, *KINDS)
-    off, on = (noise(campaign, kind, kind == ON) for kind in KINDS)
+    tests = require_tests(campaign, *KINDS)
+    off, on = (fit_noise_of_tests(campaign, kind, kind == ROTATING_KIND) for kind in KINDS)
     ratio = _ratio(off, on)
     states = {"without": off, "with": on}
     return Outcome(
@@ -63,7 +63,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         verdict=_verdict(off, on, ratio),
         warnings=tuple(text for found in states.values() if found for text in _warnings(found)),
         exclusions=(
-            *exclusions_of(tests),
+            *list_exclusions(tests),
             *(text for found in states.values() if found for text in found.exclusions),
         ),
         draw=lambda figure: draw(figure, _drawn(states)),
@@ -86,7 +86,7 @@ def _finding(coefficient: Coefficient, name: str, unit: str, n: int) -> Finding:
 
 
 def _ratio(off: Noise | None, on: Noise | None) -> Finding:
-    """Of the walks: virtual rotation over none.
+    """Ratio of the random walks, with virtual rotation over without.
 
     Interval of a ratio of independent estimates from the interval of each, in logarithms
     (G. Zou, A. Donner, Stat. Med. 27 (2008)).
@@ -144,13 +144,13 @@ def _drawn(states: dict[str, Noise | None]) -> list[Shown]:
 
 def _shown(label: str, found: Noise) -> Shown:
     longest = found.longest
-    measured = allan_deviation(longest.spectrum.rest, longest.interval)
+    measured = estimate_allan_deviation(longest.spectrum.rest, longest.interval)
     trends = 1 + len(longest.spectrum.products)
     most = longest.n * longest.interval / (2 * trends)
     return Shown(label, measured.up_to(most), found.coefficients)
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="random-walk",
     group="noise",
     title="Random walk without and with virtual rotation",

@@ -9,9 +9,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyhrg.common.units import DEG_PER_H
-from pyhrg.noise.allan import AllanDeviation, expected_deviation
+from pyhrg.noise.allan import AllanDeviation
+from pyhrg.noise.coefficients import NoiseCoefficients, compute_allan_deviation
 from pyhrg.noise.likelihood import Array
-from pyhrg.noise.model import NoiseCoefficients
 
 LARGEST = math.sqrt(0.5)
 """Share of the deviation from which a noise is the largest."""
@@ -19,7 +19,7 @@ LARGEST = math.sqrt(0.5)
 
 @dataclass(frozen=True)
 class Style:
-    """Of a curve, told apart without colour too; where the slopes' names stand, points."""
+    """Style of a curve, distinct without colour too; offset of the slopes' names, points."""
 
     colour: str
     marker: str
@@ -28,12 +28,12 @@ class Style:
 
 STYLES = (Style("#0072b2", "o", (0, -30)), Style("#d55e00", "s", (8, 16)))
 SLOPES: dict[str, tuple[str, Callable[[float, Array], Array]]] = {
-    "white_angle": ("Q, slope -1", lambda q, t: np.sqrt(3) * q / t),
+    "angle_white_noise": ("Q, slope -1", lambda q, t: np.sqrt(3) * q / t),
     "angle_random_walk": ("N, slope -1/2", lambda n, t: n / np.sqrt(t)),
     "bias_instability": ("B, slope 0", lambda b, t: np.sqrt(2 * np.log(2) / np.pi) * b + 0 * t),
     "rate_random_walk": ("K, slope +1/2", lambda k, t: k * np.sqrt(t / 3)),
 }
-"""Of each coefficient alone (IEEE Std 952, annex C)."""
+"""Allan deviation of each coefficient alone (IEEE Std 952, annex C), with its name."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ def _draw_curve(axes: Axes, curve: Shown, style: Style) -> None:
     axes.plot(
         tau, found.deviation / DEG_PER_H, style.marker, color=style.colour, ms=4, label=curve.label
     )
-    promised = expected_deviation(tau, curve.coefficients) / DEG_PER_H
+    promised = compute_allan_deviation(tau, curve.coefficients) / DEG_PER_H
     axes.plot(tau, promised, color=style.colour, lw=1.5, label="fitted noises")
     _draw_slopes(axes, curve.coefficients, tau, promised, style)
 

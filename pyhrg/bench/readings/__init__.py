@@ -1,1 +1,1 @@
-"""What is read off a log: stretches at rest, turns, sweeps; data points and rows."""
+"""Readings of a log: stretches at rest, turns and sweeps; data points and rows."""

@@ -1,6 +1,6 @@
-"""Data points of a log while nothing moves but the pattern: independent of each other.
+"""Mean rates over parts of a log in which table and specific force are constant.
 
-Neighbours share no sample, so that the noise of one angle reading is not in two rates.
+Neighbouring data points share no angle reading, so that their noises are independent.
 """
 
 import math
@@ -12,28 +12,29 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.readings.segments import SEGMENT, rests
+from pyhrg.bench.readings.segments import SEGMENT, find_rests
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.records import Log
 
 Array = NDArray[np.float64]
 
 FORCES = ("acceleration_x", "acceleration_y", "acceleration_z")
-JUMP = 0.5
-"""Specific force that changes by more than this from row to row has been commanded to, m/s2."""
+"""Columns of the specific force."""
+COMMAND_JUMP = 0.5
+"""Change of a specific force from row to row, m/s2, above which it is a new command."""
 
 
 @dataclass(frozen=True)
 class Points:
-    """Data points, each (n,) but for the specific force.
+    """n data points; arrays are (n,) except the specific force.
 
-    rate: output rate less Earth's rate on the input axis, rad/s.
+    rate: mean output rate less Earth's rate on the input axis, rad/s.
     pattern_angle: mean, rad.
     acceleration: (n, 3) mean specific force, m/s2.
-    time: middle since power-on, s.
-    duration: s.
-    first, last: rows of the log at whose ends the angle was read.
-    dwell: number of the dwell, counted through the log.
+    time: middle of the part, since power-on, s.
+    duration: of the part, s.
+    first, last: rows of the log between whose angle readings the rate is taken.
+    dwell: number of the dwell in the log.
     """
 
     rate: Array
@@ -49,16 +50,16 @@ class Points:
         return len(self.rate)
 
     def part(self, chosen: NDArray[np.bool_]) -> "Points":
-        """Those chosen."""
+        """The points that a mask (n,) chooses."""
         return Points(*(getattr(self, f.name)[chosen] for f in fields(self)))
 
 
-def joined(parts: Sequence[Points]) -> Points:
-    """Points of several logs, one after the other; rows and dwells stay those of their log."""
+def join_points(parts: Sequence[Points]) -> Points:
+    """Points of several logs, one after the other; their row and dwell numbers don't change."""
     return Points(*(np.concatenate([getattr(p, f.name) for p in parts]) for f in fields(Points)))
 
 
-def points(
+def read_points(
     log: Log,
     latitude: float,
     settle: float,
@@ -66,58 +67,59 @@ def points(
     warm_up: float = 0.0,
     held: Sequence[str] = FORCES,
 ) -> Points:
-    """Equal parts of about `length` seconds, at least, of each dwell.
+    """Data points of a log: each dwell is divided into equal parts, as many as `length` allows.
 
     Args:
         log: one power-on.
         latitude: of the site, rad.
-        settle: left out at the beginning of each dwell, s.
-        length: least length of a part, s.
-        warm_up: left out after power-on, s.
-        held: columns that a dwell ends with a jump of.
+        settle: time at the beginning of each dwell that is not used, s.
+        length: shortest duration of a part, s.
+        warm_up: time after power-on that is not used, s.
+        held: columns whose jumps end a dwell.
 
     Raises:
         BenchError: no dwell is long enough.
     """
     log.require("axis_up", "gyro_angle", "wave_angle", "table_angle", *FORCES)
-    found, longest = [], 0.0
-    for number, dwell in enumerate(dwells(log, settle, warm_up, held)):
+    rows_of_points, longest = [], 0.0
+    for number, dwell in enumerate(find_dwells(log, settle, warm_up, held)):
         rows = dwell.stop - dwell.start
         longest = max(longest, (rows - 1) * log.interval)
         parts = math.floor((rows * log.interval) / (length + log.interval) + 1e-9)
         if parts:
             size = rows // parts
-            found += [
-                _point(log, latitude, begin, begin + size - 1, number)
+            rows_of_points += [
+                _read_point(log, latitude, begin, begin + size - 1, number)
                 for begin in range(dwell.start, dwell.start + parts * size, size)
             ]
-    if not found:
+    if not rows_of_points:
         raise BenchError(
             f"{log.source}: nothing rests for {length:g} s after {settle:g} s of settling; the "
             f"longest dwell has {longest:g} s"
         )
-    return Points(*(np.array(column) for column in zip(*found, strict=True)))
+    return Points(*(np.array(column) for column in zip(*rows_of_points, strict=True)))
 
 
-def dwells(log: Log, settle: float, warm_up: float, held: Sequence[str]) -> list[slice]:
-    """Rows of each stretch with the table at rest and no jump of the columns in `held`."""
+def find_dwells(log: Log, settle: float, warm_up: float, held: Sequence[str]) -> list[slice]:
+    """Rows of each stretch in which the table rests and no column of `held` jumps, from `settle`
+    seconds after its beginning and `warm_up` seconds after power-on."""
     late = int(np.searchsorted(log.time, log.time[0] + warm_up - 1e-9))
     skipped = math.ceil(settle / log.interval - 1e-9)
     jumps = np.zeros(len(log.time), dtype=bool)
     for name in held:
         values = getattr(log, name)
-        jumps |= np.abs(np.diff(values, prepend=values[:1])) > JUMP
-    found = []
-    for rest in rests(log, 0.0):
+        jumps |= np.abs(np.diff(values, prepend=values[:1])) > COMMAND_JUMP
+    stretches = []
+    for rest in find_rests(log, 0.0):
         bounds = [rest.start, *(np.flatnonzero(jumps[rest]) + rest.start).tolist(), rest.stop]
         for begin, end in pairwise(bounds):
             first = max(begin + skipped, late)
             if end > first + 1:
-                found.append(slice(int(first), int(end)))
-    return found
+                stretches.append(slice(int(first), int(end)))
+    return stretches
 
 
-def _point(log: Log, latitude: float, first: int, last: int, dwell: int) -> tuple[object, ...]:
+def _read_point(log: Log, latitude: float, first: int, last: int, dwell: int) -> tuple[object, ...]:
     span = log.time[last] - log.time[first]
     part = slice(first + 1, last + 1)
     earth = EARTH_RATE * math.sin(latitude) * np.mean(log.axis_up[part])

@@ -1,7 +1,8 @@
-"""Rows of the gyro's output against what may have moved it: terms of every identification fit.
+"""Rows of the gyro's output and the terms that are fitted to them in the identification tests.
 
-First order in every imperfection, with th the detected pattern angle. Angles of pick-offs are an
-angle error of th, so that they need no rate; drives and damping are rates (`theory`, docs).
+The terms are of first order in every imperfection; th is the detected pattern angle. Errors of
+pick-offs are errors of the angle th, so that they need no duration. Errors of drives and damping
+are rates (`pyhrg.theory`).
 """
 
 from collections.abc import Callable, Sequence
@@ -12,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, Fit
-from pyhrg.bench.estimation.row_fit import Part, inflations, row_fit
+from pyhrg.bench.estimation.row_fit import Part, compute_inflations, fit_rows
 from pyhrg.bench.outcome import BenchError, Finding
 from pyhrg.bench.readings.segments import AT_REST
 from pyhrg.common.site import Site
@@ -22,19 +23,21 @@ from pyhrg.records.campaign import Campaign
 Array = NDArray[np.float64]
 
 TRANSIENT = 3.0
-"""Left out after power-on and after each command, s: loops of 6 rad/s settle to 1e-7."""
-BIAS = ("bias mean", "bias cos4", "bias sin4")
-"""Terms of the bias map."""
-FEWEST = 20
-"""Rows that a stretch must have to be of use."""
+"""Time after power-on and after each command that is not used, s; loops of 6 rad/s have settled to
+1e-7 then."""
+BIAS_TERMS = ("bias mean", "bias cos4", "bias sin4")
+"""Names of the terms of the bias map."""
+SHORTEST_ROWS = 20
+"""Fewest rows of a stretch that is used."""
 
 
 @dataclass(frozen=True)
 class Rows:
-    """Consecutive rows of a log, each with the one before.
+    """n consecutive rows of a log.
 
-    log: of one power-on.
-    first, last: rows [first, last), of which `first` is at least 1.
+    log: one power-on.
+    first, last: the rows are [first, last); `first` is at least 1, for the row before it gives the
+        readings at their beginning.
     """
 
     log: Log
@@ -45,44 +48,46 @@ class Rows:
         return self.last - self.first
 
     def ends(self, name: str) -> Array:
-        """(n + 1,) values at the bounds of the rows."""
+        """(n + 1,) readings of a column at the bounds of the rows."""
         return np.asarray(getattr(self.log, name)[self.first - 1 : self.last])
 
-    def held(self, name: str) -> Array:
-        """(n,) values over the rows."""
+    def values(self, name: str) -> Array:
+        """(n,) values of a column in the rows."""
         return np.asarray(getattr(self.log, name)[self.first : self.last])
 
     def increments(self, name: str) -> Array:
-        """(n,) changes over the rows."""
+        """(n,) changes of a column over the rows."""
         return np.diff(self.ends(name))
 
     def mean_trig(self, trig: Callable[[Array], Array], order: int) -> Array:
-        """(n,) mean over each row of the cosine or sine of `order` times the pattern angle."""
+        """(n,) mean over each row of `trig`, cosine or sine, of `order` times the pattern angle."""
         angle = self.ends("wave_angle")
         middle, swept = (angle[1:] + angle[:-1]) / 2, np.diff(angle)
         return trig(order * middle) * np.sinc(order * swept / (2 * np.pi))
 
     def earth_rate(self, site: Site) -> Array:
         """(n,) Earth's rate on the input axis, rad/s."""
-        return site.vertical_rate * self.held("axis_up")
+        return site.vertical_rate * self.values("axis_up")
 
 
 COMMANDS = ("axis_up", "virtual_rotation", "amplitude_setpoint", "phase_offset", "drive_on")
-USED = ("gyro_angle", "wave_angle", "table_angle")
+"""Columns of a log whose change begins a new stretch."""
+ANGLES = ("gyro_angle", "wave_angle", "table_angle")
+"""Columns of a log that every stretch must have."""
 
 
-def steady(log: Log, *names: str, at_rest: bool = False) -> list[Rows]:
-    """Stretches without gap, drive on, a transient after power-on and each command left out.
+def find_steady_rows(log: Log, *names: str, at_rest: bool = False) -> list[Rows]:
+    """Stretches without gap, with drive on and constant commands, after the transient.
 
     Args:
         log: one power-on.
-        names: further columns that must be there.
-        at_rest: of the table alone.
+        names: further columns that must have values.
+        at_rest: whether the table must rest.
     """
-    log.require(*USED, *COMMANDS, *names)
+    log.require(*ANGLES, *COMMANDS, *names)
     wait = int(np.ceil(TRANSIENT / log.interval - 1e-9))
-    found = []
-    for stretch in log.stretches(*USED, *names):
+    stretches = []
+    for stretch in log.stretches(*ANGLES, *names):
         rows = np.arange(len(log.time))[stretch]
         changed = np.zeros(len(rows), dtype=bool)
         for name in COMMANDS:
@@ -93,47 +98,47 @@ def steady(log: Log, *names: str, at_rest: bool = False) -> list[Rows]:
             changed |= np.abs(np.diff(table, prepend=table[:1])) > AT_REST
         bounds = [0, *np.flatnonzero(changed).tolist(), len(rows)]
         for begin, end in pairwise(bounds):
-            if end - begin - wait >= FEWEST and log.drive_on[rows[begin]] > 0.5:
-                found.append(Rows(log, int(rows[begin]) + max(wait, 1), int(rows[end - 1]) + 1))
-    return found
+            if end - begin - wait >= SHORTEST_ROWS and log.drive_on[rows[begin]] > 0.5:
+                stretches.append(Rows(log, int(rows[begin]) + max(wait, 1), int(rows[end - 1]) + 1))
+    return stretches
 
 
-def useful(logs: Sequence[Log], *names: str, at_rest: bool = False) -> list[Rows]:
-    """Steady rows of all logs.
+def require_steady_rows(logs: Sequence[Log], *names: str, at_rest: bool = False) -> list[Rows]:
+    """Steady stretches of several logs, at least one; arguments as `find_steady_rows`.
 
     Raises:
-        BenchError: there are none.
+        BenchError: there is none.
     """
-    found = [rows for log in logs for rows in steady(log, *names, at_rest=at_rest)]
-    if not found:
+    stretches = [rows for log in logs for rows in find_steady_rows(log, *names, at_rest=at_rest)]
+    if not stretches:
         raise BenchError(
-            f"{', '.join(log.source for log in logs)}: no stretch of {FEWEST} rows with the drive "
-            f"on and without gap, {TRANSIENT:g} s after power-on and each command"
+            f"{', '.join(log.source for log in logs)}: no stretch of {SHORTEST_ROWS} rows with the "
+            f"drive on and without gap, {TRANSIENT:g} s after power-on and each command"
         )
-    return found
+    return stretches
 
 
-def bias_columns(rows: Rows) -> dict[str, Array]:
-    """Bias map: mean and fourth harmonic, in rad of output."""
+def make_bias_columns(rows: Rows) -> dict[str, Array]:
+    """(n,) columns of the bias map, mean and fourth harmonic: rad of output per rad/s of bias."""
     h = rows.log.interval
     return {
-        BIAS[0]: np.full(len(rows), h),
-        BIAS[1]: h * rows.mean_trig(np.cos, 4),
-        BIAS[2]: h * rows.mean_trig(np.sin, 4),
+        BIAS_TERMS[0]: np.full(len(rows), h),
+        BIAS_TERMS[1]: h * rows.mean_trig(np.cos, 4),
+        BIAS_TERMS[2]: h * rows.mean_trig(np.sin, 4),
     }
 
 
-def output_error(rows: Rows, site: Site) -> Array:
-    """(n,) increments of the output less table and Earth, rad."""
+def compute_output_error(rows: Rows, site: Site) -> Array:
+    """(n,) increments of the output less those of table and Earth, rad."""
     earth = rows.earth_rate(site) * rows.log.interval
     return rows.increments("gyro_angle") - rows.increments("table_angle") - earth
 
 
-def bryan_factor(campaign: Campaign) -> float:
-    """That the gyro's output is made with.
+def read_bryan_factor(campaign: Campaign) -> float:
+    """Angular gain (Bryan factor) that the campaign states as nominal.
 
     Raises:
-        BenchError: the campaign doesn't say.
+        BenchError: the campaign doesn't state it.
     """
     if "coriolis_factor" not in campaign.nominal:
         raise BenchError(f"{campaign.device}: campaign.json, nominal: coriolis_factor is missing")
@@ -142,14 +147,25 @@ def bryan_factor(campaign: Campaign) -> float:
 
 @dataclass(frozen=True)
 class Terms:
-    """A fit of the terms that the records can tell apart, and a sentence on each other one."""
+    """A fit of the terms that the records can separate.
+
+    refused: by name, a sentence on each term that they can't.
+    parts: that the fit is made of.
+    """
 
     fit: Fit
     refused: dict[str, str]
     parts: Sequence[Part]
 
     def finding(self, name: str, unit: str, label: str = "", factor: float = 1.0) -> Finding:
-        """A term times a factor, with its interval; NaN and why where it is refused."""
+        """A term times a factor, with its interval; NaN with the reason where the term is refused.
+
+        Args:
+            name: of the term.
+            unit: of the finding.
+            label: name of the finding; the term's if empty.
+            factor: finding over term.
+        """
         label = label or name
         if name in self.refused:
             return Finding(label, np.nan, unit, note=self.refused[name])
@@ -158,22 +174,28 @@ class Terms:
         return Finding(label, factor * self.fit.value(name), unit, low, high, count)
 
 
-def fitted(parts: Sequence[Part], names: Sequence[str], reason: str) -> Terms:
-    """Fit terms in order of importance; later ones go where they can't be told from earlier ones.
+def fit_terms(parts: Sequence[Part], names: Sequence[str], reason: str) -> Terms:
+    """Fit of terms in the order of importance; a term that earlier ones confound is refused.
 
     Args:
+        parts: rows with the terms' columns.
         names: of the terms, the most important first.
-        reason: what the records would have to hold, for the sentence on a refused term.
+        reason: what the records lack where a term is refused; ends the sentence on it.
+
+    Raises:
+        BenchError: the rows determine not even the accepted terms.
     """
-    seen: list[str] = []
+    accepted: list[str] = []
     refused = {}
     for name in names:
-        worst = max(inflations(parts, [*seen, name]).values())
+        worst = max(compute_inflations(parts, [*accepted, name]).values())
         if worst > LARGEST_INFLATION:
-            refused[name] = f"{name} can't be told from {' and '.join(seen) or 'zero'}: {reason}"
+            refused[name] = (
+                f"{name} can't be separated from {' and '.join(accepted) or 'zero'}: {reason}"
+            )
         else:
-            seen.append(name)
+            accepted.append(name)
     try:
-        return Terms(row_fit(parts, seen), refused, parts)
+        return Terms(fit_rows(parts, accepted), refused, parts)
     except ValueError as error:
         raise BenchError(f"{error}; {reason}") from error

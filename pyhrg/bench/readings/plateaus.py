@@ -1,4 +1,4 @@
-"""Stretches of a log at a constant rate of the table, found from the encoder."""
+"""Stretches of a log at a constant table rate, by the table encoder."""
 
 from dataclasses import dataclass
 
@@ -10,18 +10,18 @@ from pyhrg.records import Log
 
 Array = NDArray[np.float64]
 
-ALIKE = 1e-3
-"""Rates of neighbouring rows within this of each other are one plateau's, relative."""
-RESOLUTION = 2e-6 * DEG
-"""Of the encoder, rad: rates also differ by this over a row."""
+RATE_TOLERANCE = 1e-3
+"""Largest relative difference of a row's table rate from the first row's on one plateau."""
+ENCODER_RESOLUTION = 2e-6 * DEG
+"""Resolution of the encoder, rad: rates on one plateau may also differ by this over a row."""
 
 
 @dataclass(frozen=True)
 class Plateau:
-    """A constant rate of the table.
+    """A stretch at a constant table rate.
 
     rate: of the table, rad/s.
-    first, last: rows of the log; it lasts from the end of `first` to the end of `last`.
+    first, last: rows of the log; the stretch lasts from the end of `first` to the end of `last`.
     """
 
     rate: float
@@ -29,20 +29,20 @@ class Plateau:
     last: int
 
     def later(self, share: float) -> "Plateau":
-        """Its last `share`, 0 to 1."""
+        """The last `share`, 0 to 1, of the stretch."""
         rows = max(1, round(share * (self.last - self.first)))
         return Plateau(self.rate, self.last - rows, self.last)
 
     def mean_rate(self, log: Log, angle: Array) -> float:
-        """Of an angle (n,) of the log over the plateau, rad/s."""
+        """Mean rate of an angle (n,) of the log over the stretch, rad/s."""
         span = log.time[self.last] - log.time[self.first]
         return float((angle[self.last] - angle[self.first]) / span)
 
 
-def plateaus(log: Log, shortest: float) -> list[Plateau]:
-    """All plateaus of a log that last at least `shortest`, s, in order."""
+def find_plateaus(log: Log, shortest: float) -> list[Plateau]:
+    """Plateaus of a log that last at least `shortest` seconds, in order of time."""
     log.require("table_angle", "gyro_angle", "wave_angle")
-    found = []
+    stretches = []
     for stretch in log.stretches("table_angle", "gyro_angle", "wave_angle"):
         angle, time = log.table_angle[stretch], log.time[stretch]
         if len(time) < 2:
@@ -50,14 +50,14 @@ def plateaus(log: Log, shortest: float) -> list[Plateau]:
         rate = np.diff(angle) / np.diff(time)
         begin = 0
         for row in range(1, len(rate) + 1):
-            if row < len(rate) and _alike(rate[row], rate[begin], log.interval):
+            if row < len(rate) and _is_same(rate[row], rate[begin], log.interval):
                 continue
             if time[row] - time[begin] >= shortest - 1e-9:
                 mean = float((angle[row] - angle[begin]) / (time[row] - time[begin]))
-                found.append(Plateau(mean, stretch.start + begin, stretch.start + row))
+                stretches.append(Plateau(mean, stretch.start + begin, stretch.start + row))
             begin = row
-    return found
+    return stretches
 
 
-def _alike(rate: float, other: float, interval: float) -> bool:
-    return bool(abs(rate - other) <= ALIKE * abs(other) + RESOLUTION / interval)
+def _is_same(rate: float, other: float, interval: float) -> bool:
+    return bool(abs(rate - other) <= RATE_TOLERANCE * abs(other) + ENCODER_RESOLUTION / interval)

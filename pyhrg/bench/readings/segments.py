@@ -1,4 +1,4 @@
-"""Means over segments of a log while the table rests: the data points of every bias test."""
+"""Means over segments of a log at rest: the data points of the bias tests (paper 4.1)."""
 
 import math
 from collections.abc import Iterator
@@ -18,22 +18,23 @@ Array = NDArray[np.float64]
 SEGMENT = 100.0
 """Averaging time of one data point, s (paper 4.1, item 3)."""
 SAME_POSITION = 1 * DEG
-"""A pattern that was moved by less, Earth's rate during a gap included, is where it was, rad."""
+"""Largest change of pattern angle between two rests, rad, at which they are one position; Earth's
+rate moves the pattern less than this during a gap."""
 COLUMNS = ("table_angle", "axis_up", "virtual_rotation", "drive_on", "gyro_angle", "wave_angle")
-"""Of a log, that a segment needs."""
+"""Columns of a log that a rest or a turn must have."""
 WARM_UP = 30.0
-"""Time from power-on to the first data point, s: the loops' transient lasts about one."""
+"""Time from power-on to the first data point, s; the loops' transient lasts about 1 s."""
 AT_REST = 1e-3 * DEG
-"""The table rests while it turns less than this in a row, rad."""
+"""Largest turn of the table within a row, rad, at which it rests."""
 
 
 @dataclass(frozen=True)
 class Segments:
-    """Data points of one power-on, each (n,).
+    """n data points of one power-on; arrays are (n,).
 
-    rate: output rate less Earth's rate on the input axis, rad/s.
+    rate: mean output rate less Earth's rate on the input axis, rad/s.
     pattern_angle, table_angle: means over the segment, rad.
-    dwell: number of the position that the segment lies in; a gap doesn't make two of one.
+    dwell: number of the segment's position; a gap in the log doesn't begin another position.
     time: middle of the segment, s.
     """
 
@@ -48,16 +49,17 @@ class Segments:
 
     @property
     def dwells(self) -> int:
-        """How many positions hold a segment."""
+        """Number of positions that have a segment."""
         return len(np.unique(self.dwell))
 
 
-def rests(log: Log, settle: float) -> list[slice]:
-    """Rows of each stretch with the table at rest, drive on, no virtual rotation and no gap, from
-    `settle` seconds after it began; the first row is the reading at which it begins."""
+def find_rests(log: Log, settle: float) -> list[slice]:
+    """Rows of each stretch without gap, with the table at rest, the drive on and no virtual
+    rotation, from `settle` seconds after its beginning. The first row gives the reading at which it
+    begins."""
     turned = np.abs(np.diff(log.table_angle, prepend=log.table_angle[:1]))
     quiet = (turned < AT_REST) & (log.virtual_rotation == 0.0) & (log.drive_on > 0.5)
-    found = []
+    stretches = []
     for stretch in log.stretches(*COLUMNS):
         rows = np.arange(len(quiet))[stretch]
         broken = np.flatnonzero(~quiet[rows])
@@ -65,21 +67,21 @@ def rests(log: Log, settle: float) -> list[slice]:
         for before, after in pairwise(bounds):
             first = max(before, 0) + math.ceil(settle / log.interval - 1e-9)
             if after > first + 1:
-                found.append(slice(int(rows[first]), int(rows[after - 1]) + 1))
-    return found
+                stretches.append(slice(int(rows[first]), int(rows[after - 1]) + 1))
+    return stretches
 
 
-def segment_means(
+def read_segments(
     log: Log, latitude: float, settle: float, length: float = SEGMENT, warm_up: float = 0.0
 ) -> Segments:
-    """Means of whole segments within the rests of a log.
+    """Data points of a log: means over whole segments within its rests.
 
     Args:
         log: one power-on.
         latitude: of the site, rad.
-        settle: left out at the beginning of each rest, s.
+        settle: time at the beginning of each rest that is not used, s.
         length: of a segment, s.
-        warm_up: left out after power-on, s.
+        warm_up: time after power-on that is not used, s.
 
     Raises:
         BenchError: no rest is as long as a segment.
@@ -89,11 +91,11 @@ def segment_means(
     points: list[tuple[float, ...]] = []
     longest = 0.0
     late = int(np.searchsorted(log.time, warm_up - 1e-9))
-    for number, rest in _numbered(rests(log, settle), log.wave_angle):
+    for number, rest in _number(find_rests(log, settle), log.wave_angle):
         first = max(rest.start, late)
         longest = max(longest, (rest.stop - first - 1) * log.interval)
         for begin in range(first, rest.stop - rows, rows):
-            points.append((*_mean(log, latitude, begin, begin + rows), number))
+            points.append((*_read_segment(log, latitude, begin, begin + rows), number))
     if not points:
         raise BenchError(
             f"{log.source}: no rest of the table holds a segment of {length:g} s after {settle:g} s"
@@ -103,16 +105,16 @@ def segment_means(
     return Segments(rate, pattern, table, dwell.astype(np.int64), time)
 
 
-def _numbered(found: list[slice], wave_angle: Array) -> Iterator[tuple[int, slice]]:
-    """Rests with the number of the position that each is at."""
-    number, left_at = -1, math.inf
-    for rest in found:
-        number += abs(wave_angle[rest.start] - left_at) > SAME_POSITION
-        left_at = wave_angle[rest.stop - 1]
+def _number(rests: list[slice], wave_angle: Array) -> Iterator[tuple[int, slice]]:
+    """Rests, each with the number of its position."""
+    number, last_angle = -1, math.inf
+    for rest in rests:
+        number += abs(wave_angle[rest.start] - last_angle) > SAME_POSITION
+        last_angle = wave_angle[rest.stop - 1]
         yield number, rest
 
 
-def _mean(log: Log, latitude: float, begin: int, end: int) -> tuple[float, ...]:
+def _read_segment(log: Log, latitude: float, begin: int, end: int) -> tuple[float, ...]:
     """Rate, pattern angle, table angle and time of the rows after `begin` up to `end`."""
     span = log.time[end] - log.time[begin]
     earth = EARTH_RATE * math.sin(latitude) * np.mean(log.axis_up[begin + 1 : end + 1])

@@ -1,7 +1,7 @@
-"""Scale factor from turns of the table in both directions, over whole periods of the pattern.
+"""Mean scale factor from turns of the table in both directions, over whole periods of the pattern.
 
-A plain measure for temperatures and years; the scale factor over the circumference is measured by
-its own procedures.
+Temperature tests and annual tests use it; the scale factor over the circumference has procedures of
+its own (`pyhrg.bench.scale_factor`).
 """
 
 import math
@@ -17,14 +17,15 @@ from pyhrg.records import Log
 Array = NDArray[np.float64]
 
 SLOWEST = math.radians(1.0)
-"""Rate from which the table turns, rad/s."""
+"""Smallest table rate of a spin, rad/s."""
 
 
 @dataclass(frozen=True)
 class Spin:
-    """One stretch at a constant rate.
+    """A stretch at a constant table rate.
 
-    scale_factor: gyro angle over table angle, Earth's rate taken out.
+    rate: of the table, rad/s.
+    scale_factor: gyro angle over table angle, without Earth's rate.
     first, last: rows of the log.
     """
 
@@ -34,29 +35,31 @@ class Spin:
     last: int
 
 
-def spins(log: Log, vertical_rate: float) -> list[Spin]:
-    """Stretches of constant table rate, each fitted over whole quarter turns of the pattern.
+def find_spins(log: Log, vertical_rate: float) -> list[Spin]:
+    """Spins of a log, each fitted over whole quarter turns of the pattern.
 
     Args:
         log: one power-on.
-        vertical_rate: Earth's rate on local up, rad/s.
+        vertical_rate: Earth's rate about local up, rad/s.
     """
     rates = np.diff(log.table_angle, prepend=log.table_angle[:1]) / log.interval
     steady = np.abs(rates) > SLOWEST
     steady[1:] &= np.abs(np.diff(rates)) < 1e-3 * np.abs(rates[1:]) + 1e-7
-    found = []
+    measured = []
     for stretch in log.stretches("gyro_angle", "wave_angle", "table_angle"):
         rows = np.arange(len(steady))[stretch]
         bounds = [-1, *np.flatnonzero(~steady[rows]).tolist(), len(rows)]
         for before, after in pairwise(bounds):
             if after - before > 3:
                 part = slice(int(rows[before + 1]), int(rows[after - 1]) + 1)
-                found += [s for s in [_spin(log, part, vertical_rate)] if s]
-    return found
+                spin = _measure_spin(log, part, vertical_rate)
+                measured += [spin] if spin else []
+    return measured
 
 
-def _spin(log: Log, part: slice, vertical_rate: float) -> Spin | None:
-    """Fit of the gyro's angle by the table's and the fourth harmonic; None under one period."""
+def _measure_spin(log: Log, part: slice, vertical_rate: float) -> Spin | None:
+    """Spin from a fit of the gyro angle by the table angle and the fourth harmonic of the pattern
+    angle; None for less than one period of the harmonic."""
     pattern = log.wave_angle[part]
     periods = math.floor(abs(pattern[-1] - pattern[0]) / (math.pi / 2))
     if periods < 1:
@@ -74,29 +77,29 @@ def _spin(log: Log, part: slice, vertical_rate: float) -> Spin | None:
     return Spin(float(rate), 1 + slope, int(rows[0]), int(rows[-1]))
 
 
-def pairs(found: list[Spin], source: str) -> list[tuple[Spin, Spin]]:
-    """Neighbours in opposite directions at one rate: their mean is free of bias.
+def pair_spins(spins: list[Spin], source: str) -> list[tuple[Spin, Spin]]:
+    """Pairs of successive spins in opposite directions at one rate; their mean is free of bias.
 
     Raises:
-        BenchError: none.
+        BenchError: there is no pair.
     """
-    chosen = []
-    rest = list(found)
-    while len(rest) > 1:
-        one, other = rest[0], rest[1]
-        if abs(one.rate + other.rate) < 0.01 * abs(one.rate):
-            chosen.append((one, other))
-            rest = rest[2:]
+    pairs = []
+    remaining = list(spins)
+    while len(remaining) > 1:
+        first, second = remaining[0], remaining[1]
+        if abs(first.rate + second.rate) < 0.01 * abs(first.rate):
+            pairs.append((first, second))
+            remaining = remaining[2:]
         else:
-            rest = rest[1:]
-    if not chosen:
+            remaining = remaining[1:]
+    if not pairs:
         raise BenchError(
             f"{source}: no two neighbouring spins in opposite directions over a whole period of "
-            f"the pattern; {len(found)} spins found"
+            f"the pattern; {len(spins)} spins found"
         )
-    return chosen
+    return pairs
 
 
-def pair_scale_factor(pair: tuple[Spin, Spin]) -> float:
-    """Mean of both directions, less one: the scale-factor error."""
+def compute_scale_factor_error(pair: tuple[Spin, Spin]) -> float:
+    """Scale-factor error: mean over both directions, less one."""
     return (pair[0].scale_factor + pair[1].scale_factor) / 2 - 1

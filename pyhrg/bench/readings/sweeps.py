@@ -1,8 +1,9 @@
-"""Steady stretches of a log with virtual rotation on or off: what the output gains in them.
+"""Stretches of a log at constant virtual rotation and table rate, and the error of the output.
 
-With virtual rotation V (an input rate), table and Earth at W, the pattern at th, the output less
-W is W (s + its harmonics) + B + the bias's harmonics + V (-e + harmonics): scale factor, bias, gain
-error of the virtual rotation. The last changes its sign with V, the bias does not.
+At virtual rotation V (as an input rate), an input rate W of table and Earth and a pattern angle th,
+the error of the output rate is W (s + harmonics of th) + B + harmonics of the bias + V (-e +
+harmonics): scale-factor error s, bias B, gain error e of the virtual rotation. The last part
+changes its sign with V, the bias does not.
 """
 
 import math
@@ -12,9 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.estimation.angle_fit import Record, inflation
-from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, harmonic
-from pyhrg.bench.readings.turns import ENCODER, SETTLE, UNSTEADY
+from pyhrg.bench.estimation.angle_fit import Record, compute_largest_inflation
+from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, name_terms
+from pyhrg.bench.readings.turns import ENCODER_NOISE, RATE_TOLERANCE, SETTLE
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
@@ -22,19 +23,26 @@ from pyhrg.records import Log
 Array = NDArray[np.float64]
 
 BIAS, GAIN, SCALE = "bias", "virtual rotation", "scale factor"
-WHOLE = (180 * DEG, 90 * DEG)
-"""Periods of the bias map with and without a second harmonic, rad of pattern."""
-FEWEST = 30
-"""Rows of a stretch that is of use."""
+"""Kinds of terms: independent of the rates, proportional to V, proportional to W."""
+MAP_PERIODS = (180 * DEG, 90 * DEG)
+"""Period of the bias map with a second harmonic, and without one; rad of pattern angle."""
+SHORTEST_ROWS = 30
+"""Fewest rows of a stretch that is used."""
 ORDERS = (4, 2, 8)
+"""Harmonics of the pattern angle, the most important first."""
 
 
 @dataclass(frozen=True)
 class Sweep:
-    """Rows of one stretch, (n,): virtual rotation and table rate are constant.
+    """A stretch of n rows at constant virtual rotation and table rate; arrays are (n,).
 
-    virtual_rotation, table_rate: rad/s; 0 where off or at rest.
-    excess: output less table and Earth, 0 at the beginning, rad.
+    source: the log.
+    interval: of its rows, s.
+    virtual_rotation: as an input rate, rad/s; 0 without.
+    table_rate: rad/s; 0 at rest.
+    time: s. pattern_angle: rad.
+    input_angle: of table and Earth since the beginning, rad.
+    excess: output less input angle since the beginning, rad.
     """
 
     source: str
@@ -46,23 +54,24 @@ class Sweep:
     input_angle: Array
     excess: Array
 
-    def whole(self) -> tuple[float, float] | None:
-        """Mean excess, rad/s, over a whole period of pattern, and that period; None if shorter."""
-        gone = np.abs(self.pattern_angle - self.pattern_angle[0])
-        for period in WHOLE:
-            if gone[-1] >= period:
-                time, excess = (np.interp(period, gone, x) for x in (self.time, self.excess))
+    def average_period(self) -> tuple[float, float] | None:
+        """Mean error of the output rate, rad/s, over a whole period of the bias map, and that
+        period, rad of pattern angle; None for a shorter stretch."""
+        moved_by = np.abs(self.pattern_angle - self.pattern_angle[0])
+        for period in MAP_PERIODS:
+            if moved_by[-1] >= period:
+                time, excess = (np.interp(period, moved_by, x) for x in (self.time, self.excess))
                 return float(excess / (time - self.time[0])), period
         return None
 
     def record(self, orders: Sequence[int], kinds: Sequence[str]) -> Record:
-        """Columns of the terms of each kind (`BIAS`, `GAIN`, `SCALE`), for a fit of the excess."""
+        """Record for a fit of the excess: mean and harmonics (`orders`) of each kind of terms."""
         steps = np.diff(self.time)
         middle = (self.pattern_angle[1:] + self.pattern_angle[:-1]) / 2
         swept = np.diff(self.pattern_angle)
         waves = {"": self.time - self.time[0]}
         for order in orders:
-            for name, trig in zip(harmonic(order), (np.cos, np.sin), strict=True):
+            for name, trig in zip(name_terms(order), (np.cos, np.sin), strict=True):
                 mean = trig(order * middle) * np.sinc(order * swept / (2 * np.pi))
                 waves[f" {name}"] = np.concatenate([[0.0], np.cumsum(mean * steps)])
         rates = {BIAS: 1.0, GAIN: self.virtual_rotation, SCALE: self.input_rate}
@@ -73,12 +82,12 @@ class Sweep:
 
     @property
     def input_rate(self) -> float:
-        """Of table and Earth, rad/s."""
+        """Mean input rate of table and Earth, rad/s."""
         return float(self.input_angle[-1] / (self.time[-1] - self.time[0]))
 
 
-def sweeps(log: Log, latitude: float) -> list[Sweep]:
-    """Steady stretches in the order of the log, a settling time after each change.
+def find_sweeps(log: Log, latitude: float) -> list[Sweep]:
+    """Sweeps of a log in order of time, from a settling time after each change.
 
     Args:
         log: one power-on.
@@ -86,28 +95,28 @@ def sweeps(log: Log, latitude: float) -> list[Sweep]:
     """
     log.require("table_angle", "axis_up", "virtual_rotation", "gyro_angle", "wave_angle")
     settle = math.ceil(SETTLE / log.interval)
-    found = []
+    stretches = []
     for stretch in log.stretches("table_angle", "virtual_rotation", "gyro_angle", "wave_angle"):
         rows = np.arange(len(log.time))[stretch]
-        broken = np.flatnonzero(_changes(log, stretch))
+        broken = np.flatnonzero(_find_changes(log, stretch))
         for first, after in zip([0, *broken], [*broken, len(rows)], strict=True):
-            if after - first > settle + FEWEST:
-                found.append(
-                    _sweep(log, latitude, slice(rows[first] + settle, rows[after - 1] + 1))
+            if after - first > settle + SHORTEST_ROWS:
+                stretches.append(
+                    _read_sweep(log, latitude, slice(rows[first] + settle, rows[after - 1] + 1))
                 )
-    return found
+    return stretches
 
 
-def _changes(log: Log, rows: slice) -> NDArray[np.bool_]:
-    """Rows at which the table or a command changes, or the gyro doesn't measure."""
+def _find_changes(log: Log, rows: slice) -> NDArray[np.bool_]:
+    """Mask of rows at which table rate or a command changes or the output is not valid."""
     turned = np.diff(log.table_angle[rows], prepend=log.table_angle[rows][:1])
-    changed = np.abs(np.diff(turned, prepend=0.0)) > ENCODER + UNSTEADY * np.abs(turned)
+    changed = np.abs(np.diff(turned, prepend=0.0)) > ENCODER_NOISE + RATE_TOLERANCE * np.abs(turned)
     for values in (log.virtual_rotation, log.axis_up, log.drive_on):
         changed |= np.diff(values[rows], prepend=values[rows][:1]) != 0
     return np.asarray(changed | (log.drive_on[rows] < 0.5) | (log.valid[rows] < 0.999))
 
 
-def _sweep(log: Log, latitude: float, rows: slice) -> Sweep:
+def _read_sweep(log: Log, latitude: float, rows: slice) -> Sweep:
     time, table, pattern, gyro = (
         np.asarray(values[rows])
         for values in (log.time, log.table_angle, log.wave_angle, log.gyro_angle)
@@ -116,17 +125,20 @@ def _sweep(log: Log, latitude: float, rows: slice) -> Sweep:
     earth = EARTH_RATE * math.sin(latitude) * float(np.mean(log.axis_up[rows]))
     angle = table - table[0] + earth * (time - time[0])
     moved = float(table[-1] - table[0])
-    rate = moved / span if abs(moved) > ENCODER * len(time) else 0.0
+    rate = moved / span if abs(moved) > ENCODER_NOISE * len(time) else 0.0
     command = float(log.virtual_rotation[rows][-1])
     excess = gyro - gyro[0] - angle
     return Sweep(log.source, log.interval, command, rate, time, pattern, angle, excess)
 
 
-def separable(found: Sequence[Sweep], kinds: Sequence[str]) -> tuple[int, ...]:
-    """Harmonics that the sweeps tell apart, for all kinds of terms alike."""
+def select_orders(sweeps: Sequence[Sweep], kinds: Sequence[str]) -> tuple[int, ...]:
+    """Harmonics that the sweeps can separate, the same for all kinds of terms."""
     orders: list[int] = []
     for order in ORDERS:
         trial = [*orders, order]
-        if inflation([sweep.record(trial, kinds) for sweep in found]) <= LARGEST_INFLATION:
+        if (
+            compute_largest_inflation([sweep.record(trial, kinds) for sweep in sweeps])
+            <= LARGEST_INFLATION
+        ):
             orders.append(order)
     return tuple(orders)

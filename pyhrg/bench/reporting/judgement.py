@@ -1,4 +1,4 @@
-"""Findings held to the limits of a specification."""
+"""Findings compared with the limits of a specification."""
 
 import difflib
 import math
@@ -10,14 +10,18 @@ from pyhrg.bench.outcome import Finding, Outcome
 
 @dataclass(frozen=True)
 class Judgement:
-    """A finding beside its limit: met or failed where its whole 95 % interval says so."""
+    """A finding beside its limit.
+
+    limit: of the finding's magnitude, in the unit that the finding's key names.
+    """
 
     finding: Finding
     limit: float
 
     @property
     def word(self) -> str:
-        """meets, fails, not decided, or not measured; it is the magnitude that is limited."""
+        """`meets` or `fails` where the whole 95 % interval of the magnitude lies on one side of the
+        limit, else `not decided`; `not measured` where the finding has no value."""
         if math.isnan(self.finding.value):
             return "not measured"
         low, high = self._magnitude()
@@ -30,8 +34,9 @@ class Judgement:
         return "fails" if low > limit else "not decided"
 
     def _magnitude(self) -> tuple[float, float]:
-        """Interval of the magnitude; NaN, for which no comparison holds, where the value's is."""
-        low, high = self.finding.interval_shown
+        """95 % interval of the magnitude; NaN where the finding has no interval, so that every
+        comparison is false."""
+        low, high = self.finding.interval_in_unit
         if math.isnan(low + high):
             return math.nan, math.nan
         ends = sorted((abs(low), abs(high)))
@@ -39,19 +44,22 @@ class Judgement:
 
     def __str__(self) -> str:
         finding = self.finding
-        low, high = finding.interval_shown
+        low, high = finding.interval_in_unit
         interval = f" ({low:.4g} to {high:.4g})" if low <= high else ""
         side = "at least" if finding.at_least else "at most"
-        return f"{finding.key} {finding.shown:.4g}{interval}, {side} {self.limit:g}: {self.word}"
+        value = f"{finding.value_in_unit:.4g}"
+        return f"{finding.key} {value}{interval}, {side} {self.limit:g}: {self.word}"
 
 
-def judged(outcome: Outcome, limits: Mapping[str, float]) -> list[Judgement]:
-    """The findings that the specification limits, by key."""
+def judge_findings(outcome: Outcome, limits: Mapping[str, float]) -> list[Judgement]:
+    """A judgement of each finding for whose key the specification has a limit."""
     return [Judgement(f, limits[f.key]) for f in outcome.findings if f.key in limits]
 
 
-def unmatched(outcomes: Iterable[Outcome], limits: Mapping[str, float]) -> list[str]:
-    """A sentence on each limit that no finding of the outcomes has for its key."""
+def describe_unmatched_limits(
+    outcomes: Iterable[Outcome], limits: Mapping[str, float]
+) -> list[str]:
+    """A sentence on each limit whose key no finding has."""
     keys = [finding.key for outcome in outcomes for finding in outcome.findings]
     sentences = []
     for key in (key for key in limits if key not in keys):

@@ -1,14 +1,13 @@
-"""The report of a run as one HTML page; figures lie in the tests' folders."""
+"""The report of a run as one HTML page; its figures lie in the folders of the tests."""
 
 import html
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from pyhrg.bench.outcome import Outcome
 from pyhrg.bench.procedure import Procedure
-from pyhrg.bench.reporting.report import PICTURE, Results, findings_table, notes
-from pyhrg.common.pages.markup import paragraph, table
+from pyhrg.bench.reporting.text import list_notes, make_findings_table
+from pyhrg.common.pages.markup import Table, make_paragraph, make_table
 
-PAGE = "report.html"
 STYLE = (
     "body{font:16px/1.5 sans-serif;max-width:60em;margin:2em auto;padding:0 1em}"
     "table{border-collapse:collapse;margin:1em 0;font-variant-numeric:tabular-nums}"
@@ -18,17 +17,13 @@ STYLE = (
 )
 
 
-def page(results: Results) -> str:
-    """All results."""
-    title = html.escape(f"HRG bench: {results.subject}")
-    parts = [table(results.overview)] if results.overview else []
-    for result in results.done:
-        parts.append(f"<h2>{html.escape(result.procedure.title)}</h2>")
-        if result.outcome:
-            parts.append(_section(result.procedure, result.outcome, results.limits))
-        else:
-            parts.append(paragraph(f"No figures: {result.reason}"))
-    parts += [paragraph(f"Specification: {text}", "weak") for text in results.unmatched]
+def make_page(
+    title: str, overview: Table | None, sections: Sequence[str], notes: Sequence[str]
+) -> str:
+    """HTML of the whole page: the overview, a section for each test, then notes."""
+    title = html.escape(title)
+    parts = [make_table(overview)] if overview else []
+    parts += [*sections, *(make_paragraph(note, "weak") for note in notes)]
     return (
         '<!doctype html><html lang="en"><head><meta charset="utf-8">'
         f"<title>{title}</title><style>{STYLE}</style></head>"
@@ -36,12 +31,28 @@ def page(results: Results) -> str:
     )
 
 
-def _section(procedure: Procedure, outcome: Outcome, limits: Mapping[str, float]) -> str:
-    parts = [paragraph(outcome.verdict)]
-    parts += [table(content) for content in (findings_table(outcome.findings), *outcome.tables)]
+def make_failure_section(procedure: Procedure, reason: str) -> str:
+    """HTML section of a test that gave no figures."""
+    return f"<h2>{html.escape(procedure.title)}</h2>{make_paragraph(f'No figures: {reason}')}"
+
+
+def make_section(
+    procedure: Procedure, outcome: Outcome, limits: Mapping[str, float], picture: str
+) -> str:
+    """HTML section of a test: verdict, tables, figure, notes, method.
+
+    Args:
+        procedure: the test.
+        outcome: what the test gave.
+        limits: of the specification, by the findings' keys.
+        picture: path of the figure, from the page's folder.
+    """
+    parts = [f"<h2>{html.escape(procedure.title)}</h2>", make_paragraph(outcome.verdict)]
+    tables = (make_findings_table(outcome.findings), *outcome.tables)
+    parts += [make_table(content) for content in tables]
     if outcome.draw:
         alternative = html.escape(f"Figure: {procedure.title}. {outcome.verdict}")
-        parts.append(f'<img src="{procedure.name}/{PICTURE}" alt="{alternative}">')
-    parts += [paragraph(note, "weak") for note in notes(outcome, limits)]
-    parts.append(paragraph(f"Method: {procedure.source}.", "weak"))
+        parts.append(f'<img src="{picture}" alt="{alternative}">')
+    parts += [make_paragraph(note, "weak") for note in list_notes(outcome, limits)]
+    parts.append(make_paragraph(f"Method: {procedure.source}.", "weak"))
     return "".join(parts)

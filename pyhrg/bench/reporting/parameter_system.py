@@ -1,22 +1,22 @@
-"""The paper's parameter system (Table 1): each row's figure, or why simulation can't give it."""
+"""The paper's parameter system (Table 1), row by row: the figure, or why there is none."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from pyhrg.bench.outcome import Outcome
-from pyhrg.bench.reporting.report import shown
+from pyhrg.bench.reporting.text import format_finding
 from pyhrg.common.pages.markup import Table
 
 
 @dataclass(frozen=True)
 class Row:
-    """One row of Table 1.
+    """A row of Table 1.
 
-    column: of the table; "added" where the paper's text asks for it and the table leaves it out.
-    term: as procedures name it in their `rows`.
-    printed: in the paper.
-    procedure, finding: where its figure is found.
-    reason: why there is none.
+    column: of the table; "added" for a term that the paper's text asks for and the table lacks.
+    term: in English, as procedures name it in `Procedure.rows`.
+    printed: the term as the paper prints it.
+    procedure, finding: the test and its finding that give the figure.
+    reason: why no test gives the figure.
     """
 
     column: str
@@ -27,16 +27,16 @@ class Row:
     reason: str = ""
 
 
-NO_BODY = "property of the hardware: the model has no dimensions; measure it"
+NO_DIMENSIONS = "property of the hardware: the model has no dimensions; measure it"
 ROOM, FULL = "room temperature", "full temperature"
 
 TABLE_1 = (
-    Row("physical", "volume", "体积", reason=NO_BODY),
-    Row("physical", "mass", "质量", reason=NO_BODY),
+    Row("physical", "volume", "体积", reason=NO_DIMENSIONS),
+    Row("physical", "mass", "质量", reason=NO_DIMENSIONS),
     Row("physical", "power", "功耗", reason="the model has no supply; measure current and voltage"),
     Row("physical", "cost", "成本", reason="no physical quantity"),
-    Row("physical", "density", "密度", reason=f"mass over volume: {NO_BODY}"),
-    Row("physical", "eccentricity", "偏心", reason=f"centre of mass off the axis: {NO_BODY}"),
+    Row("physical", "density", "密度", reason=f"mass over volume: {NO_DIMENSIONS}"),
+    Row("physical", "eccentricity", "偏心", reason=f"centre of mass off the axis: {NO_DIMENSIONS}"),
     Row(
         *("physical", "shock resistance", "抗冲击能力"),
         reason="nothing breaks in the model; what a shock changes is put in and its bias measured",
@@ -102,17 +102,17 @@ TABLE_1 = (
 )
 
 
-def table(outcomes: Sequence[Outcome]) -> Table:
-    """Every row with its figure, the test that it is from, or why it has none."""
+def make_table_1(outcomes: Sequence[Outcome]) -> Table:
+    """Every row of Table 1 with its figure and the test that gave it, or why there is none."""
     by_procedure = {outcome.procedure: outcome for outcome in outcomes}
-    cells = (_cells(row, by_procedure.get(row.procedure)) for row in TABLE_1)
+    cells = (_make_cells(row, by_procedure.get(row.procedure)) for row in TABLE_1)
     header = ("", "value", "95 % interval", "unit", "test, or why there is no figure")
     return Table("Parameter system (Xu et al. 2024, Table 1)", header, tuple(cells))
 
 
-def _cells(row: Row, outcome: Outcome | None) -> tuple[str, ...]:
+def _make_cells(row: Row, outcome: Outcome | None) -> tuple[str, ...]:
     name = f"{row.term} ({row.printed})"
     if outcome is None:
         return (name, "-", "-", "", row.reason or f"hrg bench {row.procedure}")
     finding = outcome.finding(row.finding)
-    return (name, *shown(finding), f"{row.procedure}: {row.finding}")
+    return (name, *format_finding(finding), f"{row.procedure}: {row.finding}")

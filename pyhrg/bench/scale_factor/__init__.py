@@ -1,1 +1,1 @@
-"""Scale factor over the circumference and over the rate."""
+"""Tests of the scale factor over the circumference and over the rate."""

@@ -1,4 +1,4 @@
-"""Points of turns both ways against the pattern angle, as every scale-factor figure shows them."""
+"""Drawing of turns in both directions against the pattern angle."""
 
 from collections.abc import Sequence
 
@@ -15,7 +15,13 @@ Array = NDArray[np.float64]
 def draw_both_ways(
     axes: Axes, turns: Sequence[Turn], points: Sequence[tuple[Array, Array]]
 ) -> None:
-    """Draw pattern angles (m,), rad, and values (m,) of each turn; one label a direction."""
+    """Draw the points of turns on axes, with one label for each direction.
+
+    Args:
+        axes: to draw on.
+        turns: in both directions.
+        points: for each turn, pattern angles (m,), rad, and values (m,).
+    """
     for positive, mark, colour in ((True, ".", "C0"), (False, "x", "C1")):
         chosen = [i for i, turn in enumerate(turns) if (turn.table_rate > 0) == positive]
         angle = np.concatenate([points[i][0] for i in chosen]) % np.pi / DEG

@@ -1,9 +1,9 @@
-"""Scale factor over the range: nonlinearity, symmetry, repeatability.
+"""Scale factor over the range: nonlinearity, asymmetry, repeatability.
 
-Each power-on steps through 11 rates each way, whole periods of the pattern at each so that the map
-over the circumference averages out. F = K W + F0 by least squares; nonlinearity is the largest
-residual over the largest output, symmetry |K+ - K-| over K, repeatability the standard deviation of
-K over power-ons.
+Each power-on goes through 11 rates in each direction. At each rate the pattern turns by whole
+periods, so that the map over the circumference averages out. A line F = K W + F0 is fitted by least
+squares. Nonlinearity is the largest residual over the largest output, asymmetry |K+ - K-| over K,
+repeatability the standard deviation of K over power-ons.
 """
 
 from collections.abc import Sequence
@@ -13,13 +13,19 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.estimation.largest import largest_interval
+from pyhrg.bench.estimation.largest import estimate_largest
 from pyhrg.bench.estimation.line import Line
-from pyhrg.bench.outcome import BenchError, Finding, Outcome, deviation_finding, mean_finding
-from pyhrg.bench.procedure import Procedure, tests_of
+from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_deviation, estimate_mean
+from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.turns import PERIOD, SETTLE, Turn
-from pyhrg.bench.scale_factor.rate_tests import INTERVAL, RUNS, WARM_UP, exclusions, turns_of
+from pyhrg.bench.scale_factor.rate_tests import (
+    INTERVAL,
+    RUNS,
+    WARM_UP,
+    list_turn_exclusions,
+    read_turns,
+)
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
@@ -28,21 +34,22 @@ Array = NDArray[np.float64]
 
 KIND = "linearity"
 RATES = tuple(rate * DEG for rate in (0.5, 1, 2, 5, 10, 20, 50, 100, 150, 200, 300))
-FEWEST = 11
-"""Rates each way that the standards ask for."""
-SHORTEST = 30.0
-"""Of the average at a rate, s."""
-ALIKE = 0.01
-"""Rates that differ less than this, relatively, are one rate."""
+FEWEST_RATES = 11
+"""Fewest rates in each direction, as the standards require."""
+SHORTEST_AVERAGE = 30.0
+"""Shortest average at a rate, s."""
+RATE_TOLERANCE = 0.01
+"""Relative difference below which two rates count as one."""
 
 
-def programme(bench: Bench, rates: Sequence[float] = RATES) -> Programme:
-    """One power-on: through all rates, each way in turn, whole periods of the pattern at each."""
+def make_programme(bench: Bench, rates: Sequence[float] = RATES) -> Programme:
+    """Programme of one power-on: all rates, in both directions, whole periods of the pattern at
+    each."""
     course = bench.programme(INTERVAL).rest(WARM_UP)
     earth = bench.device.site.vertical_rate
     for rate in rates:
         period = PERIOD / (bench.device.bryan_factor * rate)
-        count = np.ceil(SHORTEST / period)
+        count = np.ceil(SHORTEST_AVERAGE / period)
         # as near to whole periods as rows allow, so that little is interpolated
         rows = np.ceil(count * period / INTERVAL)
         exact = count * PERIOD / (bench.device.bryan_factor * rows * INTERVAL)
@@ -52,90 +59,92 @@ def programme(bench: Bench, rates: Sequence[float] = RATES) -> Programme:
 
 
 def record(bench: Bench, runs: int = RUNS, rates: Sequence[float] = RATES) -> list[Test]:
-    """Seven power-ons."""
-    course = programme(bench, rates)
+    """Tests of the power-ons, by default seven."""
+    course = make_programme(bench, rates)
     return bench.run([PowerOn(f"linearity_{n + 1}", KIND, course) for n in range(runs)])
 
 
-def line(found: Sequence[Turn]) -> Line:
-    """Means over whole periods of each turn, in the order of the rates.
+def read_line(turns: Sequence[Turn]) -> Line:
+    """Input and output rates of one power-on, means over whole periods, in order of the rates.
 
     Raises:
-        BenchError: fewer than 11 rates each way.
+        BenchError: there are fewer than 11 rates in a direction.
     """
     points = []
-    for turn in found:
+    for turn in turns:
         time, angle, excess = turn.whole_periods()
         rate = (angle[-1] - angle[0]) / (time[-1] - time[0])
         points.append((rate, rate + (excess[-1] - excess[0]) / (time[-1] - time[0])))
     inputs, outputs = np.array(sorted(points)).T
-    for way, count in (("positive", _different(inputs)), ("negative", _different(-inputs))):
-        if count < FEWEST:
+    for way, count in (("positive", _count_rates(inputs)), ("negative", _count_rates(-inputs))):
+        if count < FEWEST_RATES:
             raise BenchError(
-                f"{found[0].source}: {count} {way} rates with whole periods of the pattern; "
-                f"linearity needs {FEWEST} each way"
+                f"{turns[0].source}: {count} {way} rates with whole periods of the pattern; "
+                f"linearity needs {FEWEST_RATES} each way"
             )
     return Line(inputs, outputs)
 
 
-def _different(rates: Array) -> int:
+def _count_rates(rates: Array) -> int:
+    """Number of different positive rates."""
     positive = np.sort(rates[rates > 0])
-    return len(positive) - int(np.sum(np.diff(positive) < ALIKE * positive[1:]))
+    return len(positive) - int(np.sum(np.diff(positive) < RATE_TOLERANCE * positive[1:]))
 
 
-def lines(campaign: Campaign) -> list[Line]:
-    """Of each power-on.
+def read_lines(campaign: Campaign) -> list[Line]:
+    """Input and output rates of each power-on.
 
     Raises:
-        BenchError: the power-ons were not at the same rates.
+        BenchError: the power-ons are not at the same rates.
     """
-    tests = tests_of(campaign, KIND)
-    found = [line(turns_of(campaign, test)) for test in tests]
-    for test, other in zip(tests, found, strict=True):
-        same = len(other.input) == len(found[0].input)
-        if not same or np.any(np.abs(other.input / found[0].input - 1) > ALIKE):
+    tests = require_tests(campaign, KIND)
+    lines = [read_line(read_turns(campaign, test)) for test in tests]
+    for test, line in zip(tests, lines, strict=True):
+        same = len(line.input) == len(lines[0].input)
+        if not same or np.any(np.abs(line.input / lines[0].input - 1) > RATE_TOLERANCE):
             raise BenchError(f"{test.id}: not at the rates of {tests[0].id}; all must be alike")
-    return found
+    return lines
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Scale factor, nonlinearity, symmetry, repeatability."""
-    found = lines(campaign)
-    factors = [one.fit()[0] for one in found]
-    nonlinearity, asymmetry = _nonlinearity(found), _asymmetry(found)
+    """Scale factor, nonlinearity, asymmetry, repeatability and bias."""
+    lines = read_lines(campaign)
+    factors = [line.fit()[0] for line in lines]
+    nonlinearity, asymmetry = _estimate_nonlinearity(lines), _estimate_asymmetry(lines)
     findings = (
-        mean_finding("scale factor error", np.array(factors) - 1, "ppm"),
+        estimate_mean("scale factor error", np.array(factors) - 1, "ppm"),
         nonlinearity,
         asymmetry,
-        deviation_finding(
+        estimate_deviation(
             "scale factor repeatability", np.array(factors) / np.mean(factors), "ppm"
         ),
-        mean_finding("bias", [one.fit()[1] for one in found], "deg/h"),
+        estimate_mean("bias", [line.fit()[1] for line in lines], "deg/h"),
     )
-    top = max(float(np.max(np.abs(one.input))) for one in found) / DEG
+    top = max(float(np.max(np.abs(line.input))) for line in lines) / DEG
     return Outcome(
         procedure=PROCEDURE.name,
         findings=findings,
         verdict=(
-            f"Up to {top:.0f} deg/s the output departs from a line by {nonlinearity.shown:.2g} ppm "
-            f"of the largest; both ways differ by {asymmetry.shown:.2g} ppm."
+            f"Up to {top:.0f} deg/s the output deviates from a line by "
+            f"{nonlinearity.value_in_unit:.2g} ppm of the largest; both ways differ by "
+            f"{asymmetry.value_in_unit:.2g} ppm."
         ),
-        tables=(_table(found),),
-        exclusions=exclusions(campaign, KIND),
-        draw=lambda figure: draw(figure, found),
+        tables=(_make_table(lines),),
+        exclusions=list_turn_exclusions(campaign, KIND),
+        draw=lambda figure: draw(figure, lines),
     )
 
 
-def _nonlinearity(found: Sequence[Line]) -> Finding:
-    residuals = np.array([one.residual for one in found])
-    value, low, high = largest_interval(residuals)
+def _estimate_nonlinearity(lines: Sequence[Line]) -> Finding:
+    residuals = np.array([line.residual for line in lines])
+    value, low, high = estimate_largest(residuals)
     note = "largest residual of the power-ons' mean over the largest output"
-    note += "" if len(found) > 1 else "; one power-on: no interval"
-    return Finding("scale factor nonlinearity", value, "ppm", low, high, len(found), note)
+    note += "" if len(lines) > 1 else "; one power-on: no interval"
+    return Finding("scale factor nonlinearity", value, "ppm", low, high, len(lines), note)
 
 
-def _asymmetry(found: Sequence[Line]) -> Finding:
-    signed = mean_finding("scale factor asymmetry", [one.asymmetry for one in found], "ppm")
+def _estimate_asymmetry(lines: Sequence[Line]) -> Finding:
+    signed = estimate_mean("scale factor asymmetry", [line.asymmetry for line in lines], "ppm")
     bounds = np.abs([signed.low, signed.high])
     low = 0.0 if signed.low <= 0.0 <= signed.high else float(np.min(bounds))
     note = signed.note or "of the power-ons' mean, either sign"
@@ -144,27 +153,28 @@ def _asymmetry(found: Sequence[Line]) -> Finding:
     )
 
 
-def _table(found: Sequence[Line]) -> Table:
-    rates = np.mean([one.input for one in found], axis=0) / DEG
-    errors = np.mean([one.output / one.input - 1 for one in found], axis=0) * 1e6
-    left = np.mean([one.residual for one in found], axis=0) * 1e6
+def _make_table(lines: Sequence[Line]) -> Table:
+    rates = np.mean([line.input for line in lines], axis=0) / DEG
+    errors = np.mean([line.output / line.input - 1 for line in lines], axis=0) * 1e6
+    residuals = np.mean([line.residual for line in lines], axis=0) * 1e6
     rows = [
-        (f"{r:+.4g}", f"{e:.4f}", f"{x:.5f}") for r, e, x in zip(rates, errors, left, strict=True)
+        (f"{r:+.4g}", f"{e:.4f}", f"{x:.5f}")
+        for r, e, x in zip(rates, errors, residuals, strict=True)
     ]
     header = ("input, deg/s", "output's error, ppm", "residual, ppm of the largest")
     return Table("Rates, means of all power-ons", header, tuple(rows))
 
 
-def draw(figure: Figure, found: Sequence[Line]) -> None:
-    """Residuals of each power-on and their mean against the rate."""
+def draw(figure: Figure, lines: Sequence[Line]) -> None:
+    """Draw the residuals of each power-on and their mean against the rate."""
     axes = figure.add_subplot()
-    for number, one in enumerate(found):
-        label = f"{len(found)} power-ons" if number == 0 else None
+    for number, line in enumerate(lines):
+        label = f"{len(lines)} power-ons" if number == 0 else None
         axes.plot(
-            one.input / DEG, one.residual * 1e6, "o", color="C0", ms=4, alpha=0.4, label=label
+            line.input / DEG, line.residual * 1e6, "o", color="C0", ms=4, alpha=0.4, label=label
         )
-    mean = np.mean([one.residual for one in found], axis=0)
-    axes.plot(found[0].input / DEG, mean * 1e6, "k-", lw=1.2, label="mean")
+    mean = np.mean([line.residual for line in lines], axis=0)
+    axes.plot(lines[0].input / DEG, mean * 1e6, "k-", lw=1.2, label="mean")
     axes.set_xscale("symlog", linthresh=1.0)
     axes.set_xlabel("input rate, deg/s")
     axes.set_ylabel("residual, ppm of the largest output")
@@ -173,7 +183,7 @@ def draw(figure: Figure, found: Sequence[Line]) -> None:
     axes.legend()
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="linearity",
     group="scale factor",
     title="Scale-factor nonlinearity, symmetry and repeatability",

@@ -1,61 +1,64 @@
-"""Tests at constant rates, the table turning both ways: how they are made and picked."""
+"""Tests at constant table rates in both directions: their programmes and their turns."""
 
 import numpy as np
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.procedure import exclusions_of, tests_of
-from pyhrg.bench.readings.turns import PERIOD, Turn, left_out, turns
+from pyhrg.bench.procedure import list_exclusions, require_tests
+from pyhrg.bench.readings.turns import PERIOD, Turn, find_turns, list_short_turns
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
 
 KIND = "rate"
 RUNS = 7
-FASTEST_A = 20 * DEG
-"""Method A takes rates up to here, method B those above, rad/s."""
+"""Power-ons in each direction."""
+FASTEST_RATE_A = 20 * DEG
+"""Largest table rate for method A, rad/s; method B takes those above."""
 WARM_UP = 10.0
-"""At rest before the table turns, s."""
+"""Time at rest before the table turns, s."""
 INTERVAL = 0.1
-"""Of a log's rows, s."""
+"""Length of a row, s."""
 
 
-def rate_turns(campaign: Campaign, slow: bool) -> list[Turn]:
-    """Turns of the campaign's rate tests at rates up to `FASTEST_A`, or above.
+def read_rate_turns(campaign: Campaign, slow: bool) -> list[Turn]:
+    """Turns of the campaign's rate tests at rates up to `FASTEST_RATE_A` (`slow`), or above.
 
     Raises:
         BenchError: there are none.
     """
-    found = [turn for test in tests_of(campaign, KIND) for turn in turns_of(campaign, test)]
-    chosen = [turn for turn in found if (abs(turn.table_rate) <= FASTEST_A) == slow]
+    turns = [turn for test in require_tests(campaign, KIND) for turn in read_turns(campaign, test)]
+    chosen = [turn for turn in turns if (abs(turn.table_rate) <= FASTEST_RATE_A) == slow]
     if not chosen:
-        rates = ", ".join(f"{turn.table_rate / DEG:.3g}" for turn in found)
+        rates = ", ".join(f"{turn.table_rate / DEG:.3g}" for turn in turns)
         side = "up to" if slow else "above"
         raise BenchError(
-            f"{campaign.device}: no rate test {side} {FASTEST_A / DEG:g} deg/s; "
+            f"{campaign.device}: no rate test {side} {FASTEST_RATE_A / DEG:g} deg/s; "
             f"there are {rates} deg/s"
         )
     return chosen
 
 
-def turns_of(campaign: Campaign, test: Test) -> list[Turn]:
+def read_turns(campaign: Campaign, test: Test) -> list[Turn]:
     """Turns of one power-on."""
-    return turns(test.log, campaign.site.latitude)
+    return find_turns(test.log, campaign.site.latitude)
 
 
-def exclusions(campaign: Campaign, *kinds: str) -> tuple[str, ...]:
-    """What was left out of the logs of these kinds, on reading and here."""
-    tests, latitude = tests_of(campaign, *kinds), campaign.site.latitude
-    short = (text for test in tests for text in left_out(test.log, latitude))
-    return (*exclusions_of(tests), *short)
+def list_turn_exclusions(campaign: Campaign, *kinds: str) -> tuple[str, ...]:
+    """A sentence on each part of the logs of these kinds that is not used: excluded on reading, or
+    too short a turn."""
+    tests, latitude = require_tests(campaign, *kinds), campaign.site.latitude
+    short = (text for test in tests for text in list_short_turns(test.log, latitude))
+    return (*list_exclusions(tests), *short)
 
 
 def record_turns(bench: Bench, rate: float, periods: int, runs: int = RUNS) -> list[Test]:
-    """Make the power-ons of `turn_power_ons`."""
-    return bench.run(turn_power_ons(bench, rate, periods, runs))
+    """Tests of the power-ons of `make_turn_power_ons`."""
+    return bench.run(make_turn_power_ons(bench, rate, periods, runs))
 
 
-def turn_power_ons(bench: Bench, rate: float, periods: int, runs: int = RUNS) -> list[PowerOn]:
-    """Power-ons in which the table turns by whole periods of the pattern, each way in its own."""
+def make_turn_power_ons(bench: Bench, rate: float, periods: int, runs: int = RUNS) -> list[PowerOn]:
+    """Power-ons, `runs` in each direction, in which the table turns at a rate, rad/s, until the
+    pattern has turned by a number of periods of the scale-factor map."""
     tasks = []
     for way, sign in (("pos", 1), ("neg", -1)):
         course = bench.programme(INTERVAL).rest(WARM_UP)

@@ -1,8 +1,8 @@
-"""Method A (paper 4.2): slow turning, the error of the angle.
+"""Method A (paper 4.2): scale factor over the circumference from the angle error in slow turns.
 
-The table turns at 5 deg/s both ways by whole periods of the pattern; the detected angle is fitted
-against the encoder. What is left, r, is the angle-measuring error; a fourth harmonic of r is one of
-the scale factor four times as large: 4 std(r).
+The table turns at 5 deg/s in both directions, by whole periods of the pattern. The detected pattern
+angle is fitted by a line against the encoder; the residual r is the error of the angle. A fourth
+harmonic of r is one of the scale factor that is four times as large: 4 std(r).
 """
 
 import numpy as np
@@ -12,67 +12,82 @@ from numpy.typing import NDArray
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.procedure import Procedure
-from pyhrg.bench.readings.output_rows import bryan_factor
+from pyhrg.bench.readings.output_rows import read_bryan_factor
 from pyhrg.bench.readings.turns import Turn
 from pyhrg.bench.scale_factor.both_ways import draw_both_ways
-from pyhrg.bench.scale_factor.rate_tests import KIND, RUNS, exclusions, rate_turns, record_turns
-from pyhrg.bench.scale_factor.scale_factor import BIAS, ScaleFactorMap, fitted, period_table
+from pyhrg.bench.scale_factor.rate_tests import (
+    KIND,
+    RUNS,
+    list_turn_exclusions,
+    read_rate_turns,
+    record_turns,
+)
+from pyhrg.bench.scale_factor.scale_factor import (
+    BIAS,
+    ScaleFactorMap,
+    fit_scale_factor_map,
+    make_period_table,
+)
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.records.campaign import Campaign, Test
 
 Array = NDArray[np.float64]
 
 RATE = 5 * DEG
+"""Table rate, rad/s."""
 PERIODS = 2
+"""Periods of the scale-factor map in a power-on."""
 
 
 def record(
     bench: Bench, runs: int = RUNS, periods: int = PERIODS, rate: float = RATE
 ) -> list[Test]:
-    """Seven power-ons each way."""
+    """Tests of `runs` power-ons in each direction at a table rate, rad/s."""
     return record_turns(bench, rate, periods, runs)
 
 
-def residual(turn: Turn, k: float) -> Array:
-    """(n,) error of the pattern angle, rad: less a line against the encoder, at whole periods.
+def compute_residual(turn: Turn, k: float) -> Array:
+    """(n,) error of the pattern angle, rad, within whole periods: residual of a line against the
+    encoder.
 
     Args:
-        turn: of the table at one rate.
-        k: Bryan factor.
+        turn: at one table rate.
+        k: angular gain.
     """
-    rows = np.abs(turn.pattern_angle - turn.pattern_angle[0]) <= _whole(turn)
+    rows = np.abs(turn.pattern_angle - turn.pattern_angle[0]) <= _measure_whole_periods(turn)
     excess, table = turn.excess[rows], turn.table_angle[rows]
-    # both ways, the line that joins whole periods has the slope of the mean scale factor
+    # over both directions, a line through whole periods has the slope of the mean scale factor
     _, angle, error = turn.whole_periods()
     slope = (error[-1] - error[0]) / (angle[-1] - angle[0])
-    left = excess - slope * (table - table[0])
-    return np.asarray(-k * (left - left.mean()))
+    residual = excess - slope * (table - table[0])
+    return np.asarray(-k * (residual - residual.mean()))
 
 
-def _whole(turn: Turn) -> float:
+def _measure_whole_periods(turn: Turn) -> float:
+    """Pattern angle, rad, of the whole periods of a turn."""
     return float(np.floor(turn.periods + 1e-6)) * np.pi / 2
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Scale factor, its map over the circumference, and the bias that only both ways separate."""
-    k = bryan_factor(campaign)
-    found = fitted(rate_turns(campaign, slow=True), k)
-    left = [residual(turn, k) for turn in found.turns]
+    """Scale factor, its map over the circumference, and the bias."""
+    k = read_bryan_factor(campaign)
+    fitted = fit_scale_factor_map(read_rate_turns(campaign, slow=True), k)
+    residuals = [compute_residual(turn, k) for turn in fitted.turns]
     return Outcome(
         procedure=PROCEDURE.name,
-        findings=(*found.findings(), *_residuals(left)),
-        verdict=_verdict(found),
-        tables=(period_table(found.turns),),
-        warnings=found.refused,
-        exclusions=exclusions(campaign, KIND),
-        draw=lambda figure: draw(figure, found, left),
-        values={"scale_factor_map": dict(zip(found.fit.names, found.fit.values, strict=True))},
+        findings=(*fitted.findings(), *_summarize_residuals(residuals)),
+        verdict=_describe_verdict(fitted),
+        tables=(make_period_table(fitted.turns),),
+        warnings=fitted.refused,
+        exclusions=list_turn_exclusions(campaign, KIND),
+        draw=lambda figure: draw(figure, fitted, residuals),
+        values={"scale_factor_map": dict(zip(fitted.fit.names, fitted.fit.values, strict=True))},
     )
 
 
-def _residuals(left: list[Array]) -> tuple[Finding, ...]:
-    """The paper's own figures, as they are."""
-    rows = np.concatenate(left)
+def _summarize_residuals(residuals: list[Array]) -> tuple[Finding, ...]:
+    """The paper's own figures of the angle error, without correction for noise."""
+    rows = np.concatenate(residuals)
     deviation, largest = float(np.std(rows, ddof=1)), float(np.max(np.abs(rows)))
     note = "as read, with the noise and the bias over the rate: no interval"
     n = len(rows)
@@ -84,30 +99,30 @@ def _residuals(left: list[Array]) -> tuple[Finding, ...]:
     )
 
 
-def _verdict(found: ScaleFactorMap) -> str:
-    rate = float(np.mean([abs(turn.table_rate) for turn in found.turns]))
-    harmonics = [found.fit.value(name) for name in found.harmonics(BIAS)]
+def _describe_verdict(fitted: ScaleFactorMap) -> str:
+    rate = float(np.mean([abs(turn.table_rate) for turn in fitted.turns]))
+    harmonics = [fitted.fit.value(name) for name in fitted.harmonics(BIAS)]
     share = float(np.linalg.norm(harmonics)) / np.sqrt(2) / rate
     return (
-        f"{found.verdict()}; one way alone the bias would have added {share * 1e6:.3g} ppm at "
+        f"{fitted.verdict()}; one way alone the bias would have added {share * 1e6:.3g} ppm at "
         f"{rate / DEG:.3g} deg/s."
     )
 
 
-def draw(figure: Figure, found: ScaleFactorMap, left: list[Array]) -> None:
-    """Residuals of both ways against the pattern angle."""
+def draw(figure: Figure, fitted: ScaleFactorMap, residuals: list[Array]) -> None:
+    """Draw the angle errors of both directions against the pattern angle."""
     axes = figure.add_subplot()
-    angles = [
-        turn.pattern_angle[: len(values)] for turn, values in zip(found.turns, left, strict=True)
+    points = [
+        (turn.pattern_angle[: len(values)], values / ARCSEC)
+        for turn, values in zip(fitted.turns, residuals, strict=True)
     ]
-    points = [(angle, values / ARCSEC) for angle, values in zip(angles, left, strict=True)]
-    draw_both_ways(axes, found.turns, points)
+    draw_both_ways(axes, fitted.turns, points)
     axes.set_ylabel("error of the pattern angle, arcsec")
     axes.set_title("Angle residual; where both ways differ, the bias shows")
     axes.legend(markerscale=3)
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="scale-factor-angle",
     group="scale factor",
     title="Scale factor over the circumference, method A (5 deg/s, angle)",

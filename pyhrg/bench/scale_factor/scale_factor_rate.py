@@ -1,10 +1,13 @@
-"""Method B (paper 4.2): fast turning, the error of the rate.
+"""Method B (paper 4.2): scale factor over the circumference from the rate error in fast turns.
 
-The table turns at 100 deg/s both ways; the rate error over short averages, against the encoder, is
-the scale factor at the pattern's position. Averaging over T shrinks a harmonic h of the pattern by
-sinc(h k W T / 2): at 100 deg/s 0.3 s cost the fourth 1.4 %, 1 s 15 %. The paper's figure is given
-as read and corrected; the fit of the angle (`scale_factor`) smooths nothing.
+The table turns at 100 deg/s in both directions. The rate error of short averages, against the
+encoder, is the scale-factor error at the pattern angle. An average over T reduces harmonic h of the
+pattern angle by the factor sinc(h k W T / 2): at 100 deg/s an average over 0.3 s reduces the fourth
+by 1.4 %, one over 1 s by 15 %. The paper's figure is given as it is and corrected for this; the fit
+to the angle (`scale_factor`) needs no average.
 """
+
+from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -14,18 +17,30 @@ from scipy import stats
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure
-from pyhrg.bench.readings.output_rows import bryan_factor
+from pyhrg.bench.readings.output_rows import read_bryan_factor
 from pyhrg.bench.readings.turns import Turn
 from pyhrg.bench.scale_factor.both_ways import draw_both_ways
-from pyhrg.bench.scale_factor.rate_tests import KIND, RUNS, exclusions, rate_turns, record_turns
-from pyhrg.bench.scale_factor.scale_factor import ScaleFactorMap, fitted, period_table
+from pyhrg.bench.scale_factor.rate_tests import (
+    KIND,
+    RUNS,
+    list_turn_exclusions,
+    read_rate_turns,
+    record_turns,
+)
+from pyhrg.bench.scale_factor.scale_factor import (
+    ScaleFactorMap,
+    fit_scale_factor_map,
+    make_period_table,
+)
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
 
 Array = NDArray[np.float64]
 
 RATE = 100 * DEG
+"""Table rate, rad/s."""
 PERIODS = 12
+"""Periods of the scale-factor map in a power-on."""
 SMOOTHING = 0.3
 """Longest average, s."""
 
@@ -33,42 +48,42 @@ SMOOTHING = 0.3
 def record(
     bench: Bench, runs: int = RUNS, periods: int = PERIODS, rate: float = RATE
 ) -> list[Test]:
-    """Seven power-ons each way."""
+    """Tests of `runs` power-ons in each direction at a table rate, rad/s."""
     return record_turns(bench, rate, periods, runs)
 
 
-def rate_error(turn: Turn) -> tuple[Array, Array]:
-    """Pattern angle, rad, and relative rate error (m,) of averages, over whole periods.
+def compute_rate_error(turn: Turn) -> tuple[Array, Array]:
+    """Pattern angle, rad, and relative rate error of averages, (m,) each, over whole periods.
 
     Raises:
-        BenchError: the rows are longer than the average may be.
+        BenchError: a row is longer than the longest average.
     """
     rows = round(SMOOTHING / turn.interval)
     if rows < 1:
         raise BenchError(
             f"{turn.source}: rows of {turn.interval:g} s; method B averages at most {SMOOTHING:g} s"
         )
-    gone = np.abs(turn.pattern_angle - turn.pattern_angle[0])
-    last = int(np.searchsorted(gone, np.floor(turn.periods + 1e-6) * np.pi / 2 + 1e-9))
+    moved = np.abs(turn.pattern_angle - turn.pattern_angle[0])
+    last = int(np.searchsorted(moved, np.floor(turn.periods + 1e-6) * np.pi / 2 + 1e-9))
     excess, angle = turn.excess[:last], turn.input_angle[:last]
     error = (excess[rows:] - excess[:-rows]) / (angle[rows:] - angle[:-rows])
     pattern = (turn.pattern_angle[rows:last] + turn.pattern_angle[: last - rows]) / 2
     return pattern, np.asarray(error)
 
 
-def smoothing_loss(turn: Turn, k: float) -> float:
-    """Share that remains of the fourth harmonic."""
+def compute_kept_share(turn: Turn, k: float) -> float:
+    """Share of the fourth harmonic that the averages keep."""
     duration = round(SMOOTHING / turn.interval) * turn.interval
     return float(np.sinc(4 * k * turn.input_rate * duration / (2 * np.pi)))
 
 
-def stability(found: ScaleFactorMap) -> Finding:
-    """Standard deviation of a turn's scale factor between periods, pooled over the turns.
+def estimate_stability(turns: Sequence[Turn]) -> Finding:
+    """Standard deviation of the scale factor over the periods of a turn, pooled over the turns.
 
-    Of every second period, so that no two share the angle noise of a bound.
+    Every second period is used, so that no two share the angle noise of a common bound.
     """
     name, groups = "scale factor stability in run", []
-    for turn in found.turns:
+    for turn in turns:
         _, angle, excess = turn.whole_periods(each=1)
         groups.append((np.diff(excess) / np.diff(angle))[::2])
     freedom = sum(len(group) - 1 for group in groups)
@@ -82,62 +97,70 @@ def stability(found: ScaleFactorMap) -> Finding:
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Scale factor, its map over the circumference, its stability within a run."""
-    k = bryan_factor(campaign)
-    found = fitted(rate_turns(campaign, slow=False), k)
-    errors = [rate_error(turn) for turn in found.turns]
-    losses = [smoothing_loss(turn, k) for turn in found.turns]
+    """Scale factor, its map over the circumference, its stability in run, and the bias."""
+    k = read_bryan_factor(campaign)
+    fitted = fit_scale_factor_map(read_rate_turns(campaign, slow=False), k)
+    errors = [compute_rate_error(turn) for turn in fitted.turns]
+    shares = [compute_kept_share(turn, k) for turn in fitted.turns]
     return Outcome(
         procedure=PROCEDURE.name,
-        findings=(*found.findings(), *_smoothed(errors, losses), stability(found)),
+        findings=(
+            *fitted.findings(),
+            *_summarize_averages(errors, shares),
+            estimate_stability(fitted.turns),
+        ),
         verdict=(
-            f"{found.verdict()}; averages of at most {SMOOTHING:g} s keep {min(losses):.1%} of "
+            f"{fitted.verdict()}; averages of at most {SMOOTHING:g} s keep {min(shares):.1%} of "
             "the fourth harmonic."
         ),
-        tables=(period_table(found.turns),),
-        warnings=(*found.refused, _lag(found, k)),
-        exclusions=exclusions(campaign, KIND),
-        draw=lambda figure: draw(figure, found, errors),
-        values={"scale_factor_map": dict(zip(found.fit.names, found.fit.values, strict=True))},
+        tables=(make_period_table(fitted.turns),),
+        warnings=(*fitted.refused, _describe_lag(fitted, k)),
+        exclusions=list_turn_exclusions(campaign, KIND),
+        draw=lambda figure: draw(figure, fitted, errors),
+        values={"scale_factor_map": dict(zip(fitted.fit.names, fitted.fit.values, strict=True))},
     )
 
 
-def _lag(found: ScaleFactorMap, k: float) -> str:
-    rate = max(abs(turn.table_rate) for turn in found.turns)
+def _describe_lag(fitted: ScaleFactorMap, k: float) -> str:
+    rate = max(abs(turn.table_rate) for turn in fitted.turns)
     return (
-        f"at {rate / DEG:.3g} deg/s the fourth harmonic passes at {4 * k * rate:.2g} rad/s: what "
-        "loops that lag behind it add to bias, pick-off errors and the eighth harmonic can't be "
-        "told from these; method A shows them slow"
+        f"at {rate / DEG:.3g} deg/s the fourth harmonic has a frequency of {4 * k * rate:.2g} "
+        "rad/s: loops lag behind it, which changes bias, pick-off errors and the eighth harmonic; "
+        "in the slow turns of method A the lag is smaller"
     )
 
 
-def _smoothed(errors: list[tuple[Array, Array]], losses: list[float]) -> tuple[Finding, ...]:
-    """The paper's own figure, as it is, and with the loss made good."""
+def _summarize_averages(
+    errors: list[tuple[Array, Array]], shares: list[float]
+) -> tuple[Finding, ...]:
+    """The paper's own figure of the rate error, as it is, and corrected for the averages."""
     rows = np.concatenate([error - error.mean() for _, error in errors])
     deviation, n = float(np.std(rows, ddof=1)), len(rows)
-    kept = float(np.mean(losses))
+    kept = float(np.mean(shares))
     note = "standard deviation with the noise and the bias over the rate: no interval"
-    made_good = f"over {kept:.4f}, what the averages keep of the fourth harmonic; no interval"
+    correction = f"over {kept:.4f}, what the averages keep of the fourth harmonic; no interval"
     return (
         Finding("smoothed rate residual", deviation, "ppm", n=n, note=note),
-        Finding("corrected rate residual", deviation / kept, "ppm", n=n, note=made_good),
+        Finding("corrected rate residual", deviation / kept, "ppm", n=n, note=correction),
     )
 
 
-def draw(figure: Figure, found: ScaleFactorMap, errors: list[tuple[Array, Array]]) -> None:
-    """Averages of both ways and the fitted map against the pattern angle."""
+def draw(figure: Figure, fitted: ScaleFactorMap, errors: list[tuple[Array, Array]]) -> None:
+    """Draw the averages of both directions and the fitted map against the pattern angle."""
     axes = figure.add_subplot()
     grid = np.linspace(0.0, np.pi, 361)
     points = [(pattern, error * 1e6) for pattern, error in errors]
-    draw_both_ways(axes, found.turns, points)
-    mean = found.fit.value("scale factor")
-    axes.plot(grid / DEG, (mean + found.at(grid)) * 1e6, "k-", lw=1.2, label="fit to the angle")
+    draw_both_ways(axes, fitted.turns, points)
+    mean = fitted.fit.value("scale factor")
+    axes.plot(
+        grid / DEG, (mean + fitted.evaluate(grid)) * 1e6, "k-", lw=1.2, label="fit to the angle"
+    )
     axes.set_ylabel("rate error over rate, ppm")
     axes.set_title(f"Scale factor over the circumference, averages of {SMOOTHING:g} s")
     axes.legend(markerscale=3)
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="scale-factor-rate",
     group="scale factor",
     title="Scale factor over the circumference, method B (100 deg/s, rate)",

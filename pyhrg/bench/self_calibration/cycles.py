@@ -7,7 +7,7 @@ import numpy as np
 from scipy import stats
 
 from pyhrg.bench.outcome import BenchError, Finding
-from pyhrg.bench.readings.sweeps import WHOLE, Sweep
+from pyhrg.bench.readings.sweeps import MAP_PERIODS, Sweep
 from pyhrg.common.units import DEG
 
 
@@ -29,13 +29,13 @@ class Cycle:
     period: float = 0.0
 
 
-def paired(logs: Sequence[Sequence[Sweep]]) -> list[list[Cycle]]:
+def pair_cycles(logs: Sequence[Sequence[Sweep]]) -> list[list[Cycle]]:
     """Cycles of each power-on at rest; where each turns one way only, of power-ons in pairs.
 
     Raises:
         BenchError: no two sweeps of a whole period, one each way.
     """
-    resting = [[s for s in log if s.table_rate == 0.0 and s.whole()] for log in logs]
+    resting = [[s for s in log if s.table_rate == 0.0 and s.average_period()] for log in logs]
     runs = [cycles for log in resting if (cycles := _pairs(log))]
     if not runs and (crossed := _pairs([sweep for log in resting for sweep in log])):
         runs = [crossed]
@@ -43,8 +43,9 @@ def paired(logs: Sequence[Sequence[Sweep]]) -> list[list[Cycle]]:
         turned = [abs(s.pattern_angle[-1] - s.pattern_angle[0]) / DEG for log in logs for s in log]
         sources = ", ".join(sorted({s.source for log in logs for s in log})) or "campaign"
         raise BenchError(
-            f"{sources}: no virtual rotation at rest by a whole period of {WHOLE[-1] / DEG:g} deg "
-            f"of pattern, one way and back; the longest turns it by {max(turned, default=0):.3g}"
+            f"{sources}: no virtual rotation at rest by a whole period of "
+            f"{MAP_PERIODS[-1] / DEG:g} deg of pattern, one way and back; the longest turns it by "
+            f"{max(turned, default=0):.3g}"
         )
     return runs
 
@@ -58,7 +59,10 @@ def _pairs(found: Sequence[Sweep]) -> list[Cycle]:
             rest = rest[1:]
             continue
         rest = rest[2:]
-        (first, period), (second, back) = one.whole() or (0.0, 0.0), other.whole() or (0.0, 0.0)
+        (first, period), (second, back) = (
+            one.average_period() or (0.0, 0.0),
+            other.average_period() or (0.0, 0.0),
+        )
         gain = (second - first) / (2 * one.virtual_rotation)
         length = (one.time[-1] - one.time[0]) + (other.time[-1] - other.time[0])
         mean = (first + second) / 2
@@ -66,12 +70,12 @@ def _pairs(found: Sequence[Sweep]) -> list[Cycle]:
     return cycles
 
 
-def averaging(runs: Sequence[Sequence[Cycle]]) -> float:
+def find_averaging_time(runs: Sequence[Sequence[Cycle]]) -> float:
     """Mean length of a cycle, s."""
     return float(np.mean([cycle.length for run in runs for cycle in run]))
 
 
-def cut(logs: Sequence[Sequence[Sweep]], length: float) -> list[list[Cycle]]:
+def cut_rests(logs: Sequence[Sequence[Sweep]], length: float) -> list[list[Cycle]]:
     """Means over `length` seconds, s, of the rests of each power-on; short ones are left out.
 
     Raises:
@@ -99,7 +103,7 @@ def _means(sweep: Sweep, length: float) -> list[Cycle]:
     ]
 
 
-def pooled(name: str, runs: Sequence[Sequence[float]], note: str) -> Finding:
+def find_pooled_deviation(name: str, runs: Sequence[Sequence[float]], note: str) -> Finding:
     """Standard deviation within power-ons, rad/s, chi-square interval."""
     squares = sum(float(np.sum((np.array(run) - np.mean(run)) ** 2)) for run in runs)
     freedom = sum(len(run) - 1 for run in runs)
@@ -110,11 +114,11 @@ def pooled(name: str, runs: Sequence[Sequence[float]], note: str) -> Finding:
     return Finding(name, value, "deg/h", value * float(low), value * float(high), freedom + 1, note)
 
 
-def warnings(runs: Sequence[Sequence[Cycle]]) -> tuple[str, ...]:
+def list_warnings(runs: Sequence[Sequence[Cycle]]) -> tuple[str, ...]:
     """What the cycles can't average out."""
-    if min(cycle.period for run in runs for cycle in run) < WHOLE[0]:
+    if min(cycle.period for run in runs for cycle in run) < MAP_PERIODS[0]:
         return (
-            f"sweeps of {WHOLE[-1] / DEG:g} deg of pattern don't average a second harmonic of the "
-            f"bias; {WHOLE[0] / DEG:g} deg would",
+            f"sweeps of {MAP_PERIODS[-1] / DEG:g} deg of pattern don't average a second harmonic "
+            f"of the bias; {MAP_PERIODS[0] / DEG:g} deg would",
         )
     return ()

@@ -11,16 +11,16 @@ import numpy as np
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS
 from pyhrg.bench.estimation.angle_fit import AngleFit, Record, fit_angles
-from pyhrg.bench.estimation.fitted_walk import ratio_finding, walk, walk_finding
-from pyhrg.bench.outcome import BenchError, Finding, Outcome, deviation_finding, mean_finding
-from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.estimation.fitted_walk import estimate_walk, estimate_walk_ratio, make_walk_finding
+from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_deviation, estimate_mean
+from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.output_rows import bryan_factor
-from pyhrg.bench.readings.sweeps import BIAS, GAIN, SCALE, Sweep, separable, sweeps
-from pyhrg.bench.scale_factor.rate_tests import turns_of
-from pyhrg.bench.scale_factor.scale_factor import fitted
+from pyhrg.bench.readings.output_rows import read_bryan_factor
+from pyhrg.bench.readings.sweeps import BIAS, GAIN, SCALE, Sweep, find_sweeps, select_orders
+from pyhrg.bench.scale_factor.rate_tests import read_turns
+from pyhrg.bench.scale_factor.scale_factor import fit_scale_factor_map
 from pyhrg.bench.self_calibration import cycles
-from pyhrg.bench.self_calibration.cycles import Cycle, averaging, pooled
+from pyhrg.bench.self_calibration.cycles import Cycle, find_averaging_time, find_pooled_deviation
 from pyhrg.bench.self_calibration.self_calibration_figure import draw
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.campaign import Campaign, Test
@@ -33,14 +33,14 @@ TABLE_RATE = 5 * DEG
 CYCLES = 3
 WARM_UP = 30.0
 MARGIN = 5.0
-"""Beyond a whole sweep, for settling, s."""
+"""Time beyond a whole sweep, for settling, s."""
 CREEP = 5 * DEG
-"""Of the pattern at rest, over which the bias map is no cubic in time any more."""
+"""Pattern angle beyond which a creeping pattern's bias is no cubic in time any more, rad."""
 TURN = 200.0
-"""Of the table at one rate and one virtual rotation: more than 180 deg of pattern, s."""
+"""Time of the table at one rate and one virtual rotation, s: more than 180 deg of pattern."""
 
 
-def programme(bench: Bench, rotation: float, count: int = CYCLES) -> Programme:
+def make_programme(bench: Bench, rotation: float, count: int = CYCLES) -> Programme:
     """One power-on, axis level: cycles at rest, then the table turns both ways.
 
     Args:
@@ -65,7 +65,7 @@ def record(bench: Bench, runs: int = RUNS, count: int = CYCLES) -> list[Test]:
     angles = bench.device.power_on_angle + np.arange(runs) * 180 * DEG / runs
     tasks = []
     for name, rotation in (("on", ROTATION), ("off", 0.0)):
-        course = programme(bench, rotation, count)
+        course = make_programme(bench, rotation, count)
         tasks += [
             PowerOn(f"self_calibration_{name}_{run + 1}", KIND, course, float(angle))
             for run, angle in enumerate(angles)
@@ -79,34 +79,34 @@ HELD = "with the hold of the forces, -Ts/2 tau, and -(W_L/V)^2/2 of a large map"
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Bias, stability, repeatability, scale factor and random walk, on and off."""
-    tests = tests_of(campaign, *KINDS)
-    found = [sweeps(test.log, campaign.site.latitude) for test in tests]
+    tests = require_tests(campaign, *KINDS)
+    found = [find_sweeps(test.log, campaign.site.latitude) for test in tests]
     rotating = [[s for s in log if s.virtual_rotation != 0.0] for log in found]
     resting = [[s for s in log if s.virtual_rotation == 0.0 == s.table_rate] for log in found]
-    on = cycles.paired(rotating)
-    off = cycles.cut([log for log in resting if log], averaging(on))
+    on = cycles.pair_cycles(rotating)
+    off = cycles.cut_rests([log for log in resting if log], find_averaging_time(on))
     turning, rotation = _rotating_fit([s for log in rotating for s in log])
     still, rest = _resting_fit([s for log in resting for s in log])
-    walks = walk(turning, rotation), walk(still, rest)
-    ratio = ratio_finding("random walk on over off", *walks)
-    bias = mean_finding("bias on", [c.rate for run in on for c in run], "deg/h")
-    gain = mean_finding(GAIN_ERROR, [c.gain for r in on for c in r], "ppm", HELD)
+    walks = estimate_walk(turning, rotation), estimate_walk(still, rest)
+    ratio = estimate_walk_ratio("random walk on over off", *walks)
+    bias = estimate_mean("bias on", [c.rate for run in on for c in run], "deg/h")
+    gain = estimate_mean(GAIN_ERROR, [c.gain for r in on for c in r], "ppm", HELD)
     findings = (
         bias,
         *_scatter("on", on),
         *_scatter("off", off),
         gain,
         *_scale_factors(campaign, turning),
-        walk_finding("angle random walk on", walks[0]),
-        walk_finding("angle random walk off", walks[1]),
+        make_walk_finding("angle random walk on", walks[0]),
+        make_walk_finding("angle random walk off", walks[1]),
         ratio,
     )
     return Outcome(
         procedure=PROCEDURE.name,
         findings=findings,
         verdict=_verdict({finding.name: finding for finding in findings}),
-        warnings=(*cycles.warnings(on), *_crept(resting)),
-        exclusions=exclusions_of(tests),
+        warnings=(*cycles.list_warnings(on), *_crept(resting)),
+        exclusions=list_exclusions(tests),
         draw=lambda figure: draw(figure, on, off),
         values={"bias_on": bias.value, "virtual_rotation_gain_error": gain.value},
     )
@@ -128,8 +128,10 @@ def _scatter(name: str, runs: list[list[Cycle]]) -> tuple[Finding, ...]:
     length = float(np.mean([cycle.length for run in runs for cycle in run]))
     means = [float(np.mean(run)) for run in rates]
     return (
-        pooled(f"bias stability {name}", rates, f"means of {length:.0f} s within a power-on"),
-        deviation_finding(f"bias repeatability {name}", means, "deg/h", "between power-ons"),
+        find_pooled_deviation(
+            f"bias stability {name}", rates, f"means of {length:.0f} s within a power-on"
+        ),
+        estimate_deviation(f"bias repeatability {name}", means, "deg/h", "between power-ons"),
     )
 
 
@@ -140,7 +142,7 @@ def _rotating_fit(found: list[Sweep]) -> tuple[AngleFit, list[Record]]:
             f"{', '.join(sorted({s.source for s in found})) or 'campaign'}: virtual rotation "
             "is needed both ways, else its gain error looks like a bias"
         )
-    orders = separable(found, kinds)
+    orders = select_orders(found, kinds)
     records = [sweep.record(orders, kinds) for sweep in found]
     return fit_angles(records), records
 
@@ -167,10 +169,10 @@ def _scale_factors(campaign: Campaign, turning: AngleFit) -> tuple[Finding, ...]
         return (Finding("scale factor error on", np.nan, "ppm", note=note),)
     low, high = turning.interval(SCALE)
     n = len(turning.residual)
-    logs = [t for t in tests_of(campaign, KIND) if not np.any(t.log.virtual_rotation)]
-    off = fitted(
-        [turn for test in logs for turn in turns_of(campaign, test)],
-        bryan_factor(campaign),
+    logs = [t for t in require_tests(campaign, KIND) if not np.any(t.log.virtual_rotation)]
+    off = fit_scale_factor_map(
+        [turn for test in logs for turn in read_turns(campaign, test)],
+        read_bryan_factor(campaign),
     )
     return (
         Finding("scale factor error on", turning.value(SCALE), "ppm", low, high, n),
@@ -181,9 +183,9 @@ def _scale_factors(campaign: Campaign, turning: AngleFit) -> tuple[Finding, ...]
 def _verdict(found: dict[str, Finding]) -> str:
     on, off = found["bias repeatability on"], found["bias repeatability off"]
     ratio = found["random walk on over off"]
-    low, high = ratio.interval_shown
+    low, high = ratio.interval_in_unit
     text = (
-        f"Virtual rotation multiplies the angle random walk by {ratio.shown:.3g} "
+        f"Virtual rotation multiplies the angle random walk by {ratio.value_in_unit:.3g} "
         f"({low:.3g} to {high:.3g})"
     )
     if np.isnan(on.value) or np.isnan(off.value):
@@ -192,7 +194,7 @@ def _verdict(found: dict[str, Finding]) -> str:
     return f"{text}; repeatability over the power-on angles goes from {gained}."
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="self-calibration",
     group="self-calibration",
     title="Self-calibration by virtual rotation: gained and lost",

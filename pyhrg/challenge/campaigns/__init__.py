@@ -1,1 +1,1 @@
-"""The campaigns of a challenge: plans, instruments, the gyro that is recorded."""
+"""The campaigns of a challenge: nominal device, plans of the tests, instruments, the true gyro."""

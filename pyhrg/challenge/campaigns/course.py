@@ -1,4 +1,4 @@
-"""One test as the gyro goes through it: what the bench does in each communication step."""
+"""The course of a test: motion, temperature and commands in each communication step."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.bench import INPUTS, between, middles
+from pyhrg.bench.bench import HELD_INPUTS, compute_step_middles, interpolate_rows
 from pyhrg.bench.programme import Programme
 
 Array = NDArray[np.float64]
@@ -27,7 +27,7 @@ class Course:
     case_temperature: Array
     """(n + 1,) at the rows' bounds, linear between them."""
     held: Mapping[str, Array]
-    """(n,) what holds over a row, by its name in a programme."""
+    """(n,) commands and attitude that hold over a row, by their names in a programme."""
 
     def __len__(self) -> int:
         return len(self.table_rate) - 1
@@ -39,38 +39,40 @@ class Course:
 
     @cached_property
     def share(self) -> Array:
-        """(m,) of a row that is over at the middle of each step."""
-        return middles(self.steps)
+        """(m,) share of a row that is over at the middle of each step."""
+        return compute_step_middles(self.steps)
 
     @cached_property
     def time(self) -> Array:
-        """Since power-on."""
+        """(n, m) time since power-on, s."""
         return (np.arange(len(self))[:, None] + self.share) * self.interval
 
     @cached_property
     def rate(self) -> Array:
-        """Of the table."""
-        return between(self.table_rate, self.share)
+        """(n, m) rate of the table, rad/s."""
+        return interpolate_rows(self.table_rate, self.share)
 
     @cached_property
     def table_angle_at_ends(self) -> Array:
-        """(n,) at the rows' ends."""
+        """(n,) angle of the table at the rows' ends, rad."""
         means = (self.table_rate[1:] + self.table_rate[:-1]) / 2
         return np.asarray(np.cumsum(means) * self.interval)
 
     @cached_property
     def table_angle(self) -> Array:
-        """Of the table, 0 at start."""
+        """(n, m) angle of the table, rad; 0 at the start."""
         begun = np.concatenate(([0.0], self.table_angle_at_ends[:-1]))[:, None]
-        return begun + self.interval * self.share * between(self.table_rate, self.share / 2)
+        return begun + self.interval * self.share * interpolate_rows(
+            self.table_rate, self.share / 2
+        )
 
     @cached_property
     def temperature(self) -> Array:
-        """Of the case."""
-        return between(self.case_temperature, self.share)
+        """(n, m) temperature of the case, K."""
+        return interpolate_rows(self.case_temperature, self.share)
 
     def each(self, name: str) -> Array:
-        """What holds over a row."""
+        """(n, 1) a command or attitude that holds over each row."""
         return np.broadcast_to(self.held[name][:, None], (len(self), self.steps))
 
     def integrated(self, rate: Array) -> Array:
@@ -79,7 +81,7 @@ class Course:
         return np.asarray((total - rate.ravel() * self.step / 2).reshape(rate.shape))
 
 
-def course_of(programme: Programme, step: float) -> Course:
+def make_course(programme: Programme, step: float) -> Course:
     """The course of a programme, whose rows are multiples of the step."""
-    held = {name: programme.held(name) for name in ("axis_up", *INPUTS)}
+    held = {name: programme.values(name) for name in ("axis_up", *HELD_INPUTS)}
     return Course(programme.interval, step, programme.table_rate, programme.temperature, held)

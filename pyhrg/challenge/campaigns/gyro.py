@@ -1,4 +1,4 @@
-"""The true gyro on the true bench: one test of a campaign on the FMU with its sampled loops."""
+"""Records a test of the true gyro on the FMU with its sampled loops."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
@@ -7,10 +7,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.bench import FORCES, INPUTS, LOGGED, Bench, earth_rate, recorded
+from pyhrg.bench.bench import (
+    HELD_INPUTS,
+    LOGGED_COMMANDS,
+    LOOP_OUTPUTS,
+    Bench,
+    compute_earth_rate,
+    record_rows,
+)
 from pyhrg.challenge.campaigns.course import Course
-from pyhrg.challenge.campaigns.instruments import Instruments, logged
-from pyhrg.challenge.campaigns.rate_noise import rate_noise
+from pyhrg.challenge.campaigns.instruments import Instruments, record_log
+from pyhrg.challenge.campaigns.rate_noise import draw_rate_noise
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.records import Log
@@ -20,7 +27,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Disturbance:
-    """What acts on gyro or bench beside the device's own parameters; nothing by default.
+    """A disturbance of gyro or bench that is no parameter of the device; none by default.
 
     model: parameters of the FMU, by its names, SI.
     rate: (n, m) or (1, 1) input rate to be added in each step of a course, rad/s, given the true
@@ -38,7 +45,7 @@ class Disturbance:
 
 @dataclass(frozen=True)
 class TrueGyro:
-    """A gyro as it really is; with `HRGSlow`, as it would be with its loops at rest."""
+    """The true gyro. With `HRGSlow` its loops are settled at all times."""
 
     fmu: GyroFmu
     device: Device
@@ -50,8 +57,8 @@ class TrueGyro:
     ) -> tuple[Log, Array]:
         """Run a test.
 
-        Noise moves the pattern as an input rate, and the FMU has none of its own: the other loops
-        have only their channels' noise, and colours need not be the FMU's.
+        Noise turns the pattern as an input rate. The noise of the FMU is off, so the spectrum may
+        differ from the FMU's, and the other channels have only the noise of their readings.
 
         Args:
             source: what the log is called in messages.
@@ -60,17 +67,17 @@ class TrueGyro:
             generator: of all noise.
 
         Returns:
-            The log, and (n,) what noise makes of its output angle, rad.
+            The log, and (n,) the part of noise in its output angle, rad.
         """
-        drawn = rate_noise(self.device, len(course) * course.steps, course.step, generator)
+        drawn = draw_rate_noise(self.device, len(course) * course.steps, course.step, generator)
         noise = drawn.reshape(len(course), course.steps)
         shown = self.disturbance.shown(self.exact(source, course, start_angle, noise))
-        log = logged(shown, self.device, self.instruments, generator)
+        log = record_log(shown, self.device, self.instruments, generator)
         turned = np.cumsum(noise.sum(axis=1)) * course.step
         return log, log.gyro_angle - shown.gyro_angle + turned
 
     def exact(self, source: str, course: Course, start_angle: float, noise: Array) -> Log:
-        """What bench and gyro do, without noise of the log.
+        """The log of bench and gyro without reading noise.
 
         Args:
             source: what the log is called in messages.
@@ -79,14 +86,14 @@ class TrueGyro:
             noise: (n, m) or (1, 1) input rate beside the bench's and Earth's, rad/s.
         """
         held = {**course.held, **self.disturbance.inputs(course, start_angle)}
-        commands = {name: held[name] for name in INPUTS}
+        commands = {name: held[name] for name in HELD_INPUTS}
         bench = Bench(self.fmu, self._quiet(commands, course.step), step=course.step)
-        earth = earth_rate(self.device, course.each("axis_up"), course.table_angle)
+        earth = compute_earth_rate(self.device, course.each("axis_up"), course.table_angle)
         added = noise + self.disturbance.rate(course, start_angle)
         moving = {"angularRate": course.rate + earth + added, "caseTemperature": course.temperature}
         with bench.power_on(source, start_angle) as gyro:
-            shown = recorded(gyro, moving, commands, course.step, FORCES)
-        columns: dict[str, Any] = {**{name: course.held[name] for name in LOGGED}, **shown}
+            shown = record_rows(gyro, moving, commands, course.step, LOOP_OUTPUTS)
+        columns: dict[str, Any] = {**{name: course.held[name] for name in LOGGED_COMMANDS}, **shown}
         return Log(
             source=source,
             interval=course.interval,
@@ -98,9 +105,9 @@ class TrueGyro:
         )
 
     def _quiet(self, commands: Mapping[str, Array], step: float) -> Device:
-        """The device without noise, its first commands in force from time 0."""
-        first = {INPUTS[name]: float(values[0]) for name, values in commands.items()}
+        """The device without noise, with its first commands from time 0 on."""
+        first = {HELD_INPUTS[name]: float(values[0]) for name, values in commands.items()}
         quiet = self.device.without_noise()
         rest = {} if self.fmu.is_sampled else {"samplePeriod": step}
         model = {**quiet.model, **self.disturbance.model, **first, **rest}
-        return replace(quiet, angle_quantum=0.0, model=model)
+        return replace(quiet, quantization_step=0.0, model=model)

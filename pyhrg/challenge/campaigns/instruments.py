@@ -1,4 +1,4 @@
-"""What the log shows of the gyro's channels: their own noise, the output's quantum, the digits."""
+"""Instruments: reading noise of the channels, quantization of the output, digits of the log."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
@@ -17,7 +17,8 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Instruments:
-    """Standard deviations of white noise of a row, SI; the recorded campaigns' by default."""
+    """Standard deviations of the white noise of a row, SI; by default those of the recorded
+    campaigns."""
 
     temperature: float = 5e-3
     amplitude: float = 1e-6
@@ -27,7 +28,7 @@ class Instruments:
     frequency_offset: float = 1e-5 * HZ
 
     def drawn(self, generator: np.random.Generator) -> "Instruments":
-        """Those of another bench: each up to a factor of 1.4 better or worse."""
+        """Instruments of another bench: each up to a factor of 1.4 better or worse."""
         factors = 1.4 ** generator.uniform(-1, 1, len(fields(self)))
         names = [field.name for field in fields(self)]
         changed: dict[str, Any] = {
@@ -47,13 +48,13 @@ DECIMALS = {
     "amplitude": 7,
     "frequency_offset": 7,
 }
-"""Of a column in its unit, as the recorded campaigns have them."""
+"""Decimals of a column in its unit, as the recorded campaigns have them."""
 SIGNIFICANT = {"amplitude_force": 10, "quadrature_force": 7}
 """Digits of a column that spans decades."""
 
 
-def logged(log: Log, device: Device, own: Instruments, generator: np.random.Generator) -> Log:
-    """The log with noise, quantum and digits.
+def record_log(log: Log, device: Device, own: Instruments, generator: np.random.Generator) -> Log:
+    """A log with reading noise, quantization and rounded digits.
 
     Args:
         log: what bench and gyro did, exact.
@@ -63,11 +64,11 @@ def logged(log: Log, device: Device, own: Instruments, generator: np.random.Gene
         generator: of the noise.
     """
     draws = dict(zip(NOISY, generator.standard_normal((len(NOISY), len(log.time))), strict=True))
-    angle_noise = device.pickoff_noise
+    angle_noise = device.angle_white_noise
     force = log.amplitude_force
     values: dict[str, Any] = {
         "gyro_angle": _quantised(
-            log.gyro_angle + angle_noise * draws["gyro_angle"], device.angle_quantum
+            log.gyro_angle + angle_noise * draws["gyro_angle"], device.quantization_step
         ),
         "wave_angle": log.wave_angle + device.bryan_factor * angle_noise * draws["wave_angle"],
         "amplitude_force": force + own.amplitude_force * force * draws["amplitude_force"],
@@ -76,7 +77,7 @@ def logged(log: Log, device: Device, own: Instruments, generator: np.random.Gene
             for name in ("temperature", "amplitude", "quadrature_force", "frequency_offset")
         },
     }
-    return rounded(replace(log, **values))
+    return round_log(replace(log, **values))
 
 
 NOISY = (
@@ -90,8 +91,8 @@ NOISY = (
 )
 
 
-def rounded(log: Log) -> Log:
-    """The log with the digits that the file has."""
+def round_log(log: Log) -> Log:
+    """A log rounded to the digits of the recorded files."""
     decimals: Mapping[str, Array] = {
         name: np.round(_in_unit(log, name), digits) for name, digits in DECIMALS.items()
     }

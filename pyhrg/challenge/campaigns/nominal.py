@@ -1,4 +1,4 @@
-"""What is believed of a gyro before its campaign: numbers around those of the recorded ones."""
+"""The nominal device of a campaign, drawn about the values of the recorded campaigns."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -10,7 +10,7 @@ from pyhrg.common.units import DEG
 from pyhrg.device import device_file
 from pyhrg.device.device import Device
 
-ABOUT = {
+TYPICAL_VALUES = {
     "decay_time_s": (450.0, 0.15),
     "frequency_Hz": (7000.0, 0.05),
     "damping_anisotropy_per_s": (1e-6, 0.5),
@@ -24,7 +24,7 @@ ABOUT = {
     "quadrature_loop_rad_s": (6.0, 0.25),
     "phase_loop_rad_s": (200.0, 0.25),
 }
-"""Middle and relative spread."""
+"""Middle and relative half width of the range that a value is drawn from (chosen)."""
 EXACT = {
     "coriolis_factor": 0.277,
     "control_period_s": 1e-3,
@@ -33,24 +33,24 @@ EXACT = {
 }
 AXES = ("damping_axis_deg", "stiffness_axis_deg")
 DIGITS = 3
-"""Significant digits that a lab would state."""
+"""Significant digits of a nominal value."""
 
 
-def drawn_nominal(generator: np.random.Generator) -> dict[str, float]:
+def draw_nominal(generator: np.random.Generator) -> dict[str, float]:
     """A campaign's `nominal`, by the campaign format's keys."""
     drawn = {
         key: float(f"{middle * (1 + spread * generator.uniform(-1, 1)):.{DIGITS}g}")
-        for key, (middle, spread) in ABOUT.items()
+        for key, (middle, spread) in TYPICAL_VALUES.items()
     }
     axes = {key: round(generator.uniform(0, 90), 1) for key in AXES}
     return {**drawn, **axes, **EXACT}
 
 
-def drawn_site(generator: np.random.Generator) -> Site:
+def draw_site(generator: np.random.Generator) -> Site:
     """A laboratory at middle latitudes."""
     return Site(latitude=round(generator.uniform(30, 50), 2) * DEG)
 
 
-def believed(nominal: Mapping[str, float], site: Site) -> Device:
-    """The gyro as its campaign's `nominal` has it."""
+def make_nominal_device(nominal: Mapping[str, float], site: Site) -> Device:
+    """The nominal device of a campaign's `nominal`."""
     return replace(device_file.from_table(nominal, "nominal"), site=site)

@@ -1,4 +1,4 @@
-"""The tests of a campaign: kinds, durations and profiles of the recorded ones, varied by seed."""
+"""Plans of a campaign's tests: the kinds and profiles of the recorded campaigns, varied by seed."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -10,31 +10,31 @@ from pyhrg.bench.programme import Programme
 from pyhrg.common.units import DEG, HOUR
 from pyhrg.device.device import Device
 
-MOST_HOURS = 48.0
-"""Of one kind of test that is made again."""
+MAX_HOURS = 48.0
+"""Longest duration of one kind of test that is made again, h."""
 STILL_ROWS = 10.0
-"""Of a long test at rest, s."""
+"""Length of a row of a long test at rest, s."""
 SPIN_UP = 19
 """Rows in which a table reaches its rate."""
 TURNS = (45, 90, 180, 360)
-"""Of a vehicle's heading, deg."""
+"""Changes of a vehicle's heading, deg."""
 
 
 @dataclass(frozen=True)
 class Plan:
-    """One test to be made."""
+    """The plan of one test."""
 
     id: str
     kind: str
     role: str
     programme: Programme
     start_angle: float
-    """Of the pattern, rad."""
+    """Pattern angle at power-on, rad."""
 
 
 @dataclass(frozen=True)
 class Variation:
-    """Begins programmes and varies their numbers; draws all from its generator."""
+    """Starts programmes and varies their numbers."""
 
     device: Device
     generator: np.random.Generator
@@ -45,7 +45,7 @@ class Variation:
         return Programme(interval, site.gravity, start)
 
     def about(self, value: float, unit: float = 0.01, spread: float = 0.1) -> float:
-        """A value near another, within a relative spread, in whole units."""
+        """A value drawn within a relative spread about another, rounded to whole units."""
         varied = value * (1 + spread * self.generator.uniform(-1, 1))
         return round(round(varied / unit) * unit, 9)
 
@@ -58,10 +58,13 @@ Profiled = tuple[str, str, str, Callable[[Variation], Programme]]
 """Name, kind, role and profile of a test."""
 
 
-def plans(device: Device, generator: np.random.Generator, complete: bool = False) -> list[Plan]:
-    """The tests of one campaign, in the order of the recorded ones; some lack one or two kinds.
+def plan_tests(
+    device: Device, generator: np.random.Generator, complete: bool = False
+) -> list[Plan]:
+    """Plans of one campaign, in the order of the recorded ones. Some campaigns lack one or two
+    kinds.
 
-    What verifies is always there, and the test at rest, which shows the noise.
+    The held-out test and the test at rest are always planned.
 
     Args:
         device: that is tested; its reference temperature and site.
@@ -75,13 +78,15 @@ def plans(device: Device, generator: np.random.Generator, complete: bool = False
     return [plan for plan in made if complete or plan.kind not in without]
 
 
-def further(kind: str, hours: float, device: Device, generator: np.random.Generator) -> list[Plan]:
-    """The tests of one kind again, as often as it takes, to be added to a campaign; at rest, one
-    test that lasts as long.
+def plan_further_tests(
+    kind: str, hours: float, device: Device, generator: np.random.Generator
+) -> list[Plan]:
+    """Plans of further tests of one kind, repeated until they last a given time. At rest, one test
+    lasts the whole time.
 
     Args:
         kind: of the tests.
-        hours: that they last, at least; no more than `MOST_HOURS` are made.
+        hours: that they last, at least; no more than `MAX_HOURS` are made.
         device: that is tested.
         generator: of every variation.
 
@@ -92,7 +97,7 @@ def further(kind: str, hours: float, device: Device, generator: np.random.Genera
     if not chosen:
         kinds = ", ".join(dict.fromkeys(test[1] for test in TESTS))
         raise ValueError(f"{kind}: expected one of {kinds}")
-    duration = min(hours, MOST_HOURS) * HOUR
+    duration = min(hours, MAX_HOURS) * HOUR
     if kind == "static":
         rest = Variation(device, generator).programme(STILL_ROWS).rest(duration)
         return [Plan("next_1_static", kind, "fit", rest, generator.uniform(0, math.pi / 2))]
@@ -130,14 +135,14 @@ def positions(vary: Variation) -> Programme:
 
 
 def spinning(course: Programme, rate: float, duration: float) -> Programme:
-    """A rate of the table, reached linearly."""
+    """A constant rate of the table, reached linearly."""
     for bound in np.linspace(0, rate, SPIN_UP + 1)[1:].tolist():
         course.spin(bound, course.interval)
     return course.spin(rate, duration - SPIN_UP * course.interval)
 
 
 def rates(rate_deg_per_s: float, duration: float) -> Callable[[Variation], Programme]:
-    """A rate of the table, held."""
+    """A constant rate of the table."""
 
     def profile(vary: Variation) -> Programme:
         rate, length = vary.about(rate_deg_per_s) * DEG, vary.about(duration, 1)
@@ -147,13 +152,13 @@ def rates(rate_deg_per_s: float, duration: float) -> Callable[[Variation], Progr
 
 
 def ring_down(vary: Variation) -> Programme:
-    """The drive off after a while."""
+    """A rest, then the drive off."""
     course = vary.programme(1.0).rest(vary.about(19, 1))
     return course.command(drive_on=0.0).rest(vary.about(381, 1))
 
 
 def virtual_rotation(rate_deg_per_s: float) -> Callable[[Variation], Programme]:
-    """A commanded rotation, after a while without."""
+    """A rest, then a commanded rotation."""
 
     def profile(vary: Variation) -> Programme:
         course = vary.programme(1.0).rest(9)
@@ -202,7 +207,7 @@ def tumble(vary: Variation) -> Programme:
 
 
 def manoeuvre(vary: Variation) -> Programme:
-    """A vehicle's headings, while it warms up: for verification."""
+    """Turns of a vehicle while it warms up; held out."""
     generator = vary.generator
     course = vary.programme(1.0)
     duration = 3600
@@ -216,7 +221,7 @@ def manoeuvre(vary: Variation) -> Programme:
         course.rest(rest).turn(angle, rate)
     course.rest(duration - course.time)
     warming = vary.about(10) * -np.expm1(-np.arange(duration + 1) / vary.about(1500))
-    return course.tempered(vary.device.reference_temperature + warming)
+    return course.set_temperatures(vary.device.reference_temperature + warming)
 
 
 TESTS: tuple[Profiled, ...] = (
@@ -235,4 +240,4 @@ TESTS: tuple[Profiled, ...] = (
     ("tumble", "tumble", "fit", tumble),
     ("manoeuvre_holdout", "manoeuvre", "holdout", manoeuvre),
 )
-"""Of a campaign."""
+"""Tests of a campaign."""

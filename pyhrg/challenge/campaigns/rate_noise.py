@@ -1,4 +1,4 @@
-"""Noises of an input rate, drawn outside the FMU: white, flicker, random walk."""
+"""Rate noise drawn outside the FMU: white noise, flicker, random walk."""
 
 import math
 
@@ -11,7 +11,9 @@ from pyhrg.device.device import Device
 Array = NDArray[np.float64]
 
 
-def rate_noise(device: Device, count: int, step: float, generator: np.random.Generator) -> Array:
+def draw_rate_noise(
+    device: Device, count: int, step: float, generator: np.random.Generator
+) -> Array:
     """Rate noise of a device, each value the mean over a step.
 
     Densities are those of IEEE Std 952, annex C: N^2, B^2/(2 pi f), K^2/(2 pi f)^2.
@@ -34,7 +36,8 @@ def rate_noise(device: Device, count: int, step: float, generator: np.random.Gen
 
 
 def _flicker(white: Array, step: float) -> Array:
-    """Unit flicker, shaped in frequency; a period of twice the record leaves no seam in it."""
+    """Flicker of unit coefficient, by shaping white noise in frequency. The period is twice the
+    record, so that start and end are not correlated."""
     length = next_fast_len(len(white), real=True)
     frequency = rfftfreq(length, step)
     frequency[0] = frequency[1] / 2

@@ -1,1 +1,1 @@
-"""Diagnoses against truths."""
+"""The score of diagnoses against their truths."""

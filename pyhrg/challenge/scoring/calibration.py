@@ -1,4 +1,4 @@
-"""Whether probabilities are as good as they say."""
+"""Calibration of the stated probabilities."""
 
 import math
 from collections.abc import Sequence
@@ -10,16 +10,16 @@ from pyhrg.challenge.scoring.figure import CONFIDENCE, Figure, Sense
 
 Array = NDArray[np.float64]
 BINS = 10
-"""Of claims by their probability, as many in each."""
+"""Number of bins of claims by their probability, with equal counts."""
 RESAMPLES = 400
-"""By which the interval is taken."""
+"""Number of bootstrap resamples for the interval."""
 Claims = Sequence[tuple[float, bool]]
-"""Probability that was given, and whether it was so."""
+"""Stated probability of each claim, and whether the claim is true."""
 
 
-def squared_calibration_error(claims: Claims) -> float:
-    """Mean squared calibration error over bins of equal count, without bias: below zero where
-    chance made the bins agree better than they should.
+def find_squared_calibration_error(claims: Claims) -> float:
+    """Mean squared calibration error over bins of equal count, bias-corrected. It can be
+    negative by chance.
 
     In each bin the variance of the mean outcome is taken out: A. Kumar, P. Liang, T. Ma, Verified
     Uncertainty Calibration (2019), Def. 3.1.
@@ -28,7 +28,7 @@ def squared_calibration_error(claims: Claims) -> float:
 
 
 def _squared_error(claims: Array) -> float:
-    """Of (n, 2) probabilities and outcomes."""
+    """Mean squared calibration error of (n, 2) probabilities and outcomes."""
     ordered = claims[np.lexsort(claims.T[::-1])]
     total = 0.0
     for part in np.array_split(ordered, min(BINS, len(ordered) // 2)):
@@ -37,7 +37,7 @@ def _squared_error(claims: Array) -> float:
     return float(total / len(ordered))
 
 
-def calibration(
+def score_calibration(
     name: str, campaigns: Sequence[Claims], seed: int, sense: Sense, target: float
 ) -> Figure:
     """The root of the squared calibration error, not below zero, and its interval by resampling

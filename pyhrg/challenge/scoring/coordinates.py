@@ -1,41 +1,13 @@
-"""Where an effect of the catalogue shows, for when the catalogue has it no more."""
+"""The coordinates in which an effect shows, also for effects that a catalogue lacks."""
 
-WAVE = frozenset({"wave_angle"})
-RATE = frozenset({"rate"})
-TEMPERATURE = frozenset({"temperature", "wave_angle"})
-ACCELERATION = frozenset({"acceleration"})
-NOISE = frozenset({"noise"})
+from pyhrg.device.declarations import read_declarations
+from pyhrg.device.device import Device
 
 COORDINATES = {
-    "damping_anisotropy": WAVE,
-    "frequency_split": WAVE,
-    "pickoff_gain_mismatch": WAVE,
-    "pickoff_nonorthogonality": WAVE,
-    "drive_gain_mismatch": WAVE,
-    "drive_nonorthogonality": WAVE,
-    "drive_frame_rotation": frozenset({"time"}),
-    "demodulation_phase_error": WAVE | RATE,
-    "differential_phase_error": WAVE,
-    "residual_quadrature": WAVE,
-    "demodulation_offset": WAVE,
-    "pickoff_cubic_nonlinearity": WAVE | {"amplitude"},
-    "duffing_stiffness": frozenset({"amplitude"}),
-    "drive_feedthrough": WAVE | {"amplitude"},
-    "loop_delay": RATE,
-    "coriolis_factor_error": RATE,
-    "virtual_rotation_gain": RATE,
-    "damping_anisotropy_temperature": TEMPERATURE,
-    "decay_time_temperature": TEMPERATURE,
-    "phase_temperature": TEMPERATURE,
-    "pickoff_gain_temperature": TEMPERATURE,
-    "temperature_rate_bias": frozenset({"temperature_rate"}),
-    "g_sensitive_bias": ACCELERATION,
-    "g_sensitive_gain": ACCELERATION,
-    "input_axis_misalignment": frozenset({"table_angle"}),
-    "angle_random_walk": NOISE,
-    "rate_random_walk": NOISE | {"time"},
-    "bias_instability": NOISE | {"time"},
-    "angle_white_noise": NOISE,
-    "angle_quantisation": NOISE,
+    effect.name: frozenset(effect.coordinates)
+    for declaration in read_declarations(Device).values()
+    for effect in (declaration.effect, declaration.noise)
+    if effect
 }
-"""Coordinates in which the greatest share of its gap may lie, as the campaign format calls them."""
+"""Coordinates in which the greatest share of an effect's gap may lie, by the effect's name; both
+as the record format calls them."""

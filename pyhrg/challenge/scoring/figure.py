@@ -1,4 +1,4 @@
-"""A figure of merit: its estimate, how sure it is, and what it is held to."""
+"""A figure of merit: estimate, 95 % interval and target."""
 
 import math
 from collections.abc import Sequence
@@ -52,8 +52,8 @@ def proportion(name: str, outcomes: Sequence[bool], sense: Sense, target: float)
 def quantile(
     name: str, values: Sequence[float], share: float, sense: Sense, target: float
 ) -> Figure:
-    """A quantile of values, its interval between order statistics: exact whatever the values'
-    distribution (W. Thompson, 1936), open where there are too few."""
+    """A quantile with its interval between order statistics, which holds for any distribution
+    (W. Thompson, 1936). An end is infinite where there are too few values."""
     n = len(values)
     if not n:
         return Figure(name, 0, math.nan, -math.inf, math.inf, sense, target)

@@ -7,11 +7,11 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from pyhrg.challenge.roster import Settings, as_json
+from pyhrg.challenge.roster import Settings, encode_json
 from pyhrg.challenge.scoring import score
 from pyhrg.challenge.scoring.figure import Figure
-from pyhrg.challenge.scoring.score import Judged, Point
-from pyhrg.challenge.truths.truth import LEAST
+from pyhrg.challenge.scoring.score import CurvePoint, ScoredCase
+from pyhrg.challenge.truths.truth import DETECTION_SIGMAS
 from pyhrg.common.files import write_whole
 
 SCHEMA = "hrg-challenge-score/2"
@@ -23,12 +23,12 @@ class Finished:
     """One challenge's cases with their answers."""
 
     settings: Settings
-    cases: Sequence[Judged]
+    cases: Sequence[ScoredCase]
 
 
 @dataclass(frozen=True)
 class Score:
-    """What challenges come to, taken together.
+    """The score of challenges, taken together.
 
     challenges: one at least.
     """
@@ -36,19 +36,24 @@ class Score:
     challenges: Sequence[Finished]
 
     @property
-    def cases(self) -> list[Judged]:
-        """Of all."""
+    def cases(self) -> list[ScoredCase]:
+        """Cases of all challenges."""
         return [case for challenge in self.challenges for case in challenge.cases]
 
     @cached_property
     def figures(self) -> list[Figure]:
-        """What a challenge is held to."""
-        return score.figures(self.cases, self.challenges[0].settings.seed)
+        """Figures with their targets."""
+        return score.score_figures(self.cases, self.challenges[0].settings.seed)
 
     @cached_property
-    def curve(self) -> list[Point]:
-        """Singles by strength."""
-        return score.curve(self.cases)
+    def curve(self) -> list[CurvePoint]:
+        """Share of rightly named single effects by strength."""
+        return score.score_curve(self.cases)
+
+    @property
+    def summary(self) -> str:
+        """Figures with their intervals and targets, as a table in plain text."""
+        return text(self)
 
 
 def write(result: Score, path: Path) -> None:
@@ -59,7 +64,7 @@ def write(result: Score, path: Path) -> None:
     """
     write_whole(
         path,
-        as_json(
+        encode_json(
             {
                 "schema": SCHEMA,
                 "figures": [_figure(figure) for figure in result.figures],
@@ -71,7 +76,7 @@ def write(result: Score, path: Path) -> None:
 
 
 def text(result: Score) -> str:
-    """What a person wants to read."""
+    """Figures and curve as a table in plain text."""
     lines = [f"{'':44}{'value':>8}{'95 % interval':>19}{'n':>6}  target"]
     lines += [_line(figure) for figure in result.figures]
     shown = [point for point in result.curve if point.right.n]
@@ -91,7 +96,7 @@ def _numbers(figure: Figure) -> str:
     return f"{figure.value:8.3f}{ends:>19}{figure.n:6d}"
 
 
-def _range(point: Point) -> str:
+def _range(point: CurvePoint) -> str:
     return f"{point.low:g} to {point.high:g} sigma"
 
 
@@ -99,7 +104,7 @@ def _figure(figure: Figure) -> dict[str, Any]:
     return {**_finite(asdict(figure)), "passed": figure.passed}
 
 
-def _point(point: Point) -> dict[str, Any]:
+def _point(point: CurvePoint) -> dict[str, Any]:
     numbers = {"low_sigmas": point.low, "high_sigmas": point.high, "n": point.right.n}
     right = {"right": point.right.value, "low": point.right.low, "high": point.right.high}
     return _finite({**numbers, **right})
@@ -110,12 +115,12 @@ def _finished(challenge: Finished) -> dict[str, Any]:
     return {
         "seed": settings.seed,
         "counts": dict(settings.counts),
-        "strengths_sigmas": [LEAST, settings.strongest],
+        "strengths_sigmas": [DETECTION_SIGMAS, settings.strongest],
         "cases": [_case(case) for case in challenge.cases],
     }
 
 
-def _case(case: Judged) -> dict[str, Any]:
+def _case(case: ScoredCase) -> dict[str, Any]:
     truth, said = asdict(case.truth), case.diagnosis
     return {
         "name": case.name,
@@ -123,12 +128,12 @@ def _case(case: Judged) -> dict[str, Any]:
         "verdict": said.verdict,
         "named": sorted(sorted(effects) for effects in said.named),
         "right": score.is_right(case),
-        "coordinate": score.coordinate(said),
+        "coordinate": score.find_main_coordinate(said),
     }
 
 
 def _finite(values: dict[str, Any]) -> dict[str, Any]:
-    """With null for what is no number: JSON has no infinity."""
+    """Values with None in place of infinity and NaN, which JSON lacks."""
     return {
         name: None if isinstance(value, float) and not math.isfinite(value) else value
         for name, value in values.items()

@@ -1,1 +1,1 @@
-"""What is wrong with each gyro of a challenge, sealed."""
+"""The sealed truth of each case: effects of the catalogue, or an error that it lacks."""

@@ -1,4 +1,4 @@
-"""What an effect outside the catalogue is, to who generates it."""
+"""The interface of errors that the catalogue lacks."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -9,17 +9,17 @@ import numpy as np
 from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.device.device import Device
 
-FILE = "pyhrg.challenge.truths.outside"
+FORMS_MODULE = "pyhrg.challenge.truths.outside"
 """Loaded by this name when a challenge is generated; no module imports it."""
 
 
 @dataclass(frozen=True)
 class Form:
-    """An effect that no catalogue names.
+    """A form of error that the catalogue lacks.
 
     name: of the form.
-    coordinate: that it lives in, as the campaign format calls it.
-    scale: a size that is nothing special, in its own unit.
+    coordinate: in which it shows, by the name of the record format.
+    scale: a typical size, in its own unit.
     disturbance: by the believed gyro, a size in units of the scale, and a generator of what else
         the form is free in; the same generator gives the same form at any size.
     """
@@ -30,7 +30,7 @@ class Form:
     disturbance: Callable[[Device, float, np.random.Generator], Disturbance]
 
 
-def forms() -> tuple[Form, ...]:
-    """All forms that there are."""
-    found: tuple[Form, ...] = import_module(FILE).FORMS
+def load_forms() -> tuple[Form, ...]:
+    """All forms."""
+    found: tuple[Form, ...] = import_module(FORMS_MODULE).FORMS
     return found

@@ -1,4 +1,5 @@
-"""How strong a gap is: sigmas by Fisher information, of what a campaign's tests can see of it."""
+"""Strength of a gap in the tests of a campaign, sigmas, from Fisher information
+(docs/methods/challenge.md, Eq. 1 to 3)."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -11,44 +12,44 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize, minimize_scalar
 
 from pyhrg.bench.programme import Programme
-from pyhrg.challenge.campaigns.course import Course, course_of
+from pyhrg.challenge.campaigns.course import Course, make_course
 from pyhrg.challenge.campaigns.gyro import Disturbance, TrueGyro
 from pyhrg.challenge.campaigns.instruments import Instruments
-from pyhrg.challenge.truths.unsteadiness import unsteadiness
+from pyhrg.challenge.truths.unsteadiness import measure_unsteadiness
 from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD
 from pyhrg.gap.effects.catalogue import DETERMINISTIC, EFFECTS, NOISE_EFFECTS, Effect, NoiseEffect
-from pyhrg.gap.replay.carrier_terms import left_out
-from pyhrg.gap.replay.free_pattern import GROWN
-from pyhrg.gap.replay.observations import CHANNELS, COARSE_STEP, Mask, observed
-from pyhrg.gap.replay.replay import Replayable, replayable, replayed
+from pyhrg.gap.replay.carrier_terms import compute_carrier_terms
+from pyhrg.gap.replay.free_pattern import NOISE_GROWTH_LIMIT
+from pyhrg.gap.replay.observations import CHANNELS, COARSE_STEP, Mask, observe_test
+from pyhrg.gap.replay.replay import ReplayInputs, prepare_inputs, replay_inputs
 from pyhrg.gap.replay.simulation import Simulation, is_short
-from pyhrg.gap.whitening.whitening import SlowNoise, whitened
+from pyhrg.gap.whitening.whitening import NoiseModel, whiten
 from pyhrg.records import Log
 from pyhrg.records.campaign import Test
 
 Array = NDArray[np.float64]
 NOTHING = Disturbance()
 STEP = 1e-3
-"""Over an effect's scale: where it is still linear."""
-ALIKE = 1e-7
-"""Combinations of effects that do less than this are one."""
-SIZES = (math.log(1e-4), math.log(10.0))
-"""Of a noise over its scale, logarithms."""
-LEVELS = ("angle_random_walk", "pickoff_noise")
-STATED_TO = 0.03
-"""To which a stated level of noise is known, one sigma of its logarithm."""
-LEAST_FORCE = 1e-9
-"""That a force may be divided by, 1/s."""
-SHIFTS = (-1e-3, 1e-3)
-"""Of the pattern, rad, between which a slope is taken."""
+"""Step of a sensitivity over the effect's scale, small enough to be linear."""
+RANK_TOLERANCE = 1e-7
+"""Relative singular value below which a combination of effects counts as dependent."""
+LOG_SIZE_RANGE = (math.log(1e-4), math.log(10.0))
+"""Range of a noise over its scale that is searched, natural logarithms."""
+LEVELS = ("angle_random_walk", "angle_white_noise")
+STATED_LEVEL_SIGMA = 0.03
+"""Standard deviation of the logarithm of a stated noise level."""
+MIN_FORCE = 1e-9
+"""Smallest force that another is divided by, 1/s."""
+SLOPE_SHIFTS = (-1e-3, 1e-3)
+"""Pattern angles between which a slope is taken, rad."""
 Residual = dict[str, Array]
 """(n,) by channel."""
 
 
 @dataclass(frozen=True)
 class Seen:
-    """A test of the believed gyro.
+    """A test of the nominal device.
 
     rows: (n,) by channel, that are compared.
     slopes: (n,) by channel: change of the answer with the pattern's present angle, per rad; none of
@@ -93,14 +94,14 @@ class Meter:
             return self.sigmas(effect.put(self.believed, effect.vector_of(parameters)))
         noise = NOISE_EFFECTS[name]
         value = noise.key.to_si(parameters[noise.key.name])
-        return self.sigmas_of_noise(noise_put(self.believed, noise, value))
+        return self.sigmas_of_noise(set_noise(self.believed, noise, value))
 
     def sigmas(self, device: Device, disturbance: Disturbance = NOTHING) -> float:
-        """The gap between a true gyro and the believed one."""
+        """Strength of the gap between a true gyro and the nominal device (Eq. 1)."""
         return float(np.linalg.norm(self.residual(device, disturbance)))
 
     def sigmas_beyond(self, effect: Effect, gap: Array) -> float:
-        """What is left of a gap where another effect takes as much of it as it can.
+        """Strength of a gap after projection on another effect's sensitivities.
 
         Args:
             effect: that may take from it.
@@ -110,18 +111,18 @@ class Meter:
         return float(np.linalg.norm(gap - basis @ (basis.T @ gap)))
 
     def sigmas_beyond_catalogue(self, gap: Array) -> float:
-        """What is left of a gap where all effects together take as much of it as they can."""
+        """Strength of a gap after projection on the sensitivities of all effects (Eq. 3)."""
         return float(np.linalg.norm(gap - self._catalogue @ (self._catalogue.T @ gap)))
 
     @cached_property
     def _catalogue(self) -> Array:
-        """(n, p) orthonormal: what the catalogue's effects do."""
+        """(n, p) orthonormal basis of the sensitivities to all effects."""
         columns = self._secants(DETERMINISTIC)
         left, sizes, _ = np.linalg.svd(columns, full_matrices=False)
-        return np.asarray(left[:, sizes > ALIKE * sizes[0]])
+        return np.asarray(left[:, sizes > RANK_TOLERANCE * sizes[0]])
 
     def _secants(self, effects: Sequence[Effect]) -> Array:
-        """(n, p) what steps in the effects' vectors do, each of length one."""
+        """(n, p) sensitivities to the components of the effects, each of length 1."""
         steps = [
             effect.put(self.believed, effect.vector(self.believed) + STEP * effect.scale * unit)
             for effect in effects
@@ -136,13 +137,13 @@ class Meter:
         return np.concatenate([series for test in residuals for series in test.values()])
 
     def sigmas_of_unsteady(self, disturbance: Disturbance) -> float:
-        """Strength of noise that comes and goes, beyond that of steady noise."""
+        """Strength of noise bursts beyond the best stationary noise."""
         kinds: dict[tuple[str, float], list[Array]] = {}
         tests = zip(self.tests, self._residuals(self.believed, disturbance), strict=True)
         for (course, _), residuals in tests:
             for channel, series in residuals.items():
                 kinds.setdefault((channel, course.interval), []).append(series)
-        return unsteadiness(list(kinds.values()))
+        return measure_unsteadiness(list(kinds.values()))
 
     def _residuals(self, device: Device, disturbance: Disturbance) -> list[Residual]:
         """Whitened, of each test."""
@@ -159,10 +160,10 @@ class Meter:
             logs.append(disturbance.shown(gyro.exact("", course, start, still)))
         return logs
 
-    def _replayed(self, inputs: Replayable) -> dict[str, Array]:
+    def _replayed(self, inputs: ReplayInputs) -> dict[str, Array]:
         shape = len(inputs.log.time), inputs.log.interval
         fmu = self.simulation.model(*shape)
-        return replayed(fmu, self.believed, inputs, _step(*shape))
+        return replay_inputs(fmu, self.believed, inputs, _step(*shape))
 
     def _white(self, device: Device, log: Log, seen: Seen, expected: Residual) -> Residual:
         noises = self._noises(device, log)
@@ -172,7 +173,7 @@ class Meter:
             gap = (residual - expected[name])[rows, None]
             steps = np.diff(log.time[rows], prepend=0.0)
             out = seen.left_out[name][rows]
-            white[name] = whitened(gap, steps, noises[name], out).series[:, 0]
+            white[name] = whiten(gap, steps, noises[name], out).series[:, 0]
         return white
 
     @cached_property
@@ -180,48 +181,49 @@ class Meter:
         return [self._looked_at(log) for log in self._logs(self.believed, NOTHING)]
 
     def _looked_at(self, log: Log) -> Seen:
-        test = observed(Test("", "", "fit", log), self.believed)
-        ends = [replace(test.inputs, start_angle=test.inputs.start_angle + s) for s in SHIFTS]
+        test = observe_test(Test("", "", "fit", log), self.believed)
+        ends = [replace(test.inputs, start_angle=test.inputs.start_angle + s) for s in SLOPE_SHIFTS]
         low, high = (self._replayed(inputs) for inputs in ends)
-        slopes = {name: (high[name] - low[name]) / np.ptp(SHIFTS) for name in CHANNELS}
+        slopes = {name: (high[name] - low[name]) / np.ptp(SLOPE_SHIFTS) for name in CHANNELS}
         shift = 1 - self.believed.bryan_factor * slopes["gyro_angle"]
-        off = (log.drive_on <= 0) & (np.abs(shift - 1) > GROWN)
+        off = (log.drive_on <= 0) & (np.abs(shift - 1) > NOISE_GROWTH_LIMIT)
         kept = ~np.logical_or.accumulate(off)
         rows = {name: test.rows[name] & kept for name in CHANNELS}
         now = {name: slope / np.where(kept, shift, 1.0) for name, slope in slopes.items()}
         slopes = {**now, "gyro_angle": np.zeros(len(log.time))}
-        out = _relative(log, left_out(self.believed, test, log.wave_angle))
+        out = _relative(log, compute_carrier_terms(self.believed, test, log.wave_angle))
         return Seen(log, rows, slopes, out)
 
     @cached_property
     def _expected(self) -> list[Residual]:
-        """What is left without a gap: replays know the inputs by the log alone."""
+        """Residual without a gap. It is not zero, because a replay knows the inputs only from the
+        log."""
         return [self._residual(seen.log, seen) for seen in self._seen]
 
     def _residual(self, log: Log, seen: Seen) -> Residual:
-        answer = self._replayed(replayable(log, self.believed))
+        answer = self._replayed(prepare_inputs(log, self.believed))
         residual = {name: getattr(log, name) - answer[name] for name in CHANNELS}
         turned = self.believed.bryan_factor * residual["gyro_angle"]
         at_angle = {name: residual[name] + seen.slopes[name] * turned for name in CHANNELS}
         return _relative(log, at_angle)
 
-    def _noises(self, device: Device, log: Log) -> dict[str, SlowNoise]:
+    def _noises(self, device: Device, log: Log) -> dict[str, NoiseModel]:
         """By channel; noise of the temperature log lags into what the temperature moves."""
         own, lag = self.instruments, self.believed.thermal_lag
         warm = own.temperature * math.sqrt(log.interval)
         detuned = abs(self.believed.frequency * self.believed.frequency_per_kelvin)
         damped = abs(self.believed.decay_time_per_kelvin)
         return {
-            "gyro_angle": SlowNoise(
-                device.pickoff_noise,
+            "gyro_angle": NoiseModel(
+                device.angle_white_noise,
                 device.angle_random_walk,
                 device.rate_random_walk,
                 device.bias_instability,
             ),
-            "amplitude": SlowNoise(own.amplitude),
-            "amplitude_force": SlowNoise(own.amplitude_force, lagged=damped * warm, lag=lag),
-            "quadrature_force": SlowNoise(own.quadrature_force),
-            "frequency_offset": SlowNoise(own.frequency_offset, lagged=detuned * warm, lag=lag),
+            "amplitude": NoiseModel(own.amplitude),
+            "amplitude_force": NoiseModel(own.amplitude_force, lagged=damped * warm, lag=lag),
+            "quadrature_force": NoiseModel(own.quadrature_force),
+            "frequency_offset": NoiseModel(own.frequency_offset, lagged=detuned * warm, lag=lag),
         }
 
     def sigmas_of_noise(self, device: Device, against: Device | None = None) -> float:
@@ -231,7 +233,7 @@ class Meter:
         other = against or self.believed
 
         def apart(logarithms: Array) -> float:
-            off = zip(LEVELS, np.exp(STATED_TO * logarithms), strict=True)
+            off = zip(LEVELS, np.exp(STATED_LEVEL_SIGMA * logarithms), strict=True)
             changed: dict[str, Any] = {name: getattr(other, name) * x for name, x in off}
             moved = replace(other, **changed)
             divergence = sum(_divergence(device, moved, course) for course, _ in self.tests)
@@ -240,19 +242,19 @@ class Meter:
         return math.sqrt(max(float(minimize(apart, np.zeros(len(LEVELS))).fun), 0.0))
 
     def sigmas_of_noise_beyond(self, noise: NoiseEffect, device: Device) -> float:
-        """What is left of a device's noise where another noise takes as much of it as it can."""
+        """Strength of a device's noise where another noise imitates it as far as possible."""
 
         def left(logarithm: float) -> float:
             more = math.exp(logarithm) * noise.scale
             value = math.hypot(getattr(self.believed, noise.field), more)
-            return self.sigmas_of_noise(device, noise_put(self.believed, noise, value))
+            return self.sigmas_of_noise(device, set_noise(self.believed, noise, value))
 
-        return float(minimize_scalar(left, bounds=SIZES, method="bounded").fun)
+        return float(minimize_scalar(left, bounds=LOG_SIZE_RANGE, method="bounded").fun)
 
 
-def measured(programme: Programme) -> Course:
+def make_measured_course(programme: Programme) -> Course:
     """A test's course, in the steps that its strengths are measured in."""
-    return course_of(programme, _step(len(programme), programme.interval))
+    return make_course(programme, _step(len(programme), programme.interval))
 
 
 def _step(rows: int, interval: float) -> float:
@@ -260,12 +262,12 @@ def _step(rows: int, interval: float) -> float:
 
 
 def _relative(log: Log, by_channel: Mapping[str, Array]) -> Residual:
-    """The same with the amplitude force over what a log shows of it, as its noise is."""
-    force = np.maximum(np.abs(log.amplitude_force), LEAST_FORCE)
+    """Channels with the amplitude force relative to the logged one, as its noise is."""
+    force = np.maximum(np.abs(log.amplitude_force), MIN_FORCE)
     return {**by_channel, "amplitude_force": by_channel["amplitude_force"] / force}
 
 
-def noise_put(device: Device, noise: NoiseEffect, value: float) -> Device:
+def set_noise(device: Device, noise: NoiseEffect, value: float) -> Device:
     """A device with a noise at this value, SI."""
     changed: dict[str, Any] = {noise.field: value}
     return replace(device, **changed)
@@ -280,7 +282,7 @@ def _divergence(device: Device, other: Device, course: Course) -> float:
 def _density(device: Device, frequency: Array, course: Course) -> Array:
     """Spectrum of an angle's increments over an interval, frequencies in cycles per row."""
     interval = course.interval
-    white = device.pickoff_noise**2 + device.angle_quantum**2 / 12
+    white = device.angle_white_noise**2 + device.quantization_step**2 / 12
     step = 4 * np.sin(math.pi * frequency) ** 2
     rate = device.angle_random_walk**2 * interval
     flicker = device.bias_instability**2 * interval**2 / (2 * math.pi * frequency)

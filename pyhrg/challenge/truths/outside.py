@@ -1,7 +1,8 @@
-"""What the catalogue does not have: forms of errors of gyro and bench.
+"""Forms of errors of gyro and bench that the catalogue lacks.
 
-Physical where the FMU has a parameter for it that no catalogued effect uses, else added to the
-input rate, to an input, or to what the bench shows. Loaded by name alone (`form.FILE`).
+A form is physical where the FMU has a parameter for it that no catalogued effect uses. Otherwise it
+adds to the input rate, to an input, or to what the bench shows. The module is loaded by name alone
+(`form.FORMS_MODULE`).
 """
 
 import math
@@ -9,116 +10,46 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.signal import lfilter
 
 from pyhrg.challenge.campaigns.course import Course
 from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.challenge.truths.form import Form
+from pyhrg.challenge.truths.form_parts import (
+    Array,
+    Shape,
+    apply_play,
+    decay,
+    draw_sign,
+    find_ideal_pattern_angle,
+    find_resonator_warmth,
+    make_display_form,
+    make_parameter_form,
+    make_rate_form,
+)
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, HZ, PPM
 from pyhrg.device.device import Device
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
-Shape = Callable[[Course, float], Array]
-"""Added rate at unit size, (n, m), by course and start angle."""
-
-
-def added_rate(
-    name: str, coordinate: str, scale: float, shaped: Callable[[Device, np.random.Generator], Shape]
-) -> Form:
-    """A form that adds to the input rate: `shaped` gives its shape, of course and start angle."""
-
-    def disturbance(device: Device, size: float, generator: np.random.Generator) -> Disturbance:
-        shape = shaped(device, generator)
-        return Disturbance(rate=lambda course, start: size * scale * shape(course, start))
-
-    return Form(name, coordinate, scale, disturbance)
-
-
-def physical(
-    name: str,
-    coordinate: str,
-    scale: float,
-    parameters: Callable[[np.random.Generator], dict[str, float]],
-) -> Form:
-    """A form that is parameters of the FMU, those at unit size of 1."""
-
-    def disturbance(device: Device, size: float, generator: np.random.Generator) -> Disturbance:
-        drawn = parameters(generator)
-        return Disturbance(model={n: size * scale * value for n, value in drawn.items()})
-
-    return Form(name, coordinate, scale, disturbance)
-
-
-def shown(
-    name: str,
-    coordinate: str,
-    scale: float,
-    changed: Callable[[Device, float, np.random.Generator], Callable[[Log], Log]],
-) -> Form:
-    """A form of the bench's own instruments."""
-
-    def disturbance(device: Device, size: float, generator: np.random.Generator) -> Disturbance:
-        return Disturbance(shown=changed(device, size * scale, generator))
-
-    return Form(name, coordinate, scale, disturbance)
-
-
-# What shapes are made of
-
-
-def pattern_angle(device: Device, course: Course, start: float) -> Array:
-    """(n, m) where the pattern would be without errors, rad."""
-    earth = device.site.vertical_rate * course.integrated(course.each("axis_up"))
-    turned = course.table_angle + earth - course.integrated(course.each("virtual_rotation"))
-    return np.asarray(start - device.bryan_factor * turned)
-
-
-def resonator_warmth(device: Device, course: Course) -> Array:
-    """(n, m) temperature of the resonator above the reference, K."""
-    kept = math.exp(-course.step / device.thermal_lag)
-    case = (course.temperature - device.reference_temperature).ravel()
-    return np.asarray(lfilter([1 - kept], [1, -kept], case).reshape(course.temperature.shape))
-
-
-def played(values: Array, width: float) -> Array:
-    """(n,) what follows values with a play of this width: behind by half of it, either way."""
-    follower = np.empty_like(values)
-    at = values[0]
-    for i, value in enumerate(values.tolist()):
-        at = min(max(at, value - width / 2), value + width / 2)
-        follower[i] = at
-    return follower
-
-
-def decaying(time: Array, lag: float) -> Array:
-    """exp(-time/lag)."""
-    return np.asarray(np.exp(-time / lag), dtype=np.float64)
-
-
-def sign(generator: np.random.Generator) -> float:
-    """Plus or minus one."""
-    return float(generator.choice((-1.0, 1.0)))
-
 
 # Pattern angle
 
 
 def harmonic(order: int) -> Form:
-    """A bias that goes with a harmonic of the pattern angle."""
+    """A bias proportional to a harmonic of the pattern angle."""
 
     def shaped(device: Device, generator: np.random.Generator) -> Shape:
         phase = generator.uniform(0, 2 * math.pi)
-        return lambda course, start: np.sin(order * pattern_angle(device, course, start) + phase)
+        return lambda course, start: np.sin(
+            order * find_ideal_pattern_angle(device, course, start) + phase
+        )
 
-    return added_rate(f"bias_harmonic_{order}", "wave_angle", 0.1 * DEG_PER_H, shaped)
+    return make_rate_form(f"bias_harmonic_{order}", "wave_angle", 0.1 * DEG_PER_H, shaped)
 
 
 def frequency_pulling(
     device: Device, size: float, generator: np.random.Generator
 ) -> Callable[[Log], Log]:
-    """The phase loop's frequency goes with twice the pattern angle."""
+    """A loop frequency with a second harmonic of the pattern angle."""
     phase = generator.uniform(0, 2 * math.pi)
     return lambda log: replace(
         log, frequency_offset=log.frequency_offset + size * np.sin(2 * log.wave_angle + phase)
@@ -129,7 +60,7 @@ def frequency_pulling(
 
 
 def encoder(order: int) -> Form:
-    """An encoder that is out of centre (1), or whose disc is (2)."""
+    """An eccentric encoder (order 1), or one with an elliptic disc (order 2)."""
 
     def changed(
         device: Device, size: float, generator: np.random.Generator
@@ -141,32 +72,32 @@ def encoder(order: int) -> Form:
 
         return lambda log: replace(log, table_angle=log.table_angle + error(log.table_angle))
 
-    return shown(f"encoder_harmonic_{order}", "table_angle", 5 * ARCSEC, changed)
+    return make_display_form(f"encoder_harmonic_{order}", "table_angle", 5 * ARCSEC, changed)
 
 
 # Temperature
 
 
-def squared_temperature(device: Device, generator: np.random.Generator) -> Shape:
-    """A bias that goes with the square of the temperature."""
-    way = sign(generator)
-    return lambda course, start: way * (resonator_warmth(device, course) / 30) ** 2
+def quadratic_temperature(device: Device, generator: np.random.Generator) -> Shape:
+    """A bias proportional to the square of the temperature."""
+    way = draw_sign(generator)
+    return lambda course, start: way * (find_resonator_warmth(device, course) / 30) ** 2
 
 
 def hysteresis(device: Device, generator: np.random.Generator) -> Shape:
-    """A bias that the way to a temperature leaves behind."""
-    way, width = sign(generator), generator.uniform(5, 20)
+    """A bias with hysteresis over temperature."""
+    way, width = draw_sign(generator), generator.uniform(5, 20)
 
     def shape(course: Course, start: float) -> Array:
         case = course.case_temperature
-        left = (case - played(case, width)) / width
+        left = (case - apply_play(case, width)) / width
         return np.asarray(way * (left[1:] + left[:-1])[:, None] / 2)
 
     return shape
 
 
 def sensor_lag(device: Device, size: float, generator: np.random.Generator) -> Callable[[Log], Log]:
-    """A temperature sensor that is late, s."""
+    """A temperature sensor with a lag, s."""
 
     def late(log: Log) -> Log:
         kept = math.exp(-log.interval / max(size, 1e-9))
@@ -181,50 +112,50 @@ def sensor_lag(device: Device, size: float, generator: np.random.Generator) -> C
 
 
 def asymmetry(device: Device, generator: np.random.Generator) -> Shape:
-    """A scale factor that differs between the ways of turning."""
-    way = sign(generator)
+    """A scale factor that differs between the two directions of rotation."""
+    way = draw_sign(generator)
     return lambda course, start: way * np.abs(course.rate)
 
 
-def squared_rate(device: Device, generator: np.random.Generator) -> Shape:
-    """A scale factor that goes with the rate's size: unity at 100 deg/s."""
-    way = sign(generator)
+def quadratic_rate(device: Device, generator: np.random.Generator) -> Shape:
+    """A scale-factor error proportional to the rate; of unit size at 100 deg/s."""
+    way = draw_sign(generator)
     return lambda course, start: way * course.rate * np.abs(course.rate / (100 * DEG))
 
 
-def cubed_rate(device: Device, generator: np.random.Generator) -> Shape:
-    """A scale factor that goes with the square of the rate: unity at 100 deg/s."""
-    way = sign(generator)
+def cubic_rate(device: Device, generator: np.random.Generator) -> Shape:
+    """A scale-factor error proportional to the square of the rate; of unit size at 100 deg/s."""
+    way = draw_sign(generator)
     return lambda course, start: way * course.rate * (course.rate / (100 * DEG)) ** 2
 
 
 # Acceleration
 
 
-def squared_acceleration(generator: np.random.Generator) -> dict[str, float]:
-    """A pick-off gain that goes with the square of a specific force across the axis."""
+def quadratic_acceleration(generator: np.random.Generator) -> dict[str, float]:
+    """A pick-off gain proportional to the square of a specific force across the axis."""
     axis = generator.choice((1, 2))
-    return {f"pickOff.gainPerAccelerationSquared[{axis}]": sign(generator)}
+    return {f"pickOff.gainPerAccelerationSquared[{axis}]": draw_sign(generator)}
 
 
 def cross_axis(generator: np.random.Generator) -> dict[str, float]:
     """A force frame that a specific force across the axis turns."""
     axis = generator.choice((1, 2))
-    return {f"drive.rotationPerAcceleration[{axis}]": sign(generator)}
+    return {f"drive.rotationPerAcceleration[{axis}]": draw_sign(generator)}
 
 
 def split_by_acceleration(generator: np.random.Generator) -> dict[str, float]:
     """A frequency split that a specific force across the axis makes."""
     axis = generator.choice((1, 2))
-    return {f"resonator.material.splitPerAcceleration[{axis}]": sign(generator)}
+    return {f"resonator.material.splitPerAcceleration[{axis}]": draw_sign(generator)}
 
 
 # Amplitude
 
 
-def squared_amplitude(device: Device, generator: np.random.Generator) -> Shape:
-    """A bias that goes with the square of the amplitude; none at the nominal one."""
-    way = sign(generator)
+def quadratic_amplitude(device: Device, generator: np.random.Generator) -> Shape:
+    """A bias proportional to the square of the amplitude; zero at the nominal one."""
+    way = draw_sign(generator)
     return lambda course, start: way * (course.each("amplitude_setpoint") ** 2 - 1)
 
 
@@ -232,21 +163,21 @@ def squared_amplitude(device: Device, generator: np.random.Generator) -> Shape:
 
 
 def warm_up(device: Device, generator: np.random.Generator) -> Shape:
-    """A bias that dies out after power-on."""
-    way, lag = sign(generator), generator.uniform(300, 1500)
-    return lambda course, start: way * decaying(course.time, lag)
+    """A bias that decays after power-on."""
+    way, lag = draw_sign(generator), generator.uniform(300, 1500)
+    return lambda course, start: way * decay(course.time, lag)
 
 
 def jump(device: Device, generator: np.random.Generator) -> Shape:
-    """A bias that is there from some time on."""
-    way, share = sign(generator), generator.uniform(0.3, 0.7)
+    """A bias that jumps at one moment."""
+    way, share = draw_sign(generator), generator.uniform(0.3, 0.7)
     return lambda course, start: (
         way * (course.time > share * len(course) * course.interval).astype(np.float64)
     )
 
 
 def periodic(device: Device, generator: np.random.Generator) -> Shape:
-    """A disturbance of a period."""
+    """A periodic bias."""
     period, phase = generator.uniform(60, 900), generator.uniform(0, 2 * math.pi)
     return lambda course, start: np.sin(2 * math.pi * course.time / period + phase)
 
@@ -275,7 +206,7 @@ CHARGE = 1e-4
 
 
 def bursts(device: Device, generator: np.random.Generator) -> Shape:
-    """Rate noise that comes and goes in minutes."""
+    """Bursts of rate noise, two minutes each."""
     seed = int(generator.integers(2**31))
 
     def shape(course: Course, start: float) -> Array:
@@ -292,28 +223,28 @@ FORMS = (
     harmonic(2),
     harmonic(6),
     harmonic(12),
-    shown("frequency_pulling", "wave_angle", 1e-4 * HZ, frequency_pulling),
+    make_display_form("frequency_pulling", "wave_angle", 1e-4 * HZ, frequency_pulling),
     encoder(1),
     encoder(2),
-    added_rate("temperature_squared", "temperature", 0.01 * DEG_PER_H, squared_temperature),
-    added_rate("temperature_hysteresis", "temperature", 0.01 * DEG_PER_H, hysteresis),
-    shown("temperature_sensor_lag", "temperature", 10.0, sensor_lag),
-    added_rate("scale_factor_asymmetry", "rate", 10 * PPM, asymmetry),
-    added_rate("rate_squared", "rate", 10 * PPM, squared_rate),
-    added_rate("rate_cubed", "rate", 10 * PPM, cubed_rate),
-    physical("gain_acceleration_squared", "acceleration", 5e-7, squared_acceleration),
-    physical("cross_axis_acceleration", "acceleration", 1e-6, cross_axis),
-    physical("split_acceleration", "acceleration", 1e-5, split_by_acceleration),
-    added_rate("amplitude_squared", "amplitude", 0.1 * DEG_PER_H, squared_amplitude),
-    added_rate("warm_up", "time", 0.05 * DEG_PER_H, warm_up),
-    added_rate("bias_jump", "time", 0.05 * DEG_PER_H, jump),
-    added_rate("periodic", "time", 0.05 * DEG_PER_H, periodic),
-    physical(
+    make_rate_form("temperature_squared", "temperature", 0.01 * DEG_PER_H, quadratic_temperature),
+    make_rate_form("temperature_hysteresis", "temperature", 0.01 * DEG_PER_H, hysteresis),
+    make_display_form("temperature_sensor_lag", "temperature", 10.0, sensor_lag),
+    make_rate_form("scale_factor_asymmetry", "rate", 10 * PPM, asymmetry),
+    make_rate_form("rate_squared", "rate", 10 * PPM, quadratic_rate),
+    make_rate_form("rate_cubed", "rate", 10 * PPM, cubic_rate),
+    make_parameter_form("gain_acceleration_squared", "acceleration", 5e-7, quadratic_acceleration),
+    make_parameter_form("cross_axis_acceleration", "acceleration", 1e-6, cross_axis),
+    make_parameter_form("split_acceleration", "acceleration", 1e-5, split_by_acceleration),
+    make_rate_form("amplitude_squared", "amplitude", 0.1 * DEG_PER_H, quadratic_amplitude),
+    make_rate_form("warm_up", "time", 0.05 * DEG_PER_H, warm_up),
+    make_rate_form("bias_jump", "time", 0.05 * DEG_PER_H, jump),
+    make_rate_form("periodic", "time", 0.05 * DEG_PER_H, periodic),
+    make_parameter_form(
         "decay_time_ageing",
         "time",
         1e-9,
         lambda generator: {"resonator.material.decayTimeAgeing": 1.0},
     ),
     Form("charge", "time", CHARGE, charge),
-    added_rate("noise_bursts", "noise", 3e-7, bursts),
+    make_rate_form("noise_bursts", "noise", 3e-7, bursts),
 )

@@ -1,5 +1,5 @@
-"""Truths under seal: their hashes are published before anything is diagnosed, so that none can be
-changed after it."""
+"""Sealed truths: their hashes are published before anything is diagnosed, so that no truth can be
+changed afterwards."""
 
 import hashlib
 import json
@@ -17,7 +17,7 @@ class SealError(HrgError):
     """A truth is missing, unreadable, or not the one whose hash was published."""
 
 
-def sealed(truth: Truth, path: Path) -> str:
+def seal_truth(truth: Truth, path: Path) -> str:
     """Write a truth, whole or not at all.
 
     Args:
@@ -32,7 +32,7 @@ def sealed(truth: Truth, path: Path) -> str:
     return _hash(text)
 
 
-def hash_of(path: Path) -> str:
+def hash_truth(path: Path) -> str:
     """The hash of a truth that was sealed.
 
     Raises:
@@ -41,7 +41,7 @@ def hash_of(path: Path) -> str:
     return _hash(_bytes(path))
 
 
-def opened(path: Path, published: str) -> Truth:
+def open_truth(path: Path, published: str) -> Truth:
     """A truth, if it is the one that was sealed.
 
     Raises:

@@ -1,4 +1,4 @@
-"""What is really wrong with the gyro of one case, drawn by its seed."""
+"""The truth of a case, drawn by its seed."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -11,16 +11,16 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from pyhrg.challenge.campaigns.gyro import Disturbance
-from pyhrg.challenge.truths.form import Form, forms
-from pyhrg.challenge.truths.meter import Meter, noise_put
+from pyhrg.challenge.truths.form import Form, load_forms
+from pyhrg.challenge.truths.meter import Meter, set_noise
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
-from pyhrg.gap.effects.catalogue import EFFECTS, NAMES, NOISE_EFFECTS, Effect
+from pyhrg.gap.effects.catalogue import EFFECT_NAMES, EFFECTS, NOISE_EFFECTS, Effect
 
 Array = NDArray[np.float64]
 KINDS = ("none", "single", "pair", "outside", "weak", "left_out", "several")
-"""`weak` is a single effect below what a diagnosis is held to; `left_out` one that its catalogue
-then lacks."""
+"""Kinds of truths. `weak` is a single effect below the detection strength; `left_out` one that is
+removed from the diagnosis' catalogue."""
 COUNTS = {
     "none": (0, 0),
     "single": (1, 1),
@@ -29,17 +29,17 @@ COUNTS = {
     "pair": (2, 2),
     "several": (3, 7),
 }
-"""Effects of the catalogue in each, at least and at most."""
-TRIES = 100
-"""Of drawing a truth that the tests show, at most."""
+"""Fewest and most effects of the catalogue in each kind."""
+MAX_ATTEMPTS = 100
+"""Most attempts to draw a truth that the tests show."""
 NO_STRENGTH = 1e-12
-"""Sigmas of what the tests don't see, so that it has a logarithm."""
-LEAST = 6.0
-"""Sigmas from which a diagnosis is held to find a gap."""
+"""Strength given to an effect that the tests don't see, sigmas, so that it has a logarithm."""
+DETECTION_SIGMAS = 6.0
+"""Strength from which a diagnosis must find a gap, sigmas."""
 SMALLEST, LARGEST = 1e-9, 30.0
-"""Sizes over an effect's scale that are looked at."""
-SMALLER = math.log(2)
-"""By which the largest is made smaller where the FMU can't simulate it."""
+"""Range of sizes over an effect's scale that is searched."""
+LOG_SIZE_STEP = math.log(2)
+"""Step of the logarithm by which a size is reduced where the FMU can't simulate it."""
 
 
 @dataclass(frozen=True)
@@ -49,12 +49,11 @@ class Truth:
     kind: one of `KINDS`.
     effects: of the catalogue.
     parameters: of the effects, by the campaign format's names and units; totals.
-    strengths: sigmas of each effect alone, or of the form beyond what the catalogue could take.
+    strengths: of each effect alone, or of the form beyond all effects of the catalogue, sigmas.
     form: outside the catalogue.
-    coordinate: that the form lives in.
-    stand_ins: of an effect left out, those that do nearly the same to these tests.
-    holdout_noise_arcsec: rms of what noise makes of the output angle on held-out tests: what no
-        simulation can do away with.
+    coordinate: in which the form shows.
+    stand_ins: effects that are confounded with an effect left out, in these tests.
+    holdout_noise_arcsec: rms of the true noise in the output angle of the held-out tests.
     """
 
     kind: str
@@ -69,7 +68,7 @@ class Truth:
 
 @dataclass(frozen=True)
 class TrueState:
-    """A truth, and what makes it so."""
+    """A truth with the device and the disturbance that realise it."""
 
     truth: Truth
     device: Device
@@ -86,8 +85,8 @@ class Drawing:
 
     meter: Meter
     generator: np.random.Generator
-    strengths: tuple[float, float] = (LEAST, 10 * LEAST)
-    effects: Sequence[str] = NAMES
+    strengths: tuple[float, float] = (DETECTION_SIGMAS, 10 * DETECTION_SIGMAS)
+    effects: Sequence[str] = EFFECT_NAMES
 
     def state(self, kind: str) -> TrueState:
         """A truth of this kind.
@@ -97,14 +96,15 @@ class Drawing:
         """
         if kind not in KINDS:
             raise ValueError(f"{kind}: expected one of {', '.join(KINDS)}")
-        for _ in range(TRIES):
+        for _ in range(MAX_ATTEMPTS):
             state = self._outside() if kind == "outside" else self._inside(kind)
             if state:
                 return state
         raise ValueError(f"{kind}: the tests show nothing at {self.strengths} sigmas")
 
     def _inside(self, kind: str) -> TrueState | None:
-        """A truth of the catalogue's effects; None where the tests can't show them as drawn."""
+        """A truth of effects of the catalogue; None where the tests can't show them at the drawn
+        strengths."""
         least, most = COUNTS[kind]
         count = least if least == most else int(self.generator.integers(least, most + 1))
         names = self.generator.choice(self.effects, size=count, replace=False).tolist()
@@ -114,13 +114,13 @@ class Drawing:
         return replace(state, truth=replace(state.truth, stand_ins=self._stand_ins(state)))
 
     def _with(self, kind: str, names: Sequence[str]) -> TrueState | None:
-        """A truth of these effects, each at a strength that is drawn."""
+        """A truth of these effects, each with a drawn strength."""
         device = self.meter.believed
         parameters: dict[str, float] = {}
         wanted = [math.exp(self.generator.uniform(*np.log(self.strengths))) for _ in names]
         for name, sigmas in zip(names, wanted, strict=True):
             sized = self._sized(name)
-            size = solved(self._strength_by_size(name, sized), sigmas)
+            size = solve_size(self._strength_by_size(name, sized), sigmas)
             if size is None:
                 return None
             change, found = sized(size)
@@ -130,7 +130,7 @@ class Drawing:
         return TrueState(Truth(kind, tuple(names), parameters, tuple(wanted)), device)
 
     def _sized(self, name: str) -> "Sized":
-        """An effect in a direction that is drawn now, by its size."""
+        """An effect by its size, in a direction that is drawn now."""
         believed = self.meter.believed
         if name in NOISE_EFFECTS:
             noise = NOISE_EFFECTS[name]
@@ -140,7 +140,7 @@ class Drawing:
                 total = math.hypot(was, size * noise.scale)
                 key = noise.key
                 return (
-                    lambda device: noise_put(device, noise, total),
+                    lambda device: set_noise(device, noise, total),
                     {key.name: key.from_si(total)},
                 )
 
@@ -158,38 +158,42 @@ class Drawing:
         return lambda size: self.meter.sigmas_of(name, sized(size)[1])
 
     def _left(self, name: str, other: str, device: Device) -> float:
-        """Sigmas of one effect of a device, alone, where another takes as much as it can. What
-        moves the simulation can't stand in for noise; noise hides it."""
+        """Strength of one effect of a device where another imitates it as far as possible, sigmas.
+        A deterministic effect can't imitate noise; noise makes a deterministic effect weaker."""
         meter, believed = self.meter, self.meter.believed
         if name in NOISE_EFFECTS:
             noise = NOISE_EFFECTS[name]
-            alone = noise_put(believed, noise, getattr(device, noise.field))
+            alone = set_noise(believed, noise, getattr(device, noise.field))
             rival = NOISE_EFFECTS.get(other)
             return meter.sigmas_of_noise_beyond(rival, alone) if rival else math.inf
         effect = EFFECTS[name]
         if other in NOISE_EFFECTS:
             noise = NOISE_EFFECTS[other]
-            noisy = noise_put(believed, noise, getattr(device, noise.field))
+            noisy = set_noise(believed, noise, getattr(device, noise.field))
             return meter.sigmas(effect.put(noisy, effect.vector(device)))
         gap = meter.residual(effect.put(believed, effect.vector(device)))
         return meter.sigmas_beyond(EFFECTS[other], gap)
 
     def _is_confounded(self, names: Sequence[str], device: Device) -> bool:
-        """Whether one of the effects could stand in for another, with less than `LEAST` left."""
-        return any(self._left(a, b, device) < LEAST for a in names for b in names if a != b)
+        """Whether one of the effects imitates another to less than `DETECTION_SIGMAS`."""
+        return any(
+            self._left(a, b, device) < DETECTION_SIGMAS for a in names for b in names if a != b
+        )
 
     def _stand_ins(self, state: TrueState) -> tuple[str, ...]:
-        """Effects that leave less than `LEAST` of the only one."""
+        """Effects that imitate the only one to less than `DETECTION_SIGMAS`."""
         (name,) = state.truth.effects
-        others = [other for other in NAMES if other != name]
-        return tuple(other for other in others if self._left(name, other, state.device) < LEAST)
+        others = [other for other in EFFECT_NAMES if other != name]
+        return tuple(
+            other for other in others if self._left(name, other, state.device) < DETECTION_SIGMAS
+        )
 
     def _outside(self) -> TrueState | None:
-        believed, every = self.meter.believed, forms()
+        believed, every = self.meter.believed, load_forms()
         form = every[self.generator.integers(len(every))]
         freedom = int(self.generator.integers(2**31))
         sigmas = math.exp(self.generator.uniform(*np.log(self.strengths)))
-        size = solved(partial(self._beyond, form, freedom), sigmas)
+        size = solve_size(partial(self._beyond, form, freedom), sigmas)
         if size is None:
             return None
         truth = Truth("outside", (), {}, (sigmas,), form.name, form.coordinate)
@@ -207,14 +211,15 @@ class Drawing:
 
 Change = Callable[[Device], Device]
 Sized = Callable[[float], tuple[Change, dict[str, float]]]
-"""An effect by its size over its scale: what it does to a device, and its parameters."""
+"""A function of an effect's size over its scale; it returns the change of a device and the
+parameters."""
 
 
-def solved(strength: Callable[[float], float], sigmas: float) -> float | None:
-    """The size of an effect that has a strength, to a percent; None where none has that the FMU can
-    simulate.
+def solve_size(strength: Callable[[float], float], sigmas: float) -> float | None:
+    """The size of an effect that has a given strength, to 1 %; None where the FMU can simulate no
+    such size.
 
-    Three digits, so that no rounding of the strengths is in it.
+    It is rounded to three digits, so that rounding errors of the strengths do not show.
     """
 
     @cache
@@ -228,7 +233,7 @@ def solved(strength: Callable[[float], float], sigmas: float) -> float | None:
 
     low, high = math.log(SMALLEST), math.log(LARGEST)
     while not is_simulated(high):
-        high -= SMALLER
+        high -= LOG_SIZE_STEP
         if high < low:
             return None
     if excess(high) < 0:

@@ -1,4 +1,4 @@
-"""How far noise that comes and goes is from any noise that is steady."""
+"""Strength of non-stationary noise beyond the best stationary noise."""
 
 from collections.abc import Sequence
 
@@ -11,7 +11,7 @@ CELL = 16
 """Coefficients of one time scale over which a level is taken."""
 
 
-def unsteadiness(kinds: Sequence[Sequence[Array]]) -> float:
+def measure_unsteadiness(kinds: Sequence[Sequence[Array]]) -> float:
     """Root of twice the divergence between white noise with and without what is added to it, sigmas
     of a mean with the same evidence, where steady noise of any spectrum may stand in for it.
 

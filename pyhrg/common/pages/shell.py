@@ -1,4 +1,4 @@
-"""The page around sections: one file that needs no network and no script, but may use one."""
+"""A whole page around sections: one file that needs neither network nor script."""
 
 import html
 from dataclasses import dataclass
@@ -6,13 +6,14 @@ from importlib.resources import files
 from importlib.resources.abc import Traversable
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
+"""Content security policy: nothing is loaded from elsewhere."""
 
 
 @dataclass(frozen=True)
-class Anchored:
-    """A section that the page's contents lead to.
+class PageSection:
+    """A section of a page.
 
-    name: its anchor.
+    name: anchor that the list of contents links to.
     title: plain text.
     body: markup.
     """
@@ -23,7 +24,7 @@ class Anchored:
 
     @property
     def markup(self) -> str:
-        """The section."""
+        """The section as HTML."""
         name = html.escape(self.name)
         return (
             f'<section id="{name}" aria-labelledby="{name}-title"><h2 id="{name}-title">'
@@ -31,37 +32,37 @@ class Anchored:
         )
 
 
-def contents(sections: list[Anchored]) -> str:
-    """Links to sections."""
+def make_contents(sections: list[PageSection]) -> str:
+    """A list of links to sections."""
     listed = "".join(
         f'<li><a href="#{html.escape(s.name)}">{html.escape(s.title)}</a></li>' for s in sections
     )
     return f'<nav aria-label="Sections"><ul>{listed}</ul></nav>'
 
 
-def document(title: str, style: str, body: str, script: str) -> str:
+def make_document(title: str, style: str, body: str, script: str) -> str:
     """A whole page.
 
     Args:
         title: plain text.
-        style: beyond that of all pages.
+        style: CSS beside that of all pages.
         body: markup.
-        script: that makes it livelier.
+        script: JavaScript that the page can do without.
     """
     return (
         '<!doctype html><html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width,initial-scale=1">'
         f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">'
-        f"<title>{html.escape(title)}</title><style>{base_style()}{style}</style></head>"
+        f"<title>{html.escape(title)}</title><style>{read_base_style()}{style}</style></head>"
         f"<body>{body}<script>{script}</script></body></html>\n"
     )
 
 
-def base_style() -> str:
-    """Style of all pages."""
-    return asset(files("pyhrg.common.pages"), "base.css")
+def read_base_style() -> str:
+    """The CSS of all pages."""
+    return read_asset(files("pyhrg.common.pages"), "base.css")
 
 
-def asset(folder: Traversable, name: str) -> str:
-    """A file of a package."""
+def read_asset(folder: Traversable, name: str) -> str:
+    """The text of a file in a package."""
     return folder.joinpath(name).read_text(encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Drawn by hand, small: scales, frames with ticks, points as one path."""
+"""Small SVG figures: scales, frames with ticks, points as one path."""
 
 import html
 import math
@@ -12,14 +12,14 @@ Array = NDArray[np.float64]
 
 WIDTH, HEIGHT = 420, 380
 LEFT, RIGHT, TOP, BOTTOM = 74, 400, 10, 328
-"""Of a panel and of the plot within it, user units."""
-FINENESS = 2
-"""Points lie on a grid of 1 / FINENESS user units."""
+"""Size of a panel and the edges of the plot in it, user units."""
+GRID_DIVISIONS = 2
+"""Points lie on a grid of this many divisions of a user unit."""
 
 
 @dataclass(frozen=True)
 class Scale:
-    """Values low to high onto start to end; over decades where `log`."""
+    """A map of values, `low` to `high`, onto user units, `start` to `end`; logarithmic if `log`."""
 
     low: float
     high: float
@@ -28,7 +28,7 @@ class Scale:
     log: bool = True
 
     def __call__(self, values: ArrayLike) -> Array:
-        """Where values lie."""
+        """Places of values, user units."""
         v, low, high = (self._shown(x) for x in (values, self.low, self.high))
         return np.asarray(self.start + (v - low) / (high - low) * (self.end - self.start))
 
@@ -38,7 +38,7 @@ class Scale:
 
     @property
     def ticks(self) -> list[float]:
-        """Powers of ten, or round numbers."""
+        """Values of the ticks: powers of ten, or round numbers."""
         if not self.log:
             at = MaxNLocator(5, steps=[1, 2, 2.5, 5, 10]).tick_values(self.low, self.high)
             return [float(t) for t in at if self.low <= t <= self.high]
@@ -46,8 +46,8 @@ class Scale:
         return [10.0**p for p in range(first, last + 1, max(1, (last - first) // 6))]
 
 
-def decades(values: ArrayLike) -> tuple[float, float]:
-    """The powers of ten around the positive ones of these values; 1 to 10 if there are none."""
+def find_decades(values: ArrayLike) -> tuple[float, float]:
+    """The powers of ten around the positive values; 1 and 10 if there are none."""
     v = np.asarray(values, dtype=float)
     v = v[np.isfinite(v) & (v > 0)]
     if not len(v):
@@ -56,21 +56,21 @@ def decades(values: ArrayLike) -> tuple[float, float]:
     return 10.0**low, 10.0 ** max(high, low + 1)
 
 
-def across(low: float, high: float, log: bool = True) -> Scale:
-    """Along the plot's width."""
+def make_horizontal_scale(low: float, high: float, log: bool = True) -> Scale:
+    """A scale along the plot's width."""
     return Scale(low, high, LEFT, RIGHT, log)
 
 
-def up(low: float, high: float, log: bool = True) -> Scale:
-    """Along its height."""
+def make_vertical_scale(low: float, high: float, log: bool = True) -> Scale:
+    """A scale along the plot's height."""
     return Scale(low, high, BOTTOM, TOP, log)
 
 
-def frame(x: Scale, y: Scale, x_label: str, y_label: str) -> str:
+def draw_frame(x: Scale, y: Scale, x_label: str, y_label: str) -> str:
     """Grid, ticks and labels."""
     middle = (TOP + BOTTOM) / 2
     return (
-        f"{ticks_across(x, TOP, BOTTOM)}{ticks_up(y, LEFT, RIGHT)}"
+        f"{draw_horizontal_ticks(x, TOP, BOTTOM)}{draw_vertical_ticks(y, LEFT, RIGHT)}"
         f'<path class="axis" d="M{LEFT} {TOP}V{BOTTOM}H{RIGHT}"/>'
         f'<text x="{(LEFT + RIGHT) / 2:g}" y="{HEIGHT - 8}" text-anchor="middle">'
         f'{html.escape(x_label)}</text><text transform="translate(15 {middle:g})rotate(-90)" '
@@ -78,53 +78,55 @@ def frame(x: Scale, y: Scale, x_label: str, y_label: str) -> str:
     )
 
 
-def ticks_across(x: Scale, top: float, bottom: float) -> str:
+def draw_horizontal_ticks(x: Scale, top: float, bottom: float) -> str:
     """Grid and labels of a scale that runs along the width, from a plot's top to its bottom."""
-    return "".join(_tick_x(float(x(t)), top, bottom, _short(t)) for t in x.ticks)
+    return "".join(
+        _draw_horizontal_tick(float(x(t)), top, bottom, _format_short(t)) for t in x.ticks
+    )
 
 
-def ticks_up(y: Scale, left: float, right: float) -> str:
-    """Of one that runs along the height, from left to right."""
-    return "".join(_tick_y(float(y(t)), left, right, _short(t)) for t in y.ticks)
+def draw_vertical_ticks(y: Scale, left: float, right: float) -> str:
+    """Grid and labels of a scale that runs along the height, from a plot's left to its right."""
+    return "".join(_draw_vertical_tick(float(y(t)), left, right, _format_short(t)) for t in y.ticks)
 
 
-def _tick_x(at: float, top: float, bottom: float, label: str) -> str:
+def _draw_horizontal_tick(at: float, top: float, bottom: float, label: str) -> str:
     return (
         f'<path class="grid" d="M{at:.4g} {top:g}V{bottom:g}"/>'
         f'<text class="tick" x="{at:.4g}" y="{bottom + 20:g}" text-anchor="middle">{label}</text>'
     )
 
 
-def _tick_y(at: float, left: float, right: float, label: str) -> str:
+def _draw_vertical_tick(at: float, left: float, right: float, label: str) -> str:
     return (
         f'<path class="grid" d="M{left:g} {at:.4g}H{right:g}"/>'
         f'<text class="tick" x="{left - 6:g}" y="{at + 5:.4g}" text-anchor="end">{label}</text>'
     )
 
 
-def _short(value: float) -> str:
-    """A tick: 0.1, 10, −100k."""
-    return f"{number(value / 1000)}k" if abs(value) >= 1000 else number(value)
+def _format_short(value: float) -> str:
+    """Format a tick's value: 0.1, 10, −100k."""
+    return f"{format_number(value / 1000)}k" if abs(value) >= 1000 else format_number(value)
 
 
-def points(x: Array, y: Array) -> str:
-    """A path of dots (its stroke's round caps) on a grid; those that fall together are drawn once.
+def format_points(x: Array, y: Array) -> str:
+    """Data of a path of dots (the round caps of its stroke) on a grid, each drawn once.
 
     Args:
         x, y: (n,) user units.
     """
-    grid = np.unique(np.rint(FINENESS * np.stack([x, y], axis=1)).astype(int), axis=0)
+    grid = np.unique(np.rint(GRID_DIVISIONS * np.stack([x, y], axis=1)).astype(int), axis=0)
     steps = np.diff(grid, axis=0, prepend=np.zeros((1, 2), dtype=int))
     return "".join(f"m{dx}{dy:{'' if dy < 0 else ' '}}h0" for dx, dy in steps.tolist())
 
 
-def line(x: Array, y: Array) -> str:
-    """A path's data through points, user units."""
+def draw_line(x: Array, y: Array) -> str:
+    """Data of a path through points, user units."""
     return "M" + "L".join(f"{a:.1f} {b:.1f}" for a, b in zip(x, y, strict=True))
 
 
-def number(value: float) -> str:
-    """Three digits, as people write them: 0.012, 3.4, 12,300, 2.5e+06."""
+def format_number(value: float) -> str:
+    """Format a number with three digits: 0.012, 3.4, 12,300, 2.5e+06."""
     if not math.isfinite(value):
         return "–" if math.isnan(value) else ("∞" if value > 0 else "−∞")
     if value == 0 or 1e-3 <= abs(value) < 1e6:

@@ -1,23 +1,42 @@
-"""The gyro as it is believed, and with what was found in it."""
+"""The nominal device, the identified device with the causes put in, and the residuals of both."""
 
-from collections.abc import Mapping
-from dataclasses import replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
 from pyhrg.device.device_file import from_table
 from pyhrg.device.keys import KEYS
-from pyhrg.gap.effects.catalogue import EFFECTS, NAMES
+from pyhrg.fmu import GyroError
+from pyhrg.gap.effects.catalogue import EFFECT_NAMES, EFFECTS
 from pyhrg.gap.evidence.attribution import Attribution
-from pyhrg.gap.findings.diagnosis import DiagnosisError
+from pyhrg.gap.findings.diagnosis import Cause, DiagnosisError
+from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
+from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels
 from pyhrg.records.campaign import Campaign
 
+Array = NDArray[np.float64]
+Residuals = Mapping[str, Array]
+"""(n,) record less simulation by channel, SI; NaN where the two are not compared."""
 
-def believed_device(campaign: Campaign) -> Device:
-    """The gyro that a campaign's nominal values state, those aside that are not known.
+
+@dataclass(frozen=True)
+class Closing:
+    """The identified device, and the residuals of each test before and after closing."""
+
+    device: Device
+    before: tuple[Residuals, ...]
+    after: tuple[Residuals, ...]
+
+
+def nominal_device(campaign: Campaign) -> Device:
+    """The device that a campaign's nominal values state, without values that are no device key.
 
     Raises:
-        DeviceError: they are no gyro's.
+        DeviceError: the values are no device's.
     """
     names = {key.name for key in KEYS}
     nominal = {name: value for name, value in campaign.nominal.items() if name in names}
@@ -25,28 +44,92 @@ def believed_device(campaign: Campaign) -> Device:
     return replace(stated, site=campaign.site)
 
 
-def closed_device(found: Attribution) -> Device:
-    """The believed gyro with the causes in it."""
-    device = found.believed
-    for effect, size in found.ranked.best.named.items():
-        device = effect.put(device, effect.vector(found.believed) + size)
-    totals: dict[str, Any] = {added.effect.field: added.total for added in found.noise.added}
-    return replace(device, **totals)
+def identified_device(attribution: Attribution) -> Device:
+    """The nominal device with the effects and noises of the most probable hypothesis put in."""
+    nominal = attribution.nominal
+    device = nominal
+    for effect, size in attribution.ranking.best.named.items():
+        device = effect.put(device, effect.vector(nominal) + size)
+    levels: dict[str, Any] = {added.effect.field: added.total for added in attribution.noise.added}
+    return replace(device, **levels)
 
 
-def with_causes(believed: Device, causes: Mapping[str, Mapping[str, float]]) -> Device:
-    """The believed gyro with causes as a file has them, noise aside.
+def device_with_causes(nominal: Device, causes: Iterable[Cause]) -> Device:
+    """The nominal device with the causes of a diagnosis put in; causes that are noise are left out.
 
     Raises:
-        DiagnosisError: no such effect, or a parameter is missing.
+        DiagnosisError: the catalogue has no such effect, or a parameter is missing.
     """
-    device = believed
-    for name, parameters in causes.items():
-        if name not in NAMES:
-            raise DiagnosisError(f"causes: {name}: expected an effect of {', '.join(NAMES)}")
+    device = nominal
+    for cause in causes:
+        name, parameters = cause.effect, cause.parameters
+        if name not in EFFECT_NAMES:
+            raise DiagnosisError(f"causes: {name}: expected an effect of {', '.join(EFFECT_NAMES)}")
         if name in EFFECTS:
             missing = [key.name for key in EFFECTS[name].keys if key.name not in parameters]
             if missing:
                 raise DiagnosisError(f"causes: {name}: {missing[0]}: missing; expected a number")
             device = EFFECTS[name].put(device, EFFECTS[name].vector_of(parameters))
     return device
+
+
+def close_gap(
+    simulation: Simulation, attribution: Attribution, tests: Sequence[ObservedTest]
+) -> Closing:
+    """Simulate the identified device and compare both devices with the records.
+
+    A search that did not converge may end at a device that the FMU refuses. The last device that
+    could be simulated is then taken for the identified one.
+
+    Args:
+        simulation: both fidelities.
+        attribution: result of the search.
+        tests: those that were fitted to, in the search's order, then the held-out ones.
+
+    Raises:
+        GyroError: the search converged to a device that the FMU refuses.
+    """
+    identified = identified_device(attribution)
+    try:
+        return _compare(simulation, attribution, identified, tests)
+    except GyroError:
+        if attribution.settled:
+            raise
+        return _compare(simulation, attribution, attribution.device, tests)
+
+
+def _compare(
+    simulation: Simulation,
+    attribution: Attribution,
+    identified: Device,
+    tests: Sequence[ObservedTest],
+) -> Closing:
+    """Residuals of both devices. The search already holds simulations of the fitted tests: of the
+    nominal device, and of one next to the identified one."""
+    nominal = attribution.nominal
+    before, after = list(attribution.nominal_answers), list[ChannelValues]()
+    for part in attribution.parts:
+        change = simulation.compute_difference(part.device, identified, part.test)
+        after.append(add_channels(part.simulated, change))
+    is_unchanged = identified.without_noise() == nominal.without_noise()
+    for test in tests[len(attribution.parts) :]:
+        before.append(simulation.simulate(nominal, test))
+        after.append(before[-1] if is_unchanged else simulation.simulate(identified, test))
+    return Closing(
+        identified,
+        tuple(_residuals(simulation, nominal, *pair) for pair in zip(tests, before, strict=True)),
+        tuple(_residuals(simulation, identified, *pair) for pair in zip(tests, after, strict=True)),
+    )
+
+
+def _residuals(
+    simulation: Simulation, device: Device, test: ObservedTest, answers: ChannelValues
+) -> Residuals:
+    """Record less simulation, channels other than the angle where the pattern is as measured."""
+    over_angle = simulation.differentiate_by_angle(device, test)
+    residuals = {name: getattr(test.log, name) - answers[name] for name in CHANNELS}
+    turned = device.bryan_factor * residuals["gyro_angle"]
+    for name in CHANNELS[1:]:
+        at_angle = residuals[name] + over_angle.slopes[name] * turned
+        residuals[name] = at_angle - over_angle.second_order(name, turned)
+    return {name: np.where(test.rows[name], residuals[name], np.nan) for name in CHANNELS}

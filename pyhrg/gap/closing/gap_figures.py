@@ -1,4 +1,4 @@
-"""How far a gap closed, beside what noise alone leaves."""
+"""How far closing shrinks the gap, with the noise floor."""
 
 import math
 from collections.abc import Sequence
@@ -7,62 +7,70 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.common.units import ARCSEC, DEG_PER_H
-from pyhrg.gap.closing.verification import Distance, Floor, distance, floor, whiteness
+from pyhrg.gap.closing.verification import (
+    Distance,
+    Floor,
+    compute_whiteness,
+    estimate_noise_floor,
+    measure_distance,
+)
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.findings.diagnosis import Gap, GapFigure
-from pyhrg.gap.replay.observations import Observed
+from pyhrg.gap.replay.observations import ObservedTest
 
 Array = NDArray[np.float64]
 
 SEED = 1
-"""Of the draws of noise that make the floor."""
+"""Seed of the noise draws that make the floor."""
 
 
-def gap_figures(
-    tests: Sequence[Observed],
+def compute_gap_figures(
+    tests: Sequence[ObservedTest],
     before: Sequence[Array],
     after: Sequence[Array],
-    found: Attribution,
+    attribution: Attribution,
 ) -> Gap:
-    """Before, after and the floor, on tests that were fitted to and on those held out.
+    """Residuals before and after closing with the noise floor, on fitted and on held-out tests.
 
     Args:
-        tests: observed.
-        before, after: (n,) residual of the output angle for each test, rad; NaN is left out.
-        found: by the search.
+        tests: all tests that were used.
+        before, after: (n,) residual of the output angle in each test, rad; NaN is left out.
+        attribution: result of the search; its noise of the output angle makes the floor.
     """
     fitted = [i for i, t in enumerate(tests) if not t.test.is_holdout]
-    held = [i for i, t in enumerate(tests) if t.test.is_holdout]
+    held_out = [i for i, t in enumerate(tests) if t.test.is_holdout]
+    noise = attribution.noise.noise
 
-    def figures(chosen: Sequence[int]) -> tuple[GapFigure, GapFigure | None]:
-        own = [tests[i] for i in chosen]
-        ends = [distance(own, [r[i] for i in chosen]) for r in (before, after)]
-        return _figures(ends[0], ends[1], floor(own, found.noise.noise, SEED))
+    def figures(indices: Sequence[int]) -> tuple[GapFigure, GapFigure | None]:
+        chosen = [tests[i] for i in indices]
+        ends = [measure_distance(chosen, [r[i] for i in indices]) for r in (before, after)]
+        return _figures(ends[0], ends[1], estimate_noise_floor(chosen, noise, SEED))
 
-    if not held:
+    if not held_out:
         return Gap(*figures(fitted), None, None, None, None)
-    kept = figures(held)
-    left = [after[i] for i in held]
-    white = whiteness([tests[i] for i in held], left, found.noise.noise)
-    return Gap(*figures(fitted), *kept, _shrink(kept[0]), white)
+    angle, rate = figures(held_out)
+    residuals = [after[i] for i in held_out]
+    whiteness = compute_whiteness([tests[i] for i in held_out], residuals, noise)
+    return Gap(*figures(fitted), angle, rate, _shrink_percent(angle), whiteness)
 
 
-def _figures(before: Distance, after: Distance, noise: Floor) -> tuple[GapFigure, GapFigure | None]:
+def _figures(before: Distance, after: Distance, floor: Floor) -> tuple[GapFigure, GapFigure | None]:
     def figure(field: str, unit: float) -> GapFigure:
-        own = getattr(noise, field)
+        spread = getattr(floor, field)
         return GapFigure(
             getattr(before, field) / unit,
             getattr(after, field) / unit,
-            own.value / unit,
-            (own.interval[0] / unit, own.interval[1] / unit),
+            spread.value / unit,
+            (spread.interval[0] / unit, spread.interval[1] / unit),
         )
 
     rate = figure("rate", DEG_PER_H) if math.isfinite(before.rate) else None
     return figure("angle", ARCSEC), rate
 
 
-def _shrink(figure: GapFigure) -> float | None:
-    """Of the excess over the floor; none where there is no excess."""
+def _shrink_percent(figure: GapFigure) -> float | None:
+    """Share of the excess over the floor that closing removes (docs/methods/verdict.md, Eq. (5));
+    None where there is no excess."""
     if figure.before <= figure.floor_95[1]:
         return None
     return 100 * (figure.before - figure.after) / (figure.before - figure.floor)

@@ -1,63 +1,140 @@
 """The closed simulation's answer to the inputs of a log."""
 
 from pathlib import Path
+from typing import Protocol
 
 import numpy as np
+import pandas as pd
 from numpy.typing import NDArray
 
+from pyhrg import records
 from pyhrg.common.files import write_whole
+from pyhrg.common.progress import Progress, make_progress_reporter
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
-from pyhrg.gap.replay.observations import observed
-from pyhrg.gap.replay.replay import tells_start
+from pyhrg.gap.closing.closing import device_with_causes, nominal_device
+from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, DiagnosisError, read_diagnosis
+from pyhrg.gap.replay.models import load_simulation as build_simulation
+from pyhrg.gap.replay.observations import observe_test
+from pyhrg.gap.replay.replay import has_start_angle
 from pyhrg.gap.replay.simulation import Simulation
-from pyhrg.gap.soundness.doubt import Believed
-from pyhrg.gap.soundness.glitches import with_inputs_mended
-from pyhrg.gap.soundness.inputs import whole
+from pyhrg.gap.soundness.exclusion import NominalSetup
+from pyhrg.gap.soundness.glitches import mend_inputs
+from pyhrg.gap.soundness.inputs import complete_inputs
 from pyhrg.records import Log, LogError
-from pyhrg.records.campaign import Test
+from pyhrg.records import campaign as campaigns
+from pyhrg.records.campaign import Campaign, Test
 
 Array = NDArray[np.float64]
 
 
-def with_whole_inputs(log: Log, believed: Device) -> tuple[Log, list[str]]:
-    """A log whose inputs can be replayed, and a sentence on each thing that was filled in, cut or
-    taken for granted: as a diagnosis does.
+class _HoldsDiagnosis(Protocol):
+    """What `pyhrg.gap.diagnose.diagnose` gives."""
 
-    Raises:
-        LogError: inputs that can't be told, or no row with both angles.
-    """
-    log, mended = with_inputs_mended(log)
-    log, filled = whole(log, Believed(believed, believed.site))
-    if not tells_start(log):
-        raise LogError(
-            f"{log.source}: no row with gyro_angle_deg and wave_angle_deg; expected one, which "
-            "tells the start angle"
-        )
-    return log, [*mended, *filled]
+    @property
+    def diagnosis(self) -> Diagnosis: ...
 
 
-def predicted(simulation: Simulation, believed: Device, closed: Device, log: Log) -> Array:
-    """(n,) output angle, rad.
+def predict(
+    diagnosis: _HoldsDiagnosis | Diagnosis | Path | str,
+    log: Log | Path | str,
+    campaign: Campaign | Path | str,
+    *,
+    simulation: Simulation | None = None,
+    progress: Progress = None,
+) -> pd.DataFrame:
+    """Predict the output angle that the closed simulation gives to the inputs of a log.
+
+    Inputs that the recorder lost are filled in as in a diagnosis.
 
     Args:
-        simulation: both fidelities.
-        believed: for the power-on angle, which the log's angles tell by the believed Bryan factor.
-        closed: the gyro that is simulated.
-        log: whole inputs, and angles.
+        diagnosis: of the campaign: a `CampaignDiagnosis`, its `diagnosis`, or the path of its
+            `diagnosis.json`.
+        log: a log or its file.
+        campaign: the campaign or its folder; its nominal values state the nominal gyro.
+        simulation: both fidelities of the gyro; by default they are built, or taken from the cache.
+        progress: True prints each step to standard error; a function is called with it.
+
+    Returns:
+        n rows, as in the log: `time_s`, `gyro_angle_deg`. `attrs["units"]` has their units.
+        `attrs["notes"]` has a sentence on each input that was filled in, cut or assumed.
 
     Raises:
-        GyroError: a gyro that the FMU refuses.
+        DiagnosisError: the file is no diagnosis, or that of another gyro.
+        CampaignError: the folder is no campaign.
+        DeviceError: the nominal values are no gyro's.
+        LogError: the log can't be used, or its inputs can't be determined.
+        GyroError: the FMU refuses the identified device.
     """
-    test = observed(Test("prediction", "manoeuvre", "holdout", log), believed)
-    return simulation.answers(closed, test)["gyro_angle"]
+    report = make_progress_reporter(progress)
+    campaign = (
+        campaign if isinstance(campaign, Campaign) else campaigns.read_campaign(Path(campaign))
+    )
+    nominal = nominal_device(campaign)
+    identified = device_with_causes(nominal, _causes(diagnosis, campaign.device))
+    if not isinstance(log, Log):
+        log = records.read_log(Path(log), latitude_deg=campaign.site.latitude_deg)
+    log, notes = repair_inputs(log, nominal)
+    for note in notes:
+        report(note)
+    angle = predict_angle(simulation or build_simulation(report), nominal, identified, log)
+    table = pd.DataFrame({"time_s": log.time, "gyro_angle_deg": angle / DEG})
+    table.attrs = {"units": {"time_s": "s", "gyro_angle_deg": "deg"}, "notes": notes}
+    return table
 
 
-def write(log: Log, angle: Array, path: Path) -> None:
-    """Write times and angles as CSV.
+def _causes(diagnosis: _HoldsDiagnosis | Diagnosis | Path | str, device: str) -> tuple[Cause, ...]:
+    source = "diagnosis"
+    if isinstance(diagnosis, Path | str):
+        source, diagnosis = str(diagnosis), read_diagnosis(diagnosis)
+    elif not isinstance(diagnosis, Diagnosis):
+        diagnosis = diagnosis.diagnosis
+    if diagnosis.device != device:
+        raise DiagnosisError(
+            f"{source}: device: found {diagnosis.device!r}, expected {device!r} as in the campaign"
+        )
+    return diagnosis.causes
+
+
+def write_prediction(prediction: pd.DataFrame, path: Path) -> None:
+    """Write a prediction as CSV with the columns `time_s` and `gyro_angle_deg`.
 
     Raises:
         OSError: the folder can't be written.
     """
-    rows = (f"{t:.15g},{a:.12g}\n" for t, a in zip(log.time, angle / DEG, strict=True))
+    columns = prediction["time_s"], prediction["gyro_angle_deg"]
+    rows = (f"{time:.15g},{angle:.12g}\n" for time, angle in zip(*columns, strict=True))
     write_whole(path, ("time_s,gyro_angle_deg\n" + "".join(rows)).encode())
+
+
+def repair_inputs(log: Log, nominal: Device) -> tuple[Log, list[str]]:
+    """A log whose inputs can be replayed, and a sentence on each thing that was filled in, cut or
+    assumed: the same as in a diagnosis.
+
+    Raises:
+        LogError: inputs that can't be determined, or no row with both angles.
+    """
+    log, mended = mend_inputs(log)
+    log, filled = complete_inputs(log, NominalSetup(nominal, nominal.site))
+    if not has_start_angle(log):
+        raise LogError(
+            f"{log.source}: no row with gyro_angle_deg and wave_angle_deg; expected one, which "
+            "gives the start angle"
+        )
+    return log, [*mended, *filled]
+
+
+def predict_angle(simulation: Simulation, nominal: Device, identified: Device, log: Log) -> Array:
+    """(n,) output angle, rad.
+
+    Args:
+        simulation: both fidelities of the gyro.
+        nominal: its Bryan factor gives the power-on angle from the log's two angles.
+        identified: the gyro that is simulated.
+        log: with complete inputs, and angles.
+
+    Raises:
+        GyroError: the FMU refuses the identified device.
+    """
+    test = observe_test(Test("prediction", "manoeuvre", "holdout", log), nominal)
+    return simulation.simulate(identified, test)["gyro_angle"]

@@ -1,4 +1,4 @@
-"""How far apart simulation and record are in the output angle, and what noise alone would leave."""
+"""Distance between simulation and record in the output angle, and its noise floor."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -7,23 +7,23 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import chi2
 
-from pyhrg.gap.replay.observations import Observed
-from pyhrg.gap.whitening.noise_draws import drawn
-from pyhrg.gap.whitening.whitening import SlowNoise, whitened
+from pyhrg.gap.replay.observations import ObservedTest
+from pyhrg.gap.whitening.noise_draws import draw_noise
+from pyhrg.gap.whitening.whitening import NoiseModel, whiten
 
 Array = NDArray[np.float64]
 
-WINDOW = 100.0
-"""Over which a rate residual is taken, s."""
-DRAWS = 200
-"""Of noise, for what it leaves."""
-LAGS = 10
-"""Of the correlation by which whiteness is judged."""
+RATE_WINDOW = 100.0
+"""Time over which the rate residual is taken, s: the campaign format's."""
+NOISE_DRAWS = 200
+"""Number of noise draws that make the floor and its 95 % interval. Chosen."""
+MAX_LAG = 10
+"""Number of lags of the portmanteau test for whiteness, rows. Chosen."""
 
 
 @dataclass(frozen=True)
 class Spread:
-    """A figure, and its 95 % interval where it is drawn."""
+    """Median of a figure over noise draws, and its 95 % interval."""
 
     value: float
     interval: tuple[float, float]
@@ -31,7 +31,8 @@ class Spread:
 
 @dataclass(frozen=True)
 class Distance:
-    """Root mean squares over some tests: angle in rad, rate over 100 s in rad/s."""
+    """Root mean square over tests of the angle residual, rad, and of the rate residual over 100 s,
+    rad/s (docs/methods/verdict.md, Eq. (4))."""
 
     angle: float
     rate: float
@@ -39,61 +40,62 @@ class Distance:
 
 @dataclass(frozen=True)
 class Floor:
-    """The same of noise alone, median of draws and 95 % interval."""
+    """Noise floor: the distances that noise alone would leave of a perfect simulation."""
 
     angle: Spread
     rate: Spread
 
 
-def distance(tests: Sequence[Observed], residuals: Sequence[Array]) -> Distance:
-    """Of residuals of the output angle, (n,) rad each; NaN is left out."""
+def measure_distance(tests: Sequence[ObservedTest], residuals: Sequence[Array]) -> Distance:
+    """Distance of residuals of the output angle, (n,) rad in each test; NaN is left out."""
     rates = [_rates(t, r) for t, r in zip(tests, residuals, strict=True)]
     return Distance(_rms(np.concatenate(residuals)), _rms(np.concatenate(rates)))
 
 
-def floor(tests: Sequence[Observed], noise: SlowNoise, seed: int) -> Floor:
-    """What noise leaves of a perfect simulation, by draws of it.
+def estimate_noise_floor(tests: Sequence[ObservedTest], noise: NoiseModel, seed: int) -> Floor:
+    """Estimate the noise floor by draws of the noise.
 
     Args:
-        tests: whose rows count.
-        noise: of the output angle.
-        seed: of the draws.
+        tests: tests whose rows are compared.
+        noise: noise of the output angle.
+        seed: seed of the draws.
     """
     generator = np.random.default_rng(seed)
-    drawn = []
-    for _ in range(DRAWS):
-        angles = [_drawn(t, noise, generator) for t in tests]
-        found = distance(tests, angles)
-        drawn.append((found.angle, found.rate))
-    angle, rate = np.array(drawn).T
+    distances = []
+    for _ in range(NOISE_DRAWS):
+        distance = measure_distance(tests, [_draw_angle(t, noise, generator) for t in tests])
+        distances.append((distance.angle, distance.rate))
+    angle, rate = np.array(distances).T
     return Floor(_spread(angle), _spread(rate))
 
 
-def whiteness(tests: Sequence[Observed], residuals: Sequence[Array], noise: SlowNoise) -> float:
-    """p-value that whitened residuals have no correlation over `LAGS` rows (G. M. Ljung,
-    G. E. P. Box, Biometrika 65 (1978)).
+def compute_whiteness(
+    tests: Sequence[ObservedTest], residuals: Sequence[Array], noise: NoiseModel
+) -> float:
+    """p-value of the Ljung-Box test that whitened residuals are uncorrelated (docs/methods/
+    verdict.md, Eq. (6); G. M. Ljung, G. E. P. Box, Biometrika 65 (1978)).
 
     Args:
-        tests: as their rows count.
-        residuals: (n,) of the output angle, rad.
-        noise: of the output angle.
+        tests: the tests of the residuals.
+        residuals: (n,) residual of the output angle in each test, rad; NaN is left out.
+        noise: noise of the output angle.
     """
     statistic, degrees = 0.0, 0
     for test, residual in zip(tests, residuals, strict=True):
         rows = np.isfinite(residual)
         steps = np.diff(test.log.time[rows], prepend=0.0)
-        own = noise.louder(test.encoder)
-        white = whitened(residual[rows][:, None], steps, own).series[:, 0]
+        own = noise.add_white(test.encoder_noise)
+        white = whiten(residual[rows][:, None], steps, own).series[:, 0]
         n, power = len(white), float(white @ white)
-        for lag in range(1, min(LAGS, n - 1) + 1):
+        for lag in range(1, min(MAX_LAG, n - 1) + 1):
             correlation = float(white[lag:] @ white[:-lag]) / power
             statistic += n * (n + 2) * correlation**2 / (n - lag)
             degrees += 1
     return float(chi2.sf(statistic, degrees))
 
 
-def _rates(test: Observed, residual: Array) -> Array:
-    rows = max(1, round(WINDOW / test.log.interval))
+def _rates(test: ObservedTest, residual: Array) -> Array:
+    rows = max(1, round(RATE_WINDOW / test.log.interval))
     ends = residual[::rows]
     return np.asarray(np.diff(ends) / (rows * test.log.interval))
 
@@ -103,10 +105,10 @@ def _rms(values: Array) -> float:
     return float(np.sqrt(np.mean(known**2))) if len(known) else float("nan")
 
 
-def _drawn(test: Observed, noise: SlowNoise, generator: np.random.Generator) -> Array:
-    """(n,) angles of noise alone, rad."""
-    own = noise.louder(test.encoder)
-    angle = drawn(own, len(test.log.time), test.log.interval, generator)
+def _draw_angle(test: ObservedTest, noise: NoiseModel, generator: np.random.Generator) -> Array:
+    """(n,) output angle of noise alone, rad; NaN in rows that are not compared."""
+    own = noise.add_white(test.encoder_noise)
+    angle = draw_noise(own, len(test.log.time), test.log.interval, generator)
     return np.where(test.rows["gyro_angle"], angle, np.nan)
 
 

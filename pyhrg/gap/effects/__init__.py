@@ -1,1 +1,1 @@
-"""Step 3: what may make a gap, and what it does to the records."""
+"""Step 4: what may cause a gap, and its effect on the records."""

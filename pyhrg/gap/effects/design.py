@@ -1,4 +1,4 @@
-"""Residuals and what might explain them, whitened and summed up: all that evidence needs."""
+"""Normal equations of a campaign: residuals, sensitivities and candidate terms, whitened."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -8,31 +8,34 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
-from pyhrg.gap.effects import candidate_terms as unknown
-from pyhrg.gap.effects.candidate_terms import Coordinates, Element
+from pyhrg.gap.effects.candidate_terms import CandidateTerm, Coordinates, build_term_columns
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.jump import Jump
-from pyhrg.gap.replay.carrier_terms import left_out
-from pyhrg.gap.replay.observations import CHANNELS, Observed
-from pyhrg.gap.whitening.channel_noise import ChannelNoise
-from pyhrg.gap.whitening.whitening import Whitened, whitened
+from pyhrg.gap.replay.carrier_terms import compute_carrier_terms
+from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
+from pyhrg.gap.whitening.channel_noise import CampaignNoise
+from pyhrg.gap.whitening.whitening import WhitenedSeries, whiten
 
 Array = NDArray[np.float64]
-Group = Effect | Element
-Where = tuple[str, str]
-"""Test and channel."""
+Group = Effect | CandidateTerm
+"""What a group of the design's columns stands for."""
+TestChannel = tuple[str, str]
+"""Id of a test, and a channel."""
+
+MIN_NORM = 1e-9
+"""Norm of a whitened column below which these tests don't see it. Chosen."""
 
 
 @dataclass(frozen=True)
 class Block:
-    """One channel of one test.
+    """Contribution of one channel of one test to the normal equations.
 
-    columns: (q - 1,) the design's columns that take part.
-    gram: (q, q) products of these, whitened, and of the residual.
-    rows: that were compared.
+    columns: (q - 1,) indices of the design's columns that take part.
+    gram: (q, q) products of these columns and, last, the residual, all whitened.
+    rows: number that were compared.
     log_determinant: of the noise's covariance.
-    wrong: power that simulation and linear equations may get wrong, in deviations of the noise
-        squared: it counts as noise.
+    model_error: chi-square that simulation and linearization may get wrong. It scales the noise
+        (docs/methods/effects.md, Eq. 9).
     """
 
     test: str
@@ -41,84 +44,86 @@ class Block:
     gram: Array
     rows: int
     log_determinant: float
-    wrong: float = 0.0
+    model_error: float = 0.0
 
 
 @dataclass(frozen=True)
 class Design:
-    """A campaign's normal equations, of unit columns.
+    """Normal equations of a campaign, for columns of unit norm (docs/methods/effects.md, Eq. 8).
 
-    gram: (p, p) of effects' and elements' columns.
-    pull: (p,) products with the residual.
-    power: of the whitened residual.
-    places: columns of each group.
-    lengths: (p,) norms of the columns before, in deviations of the noise per unit of the column.
-    blocks: what each channel of each test adds.
+    gram: (p, p) products of the columns.
+    projection: (p,) products of the columns with the residual.
+    power: squared norm of the whitened residual, a chi-square.
+    columns: indices of each group's columns.
+    norms: (p,) of the whitened columns before they were scaled, standard deviations of the noise
+        per unit of the column; 0 where the tests don't see it.
+    blocks: contribution of each channel of each test.
     """
 
     gram: Array
-    pull: Array
+    projection: Array
     power: float
-    places: Mapping[Group, NDArray[np.int64]]
-    lengths: Array
+    columns: Mapping[Group, NDArray[np.int64]]
+    norms: Array
     blocks: tuple[Block, ...]
 
     @property
     def log_likelihood(self) -> float:
-        """Of the residual if nothing explained it, but for a constant."""
-        log_determinant = sum(b.log_determinant / (1 + b.wrong) for b in self.blocks)
+        """Logarithm of the residual's likelihood if nothing explains it, up to a constant."""
+        log_determinant = sum(b.log_determinant / (1 + b.model_error) for b in self.blocks)
         return -(self.power + log_determinant) / 2
 
     @property
     def groups(self) -> list[Group]:
-        """Those that the tests can see at all."""
-        return [g for g, where in self.places.items() if (self.lengths[where] > 0).all()]
+        """Groups all of whose columns the tests see."""
+        return [group for group, own in self.columns.items() if (self.norms[own] > 0).all()]
 
 
 @dataclass(frozen=True)
 class LinearTest:
-    """One test around a simulated gyro, in which effects are linear.
+    """One test linearized around a simulated device.
 
     device: that is simulated.
-    answers: (n,) by field of a log, of the device.
-    residual: (n,) by channel, record less simulation.
-    secants: (n, d) by channel, for each effect: change of the answer per unit of its vector.
-    where: coordinates.
-    slopes: (n,) by channel: change of the answer with the pattern's angle, per rad.
-    bryan_factor: as believed.
+    simulated: (n,) by field of a log, of the device.
+    residual: (n,) by channel, record less simulation, referred to the nominal device.
+    sensitivities: (n, d) by channel, for each effect: change of a channel per unit of its vector.
+    where: coordinates of the rows.
+    slopes: (n,) by channel: derivative of a channel by the pattern angle, per rad.
+    bryan_factor: of the nominal device.
     """
 
-    test: Observed
+    test: ObservedTest
     device: Device
-    answers: Mapping[str, Array]
+    simulated: Mapping[str, Array]
     residual: Mapping[str, Array]
-    secants: Mapping[Effect, Mapping[str, Array]]
+    sensitivities: Mapping[Effect, Mapping[str, Array]]
     where: Coordinates
     slopes: Mapping[str, Array]
     bryan_factor: float
 
     def responses(self, channel: str, outputs: Sequence[Jump] = ()) -> Array:
-        """(n, p + 1) secants of all effects, jumps of the output alone, and the residual."""
-        secants = [s[channel] for s in self.secants.values()]
-        jumped = [(channel == "gyro_angle") * jump.columns(self.where) for jump in outputs]
-        return np.column_stack([*secants, *jumped, self.residual[channel]])
+        """(n, p + 1) sensitivities to all effects, steps of the output alone, and the residual."""
+        effects = [own[channel] for own in self.sensitivities.values()]
+        steps = [(channel == "gyro_angle") * jump.columns(self.where) for jump in outputs]
+        return np.column_stack([*effects, *steps, self.residual[channel]])
 
-    def left_out(self, channel: str) -> Array:
-        """(n,) what the next order of the average over a carrier period, which the simulated gyro
-        has not, does to a channel."""
-        return self._left_out[channel]
+    def carrier_terms(self, channel: str) -> Array:
+        """(n,) terms of a channel that the simulation lacks, see `compute_carrier_terms`."""
+        return self._carrier_terms[channel]
 
     @cached_property
-    def _left_out(self) -> Mapping[str, Array]:
-        return left_out(self.device, self.test, self.where.pattern_angle)
+    def _carrier_terms(self) -> Mapping[str, Array]:
+        return compute_carrier_terms(self.device, self.test, self.where.pattern_angle)
 
     def at_measured_angle(self, series: Array, angles: Array, channel: str) -> Array:
-        """Series of a channel where the pattern is as measured, not as simulated: noise that turns
-        the pattern is then seen in the angle alone.
+        """Series of a channel, referred to the measured pattern angle instead of the simulated one.
+
+        Noise that turns the pattern then appears in the output angle alone
+        (docs/methods/effects.md, Eq. 3).
 
         Args:
             series: (n, p) of the channel.
-            angles: (n, p) the same of the output angle, rad.
+            angles: (n, p) the same series of the output angle, rad.
             channel: a field of a log.
         """
         if channel == "gyro_angle":
@@ -126,116 +131,123 @@ class LinearTest:
         return series + self.bryan_factor * self.slopes[channel][:, None] * angles
 
 
-def design(parts: Sequence[LinearTest], noise: ChannelNoise, jumps: Sequence[Jump] = ()) -> Design:
-    """Whiten and sum up.
+def build_design(
+    parts: Sequence[LinearTest], noise: CampaignNoise, jumps: Sequence[Jump] = ()
+) -> Design:
+    """Whiten all series and sum up the normal equations (docs/methods/effects.md, Eqs. 7 and 8).
 
     Args:
-        parts: of each test.
+        parts: linearized tests.
         noise: of all channels.
-        jumps: that are weighed beside all else.
+        jumps: candidates in addition to effects and candidate terms.
     """
-    effects = list(parts[0].secants)
-    places: dict[Group, NDArray[np.int64]] = {}
-    outputs = [j for j in jumps if j.kind == "output"]
-    sizes = [*(e.size for e in effects), *(len(j.times) for j in outputs)]
-    count = _placed(places, [*effects, *outputs], sizes, 0)
+    effects = list(parts[0].sensitivities)
+    columns: dict[Group, NDArray[np.int64]] = {}
+    outputs = [jump for jump in jumps if jump.kind == "output"]
+    sizes = [*(effect.size for effect in effects), *(len(jump.times) for jump in outputs)]
+    count = _assign_columns(columns, [*effects, *outputs], sizes, 0)
     blocks = []
     shared = np.arange(count)
     for channel in CHANNELS:
         for index, part in enumerate(parts):
-            found = unknown.columns(part.where, channel)
+            candidates = build_term_columns(part.where, channel)
             if channel == "gyro_angle":
-                found += [(j, j.columns(part.where)) for j in jumps if j not in outputs]
-            elements, values = zip(*found, strict=True)
+                candidates += [(j, j.columns(part.where)) for j in jumps if j not in outputs]
+            terms, values = zip(*candidates, strict=True)
             if index == 0:
                 sizes = [
-                    len(parts) if e.is_of_each_power_on else v.shape[1]
-                    for e, v in zip(elements, values, strict=True)
+                    len(parts) if term.is_of_each_power_on else block.shape[1]
+                    for term, block in zip(terms, values, strict=True)
                 ]
-                count = _placed(places, elements, sizes, count)
-            own = [places[e][[index]] if e.is_of_each_power_on else places[e] for e in elements]
-            columns = np.concatenate([shared, *own])
-            blocks.append(_block(part, channel, columns, outputs, values, noise))
-    return _assembled(places, blocks)
+                count = _assign_columns(columns, terms, sizes, count)
+            own = [columns[t][[index]] if t.is_of_each_power_on else columns[t] for t in terms]
+            indices = np.concatenate([shared, *own])
+            blocks.append(_build_block(part, channel, indices, outputs, values, noise))
+    return _assemble(columns, blocks)
 
 
-def _placed(
-    places: dict[Group, NDArray[np.int64]],
+def _assign_columns(
+    columns: dict[Group, NDArray[np.int64]],
     groups: Sequence[Group],
     sizes: Sequence[int],
     count: int,
 ) -> int:
+    """Give each group the next indices in `columns`; the number of columns after that."""
     for group, size in zip(groups, sizes, strict=True):
-        places[group] = np.arange(count, count + size)
+        columns[group] = np.arange(count, count + size)
         count += size
     return count
 
 
-def _block(
+def _build_block(
     part: LinearTest,
     channel: str,
     columns: NDArray[np.int64],
     outputs: Sequence[Jump],
-    found: Sequence[Array],
-    noise: ChannelNoise,
+    terms: Sequence[Array],
+    noise: CampaignNoise,
 ) -> Block:
     rows = part.test.rows[channel]
     responses = part.at_measured_angle(
         part.responses(channel, outputs), part.responses("gyro_angle", outputs), channel
     )
-    series = np.column_stack([responses[:, :-1], *found, responses[:, -1]])
-    white = white_rows(part, channel, series, noise)
+    series = np.column_stack([responses[:, :-1], *terms, responses[:, -1]])
+    white = whiten_rows(part, channel, series, noise)
     gram = white.series.T @ white.series
     name = part.test.test.id
     return Block(name, channel, columns, gram, int(rows.sum()), white.log_determinant)
 
 
-def white_rows(part: LinearTest, channel: str, series: Array, noise: ChannelNoise) -> Whitened:
-    """Of (n, p) series of a channel, the rows that are compared, whitened."""
+def whiten_rows(
+    part: LinearTest, channel: str, series: Array, noise: CampaignNoise
+) -> WhitenedSeries:
+    """Whiten the compared rows of (n, p) series of a channel."""
     rows = part.test.rows[channel]
     steps = np.diff(part.test.log.time[rows], prepend=0.0)
-    out = part.left_out(channel)[rows]
-    return whitened(series[rows], steps, noise.of(channel, part.test), out)
+    unmodelled = part.carrier_terms(channel)[rows]
+    return whiten(series[rows], steps, noise.get_model(channel, part.test), unmodelled)
 
 
-def _assembled(places: Mapping[Group, NDArray[np.int64]], blocks: Sequence[Block]) -> Design:
-    count = sum(map(len, places.values()))
-    total, pull, power = np.zeros((count, count)), np.zeros(count), 0.0
+def _assemble(columns: Mapping[Group, NDArray[np.int64]], blocks: Sequence[Block]) -> Design:
+    count = sum(map(len, columns.values()))
+    total, projection, power = np.zeros((count, count)), np.zeros(count), 0.0
     for block in blocks:
-        gram = block.gram / (1 + block.wrong)
+        gram = block.gram / (1 + block.model_error)
         total[np.ix_(block.columns, block.columns)] += gram[:-1, :-1]
-        pull[block.columns] += gram[:-1, -1]
+        projection[block.columns] += gram[:-1, -1]
         power += float(gram[-1, -1])
-    lengths = np.sqrt(np.diag(total))
-    lengths[lengths < VISIBLE] = 0.0
-    unit = np.divide(1.0, lengths, out=np.zeros(count), where=lengths > 0)
+    norms = np.sqrt(np.diag(total))
+    norms[norms < MIN_NORM] = 0.0
+    unit = np.divide(1.0, norms, out=np.zeros(count), where=norms > 0)
     gram = total * np.outer(unit, unit)
-    return Design(gram, pull * unit, power, places, lengths, tuple(blocks))
+    return Design(gram, projection * unit, power, columns, norms, tuple(blocks))
 
 
-def tempered(whole: Design, wrong: Mapping[Where, float]) -> Design:
-    """The same equations where this power, in deviations of the noise squared, counts as noise:
-    what simulation and linear equations leave of a large response."""
-    blocks = [replace(b, wrong=wrong.get((b.test, b.channel), 0.0)) for b in whole.blocks]
-    return _assembled(whole.places, blocks)
+def discount_model_error(design: Design, model_error: Mapping[TestChannel, float]) -> Design:
+    """Equations with a chi-square per test and channel counted as noise (Eq. 9).
+
+    It stands for errors of the simulation, and for what a linear search misses of a large response.
+    """
+    blocks = [
+        replace(b, model_error=model_error.get((b.test, b.channel), 0.0)) for b in design.blocks
+    ]
+    return _assemble(design.columns, blocks)
 
 
-def response_power(parts: Sequence[LinearTest], noise: ChannelNoise) -> dict[Where, float]:
-    """What the residual has beyond its rows, in deviations of the noise squared.
+def compute_excess_power(
+    parts: Sequence[LinearTest], noise: CampaignNoise
+) -> dict[TestChannel, float]:
+    """Chi-square of each residual beyond its number of rows; 0 where it is smaller.
 
     Args:
-        parts: of each test.
+        parts: linearized tests.
         noise: of all channels.
     """
-    beyond = {}
+    excess = {}
     for channel in CHANNELS:
         for part in parts:
             own, angle = (part.residual[name][:, None] for name in (channel, "gyro_angle"))
-            left = part.at_measured_angle(own, angle, channel)
-            white = white_rows(part, channel, left, noise).series
-            beyond[part.test.test.id, channel] = max(float((white**2).sum()) - len(white), 0.0)
-    return beyond
-
-
-VISIBLE = 1e-9
-"""A column shorter than this is none."""
+            series = part.at_measured_angle(own, angle, channel)
+            white = whiten_rows(part, channel, series, noise).series
+            excess[part.test.test.id, channel] = max(float((white**2).sum()) - len(white), 0.0)
+    return excess

@@ -1,4 +1,4 @@
-"""A bias or an angle that jumps at a moment of a test which no coordinate foretells."""
+"""A change of bias, pattern angle or output angle at one moment of a test."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -7,23 +7,23 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.gap.effects.candidate_terms import Coordinates, Element
+from pyhrg.gap.effects.candidate_terms import CandidateTerm, Coordinates
 
 Array = NDArray[np.float64]
 
 
 Kind = Literal["bias", "pattern", "output"]
-"""What jumps: the bias, from then on; the pattern itself, at once; the output, as of counts that
-were lost, while the pattern stays where it is."""
+"""What changes: the bias from then on; the pattern angle at once; or the output angle alone, as
+after lost counts, while the pattern stays."""
 
 
 @dataclass(frozen=True)
-class Jump(Element):
-    """In one test, or in several.
+class Jump(CandidateTerm):
+    """Changes at given times in one or several tests (docs/methods/effects.md, Eq. 6).
 
-    times: since power-on, s, by test.
-    log_odds: prior, that jumps are there and then.
-    kind: what jumps.
+    times: test and time since power-on, s, of each change.
+    log_odds: logarithm of the prior odds that changes occur at these times.
+    kind: what changes.
     """
 
     times: tuple[tuple[str, float], ...] = ()
@@ -31,48 +31,53 @@ class Jump(Element):
     kind: Kind = "bias"
 
     @property
-    def foretells(self) -> bool:
-        """Whether it says anything of a test that is yet to be made."""
+    def is_predictive(self) -> bool:
+        """False: it says nothing about a test that is yet to be made."""
         return False
 
     def columns(self, where: Coordinates) -> Array:
-        """(n, k) of a test, one for each jump."""
+        """(n, k) output angle of a test per unit of each of the k changes."""
         test = where.test
-        there = np.array([float(test.test.id == name) for name, _ in self.times])
-        moved = after if self.kind == "bias" else since
-        return there * moved(test.log.time, np.array([t for _, t in self.times]))
+        is_here = np.array([float(test.test.id == name) for name, _ in self.times])
+        respond = integrate_jump if self.kind == "bias" else evaluate_step
+        return is_here * respond(test.log.time, np.array([t for _, t in self.times]))
 
 
-def jump(times: Sequence[tuple[str, float]], log_odds: float) -> Jump:
-    """Of the bias, with its words; arguments as the class has them."""
+def make_bias_jump(times: Sequence[tuple[str, float]], log_odds: float) -> Jump:
+    """A jump of the bias with its description; arguments as in `Jump`."""
     others = len(times) - 1
     more = f", and in {others} other test{'s' if others > 1 else ''}" if others else ""
-    words = f"bias: a jump {_where(*times[0])}{more}"
+    words = f"bias: a jump {_describe(*times[0])}{more}"
     return Jump("gyro_angle", "time", words, None, tuple(times), log_odds)
 
 
-def step(times: Sequence[tuple[str, float]], log_odds: float, kind: Kind) -> Jump:
-    """Of the pattern or of the output alone, with its words; arguments as the class has them."""
+def make_step(times: Sequence[tuple[str, float]], log_odds: float, kind: Kind) -> Jump:
+    """A step of the pattern angle or of the output alone, with its description; arguments as in
+    `Jump`."""
     what = "pattern" if kind == "pattern" else "output alone"
-    words = f"{what}: a step {'; '.join(_where(*time) for time in times)}"
+    words = f"{what}: a step {'; '.join(_describe(*time) for time in times)}"
     return Jump("gyro_angle", "time", words, None, tuple(times), log_odds, kind)
 
 
-def _where(test: str, time: float) -> str:
+def _describe(test: str, time: float) -> str:
     return f"at {time:.6g} s in {test}"
 
 
-def after(rows: Array, times: Array) -> Array:
-    """(n, k) output angle after jumps of the bias by one.
+def integrate_jump(rows: Array, times: Array) -> Array:
+    """(n, k) output angle after unit jumps of the bias.
 
     Args:
-        rows: (n,) s.
-        times: (k,) of the jumps, s.
+        rows: (n,) times of the rows, s.
+        times: (k,) times of the jumps, s.
     """
     return np.asarray(np.maximum(rows[:, None] - times, 0.0))
 
 
-def since(rows: Array, times: Array) -> Array:
-    """(n, k) output angle after steps of it by one; arguments as `after`, rows at the steps are
-    behind them."""
+def evaluate_step(rows: Array, times: Array) -> Array:
+    """(n, k) output angle after unit steps of it; a row at the time of a step is after it.
+
+    Args:
+        rows: (n,) times of the rows, s.
+        times: (k,) times of the steps, s.
+    """
     return np.asarray((rows[:, None] >= times).astype(np.float64))

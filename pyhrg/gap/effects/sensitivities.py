@@ -1,4 +1,4 @@
-"""What a campaign's residuals are, and what effects do to them, through the FMU."""
+"""Sensitivities of a replay to the effects' parameters, and the residual of a linearized test."""
 
 from collections.abc import Callable, Iterable, Mapping
 
@@ -7,81 +7,89 @@ from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
-from pyhrg.gap.effects.candidate_terms import coordinates
+from pyhrg.gap.effects.candidate_terms import compute_coordinates
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import LinearTest
-from pyhrg.gap.replay.observations import CHANNELS, Observed
-from pyhrg.gap.replay.simulation import Answers, Simulation
+from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
+from pyhrg.gap.replay.simulation import ChannelValues, Simulation
 
 Array = NDArray[np.float64]
 
-TOLERANCE = 0.01
-"""Of an effect's scale, by which its secants are taken."""
+STEP_SHARE = 0.01
+"""Step of a sensitivity's finite difference, in scales of the effect. Chosen."""
 
 
-def linear_test(
+def linearize_test(
     simulation: Simulation,
-    believed: Device,
+    nominal: Device,
     device: Device,
-    test: Observed,
-    answers: Answers,
-    columns: Mapping[Effect, Mapping[str, Array]],
+    test: ObservedTest,
+    simulated: ChannelValues,
+    sensitivities: Mapping[Effect, Mapping[str, Array]],
 ) -> LinearTest:
-    """Residual of a test around a device, as it would be around the believed one if effects were
-    linear.
+    """One test linearized around a device, its residual referred to the nominal device.
+
+    The residual is what record less simulation of the nominal device would be if effects were
+    linear (docs/methods/effects.md, Eqs. 2 and 3).
 
     Args:
         simulation: both fidelities.
-        believed: the gyro before the diagnosis.
-        device: the gyro that is simulated.
-        test: observed.
-        answers: (n,) by field of a log, of the device.
-        columns: (n, d) by channel, secants of each effect.
-    """
-    residual = {name: getattr(test.log, name) - answers[name] for name in CHANNELS}
-    for effect, own in columns.items():
-        away = effect.vector(device) - effect.vector(believed)
-        for name in CHANNELS:
-            residual[name] = residual[name] + own[name] @ away
-    where = coordinates(test, answers["wave_angle"], answers["amplitude"], believed)
-    around, factor = simulation.over_angle(device, test), believed.bryan_factor
-    turned = factor * (test.log.gyro_angle - answers["gyro_angle"])
-    for name in CHANNELS[1:]:
-        residual[name] = residual[name] - around.bent(name, turned)
-    return LinearTest(test, device, answers, residual, columns, where, around.slopes, factor)
-
-
-def secants(
-    simulation: Simulation, device: Device, test: Observed, effects: Iterable[Effect]
-) -> dict[Effect, dict[str, Array]]:
-    """Change of the answer per unit of the effects' vectors from a device on.
-
-    Returns:
-        (n, d) by channel for each effect, of size d.
+        nominal: the device before the diagnosis.
+        device: the device that is simulated.
+        test: to compare.
+        simulated: (n,) by field of a log, of the device.
+        sensitivities: (n, d) by channel, of each effect.
 
     Raises:
-        GyroError: a gyro that the FMU refuses.
+        GyroError: the FMU refuses a device.
     """
-    change_to = simulation.changes(device, test)
-    found = {}
+    residual = {name: getattr(test.log, name) - simulated[name] for name in CHANNELS}
+    for effect, own in sensitivities.items():
+        away = effect.vector(device) - effect.vector(nominal)
+        for name in CHANNELS:
+            residual[name] = residual[name] + own[name] @ away
+    where = compute_coordinates(test, simulated["wave_angle"], simulated["amplitude"], nominal)
+    by_angle, factor = simulation.differentiate_by_angle(device, test), nominal.bryan_factor
+    turned = factor * (test.log.gyro_angle - simulated["gyro_angle"])
+    for name in CHANNELS[1:]:
+        residual[name] = residual[name] - by_angle.second_order(name, turned)
+    return LinearTest(
+        test, device, simulated, residual, sensitivities, where, by_angle.slopes, factor
+    )
+
+
+def compute_sensitivities(
+    simulation: Simulation, device: Device, test: ObservedTest, effects: Iterable[Effect]
+) -> dict[Effect, dict[str, Array]]:
+    """Change of a replay per unit of the effects' vectors at a device (Eq. 1).
+
+    Returns:
+        (n, d) by channel for each effect of size d, channel's SI unit over the vector's.
+
+    Raises:
+        GyroError: the FMU refuses a device; the message names test and effect.
+    """
+    change_to = simulation.make_difference_from(device, test)
+    sensitivities = {}
     for effect in effects:
         try:
-            columns = [_secant(change_to, device, effect, unit) for unit in np.eye(effect.size)]
+            directions = np.eye(effect.size)
+            columns = [_differentiate(change_to, device, effect, unit) for unit in directions]
         except GyroError as error:
             raise GyroError(f"{test.test.id}, with {effect.name}: {error}") from error
-        found[effect] = {
+        sensitivities[effect] = {
             name: np.column_stack([column[name] for column in columns]) for name in CHANNELS
         }
-    return found
+    return sensitivities
 
 
-def _secant(
-    change_to: Callable[[Device], Answers], device: Device, effect: Effect, unit: Array
+def _differentiate(
+    change_to: Callable[[Device], ChannelValues], device: Device, effect: Effect, unit: Array
 ) -> dict[str, Array]:
-    """(n,) by channel, along one direction; backwards where there is no way on."""
-    here, step = effect.vector(device), TOLERANCE * effect.scale
-    ways = (effect.put(device, here + sign * step * unit) for sign in (1, -1))
-    moved = next(way for way in ways if (effect.vector(way) - here) @ unit != 0)
-    apart = (effect.vector(moved) - here) @ unit
+    """(n,) by channel, along a unit vector; backwards where the effect is at its upper bound."""
+    here, step = effect.vector(device), STEP_SHARE * effect.scale
+    candidates = (effect.put(device, here + sign * step * unit) for sign in (1, -1))
+    moved = next(other for other in candidates if (effect.vector(other) - here) @ unit != 0)
+    distance = (effect.vector(moved) - here) @ unit
     change = change_to(moved)
-    return {name: change[name] / apart for name in CHANNELS}
+    return {name: change[name] / distance for name in CHANNELS}

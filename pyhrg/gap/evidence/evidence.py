@@ -1,8 +1,8 @@
-"""How well groups of columns explain a residual, with their sizes integrated out.
+"""Marginal likelihood (evidence) of sets of groups by Laplace's method.
 
-Each group has a size that may be anything: its prior is flat in direction and in the logarithm of
-its length, in deviations of the noise, from that of noise alone to `LARGEST`. The integral is
-Laplace's (R. E. Kass, A. E. Raftery, J. Am. Stat. Assoc. 90 (1995), Eq. (3)).
+A group is an effect or a candidate term with its d columns. The prior of its size is flat in
+direction and in the logarithm of its length in sigma (docs/methods/evidence.md, Eqs. (3), (4);
+R. E. Kass, A. E. Raftery, J. Am. Stat. Assoc. 90 (1995), Eq. (3)).
 """
 
 import math
@@ -14,29 +14,32 @@ from numpy.typing import NDArray
 from scipy.linalg import LinAlgError, cho_factor, cho_solve
 from scipy.special import gammaln
 
-from pyhrg.gap.effects.candidate_terms import Element
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Design, Group
 
 Array = NDArray[np.float64]
 
-LARGEST = 1e5
-"""Deviations of the noise that an effect may have."""
-SAME = 1e-7
-"""Columns of which less than this share of variance is left beside others are the same."""
-ALIKE = 1e-3
-"""The same of elements, which are rough: what two of them, or one and an effect, differ by when
-both are large says nothing."""
+MAX_SIGMA = 1e5
+"""Upper end of the prior of a group's size, in sigma: s_max of Eq. (4). Chosen; a factor of ten
+changes a log evidence by 0.2."""
+EFFECT_MIN_VARIANCE = 1e-7
+"""An effect is collinear with others when these leave less than this share of its columns' power.
+Chosen: of an effect of 1e5 sigma (`MAX_SIGMA`) it is 30 sigma."""
+TERM_MIN_VARIANCE = 1e-3
+"""A candidate term is collinear with others when these leave less than this share of its columns'
+power. Terms are approximate shapes: a small difference between two large terms has no meaning.
+Chosen."""
 
 
 @dataclass(frozen=True)
 class Fit:
-    """A set of groups fitted to the residual.
+    """A set of groups fitted to the residual by least squares.
 
-    log_evidence: over that of nothing at all.
-    explained: power of the residual that is explained, in deviations of the noise squared.
-    values: (d,) of each group, per unit of its columns.
-    covariance: (D, D) of all values, group after group.
+    log_evidence: logarithm of the Bayes factor of this set over the empty set.
+    explained: decrease of chi-square by the fit.
+    values: (d,) size of each group, in units of its columns (SI for an effect).
+    covariance: (D, D) of all sizes, group after group.
     """
 
     groups: tuple[Group, ...]
@@ -47,12 +50,12 @@ class Fit:
 
     @property
     def sizes(self) -> dict[Group, Array]:
-        """Values by group."""
+        """(d,) size of each group."""
         return dict(zip(self.groups, self.values, strict=True))
 
     @property
     def covariances(self) -> dict[Group, Array]:
-        """(d, d) of each group's own values."""
+        """(d, d) covariance of each group's own size."""
         ends = np.cumsum([len(values) for values in self.values]).tolist()
         parts = [slice(e - len(v), e) for e, v in zip(ends, self.values, strict=True)]
         own = [self.covariance[part, part] for part in parts]
@@ -60,33 +63,35 @@ class Fit:
 
     @property
     def named(self) -> dict[Effect, Array]:
-        """Those of the catalogue."""
+        """(d,) size of each effect of the catalogue."""
         return {group: size for group, size in self.sizes.items() if isinstance(group, Effect)}
 
 
 def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
-    """Fit groups; None where they are one and the same to these data."""
+    """Fit a set of groups (Eq. (3)); None where some of them are collinear in these tests."""
     if not groups:
         return Fit((), 0.0, 0.0, (), np.zeros((0, 0)))
-    groups = sorted(groups, key=lambda group: isinstance(group, Element))
-    where = np.concatenate([design.places[g] for g in groups])
+    groups = sorted(groups, key=lambda group: isinstance(group, CandidateTerm))
+    where = np.concatenate([design.columns[g] for g in groups])
     gram = design.gram[where[:, None], where]
     try:
         factor = cho_factor(gram)
     except LinAlgError:
         return None
     diagonal = np.diag(factor[0])
-    least = np.repeat([least_left(g) for g in groups], [len(design.places[g]) for g in groups])
-    if (diagonal**2 < least).any():
+    thresholds = np.repeat(
+        [min_free_variance(g) for g in groups], [len(design.columns[g]) for g in groups]
+    )
+    if (diagonal**2 < thresholds).any():
         return None
-    unit = cho_solve(factor, design.pull[where])
-    explained = float(design.pull[where] @ unit)
-    scale = 1 / design.lengths[where]
+    unit = cho_solve(factor, design.projection[where])
+    explained = float(design.projection[where] @ unit)
+    scale = 1 / design.norms[where]
     inverse = cho_solve(factor, np.eye(len(where)))
     log_evidence = explained / 2 - float(np.log(diagonal).sum())
     values, begin = [], 0
     for group in groups:
-        part = slice(begin, begin + len(design.places[group]))
+        part = slice(begin, begin + len(design.columns[group]))
         own = gram[part, part]
         log_evidence += _log_prior(own, unit[part]) + (part.stop - begin) / 2 * math.log(
             2 * math.pi
@@ -99,27 +104,35 @@ def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
 
 
 def log_evidence(power: Array, size: int) -> Array:
-    """Of groups whose columns are at right angles, over that of nothing.
+    """Log evidence of a single group of orthonormal columns over the empty set (Eq. (5)).
 
     Args:
-        power: of the residual that each explains, in deviations of the noise squared.
-        size: columns of each.
+        power: (n,) decrease of chi-square by each of n such groups.
+        size: number of columns of each group.
     """
     length = np.sqrt(np.maximum(power, size))
-    surface = math.log(2) + size / 2 * math.log(math.pi) - float(gammaln(size / 2))
-    prior = -surface - size * np.log(length) - math.log(math.log(LARGEST))
+    prior = -_log_sphere_area(size) - size * np.log(length) - math.log(math.log(MAX_SIGMA))
     return np.asarray(power / 2 + size / 2 * math.log(2 * math.pi) + prior)
 
 
-def least_left(group: Group) -> float:
-    """Share of variance that a group's columns must have left beside others."""
-    return ALIKE if isinstance(group, Element) else SAME
+def min_free_variance(group: Group) -> float:
+    """Share of a group's power that other groups must leave for the group to be fitted at all."""
+    return TERM_MIN_VARIANCE if isinstance(group, CandidateTerm) else EFFECT_MIN_VARIANCE
 
 
 def _log_prior(information: Array, values: Array) -> float:
-    """Density of a group's values where its own information is this."""
+    """Log prior density of a group's size (Eq. (4)).
+
+    Args:
+        information: (d, d) Fisher information of the group alone.
+        values: (d,) size.
+    """
     d = len(values)
     length = math.sqrt(max(float(values @ information @ values), d))
-    surface = math.log(2) + d / 2 * math.log(math.pi) - float(gammaln(d / 2))
     volume = float(np.linalg.slogdet(information)[1]) / 2
-    return volume - surface - d * math.log(length) - math.log(math.log(LARGEST))
+    return volume - _log_sphere_area(d) - d * math.log(length) - math.log(math.log(MAX_SIGMA))
+
+
+def _log_sphere_area(d: int) -> float:
+    """Log area of the unit sphere in d dimensions."""
+    return math.log(2) + d / 2 * math.log(math.pi) - float(gammaln(d / 2))

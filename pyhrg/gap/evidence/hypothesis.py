@@ -1,4 +1,4 @@
-"""Sets of effects, ranked under a noise of the output angle."""
+"""A hypothesis: a noise of the output angle, and the sets of effects ranked under it."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -7,130 +7,148 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
-from pyhrg.gap.effects.candidate_terms import Element
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.design import Design, LinearTest, Where, design, response_power, tempered
-from pyhrg.gap.evidence.feasibility import Possible
-from pyhrg.gap.evidence.jump_search import jumps
-from pyhrg.gap.evidence.noise.noise_levels import AngleRecord
-from pyhrg.gap.evidence.noise.noise_search import NoiseFound
-from pyhrg.gap.evidence.residuals import Taken, remainders, unlike
-from pyhrg.gap.evidence.search import Ranked, ranked
-from pyhrg.gap.evidence.step_search import steps
-from pyhrg.gap.whitening.channel_noise import ChannelNoise, believed_noise
+from pyhrg.gap.effects.design import (
+    Design,
+    LinearTest,
+    TestChannel,
+    build_design,
+    compute_excess_power,
+    discount_model_error,
+)
+from pyhrg.gap.evidence.feasibility import Feasibility
+from pyhrg.gap.evidence.jump_search import find_jumps
+from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
+from pyhrg.gap.evidence.noise.noise_levels import AngleResidual
+from pyhrg.gap.evidence.residuals import Removed, compute_residuals, distinct_by_groups
+from pyhrg.gap.evidence.search import Ranking, rank_sets
+from pyhrg.gap.evidence.step_search import find_steps
+from pyhrg.gap.whitening.channel_noise import CampaignNoise, estimate_campaign_noise
 
 Array = NDArray[np.float64]
 
-FIDELITY = 1e-10
-"""Share of the power of a response in one channel of one test that a simulation gets wrong:
-simulators of one physics that were written apart agree to 1e-5."""
+MODEL_ERROR_POWER = 1e-10
+"""Share of the power of a channel's response in a test that the simulation may get wrong (Eq. (9)).
+Derived: two simulators of the same physics, written independently, agree to 1e-5 of a response."""
 
 
 @dataclass(frozen=True)
 class Hypothesis:
-    """Sets ranked under a noise of the output angle.
+    """A noise of the output angle, and the sets of effects ranked under it.
 
-    channel_noise: of all channels.
-    design: whitened with it.
+    channel_noise: noise of all channels.
+    design: normal equations, whitened with it.
     """
 
-    noise: NoiseFound
-    channel_noise: ChannelNoise
+    noise: NoiseHypothesis
+    channel_noise: CampaignNoise
     design: Design
-    ranked: Ranked
+    ranking: Ranking
 
     @property
     def log_posterior(self) -> float:
-        """Of noise and sets together, but for a constant."""
-        return self.design.log_likelihood + self.ranked.log_evidence + self.noise.log_prior
+        """Log posterior probability of the noise, up to a constant, summed over sets (Eq. (8))."""
+        return self.design.log_likelihood + self.ranking.log_evidence + self.noise.log_prior
 
     @property
     def names(self) -> frozenset[str] | None:
-        """Effects and noises of the most probable set; None where something has no name."""
-        best = self.ranked.best
-        if self.noise.nameless or len(best.named) < len(best.groups):
+        """Effects and noises of the most probable set; None where it holds candidate terms or an
+        unnamed noise."""
+        best = self.ranking.best
+        if self.noise.unnamed or len(best.named) < len(best.groups):
             return None
-        return self._with_noises(best.named)
+        return self._with_noise_names(best.named)
 
     @property
     def every_name(self) -> frozenset[str]:
         """Effects of all sets, and noises."""
-        return self._with_noises(g for g in self.ranked.groups if isinstance(g, Effect))
+        return self._with_noise_names(g for g in self.ranking.groups if isinstance(g, Effect))
 
-    def _with_noises(self, effects: Iterable[Effect]) -> frozenset[str]:
+    def _with_noise_names(self, effects: Iterable[Effect]) -> frozenset[str]:
         names = [effect.name for effect in effects]
         return frozenset([*names, *(added.effect.name for added in self.noise.added)])
 
     def probability(self, *names: str) -> float:
-        """That one of the effects and noises of these names takes part, beside this noise."""
+        """Probability, given this noise, that one of the named effects and noises takes part."""
         if any(added.effect.name in names for added in self.noise.added):
             return 1.0
-        own = [g for g in self.ranked.groups if isinstance(g, Effect) and g.name in names]
-        return self.ranked.probability(*own)
+        own = [g for g in self.ranking.groups if isinstance(g, Effect) and g.name in names]
+        return self.ranking.probability(*own)
 
     @property
     def unnamed(self) -> dict[str, float]:
-        """What takes part outside the catalogue, in words, with probabilities."""
-        elements = [g for g in self.ranked.groups if isinstance(g, Element)]
-        found = dict.fromkeys((g.words for g in elements), 0.0)
-        for element in elements:
-            found[element.words] += self.ranked.probability(element)
-        return found | ({self.noise.nameless.words: 1.0} if self.noise.nameless else {})
+        """What takes part outside the catalogue, in words, with probabilities given this noise."""
+        terms = [g for g in self.ranking.groups if isinstance(g, CandidateTerm)]
+        probabilities = dict.fromkeys((term.words for term in terms), 0.0)
+        for term in terms:
+            probabilities[term.words] += self.ranking.probability(term)
+        noise = {self.noise.unnamed.words: 1.0} if self.noise.unnamed else {}
+        return probabilities | noise
 
     @property
     def unknown_probability(self) -> float:
-        """That something outside the catalogue takes part."""
-        return 1.0 if self.noise.nameless else self.ranked.unknown_probability
+        """Probability, given this noise, that something outside the catalogue takes part."""
+        return 1.0 if self.noise.unnamed else self.ranking.unknown_probability
 
 
-def ranked_under(
-    noise: NoiseFound, believed: Device, parts: Sequence[LinearTest], leftover: float = 0.0
+def rank_under_noise(
+    noise: NoiseHypothesis,
+    nominal: Device,
+    parts: Sequence[LinearTest],
+    linearization_error: float = 0.0,
 ) -> Hypothesis:
-    """Sets under one noise; with jumps, and of sizes that a gyro can have, unless what is left may
-    be a linear search's.
+    """Rank sets of effects and candidate terms under one noise of the output angle.
+
+    Jumps and steps that stand out of the residual are ranked too, and infeasible sizes are refused:
+    both only where the linearization error is negligible.
 
     Args:
-        noise: of the output angle.
-        believed: the gyro before the diagnosis.
-        parts: of each test.
-        leftover: power that linear equations may get wrong, in deviations of the believed noise
-            squared.
+        noise: noise of the output angle.
+        nominal: the gyro before the diagnosis.
+        parts: linear model of each test.
+        linearization_error: chi-square that the linear model may get wrong in each channel of each
+            test (Eq. (10)).
     """
-    as_believed = noise_as_believed(believed, parts)
-    wrong = allowed(response_power(parts, as_believed))
-    channels = replace(as_believed, angle=noise.noise)
-    exact = design(parts, channels)
-    near = tempered(exact, wrong)
-    if leftover:
-        far = tempered(exact, {where: leftover + power for where, power in wrong.items()})
-        return Hypothesis(noise, channels, near, ranked(far))
-    possible = Possible(believed, parts[0].secants)
-    found = ranked(near, possible)
-    taken = unlike(found.best.sizes, found.best.named)
-    left = [remainders(parts, one, channels, believed, ("gyro_angle",)) for one in taken]
-    if jumped := {jump for each in left for jump in (*jumps(each), *steps(each))}:
-        exact = design(parts, channels, sorted(jumped, key=lambda jump: jump.words))
-        near = tempered(exact, wrong)
-        found = ranked(near, possible)
-    return Hypothesis(noise, channels, near, found)
+    nominal_noise = estimate_nominal_noise(nominal, parts)
+    model_error = model_error_power(compute_excess_power(parts, nominal_noise))
+    channel_noise = replace(nominal_noise, angle=noise.noise)
+    exact = build_design(parts, channel_noise)
+    design = discount_model_error(exact, model_error)
+    if linearization_error:
+        error = {where: linearization_error + power for where, power in model_error.items()}
+        return Hypothesis(
+            noise, channel_noise, design, rank_sets(discount_model_error(exact, error))
+        )
+    is_feasible = Feasibility(nominal, parts[0].sensitivities)
+    ranking = rank_sets(design, is_feasible)
+    removed = distinct_by_groups(ranking.best.sizes, ranking.best.named)
+    residuals = [
+        compute_residuals(parts, r, channel_noise, nominal, ("gyro_angle",)) for r in removed
+    ]
+    if jumps := {jump for r in residuals for jump in (*find_jumps(r), *find_steps(r))}:
+        exact = build_design(parts, channel_noise, sorted(jumps, key=lambda jump: jump.words))
+        design = discount_model_error(exact, model_error)
+        ranking = rank_sets(design, is_feasible)
+    return Hypothesis(noise, channel_noise, design, ranking)
 
 
-def noise_as_believed(believed: Device, parts: Sequence[LinearTest]) -> ChannelNoise:
-    """Of all channels, before any noise is found."""
-    return believed_noise(believed, [p.test for p in parts], [p.residual for p in parts])
+def estimate_nominal_noise(nominal: Device, parts: Sequence[LinearTest]) -> CampaignNoise:
+    """Noise of all channels, that of the output angle as the nominal gyro states it."""
+    return estimate_campaign_noise(nominal, [p.test for p in parts], [p.residual for p in parts])
 
 
-def allowed(response: Mapping[Where, float]) -> dict[Where, float]:
-    """Power that a simulation may get wrong of that of a response."""
-    return {where: FIDELITY * power for where, power in response.items()}
+def model_error_power(response: Mapping[TestChannel, float]) -> dict[TestChannel, float]:
+    """Chi-square that the simulation may get wrong of responses with these powers (Eq. (9))."""
+    return {where: MODEL_ERROR_POWER * power for where, power in response.items()}
 
 
-def angles_left(
-    parts: Sequence[LinearTest], taken: Taken, noise: ChannelNoise, believed: Device
-) -> list[AngleRecord]:
-    """Output angles without what is taken out."""
-    left = remainders(parts, taken, noise, believed, ("gyro_angle",))
+def angle_residuals(
+    parts: Sequence[LinearTest], removed: Removed, noise: CampaignNoise, nominal: Device
+) -> list[AngleResidual]:
+    """Residual of the output angle in each test, with these groups removed."""
+    residuals = compute_residuals(parts, removed, noise, nominal, ("gyro_angle",))
     return [
-        AngleRecord(r.values, r.steps, part.test.encoder)
-        for r, part in zip(left, parts, strict=True)
+        AngleResidual(r.values, r.steps, part.test.encoder_noise)
+        for r, part in zip(residuals, parts, strict=True)
     ]

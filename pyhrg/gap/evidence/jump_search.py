@@ -1,4 +1,4 @@
-"""Jumps that stand out of what is left of an output angle."""
+"""Jumps of the bias that stand out of the residual of an output angle."""
 
 import math
 from collections.abc import Sequence
@@ -7,68 +7,69 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.gap.effects.jump import Jump, after, jump
+from pyhrg.gap.effects.jump import Jump, integrate_jump, make_bias_jump
 from pyhrg.gap.evidence.evidence import log_evidence
-from pyhrg.gap.evidence.residuals import Remainder
-from pyhrg.gap.whitening.whitening import whitened
+from pyhrg.gap.evidence.prior_odds import HALF_UNNAMED_ODDS
+from pyhrg.gap.evidence.residuals import Residual
+from pyhrg.gap.whitening.whitening import whiten
 
 Array = NDArray[np.float64]
 
-JUMP_ODDS = 0.025
-"""Prior odds that the bias jumps."""
 MOMENTS = 24
-"""Of a test that are looked at first, and then between the neighbours of the best."""
-LOOKED_AT = math.log(2 * MOMENTS)
+"""Number of moments of a test that are tried first, and again between the neighbours of the best.
+Chosen."""
+LOG_TRIALS = math.log(2 * MOMENTS)
+"""Logarithm of the number of moments that were tried: each has its share of the prior."""
 
 
 @dataclass(frozen=True)
-class _Seen:
-    """The likeliest jump of a test.
-
-    log_odds: that it is there rather than not.
-    """
+class _TestJump:
+    """The most probable jump of a test, and the log odds that it is there."""
 
     test: str
     time: float
     log_odds: float
 
 
-def jumps(remainders: Sequence[Remainder]) -> list[Jump]:
-    """The likeliest, and all that are likelier than not together, if that is likely.
+def find_jumps(residuals: Sequence[Residual]) -> list[Jump]:
+    """Up to two candidates: a jump in the most probable test alone, and jumps in all tests in which
+    a jump is more probable than not (docs/methods/evidence.md, Eq. (14)).
 
     Args:
-        remainders: of the output angle, all tests.
+        residuals: residual of the output angle in each test.
     """
-    telling = [r for r in remainders if len(r.values) > 2 * MOMENTS]
-    each = sorted(map(_likeliest, telling), key=lambda seen: -seen.log_odds)
-    likely = [one for one in each if one.log_odds > 0]
-    choices = [(likely[:1], len(telling)), (likely, 1)][: len(likely)]
-    found = []
-    for those, among in choices:
-        prior = math.log(JUMP_ODDS / 2 / among)
-        if prior + sum(one.log_odds for one in those) > 0:
-            times = [(one.test, one.time) for one in those]
-            found.append(jump(times, prior - len(those) * LOOKED_AT))
-    return found
+    long = [r for r in residuals if len(r.values) > 2 * MOMENTS]
+    by_test = sorted(map(_most_probable, long), key=lambda jump: -jump.log_odds)
+    probable = [jump for jump in by_test if jump.log_odds > 0]
+    choices = [(probable[:1], len(long)), (probable, 1)][: len(probable)]
+    candidates = []
+    for jumps, alternatives in choices:
+        prior = math.log(HALF_UNNAMED_ODDS / 2 / alternatives)
+        if prior + sum(jump.log_odds for jump in jumps) > 0:
+            times = [(jump.test, jump.time) for jump in jumps]
+            candidates.append(make_bias_jump(times, prior - len(jumps) * LOG_TRIALS))
+    return candidates
 
 
-def _likeliest(r: Remainder) -> _Seen:
-    times = _between(r.times[0], r.times[-1])
+def _most_probable(r: Residual) -> _TestJump:
+    times = _moments(r.times[0], r.times[-1])
     best = times[np.argmax(_powers(r, times))]
     step = times[1] - times[0]
-    times = _between(best - step, best + step)
+    times = _moments(best - step, best + step)
     powers = _powers(r, times)
-    score = float(log_evidence(powers, 1).max()) - LOOKED_AT
-    return _Seen(r.test, float(times[np.argmax(powers)]), score)
+    log_odds = float(log_evidence(powers, 1).max()) - LOG_TRIALS
+    return _TestJump(r.test, float(times[np.argmax(powers)]), log_odds)
 
 
-def _between(begin: float, end: float) -> Array:
+def _moments(begin: float, end: float) -> Array:
     return np.linspace(begin, end, MOMENTS + 2)[1:-1]
 
 
-def _powers(r: Remainder, times: Array) -> Array:
-    """(k,) that a jump at each time explains, in deviations of the noise squared."""
-    white = whitened(after(r.times, times), r.steps, r.noise).series
-    lengths = (white**2).sum(axis=0)
-    pull = r.white @ white
-    return np.divide(pull**2, lengths, out=np.zeros_like(pull), where=lengths > 0)
+def _powers(r: Residual, times: Array) -> Array:
+    """(k,) decrease of chi-square by a jump at each time."""
+    white = whiten(integrate_jump(r.times, times), r.steps, r.noise).series
+    information = (white**2).sum(axis=0)
+    projection = r.white @ white
+    return np.divide(
+        projection**2, information, out=np.zeros_like(projection), where=information > 0
+    )

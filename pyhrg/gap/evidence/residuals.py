@@ -1,4 +1,4 @@
-"""What is left of the records when effects and elements of stated sizes are taken out."""
+"""Residuals: the records without effects and candidate terms of given sizes."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -8,32 +8,32 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
-from pyhrg.gap.effects import candidate_terms as unknown
+from pyhrg.gap.effects import candidate_terms
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Group, LinearTest
 from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.replay.observations import CHANNELS, Mask
-from pyhrg.gap.whitening.channel_noise import ChannelNoise
-from pyhrg.gap.whitening.whitening import SlowNoise, whitened
+from pyhrg.gap.whitening.channel_noise import CampaignNoise
+from pyhrg.gap.whitening.whitening import NoiseModel, whiten
 from pyhrg.records import Log
 
 Array = NDArray[np.float64]
-Taken = Mapping[Group, Array]
-"""Sizes of what is taken out of a record, by group."""
+Removed = Mapping[Group, Array]
+"""Size of each group that is removed from the records."""
 
-NOMINAL = 0.05
-"""Share by which an amplitude may be off and still be the nominal one."""
+AMPLITUDE_TOLERANCE = 0.05
+"""An amplitude set point counts as nominal when it differs by less than this share. Chosen."""
 
 
 @dataclass(frozen=True)
-class Remainder:
-    """What is left of one channel in one test.
+class Residual:
+    """Residual of one channel in one test.
 
-    values: (n,) SI.
-    steps: (n,) time from the reading before, s.
+    values: (n,) record less simulation, SI.
+    steps: (n,) time since the reading before, s.
     interval: length of a row, s.
-    noise: that it should be.
-    left_out: (n,) by the simulation, as `whitened` has it.
+    noise: noise model of the channel.
+    carrier_terms: (n,) shape that may be there in any size (`whiten`'s last argument).
     """
 
     test: str
@@ -41,84 +41,94 @@ class Remainder:
     values: Array
     steps: Array
     interval: float
-    noise: SlowNoise
-    left_out: Array | None = None
+    noise: NoiseModel
+    carrier_terms: Array | None = None
 
     @cached_property
     def white(self) -> Array:
-        """(n,) in deviations of the noise."""
-        return whitened(self.values[:, None], self.steps, self.noise, self.left_out).series[:, 0]
+        """(n,) whitened, in sigma."""
+        return whiten(self.values[:, None], self.steps, self.noise, self.carrier_terms).series[:, 0]
 
     @property
     def times(self) -> Array:
-        """(n,) s."""
+        """(n,) time of each reading, s."""
         return np.cumsum(self.steps)
 
 
-def remainders(
+def compute_residuals(
     parts: Sequence[LinearTest],
-    taken: Taken,
-    noise: ChannelNoise,
-    believed: Device,
+    removed: Removed,
+    noise: CampaignNoise,
+    nominal: Device,
     channels: Sequence[str] = CHANNELS,
-) -> list[Remainder]:
-    """Of channels, all tests of each; of the output angle while the amplitude is nominal: at a
-    smaller one all its noise is larger."""
-    shared: Taken = {g: v for g, v in taken.items() if isinstance(g, Effect) or _is_output(g)}
-    found = []
+) -> list[Residual]:
+    """Residuals of some channels in all tests.
+
+    The output angle is used only while the amplitude is nominal: at a smaller amplitude its noise
+    is larger. Other channels are compared where the pattern is as measured.
+
+    Args:
+        parts: linear model of each test.
+        removed: sizes of the groups to remove.
+        noise: noise of all channels.
+        nominal: its amplitude is used.
+        channels: fields of a log.
+    """
+    of_output: Removed = {
+        g: v for g, v in removed.items() if isinstance(g, Effect) or _is_output_step(g)
+    }
+    residuals = []
     for index, part in enumerate(parts):
-        turned = _left(part, shared, "gyro_angle", index)[:, None]
+        angle = _subtract(part, of_output, "gyro_angle", index)[:, None]
         for channel in channels:
-            left = _left(part, taken, channel, index)[:, None]
-            values = part.at_measured_angle(left, turned, channel)[:, 0]
+            series = _subtract(part, removed, channel, index)[:, None]
+            values = part.at_measured_angle(series, angle, channel)[:, 0]
             rows = part.test.rows[channel]
             if channel == "gyro_angle":
-                rows = rows & is_nominal(part.test.log, believed)
-            steps = np.diff(part.test.log.time[rows], prepend=0.0)
-            own = noise.of(channel, part.test)
-            name, interval = part.test.test.id, part.test.log.interval
-            out = part.left_out(channel)[rows]
-            found.append(Remainder(name, channel, values[rows], steps, interval, own, out))
-    return found
+                rows = rows & is_nominal(part.test.log, nominal)
+            residuals.append(
+                Residual(
+                    part.test.test.id,
+                    channel,
+                    values[rows],
+                    np.diff(part.test.log.time[rows], prepend=0.0),
+                    part.test.log.interval,
+                    noise.get_model(channel, part.test),
+                    part.carrier_terms(channel)[rows],
+                )
+            )
+    return residuals
 
 
-def _is_output(group: Group) -> bool:
-    """Whether it moves the output alone, and not the pattern that other channels see."""
+def _is_output_step(group: Group) -> bool:
+    """Whether a group moves the output alone, and not the pattern that other channels see."""
     return isinstance(group, Jump) and group.kind == "output"
 
 
-def unlike(*taken: Taken | Mapping[Effect, Array]) -> list[Taken]:
-    """Those that differ in their groups."""
-    found: dict[tuple[Group, ...], Taken] = {}
-    for one in taken:
-        found[tuple(one)] = dict[Group, Array](one.items())
-    return list(found.values())
+def distinct_by_groups(*choices: Removed | Mapping[Effect, Array]) -> list[Removed]:
+    """The choices whose groups differ."""
+    by_groups: dict[tuple[Group, ...], Removed] = {}
+    for removed in choices:
+        by_groups[tuple(removed)] = dict[Group, Array](removed.items())
+    return list(by_groups.values())
 
 
-def _left(part: LinearTest, taken: Taken, channel: str, index: int) -> Array:
-    """(n,) of a channel's residual.
-
-    Args:
-        part: of one test.
-        taken: out of it.
-        channel: a field of a log.
-        index: of the test.
-    """
-    left = part.residual[channel].copy()
-    elements = {
-        g: v for g, v in taken.items() if not isinstance(g, Effect) and g.channel == channel
-    }
-    columns = dict(unknown.columns(part.where, channel)) if elements else {}
-    columns |= {g: g.columns(part.where) for g in elements if isinstance(g, Jump)}
-    for group, value in taken.items():
+def _subtract(part: LinearTest, removed: Removed, channel: str, index: int) -> Array:
+    """(n,) residual of a channel in the test of this index, less the groups' responses."""
+    residual = part.residual[channel].copy()
+    terms = {g for g in removed if not isinstance(g, Effect) and g.channel == channel}
+    columns = dict(candidate_terms.build_term_columns(part.where, channel)) if terms else {}
+    columns |= {g: g.columns(part.where) for g in terms if isinstance(g, Jump)}
+    for group, size in removed.items():
         if isinstance(group, Effect):
-            left -= part.secants[group][channel] @ value
-        elif group in elements:
-            left -= columns[group] @ (value[[index]] if group.is_of_each_power_on else value)
-    return left
+            residual -= part.sensitivities[group][channel] @ size
+        elif group in terms:
+            residual -= columns[group] @ (size[[index]] if group.is_of_each_power_on else size)
+    return residual
 
 
-def is_nominal(log: Log, believed: Device) -> Mask:
+def is_nominal(log: Log, nominal: Device) -> Mask:
     """(n,) rows in which the drive holds the nominal amplitude."""
-    near = np.abs(log.amplitude_setpoint - believed.amplitude) < NOMINAL * believed.amplitude
-    return np.asarray(near & (log.drive_on > 0))
+    difference = np.abs(log.amplitude_setpoint - nominal.amplitude)
+    is_near = difference < AMPLITUDE_TOLERANCE * nominal.amplitude
+    return np.asarray(is_near & (log.drive_on > 0))

@@ -1,5 +1,8 @@
-"""Which sets of effects, named and unnamed, explain a residual: the best sets found so far are
-extended and reduced until the best ones have all been."""
+"""Search for the sets of effects and candidate terms that explain a residual.
+
+A beam search: the best sets so far are extended by one group and reduced by one group, until all of
+the best sets have been (docs/methods/evidence.md, "Search").
+"""
 
 import math
 from collections.abc import Callable, Collection, Mapping, Sequence
@@ -12,32 +15,32 @@ from scipy.special import logsumexp
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Design, Group
 from pyhrg.gap.effects.jump import Jump
-from pyhrg.gap.evidence.evidence import Fit, fit, least_left
+from pyhrg.gap.evidence.evidence import Fit, fit, min_free_variance
+from pyhrg.gap.evidence.prior_odds import EFFECT_ODDS, UNNAMED_ODDS
 
 Array = NDArray[np.float64]
+Key = frozenset[int]
+"""A set of groups, by their indices."""
 
-TRIED = 24
-"""Groups by which a set is extended."""
-BEAM = 10
-"""Best sets that are extended, and reduced."""
-MOST = 12
-"""Groups in a set."""
-NAMED_ODDS = 0.25
-"""Prior odds that some effect of the catalogue takes part."""
-UNNAMED_ODDS = 0.05
-"""Prior odds that something outside the catalogue takes part."""
-IMPOSSIBLE = 1e-12
-"""Weight of sets that are not kept."""
-HOPELESS = 30.0
-"""Sets whose evidence is this far below the best are let go."""
+MAX_EXTENSIONS = 24
+"""Number of groups by which a set is extended: those with the highest score. Chosen."""
+BEAM_WIDTH = 10
+"""Number of best sets that are extended and reduced. Chosen."""
+MAX_GROUPS = 12
+"""Number of groups that a set may have. Chosen: the challenge plants up to 7."""
+MIN_PROBABILITY = 1e-12
+"""Sets with a smaller posterior probability are not kept. Chosen."""
+MAX_LOG_ODDS_BELOW_BEST = 30.0
+"""Sets whose log posterior is further below the best are not extended: together they could not
+reach a probability of 1e-10. Chosen."""
 
 
 @dataclass(frozen=True)
-class Ranked:
-    """Sets by probability, the most probable first.
+class Ranking:
+    """Sets by posterior probability, the most probable first.
 
-    probabilities: of each fit; they add up to 1.
-    log_evidence: of all of them together, over that of nothing at all.
+    probabilities: posterior probability of each fit; they add up to 1 (Eq. (7)).
+    log_evidence: log evidence of all sets together, over that of the empty set.
     """
 
     fits: tuple[Fit, ...]
@@ -51,115 +54,122 @@ class Ranked:
 
     @property
     def groups(self) -> tuple[Group, ...]:
-        """Of all sets, those of the most probable ones first."""
+        """Groups of all sets, those of the most probable sets first."""
         return tuple(dict.fromkeys(group for fit in self.fits for group in fit.groups))
 
     def probability(self, *groups: Group) -> float:
-        """That one of these groups takes part."""
+        """Posterior probability that one of these groups takes part."""
         pairs = zip(self.fits, self.probabilities, strict=True)
         return sum(p for f, p in pairs if any(group in f.groups for group in groups))
 
     @property
     def unknown_probability(self) -> float:
-        """That something outside the catalogue takes part."""
+        """Posterior probability that something outside the catalogue takes part."""
         pairs = zip(self.fits, self.probabilities, strict=True)
         return sum(p for f, p in pairs if any(not isinstance(g, Effect) for g in f.groups))
 
 
-def ranked(design: Design, is_possible: Callable[[Fit], bool] = lambda fit: True) -> Ranked:
-    """Search among all groups that the tests can see.
+def rank_sets(design: Design, is_feasible: Callable[[Fit], bool] = lambda fit: True) -> Ranking:
+    """Rank sets of all groups that the tests can see at all.
 
     Args:
-        design: of a campaign.
-        is_possible: whether a gyro can have a fit's sizes.
+        design: normal equations of a campaign.
+        is_feasible: whether a gyro can have the sizes of a fit.
     """
     groups = design.groups
-    odds = log_odds(groups)
-    prior = [odds[g] for g in groups]
-    found: dict[frozenset[int], tuple[Fit, float]] = {}
-    refused: set[frozenset[int]] = set()
+    log_odds = prior_log_odds(groups)
+    prior = [log_odds[g] for g in groups]
+    fits: dict[Key, tuple[Fit, float]] = {}
+    refused: set[Key] = set()
 
-    def look_at(key: frozenset[int]) -> None:
-        if key in found or key in refused:
+    def evaluate(key: Key) -> None:
+        if key in fits or key in refused:
             return
         fitted = fit(design, [groups[i] for i in sorted(key)])
-        if fitted is None or not is_possible(fitted):
+        if fitted is None or not is_feasible(fitted):
             refused.add(key)
         else:
-            found[key] = fitted, fitted.log_evidence + sum(prior[i] for i in key)
+            fits[key] = fitted, fitted.log_evidence + sum(prior[i] for i in key)
 
-    look_at(frozenset())
-    extended: set[frozenset[int]] = set()
-    while start := _next_best(found, extended):
-        extended.update(start)
-        for key in start:
+    evaluate(frozenset())
+    extended: set[Key] = set()
+    while due := _select_next(fits, extended):
+        extended.update(due)
+        for key in due:
             for index in key:
-                look_at(key - {index})
-            if len(key) < MOST:
-                for index in _promising(design, groups, key, prior):
-                    look_at(key | {index})
-    return _normalised(list(found.values()))
+                evaluate(key - {index})
+            if len(key) < MAX_GROUPS:
+                for index in _select_extensions(design, groups, key, prior):
+                    evaluate(key | {index})
+    return _normalize(list(fits.values()))
 
 
-def _next_best(
-    found: Mapping[frozenset[int], tuple[Fit, float]], extended: Collection[frozenset[int]]
-) -> list[frozenset[int]]:
-    """Sets to be extended: of the best ones those that are not yet, and that are not hopeless."""
-    order = sorted(found, key=lambda key: -found[key][1])[:BEAM]
-    least = found[order[0]][1] - HOPELESS
-    are_first = len(extended) <= BEAM
-    return [k for k in order if k not in extended and (are_first or found[k][1] > least)]
+def _select_next(fits: Mapping[Key, tuple[Fit, float]], extended: Collection[Key]) -> list[Key]:
+    """The best sets that were not extended yet, without those that are far below the best."""
+    order = sorted(fits, key=lambda key: -fits[key][1])[:BEAM_WIDTH]
+    threshold = fits[order[0]][1] - MAX_LOG_ODDS_BELOW_BEST
+    is_first = len(extended) <= BEAM_WIDTH
+    return [k for k in order if k not in extended and (is_first or fits[k][1] > threshold)]
 
 
-def _promising(
-    design: Design, groups: Sequence[Group], start: frozenset[int], prior: Sequence[float]
+def _select_extensions(
+    design: Design, groups: Sequence[Group], key: Key, prior: Sequence[float]
 ) -> list[int]:
-    """Groups that would explain most of what a set leaves, the best first."""
-    gram, pull = design.gram, design.pull
-    if start:
-        taken = np.concatenate([design.places[groups[i]] for i in start])
-        across = np.linalg.solve(gram[np.ix_(taken, taken)], gram[taken])
-        pull = pull - pull[taken] @ across
-        gram = gram - gram[:, taken] @ across
-    gains = {}
+    """Indices of the groups that would explain most of a set's residual, the best first."""
+    gram, projection = design.gram, design.projection
+    if key:
+        fitted = np.concatenate([design.columns[groups[i]] for i in key])
+        coefficients = np.linalg.solve(gram[np.ix_(fitted, fitted)], gram[fitted])
+        projection = projection - projection[fitted] @ coefficients
+        gram = gram - gram[:, fitted] @ coefficients
+    scores = {}
     for index, group in enumerate(groups):
-        if index not in start:
-            where = design.places[group]
+        if index not in key:
+            where = design.columns[group]
             own = gram[where[:, None], where]
-            gains[index] = _gain(own, pull[where], least_left(group)) / 2 + prior[index]
-    return sorted(gains, key=lambda i: -gains[i])[:TRIED]
+            power = _explained_power(own, projection[where], min_free_variance(group))
+            scores[index] = power / 2 + prior[index]
+    return sorted(scores, key=lambda i: -scores[i])[:MAX_EXTENSIONS]
 
 
-def _gain(gram: Array, pull: Array, least: float) -> float:
-    """Power that columns explain beside others; none of what is left of them is too little."""
-    if len(pull) == 1:
-        return float(pull[0] ** 2 / gram[0, 0]) if gram[0, 0] > least else 0.0
+def _explained_power(gram: Array, projection: Array, min_variance: float) -> float:
+    """Decrease of chi-square by columns beside a fitted set; directions in which the set leaves too
+    little of the columns count nothing.
+
+    Args:
+        gram: (d, d) products of the columns, orthogonal to the set.
+        projection: (d,) their products with the residual.
+        min_variance: threshold for the eigenvalues of `gram`.
+    """
+    if len(projection) == 1:
+        return float(projection[0] ** 2 / gram[0, 0]) if gram[0, 0] > min_variance else 0.0
     values, vectors = np.linalg.eigh(gram)
-    along = vectors.T @ pull
-    kept = values > least
+    along = vectors.T @ projection
+    kept = values > min_variance
     return float((along[kept] ** 2 / values[kept]).sum())
 
 
-def log_odds(groups: Sequence[Group]) -> Mapping[Group, float]:
-    """Prior log odds that each group takes part."""
-    named = sum(isinstance(g, Effect) for g in groups)
-    steady = sum(not isinstance(g, Effect | Jump) for g in groups)
+def prior_log_odds(groups: Sequence[Group]) -> Mapping[Group, float]:
+    """Prior log odds that each group takes part (Eq. (6))."""
+    effects = sum(isinstance(g, Effect) for g in groups)
+    terms = sum(not isinstance(g, Effect | Jump) for g in groups)
 
     def prior(group: Group) -> float:
         if isinstance(group, Jump):
             return group.log_odds
-        is_named = isinstance(group, Effect)
-        return math.log(NAMED_ODDS / named if is_named else UNNAMED_ODDS / steady)
+        is_effect = isinstance(group, Effect)
+        return math.log(EFFECT_ODDS / effects if is_effect else UNNAMED_ODDS / terms)
 
     return {group: prior(group) for group in groups}
 
 
-def _normalised(pairs: Sequence[tuple[Fit, float]]) -> Ranked:
-    order = sorted(pairs, key=lambda pair: -pair[1])
+def _normalize(scored: Sequence[tuple[Fit, float]]) -> Ranking:
+    """Posterior probabilities from log posteriors (Eq. (7))."""
+    order = sorted(scored, key=lambda pair: -pair[1])
     scores = np.array([score for _, score in order])
     weights = np.exp(scores - logsumexp(scores))
-    kept = weights > IMPOSSIBLE
-    return Ranked(
+    kept = weights > MIN_PROBABILITY
+    return Ranking(
         tuple(f for (f, _), k in zip(order, kept, strict=True) if k),
         tuple(float(w) for w in weights[kept] / weights[kept].sum()),
         float(logsumexp(scores)),

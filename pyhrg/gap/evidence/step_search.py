@@ -1,4 +1,4 @@
-"""Steps of the output angle that stand out of what is left of it."""
+"""Steps of the output angle that stand out of its residual."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -8,80 +8,83 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.signal import fftconvolve
 
-from pyhrg.gap.effects.jump import Jump, Kind, since, step
+from pyhrg.gap.effects.jump import Jump, Kind, evaluate_step, make_step
 from pyhrg.gap.evidence.evidence import log_evidence
-from pyhrg.gap.evidence.residuals import Remainder
-from pyhrg.gap.whitening.whitening import whitened
+from pyhrg.gap.evidence.prior_odds import HALF_UNNAMED_ODDS
+from pyhrg.gap.evidence.residuals import Residual
+from pyhrg.gap.whitening.whitening import whiten
 
 Array = NDArray[np.float64]
 
 KINDS: tuple[Kind, ...] = ("pattern", "output")
-STEP_ODDS = 0.025
-"""Steps that are expected in a campaign."""
-MOST = 5
-"""Steps of a campaign; more are noise."""
-LEAST_ROWS = 20
-"""Of a test that is looked at."""
-NEAR = np.arange(-1, 2)
-"""Rows beside the likeliest by a common shape, which are looked at by their own."""
+MAX_STEPS = 5
+"""More steps in one campaign are read as noise. Chosen."""
+MIN_ROWS = 20
+"""Rows that a test must have for steps to be looked for. Chosen."""
+NEIGHBOURS = np.arange(-1, 2)
+"""Rows around the best approximate one for which the exact response is computed."""
 
 
 @dataclass(frozen=True)
-class _Seen:
-    """A step, and the power that it explains."""
+class _Step:
+    """A step at a time, and the decrease of chi-square by it."""
 
     test: str
     time: float
     power: float
 
 
-def steps(remainders: Sequence[Remainder]) -> list[Jump]:
-    """The steps that are likelier than not, the greatest alone, with the next, and so on: of the
-    pattern, or of the output; none where they are many.
+def find_steps(residuals: Sequence[Residual]) -> list[Jump]:
+    """Candidates: the greatest step alone, the two greatest, and so on, each as steps of the
+    pattern and as steps of the output alone (docs/methods/evidence.md, Eq. (15)).
+
+    Only steps that are more probable than not count. There are no candidates where there are more
+    than `MAX_STEPS` of them.
 
     Args:
-        remainders: of the output angle, all tests.
+        residuals: residual of the output angle in each test.
     """
-    telling = [r for r in remainders if len(r.values) > LEAST_ROWS]
-    rows = sum(len(r.values) for r in telling)
+    long = [r for r in residuals if len(r.values) > MIN_ROWS]
+    rows = sum(len(r.values) for r in long)
     if not rows:
         return []
-    prior = math.log(STEP_ODDS / rows)
-    found = [seen for r in telling for seen in _standing_out(r, prior)]
-    if not 0 < len(found) <= MOST:
+    prior = math.log(HALF_UNNAMED_ODDS / rows)
+    steps = [step for r in long for step in _pursue_steps(r, prior)]
+    if not 0 < len(steps) <= MAX_STEPS:
         return []
-    found.sort(key=lambda one: -one.power)
+    steps.sort(key=lambda step: -step.power)
     return [
-        step(sorted((one.test, one.time) for one in found[:count]), count * prior, kind)
-        for count in range(1, len(found) + 1)
+        make_step(sorted((step.test, step.time) for step in steps[:count]), count * prior, kind)
+        for count in range(1, len(steps) + 1)
         for kind in KINDS
     ]
 
 
-def _standing_out(r: Remainder, prior: float) -> Iterator[_Seen]:
-    """Steps of a test one after the other, the greatest first, each beside those before."""
-    white, taken = r.white.copy(), np.empty((len(r.white), 0))
-    for _ in range(MOST + 1):
-        at = int(np.argmax(_roughly(r, white)))
-        near = np.clip(at + NEAR, 0, len(white) - 1)
-        columns = whitened(since(r.times, r.times[near]), r.steps, r.noise).series
-        columns = columns - taken @ (taken.T @ columns)
-        lengths = np.sqrt((columns**2).sum(axis=0))
-        units = np.divide(columns, lengths, out=np.zeros_like(columns), where=lengths > 0)
+def _pursue_steps(r: Residual, prior: float) -> Iterator[_Step]:
+    """Steps of a test by orthogonal matching pursuit, the greatest first."""
+    white, removed = r.white.copy(), np.empty((len(r.white), 0))
+    for _ in range(MAX_STEPS + 1):
+        best_row = int(np.argmax(_approximate_powers(r, white)))
+        rows = np.clip(best_row + NEIGHBOURS, 0, len(white) - 1)
+        columns = whiten(evaluate_step(r.times, r.times[rows]), r.steps, r.noise).series
+        columns = columns - removed @ (removed.T @ columns)
+        norms = np.sqrt((columns**2).sum(axis=0))
+        units = np.divide(columns, norms, out=np.zeros_like(columns), where=norms > 0)
         powers = (white @ units) ** 2
         best = int(np.argmax(powers))
         if prior + float(log_evidence(powers, 1)[best]) <= 0:
             return
-        yield _Seen(r.test, float(r.times[near[best]]), float(powers[best]))
-        taken = np.column_stack([taken, units[:, best]])
+        yield _Step(r.test, float(r.times[rows[best]]), float(powers[best]))
+        removed = np.column_stack([removed, units[:, best]])
         white = white - units[:, best] * (white @ units[:, best])
 
 
-def _roughly(r: Remainder, white: Array) -> Array:
-    """(n,) power that a step at each row explains, were its shape that of one in the middle."""
+def _approximate_powers(r: Residual, white: Array) -> Array:
+    """(n,) decrease of chi-square by a step at each row, if every step had the whitened shape of
+    the one in the middle of the test."""
     n = len(white)
     middle = n // 2
-    begun = whitened(since(r.times, r.times[[middle]]), r.steps, r.noise).series[middle:, 0]
-    shape = np.append(begun, np.full(middle, begun[-1]))
-    pull = fftconvolve(white, shape[::-1])[n - 1 :]
-    return np.asarray(pull**2 / np.cumsum(shape**2)[::-1])
+    tail = whiten(evaluate_step(r.times, r.times[[middle]]), r.steps, r.noise).series[middle:, 0]
+    shape = np.append(tail, np.full(middle, tail[-1]))
+    projection = fftconvolve(white, shape[::-1])[n - 1 :]
+    return np.asarray(projection**2 / np.cumsum(shape**2)[::-1])

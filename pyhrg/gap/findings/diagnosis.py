@@ -1,23 +1,28 @@
-"""What a diagnosis says: the campaign format's `diagnosis.json`."""
+"""A diagnosis as data, and its file: the campaign format's `diagnosis.json`, written and read."""
 
 import json
+import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, cast, get_args
 
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
+from pyhrg.common.toml_table import TomlTable
+from pyhrg.gap.findings.localisation import Place
 from pyhrg.gap.findings.quantity import Size
+from pyhrg.records.campaign_index import read_index
 
 SCHEMA = "hrg-diagnosis/1"
 FILE = "diagnosis.json"
-WIDENED = 1.1
-"""Residual after closing over that before from which closing has made it worse."""
-UNSETTLED = "The search did not come to rest: all of this is uncertain."
-WIDER = (
-    "Closing takes the simulation further away from the records: what is named stands in for "
-    "something that has no name."
+WORSE_RATIO = 1.1
+"""Closing has made the simulation worse when the residual after it exceeds the one before by this
+factor. Chosen."""
+UNSETTLED = "The search did not converge: every statement of this diagnosis is uncertain."
+WORSE = (
+    "Closing takes the simulation further away from the records: the named causes stand in for "
+    "something that the catalogue does not hold."
 )
 Verdict = Literal["no_gap", "explained", "ambiguous", "unexplained"]
 
@@ -30,33 +35,31 @@ class DiagnosisError(HrgError):
 class Cause:
     """An effect that takes part.
 
-    probability: that it, or one of its equivalents, takes part.
-    parameters: totals by the format's names, in its units; `interval_95` alike.
-    equivalents: effects that these data can't tell from it.
+    probability: posterior probability that it, or one of its equivalents, takes part.
+    parameters: total values by the format's names, in its units.
+    interval_95: 95 % interval of each parameter, in the same units.
+    equivalents: effects that are confounded with it in these tests.
     """
 
     effect: str
     probability: float
-    parameters: Mapping[str, float]
-    interval_95: Mapping[str, tuple[float, float]]
+    parameters: Mapping[str, float] = field(default_factory=dict)
+    interval_95: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     equivalents: tuple[str, ...] = ()
 
-
-@dataclass(frozen=True)
-class Where:
-    """A share of the residual's excess power."""
-
-    test: str
-    channel: str
-    coordinate: str
-    share: float
-    sigmas: float
-    harmonic: int | None = None
+    @property
+    def equivalence_class(self) -> frozenset[str]:
+        """The effect and its equivalents."""
+        return frozenset((self.effect, *self.equivalents))
 
 
 @dataclass(frozen=True)
 class GapFigure:
-    """Root mean square of a residual: before, after, and what noise alone leaves."""
+    """Root mean square of a residual before and after closing.
+
+    floor: what noise alone would leave of a perfect simulation (median of draws).
+    floor_95: 95 % interval of the floor.
+    """
 
     before: float
     after: float
@@ -66,12 +69,14 @@ class GapFigure:
 
 @dataclass(frozen=True)
 class Gap:
-    """On tests that were fitted to and on those held out.
+    """Size of the gap on the tests that were fitted to and on the held-out ones.
 
-    fit_angle_arcsec, holdout_angle_arcsec: of the output angle.
-    fit_rate_deg_h, holdout_rate_deg_h: of the rate over 100 s; None where all tests are shorter.
-    shrink_percent: of the excess over the floor, in the angle, on the held-out tests.
-    whiteness: p-value that what is left on the held-out tests is white.
+    fit_angle_arcsec, holdout_angle_arcsec: residual of the output angle.
+    fit_rate_deg_h, holdout_rate_deg_h: residual of the rate over 100 s; None where all tests are
+        shorter.
+    shrink_percent: share of the excess over the floor that closing removes, in the angle of the
+        held-out tests; None without such tests or without an excess.
+    whiteness: p-value that the whitened residual of the held-out tests is white.
     """
 
     fit_angle_arcsec: GapFigure
@@ -83,16 +88,16 @@ class Gap:
 
     @property
     def is_wider(self) -> bool:
-        """Whether closing has taken the simulation away from tests that it was fitted to."""
+        """Whether closing has moved the simulation away from the tests that it was fitted to."""
         fit = self.fit_angle_arcsec
-        return fit.after > max(WIDENED * fit.before, fit.floor_95[1])
+        return fit.after > max(WORSE_RATIO * fit.before, fit.floor_95[1])
 
 
 @dataclass(frozen=True)
 class NextTest:
     """The test that would best separate what is still confounded.
 
-    hours: of it that would do.
+    hours: duration of this test that is enough.
     """
 
     kind: str
@@ -102,19 +107,21 @@ class NextTest:
 
 @dataclass(frozen=True)
 class Diagnosis:
-    """All of it.
+    """All that a diagnosis says.
 
-    sizes: of the gap in deviations of the noise, by test, channel and time scale.
-    unnamed: what takes part outside the catalogue, in words, with probabilities.
+    unknown_probability: posterior probability that something outside the catalogue takes part.
+    where: shares of the residual's excess power, the largest first.
+    sizes: the gap in sigma, by test, channel and time scale.
+    unnamed: what takes part outside the catalogue, in words, with posterior probabilities.
     excluded: what of the campaign was missing or left out, a sentence each.
-    settled: whether the search came to rest; what it says is uncertain where it did not.
+    settled: whether the search converged; everything is uncertain where it did not.
     """
 
     device: str
     verdict: Verdict
     causes: tuple[Cause, ...]
     unknown_probability: float
-    where: tuple[Where, ...]
+    where: tuple[Place, ...]
     sizes: tuple[Size, ...]
     gap: Gap
     next_test: NextTest | None
@@ -124,34 +131,40 @@ class Diagnosis:
 
     @property
     def caveats(self) -> list[str]:
-        """What makes all of it uncertain, a sentence each."""
+        """Sentences on what makes the whole diagnosis uncertain."""
         return [
             *([] if self.settled else [UNSETTLED]),
-            *([WIDER] if self.gap.is_wider else []),
+            *([WORSE] if self.gap.is_wider else []),
         ]
 
     def document(self) -> dict[str, Any]:
-        """As `diagnosis.json` has it."""
+        """The content of `diagnosis.json`."""
         values = asdict(self)
         for place in values["where"]:
             if place["harmonic"] is None:
                 del place["harmonic"]
         gap = values.pop("gap")
-        return {"schema": SCHEMA, **values, "gap": _gap(gap)}
+        return {"schema": SCHEMA, **values, "gap": _gap_table(gap)}
 
 
-def _gap(gap: dict[str, Any]) -> dict[str, Any]:
-    """`before`, `after`, `floor` on `fit` and `holdout` apart."""
-    document: dict[str, Any] = {}
-    for stage in ("before", "after", "floor", "floor_95"):
-        document[stage] = {
+STAGES = ("before", "after", "floor", "floor_95")
+ROLES = ("fit", "holdout")
+FIGURE_UNITS = ("angle_arcsec", "rate_deg_h")
+
+
+def _gap_table(gap: dict[str, Any]) -> dict[str, Any]:
+    """Tables of stages, in them tables of roles, in them figures by their units."""
+    document: dict[str, Any] = {
+        stage: {
             role: {
                 unit: gap[f"{role}_{unit}"][stage]
-                for unit in ("angle_arcsec", "rate_deg_h")
+                for unit in FIGURE_UNITS
                 if gap[f"{role}_{unit}"] is not None
             }
-            for role in ("fit", "holdout")
+            for role in ROLES
         }
+        for stage in STAGES
+    }
     return {**document, "shrink_percent": gap["shrink_percent"], "whiteness": gap["whiteness"]}
 
 
@@ -165,33 +178,114 @@ def write(diagnosis: Diagnosis, folder: Path) -> None:
     write_whole(folder / FILE, text.encode())
 
 
-def causes_of(path: Path, device: str) -> dict[str, dict[str, float]]:
-    """Parameters by effect, as a file's causes have them.
+def read_diagnosis(path: Path | str) -> Diagnosis:
+    """Read a campaign's diagnosis; what `write` wrote is read back as it was.
 
     Args:
-        path: of a diagnosis.
-        device: the gyro that it must be of, if it says so.
+        path: a `diagnosis.json`, or the folder that holds one.
 
     Raises:
-        DiagnosisError: an unreadable file, one that is no diagnosis, or another gyro's.
+        DiagnosisError: an unreadable file, one that is no diagnosis, or that of a static record.
     """
-    try:
-        document = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, json.JSONDecodeError) as error:
-        raise DiagnosisError(f"{path}: can't be read: {error}") from error
-    if not isinstance(document, dict) or document.get("schema") != SCHEMA:
-        found = document.get("schema") if isinstance(document, dict) else document
-        raise DiagnosisError(f"{path}: schema: found {found!r}, expected {SCHEMA!r}")
-    if "record" in document:
-        raise DiagnosisError(f"{path}: is of a static record; expected that of a campaign")
-    if document.get("device", device) != device:
-        raise DiagnosisError(f"{path}: device: found {document['device']!r}, expected {device!r}")
-    try:
-        return {
-            str(cause["effect"]): {str(k): float(v) for k, v in cause["parameters"].items()}
-            for cause in document["causes"]
-        }
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
-        raise DiagnosisError(
-            f"{path}: causes: {error!r}; expected effect and parameters"
-        ) from error
+    path = Path(path)
+    return _parse(read_index(path / FILE if path.is_dir() else path, DiagnosisError))
+
+
+def _parse(index: TomlTable) -> Diagnosis:
+    index.text("schema", None, (SCHEMA,))
+    if "record" in index.values:
+        raise index.error("record", index.values["record"], "a campaign's diagnosis")
+    for key in ("causes", "where", "sizes", "gap", "unnamed", "settled"):
+        index.require(key, "as `hrg gap diagnose` writes it")
+    verdict = cast(Verdict, index.text("verdict", None, get_args(Verdict)))
+    return Diagnosis(
+        index.text("device", None),
+        verdict,
+        tuple(map(_parse_cause, index.tables("causes"))),
+        index.number("unknown_probability", None, 0.0, 1.0),
+        tuple(map(_parse_place, index.tables("where"))),
+        tuple(map(_parse_size, index.tables("sizes"))),
+        _parse_gap(index.table("gap")),
+        _parse_next_test(index),
+        _numbers(index.table("unnamed")),
+        _texts(index, "excluded"),
+        index.flag("settled", True),
+    )
+
+
+def _parse_cause(table: TomlTable) -> Cause:
+    intervals = table.table("interval_95")
+    return Cause(
+        table.text("effect", None),
+        table.number("probability", None, 0.0, 1.0),
+        _numbers(table.table("parameters")),
+        {name: _interval(intervals, name) for name in intervals.values},
+        _texts(table, "equivalents"),
+    )
+
+
+def _parse_place(table: TomlTable) -> Place:
+    return Place(
+        table.text("test", None),
+        table.text("channel", None),
+        table.text("coordinate", None),
+        table.finite_number("share"),
+        table.finite_number("sigmas"),
+        int(table.finite_number("harmonic")) if "harmonic" in table.values else None,
+    )
+
+
+def _parse_size(table: TomlTable) -> Size:
+    numbers = (table.finite_number(key) for key in ("scale_s", "before", "after"))
+    return Size(table.text("test", None), table.text("channel", None), *numbers)
+
+
+def _parse_gap(table: TomlTable) -> Gap:
+    fit_angle = _parse_figure(table, "fit", "angle_arcsec")
+    if fit_angle is None:
+        raise table.table("before").table("fit").missing("angle_arcsec", "a number")
+    return Gap(
+        fit_angle,
+        _parse_figure(table, "fit", "rate_deg_h"),
+        _parse_figure(table, "holdout", "angle_arcsec"),
+        _parse_figure(table, "holdout", "rate_deg_h"),
+        _optional_number(table, "shrink_percent"),
+        _optional_number(table, "whiteness"),
+    )
+
+
+def _parse_figure(gap: TomlTable, role: str, unit: str) -> GapFigure | None:
+    tables = {stage: gap.table(stage).table(role) for stage in STAGES}
+    if unit not in tables["before"].values:
+        return None
+    before, after, floor = (tables[stage].finite_number(unit) for stage in STAGES[:3])
+    return GapFigure(before, after, floor, _interval(tables["floor_95"], unit))
+
+
+def _parse_next_test(index: TomlTable) -> NextTest | None:
+    if index.values.get("next_test") is None:
+        return None
+    test = index.table("next_test")
+    return NextTest(test.text("kind", None), test.text("why", None), test.finite_number("hours"))
+
+
+def _numbers(table: TomlTable) -> dict[str, float]:
+    return {name: table.finite_number(name) for name in table.values}
+
+
+def _optional_number(table: TomlTable, key: str) -> float | None:
+    return None if table.values.get(key) is None else table.finite_number(key)
+
+
+def _interval(table: TomlTable, key: str) -> tuple[float, float]:
+    low, high = table.numbers(key, 2, -math.inf, math.inf)
+    if low > high:
+        raise table.error(key, table.values[key], "[low, high]")
+    return low, high
+
+
+def _texts(table: TomlTable, key: str) -> tuple[str, ...]:
+    texts = table.values.get(key)
+    if not isinstance(texts, list) or not all(isinstance(text, str) for text in texts):
+        raise table.error(key, texts, "a list of texts")
+    return tuple(texts)

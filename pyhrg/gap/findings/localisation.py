@@ -1,4 +1,7 @@
-"""Where a gap lives: test, channel and coordinate, with shares of its power that add up."""
+"""Where a gap lies: shares of its power by test, channel and coordinate.
+
+The method is matching pursuit over candidate terms (docs/methods/verdict.md, Eq. (7)).
+"""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -6,112 +9,119 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.gap.effects.candidate_terms import Element
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.design import Block, Design
 
 Array = NDArray[np.float64]
-Columns = Mapping[Element, NDArray[np.int64]]
+Columns = Mapping[CandidateTerm, NDArray[np.int64]]
+"""Columns of each term within a block."""
 
-PLAIN = 25.0
-"""Power, in deviations of the noise squared, below which no coordinate is seen."""
-EVIDENT = 5.0
-"""Deviations of a block's power from which its excess is placed."""
-REST = 0.01
-"""Share of a block's excess that need not be placed."""
-
-
-ALIKE = 4.0
-"""Difference in power by which one element explains no better than another."""
+MIN_POWER = 25.0
+"""A coordinate takes part when it explains more power than this: five sigma squared. Chosen."""
+MIN_EXCESS_SIGMA = 5.0
+"""A test's own excess is placed when it exceeds this many standard deviations of its noise's power.
+Chosen."""
+UNPLACED_SHARE = 0.01
+"""The pursuit ends when less than this share of a channel's excess is left. Chosen."""
+POWER_TOLERANCE = 4.0
+"""Terms that explain less by up to this power count as equally good; the first in the catalogue is
+taken. Chosen: two sigma squared."""
 
 
 @dataclass(frozen=True)
 class Place:
     """A share of the gap.
 
-    sigmas: root of its power, in deviations of the noise.
     share: of the power of the whole gap.
+    sigmas: root of its power, in sigma of the noise.
+    harmonic: number of the harmonic where the coordinate is an angle.
     """
 
     test: str
     channel: str
     coordinate: str
-    harmonic: int | None
-    sigmas: float
     share: float
+    sigmas: float
+    harmonic: int | None = None
 
 
-def located(design: Design) -> tuple[Place, ...]:
-    """Where the residual has more power than its noise, the largest share first.
+def locate_gap(design: Design) -> tuple[Place, ...]:
+    """Places where the residual has more power than its noise, the largest share first.
 
-    Within a channel, elements are taken out one by one: first of all tests together, with the same
-    sizes, then of tests that have more. What no element explains is `noise`.
+    Within a channel, candidate terms are fitted and removed one by one: first with the same size in
+    all tests, then in each test that has power left. Power that no term explains has the coordinate
+    `noise`.
 
     Args:
-        design: whitened by the believed noise.
+        design: normal equations, whitened by the stated noise.
     """
-    elements = [g for g in design.places if isinstance(g, Element)]
-    found: dict[tuple[str, str, str, int | None], float] = {}
+    terms = [g for g in design.columns if isinstance(g, CandidateTerm)]
+    powers: dict[tuple[str, str, str, int | None], float] = {}
     for channel in dict.fromkeys(block.channel for block in design.blocks):
         blocks = [block for block in design.blocks if block.channel == channel]
-        seen = [element for element in elements if element.channel == channel]
-        columns = {e: np.flatnonzero(np.isin(blocks[0].columns, design.places[e])) for e in seen}
-        shared, blocks = _shared(blocks, columns)
-        own = [(block.test, *part) for block in blocks for part in _parts(block, columns)]
-        for test, coordinate, harmonic, power in (*shared, *own):
+        own = [term for term in terms if term.channel == channel]
+        columns = {t: np.flatnonzero(np.isin(blocks[0].columns, design.columns[t])) for t in own}
+        shared, blocks = _pursue_shared(blocks, columns)
+        single = [(block.test, *part) for block in blocks for part in _pursue(block, columns)]
+        for test, coordinate, harmonic, power in (*shared, *single):
             key = (test, channel, coordinate, harmonic)
-            found[key] = found.get(key, 0.0) + power
-    whole = sum(found.values())
-    places = [Place(*key, float(np.sqrt(p)), p / whole) for key, p in found.items()]
+            powers[key] = powers.get(key, 0.0) + power
+    total = sum(powers.values())
+    places = [
+        Place(test, channel, coordinate, power / total, float(np.sqrt(power)), harmonic)
+        for (test, channel, coordinate, harmonic), power in powers.items()
+    ]
     return tuple(sorted(places, key=lambda place: -place.share))
 
 
-def _shared(
+def _pursue_shared(
     blocks: Sequence[Block], columns: Columns
 ) -> tuple[list[tuple[str, str, int | None, float]], list[Block]]:
-    """Test, coordinate, harmonic, and power of what elements explain of all; what they leave."""
+    """Test, coordinate, harmonic and power of terms with the same size in all tests; and the blocks
+    with these terms removed."""
     parts = []
-    least = max(PLAIN, REST * sum(_excess(block) for block in blocks))
+    threshold = max(MIN_POWER, UNPLACED_SHARE * sum(_excess(block) for block in blocks))
     candidates = dict(columns)
-    while (found := _first(blocks, candidates, least)) is not None:
-        best, power, sizes = found
+    while (choice := _choose_term(blocks, candidates, threshold)) is not None:
+        best, power, sizes = choice
         where = candidates.pop(best)
         after = [
-            replace(block, gram=_less(block.gram, where, own))
-            for block, own in zip(blocks, sizes, strict=True)
+            replace(block, gram=_subtract(block.gram, where, size))
+            for block, size in zip(blocks, sizes, strict=True)
         ]
-        gained = [max(_excess(b) - _excess(a), 0.0) for b, a in zip(blocks, after, strict=True)]
-        for block, own in zip(blocks, gained, strict=True):
-            if own > 0:
-                share = own / sum(gained)
+        gains = [max(_excess(b) - _excess(a), 0.0) for b, a in zip(blocks, after, strict=True)]
+        for block, gain in zip(blocks, gains, strict=True):
+            if gain > 0:
+                share = gain / sum(gains)
                 parts.append((block.test, best.coordinate, best.harmonic, share * power))
         blocks = after
     return parts, list(blocks)
 
 
-def _first(
-    blocks: Sequence[Block], candidates: Columns, least: float
-) -> tuple[Element, float, list[Array]] | None:
-    """Element to be taken out first, what it explains of all tests, and its sizes in each: the
-    first of those that explain as much as any; what has a size for each test only when nothing else
-    is left.
+def _choose_term(
+    blocks: Sequence[Block], candidates: Columns, threshold: float
+) -> tuple[CandidateTerm, float, list[Array]] | None:
+    """The term that explains most of all tests, the power that it explains, and its size in each.
+
+    Terms with a size of their own in each power-on are chosen only when no other explains enough.
     """
     grams = [block.gram for block in blocks]
     total = np.sum(grams, axis=0)
 
-    def seen_in(element: Element) -> list[Array]:
-        """Equations that it has sizes of its own for."""
-        return grams if element.is_of_each_power_on else [total]
+    def equations(term: CandidateTerm) -> list[Array]:
+        """Normal equations for which the term has a size of its own."""
+        return grams if term.is_of_each_power_on else [total]
 
-    def explained(element: Element) -> float:
-        return sum(_power(gram, candidates[element]) for gram in seen_in(element))
+    def explained(term: CandidateTerm) -> float:
+        return sum(_power(gram, candidates[term]) for gram in equations(term))
 
-    for foretells in (True, False):
-        powers = {e: explained(e) for e in candidates if e.foretells == foretells}
-        beyond = {e: p - len(seen_in(e)) * len(candidates[e]) for e, p in powers.items()}
-        most = max(beyond.values(), default=0.0)
-        if most >= least:
-            best = next(e for e in beyond if beyond[e] >= most - ALIKE)
-            sizes = [_sizes(gram, candidates[best]) for gram in seen_in(best)]
+    for is_predictive in (True, False):
+        powers = {t: explained(t) for t in candidates if t.is_predictive == is_predictive}
+        excess = {t: p - len(equations(t)) * len(candidates[t]) for t, p in powers.items()}
+        highest = max(excess.values(), default=0.0)
+        if highest >= threshold:
+            best = next(t for t in excess if excess[t] >= highest - POWER_TOLERANCE)
+            sizes = [_fit_sizes(gram, candidates[best]) for gram in equations(best)]
             return best, powers[best], sizes if len(sizes) == len(grams) else sizes * len(grams)
     return None
 
@@ -121,46 +131,47 @@ def _excess(block: Block) -> float:
     return float(block.gram[-1, -1]) - block.rows
 
 
-def _parts(block: Block, columns: Columns) -> list[tuple[str, int | None, float]]:
+def _pursue(block: Block, columns: Columns) -> list[tuple[str, int | None, float]]:
+    """Coordinate, harmonic and power of terms in one test."""
     excess = _excess(block)
-    if excess < EVIDENT * np.sqrt(2 * block.rows):
+    if excess < MIN_EXCESS_SIGMA * np.sqrt(2 * block.rows):
         return []
-    columns = dict(columns)
+    candidates = dict(columns)
     parts: list[tuple[str, int | None, float]] = []
-    left, gram = excess, block.gram.copy()
-    while left > max(PLAIN, REST * excess) and columns:
-        powers = {e: _power(gram, where) for e, where in columns.items()}
-        best = max(powers, key=lambda e: powers[e])
-        if powers[best] < PLAIN:
+    unplaced, gram = excess, block.gram.copy()
+    while unplaced > max(MIN_POWER, UNPLACED_SHARE * excess) and candidates:
+        powers = {t: _power(gram, where) for t, where in candidates.items()}
+        best = max(powers, key=lambda t: powers[t])
+        if powers[best] < MIN_POWER:
             break
-        taken = min(powers[best], left)
-        parts.append((best.coordinate, best.harmonic, taken))
-        left -= taken
-        gram = _without(gram, columns.pop(best))
-    if left > PLAIN:
-        parts.append(("noise", None, left))
+        power = min(powers[best], unplaced)
+        parts.append((best.coordinate, best.harmonic, power))
+        unplaced -= power
+        gram = _project_out(gram, candidates.pop(best))
+    if unplaced > MIN_POWER:
+        parts.append(("noise", None, unplaced))
     return parts
 
 
 def _power(gram: Array, where: NDArray[np.int64]) -> float:
-    """Of the residual that these columns explain."""
-    return float(gram[where, -1] @ _sizes(gram, where))
+    """Decrease of the residual's power by a fit of these columns."""
+    return float(gram[where, -1] @ _fit_sizes(gram, where))
 
 
-def _sizes(gram: Array, where: NDArray[np.int64]) -> Array:
-    """Of these columns, so that they explain most."""
+def _fit_sizes(gram: Array, where: NDArray[np.int64]) -> Array:
+    """Least-squares sizes of these columns."""
     inverse = np.linalg.pinv(gram[np.ix_(where, where)], hermitian=True)
     return np.asarray(inverse @ gram[where, -1])
 
 
-def _less(gram: Array, where: NDArray[np.int64], sizes: Array) -> Array:
-    """Products where columns of these sizes are taken out of the residual."""
+def _subtract(gram: Array, where: NDArray[np.int64], sizes: Array) -> Array:
+    """Products after columns of these sizes are subtracted from the residual."""
     change = np.eye(len(gram))
     change[where, -1] = -sizes
     return np.asarray(change.T @ gram @ change)
 
 
-def _without(gram: Array, where: NDArray[np.int64]) -> Array:
-    """Products of what is left of all columns beside these."""
+def _project_out(gram: Array, where: NDArray[np.int64]) -> Array:
+    """Products of the parts of all columns that are orthogonal to these."""
     inverse = np.linalg.pinv(gram[np.ix_(where, where)], hermitian=True)
     return np.asarray(gram - gram[:, where] @ inverse @ gram[where, :])

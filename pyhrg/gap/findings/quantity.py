@@ -1,4 +1,4 @@
-"""How large a gap is, in deviations of the noise: by test, channel and time scale."""
+"""How large a gap is: excess of the whitened residual over its noise, by time scale."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -6,24 +6,25 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.gap.effects.design import LinearTest, white_rows
+from pyhrg.gap.effects.design import LinearTest, whiten_rows
 from pyhrg.gap.replay.observations import CHANNELS
-from pyhrg.gap.whitening.channel_noise import ChannelNoise
+from pyhrg.gap.whitening.channel_noise import CampaignNoise
 
 Array = NDArray[np.float64]
 
-SCALES = (1.0, 10.0, 100.0, 1000.0)
-"""Time scales, s."""
-LEAST = 4
-"""Means from which a scale is told."""
+TIME_SCALES = (1.0, 10.0, 100.0, 1000.0)
+"""Times over which residuals are averaged, s."""
+MIN_MEANS = 4
+"""Means that a test must have at a time scale. Chosen."""
 
 
 @dataclass(frozen=True)
 class Size:
-    """Of one channel of one test, at one time scale.
+    """Size of the gap in one channel of one test at one time scale.
 
-    before, after: root of the power that whitened residuals, averaged over the scale, have beyond
-        their noise; 0 where they have none.
+    scale_s: time over which the whitened residual is averaged.
+    before, after: root of the averages' power beyond that of noise, in sigma; 0 where there is no
+        excess (docs/methods/verdict.md, Eq. (8)).
     """
 
     test: str
@@ -33,36 +34,37 @@ class Size:
     after: float
 
 
-def sizes(
+def measure_sizes(
     parts: Sequence[LinearTest],
     before: Sequence[Mapping[str, Array]],
     after: Sequence[Mapping[str, Array]],
-    noise: ChannelNoise,
+    noise: CampaignNoise,
 ) -> tuple[Size, ...]:
-    """Of all channels of tests, in their order.
+    """Sizes of the gap in all channels of all tests, before and after closing.
 
     Args:
-        parts: of the tests whose residuals these are.
+        parts: linear model of each test.
         before, after: (n,) residual by channel for each test, SI, where the pattern is as measured;
-            NaN where not compared.
-        noise: that is believed.
+            NaN where record and simulation are not compared.
+        noise: noise that the nominal gyro states.
     """
-    found = []
+    sizes = []
     for part, first, last in zip(parts, before, after, strict=True):
         for channel in CHANNELS:
-            ends = [list(_powers(part, channel, r[channel], noise)) for r in (first, last)]
-            for (scale, low), (_, high) in zip(*ends, strict=True):
-                found.append(Size(part.test.test.id, channel, scale, low, high))
-    return tuple(found)
+            ends = [list(_excesses(part, channel, r[channel], noise)) for r in (first, last)]
+            for (scale, old), (_, new) in zip(*ends, strict=True):
+                sizes.append(Size(part.test.test.id, channel, scale, old, new))
+    return tuple(sizes)
 
 
-def _powers(
-    part: LinearTest, channel: str, residual: Array, noise: ChannelNoise
+def _excesses(
+    part: LinearTest, channel: str, residual: Array, noise: CampaignNoise
 ) -> Iterator[tuple[float, float]]:
-    white = white_rows(part, channel, residual[:, None], noise).series[:, 0]
-    for scale in SCALES:
+    """Each time scale, s, with the root of the excess power at it."""
+    white = whiten_rows(part, channel, residual[:, None], noise).series[:, 0]
+    for scale in TIME_SCALES:
         m = round(scale / part.test.log.interval)
         n = len(white) // m if m else 0
-        if n >= LEAST:
+        if n >= MIN_MEANS:
             means = white[: n * m].reshape(n, m).sum(axis=1) / np.sqrt(m)
             yield scale, float(np.sqrt(max(float(means @ means) - n, 0.0)))

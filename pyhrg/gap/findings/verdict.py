@@ -1,4 +1,7 @@
-"""What a search comes to: verdict, causes with their intervals, what has no name."""
+"""Verdict, causes with their 95 % intervals, and what takes part outside the catalogue.
+
+Method: docs/methods/verdict.md.
+"""
 
 import math
 from collections.abc import Sequence
@@ -6,36 +9,63 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.device.keys import Key
+from pyhrg.common.keys import Key
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.evidence.attribution import Attribution
-from pyhrg.gap.evidence.equivalents import equivalents
-from pyhrg.gap.evidence.noise.noise_search import NORMAL_95, AddedNoise
-from pyhrg.gap.evidence.unsteady import Unsteady
+from pyhrg.gap.evidence.equivalents import find_equivalents
+from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise
+from pyhrg.gap.evidence.noise.quantization import is_coarsely_quantized
+from pyhrg.gap.evidence.residual_features import ResidualFeature, find_residual_features
+from pyhrg.gap.evidence.residuals import compute_residuals
 from pyhrg.gap.findings.diagnosis import Cause, Verdict
+from pyhrg.gap.replay.observations import CHANNELS
 
 Array = NDArray[np.float64]
 
-LIKELY = 0.5
-"""Probability from which something without a name takes part."""
-MENTIONED = 0.01
-"""The same from which it is said what that may be."""
+UNEXPLAINED_PROBABILITY = 0.5
+"""The verdict is `unexplained` from this probability of something outside the catalogue on: more
+probable than not."""
+MENTIONED_PROBABILITY = 0.01
+"""What may take part outside the catalogue is listed above this probability. Chosen."""
 
 
-def judged(
-    found: Attribution, effects: Sequence[Effect], rest: Sequence[Unsteady]
+def check_residuals(attribution: Attribution) -> tuple[ResidualFeature, ...]:
+    """Lines and stretches of other noise in the residuals of the most probable hypothesis.
+
+    An output angle that is coarsely quantized is left out: its quantization error repeats with the
+    angle. So are channels in which the noise of a coarse thermometer shows.
+    """
+    noise, nominal = attribution.channel_noise, attribution.nominal
+    is_coarse = is_coarsely_quantized(attribution.noise, nominal)
+    channels = CHANNELS[1:] if is_coarse else CHANNELS
+    sizes = attribution.ranking.best.sizes
+    residuals = [
+        r
+        for r in compute_residuals(attribution.parts, sizes, noise, nominal, channels)
+        if not (r.channel in noise.per_kelvin and noise.reading_steps[r.test])
+    ]
+    model_errors = {(b.test, b.channel): b.model_error for b in attribution.design.blocks}
+    return find_residual_features(residuals, model_errors)
+
+
+def reach_verdict(
+    attribution: Attribution, effects: Sequence[Effect], features: Sequence[ResidualFeature]
 ) -> tuple[Verdict, tuple[Cause, ...], float]:
-    """Verdict, causes, and the probability that something outside the catalogue takes part.
+    """Verdict, causes, and the probability that something outside the catalogue takes part (Eq.
+    (1)).
 
     Args:
-        found: by the search.
-        effects: the catalogue.
-        rest: what is left may be.
+        attribution: result of the search.
+        effects: effects of the catalogue.
+        features: what the residuals may show besides steady noise.
     """
-    causes = [*_named(found, effects), *(_noise(found, added) for added in found.noise.added)]
-    known = [1 - found.weighed.unknown_probability, *(1 - one.probability for one in rest)]
+    causes = [
+        *_effect_causes(attribution, effects),
+        *(_noise_cause(attribution, added) for added in attribution.noise.added),
+    ]
+    known = [1 - attribution.posterior.unknown_probability, *(1 - f.probability for f in features)]
     unknown = 1 - math.prod(known)
-    if unknown >= LIKELY:
+    if unknown >= UNEXPLAINED_PROBABILITY:
         verdict: Verdict = "unexplained"
     elif not causes:
         verdict = "no_gap"
@@ -44,18 +74,18 @@ def judged(
     return verdict, tuple(causes), unknown
 
 
-def _named(found: Attribution, effects: Sequence[Effect]) -> list[Cause]:
+def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[Cause]:
     causes = []
-    best = found.ranked.best
+    best, posterior = attribution.ranking.best, attribution.posterior
     covariances = best.covariances
     for effect, size in best.named.items():
-        total = effect.vector(found.believed) + size
-        others = [e.name for e in equivalents(found.design, best, effect, effects)]
-        others += found.weighed.stand_ins(effect.name)
+        total = effect.vector(attribution.nominal) + size
+        others = [e.name for e in find_equivalents(attribution.design, best, effect, effects)]
+        others += posterior.equivalents(effect.name)
         causes.append(
             Cause(
                 effect.name,
-                found.weighed.probability(effect.name, *others),
+                posterior.probability(effect.name, *others),
                 effect.parameters(total),
                 _intervals(effect, total, covariances[effect]),
                 tuple(others),
@@ -65,43 +95,44 @@ def _named(found: Attribution, effects: Sequence[Effect]) -> list[Cause]:
 
 
 def _intervals(effect: Effect, vector: Array, covariance: Array) -> dict[str, tuple[float, float]]:
-    """95 %, each parameter alone: a magnitude along the vector, its angle across it."""
+    """95 % interval of each parameter alone (Eq. (3)): a magnitude has its standard deviation along
+    the vector, its angle the one across it."""
     if not effect.periods:
         (key,) = effect.keys
-        spread = NORMAL_95 * math.sqrt(float(covariance[0, 0]))
-        return {key.name: _in_units(key, float(vector[0]), spread)}
+        half_width = NORMAL_95 * math.sqrt(float(covariance[0, 0]))
+        return {key.name: _in_units(key, float(vector[0]), half_width)}
     magnitude, angle = effect.keys
     length = float(np.hypot(*vector))
     along = vector / length if length else np.array([1.0, 0.0])
     across = np.array([-along[1], along[0]])
-    half = math.pi / effect.periods
-    spreads = [NORMAL_95 * math.sqrt(float(d @ covariance @ d)) for d in (along, across)]
-    turn = min(spreads[1] / (length * effect.periods), half) if length else half
+    half_turn = math.pi / effect.periods
+    half_widths = [NORMAL_95 * math.sqrt(float(d @ covariance @ d)) for d in (along, across)]
+    turn = min(half_widths[1] / (length * effect.periods), half_turn) if length else half_turn
     direction = angle.to_si(effect.parameters(vector)[angle.name])
-    low, high = _in_units(magnitude, length, spreads[0])
+    low, high = _in_units(magnitude, length, half_widths[0])
     return {magnitude.name: (max(low, 0.0), high), angle.name: _in_units(angle, direction, turn)}
 
 
-def _in_units(key: Key, value: float, spread: float) -> tuple[float, float]:
-    return key.from_si(value - spread), key.from_si(value + spread)
+def _in_units(key: Key, value: float, half_width: float) -> tuple[float, float]:
+    return key.from_si(value - half_width), key.from_si(value + half_width)
 
 
-def _noise(found: Attribution, added: AddedNoise) -> Cause:
+def _noise_cause(attribution: Attribution, added: AddedNoise) -> Cause:
     name, key = added.effect.name, added.effect.key
     low, high = (key.from_si(end) for end in added.interval)
-    others = dict.fromkeys([*added.equivalents, *found.weighed.stand_ins(name)])
+    others = dict.fromkeys([*added.equivalents, *attribution.posterior.equivalents(name)])
     return Cause(
         name,
-        found.weighed.probability(name, *others),
+        attribution.posterior.probability(name, *others),
         {key.name: key.from_si(added.total)},
         {key.name: (low, high)},
         tuple(others),
     )
 
 
-def unnamed(found: Attribution, rest: Sequence[Unsteady]) -> dict[str, float]:
-    """What takes part outside the catalogue, in words, with probabilities."""
-    probabilities = found.weighed.unnamed() | {one.words: one.probability for one in rest}
-    return dict(
-        sorted(((w, p) for w, p in probabilities.items() if p > MENTIONED), key=lambda x: -x[1])
-    )
+def list_unnamed(attribution: Attribution, features: Sequence[ResidualFeature]) -> dict[str, float]:
+    """What may take part outside the catalogue, in words, with posterior probabilities, the most
+    probable first."""
+    probabilities = attribution.posterior.unnamed() | {f.words: f.probability for f in features}
+    mentioned = [(w, p) for w, p in probabilities.items() if p > MENTIONED_PROBABILITY]
+    return dict(sorted(mentioned, key=lambda pair: -pair[1]))

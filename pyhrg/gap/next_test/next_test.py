@@ -1,12 +1,9 @@
-"""Which test would best tell apart what a campaign has left alike.
+"""Which test would best separate the hypotheses that a campaign leaves confounded.
 
-A test that is yet to be made parts two hypotheses by so many deviations of the rival's noise, after
-the rival has had its own sizes fitted anew, to old and new tests together: what it could imitate
-does not count. Half the square is the expected divergence (W. J. Hunter, A. M. Reiner,
-Technometrics 7 (1965)); where their noises are others, the divergence of these is added, at the
-levels that each hypothesis has. The kind that parts the most probable hypothesis from the most of
-its rivals is suggested; of several, the one that parts the most pairs at all, and then the one that
-does so in the fewest hours.
+Design of experiment by discrimination between models (docs/methods/next_test.md; W. J. Hunter,
+A. M. Reiner, Technometrics 7 (1965)). A future test separates two hypotheses by the part of their
+difference that the rival can't imitate when it is fitted again to old and new tests together. Where
+their noises differ too, the divergence of the noises is added.
 """
 
 import math
@@ -21,254 +18,277 @@ from scipy.special import logsumexp
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.programme import Programme
 from pyhrg.common.units import HOUR
-from pyhrg.gap.effects.candidate_terms import coordinates
+from pyhrg.gap.effects.candidate_terms import compute_coordinates
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.design import Design, Group, LinearTest, design, response_power, tempered
-from pyhrg.gap.effects.sensitivities import secants
+from pyhrg.gap.effects.design import (
+    Design,
+    Group,
+    LinearTest,
+    build_design,
+    compute_excess_power,
+    discount_model_error,
+)
+from pyhrg.gap.effects.sensitivities import compute_sensitivities
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.evidence import Fit
-from pyhrg.gap.evidence.hypothesis import allowed
+from pyhrg.gap.evidence.hypothesis import model_error_power
 from pyhrg.gap.findings.diagnosis import NextTest
-from pyhrg.gap.next_test.candidate_tests import candidates
-from pyhrg.gap.next_test.noise_divergence import divergence
+from pyhrg.gap.next_test.candidate_tests import list_candidates
+from pyhrg.gap.next_test.noise_divergence import compute_divergence
 from pyhrg.gap.next_test.rivals import Rival
-from pyhrg.gap.replay.observations import CHANNELS, COARSE_STEP, Observed, observed
+from pyhrg.gap.replay.observations import CHANNELS, COARSE_STEP, ObservedTest, observe_test
 from pyhrg.gap.replay.simulation import Simulation
-from pyhrg.gap.whitening.channel_noise import ChannelNoise
-from pyhrg.gap.whitening.whitening import SlowNoise
+from pyhrg.gap.whitening.channel_noise import CampaignNoise
+from pyhrg.gap.whitening.whitening import NoiseModel
 
 Array = NDArray[np.float64]
 Sizes = Mapping[Group, Array]
-"""By group, per unit of its columns."""
+"""Size of each group, in units of its columns."""
 Pair = tuple[int, int]
-"""Places of two hypotheses."""
+"""Indices of two hypotheses."""
 
-TOLD = 2
-"""Pairs that are spoken of."""
-SEEN = 1.0
-"""Deviations in an hour below which a kind of test does not separate."""
-SURE = 6.0
-"""Deviations by which two are told apart, whichever the tests so far are for."""
+MENTIONED_PAIRS = 2
+"""Number of pairs that the reason for a test mentions."""
+VISIBLE_SIGMA = 1.0
+"""A kind of test separates a pair at all when an hour of it does so by more than this. Chosen."""
+SEPARATION_SIGMA = 6.0
+"""Separation after which a pair counts as separated, even if the tests so far favour the wrong
+hypothesis. Chosen."""
 
 
 @dataclass(frozen=True)
 class Separation:
-    """What a kind of test does.
+    """What a kind of test separates.
 
-    sigmas: deviations by which it parts each pair of hypotheses.
+    sigmas: separation of each pair of hypotheses in the time that is given, in sigma.
     """
 
     kind: str
     sigmas: Mapping[Pair, float]
 
-    def seen(self, pairs: Iterable[Pair]) -> list[Pair]:
-        """Those of some pairs that it separates at all."""
-        return [pair for pair in pairs if self.sigmas[pair] > SEEN]
+    def separated(self, pairs: Iterable[Pair]) -> list[Pair]:
+        """The pairs, of these, that it separates at all."""
+        return [pair for pair in pairs if self.sigmas[pair] > VISIBLE_SIGMA]
 
 
-def suggested(
-    simulation: Simulation, found: Attribution, hypotheses: Sequence[Rival]
+def suggest_next_test(
+    simulation: Simulation, attribution: Attribution, hypotheses: Sequence[Rival]
 ) -> NextTest | None:
-    """The kind that would best separate hypotheses; None where there are no two, or none would.
+    """The kind of test that would best separate hypotheses, and for how long.
+
+    None where there are fewer than two hypotheses, or where no kind separates any of them.
 
     Args:
         simulation: both fidelities.
-        found: what the tests made so far say.
-        hypotheses: that survive, the most probable first.
+        attribution: result of the search in the tests made so far.
+        hypotheses: hypotheses that survive, the most probable first.
 
     Raises:
-        GyroError: a gyro that the FMU refuses.
+        GyroError: the FMU refuses a gyro.
     """
     if len(hypotheses) < 2:
         return None
-    kinds = separations(simulation, found, hypotheses)
-    pairs = [pair for pair in kinds[0].sigmas if any(kind.seen([pair]) for kind in kinds)]
+    kinds = compute_separations(simulation, attribution, hypotheses)
+    pairs = [pair for pair in kinds[0].sigmas if any(kind.separated([pair]) for kind in kinds)]
     if not pairs:
         return None
-    order = soonest(kinds, pairs)
+    order = order_kinds(kinds, pairs)
     return NextTest(order[0].kind, _why(order, pairs, hypotheses), _hours(order[0], pairs))
 
 
-def soonest(kinds: Sequence[Separation], pairs: Sequence[Pair]) -> list[Separation]:
-    """Kinds that see the most pairs first, above all of those with the most probable hypothesis;
-    then in order of the hours that they part these in, then of how well they do in one."""
+def order_kinds(kinds: Sequence[Separation], pairs: Sequence[Pair]) -> list[Separation]:
+    """Kinds of test, the best first.
+
+    The best kind separates the most rivals from the most probable hypothesis; then the most pairs;
+    then in the fewest hours; then with the smallest bound on the error probability.
+    """
 
     def rank(kind: Separation) -> tuple[int, int, float, float]:
-        seen = kind.seen(pairs)
-        of_best = sum(0 in pair for pair in seen)
-        return -of_best, -len(seen), _hours(kind, pairs), _confusion(kind, pairs)
+        separated = kind.separated(pairs)
+        from_best = sum(0 in pair for pair in separated)
+        return -from_best, -len(separated), _hours(kind, pairs), _log_error_bound(kind, pairs)
 
     return sorted(kinds, key=rank)
 
 
 def _hours(kind: Separation, pairs: Sequence[Pair]) -> float:
-    """Hours in which a kind of test parts the pairs that it sees by `SURE`; infinite where it sees
-    none."""
-    seen = [kind.sigmas[pair] for pair in kind.seen(pairs)]
-    return math.ceil(10 * (SURE / min(seen)) ** 2) / 10 if seen else math.inf
+    """Hours after which a kind of test has separated all pairs that it separates at all (Eq. (3));
+    infinite where it separates none."""
+    sigmas = [kind.sigmas[pair] for pair in kind.separated(pairs)]
+    return math.ceil(10 * (SEPARATION_SIGMA / min(sigmas)) ** 2) / 10 if sigmas else math.inf
 
 
-def separations(
+def _log_error_bound(kind: Separation, pairs: Sequence[Pair]) -> float:
+    """Logarithm of Bhattacharyya's bound on the probability of a wrong choice after an hour,
+    hypotheses equally probable before (A. Bhattacharyya, Bull. Calcutta Math. Soc. 35 (1943))."""
+    return float(logsumexp([-(kind.sigmas[pair] ** 2) / 8 for pair in pairs]))
+
+
+def compute_separations(
     simulation: Simulation,
-    found: Attribution,
+    attribution: Attribution,
     hypotheses: Sequence[Rival],
     duration: float = HOUR,
 ) -> list[Separation]:
-    """What this much time, s, of each kind of test would do, in the order of `candidates`; other
-    arguments as `suggested`."""
-    foretold = [_foretold(each.fit) for each in hypotheses]
-    groups = list(dict.fromkeys(group for sizes in foretold for group in sizes))
-    bench = Bench(simulation.quasi_steady, found.device.without_noise())
-    begun = found.parts[0].test.inputs.start_angle
-    kinds = []
-    for kind, power_ons in candidates(bench, begun).items():
-        courses = [power_on.programme for power_on in power_ons]
-        share = duration / sum(course.time for course in courses)
-        tests = [_recorded(bench, power_on) for power_on in power_ons]
-        parts = [_expected(simulation, found, test, foretold[0], groups) for test in tests]
-        rows = {each.noise.angle: _summed(parts, each.noise) for each in hypotheses}
+    """What each kind of test would separate in this much time, s.
+
+    Returns:
+        One separation a kind, in the order of `list_candidates`. Other arguments and errors are
+        those of `suggest_next_test`.
+    """
+    sizes = [_predictive_sizes(hypothesis.fit) for hypothesis in hypotheses]
+    groups = list(dict.fromkeys(group for own in sizes for group in own))
+    bench = Bench(simulation.quasi_steady, attribution.device.without_noise())
+    start_angle = attribution.parts[0].test.inputs.start_angle
+    separations = []
+    for kind, power_ons in list_candidates(bench, start_angle).items():
+        programmes = [power_on.programme for power_on in power_ons]
+        share = duration / sum(programme.time for programme in programmes)
+        tests = [_simulate_test(bench, power_on) for power_on in power_ons]
+        parts = [_linearize(simulation, attribution, test, sizes[0], groups) for test in tests]
+        designs = {h.noise.angle: _build_design(parts, h.noise) for h in hypotheses}
         sides = [
             _Side(
-                sizes,
-                each.noise.angle,
-                _information(each.design, groups, found.design),
-                _information(rows[each.noise.angle], groups, found.design) * share,
+                own,
+                h.noise.angle,
+                _information(h.design, groups, attribution.design),
+                _information(designs[h.noise.angle], groups, attribution.design) * share,
             )
-            for sizes, each in zip(foretold, hypotheses, strict=True)
+            for own, h in zip(sizes, hypotheses, strict=True)
         ]
         sigmas = {
-            (i, j): _parted(a, b, groups, found.design, share * _divergent(a, b, courses))
+            (i, j): _separation(
+                a, b, groups, attribution.design, share * _noise_divergences(a, b, programmes)
+            )
             for (i, a), (j, b) in combinations(enumerate(sides), 2)
         }
-        kinds.append(Separation(kind, sigmas))
-    return kinds
+        separations.append(Separation(kind, sigmas))
+    return separations
 
 
-def _foretold(fit: Fit) -> dict[Group, Array]:
+def _predictive_sizes(fit: Fit) -> dict[Group, Array]:
+    """Sizes of the groups that predict something in a test that is yet to be made."""
     sizes = fit.sizes.items()
-    return {group: v for group, v in sizes if isinstance(group, Effect) or group.foretells}
+    return {group: v for group, v in sizes if isinstance(group, Effect) or group.is_predictive}
 
 
-def _recorded(bench: Bench, power_on: PowerOn) -> Observed:
-    own = replace(bench, step=min(COARSE_STEP, power_on.programme.interval))
-    return observed(own.log(power_on), bench.device)
+def _simulate_test(bench: Bench, power_on: PowerOn) -> ObservedTest:
+    coarse = replace(bench, step=min(COARSE_STEP, power_on.programme.interval))
+    return observe_test(coarse.log(power_on), bench.device)
 
 
-def _expected(
+def _linearize(
     simulation: Simulation,
-    found: Attribution,
-    test: Observed,
+    attribution: Attribution,
+    test: ObservedTest,
     truth: Sizes,
     groups: Sequence[Group],
 ) -> LinearTest:
-    """What would be put together for a test, were it made and this hypothesis the truth."""
-    device = found.device
-    columns = secants(simulation, device, test, [g for g in groups if isinstance(g, Effect)])
+    """Linear model of a simulated test, with the residual that these sizes would give."""
+    device = attribution.device
+    effects = [g for g in groups if isinstance(g, Effect)]
+    columns = compute_sensitivities(simulation, device, test, effects)
     response = {name: np.zeros(len(test.log.time)) for name in CHANNELS}
     for effect, own in columns.items():
         for name in CHANNELS if effect in truth else ():
             response[name] += own[name] @ truth[effect]
-    where = coordinates(test, test.log.wave_angle, test.log.amplitude, device)
-    slopes = simulation.over_angle(device, test).slopes
+    where = compute_coordinates(test, test.log.wave_angle, test.log.amplitude, device)
+    slopes = simulation.differentiate_by_angle(device, test).slopes
     answers = {name: getattr(test.log, name) for name in CHANNELS}
     return LinearTest(test, device, answers, response, columns, where, slopes, device.bryan_factor)
 
 
-def _summed(parts: Sequence[LinearTest], noise: ChannelNoise) -> Design:
-    return tempered(design(parts, noise), allowed(response_power(parts, noise)))
+def _build_design(parts: Sequence[LinearTest], noise: CampaignNoise) -> Design:
+    model_error = model_error_power(compute_excess_power(parts, noise))
+    return discount_model_error(build_design(parts, noise), model_error)
 
 
 def _information(tests: Design, groups: Sequence[Group], unit: Design) -> Array:
-    """(p, p) products of the groups' columns in some tests, in units of another design's."""
-    where = _places(tests, groups)
-    lengths = tests.lengths[where] / unit.lengths[_places(unit, groups)]
-    return np.asarray(tests.gram[np.ix_(where, where)] * np.outer(lengths, lengths))
+    """(p, p) Fisher information on the groups in some tests, in units of another design."""
+    where = _columns(tests, groups)
+    norms = tests.norms[where] / unit.norms[_columns(unit, groups)]
+    return np.asarray(tests.gram[np.ix_(where, where)] * np.outer(norms, norms))
 
 
-def _places(tests: Design, groups: Sequence[Group]) -> NDArray[np.int64]:
-    return np.concatenate([np.empty(0, np.int64), *(tests.places[group] for group in groups)])
+def _columns(tests: Design, groups: Sequence[Group]) -> NDArray[np.int64]:
+    return np.concatenate([np.empty(0, np.int64), *(tests.columns[group] for group in groups)])
 
 
 @dataclass(frozen=True)
 class _Side:
-    """A hypothesis where a kind of test would part it from others.
+    """A hypothesis as one side of a pair.
 
-    noise: of the output angle.
-    old: (p, p) products of all groups' columns in the tests made so far, in deviations of noise.
-    new: the same of the test.
+    sizes: sizes of its groups.
+    noise: noise of the output angle.
+    old: (p, p) Fisher information on all groups in the tests made so far.
+    new: (p, p) the same in the future test.
     """
 
     sizes: Sizes
-    noise: SlowNoise
+    noise: NoiseModel
     old: Array
     new: Array
 
 
-def _parted(
-    one: _Side,
-    other: _Side,
-    groups: Sequence[Group],
-    unit: Design,
-    divergences: Array,
+def _separation(
+    side: _Side, other: _Side, groups: Sequence[Group], unit: Design, divergences: Array
 ) -> float:
-    """Deviations by which new tests part two beyond what old ones do, the worse way round.
+    """Separation by the new tests beyond that by the old ones, in sigma: the smaller one of the two
+    ways round (Eqs. (1), (2)).
 
     Args:
-        one, other: the two.
-        groups: that have columns.
-        unit: the design that these count in.
-        divergences: (2,) of their noises in the new tests, whichever is the truth.
+        side, other: the two hypotheses.
+        groups: groups of any hypothesis.
+        unit: the design in whose units sizes and information count.
+        divergences: (2,) divergence of their noises in the new tests, each way round.
     """
 
     def power(truth: _Side, rival: _Side, divergence: float) -> float:
-        away = _sizes(truth.sizes, groups, unit) - _sizes(rival.sizes, groups, unit)
-        fitted = np.array([g in rival.sizes for g in groups for _ in unit.places[g]], np.bool_)
-        left = _left(rival.old + rival.new, away, fitted) - _left(rival.old, away, fitted)
-        return left + 2 * divergence
+        difference = _sizes(truth.sizes, groups, unit) - _sizes(rival.sizes, groups, unit)
+        free = np.array([g in rival.sizes for g in groups for _ in unit.columns[g]], np.bool_)
+        with_new = _unimitated_power(rival.old + rival.new, difference, free)
+        return with_new - _unimitated_power(rival.old, difference, free) + 2 * divergence
 
-    there, back = divergences
-    return math.sqrt(max(min(power(one, other, there), power(other, one, back)), 0.0))
+    forward, backward = divergences
+    smaller = min(power(side, other, forward), power(other, side, backward))
+    return math.sqrt(max(smaller, 0.0))
 
 
-def _divergent(one: _Side, other: _Side, courses: Sequence[Programme]) -> Array:
-    """(2,) of their noises in some power-ons, whichever is the truth."""
-    both = [(one.noise, other.noise), (other.noise, one.noise)]
-    return np.array([sum(divergence(*pair, c.time, c.interval) for c in courses) for pair in both])
+def _noise_divergences(side: _Side, other: _Side, programmes: Sequence[Programme]) -> Array:
+    """(2,) divergence of the two noises over some power-ons, each way round."""
+    pairs = [(side.noise, other.noise), (other.noise, side.noise)]
+    return np.array(
+        [sum(compute_divergence(*pair, p.time, p.interval) for p in programmes) for pair in pairs]
+    )
 
 
 def _sizes(known: Sizes, groups: Sequence[Group], unit: Design) -> Array:
-    """(p,) in lengths of the columns."""
-    each = [known.get(g, np.zeros(len(unit.places[g]))) for g in groups]
-    return np.concatenate([np.empty(0), *each]) * unit.lengths[_places(unit, groups)]
+    """(p,) sizes of all groups in units of a design's columns; zero where unknown."""
+    sizes = [known.get(g, np.zeros(len(unit.columns[g]))) for g in groups]
+    return np.concatenate([np.empty(0), *sizes]) * unit.norms[_columns(unit, groups)]
 
 
-def _left(information: Array, away: Array, free: NDArray[np.bool_]) -> float:
-    """Power of a difference that no other sizes of the free columns make up for."""
-    pull = information @ away
-    own = information[np.ix_(free, free)]
-    return float(away @ pull - pull[free] @ np.linalg.pinv(own, hermitian=True) @ pull[free])
-
-
-def _confusion(kind: Separation, pairs: Sequence[Pair]) -> float:
-    """Logarithm of a bound on the share of wrong choices after an hour (A. Bhattacharyya, Bull.
-    Calcutta Math. Soc. 35 (1943)), hypotheses alike before."""
-    return float(logsumexp([-(kind.sigmas[pair] ** 2) / 8 for pair in pairs]))
+def _unimitated_power(information: Array, difference: Array, free: NDArray[np.bool_]) -> float:
+    """Power of a difference of sizes that no change of the free sizes makes up for (Eq. (1))."""
+    projection = information @ difference
+    inverse = np.linalg.pinv(information[np.ix_(free, free)], hermitian=True)
+    return float(difference @ projection - projection[free] @ inverse @ projection[free])
 
 
 def _why(order: Sequence[Separation], pairs: Sequence[Pair], hypotheses: Sequence[Rival]) -> str:
-    """Of the pairs that the test parts least, and what the next best kind does to them."""
+    """The pairs that the best kind separates least, and what the second best does for them."""
     best, second = order[:2]
-    hardest = sorted(best.seen(pairs), key=lambda pair: best.sigmas[pair])[:TOLD]
-    told = [
+    hardest = sorted(best.separated(pairs), key=lambda pair: best.sigmas[pair])[:MENTIONED_PAIRS]
+    separations = [
         f"{_words(hypotheses[i], hypotheses[j])} by {best.sigmas[i, j]:.2g} sigma "
         f"({second.kind} by {second.sigmas[i, j]:.2g})"
         for i, j in hardest
     ]
-    return f"an hour of it tells {'; '.join(told)}"
+    return f"one hour of it separates {'; '.join(separations)}"
 
 
-def _words(one: Rival, other: Rival) -> str:
-    def without(mine: Rival, yours: Rival) -> str:
+def _words(hypothesis: Rival, other: Rival) -> str:
+    def own_words(mine: Rival, yours: Rival) -> str:
         return " with ".join(words for words in mine.words if words not in yours.words)
 
-    return f"{without(one, other)} from {without(other, one)}"
+    return f"{own_words(hypothesis, other)} from {own_words(other, hypothesis)}"

@@ -1,50 +1,58 @@
-"""How far noises of the output angle part, by their spectra (P. Whittle, Ark. Mat. 2 (1953))."""
+"""Kullback-Leibler divergence of two noises of the output angle, from their spectra.
+
+Whittle's approximation (docs/methods/next_test.md, Eq. (4); P. Whittle, Ark. Mat. 2 (1953)).
+"""
 
 import math
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.gap.next_test.candidate_tests import SLOW
-from pyhrg.gap.whitening.whitening import SlowNoise
+from pyhrg.gap.next_test.candidate_tests import LONG_ROWS
+from pyhrg.gap.whitening.whitening import NoiseModel
 
 Array = NDArray[np.float64]
 
 
-def divergence(
-    truth: SlowNoise, rival: SlowNoise, duration: float, interval: float = SLOW
+def compute_divergence(
+    truth: NoiseModel, rival: NoiseModel, duration: float, interval: float = LONG_ROWS
 ) -> float:
-    """Expected logarithm of the likelihoods' ratio after one power-on, at which walks start from
-    nothing: at the frequencies of such a walk's own modes.
+    """Expected log likelihood ratio of the true noise over a rival after one power-on.
+
+    Random walks start from zero at power-on. The frequencies are therefore those of the eigenmodes
+    of a walk that starts from zero.
 
     Args:
-        truth: the noise that there is.
-        rival: the one that is believed in.
+        truth: the true noise.
+        rival: the noise that is assumed instead.
         duration: of the power-on, s.
         interval: of its rows, s.
     """
     n = round(duration / interval)
     angular = np.pi * (2 * np.arange(n) + 1) / (2 * n + 1)
-    ratio = spectrum(truth, interval, angular) / spectrum(rival, interval, angular)
+    true_spectrum, rival_spectrum = (
+        increment_spectrum(noise, interval, angular) for noise in (truth, rival)
+    )
+    ratio = true_spectrum / rival_spectrum
     return float((ratio - 1 - np.log(ratio)).sum()) / 2
 
 
-def spectrum(noise: SlowNoise, interval: float, angular: Array) -> Array:
-    """(n,) density of the change from reading to reading, whose mean over all angular frequencies
-    is its variance.
+def increment_spectrum(noise: NoiseModel, interval: float, angular: Array) -> Array:
+    """(n,) spectral density of the increments from reading to reading; its mean over all angular
+    frequencies is their variance (Eq. (5)).
 
     Args:
-        noise: of a reading.
-        interval: between readings, s.
+        noise: noise of a reading.
+        interval: time between readings, s.
         angular: (n,) frequencies, rad per reading.
     """
-    turn = np.cos(angular)
-    steps = 2 - 2 * turn
-    total = noise.white**2 * steps + noise.walk**2 * interval
-    total = total + noise.rate_walk**2 * interval**3 / steps
+    cosine = np.cos(angular)
+    difference = 2 - 2 * cosine
+    total = noise.white**2 * difference + noise.angle_random_walk**2 * interval
+    total = total + noise.rate_random_walk**2 * interval**3 / difference
     states = noise.states
-    for lag, adds, density in zip(states.lags, states.rates, states.densities, strict=True):
-        kept = math.exp(-interval / lag)
-        power = density * lag / 2 * (1 - kept**2) / (1 + kept**2 - 2 * kept * turn)
-        total = total + power * (interval**2 if adds else steps)
+    for lag, of_rate, density in zip(states.lags, states.rates, states.densities, strict=True):
+        decay = math.exp(-interval / lag)
+        power = density * lag / 2 * (1 - decay**2) / (1 + decay**2 - 2 * decay * cosine)
+        total = total + power * (interval**2 if of_rate else difference)
     return np.asarray(total)

@@ -1,1 +1,1 @@
-"""Step 1: the inputs of a log, put to the simulated gyro."""
+"""Step 1: the inputs of each log put to the simulated gyro, and the channels that are compared."""

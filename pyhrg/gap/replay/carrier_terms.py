@@ -1,25 +1,27 @@
-"""What the simulated gyro, an average over its carrier period, leaves out of a test's records."""
+"""Terms of a turning gyro that the simulation, an average over the carrier period, lacks."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
-from pyhrg.gap.replay.observations import CHANNELS, Observed
+from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
 from pyhrg.theory.closed_forms import beyond_the_average
 
 
-def left_out(
-    device: Device, test: Observed, wave_angle: NDArray[np.float64]
+def compute_carrier_terms(
+    device: Device, test: ObservedTest, wave_angle: NDArray[np.float64]
 ) -> dict[str, NDArray[np.float64]]:
-    """(n,) means over the rows for each of `CHANNELS`; a record may have it or not
-    (`beyond_the_average`).
+    """(n,) row means by channel, SI, of the next order of the average (docs/methods/replay.md,
+    Eq. 8).
+
+    A record may contain them or not, so the whitening counts them as noise of this shape.
 
     Args:
-        device: the gyro.
-        test: observed.
-        wave_angle: (n,) of the pattern at the rows' ends, rad.
+        device: the simulated gyro.
+        test: gives the table's rate.
+        wave_angle: (n,) pattern angle at the rows' ends, rad.
     """
     rate = test.inputs.table.means
-    middle = device.bryan_factor * rate * test.log.interval / 2
-    beyond = beyond_the_average(device, rate, wave_angle + middle)
-    return {name: beyond.get(name, np.zeros(len(rate))) for name in CHANNELS}
+    to_middle = device.bryan_factor * rate * test.log.interval / 2
+    terms = beyond_the_average(device, rate, wave_angle + to_middle)
+    return {name: terms.get(name, np.zeros(len(rate))) for name in CHANNELS}

@@ -1,4 +1,4 @@
-"""Noise of the turntable's encoder, which a replay takes for motion."""
+"""White noise of the table encoder, which a replay would take for motion of the table."""
 
 import math
 from collections.abc import Mapping
@@ -6,57 +6,59 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.common.robust import robust_deviation
+from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.common.units import ARCSEC
 
 Array = NDArray[np.float64]
 
-ORDER = 4
-"""Of the differences, that no motion or error of the encoder that lasts for rows is seen in."""
-CLIP = 5.0
-"""Differences further out than this many deviations are moves of the table."""
-FEW = 30
-"""Differences below which nothing is told."""
-SURE = 4.0
-"""Standard errors from which it is noise."""
-LEAST = 1e-8
-"""Noise that is none, rad."""
+DIFFERENCE_ORDER = 4
+"""Order of the differences: high enough that smooth motion and encoder errors that last for many
+rows contribute almost nothing. Chosen."""
+OUTLIER_SIGMA = 5.0
+"""Differences above this many robust standard deviations are moves of the table. Chosen."""
+MIN_DIFFERENCES = 30
+"""Fewest differences from which the noise is estimated. Chosen."""
+SIGNIFICANCE_SIGMA = 4.0
+"""The noise counts as present above this many standard errors of its variance. Chosen."""
+MIN_NOISE = 1e-8
+"""Noise below this counts as none, rad. Chosen."""
 NOTE = (
     "table_angle_deg: scatters by up to {:.2g} arcsec where the gyro does not, in {}: counts as "
     "noise of the encoder"
 )
 
 
-def encoder_noise(table_angle: Array, gyro_angle: Array) -> float:
-    """White noise of an encoder's readings, rad; 0 where it can't be told from none.
+def estimate_encoder_noise(table_angle: Array, gyro_angle: Array) -> float:
+    """Standard deviation of the encoder's white noise, rad; 0 where it is not significant.
 
-    What encoder and gyro show alike is motion: the variance is the covariance of the encoder's
-    differences and what they have that the gyro's have not.
+    Motion appears in encoder and gyro alike. The noise variance is therefore the covariance of the
+    encoder's differences with encoder less gyro (docs/methods/replay.md, Eq. 4).
 
     Args:
         table_angle: (n,) rad.
-        gyro_angle: (n,) rad; NaN where there is none.
+        gyro_angle: (n,) rad; NaN where it is missing.
     """
-    table, gyro = np.diff(table_angle, ORDER), np.diff(gyro_angle, ORDER)
+    table, gyro = np.diff(table_angle, DIFFERENCE_ORDER), np.diff(gyro_angle, DIFFERENCE_ORDER)
     table, gyro = (series[np.isfinite(gyro)] for series in (table, gyro))
-    kept = _is_usual(table) & _is_usual(table - gyro)
-    products = (table * (table - gyro))[kept] / math.comb(2 * ORDER, ORDER)
-    if len(products) < FEW:
+    kept = _is_inlier(table) & _is_inlier(table - gyro)
+    products = (table * (table - gyro))[kept] / math.comb(2 * DIFFERENCE_ORDER, DIFFERENCE_ORDER)
+    if len(products) < MIN_DIFFERENCES:
         return 0.0
     variance = float(np.mean(products))
-    error = float(np.std(products)) / math.sqrt(len(products) / ORDER)
-    return math.sqrt(variance) if variance > max(SURE * error, LEAST**2) else 0.0
+    error = float(np.std(products)) / math.sqrt(len(products) / DIFFERENCE_ORDER)
+    is_significant = variance > max(SIGNIFICANCE_SIGMA * error, MIN_NOISE**2)
+    return math.sqrt(variance) if is_significant else 0.0
 
 
-def _is_usual(series: Array) -> NDArray[np.bool_]:
-    return np.asarray(np.abs(series) <= CLIP * robust_deviation(series))
+def _is_inlier(series: Array) -> NDArray[np.bool_]:
+    return np.asarray(np.abs(series) <= OUTLIER_SIGMA * estimate_robust_deviation(series))
 
 
-def encoder_notes(noises: Mapping[str, float]) -> tuple[str, ...]:
-    """A sentence where there is any.
+def describe_encoder_noise(noises: Mapping[str, float]) -> tuple[str, ...]:
+    """One sentence for the report if any encoder is noisy, else none.
 
     Args:
-        noises: by test, rad.
+        noises: standard deviation by test, rad.
     """
     noisy = {name: noise for name, noise in noises.items() if noise}
     return (NOTE.format(max(noisy.values()) / ARCSEC, ", ".join(noisy)),) if noisy else ()

@@ -1,37 +1,43 @@
-"""A pattern that nothing holds: its own motion makes more of any noise that turns it."""
+"""Tests in which the drive is off: the free pattern's own motion amplifies noise that turns it."""
 
 from dataclasses import replace
 
 import numpy as np
 
 from pyhrg.device.device import Device
-from pyhrg.gap.replay.observations import Observed
+from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.simulation import Simulation
 
-GROWN = 0.2
-"""Share by which noise of the angle may have grown and still be compared."""
-LEAST = 10
-"""Rows that are simulated, compared or not."""
+NOISE_GROWTH_LIMIT = 0.2
+"""Relative growth of an earlier turn of a free pattern above which its rows are not compared.
+Chosen."""
+MIN_ROWS = 10
+"""Fewest rows that are simulated, compared or not. Chosen."""
 
 
-def steady(simulation: Simulation, believed: Device, test: Observed) -> Observed:
-    """The test up to those rows of a free pattern in which what turned it before has grown or
-    shrunk: with a split, a ring-down of minutes makes several times as much of it, and ends in a
-    circle, whose pattern has no angle.
+def truncate_free_pattern(
+    simulation: Simulation, nominal: Device, test: ObservedTest
+) -> ObservedTest:
+    """The test up to the row in which a small turn of the free pattern has grown or shrunk too far.
+
+    With a frequency split, a ring-down of minutes multiplies such a turn. It can end in circular
+    motion, whose pattern angle is undefined (docs/methods/replay.md, Eq. 7).
 
     Args:
         simulation: both fidelities.
-        believed: whose split and anisotropy move a free pattern.
-        test: observed.
+        nominal: device whose frequency split and damping anisotropy move the free pattern.
+        test: whose drive may be off in some rows.
 
     Raises:
-        GyroError: a gyro that the FMU refuses.
+        GyroError: the FMU refuses the device.
     """
     if test.log.drive_on.all():
         return test
-    slope = simulation.over_angle(believed, test).slopes["gyro_angle"]
-    grown = (test.log.drive_on <= 0) & (np.abs(believed.bryan_factor * slope) > GROWN)
-    kept = ~np.logical_or.accumulate(grown)
-    count = max(int(kept.sum()), LEAST)
-    rows = {name: (there & kept)[:count] for name, there in test.rows.items()}
-    return replace(test, inputs=test.inputs.first(count), rows=rows, moving=test.moving[:count])
+    slope = simulation.differentiate_by_angle(nominal, test).slopes["gyro_angle"]
+    growth = np.abs(nominal.bryan_factor * slope)
+    has_grown = (test.log.drive_on <= 0) & (growth > NOISE_GROWTH_LIMIT)
+    kept = ~np.logical_or.accumulate(has_grown)
+    count = max(int(kept.sum()), MIN_ROWS)
+    rows = {name: (compared & kept)[:count] for name, compared in test.rows.items()}
+    inputs = test.inputs.first(count)
+    return replace(test, inputs=inputs, rows=rows, transient=test.transient[:count])

@@ -1,4 +1,4 @@
-"""What loops that run make of forces that loops at rest would give: closed loops, sampled."""
+"""Response of the sampled control loops to a force that quasi-steady loops would apply."""
 
 from functools import cache
 
@@ -7,46 +7,48 @@ from numpy.typing import NDArray
 from scipy import signal
 
 Array = NDArray[np.float64]
-Transfer = tuple[tuple[float, ...], tuple[float, ...]]
-"""Coefficients of a numerator and of a denominator."""
+TransferFunction = tuple[tuple[float, ...], tuple[float, ...]]
+"""Coefficients of numerator and denominator, highest power first."""
 
 
-def followed(force: Array, natural_frequency: float, interval: float) -> Array:
-    """Force of a critically damped loop where one at rest would give `force`.
+def compute_loop_force(force: Array, natural_frequency: float, interval: float) -> Array:
+    """(n,) force of a critically damped loop where a quasi-steady loop would apply `force`.
 
-    Closed loop (2 w s + w^2)/(s + w)^2, a series linear between rows.
+    The closed loop is (2 w s + w^2)/(s + w)^2 (docs/methods/replay.md, Eq. 5). The input is linear
+    between rows.
 
     Args:
-        force: (n,) at rest.
+        force: (n,) force of the quasi-steady loop, any unit.
         natural_frequency: w, rad/s.
         interval: of the rows, s.
     """
     w = natural_frequency
-    return _through(((2 * w, w * w), (1.0, 2 * w, w * w)), force, interval)
+    return _filter(((2 * w, w * w), (1.0, 2 * w, w * w)), force, interval)
 
 
-def let_go(force: Array, natural_frequency: float, interval: float) -> Array:
-    """What a critically damped loop loses of what it holds while the force that it needs changes.
+def compute_loop_error(force: Array, natural_frequency: float, interval: float) -> Array:
+    """(n,) departure of the controlled quantity from its set point while the needed force changes.
 
-    Closed loop s/(s + w)^2, a series linear between rows.
+    The closed loop is s/(s + w)^2 (docs/methods/replay.md, Eq. 6). The input is linear between
+    rows.
 
     Args:
-        force: (n,) at rest, 1/s.
+        force: (n,) force of the quasi-steady loop, 1/s.
         natural_frequency: w, rad/s.
         interval: of the rows, s.
     """
     w = natural_frequency
-    return _through(((1.0, 0.0), (1.0, 2 * w, w * w)), force, interval)
+    return _filter(((1.0, 0.0), (1.0, 2 * w, w * w)), force, interval)
 
 
-def _through(transfer: Transfer, force: Array, interval: float) -> Array:
-    numerator, denominator, rest = _sampled(transfer, interval)
-    return np.asarray(signal.lfilter(numerator, denominator, force, zi=rest * force[0])[0])
+def _filter(transfer: TransferFunction, force: Array, interval: float) -> Array:
+    numerator, denominator, steady_state = _discretize(transfer, interval)
+    return np.asarray(signal.lfilter(numerator, denominator, force, zi=steady_state * force[0])[0])
 
 
 @cache
-def _sampled(transfer: Transfer, interval: float) -> tuple[Array, Array, Array]:
-    """Coefficients for a series linear between rows, and the state that one unit rests in."""
+def _discretize(transfer: TransferFunction, interval: float) -> tuple[Array, Array, Array]:
+    """Coefficients for an input that is linear between rows, and the steady state for a unit."""
     loop = signal.cont2discrete(transfer, interval, method="foh")
     numerator, denominator = np.ravel(loop[0]), loop[1]
     return numerator, denominator, signal.lfilter_zi(numerator, denominator)

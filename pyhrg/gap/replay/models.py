@@ -2,27 +2,26 @@
 
 from collections.abc import Callable
 
-from fmu_build.bundle import built_fmu
-from fmu_build.roots import ROOTS
+from fmu_build.bundle import build_fmu
 from pyhrg.fmu import GyroFmu
 from pyhrg.gap.replay.simulation import Simulation
 
 
-def model(name: str, say: Callable[[str], None] = lambda text: None) -> GyroFmu:
-    """A gyro of `ROOTS`, ready to be run, built where it isn't yet.
+def load_model(name: str, progress: Callable[[str], None] = lambda text: None) -> GyroFmu:
+    """An FMU ready to be run, built first if there is no current build.
 
     Args:
-        name: of the root.
-        say: told what is being done.
+        name: "HRG", "HRGSlow" or "HRGCarrier".
+        progress: called with a sentence on each step of a build.
 
     Raises:
         TranslationError, BuildError, OSError.
     """
-    fmu = GyroFmu(built_fmu(say, root=ROOTS[name]))
+    fmu = GyroFmu(build_fmu(name, progress=progress))
     fmu.prepare()
     return fmu
 
 
-def simulation(say: Callable[[str], None] = lambda text: None) -> Simulation:
-    """Both fidelities; arguments and errors as of `model`."""
-    return Simulation(model("HRG", say), model("HRGSlow", say))
+def load_simulation(progress: Callable[[str], None] = lambda text: None) -> Simulation:
+    """Both fidelities that a replay needs; arguments and errors as of `load_model`."""
+    return Simulation(load_model("HRG", progress), load_model("HRGSlow", progress))

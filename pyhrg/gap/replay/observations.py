@@ -1,4 +1,4 @@
-"""What of a campaign's logs is compared with the simulation: channels, and rows at rest."""
+"""Which channels and rows of a campaign's logs are compared with the simulation."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
-from pyhrg.gap.replay.encoder import encoder_noise
-from pyhrg.gap.replay.replay import HELD, Replayable, replayable
+from pyhrg.gap.replay.encoder import estimate_encoder_noise
+from pyhrg.gap.replay.replay import HELD_COLUMNS, ReplayInputs, prepare_inputs
 from pyhrg.records import Log
 from pyhrg.records.campaign import Test
 
@@ -22,135 +22,147 @@ CHANNELS = (
     "quadrature_force",
     "frequency_offset",
 )
-"""Fields of a log that are compared. The wave angle says nothing that the output doesn't."""
+"""Fields of a log that are compared. The wave angle is not: the output angle follows from it."""
 FORCES = ("amplitude_force", "quadrature_force")
-"""Zero while the drive is off."""
-STEPS = ("drive_on", "virtual_rotation", "amplitude_setpoint", "phase_offset")
-"""Commands whose change moves the loops, and by them the pattern."""
-COMMANDS = ("axis_up", *(name for name in HELD if not name.startswith("acceleration")))
-LEAST = 4.0
-"""Time in which any change has settled at the earliest, s."""
-CONSTANTS = 24
-"""Time constants of the slowest loop after which a change is settled."""
-STEADY = 1e-3
-"""Change of the table's rate from row to row below which loops follow, rad/s^2."""
-TURNED_OVER = 1.0
-"""Change of specific force from row to row after which loops settle anew, m/s^2: they do where it
-moves a gain."""
-SLOW = 0.02
-"""Rate of the table below which forces of loops at rest show how they follow, rad/s."""
-STILL = 1e-3
-"""Rate of the table below which nothing of the angle is lost by loops that lag, rad/s."""
-OFFSET = 0.01
-"""Of the phase, up to which loops at rest show what it does, rad."""
+"""Channels that are zero while the drive is off."""
+LOOP_COMMANDS = ("drive_on", "virtual_rotation", "amplitude_setpoint", "phase_offset")
+"""Commands whose change puts the loops, and through them the pattern, into a transient."""
+COMMAND_COLUMNS = (
+    "axis_up",
+    *(name for name in HELD_COLUMNS if not name.startswith("acceleration")),
+)
+"""Commands and attitude. After one of them changes, rows are not compared until loops settle."""
+MIN_SETTLING_TIME = 4.0
+"""Shortest time after which a change counts as settled, s. Chosen."""
+SETTLING_TIME_CONSTANTS = 24
+"""Settling time in time constants of the slowest loop. Chosen: exp(-24) is 4e-11."""
+ACCELERATION_LIMIT = 1e-3
+"""Angular acceleration of the table above which loops are in a transient, rad/s^2. Chosen."""
+SPECIFIC_FORCE_STEP = 1.0
+"""Change of specific force from row to row above which loops settle anew, m/s^2: it steps the
+g-sensitive gain. Chosen."""
+FORCE_RATE_LIMIT = 0.02
+"""Table rate below which quasi-steady loops with a linear response give the forces, rad/s.
+Chosen."""
+ANGLE_RATE_LIMIT = 1e-3
+"""Table rate below which lagging loops change no angle, rad/s. Chosen."""
+PHASE_OFFSET_LIMIT = 0.01
+"""Largest phase offset that quasi-steady loops represent, rad. Chosen."""
 COARSE_STEP = 1.0
-"""Longest step by which a small difference between two gyros with loops at rest is taken, s."""
-COARSE_STEPS = 20
-"""Steps in which quadrature has come to rest in such a gyro, but for 0.2 %."""
-FINE = 0.2
-"""Rows shorter than this show how loops follow, s; a gyro with sampled loops is replayed."""
+"""Longest communication step for a small difference of two devices with quasi-steady loops, s.
+Chosen."""
+COARSE_SETTLING_STEPS = 20
+"""Steps after which quadrature in such a simulation is settled to 0.2 %."""
+FINE_ROW = 0.2
+"""Rows shorter than this resolve how loops follow, s; such tests run with sampled loops. Chosen."""
 
 
 @dataclass(frozen=True)
-class Observed:
-    """A test, its inputs, and which rows of each channel are compared.
+class ObservedTest:
+    """A test with its replayable inputs and the rows of each channel that are compared.
 
-    rows: (n,) by channel, where the angle is there too: it tells where the pattern was.
-    moving: (n,) rows in which loops are not at rest: their replay needs loops that run.
-    encoder: white noise of the table's angle, rad.
+    rows: (n,) by channel. The angle must be present too, since it gives the pattern's position.
+    transient: (n,) rows in which loops are not settled, so that their replay needs sampled loops.
+    encoder_noise: standard deviation of the table encoder's white noise, rad.
     """
 
     test: Test
-    inputs: Replayable
+    inputs: ReplayInputs
     rows: Mapping[str, Mask]
-    moving: Mask
-    encoder: float
+    transient: Mask
+    encoder_noise: float
 
     @property
     def log(self) -> Log:
-        """Its log."""
+        """Log of the test, with the inputs that are replayed."""
         return self.inputs.log
 
 
-def settling(device: Device) -> float:
-    """Time that loops take to settle after a command or a change of the table's rate, s."""
+def compute_settling_time(device: Device) -> float:
+    """Time that loops need to settle after a command or a change of the table's rate, s."""
     slowest = min(device.amplitude_loop, device.quadrature_loop, device.phase_loop)
-    return max(LEAST, CONSTANTS / slowest)
+    return max(MIN_SETTLING_TIME, SETTLING_TIME_CONSTANTS / slowest)
 
 
-def observed(test: Test, believed: Device) -> Observed:
-    """What a test has to compare.
+def observe_test(test: Test, nominal: Device) -> ObservedTest:
+    """Select what a test has to compare (docs/methods/replay.md, "Rows that are compared").
 
     Args:
         test: with a log of complete inputs.
-        believed: for the start angle, and the time that its loops take to settle.
+        nominal: gives the start angle, and the loops' settling time.
     """
     log = test.log
-    inputs = replayable(log, believed)
-    moving = _moving(log, inputs, settling(believed))
-    coarse = COARSE_STEPS * min(COARSE_STEP, log.interval)
-    settled = _settled(log, inputs, max(settling(believed), coarse))
+    inputs = prepare_inputs(log, nominal)
+    transient = _find_transient_rows(log, inputs, compute_settling_time(nominal))
+    coarse = COARSE_SETTLING_STEPS * min(COARSE_STEP, log.interval)
+    settled = _find_settled_rows(log, inputs, max(compute_settling_time(nominal), coarse))
     rows = {}
     for name in CHANNELS:
-        there = np.isfinite(getattr(log, name)) & np.isfinite(log.gyro_angle)
+        compared = np.isfinite(getattr(log, name)) & np.isfinite(log.gyro_angle)
         if name != "gyro_angle":
-            there &= settled
+            compared &= settled
         if name in FORCES:
-            there &= log.drive_on > 0
-        rows[name] = there
+            compared &= log.drive_on > 0
+        rows[name] = compared
     rows["temperature"] = np.isfinite(log.temperature)
-    encoder = encoder_noise(log.table_angle, log.gyro_angle)
-    return Observed(test, inputs, rows, moving, encoder)
+    encoder_noise = estimate_encoder_noise(log.table_angle, log.gyro_angle)
+    return ObservedTest(test, inputs, rows, transient, encoder_noise)
 
 
-def _moving(log: Log, inputs: Replayable, time: float) -> Mask:
-    """(n,) rows; all of them where loops at rest don't show what the gyro does between changes."""
-    away = (log.virtual_rotation != 0) | (log.drive_on <= 0) | (np.abs(log.phase_offset) > OFFSET)
-    if log.interval < FINE or away.any():
+def _find_transient_rows(log: Log, inputs: ReplayInputs, settling_time: float) -> Mask:
+    """(n,) rows whose angle needs sampled loops; all rows where quasi-steady loops don't hold even
+    between changes."""
+    is_special = (
+        (log.virtual_rotation != 0)
+        | (log.drive_on <= 0)
+        | (np.abs(log.phase_offset) > PHASE_OFFSET_LIMIT)
+    )
+    if log.interval < FINE_ROW or is_special.any():
         return np.ones(len(log.time), dtype=bool)
-    moved = jolts(inputs) | _turns(inputs, STILL) | _begins(log, STEPS)
-    return ~later(log, moved, time + log.interval)
+    changed = find_table_acceleration(inputs) | _find_rotation(inputs, ANGLE_RATE_LIMIT)
+    changed |= _find_changes(log, LOOP_COMMANDS)
+    return ~find_undisturbed_rows(log, changed, settling_time + log.interval)
 
 
-def _settled(log: Log, inputs: Replayable, time: float) -> Mask:
-    """(n,) rows in which loops at rest show what the gyro does."""
-    changed = commanded(log)
-    if log.interval >= FINE:
-        changed |= jolts(inputs) | _turns(inputs, SLOW)
-    return later(log, changed, time)
+def _find_settled_rows(log: Log, inputs: ReplayInputs, settling_time: float) -> Mask:
+    """(n,) rows whose amplitude, forces and frequency quasi-steady loops give."""
+    changed = find_command_changes(log)
+    if log.interval >= FINE_ROW:
+        changed |= find_table_acceleration(inputs) | _find_rotation(inputs, FORCE_RATE_LIMIT)
+    return find_undisturbed_rows(log, changed, settling_time)
 
 
-def _turns(inputs: Replayable, slow: float) -> Mask:
-    """(n,) rows in which the table turns faster than this, rad/s."""
+def _find_rotation(inputs: ReplayInputs, limit: float) -> Mask:
+    """(n,) rows in which the table turns faster than a limit, rad/s."""
     rates = np.abs(inputs.table.rates)
-    return np.asarray(np.maximum(rates[1:], rates[:-1]) > slow)
+    return np.asarray(np.maximum(rates[1:], rates[:-1]) > limit)
 
 
-def _begins(log: Log, names: Sequence[str]) -> Mask:
-    """(n,) rows in which one of these columns changes, and the first."""
-    begins = np.zeros(len(log.time), dtype=bool)
-    begins[0] = True
+def _find_changes(log: Log, names: Sequence[str]) -> Mask:
+    """(n,) rows in which one of these columns changes, and the first row."""
+    changed = np.zeros(len(log.time), dtype=bool)
+    changed[0] = True
     for name in names:
-        begins |= np.diff(getattr(log, name), prepend=getattr(log, name)[0]) != 0
-    return begins
-
-
-def commanded(log: Log) -> Mask:
-    """(n,) rows in which a command or the attitude changes, and the first."""
-    changed = _begins(log, COMMANDS)
-    for axis in "xyz":
-        force = getattr(log, f"acceleration_{axis}")
-        changed |= np.abs(np.diff(force, prepend=force[0])) > TURNED_OVER
+        changed |= np.diff(getattr(log, name), prepend=getattr(log, name)[0]) != 0
     return changed
 
 
-def jolts(inputs: Replayable) -> Mask:
-    """(n,) rows in which the table's rate changes."""
-    changes = np.maximum(np.abs(np.diff(inputs.table.rates)), np.abs(inputs.table.swells))
-    return np.asarray(changes / inputs.log.interval > STEADY)
+def find_command_changes(log: Log) -> Mask:
+    """(n,) rows in which a command or the attitude changes, and the first row."""
+    changed = _find_changes(log, COMMAND_COLUMNS)
+    for axis in "xyz":
+        force = getattr(log, f"acceleration_{axis}")
+        changed |= np.abs(np.diff(force, prepend=force[0])) > SPECIFIC_FORCE_STEP
+    return changed
 
 
-def later(log: Log, changed: Mask, time: float) -> Mask:
-    """(n,) rows that no change precedes by less than a time, s."""
+def find_table_acceleration(inputs: ReplayInputs) -> Mask:
+    """(n,) rows in which the table's rate changes by more than `ACCELERATION_LIMIT`."""
+    changes = np.maximum(np.abs(np.diff(inputs.table.rates)), np.abs(inputs.table.parabola_means))
+    return np.asarray(changes / inputs.log.interval > ACCELERATION_LIMIT)
+
+
+def find_undisturbed_rows(log: Log, changed: Mask, duration: float) -> Mask:
+    """(n,) rows with no changed row in the duration, s, before them."""
     last = np.maximum.accumulate(np.where(changed, log.time, -np.inf))
-    return np.asarray(log.time - last >= time)
+    return np.asarray(log.time - last >= duration)

@@ -8,136 +8,150 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.bench import FORCES, INPUTS, between, earth_rate, middles, recorded
-from pyhrg.common.robust import robust_deviation
-from pyhrg.device.device import LOOPS, Device
+from pyhrg.bench.bench import (
+    HELD_INPUTS,
+    LOOP_OUTPUTS,
+    compute_earth_rate,
+    compute_step_middles,
+    interpolate_rows,
+    record_rows,
+)
+from pyhrg.common.robust import estimate_robust_deviation
+from pyhrg.device.device import Device
+from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.fmu import GyroFmu
-from pyhrg.gap.replay.table_motion import TableMotion, table_motion
-from pyhrg.gap.replay.thermometer import toggling
+from pyhrg.gap.replay.table_motion import TableMotion, estimate_table_motion
+from pyhrg.gap.replay.thermometer import estimate_toggling_step
 from pyhrg.records import COLUMNS, Log
 
 Array = NDArray[np.float64]
 
-HELD = tuple(name for name in INPUTS if name not in ("vibration", "bias_voltage"))
-LEAST = 10
-"""Readings below which a thermometer's noise can't be told."""
-ROUNDED = 1e-9
-"""Of a step, that is none."""
-STEADY = 2.0
-"""Spread of a thermometer's readings, over their noise, that is no change of temperature."""
+HELD_COLUMNS = tuple(name for name in HELD_INPUTS if name not in ("vibration", "bias_voltage"))
+"""Inputs that a row of a log holds constant."""
+MIN_READINGS = 10
+"""Fewest temperature readings from which a thermometer's noise is estimated. Chosen."""
+STEP_ROUNDING = 1e-9
+"""Excess of a row over a whole number of steps, in steps, that is rounding. Chosen."""
+STEADY_RATIO = 2.0
+"""A temperature whose spread is below this many of the thermometer's noise is constant. Chosen."""
 
 
 @dataclass(frozen=True)
-class Replayable:
+class ReplayInputs:
     """The inputs of a log, ready for any simulated gyro.
 
-    start_angle: true pattern angle at power-on, rad.
-    table: its motion.
+    start_angle: physical pattern angle at power-on, rad.
+    table: motion of the turntable.
     temperatures: (n + 1,) of the case at the rows' bounds, K.
-    begun: angle of the table at power-on, rad.
+    start_table_angle: of the table at power-on, rad.
     """
 
     log: Log
     start_angle: float
     table: TableMotion
     temperatures: Array
-    begun: float = 0.0
+    start_table_angle: float = 0.0
 
     def table_angle(self, steps: int) -> Array:
         """(n, steps) at the middles of equal steps of each row, rad."""
-        begun = np.concatenate(([self.begun], self.log.table_angle[:-1]))[:, None]
-        return begun + self.table.turned_in(steps)
+        at_begin = np.concatenate(([self.start_table_angle], self.log.table_angle[:-1]))[:, None]
+        return at_begin + self.table.turned_in(steps)
 
-    def section(self, rows: slice, start_angle: float) -> "Replayable":
-        """The inputs of some rows alone, if power came on at their begin, with the pattern at an
-        angle, rad."""
+    def section(self, rows: slice, start_angle: float) -> "ReplayInputs":
+        """The inputs of some rows, with power-on at their begin and the pattern at an angle,
+        rad."""
         columns: dict[str, Any] = {c.field: getattr(self.log, c.field)[rows] for c in COLUMNS}
-        return Replayable(
+        return ReplayInputs(
             replace(self.log, **columns),
             start_angle,
             self.table.section(rows),
             self.temperatures[rows.start : rows.stop + 1],
-            float(self.log.table_angle[rows.start - 1]) if rows.start else self.begun,
+            float(self.log.table_angle[rows.start - 1]) if rows.start else self.start_table_angle,
         )
 
-    def first(self, rows: int) -> "Replayable":
-        """The inputs of the first rows alone."""
+    def first(self, rows: int) -> "ReplayInputs":
+        """The inputs of the first rows."""
         return self.section(slice(0, rows), self.start_angle)
 
 
-def replayable(log: Log, believed: Device) -> Replayable:
+def prepare_inputs(log: Log, nominal: Device) -> ReplayInputs:
     """Inputs of a log whose rows are complete.
 
     Args:
         log: of one power-on, from its start.
-        believed: its Bryan factor is used.
+        nominal: its angular gain (Bryan factor) is used.
     """
-    return Replayable(
+    return ReplayInputs(
         log,
-        start_angle(log, believed.bryan_factor),
-        table_motion(log.table_angle, log.interval),
-        _told(np.append(log.temperature[0], log.temperature)),
+        estimate_start_angle(log, nominal.bryan_factor),
+        estimate_table_motion(log.table_angle, log.interval),
+        _average_steady_temperature(np.append(log.temperature[0], log.temperature)),
     )
 
 
-def _told(temperature: Array) -> Array:
-    """A log's temperature; its mean where it shows no more than the thermometer's noise, which
-    effects of temperature would else be fitted to."""
-    noise = robust_deviation(np.diff(temperature, 2)) / np.sqrt(6)
-    noise = max(noise, toggling(temperature) / np.sqrt(12))
-    if len(temperature) < LEAST or np.std(temperature) > STEADY * noise:
+def _average_steady_temperature(temperature: Array) -> Array:
+    """A temperature, or its mean where it shows no more than the thermometer's noise.
+
+    Effects of temperature would otherwise be fitted to that noise.
+    """
+    noise = estimate_robust_deviation(np.diff(temperature, 2)) / np.sqrt(6)
+    noise = max(noise, estimate_toggling_step(temperature) / np.sqrt(12))
+    if len(temperature) < MIN_READINGS or np.std(temperature) > STEADY_RATIO * noise:
         return temperature
     return np.full(len(temperature), np.mean(temperature))
 
 
-def tells_start(log: Log) -> bool:
-    """Whether `start_angle` has rows with both angles."""
+def has_start_angle(log: Log) -> bool:
+    """Whether any row has both angles, so that `estimate_start_angle` works."""
     return bool(np.isfinite(log.wave_angle + log.gyro_angle).any())
 
 
-def start_angle(log: Log, bryan_factor: float) -> float:
-    """True pattern angle at power-on, rad: what the output's definition leaves of wave angle and
-    commanded rotation."""
+def estimate_start_angle(log: Log, bryan_factor: float) -> float:
+    """Physical pattern angle at power-on, rad (docs/methods/replay.md, Eq. 1)."""
     commanded = bryan_factor * np.cumsum(log.virtual_rotation) * log.interval
     return float(np.nanmean(log.wave_angle + bryan_factor * log.gyro_angle - commanded))
 
 
-def replayed(fmu: GyroFmu, device: Device, inputs: Replayable, step: float) -> dict[str, Array]:
-    """What the simulated gyro, without noise, answers to a log's inputs.
+def replay_inputs(
+    fmu: GyroFmu, device: Device, inputs: ReplayInputs, step: float
+) -> dict[str, Array]:
+    """Noise-free outputs of the simulated gyro for a log's inputs.
 
     Args:
-        fmu: `HRG`, or `HRGSlow` for loops that are at rest.
-        device: the gyro, its mounting, and where it stands.
-        step: longest communication step, s; rows are multiples of the one that is taken.
+        fmu: `HRG`, or `HRGSlow` for quasi-steady loops.
+        device: the gyro, its mounting and its site.
+        inputs: of one log.
+        step: longest communication step, s; it is shortened to a whole fraction of a row.
 
     Returns:
-        (n,) SI by field of a log: angle, amplitude, forces and frequency.
+        (n,) SI by field of a log: angles, amplitude, forces and frequency.
 
     Raises:
-        GyroError: parameters or inputs that the FMU refuses.
+        GyroError: the FMU refuses parameters or inputs.
     """
-    steps = max(1, math.ceil(inputs.log.interval / step - ROUNDED))
+    steps = max(1, math.ceil(inputs.log.interval / step - STEP_ROUNDING))
     step = inputs.log.interval / steps
-    held = {name: getattr(inputs.log, name) for name in HELD}
-    first = {INPUTS[name]: float(values[0]) for name, values in held.items()}
+    held = {name: getattr(inputs.log, name) for name in HELD_COLUMNS}
+    first = {HELD_INPUTS[name]: float(values[0]) for name, values in held.items()}
     first["caseTemperature"] = float(inputs.temperatures[0])
-    parameters = {**_parameters(fmu, device, step), **first}
+    parameters = {**_compute_parameters(fmu, device, step), **first}
     with fmu.power_on(parameters, seed=0, start_angle=inputs.start_angle) as on:
-        return recorded(on, _moving(device, inputs, steps), held, step, FORCES)
+        return record_rows(on, _compute_rates(device, inputs, steps), held, step, LOOP_OUTPUTS)
 
 
-def _parameters(fmu: GyroFmu, device: Device, step: float) -> Mapping[str, float]:
-    values = replace(device.without_noise(), angle_quantum=0.0).fmu_parameters()
+def _compute_parameters(fmu: GyroFmu, device: Device, step: float) -> Mapping[str, float]:
+    values = replace(device.without_noise(), quantization_step=0.0).fmu_parameters()
     if fmu.is_sampled:
         return values
-    at_rest = {name: value for name, value in values.items() if name not in LOOPS}
-    return {**at_rest, "samplePeriod": step}
+    without_loops = {name: value for name, value in values.items() if name not in LOOP_FREQUENCIES}
+    return {**without_loops, "samplePeriod": step}
 
 
-def _moving(device: Device, inputs: Replayable, steps: int) -> dict[str, Array]:
+def _compute_rates(device: Device, inputs: ReplayInputs, steps: int) -> dict[str, Array]:
+    """(n, steps) means over the steps of inputs that vary within rows (Eqs. 2 and 3)."""
     up = inputs.log.axis_up[:, None]
-    earth = earth_rate(device, up, inputs.table_angle(steps))
+    earth = compute_earth_rate(device, up, inputs.table_angle(steps))
     return {
         "angularRate": inputs.table.rates_in(steps) + earth,
-        "caseTemperature": between(inputs.temperatures, middles(steps)),
+        "caseTemperature": interpolate_rows(inputs.temperatures, compute_step_middles(steps)),
     }

@@ -1,4 +1,4 @@
-"""Noise-free answers of a device to observed tests, by the two fidelities that a replay needs."""
+"""Noise-free outputs of a device in observed tests, from the two fidelities that a replay needs."""
 
 import math
 from collections import OrderedDict
@@ -10,57 +10,61 @@ from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
-from pyhrg.gap.replay.loop_response import followed, let_go
+from pyhrg.gap.replay.loop_response import compute_loop_error, compute_loop_force
 from pyhrg.gap.replay.observations import (
     CHANNELS,
     COARSE_STEP,
-    FINE,
+    FINE_ROW,
     FORCES,
     Mask,
-    Observed,
-    settling,
+    ObservedTest,
+    compute_settling_time,
 )
-from pyhrg.gap.replay.replay import Replayable, replayed
+from pyhrg.gap.replay.replay import ReplayInputs, replay_inputs
 
 Array = NDArray[np.float64]
-Answers = Mapping[str, Array]
+ChannelValues = Mapping[str, Array]
+"""(n,) values in SI by field of a log."""
 
 ANGLES = ("gyro_angle", "wave_angle")
-FAST_STEPS = 100
-"""Steps that a row is made of where it is long enough."""
-SLOW_STEP = 0.1
-"""Step of the gyro with quasi-steady loops, s."""
-SHIFT = 1e-3
-"""Of the pattern, rad, to either side, by which slopes and curvatures are taken."""
-FINE_STEPS = 5
-"""In a row that is shorter than `FINE`: a gyro with loops at rest lags by three of them."""
-SHORT = 60.0
-"""Tests of such rows that are no longer, s, show how loops follow: they always run in these."""
-LEAST_SHIFT = 0.5
-"""Of a shift of the start angle that must be left for a slope to be told by it."""
-SMALL_LAG = 1e-9
-"""Of the phase, that is none, rad."""
-MOSTLY = 0.5
-"""Share of rows in which loops move beyond which they run in all."""
-KEPT = 1_000_000
-"""Rows of simulations that may be asked for again."""
+STEPS_PER_ROW = 100
+"""Communication steps of the sampled gyro in a row, where the row has so many control periods.
+Chosen."""
+QUASI_STEADY_STEP = 0.1
+"""Communication step of the gyro with quasi-steady loops, s. Chosen."""
+ANGLE_SHIFT = 1e-3
+"""Shift of the start angle to either side for derivatives by the pattern angle, rad. Chosen."""
+STEPS_PER_FINE_ROW = 5
+"""Communication steps in a row shorter than `FINE_ROW`: quasi-steady loops lag by three. Chosen."""
+SHORT_TEST = 60.0
+"""Longest test with such rows, s, that always runs with sampled loops. Chosen."""
+MIN_REMAINING_SHIFT = 0.5
+"""Share of a shift of the start angle that must remain for a derivative by it. Chosen."""
+MIN_PHASE_LAG = 1e-9
+"""Phase lag behind a drifting frequency that is neglected, rad. Chosen."""
+MAX_TRANSIENT_SHARE = 0.5
+"""Share of transient rows above which the whole test runs with sampled loops. Chosen."""
+MAX_CACHED_ROWS = 1_000_000
+"""Rows of simulations kept for repeated requests. Chosen: memory."""
 
 
 @dataclass(frozen=True)
-class OverAngle:
-    """How answers change with the pattern's present angle, (n,) by channel; that of the output
-    angle with the start angle: what a bias that depends on the angle makes of a shift, over the
-    Bryan factor.
+class AngleDerivatives:
+    """Derivatives of a replay by the pattern's present angle (docs/methods/replay.md, Eq. 7).
 
-    slopes: per rad.
-    curvatures: per rad^2.
+    That of the output angle is by the start angle instead: what a bias that depends on the angle
+    makes of a shift, over the angular gain.
+
+    slopes: (n,) first derivatives by channel, SI/rad.
+    curvatures: (n,) second derivatives by channel, SI/rad^2.
     """
 
     slopes: Mapping[str, Array]
     curvatures: Mapping[str, Array]
 
-    def bent(self, channel: str, angle: Array) -> Array:
-        """(n,) change of a channel when the pattern turns by angles, rad, beyond the linear one."""
+    def second_order(self, channel: str, angle: Array) -> Array:
+        """(n,) second-order term of a channel's change when the pattern turns by (n,) angles,
+        rad."""
         return np.asarray(self.curvatures[channel] * angle**2 / 2)
 
 
@@ -68,165 +72,183 @@ class OverAngle:
 class Simulation:
     """Both fidelities of the gyro.
 
-    sampled: `HRG`.
-    quasi_steady: `HRGSlow`.
+    sampled: `HRG`, whose loops run at 1 kHz.
+    quasi_steady: `HRGSlow`, whose loops are always settled.
     """
 
     sampled: GyroFmu
     quasi_steady: GyroFmu
-    _kept: OrderedDict[tuple[int, int, float], tuple[Device, Replayable, Answers]] = field(
+    _cache: OrderedDict[tuple[int, int, float], tuple[Device, ReplayInputs, ChannelValues]] = field(
         default_factory=OrderedDict, init=False, repr=False, compare=False
     )
 
     def model(self, rows: int, interval: float) -> GyroFmu:
-        """The plainest model that shows all that a test of so many rows, of an interval in s, can
-        show of a small difference."""
+        """The simplest model that shows a small difference of two devices in full, for a test of so
+        many rows of an interval, s."""
         return self.sampled if is_short(rows, interval) else self.quasi_steady
 
-    def answers(self, device: Device, test: Observed) -> dict[str, Array]:
-        """(n,) by field: with running loops where they move through most of a test; else with
-        loops that follow once they are at rest, and with what running ones make of the angles
-        where they move.
+    def simulate(self, device: Device, test: ObservedTest) -> dict[str, Array]:
+        """(n,) by field of a log, SI: the replay of a test.
+
+        Sampled loops run throughout if most rows are transient. Else quasi-steady loops run, with
+        the loops' linear response, and sampled loops add what they change in the angles in
+        transient rows (docs/methods/replay.md, "Fidelity").
 
         Raises:
-            GyroError: parameters or inputs that the FMU refuses.
+            GyroError: the FMU refuses parameters or inputs.
         """
-        if np.mean(test.moving) > MOSTLY:
-            return self._running(device, test.inputs)
-        at_rest = self._lagging(device, test.inputs)
-        moved = self._moved(at_rest, device, test)
-        turned = moved["wave_angle"] - at_rest["wave_angle"]
-        slopes = self.over_angle(device, test).slopes
+        if np.mean(test.transient) > MAX_TRANSIENT_SHARE:
+            return self._run_sampled(device, test.inputs)
+        settled = self._run_with_phase_lag(device, test.inputs)
+        corrected = self._correct_angles(settled, device, test)
+        turned = corrected["wave_angle"] - settled["wave_angle"]
+        slopes = self.differentiate_by_angle(device, test).slopes
         shifted = {name: slopes[name] * turned for name in CHANNELS if name not in ANGLES}
-        return added(_led(moved, device, test), shifted)
+        return add_channels(_apply_loop_response(corrected, device, test), shifted)
 
-    def _running(
-        self, device: Device, inputs: Replayable, steps: int = FAST_STEPS
+    def _run_sampled(
+        self, device: Device, inputs: ReplayInputs, steps: int = STEPS_PER_ROW
     ) -> dict[str, Array]:
-        """With loops that run; what a row holds is held in steps of whole control periods."""
+        """With sampled loops; communication steps are whole numbers of control periods."""
         periods = round(inputs.log.interval / CONTROL_PERIOD)
         each = next(n for n in range(max(periods // steps, 1), 0, -1) if periods % n == 0)
-        return replayed(self.sampled, device, inputs, each * CONTROL_PERIOD)
+        return replay_inputs(self.sampled, device, inputs, each * CONTROL_PERIOD)
 
-    def _at_rest(self, device: Device, inputs: Replayable) -> dict[str, Array]:
-        """With loops that follow."""
-        return replayed(self.quasi_steady, device, inputs, SLOW_STEP)
+    def _run_quasi_steady(self, device: Device, inputs: ReplayInputs) -> dict[str, Array]:
+        return replay_inputs(self.quasi_steady, device, inputs, QUASI_STEADY_STEP)
 
-    def _lagging(self, device: Device, inputs: Replayable) -> dict[str, Array]:
-        """With loops that follow, that of the phase behind a frequency that drifts."""
-        found = self._at_rest(device, inputs)
-        drift = np.gradient(found["frequency_offset"], inputs.log.interval)
+    def _run_with_phase_lag(self, device: Device, inputs: ReplayInputs) -> dict[str, Array]:
+        """With quasi-steady loops, and the phase loop's lag behind a frequency that drifts."""
+        without_lag = self._run_quasi_steady(device, inputs)
+        drift = np.gradient(without_lag["frequency_offset"], inputs.log.interval)
         lag = drift / device.phase_loop**2
-        if np.abs(lag).max() < SMALL_LAG:
-            return found
+        if np.abs(lag).max() < MIN_PHASE_LAG:
+            return without_lag
         log = replace(inputs.log, phase_offset=inputs.log.phase_offset - lag)
-        return self._at_rest(device, replace(inputs, log=log))
+        return self._run_quasi_steady(device, replace(inputs, log=log))
 
-    def _moved(self, at_rest: dict[str, Array], device: Device, test: Observed) -> dict[str, Array]:
-        """Angles with what loops that run make of them beyond loops at rest, where they move."""
-        left = {name: np.zeros(len(test.log.time)) for name in ANGLES}
-        lead = math.ceil(settling(device) / test.log.interval)
-        for rows in _stretches(test.moving, lead):
+    def _correct_angles(
+        self, settled: dict[str, Array], device: Device, test: ObservedTest
+    ) -> dict[str, Array]:
+        """A quasi-steady replay with the angles that sampled loops give in transient rows."""
+        corrections = {name: np.zeros(len(test.log.time)) for name in ANGLES}
+        lead = math.ceil(compute_settling_time(device) / test.log.interval)
+        for rows in _find_sections(test.transient, lead):
             begin = max(rows.start - lead, 0)
             angle = test.inputs.start_angle
             if begin:
-                turned = at_rest["wave_angle"][begin - 1] + left["wave_angle"][begin - 1]
+                turned = settled["wave_angle"][begin - 1] + corrections["wave_angle"][begin - 1]
                 angle = math.remainder(turned, math.pi)
             inputs = test.inputs.section(slice(begin, rows.stop), angle)
-            running, resting = self._running(device, inputs), self._lagging(device, inputs)
+            sampled = self._run_sampled(device, inputs)
+            quasi_steady = self._run_with_phase_lag(device, inputs)
             for name in ANGLES:
-                apart = running[name] - resting[name]
+                apart = sampled[name] - quasi_steady[name]
                 if rows.start:
                     apart -= apart[rows.start - begin - 1]
-                left[name][rows] += apart[rows.start - begin :]
-                left[name][rows.stop :] += apart[-1]
-        return added(at_rest, left)
+                corrections[name][rows] += apart[rows.start - begin :]
+                corrections[name][rows.stop :] += apart[-1]
+        return add_channels(settled, corrections)
 
-    def difference(self, low: Device, high: Device, test: Observed) -> dict[str, Array]:
-        """(n,) by channel: answer of `high` less that of `low`, for devices that differ little.
-
-        Raises:
-            GyroError: as `answers`.
-        """
-        first, last = (self._coarse(device, test.inputs) for device in (low, high))
-        return _apart(first, last, high, test)
-
-    def changes(self, device: Device, test: Observed) -> Callable[[Device], dict[str, Array]]:
-        """What gyros that differ little from a device, which is simulated once, answer beyond it.
+    def compute_difference(self, low: Device, high: Device, test: ObservedTest) -> dict[str, Array]:
+        """(n,) by channel, SI: output of `high` less that of `low`, for devices that differ little.
 
         Raises:
-            GyroError: as `answers`, here and when it is called.
+            GyroError: as `simulate`.
         """
-        first = self._coarse(device, test.inputs)
-        return lambda other: _apart(first, self._simulated(other, test.inputs), other, test)
+        first, last = (self._run_cached(device, test.inputs) for device in (low, high))
+        return _subtract(first, last, high, test)
 
-    def over_angle(self, device: Device, test: Observed) -> OverAngle:
-        """How the answers change with the pattern's angle.
+    def make_difference_from(
+        self, device: Device, test: ObservedTest
+    ) -> Callable[[Device], dict[str, Array]]:
+        """`compute_difference` from one device on, which is simulated once.
 
         Raises:
-            GyroError: as `answers`.
+            GyroError: as `simulate`, here and from the returned function.
         """
-        low, middle, high = (self._coarse(device, test.inputs, s) for s in (-SHIFT, 0.0, SHIFT))
-        below, above = (_apart(*ends, device, test) for ends in ((low, middle), (middle, high)))
-        slopes = {name: (below[name] + above[name]) / (2 * SHIFT) for name in CHANNELS}
-        grown = 1 - device.bryan_factor * slopes["gyro_angle"]
-        is_told = grown > LEAST_SHIFT
-        shift = np.where(is_told, grown, 1.0)
+        first = self._run_cached(device, test.inputs)
+        return lambda other: _subtract(first, self._run_coarse(other, test.inputs), other, test)
+
+    def differentiate_by_angle(self, device: Device, test: ObservedTest) -> AngleDerivatives:
+        """Derivatives of a replay by the pattern angle, by central differences of the start angle
+        (docs/methods/replay.md, Eq. 7).
+
+        Raises:
+            GyroError: as `simulate`.
+        """
+        shifts = (-ANGLE_SHIFT, 0.0, ANGLE_SHIFT)
+        low, middle, high = (self._run_cached(device, test.inputs, s) for s in shifts)
+        below, above = (_subtract(*ends, device, test) for ends in ((low, middle), (middle, high)))
+        slopes = {name: (below[name] + above[name]) / (2 * ANGLE_SHIFT) for name in CHANNELS}
+        growth = 1 - device.bryan_factor * slopes["gyro_angle"]
+        remains = growth > MIN_REMAINING_SHIFT
+        shift = np.where(remains, growth, 1.0)
         now = {n: s if n == "gyro_angle" else s / shift for n, s in slopes.items()}
-        bends = {name: (above[name] - below[name]) / SHIFT**2 for name in CHANNELS}
-        turned = device.bryan_factor * np.where(is_told, bends["gyro_angle"], 0.0)
-        return OverAngle(now, {n: (b + now[n] * turned) / shift**2 for n, b in bends.items()})
+        bends = {name: (above[name] - below[name]) / ANGLE_SHIFT**2 for name in CHANNELS}
+        turned = device.bryan_factor * np.where(remains, bends["gyro_angle"], 0.0)
+        curvatures = {n: (b + now[n] * turned) / shift**2 for n, b in bends.items()}
+        return AngleDerivatives(now, curvatures)
 
-    def _coarse(self, device: Device, inputs: Replayable, shift: float = 0.0) -> Answers:
-        """As `_simulated`, for a shift of the start angle, rad; the last ones are kept."""
+    def _run_cached(
+        self, device: Device, inputs: ReplayInputs, shift: float = 0.0
+    ) -> ChannelValues:
+        """`_run_coarse` with the start angle shifted, rad; recent results are kept."""
         key = id(device), id(inputs), shift
-        if key in self._kept:
-            return self._kept[key][-1]
+        if key in self._cache:
+            return self._cache[key][-1]
         shifted = replace(inputs, start_angle=inputs.start_angle + shift)
-        found = self._simulated(device, shifted)
-        self._kept[key] = device, inputs, found
-        while sum(len(inputs.log.time) for _, inputs, _ in self._kept.values()) > KEPT:
-            self._kept.popitem(last=False)
-        return found
+        values = self._run_coarse(device, shifted)
+        self._cache[key] = device, inputs, values
+        while sum(len(i.log.time) for _, i, _ in self._cache.values()) > MAX_CACHED_ROWS:
+            self._cache.popitem(last=False)
+        return values
 
-    def _simulated(self, device: Device, inputs: Replayable) -> dict[str, Array]:
-        """With loops at rest unless all is over soon, in steps that do for small differences."""
+    def _run_coarse(self, device: Device, inputs: ReplayInputs) -> dict[str, Array]:
+        """With quasi-steady loops unless the test is short, in steps that suffice for small
+        differences."""
         if is_short(len(inputs.log.time), inputs.log.interval):
-            return self._running(device, inputs, FINE_STEPS)
+            return self._run_sampled(device, inputs, STEPS_PER_FINE_ROW)
         interval = inputs.log.interval
-        step = interval / FINE_STEPS if interval < FINE else COARSE_STEP
-        return replayed(self.quasi_steady, device, inputs, step)
+        step = interval / STEPS_PER_FINE_ROW if interval < FINE_ROW else COARSE_STEP
+        return replay_inputs(self.quasi_steady, device, inputs, step)
 
 
 def is_short(rows: int, interval: float) -> bool:
-    """Whether loops run in all simulations of a test of so many rows, of an interval in s."""
-    return interval < FINE and rows * interval <= SHORT
+    """Whether a test of so many rows, of an interval in s, always runs with sampled loops."""
+    return interval < FINE_ROW and rows * interval <= SHORT_TEST
 
 
-def _stretches(moving: Mask, apart: int) -> list[slice]:
-    """Rows in which loops move, together where fewer than so many lie between."""
-    where = np.flatnonzero(moving)
-    parts = np.split(where, np.flatnonzero(np.diff(where) > apart) + 1)
+def _find_sections(transient: Mask, apart: int) -> list[slice]:
+    """Sections of transient rows, merged where fewer than `apart` rows lie between."""
+    rows = np.flatnonzero(transient)
+    parts = np.split(rows, np.flatnonzero(np.diff(rows) > apart) + 1)
     return [slice(int(part[0]), int(part[-1]) + 1) for part in parts]
 
 
-def _apart(first: Answers, last: Answers, device: Device, test: Observed) -> dict[str, Array]:
+def _subtract(
+    first: ChannelValues, last: ChannelValues, device: Device, test: ObservedTest
+) -> dict[str, Array]:
+    """Change by channel from first to last, with the loops' response where loops did not run."""
     change = {name: last[name] - first[name] for name in CHANNELS}
-    is_raw = is_short(len(test.log.time), test.log.interval)
-    return change if is_raw else _led(change, device, test)
+    if is_short(len(test.log.time), test.log.interval):
+        return change
+    return _apply_loop_response(change, device, test)
 
 
-def added(answers: Answers, difference: Answers) -> dict[str, Array]:
-    """Answers of a gyro that differs little from another."""
-    return {name: values + difference.get(name, 0.0) for name, values in answers.items()}
+def add_channels(values: ChannelValues, difference: ChannelValues) -> dict[str, Array]:
+    """Sum by channel; a channel that has no difference is unchanged."""
+    return {name: own + difference.get(name, 0.0) for name, own in values.items()}
 
 
-def _led(answers: dict[str, Array], device: Device, test: Observed) -> dict[str, Array]:
-    """Forces of loops at rest led through the loops' own response, and how far they let the
-    amplitude go."""
-    let = let_go(answers["amplitude_force"], device.amplitude_loop, test.log.interval)
-    answers["amplitude"] = answers["amplitude"] - device.amplitude * let
+def _apply_loop_response(
+    values: dict[str, Array], device: Device, test: ObservedTest
+) -> dict[str, Array]:
+    """Quasi-steady forces through the loops' transfer functions, and the amplitude's error
+    (docs/methods/replay.md, Eqs. 5 and 6). Changes `values`."""
+    error = compute_loop_error(values["amplitude_force"], device.amplitude_loop, test.log.interval)
+    values["amplitude"] = values["amplitude"] - device.amplitude * error
     loops = (device.amplitude_loop, device.quadrature_loop)
     for name, frequency in zip(FORCES, loops, strict=True):
-        answers[name] = followed(answers[name], frequency, test.log.interval)
-    return answers
+        values[name] = compute_loop_force(values[name], frequency, test.log.interval)
+    return values

@@ -1,4 +1,4 @@
-"""How the turntable moved between the rows of a log."""
+"""Motion of the turntable between the rows of a log."""
 
 from dataclasses import dataclass, replace
 
@@ -7,115 +7,124 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse import linalg
 
-from pyhrg.bench.bench import between, middles
+from pyhrg.bench.bench import compute_step_middles, interpolate_rows
 
 Array = NDArray[np.float64]
 
-ENCODER = 1e-8
-"""Turn of the table that is none, rad."""
-ROUNDS = 40
-"""Of fitting, at most."""
-CLOSE = 0.1
-"""Of a rate that is none: a round that moves rates by less is the last."""
-ALTERNATING = 2.0
-"""Of bends that are nothing special, over those of the motion that has few."""
+ENCODER_RESOLUTION = 1e-8
+"""Turn of the table below which it counts as at rest, rad. Chosen."""
+MAX_ITERATIONS = 40
+"""Most iterations of the reweighted fit. Chosen."""
+CONVERGENCE_SHARE = 0.1
+"""The fit has converged when no rate changes by more than this share of `ENCODER_RESOLUTION` a
+row. Chosen."""
+ALTERNATION_RATIO = 2.0
+"""Bends of the piecewise linear motion, over those of the sparse one, above which the sparse motion
+is taken. Chosen."""
 
 
 @dataclass(frozen=True)
 class TableMotion:
-    """The table's rate: over each row linear, and a parabola that is zero at its ends.
+    """The table's rate: within each row a straight line plus a parabola that is zero at both ends.
 
     interval: of the rows, s.
     rates: (n + 1,) at the rows' bounds, rad/s; 0 at the start.
-    swells: (n,) means of the parabolas, rad/s.
+    parabola_means: (n,) mean of the parabola over each row, rad/s.
     """
 
     interval: float
     rates: Array
-    swells: Array
+    parabola_means: Array
 
     @property
     def means(self) -> Array:
-        """(n,) over rows, rad/s."""
-        return np.asarray((self.rates[1:] + self.rates[:-1]) / 2 + self.swells)
+        """(n,) mean rate over each row, rad/s: the encoder's increment over the interval."""
+        return np.asarray((self.rates[1:] + self.rates[:-1]) / 2 + self.parabola_means)
 
     def section(self, rows: slice) -> "TableMotion":
-        """Of some rows alone."""
-        return replace(self, rates=self.rates[rows.start : rows.stop + 1], swells=self.swells[rows])
+        """The motion in some rows."""
+        rates = self.rates[rows.start : rows.stop + 1]
+        return replace(self, rates=rates, parabola_means=self.parabola_means[rows])
 
     def rates_in(self, steps: int) -> Array:
-        """(n, steps) means over equal steps of each row, rad/s."""
+        """(n, steps) mean rates over equal steps of each row, rad/s."""
         bounds = np.arange(steps + 1) / steps
-        swelling = np.diff(_swollen(bounds)) * steps
-        return between(self.rates, middles(steps)) + self.swells[:, None] * swelling
+        parabola = np.diff(_integrate_parabola(bounds)) * steps
+        linear = interpolate_rows(self.rates, compute_step_middles(steps))
+        return linear + self.parabola_means[:, None] * parabola
 
     def turned_in(self, steps: int) -> Array:
         """(n, steps) turn from each row's begin to the middles of equal steps of it, rad."""
-        share = middles(steps)
-        linear = share * between(self.rates, share / 2)
-        return self.interval * (linear + self.swells[:, None] * _swollen(share))
+        share = compute_step_middles(steps)
+        linear = share * interpolate_rows(self.rates, share / 2)
+        parabola = self.parabola_means[:, None] * _integrate_parabola(share)
+        return self.interval * (linear + parabola)
 
 
-def _swollen(share: Array) -> Array:
-    """Integral of the parabola of mean 1, from a row's begin."""
+def _integrate_parabola(share: Array) -> Array:
+    """Integral of the parabola of mean 1 from a row's begin to a share of the row."""
     return share**2 * (3 - 2 * share)
 
 
-def table_motion(table_angle: Array, interval: float) -> TableMotion:
-    """The motion that has an encoder's readings and is linear in every row; where that alternates,
-    the one whose slope changes in as few rows as will do, and which is linear in as many.
+def estimate_table_motion(table_angle: Array, interval: float) -> TableMotion:
+    """The motion that reproduces the encoder's readings exactly.
 
-    What an encoder rounds off, or a table does within a row, would go on alternating from bound to
-    bound for ever.
+    The piecewise linear rate is taken unless it alternates from bound to bound. It does after
+    rounding of the encoder, and after a move that ends within a row. Then the motion with the
+    fewest rows with a bend or a parabola is taken (docs/methods/replay.md, Eqs. 2 and 3).
 
     Args:
         table_angle: (n,) encoder at the rows' ends, rad; 0 at the start.
         interval: of the rows, s.
     """
     means = np.diff(table_angle, prepend=0.0) / interval
-    linear = _motion(means, interval, _linear(means))
-    if _bent(linear) <= ALTERNATING * ENCODER / interval:
+    linear = _build_motion(means, interval, _fit_linear(means))
+    if _median_bend(linear) <= ALTERNATION_RATIO * ENCODER_RESOLUTION / interval:
         return linear
-    few = _motion(means, interval, _sparse(means, interval))
-    return few if ALTERNATING * _bent(few) < _bent(linear) else linear
+    few = _build_motion(means, interval, _fit_sparse(means, interval))
+    return few if ALTERNATION_RATIO * _median_bend(few) < _median_bend(linear) else linear
 
 
-def _motion(means: Array, interval: float, rates: Array) -> TableMotion:
-    """With these means over rows, and (n,) rates at the rows' ends."""
+def _build_motion(means: Array, interval: float, rates: Array) -> TableMotion:
+    """Motion with these means over rows, and (n,) rates at the rows' ends."""
     bounds = np.append(0.0, rates)
     return TableMotion(interval, bounds, means - (bounds[1:] + bounds[:-1]) / 2)
 
 
-def _bent(motion: TableMotion) -> float:
-    """A bend that is nothing special, and what is none, rad/s."""
-    return ENCODER / motion.interval + float(np.median(np.abs(np.diff(motion.rates, 2))))
+def _median_bend(motion: TableMotion) -> float:
+    """Median second difference of the rates, plus that of the encoder's resolution, rad/s."""
+    bends = np.abs(np.diff(motion.rates, 2))
+    return ENCODER_RESOLUTION / motion.interval + float(np.median(bends))
 
 
-def _linear(means: Array) -> Array:
-    """(n,) rates at the rows' ends of a motion that is linear in every row."""
+def _fit_linear(means: Array) -> Array:
+    """(n,) rates at the rows' ends of a motion whose rate is linear in every row."""
     signs = (-1.0) ** np.arange(len(means))
     return np.asarray(2 * signs * np.cumsum(signs * means))
 
 
-def _sparse(means: Array, interval: float) -> Array:
-    """(n,) rates at the rows' ends where bends and swells cost the logarithm of their size:
-    iteratively reweighted least squares (E. J. Candes, M. B. Wakin, S. P. Boyd, J. Fourier Anal.
-    Appl. 14 (2008))."""
+def _fit_sparse(means: Array, interval: float) -> Array:
+    """(n,) rates at the rows' ends with the smallest sum of logarithms of bends and parabolas.
+
+    Iteratively reweighted least squares (E. J. Candes, M. B. Wakin, S. P. Boyd, J. Fourier Anal.
+    Appl. 14 (2008)); docs/methods/replay.md, Eq. 3.
+    """
     n = len(means)
     rates = (means + np.append(means[1:], means[-1])) / 2
     rates[:-1][(means[1:] == 0) | (means[:-1] == 0)] = 0.0
     mean = sparse.diags_array([0.5, 0.5], offsets=[0, -1], shape=(n, n))
     bend = sparse.diags_array([1.0, -2.0, 1.0], offsets=[-1, 0, 1], shape=(n - 1, n))
-    none = ENCODER / interval
-    for _ in range(ROUNDS):
-        swells, bends = means - mean @ rates, bend @ rates
-        a, b = (1 / (np.abs(values) + none) ** 2 for values in (swells, bends))
+    resolution = ENCODER_RESOLUTION / interval
+    for _ in range(MAX_ITERATIONS):
+        parabolas, bends = means - mean @ rates, bend @ rates
+        a, b = (1 / (np.abs(values) + resolution) ** 2 for values in (parabolas, bends))
         normal = mean.T @ sparse.diags_array(a) @ mean + bend.T @ sparse.diags_array(b) @ bend
         scale = 1 / np.sqrt(normal.diagonal())
-        even = sparse.diags_array(scale)
-        pull = mean.T @ (a * swells) - bend.T @ (b * bends)
-        change = scale * linalg.spsolve(sparse.csc_array(even @ normal @ even), scale * pull)
+        scaling = sparse.diags_array(scale)
+        gradient = mean.T @ (a * parabolas) - bend.T @ (b * bends)
+        scaled = sparse.csc_array(scaling @ normal @ scaling)
+        change = scale * linalg.spsolve(scaled, scale * gradient)
         rates = rates + change
-        if np.abs(change).max() < CLOSE * none:
+        if np.abs(change).max() < CONVERGENCE_SHARE * resolution:
             break
     return rates

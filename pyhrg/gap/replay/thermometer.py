@@ -1,4 +1,4 @@
-"""The step in which a thermometer is read or logged, where it hides the thermometer's noise."""
+"""Quantization step of a temperature log, where it exceeds the thermometer's noise."""
 
 from collections.abc import Mapping
 
@@ -7,49 +7,55 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-MOSTLY = 0.3
-"""Share of readings that are the one before, from which on noise is finer than the step."""
-ON = 0.25
-"""Distance from whole steps, over one: a step may be rounded when it is printed."""
-FINEST, COARSEST = 1e-6, 2.0
-"""Steps that are looked for, K: not the rounding of numbers, nor set points that change."""
-ONE = 1.5
-"""Changes up to this many smallest ones are of one step."""
+MIN_REPEATED_SHARE = 0.3
+"""Share of readings that repeat the one before, above which noise is finer than the step.
+Chosen."""
+WHOLE_STEP_TOLERANCE = 0.25
+"""Largest departure of a change from a whole number of steps, in steps: a printed step may be
+rounded. Chosen."""
+MIN_STEP, MAX_STEP = 1e-6, 2.0
+"""Range of steps that are looked for, K: above the rounding of numbers, below changes of a set
+point. Chosen."""
+SINGLE_STEP_RATIO = 1.5
+"""Changes up to this many times the smallest change are changes by one step. Chosen."""
 
 
-def reading_steps(logs: Mapping[str, Array]) -> dict[str, float]:
-    """Step of each log's readings, K; of one that never changes, that of the finest other one.
+def estimate_reading_steps(logs: Mapping[str, Array]) -> dict[str, float]:
+    """Quantization step of each log, K; a log that never changes gets the finest step of the
+    others. 0 means that the step is finer than the noise.
 
     Args:
         logs: (n,) temperature by test, K.
     """
-    changes = {name: _changes(log) for name, log in logs.items()}
-    steps = {name: _step(own) for name, own in changes.items()}
+    changes = {name: _compute_changes(log) for name, log in logs.items()}
+    steps = {name: _estimate_step(own) for name, own in changes.items()}
     finest = min((step for step in steps.values() if step), default=0.0)
     return {name: steps[name] if own.any() else finest for name, own in changes.items()}
 
 
-def toggling(log: Array) -> float:
+def estimate_toggling_step(log: Array) -> float:
     """Step between which a thermometer's readings go to and fro, K; 0 where they don't.
 
     Args:
-        log: (n,) K.
+        log: (n,) temperature, K.
     """
-    changes = _changes(log)
-    return _step(changes) if changes.min(initial=0.0) < 0 < changes.max(initial=0.0) else 0.0
+    changes = _compute_changes(log)
+    goes_both_ways = changes.min(initial=0.0) < 0 < changes.max(initial=0.0)
+    return _estimate_step(changes) if goes_both_ways else 0.0
 
 
-def _changes(log: Array) -> Array:
-    """From reading to reading, without the rounding of numbers."""
+def _compute_changes(log: Array) -> Array:
+    """Changes from reading to reading, 0 where they are the rounding of numbers."""
     changes = np.diff(log[np.isfinite(log)])
-    return np.asarray(np.where(np.abs(changes) > FINEST, changes, 0.0))
+    return np.asarray(np.where(np.abs(changes) > MIN_STEP, changes, 0.0))
 
 
-def _step(changes: Array) -> float:
-    """0 where readings are finer than their noise, or never change."""
-    moved = np.abs(changes[changes != 0])
-    if not len(moved) or len(moved) > (1 - MOSTLY) * len(changes):
+def _estimate_step(changes: Array) -> float:
+    """Step, K; 0 where it is finer than the noise, or readings never change."""
+    sizes = np.abs(changes[changes != 0])
+    if not len(sizes) or len(sizes) > (1 - MIN_REPEATED_SHARE) * len(changes):
         return 0.0
-    step = float(np.median(moved[moved < ONE * moved.min()]))
-    counts = moved / step
-    return step if step < COARSEST and np.all(np.abs(counts - np.round(counts)) < ON) else 0.0
+    step = float(np.median(sizes[sizes < SINGLE_STEP_RATIO * sizes.min()]))
+    counts = sizes / step
+    is_whole = np.all(np.abs(counts - np.round(counts)) < WHOLE_STEP_TOLERANCE)
+    return step if step < MAX_STEP and is_whole else 0.0

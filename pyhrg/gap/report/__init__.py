@@ -1,1 +1,1 @@
-"""report.html: a diagnosis as people look at it first."""
+"""The report of a campaign's diagnosis: one HTML page, a summary for the terminal, its folder."""

@@ -1,121 +1,131 @@
-"""What was found, and the sets of effects by probability."""
+"""The causes that were found, and the hypotheses by posterior probability."""
 
 import html
 
-from pyhrg.common.pages.markup import paragraph
-from pyhrg.common.pages.svg import number
+from pyhrg.common.pages.markup import make_paragraph
+from pyhrg.common.pages.svg import format_number
 from pyhrg.device.keys import KEYS
-from pyhrg.gap.diagnose import Diagnosed
-from pyhrg.gap.evidence.noise.noise_search import NoiseFound
+from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.findings.diagnosis import Cause
 from pyhrg.gap.report.words import (
-    bar,
-    effect_words,
-    group_words,
-    markup_table,
-    percent,
-    unit_of,
-    value_words,
+    build_table,
+    draw_bar,
+    format_effect,
+    format_group,
+    format_percent,
+    format_value,
+    parse_parameter,
 )
 
-SETS, GROUPS = 10, 10
-"""Listed at most."""
-LEAST = 1e-3
-"""Probability below which an effect isn't listed."""
+LISTED_SETS, LISTED_EFFECTS = 10, 10
+"""Rows that the tables of sets and of single effects have at most."""
+SMALLEST_PROBABILITY = 1e-3
+"""Posterior probability below which a single effect has no row (chosen)."""
 
 
-def causes(found: Diagnosed) -> str:
-    """A row a parameter."""
-    said = found.diagnosis
+def build_causes(result: CampaignDiagnosis) -> str:
+    """Tables of the named causes, a row a parameter, and of the causes without a name."""
+    diagnosis = result.diagnosis
     parts = []
-    if said.causes:
-        rows = [row for cause in said.causes for row in _rows(cause, found)]
-        header = ("Effect", "Probability", "Parameter", "Value (95 % interval)", "Believed", "Unit")
-        title = "Total values, as after.toml has them"
-        parts.append(markup_table(title, (*header, "Can't be told from"), rows))
+    if diagnosis.causes:
+        rows = [row for cause in diagnosis.causes for row in _make_rows(cause, result)]
+        header = ("Effect", "Probability", "Parameter", "Value (95 % interval)", "Nominal", "Unit")
+        title = "Total values, as in after.toml"
+        parts.append(build_table(title, (*header, "Confounded with"), rows))
     else:
-        parts.append(paragraph("No effect of the catalogue is needed."))
-    if said.unnamed:
-        listed = [(html.escape(w), percent(p)) for w, p in said.unnamed.items()]
-        parts.append(markup_table("Without a name", ("What it follows", "Probability"), listed))
+        parts.append(make_paragraph("No effect of the catalogue is needed."))
+    if diagnosis.unnamed:
+        listed = [(html.escape(w), format_percent(p)) for w, p in diagnosis.unnamed.items()]
+        parts.append(build_table("Outside the catalogue", ("Depends on", "Probability"), listed))
     return "".join(parts)
 
 
-def _rows(cause: Cause, found: Diagnosed) -> list[tuple[str, ...]]:
+def _make_rows(cause: Cause, result: CampaignDiagnosis) -> list[tuple[str, ...]]:
     rows: list[tuple[str, ...]] = []
     for i, (name, value) in enumerate(cause.parameters.items()):
-        words, unit, scale = unit_of(name)
+        words, unit, scale = parse_parameter(name)
         key = next(k for k in KEYS if k.name == name)
-        believed = key.from_si(getattr(found.believed, key.field)) * scale
+        nominal = key.from_si(getattr(result.nominal, key.field)) * scale
         low, high = (scale * end for end in cause.interval_95[name])
-        told = value_words(scale * value, low, high)
-        others = ", ".join(effect_words(e) for e in cause.equivalents) or "–"
-        first = (f"<b>{effect_words(cause.effect)}</b>", percent(cause.probability))
-        last = others if not i else ""
-        lead = first if not i else ("", "")
-        rows.append((*lead, words, told, number(believed), unit, last))
+        text = format_value(scale * value, low, high)
+        equivalents = ", ".join(format_effect(e) for e in cause.equivalents) or "–"
+        effect = (f"<b>{format_effect(cause.effect)}</b>", format_percent(cause.probability))
+        lead, last = (effect, equivalents) if i == 0 else (("", ""), "")
+        rows.append((*lead, words, text, format_number(nominal), unit, last))
     return rows
 
 
-def ranking(found: Diagnosed) -> str:
-    """Noises, sets under the likeliest of them, then effects by themselves."""
-    return _noises(found) + _sets(found) + _effects(found)
+def build_ranking(result: CampaignDiagnosis) -> str:
+    """Tables of the noise hypotheses, of the sets of effects under the most probable noise, and of
+    each effect by itself."""
+    return _build_noises(result) + _build_sets(result) + _build_effects(result)
 
 
-def _noises(found: Diagnosed) -> str:
-    """What the output angle's noise may be, if there is any choice."""
-    weighed = found.attribution.weighed
-    if len(weighed.hypotheses) < 2:
+def _build_noises(result: CampaignDiagnosis) -> str:
+    """Table of the noise hypotheses of the output angle; empty where there is only one."""
+    posterior = result.attribution.posterior
+    if len(posterior.hypotheses) < 2:
         return ""
     rows = [
         (
-            html.escape(" + ".join(_noise_words(one.noise)) or "as believed"),
-            html.escape(" + ".join(group_words(g) for g in one.ranked.best.groups) or "nothing"),
-            percent(probability),
-            bar(probability),
+            html.escape(" + ".join(_list_noises(hypothesis.noise)) or "nominal"),
+            html.escape(
+                " + ".join(format_group(g) for g in hypothesis.ranking.best.groups) or "no effect"
+            ),
+            format_percent(probability),
+            draw_bar(probability),
         )
-        for one, probability in zip(weighed.hypotheses, weighed.probabilities, strict=True)
+        for hypothesis, probability in zip(
+            posterior.hypotheses, posterior.probabilities, strict=True
+        )
     ]
-    title = "Noise of the output angle, each with its most probable set"
-    return markup_table(title, ("Noise", "Set", "Probability", ""), rows)
+    title = "Noise hypotheses of the output angle, each with its most probable set of effects"
+    return build_table(title, ("Noise", "Set", "Probability", ""), rows)
 
 
-def _noise_words(noise: NoiseFound) -> list[str]:
-    named = [effect_words(added.effect.name) for added in noise.added]
-    return named + ([f"unnamed: {noise.nameless.words}"] if noise.nameless else [])
+def _list_noises(noise: NoiseHypothesis) -> list[str]:
+    named = [format_effect(added.effect.name) for added in noise.added]
+    return named + ([f"unnamed: {noise.unnamed.words}"] if noise.unnamed else [])
 
 
-def _sets(found: Diagnosed) -> str:
-    ranked = found.attribution.ranked
-    best = ranked.best.log_evidence
-    pairs = list(zip(ranked.fits, ranked.probabilities, strict=True))
+def _build_sets(result: CampaignDiagnosis) -> str:
+    ranking = result.attribution.ranking
+    best = ranking.best.log_evidence
+    pairs = list(zip(ranking.fits, ranking.probabilities, strict=True))
     rows = [
         (
-            html.escape(" + ".join(group_words(g) for g in fit.groups) or "nothing at all"),
-            percent(probability),
-            bar(probability),
-            number(fit.log_evidence - best),
+            html.escape(" + ".join(format_group(g) for g in fit.groups) or "no effect"),
+            format_percent(probability),
+            draw_bar(probability),
+            format_number(fit.log_evidence - best),
             str(sum(len(v) for v in fit.values)),
         )
-        for fit, probability in pairs[:SETS]
+        for fit, probability in pairs[:LISTED_SETS]
     ]
-    rest = sum(p for _, p in pairs[SETS:])
-    if rest:
-        rows.append((f"{len(pairs) - SETS} other sets", percent(rest), bar(rest), "", ""))
-    header = ("Set", "Probability", "", "ln evidence, less the best's", "Numbers fitted")
-    return markup_table(
-        "Sets of effects under the likeliest noise, the most probable first", header, rows
-    )
+    others = sum(p for _, p in pairs[LISTED_SETS:])
+    if others:
+        count = f"{len(pairs) - LISTED_SETS} other sets"
+        rows.append((count, format_percent(others), draw_bar(others), "", ""))
+    header = ("Set", "Probability", "", "ln Bayes factor to the best", "Fitted numbers")
+    return build_table("Sets of effects under the most probable noise", header, rows)
 
 
-def _effects(found: Diagnosed) -> str:
-    weighed = found.attribution.weighed
-    names = {name for one in weighed.hypotheses for name in one.every_name}
-    chances = [(weighed.probability(name), effect_words(name)) for name in names]
-    chances += [(p, f"unnamed: {words}") for words, p in weighed.unnamed().items()]
-    listed = sorted(chances, key=lambda chance: (-chance[0], chance[1]))[:GROUPS]
-    rows = [(html.escape(w), percent(p), bar(p)) for p, w in listed if p > LEAST]
+def _build_effects(result: CampaignDiagnosis) -> str:
+    posterior = result.attribution.posterior
+    names = {name for hypothesis in posterior.hypotheses for name in hypothesis.every_name}
+    chances = [(posterior.probability(name), format_effect(name)) for name in names]
+    chances += [(p, f"unnamed: {words}") for words, p in posterior.unnamed().items()]
+    chances = sorted(chances, key=lambda chance: (-chance[0], chance[1]))[:LISTED_EFFECTS]
+    rows = [
+        (html.escape(words), format_percent(p), draw_bar(p))
+        for p, words in chances
+        if p > SMALLEST_PROBABILITY
+    ]
     if not rows:
         return ""
-    title = f"Each effect alone, in whatever set and beside whatever noise; from {percent(LEAST)}"
-    return markup_table(title, ("Effect", "Probability", ""), rows)
+    title = (
+        "Probability of each effect, summed over all sets and noise hypotheses; from "
+        f"{format_percent(SMALLEST_PROBABILITY)}"
+    )
+    return build_table(title, ("Effect", "Probability", ""), rows)

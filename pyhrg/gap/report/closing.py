@@ -1,87 +1,95 @@
-"""How far the gap closed: figures with what noise alone leaves."""
+"""Residuals of the nominal and of the identified gyro, beside the noise floor."""
 
 import numpy as np
 
-from pyhrg.common.pages.markup import paragraph
-from pyhrg.common.pages.svg import Scale, decades, number
-from pyhrg.gap.diagnose import Diagnosed
+from pyhrg.common.pages.markup import make_paragraph
+from pyhrg.common.pages.svg import Scale, find_decades, format_number
+from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.findings.diagnosis import Gap, GapFigure
-from pyhrg.gap.report.words import markup_table
+from pyhrg.gap.report.words import build_table
 
 WIDTH = 240
+"""Width of a drawn scale, px."""
 UNITS = {"angle_arcsec": ("output angle", "arcsec"), "rate_deg_h": ("rate over 100 s", "deg/h")}
-ROLES = {"holdout": "held out", "fit": "fitted to"}
-WHITE = 0.01
-"""p-value from which a residual counts as white."""
+ROLES = {"holdout": "held out", "fit": "fitted"}
+WHITE_P_VALUE = 0.01
+"""p-value of the Ljung-Box test from which the residual is called white (chosen)."""
 
 
-def closing(found: Diagnosed) -> str:
-    """A table with drawn figures, and sentences."""
-    gap = found.diagnosis.gap
-    rows = [row for unit, (what, name) in UNITS.items() for row in _rows(gap, unit, what, name)]
-    header = ("Root mean square", "Tests", "before", "after", "noise alone (95 %)", "")
+def build_closing(result: CampaignDiagnosis) -> str:
+    """A table of the root mean squares with drawn scales, and sentences on it."""
+    gap = result.diagnosis.gap
+    rows = [
+        row for unit, (what, name) in UNITS.items() for row in _make_rows(gap, unit, what, name)
+    ]
+    header = ("Root mean square", "Tests", "Before", "After", "Noise floor (95 %)", "")
     title = (
-        "Drawn: before orange, after blue, noise alone grey. Nothing was fitted to held-out tests"
+        "Residual of the nominal gyro (before, orange) and of the identified gyro (after, blue); "
+        "noise floor grey. Nothing was fitted to held-out tests"
     )
-    return markup_table(title, header, rows) + "".join(
-        paragraph(sentence) for sentence in sentences(gap)
+    return build_table(title, header, rows) + "".join(
+        make_paragraph(sentence) for sentence in describe_closing(gap)
     )
 
 
-def sentences(gap: Gap) -> list[str]:
-    """Shrink and whiteness."""
-    return [*_shrink(gap), *_whiteness(gap)]
+def describe_closing(gap: Gap) -> list[str]:
+    """Sentences on the reduction of the held-out residual and on its whiteness."""
+    return [*_describe_reduction(gap), *_describe_whiteness(gap)]
 
 
-def shrink_ends(figure: GapFigure) -> tuple[float, float]:
-    """Per cent of the excess over the floor that is gone, where noise leaves as little, or as much,
-    as it may in 95 % of cases."""
+def compute_reduction_interval(figure: GapFigure) -> tuple[float, float]:
+    """Reduction of the residual's excess over the noise floor, per cent, at the two ends of the
+    floor's 95 % interval; the smaller one first."""
     ends = [100 * (figure.before - figure.after) / (figure.before - f) for f in figure.floor_95]
     return min(ends), max(ends)
 
 
-def _shrink(gap: Gap) -> list[str]:
+def _describe_reduction(gap: Gap) -> list[str]:
     figure = gap.holdout_angle_arcsec
     if figure is None:
-        return ["No test was held out, so nothing verifies this."]
+        return ["No test was held out, so the identified gyro is not verified."]
     if gap.shrink_percent is None:
         return [
-            "On the held-out tests the angle's residual was within what noise alone leaves "
-            "already before: there is no excess to shrink."
+            "On the held-out tests the angle residual of the nominal gyro lies within the 95 % "
+            "interval of the noise floor: there is no excess to reduce."
         ]
-    low, high = shrink_ends(figure)
+    low, high = compute_reduction_interval(figure)
     return [
-        f"On the held-out tests {gap.shrink_percent:.1f} % of the angle residual's excess over "
-        f"the noise is gone ({low:.1f} to {high:.1f} % as the noise may have fallen; over "
-        f"100 where less is left than noise leaves on average)."
+        f"On the held-out tests the excess of the angle residual over the noise floor fell by "
+        f"{gap.shrink_percent:.1f} % ({low:.1f} to {high:.1f} % over the floor's 95 % interval; "
+        f"more than 100 % means that the residual is below the mean floor)."
     ]
 
 
-def _whiteness(gap: Gap) -> list[str]:
+def _describe_whiteness(gap: Gap) -> list[str]:
     if gap.whiteness is None:
         return []
-    word = "looks white" if gap.whiteness >= WHITE else "is not white: something is left in it"
-    return [f"What is left there {word} (Ljung-Box over 10 rows, p = {number(gap.whiteness)})."]
+    verdict = "is compatible with white noise" if gap.whiteness >= WHITE_P_VALUE else "is not white"
+    return [
+        f"The held-out residual of the identified gyro {verdict} (Ljung-Box test over 10 rows, "
+        f"p = {format_number(gap.whiteness)})."
+    ]
 
 
-def _rows(gap: Gap, unit: str, what: str, name: str) -> list[tuple[str, ...]]:
+def _make_rows(gap: Gap, unit: str, what: str, name: str) -> list[tuple[str, ...]]:
     figures = {role: getattr(gap, f"{role}_{unit}") for role in ROLES}
     known = {role: f for role, f in figures.items() if f is not None}
-    limits = decades([v for f in known.values() for v in (f.before, f.after, *f.floor_95)])
+    limits = find_decades([v for f in known.values() for v in (f.before, f.after, *f.floor_95)])
     return [
         (
             f"{what}, {name}",
             ROLES[role],
-            number(f.before),
-            number(f.after),
-            f"{number(f.floor)} ({number(f.floor_95[0])} to {number(f.floor_95[1])})",
-            _drawn(f, limits),
+            format_number(f.before),
+            format_number(f.after),
+            f"{format_number(f.floor)} "
+            f"({format_number(f.floor_95[0])} to {format_number(f.floor_95[1])})",
+            _draw_scale(f, limits),
         )
         for role, f in known.items()
     ]
 
 
-def _drawn(figure: GapFigure, limits: tuple[float, float]) -> str:
+def _draw_scale(figure: GapFigure, limits: tuple[float, float]) -> str:
     scale = Scale(limits[0], limits[1], 6, WIDTH - 6)
     ends = np.clip([*figure.floor_95, figure.before, figure.after], limits[0], limits[1])
     low, high, before, after = (float(v) for v in scale(ends))

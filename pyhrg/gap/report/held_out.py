@@ -1,60 +1,62 @@
-"""The output angle on held-out tests over time, before and after."""
+"""Residual of the output angle on held-out tests over time, of the nominal and of the identified
+gyro."""
 
 import html
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.common.pages.markup import paragraph
-from pyhrg.gap.diagnose import Diagnosed
-from pyhrg.gap.report.figures.bins import extremes
-from pyhrg.gap.report.figures.strips import Band, Labels, Size, Strip, drawing
-from pyhrg.gap.report.figures.views import VIEWS, noises
+from pyhrg.common.pages.markup import make_paragraph
+from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.report.figures.bins import find_extremes
+from pyhrg.gap.report.figures.strips import Band, Labels, Size, Strip, draw_strips
+from pyhrg.gap.report.figures.views import ANGLE, draw_view_noise
 
 Array = NDArray[np.float64]
 
 POINTS = 400
+"""Stretches of rows of which a strip shows the lowest and the highest value."""
 BAND_BINS = 60
+"""Stretches of rows that the noise band is computed in."""
 SIZE = Size(860, 170, 1.6)
-ANGLE = VIEWS[0]
 
 
-def held_out(found: Diagnosed) -> str:
-    """A figure each."""
-    drawn = [
-        _figure(found, i)
-        for i, test in enumerate(found.tests)
-        if test.test.is_holdout and np.isfinite(found.before[i][ANGLE.channel]).any()
+def build_held_out(result: CampaignDiagnosis) -> str:
+    """A figure for each held-out test."""
+    figures = [
+        _draw_test(result, i)
+        for i, test in enumerate(result.tests)
+        if test.test.is_holdout and np.isfinite(result.before[i][ANGLE.channel]).any()
     ]
-    if not drawn:
-        return paragraph(
-            "No test was held out: nothing shows how the closed gyro fares on new ones."
-        )
-    return f'<div class="panels one">{"".join(drawn)}</div>'
+    if not figures:
+        return make_paragraph("No test was held out, so the identified gyro is not verified.")
+    return f'<div class="panels one">{"".join(figures)}</div>'
 
 
-def _figure(found: Diagnosed, i: int) -> str:
-    test = found.tests[i]
-    strips = [_strip("gyro as believed", "c1", found, found.before[i][ANGLE.channel], i)]
-    if found.closed != found.believed:
-        after = found.after[i][ANGLE.channel]
-        strips.append(_strip("with what was found", "c0", found, after, i))
+def _draw_test(result: CampaignDiagnosis, i: int) -> str:
+    test = result.tests[i]
+    strips = [_make_strip("nominal gyro", "c1", result, result.before[i][ANGLE.channel], i)]
+    if result.identified != result.nominal:
+        after = result.after[i][ANGLE.channel]
+        strips.append(_make_strip("identified gyro", "c0", result, after, i))
     title = f"Residual of the output angle, {test.test.id}"
     labels = Labels("Time since power-on, s", f"Residual, {ANGLE.unit}", title)
-    svg = drawing(strips, _band(found, i), SIZE, labels)
+    svg = draw_strips(strips, _compute_band(result, i), SIZE, labels)
     return f"<figure><figcaption><b>{html.escape(title)}</b></figcaption>{svg}</figure>"
 
 
-def _strip(label: str, colour: str, found: Diagnosed, residual: Array, i: int) -> Strip:
-    log = found.tests[i].log
-    rows, low, high = extremes(ANGLE.shown(residual, log.interval), POINTS)
-    return Strip(label, colour, log.time[rows.astype(int)], low, high, joined=True)
+def _make_strip(
+    label: str, colour: str, result: CampaignDiagnosis, residual: Array, i: int
+) -> Strip:
+    log = result.tests[i].log
+    rows, low, high = find_extremes(ANGLE.convert(residual, log.interval), POINTS)
+    return Strip(label, colour, log.time[rows.astype(int)], low, high, is_joined=True)
 
 
-def _band(found: Diagnosed, i: int) -> Band:
-    test = found.tests[i]
-    drawn = noises(test, ANGLE, found.noise, (i,))
-    parts = np.array_split(np.arange(len(drawn)), min(BAND_BINS, len(drawn)))
-    half = np.array([1.96 * np.sqrt((drawn[part] ** 2).mean()) for part in parts])
+def _compute_band(result: CampaignDiagnosis, i: int) -> Band:
+    test = result.tests[i]
+    noise = draw_view_noise(test, ANGLE, result.noise, (i,))
+    parts = np.array_split(np.arange(len(noise)), min(BAND_BINS, len(noise)))
+    half = np.array([1.96 * np.sqrt((noise[part] ** 2).mean()) for part in parts])
     middles = np.array([test.log.time[part].mean() for part in parts])
     return Band(middles, half, float(np.ptp(test.log.time)) / len(parts))

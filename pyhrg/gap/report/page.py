@@ -1,88 +1,93 @@
-"""The report as one HTML page that needs no network and no script, and uses one if it may."""
+"""The report as one HTML page. It reads without network and without script; its script adds
+pickers."""
 
 import html
-from collections.abc import Mapping
+from collections.abc import Sequence
 from importlib.resources import files
 
-from pyhrg.common.pages.markup import paragraph
-from pyhrg.common.pages.shell import Anchored, asset, contents, document
-from pyhrg.gap.diagnose import Diagnosed
-from pyhrg.gap.report.causes import causes, ranking
-from pyhrg.gap.report.closing import closing
-from pyhrg.gap.report.figures.scales import scales
-from pyhrg.gap.report.held_out import held_out
-from pyhrg.gap.report.places import places
-from pyhrg.gap.report.residuals import residuals
+from pyhrg.common.pages.markup import make_paragraph
+from pyhrg.common.pages.shell import PageSection, make_contents, make_document, read_asset
+from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.report.causes import build_causes, build_ranking
+from pyhrg.gap.report.closing import build_closing
+from pyhrg.gap.report.figures.scales import build_scales
+from pyhrg.gap.report.held_out import build_held_out
+from pyhrg.gap.report.places import build_places
+from pyhrg.gap.report.residuals import build_residuals
 from pyhrg.gap.report.sections import Section
-from pyhrg.gap.report.verdict import headline, sentences
-from pyhrg.gap.report.words import markup_table, plain
+from pyhrg.gap.report.verdict import describe_diagnosis, write_headline
+from pyhrg.gap.report.words import build_table, format_name
 
 PAGE = "report.html"
-TITLE = "Where simulation and gyro part"
+TITLE = "Gap between simulation and gyro"
 
 
-def page(found: Diagnosed, sections: Mapping[str, Section] | None = None) -> str:
-    """The report; the same diagnosis gives the same bytes.
+def build_page(result: CampaignDiagnosis, sections: Sequence[Section] = ()) -> str:
+    """The whole page as HTML; the same diagnosis gives the same bytes.
 
     Args:
-        found: diagnosis, and what it rests on.
-        sections: of packages above, by name.
+        result: diagnosis of a campaign.
+        sections: added before the next test.
     """
-    brought = [Anchored(name, s.title, s.html) for name, s in (sections or {}).items()]
-    shown = [*_found(found), *brought, *_rest(found)]
-    told = "".join(f"<li>{html.escape(sentence)}</li>" for sentence in sentences(found))
+    added = [PageSection(section.name, section.title, section.html) for section in sections]
+    shown = [*_build_findings(result), *added, *_build_ending(result)]
+    listed = "".join(f"<li>{html.escape(text)}</li>" for text in describe_diagnosis(result))
+    device = result.diagnosis.device
     header = (
-        f"<header><h1>{TITLE}: {html.escape(found.diagnosis.device)}</h1>"
-        f'<p class="headline">{html.escape(headline(found.diagnosis))}</p><ul>{told}</ul></header>'
+        f"<header><h1>{TITLE}: {html.escape(device)}</h1>"
+        f'<p class="headline">{html.escape(write_headline(result.diagnosis))}</p>'
+        f"<ul>{listed}</ul></header>"
     )
     main = "".join(section.markup for section in shown)
-    return document(
-        f"{TITLE}: {found.diagnosis.device}",
-        asset(files("pyhrg.gap.report"), "page.css"),
-        f"{header}{contents(shown)}<main>{main}</main>",
-        asset(files("pyhrg.gap.report"), "page.js"),
+    return make_document(
+        f"{TITLE}: {device}",
+        read_asset(files("pyhrg.gap.report"), "page.css"),
+        f"{header}{make_contents(shown)}<main>{main}</main>",
+        read_asset(files("pyhrg.gap.report"), "page.js"),
     )
 
 
-def _found(found: Diagnosed) -> list[Anchored]:
+def _build_findings(result: CampaignDiagnosis) -> list[PageSection]:
     return [
-        Anchored("causes", "What makes the gap", causes(found)),
-        Anchored("ranking", "Which sets of effects explain it", ranking(found)),
-        Anchored("where", "Where the gap lives", places(found)),
-        Anchored("residuals", "Residuals by coordinate", residuals(found)),
-        Anchored("held-out", "On held-out tests", held_out(found)),
-        Anchored("closing", "How far it closed", closing(found) + scales(found)),
+        PageSection("causes", "Causes of the gap", build_causes(result)),
+        PageSection("ranking", "Hypotheses by posterior probability", build_ranking(result)),
+        PageSection("where", "Where the gap is", build_places(result)),
+        PageSection("residuals", "Residuals by coordinate", build_residuals(result)),
+        PageSection("held-out", "Residuals on held-out tests", build_held_out(result)),
+        PageSection(
+            "closing", "Residuals and noise floor", build_closing(result) + build_scales(result)
+        ),
     ]
 
 
-def _rest(found: Diagnosed) -> list[Anchored]:
+def _build_ending(result: CampaignDiagnosis) -> list[PageSection]:
     return [
-        Anchored("next", "The next test", _next(found)),
-        Anchored("data", "What it rests on, and what was left out", _data(found)),
+        PageSection("next", "The next test", _build_next_test(result)),
+        PageSection("data", "Tests used, and what was left out", _build_data(result)),
     ]
 
 
-def _next(found: Diagnosed) -> str:
-    test = found.diagnosis.next_test
+def _build_next_test(result: CampaignDiagnosis) -> str:
+    test = result.diagnosis.next_test
     if test is None:
-        return paragraph("None is proposed.")
-    return f"<p><b>{html.escape(plain(test.kind))}</b>: {html.escape(test.why)}</p>"
+        return make_paragraph("No test is proposed.")
+    return f"<p><b>{html.escape(format_name(test.kind))}</b>: {html.escape(test.why)}</p>"
 
 
-def _data(found: Diagnosed) -> str:
+def _build_data(result: CampaignDiagnosis) -> str:
     rows = [
         (
             html.escape(t.test.id),
-            html.escape(plain(t.test.kind)),
-            "held out" if t.test.is_holdout else "fitted to",
+            html.escape(format_name(t.test.kind)),
+            "held out" if t.test.is_holdout else "fitted",
             f"{len(t.log.time):,}",
             f"{t.log.interval:g}",
         )
-        for t in found.tests
+        for t in result.tests
     ]
-    tests = markup_table("Tests", ("Test", "Kind", "Role", "Rows", "Interval, s"), rows)
-    left = found.diagnosis.excluded
-    if not left:
-        return tests + paragraph("Nothing was left out.")
-    listed = "".join(f"<li>{html.escape(sentence)}</li>" for sentence in left)
-    return f"{tests}<h3>Left out, missing or taken for granted</h3><ul>{listed}</ul>"
+    tests = build_table("Tests", ("Test", "Kind", "Role", "Rows", "Interval, s"), rows)
+    excluded = result.diagnosis.excluded
+    if not excluded:
+        return tests + make_paragraph("Nothing was left out.")
+    listed = "".join(f"<li>{html.escape(sentence)}</li>" for sentence in excluded)
+    return f"{tests}<h3>Left out, missing or assumed</h3><ul>{listed}</ul>"

@@ -1,68 +1,77 @@
-"""A diagnosis in plain words."""
+"""The diagnosis in sentences."""
 
-from pyhrg.common.pages.svg import number
-from pyhrg.gap.diagnose import Diagnosed
+from pyhrg.common.pages.svg import format_number
+from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis
-from pyhrg.gap.report.closing import sentences as closed_by
-from pyhrg.gap.report.words import effect_words, listed, percent, plain, unit_of, value_words
+from pyhrg.gap.report.closing import describe_closing
+from pyhrg.gap.report.words import (
+    format_effect,
+    format_name,
+    format_percent,
+    format_value,
+    join_words,
+    parse_parameter,
+)
 
 
-def headline(said: Diagnosis) -> str:
-    """In one sentence."""
-    names = listed([effect_words(c.effect) for c in said.causes])
-    one = len(said.causes) == 1
-    if said.verdict == "no_gap":
-        return "No gap: the gyro answers as its simulation does, but for noise."
-    if said.verdict == "explained":
-        return f"The gap is explained: {names} {'makes' if one else 'make'} it."
-    if said.verdict == "ambiguous":
-        return f"The gap is explained by {names}, or by what these data can't tell from it."
+def write_headline(diagnosis: Diagnosis) -> str:
+    """The verdict in one sentence."""
+    names = join_words([format_effect(c.effect) for c in diagnosis.causes])
+    is_single = len(diagnosis.causes) == 1
+    if diagnosis.verdict == "no_gap":
+        return "No gap: the records agree with the simulation of the nominal gyro within the noise."
+    if diagnosis.verdict == "explained":
+        return f"The gap is explained: {'its cause is' if is_single else 'its causes are'} {names}."
+    if diagnosis.verdict == "ambiguous":
+        others = "effects that these records can't separate from it"
+        return f"The gap is explained by {names}, or by {others}."
     beside = f", beside {names}" if names else ""
-    return f"The gap is not explained: something outside the catalogue takes part{beside}."
+    return f"The gap is not explained: a cause outside the catalogue takes part{beside}."
 
 
-def sentences(found: Diagnosed) -> list[str]:
-    """What follows, from figures of the diagnosis alone."""
-    said = found.diagnosis
+def describe_diagnosis(result: CampaignDiagnosis) -> list[str]:
+    """Sentences on causes, reservations, residuals and the next test."""
+    diagnosis = result.diagnosis
     return [
-        *(_cause(cause) for cause in said.causes),
-        f"Something outside the catalogue takes part with a probability of "
-        f"{percent(said.unknown_probability)}.",
-        *said.caveats,
-        *_distance(said),
-        *closed_by(said.gap),
-        *_next(said),
+        *(_describe_cause(cause) for cause in diagnosis.causes),
+        f"Probability that a cause outside the catalogue takes part: "
+        f"{format_percent(diagnosis.unknown_probability)}.",
+        *diagnosis.caveats,
+        *_describe_residual(diagnosis),
+        *describe_closing(diagnosis.gap),
+        *_describe_next_test(diagnosis),
     ]
 
 
-def _cause(cause: Cause) -> str:
-    told = []
+def _describe_cause(cause: Cause) -> str:
+    values = []
     for name, value in cause.parameters.items():
-        words, unit, scale = unit_of(name)
+        words, unit, scale = parse_parameter(name)
         low, high = (scale * end for end in cause.interval_95[name])
-        known = "" if words == plain(cause.effect) else f"{words} "
-        told.append(f"{known}{value_words(scale * value, low, high)} {unit}")
-    sentence = f"{effect_words(cause.effect)}: {', '.join(told)}"
-    others = [effect_words(e) for e in cause.equivalents]
-    class_ = f"; these data can't tell it from {listed(others)}" if others else ""
-    sentence = f"{sentence}; probability {percent(cause.probability)}{class_}."
+        label = "" if words == format_name(cause.effect) else f"{words} "
+        values.append(f"{label}{format_value(scale * value, low, high)} {unit}")
+    sentence = f"{format_effect(cause.effect)}: {', '.join(values)}"
+    others = [format_effect(e) for e in cause.equivalents]
+    confounded = f"; confounded with {join_words(others)} in these records" if others else ""
+    sentence = f"{sentence}; probability {format_percent(cause.probability)}{confounded}."
     return sentence[0].upper() + sentence[1:]
 
 
-def _distance(said: Diagnosis) -> list[str]:
-    figure = said.gap.holdout_angle_arcsec
+def _describe_residual(diagnosis: Diagnosis) -> list[str]:
+    figure = diagnosis.gap.holdout_angle_arcsec
     if figure is None:
         return []
-    after = "" if figure.after == figure.before else f" before, {number(figure.after)} after"
+    has_after = figure.after != figure.before
+    after = f" with the nominal gyro, {format_number(figure.after)} with the identified one"
     return [
-        f"On held-out tests simulation and gyro are {number(figure.before)} arcsec apart{after}; "
-        f"noise alone leaves {number(figure.floor)} "
-        f"({number(figure.floor_95[0])} to {number(figure.floor_95[1])})."
+        f"Angle residual on held-out tests, rms: {format_number(figure.before)} arcsec"
+        f"{after if has_after else ''}; noise floor {format_number(figure.floor)} "
+        f"({format_number(figure.floor_95[0])} to {format_number(figure.floor_95[1])})."
     ]
 
 
-def _next(said: Diagnosis) -> list[str]:
-    if said.next_test is None:
+def _describe_next_test(diagnosis: Diagnosis) -> list[str]:
+    if diagnosis.next_test is None:
         return []
-    test = said.next_test
-    return [f"Next test: {test.kind.replace('_', ' ')}, {test.hours:g} h. {test.why}"]
+    test = diagnosis.next_test
+    return [f"Next test: {format_name(test.kind)}, {test.hours:g} h. {test.why}"]

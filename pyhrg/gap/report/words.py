@@ -1,10 +1,10 @@
-"""Names and numbers as people read them."""
+"""Names, numbers and tables as the page shows them."""
 
 import html
 import math
 from collections.abc import Sequence
 
-from pyhrg.common.pages.svg import number
+from pyhrg.common.pages.svg import format_number
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Group
 
@@ -25,7 +25,8 @@ SUFFIXES = {
     "_Hz": "Hz",
     "_s": "s",
 }
-"""Units by the ends of parameters' names, longer ones first; a name without one is a ratio."""
+"""Unit of a parameter by the end of its name, longer endings first. A name without one
+is a ratio."""
 CHANNELS = {
     "gyro_angle": "output angle",
     "amplitude": "amplitude",
@@ -46,49 +47,49 @@ COORDINATES = {
 }
 
 
-def plain(name: str) -> str:
-    """A name of the format, in words."""
+def format_name(name: str) -> str:
+    """A name of the record format with spaces in place of underscores."""
     return name.replace("_", " ")
 
 
-def effect_words(name: str) -> str:
-    """An effect's name as words; those known by an abbreviation or a letter keep it."""
-    return plain(name).replace("g sensitive", "g-sensitive").replace("coriolis", "Coriolis")
+def format_effect(name: str) -> str:
+    """An effect's name in words, with the field's hyphens and capitals."""
+    return format_name(name).replace("g sensitive", "g-sensitive").replace("coriolis", "Coriolis")
 
 
-def group_words(group: Group) -> str:
-    """An effect, or what has no name."""
+def format_group(group: Group) -> str:
+    """An effect's name, or channel and function of a candidate term."""
     if isinstance(group, Effect):
-        return effect_words(group.name)
-    return f"unnamed: {CHANNELS[group.channel]}, {group.of}"
+        return format_effect(group.name)
+    return f"unnamed: {CHANNELS[group.channel]}, {group.function}"
 
 
-def listed(words: Sequence[str]) -> str:
-    """a, b and c."""
+def join_words(words: Sequence[str]) -> str:
+    """Words as a list in a sentence: "a, b and c"."""
     return " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
 
 
-def unit_of(parameter: str) -> tuple[str, str, float]:
-    """Words for a parameter, its unit, and by what a value is multiplied to be in it."""
+def parse_parameter(parameter: str) -> tuple[str, str, float]:
+    """Words for a parameter, the unit it is shown in, and the factor from its own unit to that."""
     for suffix, unit in SUFFIXES.items():
         if parameter.endswith(suffix):
-            return plain(parameter.removesuffix(suffix)), unit, 1.0
-    return plain(parameter), "ppm", 1e6
+            return format_name(parameter.removesuffix(suffix)), unit, 1.0
+    return format_name(parameter), "ppm", 1e6
 
 
-def value_words(value: float, low: float, high: float) -> str:
-    """A value and its interval, with two digits of the interval's width."""
+def format_value(value: float, low: float, high: float) -> str:
+    """A value and its interval, to two digits of the interval's width."""
     width = high - low
     if not (math.isfinite(width) and width > 0):
-        return f"{number(value)} ({number(low)} to {number(high)})"
+        return f"{format_number(value)} ({format_number(low)} to {format_number(high)})"
     largest = max(abs(low), abs(high), abs(value))
     digits = min(max(math.ceil(math.log10(largest / width)) + 2, 3), 9)
-    told = [f"{v:.{digits}g}".replace("-", "−") for v in (value, low, high)]
-    return f"{told[0]} ({told[1]} to {told[2]})"
+    texts = [f"{v:.{digits}g}".replace("-", "−") for v in (value, low, high)]
+    return f"{texts[0]} ({texts[1]} to {texts[2]})"
 
 
-def percent(share: float) -> str:
-    """A share or probability; none is told as certain."""
+def format_percent(share: float) -> str:
+    """A share or probability; above 99.95 % and below 0.05 % only the bound is stated."""
     if share > 0.9995:
         return ">\u00a099.9\u00a0%"
     if 0 < share < 0.0005:
@@ -96,8 +97,8 @@ def percent(share: float) -> str:
     return f"{100 * share:.1f}\u00a0%"
 
 
-def bar(share: float, width: int = 160) -> str:
-    """A share as a bar, decoration to a number beside it."""
+def draw_bar(share: float, width: int = 160) -> str:
+    """A share as an SVG bar; hidden from screen readers, because the number stands beside it."""
     length = max(0.0, min(1.0, share)) * width
     return (
         f'<svg class="share" viewBox="0 0 {width} 12" width="{width}" aria-hidden="true">'
@@ -106,8 +107,8 @@ def bar(share: float, width: int = 160) -> str:
     )
 
 
-def markup_table(title: str, header: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> str:
-    """A table whose cells are markup already; it may be scrolled where it is too wide."""
+def build_table(title: str, header: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> str:
+    """A table whose cells are markup already; it scrolls sideways where it is too wide."""
     head = "".join(f'<th scope="col">{cell}</th>' for cell in header)
     body = "".join(
         "<tr>" + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>" for cells in rows

@@ -1,5 +1,5 @@
-"""What of a campaign can be used: contradictions within it are named, and left out."""
+"""Step 2: records that contradict the campaign or themselves are named and left out."""
 
-from pyhrg.gap.soundness.sound import sound
+from pyhrg.gap.soundness.screening import describe_screening, screen_campaign
 
-__all__ = ["sound"]
+__all__ = ["describe_screening", "screen_campaign"]

@@ -1,94 +1,109 @@
-"""Specific force against gravity and attitude; temperature against the loop's frequency."""
+"""Checks of specific force against gravity and attitude, and of temperature against frequency."""
 
 import itertools
 
 import numpy as np
 
 from pyhrg.common.units import HZ
-from pyhrg.gap.soundness.doubt import Array, Believed, Doubt, Witness, doubt, has
+from pyhrg.gap.soundness.exclusion import (
+    Array,
+    Exclusion,
+    NominalEstimate,
+    NominalSetup,
+    exclude_columns,
+    has_values,
+)
 from pyhrg.records import Log
 
 ACCELERATIONS = ("acceleration_x", "acceleration_y", "acceleration_z")
-STANDING = (
+TURNTABLE_KINDS = (
     *("static", "positions", "rate", "ring_down", "virtual_rotation", "thermal", "amplitude"),
     *("phase_step", "tumble", "manoeuvre"),
 )
-"""Kinds of tests on a turntable, which feel gravity alone."""
-SIZE = 0.05
-"""Relative departure from gravity that no accelerometer has."""
-TILT = 0.1
-"""Departure of accel_z over gravity from axis_up that no mounting has, more than 5 deg."""
-FEW = 0.1
-"""Share of rows that may be off: vibration, a table on its way."""
-DETUNED = 1e-3
-"""Relative departure of the frequency that no effect makes."""
-KNOWN = 0.3
-"""Share by which a stated temperature coefficient of the frequency may be off."""
-UNKNOWN = 2e-4
-"""Temperature coefficient of the frequency where none is stated, 1/K."""
+"""Kinds of tests on a turntable, where the specific force is gravity alone."""
+GRAVITY_TOLERANCE = 0.05
+"""Relative departure of specific force from gravity above which no accelerometer explains it.
+Chosen."""
+TILT_TOLERANCE = 0.1
+"""Departure of accel_z over gravity from axis_up above which no mounting explains it. Chosen: more
+than 5 deg."""
+MAX_DEPARTING_SHARE = 0.1
+"""Share of rows that may depart from axis_up, by vibration or a moving table. Chosen."""
+FREQUENCY_TOLERANCE = 1e-3
+"""Relative departure of the frequency above which no effect explains it. Chosen."""
+COEFFICIENT_TOLERANCE = 0.3
+"""Relative error allowed in a stated temperature coefficient of the frequency. Chosen."""
+UNSTATED_COEFFICIENT = 2e-4
+"""Temperature coefficient of the frequency that is allowed for where none is stated, 1/K. Chosen:
+about twice that of fused silica, 8.5e-5."""
 
 
-def doubts_of_attitude(log: Log, kind: str, believed: Believed) -> list[Doubt]:
-    """Specific force that is no gravity, or that contradicts `axis_up`."""
-    if kind not in STANDING or not has(log, *ACCELERATIONS):
+def check_attitude(log: Log, kind: str, nominal: NominalSetup) -> list[Exclusion]:
+    """Exclude specific force that is not gravity, or that contradicts `axis_up`."""
+    if kind not in TURNTABLE_KINDS or not has_values(log, *ACCELERATIONS):
         return []
-    gravity = believed.site.gravity
+    gravity = nominal.site.gravity
     force = np.stack([getattr(log, field) for field in ACCELERATIONS])
     size = float(np.nanmedian(np.linalg.norm(force, axis=0)))
-    if abs(size / gravity - 1) > SIZE:
-        return [doubt(log, ACCELERATIONS, f"{size:.4g} m/s2 in all; expected {gravity:.4g}")]
-    if not has(log, "axis_up") or _agrees(force[2] / gravity, log.axis_up):
+    if abs(size / gravity - 1) > GRAVITY_TOLERANCE:
+        trouble = f"{size:.4g} m/s2 in all; expected {gravity:.4g}"
+        return [exclude_columns(log, ACCELERATIONS, trouble)]
+    if not has_values(log, "axis_up") or _agrees(force[2] / gravity, log.axis_up):
         return []
-    found = np.nanmedian(force[2])
-    trouble = f"{found:.4g} m/s2 along z; expected axis_up times gravity, "
+    along_z = np.nanmedian(force[2])
+    trouble = f"{along_z:.4g} m/s2 along z; expected axis_up times gravity, "
     trouble += f"{np.nanmedian(log.axis_up) * gravity:.4g}"
-    guess = _guess(force / gravity, log.axis_up)
+    guess = _guess_mistake(force / gravity, log.axis_up)
     if guess:
-        return [doubt(log, ACCELERATIONS, f"{trouble}: {guess}?")]
-    return [doubt(log, (*ACCELERATIONS, "axis_up"), trouble)]
+        return [exclude_columns(log, ACCELERATIONS, f"{trouble}: {guess}?")]
+    return [exclude_columns(log, (*ACCELERATIONS, "axis_up"), trouble)]
 
 
-def doubts_of_temperature(log: Log, believed: Believed) -> list[Doubt]:
-    """A temperature that the loop's frequency, which stays where it should be, knows nothing of."""
-    device = believed.device
-    if not device.frequency_per_kelvin or not has(log, "temperature", "frequency_offset"):
+def check_temperature(log: Log, nominal: NominalSetup) -> list[Exclusion]:
+    """Exclude a temperature that contradicts a loop frequency which is near its nominal value."""
+    device = nominal.device
+    if not device.frequency_per_kelvin or not has_values(log, "temperature", "frequency_offset"):
         return []
     change = float(np.nanmedian(log.temperature)) - device.reference_temperature
-    found = float(np.nanmedian(log.frequency_offset)) / device.frequency
+    offset = float(np.nanmedian(log.frequency_offset)) / device.frequency
     expected = device.frequency_per_kelvin * change
-    if abs(found) > DETUNED or abs(found - expected) <= DETUNED + KNOWN * abs(expected):
+    allowed = FREQUENCY_TOLERANCE + COEFFICIENT_TOLERANCE * abs(expected)
+    if abs(offset) > FREQUENCY_TOLERANCE or abs(offset - expected) <= allowed:
         return []
     hertz = device.frequency / HZ
-    trouble = f"{change:+.3g} K beside the reference, where the loop's frequency is off by "
-    trouble += f"{found * hertz:.3g} Hz; expected {expected * hertz:.3g} Hz: is the unit degC?"
-    return [doubt(log, ("temperature",), trouble)]
+    trouble = f"{change:+.3g} K from the reference, but the loop's frequency is off by "
+    trouble += f"{offset * hertz:.3g} Hz; expected {expected * hertz:.3g} Hz: is the unit degC?"
+    return [exclude_columns(log, ("temperature",), trouble)]
 
 
-def witnesses_of_frequency(log: Log, believed: Believed) -> list[Witness]:
-    """What the loop's frequency, less what the temperature explains, says of the nominal one."""
-    if not has(log, "frequency_offset"):
+def estimate_frequency(log: Log, nominal: NominalSetup) -> list[NominalEstimate]:
+    """Estimate of the nominal frequency: the loop's, without what the temperature explains."""
+    if not has_values(log, "frequency_offset"):
         return []
-    device = believed.device
+    device = nominal.device
     change = np.zeros(len(log.time))
-    if has(log, "temperature"):
+    if has_values(log, "temperature"):
         change = log.temperature - device.reference_temperature
     stated = device.frequency_per_kelvin
-    spread = KNOWN * abs(stated) if stated else UNKNOWN
-    width = DETUNED + spread * float(np.nanmax(np.abs(change)))
+    spread = COEFFICIENT_TOLERANCE * abs(stated) if stated else UNSTATED_COEFFICIENT
+    width = FREQUENCY_TOLERANCE + spread * float(np.nanmax(np.abs(change)))
     offset = float(np.nanmedian(log.frequency_offset / device.frequency - stated * change))
     hertz = device.frequency / HZ
-    limits = hertz * (1 - width), hertz * (1 + width)
-    found = hertz * (1 + offset)
-    return [Witness("frequency_Hz", "frequency_offset", log.source, hertz, found, *limits)]
+    values = (hertz, hertz * (1 + offset), hertz * (1 - width), hertz * (1 + width))
+    return [NominalEstimate("frequency_Hz", "frequency_offset", log.source, *values)]
 
 
 def _agrees(along: Array, axis_up: Array) -> bool:
+    """Whether specific force along an axis, over gravity, agrees with `axis_up` in most rows."""
     known = np.isfinite(along) & np.isfinite(axis_up)
-    return bool(np.mean(np.abs(along - axis_up)[known] > TILT) < FEW) if known.any() else True
+    if not known.any():
+        return True
+    departs = np.abs(along - axis_up)[known] > TILT_TOLERANCE
+    return bool(np.mean(departs) < MAX_DEPARTING_SHARE)
 
 
-def _guess(force: Array, axis_up: Array) -> str:
-    """Which other axis or sign agrees."""
+def _guess_mistake(force: Array, axis_up: Array) -> str:
+    """Which other axis or sign agrees, in words; empty where none does."""
     for axis, sign in itertools.product((2, 0, 1), (1, -1)):
         if _agrees(sign * force[axis], axis_up):
             swapped = "" if axis == 2 else f"are accel_{'xyz'[axis]} and accel_z swapped"

@@ -1,4 +1,4 @@
-"""Readings that are off by themselves, while all around is steady: a word lost on its way."""
+"""Glitches: up to three readings that depart and return at once while all around is steady."""
 
 from collections.abc import Iterator
 
@@ -7,183 +7,212 @@ from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation
 
-from pyhrg.common.robust import robust_deviation
-from pyhrg.gap.replay.observations import CHANNELS, FORCES, commanded, jolts, later, settling
-from pyhrg.gap.replay.replay import replayable
+from pyhrg.common.robust import estimate_robust_deviation
+from pyhrg.gap.replay.observations import (
+    CHANNELS,
+    FORCES,
+    compute_settling_time,
+    find_command_changes,
+    find_table_acceleration,
+    find_undisturbed_rows,
+)
+from pyhrg.gap.replay.replay import prepare_inputs
 from pyhrg.gap.soundness.attitude import ACCELERATIONS
-from pyhrg.gap.soundness.doubt import Array, Believed, Doubt, has, with_columns
+from pyhrg.gap.soundness.exclusion import (
+    Array,
+    Exclusion,
+    NominalSetup,
+    has_values,
+    replace_columns,
+)
 from pyhrg.records import Log
 from pyhrg.records.columns import BY_FIELD
 
 Mask = NDArray[np.bool_]
 
 INPUTS = ("table_angle", "temperature", *ACCELERATIONS)
-"""Measured by the bench, and smooth."""
-LONGEST = 3
-"""Readings that are off together."""
+"""Smooth quantities that the bench measures."""
+MAX_LENGTH = 3
+"""Longest glitch, rows. Chosen."""
 PASSES = 2
-"""In which they are looked for: a glitch hides its neighbours."""
-AROUND = 4
-"""Steps from row to row, before and after, that are to be steady; as many in all at the least."""
-BEFORE, AFTER = 2, 1
-"""Of them, at the least."""
-OTHERS = 2
-"""Of them, that may be a glitch's of its own."""
-OFF = 10.0
-"""Deviations of steps from row to row."""
-APART = 5.0
-"""Of a glitch over the unsteadiest step around."""
-TWICE = 2.0
-"""Of a glitch over the largest step of all other rows, a few aside."""
-REACH = 2 * AROUND + LONGEST
-"""Rows in which a glitch can be seen."""
-LEAST = 50
-"""Rows below which a column's noise can't be told."""
-FEW, SHARE = 3, 2e-3
-"""Glitches of a column that are none if they are more: rows, or share of rows."""
-TOLD = 3
-"""Glitches of a column that are told one by one."""
+"""Passes of the search: a glitch hides its neighbours. Chosen."""
+CONTEXT = 4
+"""Steps from row to row on either side that must be steady; as many must be known in all.
+Chosen."""
+MIN_BEFORE, MIN_AFTER = 2, 1
+"""Fewest known steps before and after a glitch. Chosen."""
+MAX_UNSTEADY_STEPS = 2
+"""Steps around a glitch that may belong to another glitch. Chosen."""
+MIN_SIZE_SIGMA = 10.0
+"""Smallest glitch, in standard deviations of the steps from row to row. Chosen."""
+MIN_SIZE_LOCAL = 5.0
+"""Smallest glitch, in the largest departure of the steps around it. Chosen."""
+MIN_SIZE_ELSEWHERE = 2.0
+"""Smallest glitch, in the largest step of all other rows, a few excepted. Chosen."""
+REACH = 2 * CONTEXT + MAX_LENGTH
+"""Rows that a glitch influences: derived from the window's length."""
+MIN_ROWS = 50
+"""Fewest rows in which glitches are looked for. Chosen."""
+MAX_GLITCHES, MAX_GLITCH_SHARE = 3, 2e-3
+"""A column with more glitches than both, rows or share of rows, has noise instead. Chosen."""
+MAX_REPORTED = 3
+"""Glitches of a column that are reported one by one."""
 
 
-def with_inputs_mended(log: Log) -> tuple[Log, list[str]]:
-    """A log with glitches of what the bench measures filled in from those around, and what was."""
+def mend_inputs(log: Log) -> tuple[Log, list[str]]:
+    """A log whose measured inputs are interpolated across glitches, and a sentence for each
+    column."""
     notes = []
     for field in INPUTS:
         series = getattr(log, field)
         known = np.isfinite(series)
-        found = glitches(series, known)
-        if found.any():
-            notes.append(f"{_told(log, field, found)}: filled in")
-            log = with_columns(log, {field: _filled(series, found, known)})
+        glitches = find_glitches(series, known)
+        if glitches.any():
+            notes.append(f"{_describe(log, field, glitches)}: filled in")
+            log = replace_columns(log, {field: _interpolate(series, glitches, known)})
     return log, notes
 
 
-def doubts_of_glitches(log: Log, believed: Believed) -> list[Doubt]:
-    """Of the gyro's readings while loops follow a steady table; inputs are whole."""
-    if not has(log, "gyro_angle", "wave_angle"):
+def check_glitches(log: Log, nominal: NominalSetup) -> list[Exclusion]:
+    """Exclude glitches of the gyro's outputs, in rows with settled loops and a steady table.
+
+    Args:
+        log: with complete inputs.
+        nominal: gives the loops' settling time.
+    """
+    if not has_values(log, "gyro_angle", "wave_angle"):
         return []
-    inputs = replayable(log, believed.device)
-    steady = later(log, commanded(log) | jolts(inputs), settling(believed.device))
-    return list(_doubts(log, steady))
+    inputs = prepare_inputs(log, nominal.device)
+    changed = find_command_changes(log) | find_table_acceleration(inputs)
+    steady = find_undisturbed_rows(log, changed, compute_settling_time(nominal.device))
+    return list(_generate_exclusions(log, steady))
 
 
-def _doubts(log: Log, rows: Mask) -> Iterator[Doubt]:
+def _generate_exclusions(log: Log, rows: Mask) -> Iterator[Exclusion]:
     for field in CHANNELS:
         series = getattr(log, field)
         driven = (log.drive_on > 0) | (field not in FORCES)
-        found = glitches(series, rows & driven & np.isfinite(series))
-        if found.any():
+        glitches = find_glitches(series, rows & driven & np.isfinite(series))
+        if glitches.any():
             fields = ("gyro_angle", "wave_angle") if field == "gyro_angle" else (field,)
-            yield Doubt(fields, f"{_told(log, field, found)}: left out", found)
+            yield Exclusion(fields, f"{_describe(log, field, glitches)}: left out", glitches)
 
 
-def _told(log: Log, field: str, found: Mask) -> str:
-    """Row, what was found, and what those around it say."""
+def _describe(log: Log, field: str, glitches: Mask) -> str:
+    """File, column, and for each glitch what was found and what was expected."""
     column, series = BY_FIELD[field], getattr(log, field)
-    said, around = (
-        (values[found] - column.offset) / column.factor
-        for values in (series, _filled(series, found, np.isfinite(series)))
+    found, expected = (
+        (values[glitches] - column.offset) / column.factor
+        for values in (series, _interpolate(series, glitches, np.isfinite(series)))
     )
     each = [
-        f"{one:.9g} at time_s {time:g}, expected {other:.9g} as around it"
-        for one, other, time in zip(said, around, log.time[found], strict=True)
+        f"{value:.9g} at time_s {time:g}, expected {other:.9g} as around it"
+        for value, other, time in zip(found, expected, log.time[glitches], strict=True)
     ]
-    more = [f"{len(each) - TOLD} more"] if len(each) > TOLD else []
-    return f"{log.source}: column {column.name}: {'; '.join(each[:TOLD] + more)}"
+    more = [f"{len(each) - MAX_REPORTED} more"] if len(each) > MAX_REPORTED else []
+    return f"{log.source}: column {column.name}: {'; '.join(each[:MAX_REPORTED] + more)}"
 
 
-def _filled(series: Array, found: Mask, known: Mask) -> Array:
-    """A series with what was found in line with those known around it."""
-    kept = np.flatnonzero(known & ~found)
-    return np.where(found, np.interp(np.arange(len(series)), kept, series[kept]), series)
+def _interpolate(series: Array, glitches: Mask, known: Mask) -> Array:
+    """A series with glitches replaced by interpolation between known rows."""
+    kept = np.flatnonzero(known & ~glitches)
+    return np.where(glitches, np.interp(np.arange(len(series)), kept, series[kept]), series)
 
 
-def glitches(series: Array, rows: Mask) -> Mask:
-    """Rows that leave a series and come back at once, while all around it is steady.
+def find_glitches(series: Array, rows: Mask) -> Mask:
+    """(n,) rows that depart from a series and return at once, while all around is steady.
+
+    There are none if they would be many, or no larger than steps elsewhere: then they are noise of
+    the gyro, or counts.
 
     Args:
-        series: (n,) any unit, a straight line and noise where nothing is wrong.
-        rows: (n,) that may be looked at.
-
-    Returns:
-        (n,); none where they are many, or no larger than what is seen elsewhere: a noise of the
-        gyro's own, or counts.
+        series: (n,) any unit; a straight line plus noise where nothing is wrong.
+        rows: (n,) rows that are searched.
     """
-    found = np.zeros(len(series), np.bool_)
-    if np.sum(rows) < LEAST:
-        return found
+    glitches = np.zeros(len(series), np.bool_)
+    if np.sum(rows) < MIN_ROWS:
+        return glitches
     mended, sizes = series, np.zeros(len(series))
     for _ in range(PASSES):
-        for length in range(1, LONGEST + 1):
-            new = _of_length(mended, rows, length)
+        for length in range(1, MAX_LENGTH + 1):
+            new = _measure_glitches(mended, rows, length)
             if new.any():
-                sizes = np.where(found, sizes, new)
-                found |= new > 0
-                mended = _filled(series, found, rows)
-        if not found.any():
-            return found
-    elsewhere = np.sort(_departures(series, rows & ~binary_dilation(found, iterations=REACH)))
-    found &= sizes > TWICE * (elsewhere[-1 - 2 * FEW] if len(elsewhere) > 2 * FEW else 0.0)
-    return found & (np.sum(found) <= max(FEW, SHARE * np.sum(rows)))
+                sizes = np.where(glitches, sizes, new)
+                glitches |= new > 0
+                mended = _interpolate(series, glitches, rows)
+        if not glitches.any():
+            return glitches
+    unaffected = rows & ~binary_dilation(glitches, iterations=REACH)
+    elsewhere = np.sort(_compute_departures(series, unaffected))
+    excepted = 2 * MAX_GLITCHES
+    largest = elsewhere[-1 - excepted] if len(elsewhere) > excepted else 0.0
+    glitches &= sizes > MIN_SIZE_ELSEWHERE * largest
+    return glitches & (np.sum(glitches) <= max(MAX_GLITCHES, MAX_GLITCH_SHARE * np.sum(rows)))
 
 
-def _departures(series: Array, rows: Mask) -> Array:
-    """Sizes of single steps less those around."""
-    steps = _windows(series, rows, 0)
-    steady, _, usable = _steady(steps, 0)
-    away = np.abs(steps[:, AROUND] - steady)
-    return np.asarray(away[usable & np.isfinite(away)])
+def _compute_departures(series: Array, rows: Mask) -> Array:
+    """Magnitudes of single steps less the median of those around."""
+    steps = _window_steps(series, rows, 0)
+    median, _, usable = _summarize_context(steps, 0)
+    departures = np.abs(steps[:, CONTEXT] - median)
+    return np.asarray(departures[usable & np.isfinite(departures)])
 
 
-def _windows(series: Array, rows: Mask, length: int) -> Array:
-    """(n, w) steps to a glitch of so many rows from each row on, in it, from it, and around; NaN
-    where one is not of rows that may be looked at."""
+def _window_steps(series: Array, rows: Mask, length: int) -> Array:
+    """(n, w) steps into, within, out of and around a glitch of this length that begins in each row.
+
+    A step is NaN if it is not between two rows that are searched.
+    """
     steps = np.where(rows[1:] & rows[:-1], np.diff(series), np.nan)
-    before, after = np.full(AROUND + 1, np.nan), np.full(AROUND + length, np.nan)
-    return sliding_window_view(np.concatenate([before, steps, after]), 2 * AROUND + length + 1)
+    before, after = np.full(CONTEXT + 1, np.nan), np.full(CONTEXT + length, np.nan)
+    return sliding_window_view(np.concatenate([before, steps, after]), 2 * CONTEXT + length + 1)
 
 
-def _steady(steps: Array, length: int) -> tuple[Array, Array, Mask]:
-    """Of windows: median of the steps around, the largest distance from it but for a few, and
-    whether there are enough of them."""
-    around = np.delete(steps, np.s_[AROUND : AROUND + length + 1], axis=1)
+def _summarize_context(steps: Array, length: int) -> tuple[Array, Array, Mask]:
+    """For each window: median of the steps around, their largest departure from it but a few, and
+    whether enough are known."""
+    around = np.delete(steps, np.s_[CONTEXT : CONTEXT + length + 1], axis=1)
     known = np.isfinite(around)
-    usable = known.sum(axis=1) >= AROUND
-    usable &= (known[:, :AROUND].sum(axis=1) >= BEFORE) & (known[:, AROUND:].sum(axis=1) >= AFTER)
+    usable = known.sum(axis=1) >= CONTEXT
+    usable &= known[:, :CONTEXT].sum(axis=1) >= MIN_BEFORE
+    usable &= known[:, CONTEXT:].sum(axis=1) >= MIN_AFTER
     ordered = np.sort(around, axis=1)
     last = np.maximum(known.sum(axis=1) - 1, 0)
-    median = (_at(ordered, last // 2) + _at(ordered, (last + 1) // 2)) / 2
-    apart = np.sort(np.abs(around - median[:, None]), axis=1)
-    return median, _at(apart, np.maximum(last - OTHERS, 0)), usable
+    median = (_take_columns(ordered, last // 2) + _take_columns(ordered, (last + 1) // 2)) / 2
+    departures = np.sort(np.abs(around - median[:, None]), axis=1)
+    largest = _take_columns(departures, np.maximum(last - MAX_UNSTEADY_STEPS, 0))
+    return median, largest, usable
 
 
-def _at(values: Array, columns: NDArray[np.int64]) -> Array:
-    """(n,) one of each row's."""
+def _take_columns(values: Array, columns: NDArray[np.int64]) -> Array:
+    """(n,) one column of each row."""
     return np.asarray(np.take_along_axis(values, columns[:, None], 1)[:, 0])
 
 
-def _of_length(series: Array, rows: Mask, length: int) -> Array:
-    """(n,) sizes of glitches of so many rows; 0 where there are none."""
-    steps = _windows(series, rows, length)
-    inside = steps[:, AROUND : AROUND + length + 1]
-    steady, unsteady, usable = _steady(steps, length)
-    away, back = inside[:, 0] - steady, steady - inside[:, -1]
-    left = inside.sum(axis=1) - (length + 1) * steady
+def _measure_glitches(series: Array, rows: Mask, length: int) -> Array:
+    """(n,) sizes of glitches of this length, in each of their rows; 0 elsewhere."""
+    steps = _window_steps(series, rows, length)
+    inside = steps[:, CONTEXT : CONTEXT + length + 1]
+    median, unsteadiness, usable = _summarize_context(steps, length)
+    away, back = inside[:, 0] - median, median - inside[:, -1]
+    remaining = inside.sum(axis=1) - (length + 1) * median
     size = np.where(away * back > 0, np.minimum(np.abs(away), np.abs(back)), 0.0)
-    usable &= np.isfinite(left)
-    least = np.maximum(OFF * _deviation(away[usable]), APART * unsteady)
+    usable &= np.isfinite(remaining)
+    sigma = _estimate_deviation(away[usable])
+    least = np.maximum(MIN_SIZE_SIGMA * sigma, MIN_SIZE_LOCAL * unsteadiness)
     sizes = np.zeros(len(series))
-    for first in np.flatnonzero(usable & (size > least) & (np.abs(left) < size / 2)):
+    for first in np.flatnonzero(usable & (size > least) & (np.abs(remaining) < size / 2)):
         sizes[first : first + length] = size[first]
     return sizes
 
 
-def _deviation(values: Array) -> float:
-    """Standard deviation of noise, or of all but a few where half of the values are one."""
+def _estimate_deviation(values: Array) -> float:
+    """Robust standard deviation; without the few largest values if half of all are zero."""
     sizes = np.sort(np.abs(values))
     if not len(sizes):
         return 0.0
     if sizes[len(sizes) // 2] > 0:
-        return robust_deviation(sizes)
-    rest = sizes[: -int(max(2 * FEW, 2 * SHARE * len(sizes)))]
-    return float(np.sqrt(np.mean(rest**2))) if len(rest) else 0.0
+        return estimate_robust_deviation(sizes)
+    excepted = int(max(2 * MAX_GLITCHES, 2 * MAX_GLITCH_SHARE * len(sizes)))
+    kept = sizes[:-excepted]
+    return float(np.sqrt(np.mean(kept**2))) if len(kept) else 0.0

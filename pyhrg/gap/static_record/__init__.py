@@ -1,9 +1,10 @@
-"""A static record of any gyro or accelerometer against what is believed of its noise."""
+"""The noise of a static record of any gyro or accelerometer, compared with a belief: the noise that
+the sensor should have, with a tolerance. The method is in docs/methods/noise.md."""
 
 from pyhrg.gap.static_record.belief import Belief, BeliefError
 from pyhrg.gap.static_record.record import RecordError, StaticRecord
 from pyhrg.gap.static_record.result import RecordDiagnosis
-from pyhrg.gap.static_record.run import diagnose, judge
+from pyhrg.gap.static_record.run import diagnose_record
 
 __all__ = [
     "Belief",
@@ -11,6 +12,5 @@ __all__ = [
     "RecordDiagnosis",
     "RecordError",
     "StaticRecord",
-    "diagnose",
-    "judge",
+    "diagnose_record",
 ]

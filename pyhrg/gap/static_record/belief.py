@@ -1,7 +1,7 @@
-"""What is believed of a sensor's noise before its record is looked at."""
+"""Beliefs: the noise that a sensor should have, as stated before its record is read."""
 
-import difflib
 import math
+import sys
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.common.errors import HrgError
-from pyhrg.common.files import toml_of
+from pyhrg.common.toml_table import TomlTable, read_table
 from pyhrg.gap.static_record.terms import KINDS, Kind
 
 Array = NDArray[np.float64]
 
-TOLERANCE = 0.1
-"""Relative standard deviation with which a level is believed where nothing is said."""
+DEFAULT_TOLERANCE = 0.1
+"""Relative standard deviation of a believed level where the file states none (chosen)."""
 TABLES = "[gyros], [accelerometers] or a channel such as [gyro_x]"
 PERIODS, TOLERANCE_PERCENT = "sinusoid_periods_s", "tolerance_percent"
 
@@ -27,62 +27,63 @@ class BeliefError(HrgError):
 
 @dataclass(frozen=True)
 class Belief:
-    """Levels of the noises of one sensor, SI.
+    """The believed noise of one sensor, SI.
 
-    levels: (4,) of white angle, random walk of angle, flicker, random walk of rate (`Kind.terms`);
-    ramp: of the rate, 1/s of it; periods: of sinusoids that are there in any size, s; tolerance:
-    relative standard deviation of each level.
+    levels: (4,) of white noise, random walk, flicker and random walk of the rate (`Kind.terms`).
+    ramp: of the rate, rate/s.
+    periods: of sinusoids that may be in the record with any amplitude, s.
+    tolerance: relative standard deviation of each level.
+    source: of the belief, for messages.
     """
 
     levels: Array
     ramp: float = 0.0
     periods: tuple[float, ...] = ()
-    tolerance: float = TOLERANCE
+    tolerance: float = DEFAULT_TOLERANCE
     source: str = ""
     stated: Mapping[str, float] = field(default_factory=dict)
-    """As in the file, with units in the keys."""
+    """Values as in the file, by keys that end with their units."""
 
 
-def read(path: Path) -> dict[str, Belief]:
-    """Beliefs by table.
+def read_beliefs(path: Path) -> dict[str, Belief]:
+    """Read a file of beliefs.
 
     Args:
-        path: TOML with `[gyros]`, `[accelerometers]` or of single channels (`[gyro_x]`), each with
-            levels under the keys of `terms` (a quantum is white noise of quantum/sqrt(12)),
-            `sinusoid_periods_s`, `tolerance_percent` (10).
+        path: TOML with tables `[gyros]`, `[accelerometers]` or of single channels (`[gyro_x]`).
+            Each has levels under the keys of `terms`, `sinusoid_periods_s` and
+            `tolerance_percent` (default 10). A quantization step q adds white noise of q/sqrt(12).
+
+    Returns:
+        Beliefs by the names of the tables.
 
     Raises:
-        BeliefError: unreadable, a table or key that is not known, a value that is no number or
-            negative, no noise at all.
+        BeliefError: the file can't be read; a table or key is unknown; a value is no number or
+            negative; a table states no noise.
     """
-    content = toml_of(path, BeliefError)
-    if not content:
+    top = read_table(path, BeliefError)
+    if not top.values:
         raise BeliefError(f"{path}: found nothing, expected {TABLES}")
-    found = {}
-    for name, values in content.items():
+    beliefs = {}
+    for name in top.values:
         kind = next((kind for kind in KINDS if name.startswith(kind.name)), None)
         if kind is None:
             raise BeliefError(f"{path}: found {name!r}, expected {TABLES}")
-        if not isinstance(values, dict):
-            raise BeliefError(f"{path}: {name}: found {values!r}, expected a table")
-        found[name] = belief_of(values, kind, f"{path.name}: {name}")
-    return found
+        beliefs[name] = parse_belief(top.table(name).values, kind, f"{path.name}: {name}")
+    return beliefs
 
 
-def belief_of(values: Mapping[str, object], kind: Kind, source: str) -> Belief:
-    """The belief of a table of values.
+def parse_belief(values: Mapping[str, object], kind: Kind, source: str) -> Belief:
+    """The belief that a table of values states.
 
     Raises:
         BeliefError: see `read`.
     """
-    known = [*kind.of_file, PERIODS, TOLERANCE_PERCENT]
-    for key in values:
-        if key not in known:
-            close = difflib.get_close_matches(key, known, n=1) or known
-            raise BeliefError(f"{source}.{key}: found an unknown key, expected {', '.join(close)}")
+    table = TomlTable(source, "", values, BeliefError)
+    table.check_known([*kind.by_parameter, PERIODS, TOLERANCE_PERCENT])
+    lowest = {kind.ramp.parameter: -sys.float_info.max}
     stated = {
-        key: _number(values[key], f"{source}.{key}", signed=key == kind.ramp.parameter)
-        for key in kind.of_file
+        key: table.number(key, None, lowest.get(key, 0.0), math.inf)
+        for key in kind.by_parameter
         if key in values
     }
     levels = np.array([t.factor * stated.get(t.parameter, 0.0) for t in kind.terms])
@@ -94,32 +95,15 @@ def belief_of(values: Mapping[str, object], kind: Kind, source: str) -> Belief:
     return Belief(
         levels,
         kind.ramp.factor * stated.get(kind.ramp.parameter, 0.0),
-        _periods(values.get(PERIODS, []), f"{source}.{PERIODS}"),
-        _tolerance(values.get(TOLERANCE_PERCENT, 100 * TOLERANCE), source),
+        _read_periods(table),
+        table.number(TOLERANCE_PERCENT, 100 * DEFAULT_TOLERANCE, 0.1, 100.0) / 100,
         source,
         stated,
     )
 
 
-def _tolerance(value: object, source: str) -> float:
-    percent = _number(value, f"{source}.{TOLERANCE_PERCENT}")
-    if not 0.1 <= percent <= 100:
-        raise BeliefError(f"{source}.{TOLERANCE_PERCENT}: found {percent:g}, expected 0.1 to 100")
-    return percent / 100
-
-
-def _periods(value: object, where: str) -> tuple[float, ...]:
-    if not isinstance(value, list):
-        raise BeliefError(f"{where}: found {value!r}, expected a list of periods")
-    periods = tuple(_number(item, f"{where}[{i}]") for i, item in enumerate(value))
-    if any(period == 0 for period in periods):
-        raise BeliefError(f"{where}: found 0, expected more")
+def _read_periods(table: TomlTable) -> tuple[float, ...]:
+    periods = table.numbers(PERIODS, None, 0.0, math.inf)
+    if 0 in periods:
+        raise table.error(PERIODS, list(periods), "periods above 0")
     return periods
-
-
-def _number(value: object, where: str, signed: bool = False) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        raise BeliefError(f"{where}: found {value!r}, expected a number")
-    if not math.isfinite(value) or (value < 0 and not signed):
-        raise BeliefError(f"{where}: found {value!r}, expected a finite number of at least 0")
-    return float(value)

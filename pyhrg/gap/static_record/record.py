@@ -1,4 +1,4 @@
-"""A static record: channels of one sensor each, whatever file they are from."""
+"""A static record: one channel for each sensor, independent of the file format."""
 
 from dataclasses import dataclass, replace
 
@@ -11,8 +11,8 @@ from pyhrg.records import Log
 
 Array = NDArray[np.float64]
 
-LEAST = 1024
-"""Readings of a channel: half of them are held out."""
+MIN_READINGS = 1024
+"""Smallest number of readings of a channel; half of them are held out (chosen)."""
 
 
 class RecordError(HrgError):
@@ -21,11 +21,16 @@ class RecordError(HrgError):
 
 @dataclass(frozen=True)
 class Channel:
-    """One sensor at rest.
+    """The readings of one sensor at rest.
 
-    angle: (n,) integral of what it senses, SI, evenly spaced, without gaps; temperature: (n,) K,
-    if it was logged; quantum: step of the readings' grid, SI, if they lie on one; drifts: whether a
-    ramp of the rate is nothing to wonder at.
+    name: of the channel.
+    kind: gyro or accelerometer.
+    interval: between readings, s.
+    angle: (n,) integral of the sensed quantity (angle or velocity), SI, evenly spaced, without
+        gaps.
+    temperature: (n,) K; None where it was not logged.
+    quantum: quantization step of the readings, SI; None where they lie on no grid.
+    may_drift: whether a ramp of the rate is expected, so that it is no gap.
     """
 
     name: str
@@ -34,69 +39,79 @@ class Channel:
     angle: Array
     temperature: Array | None = None
     quantum: float | None = None
-    drifts: bool = False
+    may_drift: bool = False
 
     def part(self, first: int, last: int) -> "Channel":
-        """Readings first to last - 1."""
+        """The channel with readings first to last - 1."""
         temperature = None if self.temperature is None else self.temperature[first:last]
         return replace(self, angle=self.angle[first:last], temperature=temperature)
 
     @property
     def half(self) -> int:
-        """The first reading that is held out."""
+        """Index of the first held-out reading."""
         return len(self.angle) // 2
 
 
 @dataclass(frozen=True)
 class StaticRecord:
-    """Of one file; notes: what was left out of it."""
+    """The channels of one record; notes: a sentence on each thing that was left out of it."""
 
     source: str
     channels: tuple[Channel, ...]
     notes: tuple[str, ...] = ()
 
 
-def of_increments(
+def channel_from_increments(
     name: str, kind: Kind, interval: float, increments: Array, temperature: Array | None = None
 ) -> Channel:
-    """The channel of readings (n,) that are increments, SI.
+    """A channel from readings that are increments of angle or velocity.
+
+    Args:
+        name: of the channel.
+        kind: gyro or accelerometer.
+        interval: between readings, s.
+        increments: (n,) SI.
+        temperature: (n,) K.
 
     Raises:
-        RecordError: too few, or one that is not finite, or all the same.
+        RecordError: there are too few readings, one is not finite, or all are equal.
     """
     increments = np.asarray(increments, dtype=np.float64)
-    if len(increments) < LEAST:
-        raise RecordError(f"{name}: found {len(increments)} readings, expected {LEAST} or more")
+    if len(increments) < MIN_READINGS:
+        raise RecordError(
+            f"{name}: found {len(increments)} readings, expected {MIN_READINGS} or more"
+        )
     if not np.all(np.isfinite(increments)):
         row = int(np.argmin(np.isfinite(increments)))
         raise RecordError(f"{name}: reading {row}: found {increments[row]}, expected a number")
     if np.ptp(increments) == 0:
         raise RecordError(f"{name}: found {increments[0]:g} in all readings, expected noise")
     angle = np.cumsum(increments - np.mean(increments))
-    return Channel(name, kind, interval, angle, temperature, grid(increments))
+    return Channel(name, kind, interval, angle, temperature, find_quantization_step(increments))
 
 
-def of_log(log: Log) -> StaticRecord:
-    """The output of a bench log over its longest stretch without gaps, the table's angle taken off.
+def record_from_log(log: Log) -> StaticRecord:
+    """The output angle of a bench log less the turntable's angle, over its longest stretch without
+    gaps.
 
-    The pattern creeps over the gyro's bias map: a ramp is expected.
+    The pattern creeps over the gyro's bias map at Earth's rate, so a rate ramp is expected.
 
     Raises:
-        LogError: it has no output or no table angle.
+        LogError: the log has no output angle or no table angle.
         RecordError: the stretch is too short.
     """
     stretch = max(log.stretches("gyro_angle", "table_angle"), key=lambda s: s.stop - s.start)
     angle = (log.gyro_angle - log.table_angle)[stretch]
     temperature = log.temperature[stretch]
-    known = bool(np.all(np.isfinite(temperature)))
-    channel = of_increments(
-        *("gyro", GYRO, log.interval, np.diff(angle)), temperature[1:] if known else None
+    is_known = bool(np.all(np.isfinite(temperature)))
+    channel = channel_from_increments(
+        *("gyro", GYRO, log.interval, np.diff(angle)), temperature[1:] if is_known else None
     )
-    return StaticRecord(log.source, (replace(channel, drifts=True),), log.exclusions)
+    return StaticRecord(log.source, (replace(channel, may_drift=True),), log.exclusions)
 
 
-def grid(values: Array) -> float | None:
-    """The step of which all values are whole multiples; None where they lie on no grid."""
+def find_quantization_step(values: Array) -> float | None:
+    """The step of which all values are whole multiples to 1e-3 of it; None where there is none."""
     levels = np.unique(values)
     if len(levels) < 2 or len(levels) > len(values) / 4:
         return None

@@ -1,58 +1,63 @@
-"""What channels of one record have in common: noise is each sensor's own, motion is not."""
+"""Power that several channels of a record share. Sensors have independent noise; motion is
+common."""
 
 from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.gap.static_record.fit.unknowns import octaves
+from pyhrg.gap.static_record.fit.unknowns import split_octaves
 from pyhrg.gap.static_record.record import Channel
 
 Array = NDArray[np.float64]
 
-BINS = 16
-"""Frequencies over which one response of a channel to the others is taken, at most."""
-CHANCE = 0.1
-"""Share that is not told from chance."""
+BAND_FREQUENCIES = 16
+"""Smallest number of frequencies in a band over which one response is fitted (chosen)."""
+SMALLEST_SHARE = 0.1
+"""Coherent share of an octave's power below which it counts as chance (chosen)."""
 
 
-def shared_power(channels: Sequence[Channel]) -> Array:
-    """Share of each channel's power that the others show too, octave by octave, fastest first.
+def compute_shared_power(channels: Sequence[Channel]) -> Array:
+    """Share of each channel's power that is coherent with the other channels, octave by octave,
+    from the highest frequencies down (docs/methods/noise.md, Eq. 12).
 
     Multiple coherence (J. Bendat, A. Piersol, Random Data, 4th ed., 7.3) over narrow bands, less
-    what as many channels of unrelated noise would show; powers of an octave together. A response
-    that changes within a band, or in time, hides some: the true share is this or more.
+    its expectation for independent channels. A response that changes within a band or in time
+    lowers the estimate, so the true share is this or more.
 
     Args:
-        channels: of one length and interval.
+        channels: c channels of one length and interval.
 
     Returns:
-        (c, k); 0 where it may be chance or an octave has too few frequencies to tell.
+        (c, k); 0 where the share may be chance or an octave has too few frequencies.
     """
-    spectra = np.array([_spectrum(channel) for channel in channels])
+    spectra = np.array([_compute_spectrum(channel) for channel in channels])
     m, others = spectra.shape[1], len(channels) - 1
-    shares = np.zeros((len(channels), len(octaves(m))))
-    for k, octave in enumerate(octaves(m)):
-        if octave.stop - octave.start < BINS or not others:
+    shares = np.zeros((len(channels), len(split_octaves(m))))
+    for k, octave in enumerate(split_octaves(m)):
+        if octave.stop - octave.start < BAND_FREQUENCIES or not others:
             continue
-        bands = np.array_split(spectra[:, octave], (octave.stop - octave.start) // BINS, axis=1)
+        bands = np.array_split(
+            spectra[:, octave], (octave.stop - octave.start) // BAND_FREQUENCIES, axis=1
+        )
         for c in range(len(channels)):
-            powers = np.sum([_shared(band, c) for band in bands], axis=0)
+            powers = np.sum([_compute_coherent_power(band, c) for band in bands], axis=0)
             share = powers[0] / powers[1]
-            shares[c, k] = share if share > CHANCE else 0.0
+            shares[c, k] = share if share > SMALLEST_SHARE else 0.0
     return shares
 
 
-def _spectrum(channel: Channel) -> Array:
-    """(m,) complex, of the readings under a Hann window; every second frequency, as good as
-    independent of the next."""
+def _compute_spectrum(channel: Channel) -> Array:
+    """(m,) complex spectrum of the readings under a Hann window, at every second frequency: these
+    are nearly independent."""
     readings = np.diff(channel.angle)
     readings = readings - np.mean(readings)
     return np.asarray(np.fft.rfft(readings * np.hanning(len(readings)))[2::2])
 
 
-def _shared(band: Array, c: int) -> tuple[float, float]:
-    """Power of channel c that the others explain beyond chance, and all its power."""
+def _compute_coherent_power(band: Array, c: int) -> tuple[float, float]:
+    """Power of channel c in a band (c, m) that is coherent with the others beyond chance, and its
+    total power."""
     own, others = band[c], np.delete(band, c, axis=0)
     scale = np.linalg.norm(others, axis=1, keepdims=True).clip(np.finfo(float).tiny)
     basis = np.linalg.qr((others / scale).T)[0]

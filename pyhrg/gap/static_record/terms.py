@@ -1,4 +1,4 @@
-"""Noise terms of gyros and of accelerometers: names and units."""
+"""Noise terms of gyros and of accelerometers (IEEE Std 952): names and units."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G
 
 @dataclass(frozen=True)
 class Term:
-    """A term: its level in SI is value * factor, with the value under `parameter` in files."""
+    """A noise term. Files state its level under the key `parameter`; times `factor` it is in SI."""
 
     effect: str
     parameter: str
@@ -19,25 +19,28 @@ class Term:
 class Kind:
     """A kind of sensor.
 
-    table: in a file of beliefs;
-    terms: four noises of its integrated readings, in the order of `noise_likelihood.POWERS`;
-    ramp: of its bias; warmth: what temperature, less its mean, adds to its bias;
-    quantum: step of the integrated readings;
-    rate_unit, rate_scale: of its readings as rates, and SI of it.
+    name: start of its channels' names.
+    table: its table in a file of beliefs.
+    terms: white noise, random walk, flicker and random walk of the rate, as they appear in the
+        integrated readings; in the order of `pyhrg.noise.likelihood.POWERS`.
+    ramp: constant change of the bias with time.
+    temperature_term: change of the bias with temperature.
+    quantum: quantization step of the integrated readings.
+    rate_unit, rate_scale: unit of the readings as rates, and its value in SI.
     """
 
     name: str
     table: str
     terms: tuple[Term, Term, Term, Term]
     ramp: Term
-    warmth: Term
+    temperature_term: Term
     quantum: Term
     rate_unit: str
     rate_scale: float
 
     @property
-    def of_file(self) -> Mapping[str, Term]:
-        """What a file of beliefs may state, by parameter."""
+    def by_parameter(self) -> Mapping[str, Term]:
+        """Terms that a file of beliefs may state, by key."""
         return {term.parameter: term for term in (*self.terms, self.ramp, self.quantum)}
 
 
@@ -51,7 +54,7 @@ GYRO = Kind(
         Term("rate_random_walk", "rate_random_walk_deg_h_sqrt_h", DEG_PER_H / HOUR**0.5),
     ),
     ramp=Term("rate_ramp", "rate_ramp_deg_h_h", DEG_PER_H / HOUR),
-    warmth=Term("bias_temperature", "bias_deg_h_per_K", DEG_PER_H),
+    temperature_term=Term("bias_temperature", "bias_deg_h_per_K", DEG_PER_H),
     quantum=Term("angle_quantisation", "quantum_arcsec", ARCSEC),
     rate_unit="deg/h",
     rate_scale=DEG_PER_H,
@@ -69,7 +72,7 @@ ACCELEROMETER = Kind(
         ),
     ),
     ramp=Term("acceleration_ramp", "acceleration_ramp_micro_g_h", MICRO_G / HOUR),
-    warmth=Term("bias_temperature", "bias_micro_g_per_K", MICRO_G),
+    temperature_term=Term("bias_temperature", "bias_micro_g_per_K", MICRO_G),
     quantum=Term("velocity_quantisation", "quantum_m_s", 1.0),
     rate_unit="micro-g",
     rate_scale=MICRO_G,

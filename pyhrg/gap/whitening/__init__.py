@@ -1,1 +1,1 @@
-"""Step 2: the noise of each channel, and filters that make it white."""
+"""Step 3: the noise of each channel, and the filter that makes it white."""

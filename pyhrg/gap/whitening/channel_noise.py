@@ -1,4 +1,4 @@
-"""Noise of each channel, from what the believed noises say and the gyro's own records show."""
+"""Noise of every channel, from the nominal device's stated noise and from the records."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -7,47 +7,50 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.common.robust import robust_deviation
+from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
-from pyhrg.gap.replay.observations import Observed
-from pyhrg.gap.replay.thermometer import reading_steps
-from pyhrg.gap.whitening.whitening import Correlated, SlowNoise
+from pyhrg.gap.replay.observations import ObservedTest
+from pyhrg.gap.replay.thermometer import estimate_reading_steps
+from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel
 
 Array = NDArray[np.float64]
 
-CLIP = 5.0
-"""Second differences further out than this many deviations are no noise."""
-FEW = 30
-"""Second differences below which rows of a length have no noise of their own."""
-RESOLVED = {
+OUTLIER_SIGMA = 5.0
+"""Second differences above this many robust standard deviations are not counted as noise.
+Chosen."""
+MIN_DIFFERENCES = 30
+"""Fewest second differences of rows of one length from which their noise is estimated; with fewer,
+those of all lengths are used. Chosen."""
+REPLAY_RESOLUTION = {
     "amplitude": 2e-8,
     "amplitude_force": 3e-9,
     "quadrature_force": 5e-9,
     "frequency_offset": 1e-6,
 }
-"""What replays of one gyro with sampled loops and with loops at rest agree to, SI: records without
-noise are compared no closer."""
-LASTING = 3.0
-"""Thermal lags that the error of a coarse thermometer lasts."""
-LEAST_ANGLE = 1e-10
-"""Noise of an angle of which none is stated, rad: numbers with eight decimals of a degree."""
+"""Smallest noise that a channel is given, SI: the difference of two replays of one device, with
+sampled loops and with quasi-steady loops (tests/pyhrg/gap/replay/test_simulation.py)."""
+THERMOMETER_CORRELATION = 3.0
+"""Correlation time of a coarse thermometer's rounding error, in thermal lags. Chosen."""
+MIN_ANGLE_NOISE = 1e-10
+"""White noise of an output angle for which none is stated, rad: the rounding of a log with eight
+decimals of a degree."""
 
 
 @dataclass(frozen=True)
-class ChannelNoise:
-    """Noise of all channels.
+class CampaignNoise:
+    """Noise of all channels in all tests of a campaign.
 
     angle: of the output angle, rad.
-    white: standard deviations of a row of the other channels, SI, by field and the row's length, s.
-    temperature: of one reading of a test's temperature log, K, by test.
-    reading_steps: of these logs, K; 0 where they are finer than their noise.
-    per_kelvin: how a channel follows the resonator's temperature, SI/K.
-    thermal_lag: s.
-    bryan_factor: as believed. Noise that turns a driven pattern is a noise of its amplitude as well
-        while nothing holds it.
+    white: standard deviations of one row of the other channels, SI, by field and row length, s.
+    temperature: standard deviation of one reading of a test's temperature log, K, by test.
+    reading_steps: quantization steps of these logs, K; 0 where they are finer than their noise.
+    per_kelvin: sensitivity of a channel to the resonator's temperature, SI/K.
+    thermal_lag: time constant from case to resonator, s.
+    bryan_factor: of the nominal device. Noise that turns a driven pattern is also a noise of the
+        amplitude while the drive is off.
     """
 
-    angle: SlowNoise
+    angle: NoiseModel
     white: Mapping[str, Mapping[float, float]]
     temperature: Mapping[str, float]
     reading_steps: Mapping[str, float]
@@ -55,119 +58,132 @@ class ChannelNoise:
     thermal_lag: float
     bryan_factor: float
 
-    def of(self, channel: str, test: Observed) -> SlowNoise:
-        """Noise of a channel in a test's rows."""
+    def get_model(self, channel: str, test: ObservedTest) -> NoiseModel:
+        """Noise of a channel in the rows of a test (docs/methods/whitening.md, Eqs. 13 to 17)."""
         if channel == "gyro_angle":
-            return self.angle.louder(test.encoder)
+            return self.angle.add_white(test.encoder_noise)
         interval = test.log.interval
-        white = _nearest(self.white[channel], interval)
+        white = _look_up_nearest(self.white[channel], interval)
         if channel in self.per_kelvin:
             kelvin = self.temperature.get(test.test.id, max(self.temperature.values()))
             lagged = self.per_kelvin[channel] * kelvin * np.sqrt(interval)
-            lasting = self._lasting(self.per_kelvin[channel], test)
-            return SlowNoise(white, lagged=lagged, lag=self.thermal_lag, correlated=lasting)
+            rounding = self._thermometer_rounding(self.per_kelvin[channel], test)
+            return NoiseModel(white, lagged=lagged, lag=self.thermal_lag, correlated=rounding)
         if channel == "amplitude" and not test.log.drive_on.all():
-            return SlowNoise(white, walk=2 * self.bryan_factor * self.angle.walk)
-        return SlowNoise(white)
+            walk = 2 * self.bryan_factor * self.angle.angle_random_walk
+            return NoiseModel(white, angle_random_walk=walk)
+        return NoiseModel(white)
 
-    def _lasting(self, per_kelvin: float, test: Observed) -> Correlated | None:
-        """What half a step of the temperature's readings makes of a channel."""
+    def _thermometer_rounding(
+        self, per_kelvin: float, test: ObservedTest
+    ) -> CorrelatedNoise | None:
+        """Effect on a channel of half a quantization step of the temperature log (Eq. 16)."""
         step = self.reading_steps.get(test.test.id, 0.0)
         if not step:
             return None
         level = per_kelvin * step / 2
-        return Correlated(level, LASTING * self.thermal_lag, of_rate=False)
+        return CorrelatedNoise(level, THERMOMETER_CORRELATION * self.thermal_lag, of_rate=False)
 
 
-def believed_noise(
-    believed: Device, tests: Sequence[Observed], residuals: Sequence[Mapping[str, Array]]
-) -> ChannelNoise:
-    """The device's own noises on its angle; the other channels' from second differences of
-    residuals at rest, which nothing slow is seen in.
+def estimate_campaign_noise(
+    nominal: Device, tests: Sequence[ObservedTest], residuals: Sequence[Mapping[str, Array]]
+) -> CampaignNoise:
+    """Noise of all channels: the nominal device's own on its angle, the others' from residuals.
+
+    The others are estimated from second differences of residuals, to which a slow signal
+    contributes almost nothing (docs/methods/whitening.md, Eq. 14).
 
     Args:
-        believed: the device.
-        tests: observed.
-        residuals: (n,) by channel, record less simulation, for each test.
+        nominal: the device before the diagnosis.
+        tests: all tests that are compared.
+        residuals: (n,) by channel, record less simulation, SI, for each test.
     """
-    white = {name: _white(name, tests, residuals) for name in RESOLVED}
-    steps = reading_steps({t.test.id: t.log.temperature for t in tests})
+    white = {name: _estimate_white(name, tests, residuals) for name in REPLAY_RESOLUTION}
+    steps = estimate_reading_steps({t.test.id: t.log.temperature for t in tests})
     temperature = {
         t.test.id: max(
-            _deviation([_seconds(t.log.temperature, t.rows["temperature"])]),
+            _standard_deviation([_second_differences(t.log.temperature, t.rows["temperature"])]),
             steps[t.test.id] / math.sqrt(12),
         )
         for t in tests
     }
     per_kelvin = {
-        "frequency_offset": abs(believed.frequency * believed.frequency_per_kelvin),
-        "amplitude_force": abs(believed.decay_time_per_kelvin / believed.decay_time),
+        "frequency_offset": abs(nominal.frequency * nominal.frequency_per_kelvin),
+        "amplitude_force": abs(nominal.decay_time_per_kelvin / nominal.decay_time),
     }
     for channel, slope in per_kelvin.items():
         for interval, deviation in white[channel].items():
-            those = [temperature[t.test.id] for t in tests if t.log.interval == interval]
-            change = slope * float(np.median(those)) * interval / believed.thermal_lag
-            white[channel][interval] = _beside(deviation, change, RESOLVED[channel])
-    return ChannelNoise(
-        angle_noise(believed),
+            kelvins = [temperature[t.test.id] for t in tests if t.log.interval == interval]
+            change = slope * float(np.median(kelvins)) * interval / nominal.thermal_lag
+            least = REPLAY_RESOLUTION[channel]
+            white[channel][interval] = _subtract_thermometer(deviation, change, least)
+    return CampaignNoise(
+        build_angle_noise(nominal),
         white,
         temperature,
         steps,
         per_kelvin,
-        believed.thermal_lag,
-        believed.bryan_factor,
+        nominal.thermal_lag,
+        nominal.bryan_factor,
     )
 
 
-def _white(
-    name: str, tests: Sequence[Observed], residuals: Sequence[Mapping[str, Array]]
+def _estimate_white(
+    name: str, tests: Sequence[ObservedTest], residuals: Sequence[Mapping[str, Array]]
 ) -> dict[float, float]:
-    """Noise that comes through a loop is less in the mean over a longer row."""
+    """Standard deviation by row length: a loop averages its noise over a longer row."""
     parts: dict[float, list[Array]] = {}
     for test, residual in zip(tests, residuals, strict=True):
         own = parts.setdefault(test.log.interval, [])
-        own.append(_seconds(residual[name], test.rows[name]))
+        own.append(_second_differences(residual[name], test.rows[name]))
     every = [part for own in parts.values() for part in own]
     return {
         interval: max(
-            _deviation(own if sum(map(len, own)) >= FEW else every),
-            RESOLVED[name],
+            _standard_deviation(own if sum(map(len, own)) >= MIN_DIFFERENCES else every),
+            REPLAY_RESOLUTION[name],
         )
         for interval, own in parts.items()
     }
 
 
-def _nearest(by_interval: Mapping[float, float], interval: float) -> float:
-    """Value of rows that are nearest in length."""
+def _look_up_nearest(by_interval: Mapping[float, float], interval: float) -> float:
+    """Value of the rows whose length has the ratio nearest to one."""
     return by_interval[min(by_interval, key=lambda known: abs(math.log(known / interval)))]
 
 
-def _beside(deviation: float, step: float, least: float) -> float:
-    """Noise of a row beside that of a thermometer, by which the channel moves a step a row."""
-    return float(np.sqrt(max(deviation**2 - step**2 / 12, least**2)))
+def _subtract_thermometer(deviation: float, change: float, least: float) -> float:
+    """Standard deviation without the share of a thermometer's noise, by which the channel changes
+    from row to row."""
+    return float(np.sqrt(max(deviation**2 - change**2 / 12, least**2)))
 
 
-def angle_noise(device: Device) -> SlowNoise:
-    """Noise that a device states of its output angle; counting it in steps is noise, too."""
-    return SlowNoise(
-        max(math.hypot(device.pickoff_noise, device.angle_quantum / math.sqrt(12)), LEAST_ANGLE),
+def build_angle_noise(device: Device) -> NoiseModel:
+    """Noise that a device states of its output angle, rad; quantization counts as white noise."""
+    return NoiseModel(
+        max(
+            math.hypot(device.angle_white_noise, device.quantization_step / math.sqrt(12)),
+            MIN_ANGLE_NOISE,
+        ),
         device.angle_random_walk,
         device.rate_random_walk,
         device.bias_instability,
     )
 
 
-def _seconds(series: Array, rows: NDArray[np.bool_]) -> Array:
-    """Second differences where three rows follow each other, over sqrt(6)."""
+def _second_differences(series: Array, rows: NDArray[np.bool_]) -> Array:
+    """Second differences over sqrt(6), of each three compared rows in succession."""
     three = rows[2:] & rows[1:-1] & rows[:-2]
     return np.asarray(np.diff(series, 2)[three] / np.sqrt(6))
 
 
-def _deviation(parts: Sequence[Array]) -> float:
-    """Standard deviation, those parts aside in which more than noise is seen; 0 of nothing."""
-    there = [p for p in parts if len(p)]
-    if not there:
+def _standard_deviation(parts: Sequence[Array]) -> float:
+    """Standard deviation of all parts without outliers; 0 of no values.
+
+    The outlier limit is that of the typical part, so that parts with a signal don't widen it.
+    """
+    nonempty = [p for p in parts if len(p)]
+    if not nonempty:
         return 0.0
-    typical = float(np.median([robust_deviation(p) for p in there]))
-    values = np.concatenate(there)
-    return float(np.std(values[np.abs(values) <= CLIP * typical]))
+    typical = float(np.median([estimate_robust_deviation(p) for p in nonempty]))
+    values = np.concatenate(nonempty)
+    return float(np.std(values[np.abs(values) <= OUTLIER_SIGMA * typical]))

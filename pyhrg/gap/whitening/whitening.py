@@ -1,8 +1,8 @@
-"""Series with slow noise made white: innovations of a Kalman filter, the same linear map for a
-residual and for what might explain it.
+"""Whitening of a series by a Kalman filter: `whiten` returns normalised innovations.
 
-R. E. Kalman, J. Basic Eng. 82 (1960); the likelihood by innovations: F. C. Schweppe, IEEE Trans.
-Inf. Theory 11 (1965).
+The same linear map is applied to the residual and to every column that may explain it. The state
+model, the filter and the likelihood are Eqs. 1 to 12 of docs/methods/whitening.md. Sources:
+R. E. Kalman, J. Basic Eng. 82 (1960); F. C. Schweppe, IEEE Trans. Inf. Theory 11 (1965).
 """
 
 import math
@@ -10,23 +10,25 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.gap.whitening.kalman_filter import compute_innovations
+
 Array = NDArray[np.float64]
 
-DECADES = tuple(10.0**e for e in (0.5, 1.5, 2.5, 3.5, 4.5))
-"""Time constants of the lags whose sum is flicker noise, s."""
+FLICKER_TIME_CONSTANTS = tuple(10.0**e for e in (0.5, 1.5, 2.5, 3.5, 4.5))
+"""Time constants of the first-order lags whose sum approximates flicker noise, s. Chosen: one a
+decade. Their sum is flat to 6 % from 10 s to an hour (test_the_sum_of_lags_is_flicker)."""
 
 
 @dataclass(frozen=True)
-class Correlated:
-    """Exponentially correlated noise (IEEE Std 952: Markov noise).
+class CorrelatedNoise:
+    """Exponentially correlated noise (Markov noise in IEEE Std 952).
 
-    level: standard deviation, unit/s of a rate, unit of a reading.
-    lag: over which it is correlated, s.
-    of_rate: whether it adds to the rate, or to the reading itself.
+    level: standard deviation; unit/s if it is a noise of the rate, else the series' unit.
+    lag: correlation time, s.
+    of_rate: True if it adds to the rate, False if it adds to the reading itself.
     """
 
     level: float
@@ -35,72 +37,76 @@ class Correlated:
 
     @property
     def kind(self) -> tuple[float, bool]:
-        """What it is, whatever its level."""
+        """All that identifies it except its level."""
         return self.lag, self.of_rate
 
 
 @dataclass(frozen=True)
-class SlowNoise:
-    """White noise of a reading, and what walks beneath it. SI, each a field's unit.
+class NoiseModel:
+    """Noise of one channel, as a sum of independent terms. Levels are in the channel's SI unit.
 
-    white: standard deviation of one reading.
-    walk: angle random walk [N], unit/sqrt(s).
-    rate_walk: rate random walk [K], unit/s/sqrt(s).
-    flicker: bias instability [B] (IEEE Std 952), unit/s.
-    lagged: density of white noise behind a first-order lag, unit/sqrt(s): the noise of a
-        temperature log in what follows the resonator's temperature.
-    lag: its time constant, s.
-    correlated: beside all that.
+    white: standard deviation of the white noise of one reading.
+    angle_random_walk: coefficient N, unit/sqrt(s).
+    rate_random_walk: coefficient K, unit/s/sqrt(s).
+    bias_instability: coefficient B, unit/s (IEEE Std 952).
+    lagged: root density of white noise behind a first-order lag, unit sqrt(s). A temperature log's
+        noise reaches a channel in this form, through the resonator's thermal lag.
+    lag: time constant of that lag, s.
+    correlated: one more, exponentially correlated, term.
     """
 
     white: float
-    walk: float = 0.0
-    rate_walk: float = 0.0
-    flicker: float = 0.0
+    angle_random_walk: float = 0.0
+    rate_random_walk: float = 0.0
+    bias_instability: float = 0.0
     lagged: float = 0.0
     lag: float = 600.0
-    correlated: Correlated | None = None
+    correlated: CorrelatedNoise | None = None
 
-    def at(self, part: str, level: float) -> "SlowNoise":
-        """With a part at another level."""
-        values: dict[str, Any] = {part: level}
+    def at(self, term: str, level: float) -> "NoiseModel":
+        """This noise with one term, a field's name, at another level."""
+        values: dict[str, Any] = {term: level}
         return replace(self, **values)
 
-    def louder(self, white: float) -> "SlowNoise":
-        """With this much more white noise of a reading."""
+    def add_white(self, white: float) -> "NoiseModel":
+        """This noise with independent white noise of this standard deviation added."""
         return self.at("white", math.hypot(self.white, white)) if white else self
 
     @cached_property
-    def states(self) -> "States":
-        """The noise as a Markov process."""
-        lags = [self.lag, *(DECADES if self.flicker else ())]
+    def states(self) -> "MarkovStates":
+        """The slow terms as a Markov process (docs/methods/whitening.md, Eqs. 2 and 3)."""
+        lags = [self.lag, *(FLICKER_TIME_CONSTANTS if self.bias_instability else ())]
         rates = np.array([0.0] + [1.0] * (len(lags) - 1))
-        # a lag driven by q has the density q t^2/(1 + (w t)^2); over decades of t with q = c/t they
-        # add up to c pi/(2 ln 10 w): flicker B^2/w
-        power = self.flicker**2 * 2 * np.log(10.0) / np.pi
+        power = self.bias_instability**2 * 2 * np.log(10.0) / np.pi
         densities = [self.lagged**2 / self.lag**2, *(power / t for t in lags[1:])]
-        if one := self.correlated:
-            lags.append(one.lag)
-            rates = np.append(rates, float(one.of_rate))
-            densities.append(2 * one.level**2 / one.lag)
-        return States(
-            np.array(lags), rates, np.array(densities), np.array([self.walk**2, self.rate_walk**2])
-        )
+        if self.correlated:
+            lags.append(self.correlated.lag)
+            rates = np.append(rates, float(self.correlated.of_rate))
+            densities.append(2 * self.correlated.level**2 / self.correlated.lag)
+        walks = np.array([self.angle_random_walk**2, self.rate_random_walk**2])
+        return MarkovStates(np.array(lags), rates, np.array(densities), walks)
 
     @property
     def is_white(self) -> bool:
-        """Whether nothing lasts from reading to reading."""
-        return not (self.walk or self.rate_walk or self.flicker or self.lagged or self.correlated)
+        """Whether successive readings are independent."""
+        return not (
+            self.angle_random_walk
+            or self.rate_random_walk
+            or self.bias_instability
+            or self.lagged
+            or self.correlated
+        )
 
 
 @dataclass(frozen=True)
-class States:
-    """Beneath a reading: an angle that walks, a rate that walks, and lags.
+class MarkovStates:
+    """State model of slow noise: an angle and a rate that walk, and m first-order lags.
 
     lags: (m,) time constants, s.
-    rates: (m,) 1 where a lag adds to the rate, 0 where it adds to the reading itself.
-    densities: (m,) of the white noise that drives each lag, unit^2/s or (unit/s)^2/s.
-    walks: (2,) of angle and of rate.
+    rates: (m,) 1 where a lag adds to the rate, 0 where it adds to the reading.
+    densities: (m,) spectral density of the white noise that drives each lag,
+        (unit/s)^2/s or unit^2/s.
+    walks: (2,) spectral densities that drive the angle, unit^2/s, and the rate, (unit/s)^2/s.
     """
 
     lags: Array
@@ -110,162 +116,50 @@ class States:
 
 
 @dataclass(frozen=True)
-class Whitened:
+class WhitenedSeries:
     """Innovations over their standard deviations.
 
-    series: (n, p).
-    log_determinant: of the covariance of a series.
+    series: (n, p), dimensionless; white with variance 1 where the noise model holds.
+    log_determinant: natural logarithm of the determinant of one series' noise covariance.
     """
 
     series: Array
     log_determinant: float
 
 
-def whitened(
-    series: Array, steps: Array, noise: SlowNoise, left_out: Array | None = None
-) -> Whitened:
-    """Innovations of series under a noise that starts at zero; flicker is as it ever was.
+def whiten(
+    series: Array, steps: Array, noise: NoiseModel, unmodelled: Array | None = None
+) -> WhitenedSeries:
+    """Normalised innovations of each column under one noise model.
+
+    All slow terms start at zero with the first step, except that flicker and correlated noise of
+    the rate start in their stationary state.
 
     Args:
-        series: (n, p) residual and columns, any unit.
-        steps: (n,) time from the reading before, the first from the start, s.
-        noise: in the series' unit.
-        left_out: (n,) by the simulation: a multiple of it, of standard deviation 1, is in the
-            record beside the noise.
+        series: (n, p) residual and columns, any units.
+        steps: (n,) time since the reading before, s; the first since the start.
+        noise: in the residual's unit.
+        unmodelled: (n,) shape, in the residual's unit, of a term that the simulation lacks. A
+            multiple of it with standard deviation 1 counts as noise (docs/methods/whitening.md,
+            Eqs. 11 and 12).
     """
-    if left_out is None or not left_out.any():
-        return _innovative(series, steps, noise)
-    both = _innovative(np.column_stack([series, left_out]), steps, noise)
+    if unmodelled is None or not unmodelled.any():
+        return _whiten_by_filter(series, steps, noise)
+    both = _whiten_by_filter(np.column_stack([series, unmodelled]), steps, noise)
     shape = both.series[:, -1]
     power = float(shape @ shape)
-    taken = (1 - 1 / np.sqrt(1 + power)) / power
-    white = both.series[:, :-1] - taken * np.outer(shape, shape @ both.series[:, :-1])
-    return Whitened(white, both.log_determinant + float(np.log1p(power)))
+    removed = (1 - 1 / np.sqrt(1 + power)) / power
+    white = both.series[:, :-1] - removed * np.outer(shape, shape @ both.series[:, :-1])
+    return WhitenedSeries(white, both.log_determinant + float(np.log1p(power)))
 
 
-def _innovative(series: Array, steps: Array, noise: SlowNoise) -> Whitened:
+def _whiten_by_filter(series: Array, steps: Array, noise: NoiseModel) -> WhitenedSeries:
     if noise.is_white:
-        return Whitened(series / noise.white, 2 * len(series) * float(np.log(noise.white)))
+        return WhitenedSeries(series / noise.white, 2 * len(series) * float(np.log(noise.white)))
     s = noise.states
-    out = np.empty_like(series)
-    logs = _innovations(
+    innovations = np.empty_like(series)
+    log_determinant = compute_innovations(
         np.ascontiguousarray(series), steps, noise.white**2, s.walks, s.lags, s.rates, s.densities,
-        out,
+        innovations,
     )  # fmt: skip
-    return Whitened(out, float(logs))
-
-
-@numba.njit(cache=True)
-def _innovations(
-    series: Array,
-    steps: Array,
-    white: float,
-    walks: Array,
-    lags: Array,
-    rates: Array,
-    densities: Array,
-    out: Array,
-) -> float:
-    """Of angle, rate and lags: a step keeps a part of each, and adds some of each to the angle. A
-    covariance that equals the last one to the bit is not computed again."""
-    n, p = series.shape
-    m = len(lags) + 2
-    state = np.zeros((m, p))
-    covariance = np.zeros((m, m))
-    reading = np.zeros(m)
-    reading[0] = 1.0
-    for j in range(m - 2):
-        reading[j + 2] = 1.0 - rates[j]
-        covariance[j + 2, j + 2] = rates[j] * densities[j] * lags[j] / 2
-    kept = np.ones(m)
-    turns = np.zeros(m)
-    turns[0] = 1.0
-    added = np.zeros((m, m))
-    before = covariance.copy()
-    variance = deviation = logarithm = 0.0
-    changes = True
-    last = -1.0
-    logs = 0.0
-    gain = np.zeros(m)
-    angle = np.zeros(m)
-    miss = np.zeros(p)
-    for i in range(n):
-        h = steps[i]
-        if h != last:
-            last = h
-            changes = True
-            _fill(h, walks, lags, rates, densities, kept, turns, added)
-        if changes:
-            for b in range(m):
-                angle[b] = 0.0
-                for c in range(m):
-                    angle[b] += turns[c] * covariance[c, b]
-            covariance[0, 0] = added[0, 0]
-            for c in range(m):
-                covariance[0, 0] += angle[c] * turns[c]
-            for b in range(1, m):
-                covariance[0, b] = covariance[b, 0] = angle[b] * kept[b] + added[0, b]
-                for c in range(1, m):
-                    covariance[b, c] = covariance[b, c] * kept[b] * kept[c] + added[b, c]
-            variance = white
-            for a in range(m):
-                gain[a] = 0.0
-                for b in range(m):
-                    gain[a] += covariance[a, b] * reading[b]
-                variance += reading[a] * gain[a]
-            deviation = np.sqrt(variance)
-            logarithm = np.log(variance)
-            changes = False
-            for a in range(m):
-                for b in range(m):
-                    left = covariance[a, b] - gain[a] * gain[b] / variance
-                    changes = changes or left != before[a, b]
-                    before[a, b] = covariance[a, b] = left
-        logs += logarithm
-        for a in range(1, m):
-            if turns[a] != 0.0:
-                for k in range(p):
-                    state[0, k] += turns[a] * state[a, k]
-            if kept[a] != 1.0:
-                for k in range(p):
-                    state[a, k] *= kept[a]
-        for k in range(p):
-            miss[k] = series[i, k] - state[0, k]
-        for a in range(2, m):
-            if reading[a] != 0.0:
-                for k in range(p):
-                    miss[k] -= reading[a] * state[a, k]
-        for k in range(p):
-            out[i, k] = miss[k] / deviation
-        for a in range(m):
-            share = gain[a] / variance
-            if share != 0.0:
-                for k in range(p):
-                    state[a, k] += share * miss[k]
-    return logs
-
-
-@numba.njit(cache=True)
-def _fill(
-    h: float,
-    walks: Array,
-    lags: Array,
-    rates: Array,
-    densities: Array,
-    kept: Array,
-    turns: Array,
-    added: Array,
-) -> None:
-    """What a step keeps of each state, adds of each to the angle, and adds to the covariance."""
-    turns[1] = h
-    added[0, 0] = walks[0] * h + walks[1] * h**3 / 3
-    added[0, 1] = added[1, 0] = walks[1] * h**2 / 2
-    added[1, 1] = walks[1] * h
-    for j in range(len(lags)):
-        stays = np.exp(-h / lags[j])
-        kept[j + 2] = stays
-        turns[j + 2] = rates[j] * lags[j] * (1 - stays)
-        t, q = lags[j], densities[j]
-        added[j + 2, j + 2] = q * t / 2 * (1 - stays**2)
-        added[0, j + 2] = added[j + 2, 0] = rates[j] * q * t * t / 2 * (1 - stays) ** 2
-        added[0, 0] += rates[j] * q * t * t * (h - 2 * t * (1 - stays) + t / 2 * (1 - stays**2))
+    return WhitenedSeries(innovations, float(log_determinant))

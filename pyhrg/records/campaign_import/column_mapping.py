@@ -1,69 +1,77 @@
-"""What a mapping says of one column of a campaign: where it is logged and in which unit."""
+"""The mapping of one column: where a laboratory logs it, and in which unit."""
 
 import math
 from dataclasses import dataclass
 
 from pyhrg.common.toml_table import TomlTable
-from pyhrg.records.campaign_import.units import PLAIN, RATE, Unit, units_of
+from pyhrg.records.campaign_import.units import PLAIN, RATE, Unit, list_units
 from pyhrg.records.columns import COLUMNS, Column
 
 BY_STEM = {column.stem: column for column in COLUMNS}
-"""A mapping's keys: names without units, since units are a lab's own."""
-INTEGRATED = ("increments", "means", "samples")
-"""Angles logged as turns since the row before, as rates averaged over the row, or as rates at
-the row's end."""
-LARGEST = 1e15
+"""Columns by their keys in a mapping: names without units, since units are the laboratory's."""
+INTEGRATION_KINDS = ("increments", "means", "samples")
+"""How an angle may be logged otherwise: as increments since the row before, as rates averaged over
+the row, or as rates sampled at its end."""
+LARGEST_NUMBER = 1e15
+"""Largest size of a number in a mapping. Chosen."""
 
 
 @dataclass(frozen=True)
 class ColumnMapping:
-    """SI = unit(scale * number + offset), then unwrapped, integrated and shifted as asked for."""
+    """SI value = unit(scale * number + offset), then unwrapped, integrated and shifted.
+
+    Attributes:
+        place: key in the mapping, for messages.
+        column: the column of a campaign's log.
+        logged: name of the laboratory's column or its number from 1; None: a constant.
+        constant: value of a constant.
+        unit_name: name of the unit, as in the mapping.
+        wraps_every: period of a wrapped angle, SI; 0: it does not wrap.
+        integrate: one of `INTEGRATION_KINDS`; empty: the angle itself is logged.
+        from_zero: whether the first value is subtracted.
+        time_format: of a clock's text, as in `datetime.strptime`, or `iso`.
+    """
 
     place: str
-    """Key of the mapping, for messages."""
     column: Column
     logged: str | int | None = None
-    """Name or number, from 1, of the lab's column; None: a constant."""
     constant: float = math.nan
     unit_name: str = ""
     unit: Unit = PLAIN
     scale: float = 1.0
     offset: float = 0.0
     wraps_every: float = 0.0
-    """SI; 0: it does not wrap."""
     integrate: str = ""
-    """One of `INTEGRATED`, or empty: logged as it is."""
     from_zero: bool = False
-    """Whether the first value is taken off."""
     time_format: str = ""
-    """Of a clock's text, as in `datetime.strptime`, or `iso`."""
 
 
 def read_columns(table: TomlTable) -> dict[str, ColumnMapping]:
-    """Mappings by their campaign column's field.
+    """Mappings of a table's columns, by field of `Log`.
 
     Raises:
         SpecificationError: an unknown column or key, a unit of another quantity.
     """
     table.check_known(tuple(BY_STEM))
-    return {BY_STEM[stem].field: _read(table, BY_STEM[stem]) for stem in table.values}
+    return {BY_STEM[stem].field: _read_column(table, BY_STEM[stem]) for stem in table.values}
 
 
-def _read(table: TomlTable, column: Column) -> ColumnMapping:
+def _read_column(table: TomlTable, column: Column) -> ColumnMapping:
     place = f"{table.prefix}{column.stem}"
     value = table.values[column.stem]
     if isinstance(value, int | float) and not isinstance(value, bool) and not column.unit:
-        return ColumnMapping(place, column, constant=table.number(column.stem, 0, *_range(column)))
+        constant = table.number(column.stem, 0, *_find_range(column))
+        return ColumnMapping(place, column, constant=constant)
     entry = table.table(column.stem)
     if "constant" in entry.values:
         entry.check_known(("constant", "unit"))
-        unit_name, unit = _unit(entry, column, "")
-        constant = entry.number("constant", 0, -LARGEST, LARGEST)
+        unit_name, unit = _read_unit(entry, column, "")
+        constant = entry.number("constant", 0, -LARGEST_NUMBER, LARGEST_NUMBER)
         return ColumnMapping(place, column, constant=constant, unit_name=unit_name, unit=unit)
-    return _logged(entry, place, column)
+    return _read_logged_column(entry, place, column)
 
 
-def _logged(entry: TomlTable, place: str, column: Column) -> ColumnMapping:
+def _read_logged_column(entry: TomlTable, place: str, column: Column) -> ColumnMapping:
     entry.check_known(
         ("column", "unit", "scale", "offset", "from_zero")
         + (("wraps_every", "integrate") if column.unit == "deg" else ())
@@ -73,38 +81,40 @@ def _logged(entry: TomlTable, place: str, column: Column) -> ColumnMapping:
     if isinstance(name, bool) or not isinstance(name, str | int) or name == "":
         raise entry.error("column", name, "the name of the lab's column, or its number from 1")
     time_format = entry.text("format", "")
-    integrate = entry.text("integrate", "", INTEGRATED) if "integrate" in entry.values else ""
+    integrate = ""
+    if "integrate" in entry.values:
+        integrate = entry.text("integrate", None, INTEGRATION_KINDS)
     if integrate and "wraps_every" in entry.values:
         raise entry.error("wraps_every", entry.values["wraps_every"], "it or integrate, not both")
-    unit_name, unit = ("", PLAIN) if time_format else _unit(entry, column, integrate)
+    unit_name, unit = ("", PLAIN) if time_format else _read_unit(entry, column, integrate)
     return ColumnMapping(
         place=place,
         column=column,
         logged=name,
         unit_name=unit_name,
         unit=unit,
-        scale=_scale(entry),
-        offset=entry.number("offset", 0.0, -LARGEST, LARGEST),
-        wraps_every=entry.number("wraps_every", 0.0, 0.0, LARGEST) * unit.factor,
+        scale=_read_scale(entry),
+        offset=entry.number("offset", 0.0, -LARGEST_NUMBER, LARGEST_NUMBER),
+        wraps_every=entry.number("wraps_every", 0.0, 0.0, LARGEST_NUMBER) * unit.factor,
         integrate=integrate,
         from_zero=entry.flag("from_zero", False),
         time_format=time_format,
     )
 
 
-def _range(column: Column) -> tuple[float, float]:
-    return max(column.lowest, -LARGEST), min(column.highest, LARGEST)
+def _find_range(column: Column) -> tuple[float, float]:
+    return max(column.lowest, -LARGEST_NUMBER), min(column.highest, LARGEST_NUMBER)
 
 
-def _scale(entry: TomlTable) -> float:
-    scale = entry.number("scale", 1.0, -LARGEST, LARGEST)
+def _read_scale(entry: TomlTable) -> float:
+    scale = entry.number("scale", 1.0, -LARGEST_NUMBER, LARGEST_NUMBER)
     if scale == 0:
         raise entry.error("scale", scale, "a number other than 0")
     return scale
 
 
-def _unit(entry: TomlTable, column: Column, integrate: str) -> tuple[str, Unit]:
-    units = RATE if integrate in ("means", "samples") else units_of(column)
+def _read_unit(entry: TomlTable, column: Column, integrate: str) -> tuple[str, Unit]:
+    units = RATE if integrate in ("means", "samples") else list_units(column)
     if "unit" not in entry.values and column.unit:
         raise entry.missing("unit", " or ".join(units))
     name = entry.text("unit", "1", tuple(units))

@@ -1,4 +1,4 @@
-"""A lab's numbers as a campaign's quantities: wrapped angles made continuous, rates integrated."""
+"""From a laboratory's numbers to SI values: angles are unwrapped, rates integrated."""
 
 import math
 from datetime import datetime
@@ -6,32 +6,33 @@ from datetime import datetime
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.records import LogError
 from pyhrg.records.campaign_import.column_mapping import ColumnMapping
 from pyhrg.records.campaign_import.layout import Cells
-from pyhrg.records.timing import even_steps
+from pyhrg.records.columns import LogError
+from pyhrg.records.timing import find_even_steps
 
 Array = NDArray[np.float64]
-SAFE = 0.4
-"""Largest step over a wrapped angle's period whose way round is certain."""
+MAX_UNWRAPPED_STEP = 0.4
+"""Largest step of a wrapped angle, as a share of its period, whose direction is certain. Chosen;
+half a period is the limit."""
 
 
-def times(mapping: ColumnMapping | None, cells: Cells, interval: float | None) -> Array:
-    """(n,) ends of the rows' intervals, s, as logged; counted where no column says them.
+def read_times(mapping: ColumnMapping | None, cells: Cells, interval: float | None) -> Array:
+    """(n,) ends of the rows' intervals, s; counted from the interval where no column has them.
 
     Args:
-        mapping: of the column of times; None where there is none.
+        mapping: of the column of times; None if there is none.
         cells: of the file.
-        interval: as the mapping states it, s; None: the median step is it.
+        interval: stated in the mapping, s; the median time step if None.
 
     Raises:
-        LogError: a cell is no number or no time; neither times nor an interval.
+        LogError: a cell is no number or no time; there are neither times nor an interval.
     """
     if mapping is None:
         if interval is None:
             raise LogError(f"{cells.source}: found no column of times mapped and no interval_s")
         return interval * np.arange(1.0, len(cells.rows) + 1)
-    clock = _clock(mapping, cells) if mapping.time_format else si_values(mapping, cells)
+    clock = _read_clock(mapping, cells) if mapping.time_format else convert_to_si(mapping, cells)
     if not (mapping.from_zero or mapping.time_format):
         return clock
     known = clock[np.isfinite(clock)]
@@ -40,11 +41,11 @@ def times(mapping: ColumnMapping | None, cells: Cells, interval: float | None) -
     return clock - known[0] + (interval or float(np.median(np.diff(known))))
 
 
-def si_values(mapping: ColumnMapping, cells: Cells) -> Array:
-    """(n,) as logged, SI, before it is unwrapped or integrated; NaN where there is no value.
+def convert_to_si(mapping: ColumnMapping, cells: Cells) -> Array:
+    """(n,) values of a column in SI, neither unwrapped nor integrated; NaN where there is none.
 
     Raises:
-        LogError: the column is not there, a cell is no number.
+        LogError: there is no such column, or a cell is no number.
     """
     if mapping.logged is None:
         value = mapping.unit.factor * mapping.constant + mapping.unit.offset
@@ -56,28 +57,28 @@ def si_values(mapping: ColumnMapping, cells: Cells) -> Array:
     return mapping.unit.factor * (mapping.scale * numbers + mapping.offset) + mapping.unit.offset
 
 
-def quantity(mapping: ColumnMapping, cells: Cells, time: Array, interval: float) -> Array:
-    """(n,) a campaign's quantity, SI.
+def convert_column(mapping: ColumnMapping, cells: Cells, time: Array, interval: float) -> Array:
+    """(n,) a field of `Log`, SI.
 
     Raises:
-        LogError: as `si_values`; an angle's way round is not certain; a value or a row is missing
-            in what is to be integrated.
+        LogError: see `convert_to_si`; the direction of a wrapped angle's step is uncertain; a value
+            or a row is missing in a column that is to be integrated.
     """
-    values = si_values(mapping, cells)
+    values = convert_to_si(mapping, cells)
     if mapping.wraps_every:
-        values = _unwrapped(mapping, cells, values, time, interval)
+        values = _unwrap(mapping, cells, values, time, interval)
     if mapping.integrate:
-        values = _integrated(mapping, cells, values, time, interval)
+        values = _integrate(mapping, cells, values, time, interval)
     known = np.flatnonzero(np.isfinite(values))
     return values - values[known[0]] if mapping.from_zero and len(known) else values
 
 
-def _clock(mapping: ColumnMapping, cells: Cells) -> Array:
-    """(n,) s since the first of a clock's times."""
+def _read_clock(mapping: ColumnMapping, cells: Cells) -> Array:
+    """(n,) times since the first one, s, from the texts of a clock."""
     assert mapping.logged is not None
     texts = cells.texts(mapping.logged)
     stamps = [
-        None if cells.is_missing(text) else _stamp(mapping, cells, i, text)
+        None if cells.is_missing(text) else _parse_time(mapping, cells, i, text)
         for i, text in enumerate(texts)
     ]
     first = next((stamp for stamp in stamps if stamp is not None), None)
@@ -90,7 +91,7 @@ def _clock(mapping: ColumnMapping, cells: Cells) -> Array:
     return np.array(seconds)
 
 
-def _stamp(mapping: ColumnMapping, cells: Cells, index: int, text: str) -> datetime:
+def _parse_time(mapping: ColumnMapping, cells: Cells, index: int, text: str) -> datetime:
     try:
         if mapping.time_format == "iso":
             return datetime.fromisoformat(text)
@@ -102,17 +103,21 @@ def _stamp(mapping: ColumnMapping, cells: Cells, index: int, text: str) -> datet
         ) from None
 
 
-def _unwrapped(
+def _unwrap(
     mapping: ColumnMapping, cells: Cells, values: Array, time: Array, interval: float
 ) -> Array:
-    """Continuous; refused where rows or values are missing while it turns, or it turns fast."""
+    """(n,) a continuous angle.
+
+    Raises:
+        LogError: rows or values are missing while it turns, or it turns too fast.
+    """
     known = np.flatnonzero(np.isfinite(values) & np.isfinite(time))
     period = mapping.wraps_every
     turned = np.diff(values[known])
     turned -= period * np.round(turned / period)
     rate = np.abs(turned) / np.diff(time[known]).clip(interval)
     nearby = np.maximum(rate, np.maximum(np.append(0, rate[:-1]), np.append(rate[1:], 0)))
-    uncertain = nearby * np.diff(time[known]) > SAFE * period
+    uncertain = nearby * np.diff(time[known]) > MAX_UNWRAPPED_STEP * period
     if uncertain.any():
         row = cells.rows[known[int(np.argmax(uncertain)) + 1]]
         raise LogError(
@@ -125,15 +130,16 @@ def _unwrapped(
     return result
 
 
-def _integrated(
+def _integrate(
     mapping: ColumnMapping, cells: Cells, values: Array, time: Array, interval: float
 ) -> Array:
-    """Angles from turns or rates; the rate is held over the first row where it is sampled."""
-    lost = ~np.isfinite(values)
-    lost[1:] |= ~even_steps(time, interval)
-    if lost.any():
+    """(n,) angles from increments or rates; a sampled rate is constant in the first row."""
+    is_missing = ~np.isfinite(values)
+    is_missing[1:] |= ~find_even_steps(time, interval)
+    if is_missing.any():
+        row = cells.rows[int(np.argmax(is_missing))]
         raise LogError(
-            f"{cells.source}: row {cells.rows[int(np.argmax(lost))]}, {mapping.logged}: no value, "
+            f"{cells.source}: row {row}, {mapping.logged}: no value, "
             f"or no even time step before it; expected none missing in what "
             f"{mapping.place}.integrate adds up"
         )

@@ -1,85 +1,118 @@
-"""A mapping and its logs, made a campaign."""
+"""From a mapping and its logs to a campaign."""
 
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
 
-from pyhrg.records import COLUMNS, Log
-from pyhrg.records.campaign import Campaign, Test
-from pyhrg.records.campaign_import.conversion import quantity, times
-from pyhrg.records.campaign_import.joining import joined
+from pyhrg.common.errors import HrgError
+from pyhrg.common.files import replace_folder
+from pyhrg.records.campaign import Campaign, Test, write_campaign
+from pyhrg.records.campaign_import.conversion import convert_column, read_times
+from pyhrg.records.campaign_import.imported_test import ImportedTest
+from pyhrg.records.campaign_import.joining import join_rows
 from pyhrg.records.campaign_import.layout import read_cells
-from pyhrg.records.campaign_import.mapping import CampaignMapping, TestMapping
-from pyhrg.records.log import checked
+from pyhrg.records.campaign_import.mapping import CampaignMapping, TestMapping, read_mapping
+from pyhrg.records.campaign_import.preview import describe_tests
+from pyhrg.records.columns import COLUMNS
+from pyhrg.records.log import Log, build_log
 from pyhrg.records.table import Array, Table, check_range
-from pyhrg.records.timing import interval_of, ordered
+from pyhrg.records.timing import drop_repeated_rows, find_interval
 
 
 @dataclass(frozen=True)
-class ImportedTest:
-    """A test as it was logged, and how it will be read."""
-
-    mapping: TestMapping
-    logged: Log
-    """Every row, or longer ones where they are asked for; this is what is written."""
-    read: Log
-    """What a reader of the campaign keeps, and why not the rest: rows are those of the lab's file.
-    """
-
-
-@dataclass(frozen=True)
-class Imported:
-    """All tests of a mapping."""
+class ImportedCampaign:
+    """All tests of a mapping, as they were logged and as they will be read."""
 
     mapping: CampaignMapping
     tests: tuple[ImportedTest, ...]
 
     @property
     def campaign(self) -> Campaign:
-        """As it is written."""
+        """The campaign as it is written."""
+        return self._make_campaign([test.logged for test in self.tests])
+
+    @property
+    def campaign_as_read(self) -> Campaign:
+        """The campaign as a reader of it gets it, without the notes that `preview` has."""
+        return self._make_campaign([replace(test.read, exclusions=()) for test in self.tests])
+
+    @property
+    def preview(self) -> str:
+        """Tests with rows, columns, ranges in SI units, and what a reader leaves out."""
+        return describe_tests(self.mapping, self.tests)
+
+    def _make_campaign(self, logs: list[Log]) -> Campaign:
+        mappings = (test.mapping for test in self.tests)
         tests = tuple(
-            Test(test.mapping.id, test.mapping.kind, test.mapping.role, test.logged)
-            for test in self.tests
+            Test(test.id, test.kind, test.role, log)
+            for test, log in zip(mappings, logs, strict=True)
         )
         return Campaign(self.mapping.device, self.mapping.site, self.mapping.nominal, tests)
 
 
-def imported(mapping: CampaignMapping) -> Imported:
-    """Read a lab's logs; nothing is mended or left out, and resampled only where `rows_s` asks it.
+def import_campaign(
+    mapping: CampaignMapping | Path | str, out: Path | str | None = None
+) -> ImportedCampaign:
+    """Read a laboratory's logs as a campaign (docs/import.md); `preview` shows what was understood.
+
+    No value is changed and no row left out. Rows are joined to longer ones only where the mapping's
+    `rows_s` asks for it.
+
+    Args:
+        mapping: of columns and units, or the TOML file that states it.
+        out: folder to write the campaign to; not there yet, or empty. None: nothing is written.
 
     Raises:
-        LogError: a file, column or cell that isn't as the mapping says; what `records.read`
-            refuses. Rows are the lines of the lab's file.
+        SpecificationError: the mapping can't be used.
+        LogError: a file, column or cell is not as the mapping says, or `read_log` would refuse
+            the log. Rows are named by the lines of the laboratory's file.
+        HrgError: there is something in `out`.
+        OSError: `out` can't be written.
     """
-    return Imported(mapping, tuple(_test(test, mapping) for test in mapping.tests))
+    if out is not None:
+        _check_free(Path(out))
+    logs = mapping if isinstance(mapping, CampaignMapping) else read_mapping(Path(mapping))
+    imported = ImportedCampaign(logs, tuple(_import_test(test, logs) for test in logs.tests))
+    if out is not None:
+        with replace_folder(Path(out)) as aside:
+            write_campaign(imported.campaign, aside)
+    return imported
 
 
-def _test(test: TestMapping, mapping: CampaignMapping) -> ImportedTest:
+def _check_free(out: Path) -> None:
+    """Refuse a folder with files in it: nobody's files are replaced."""
+    if out.exists() and (not out.is_dir() or any(out.iterdir())):
+        raise HrgError(f"can't write {out}: found something there, expected nothing yet")
+
+
+def _import_test(test: TestMapping, mapping: CampaignMapping) -> ImportedTest:
     cells = read_cells(test.file, test.layout)
-    time = times(test.columns.get("time"), cells, test.interval)
+    time = read_times(test.columns.get("time"), cells, test.interval)
     empty = np.full(len(time), np.nan)
     columns: dict[str, Array] = {column.field: empty for column in COLUMNS} | {"time": time}
-    interval = _interval(Table(cells.source, cells.rows, columns), test.interval)
-    for field, logged in test.columns.items():
+    interval = _find_interval(Table(cells.source, cells.rows, columns), test.interval)
+    for field, column_mapping in test.columns.items():
         if field != "time":
-            columns[field] = quantity(logged, cells, time, interval)
+            columns[field] = convert_column(column_mapping, cells, time, interval)
     for column in COLUMNS:
-        written = (columns[column.field] - column.offset) / column.factor
-        check_range(cells.source, column, cells.rows, written)
-    table = Table(cells.source, cells.rows, columns, _notes(test))
-    read = checked(table, interval, mapping.site.latitude)
+        values = (columns[column.field] - column.offset) / column.factor
+        check_range(cells.source, column, cells.rows, values)
+    table = Table(cells.source, cells.rows, columns, _describe_missing(test))
+    read = build_log(table, interval, mapping.site.latitude)
     if test.rows is not None:
-        read = joined(read, test.rows)
+        read = join_rows(read, test.rows)
         return ImportedTest(test, replace(read, exclusions=()), read)
     return ImportedTest(test, Log(cells.source, interval, exclusions=(), **columns), read)
 
 
-def _interval(table: Table, stated: float | None) -> float:
-    """As stated, else the median time step without the rounding of its times, s."""
-    return float(f"{interval_of(ordered(table), stated):.9g}")
+def _find_interval(table: Table, stated: float | None) -> float:
+    """The stated interval, or else the median time step without the rounding of its times, s."""
+    return float(f"{find_interval(drop_repeated_rows(table), stated):.9g}")
 
 
-def _notes(test: TestMapping) -> tuple[str, ...]:
+def _describe_missing(test: TestMapping) -> tuple[str, ...]:
+    """A sentence on each column that the mapping lacks."""
     missing = [c for c in COLUMNS if c.field not in test.columns and not c.optional]
     counted = "time_s: rows counted from interval_s, so that a missing row can't be seen"
     return tuple(

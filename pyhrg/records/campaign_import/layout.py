@@ -1,4 +1,4 @@
-"""How a lab's text file is laid out, and its cells."""
+"""The layout of a laboratory's text file, and its cells."""
 
 import codecs
 import csv
@@ -10,36 +10,44 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.common.toml_table import TomlTable
-from pyhrg.records import LogError
-from pyhrg.records.table import text_of
+from pyhrg.records.columns import LogError
+from pyhrg.records.table import read_text
 
 SEPARATORS = {"comma": ",", "semicolon": ";", "tab": "\t", "bar": "|", "space": None}
-"""By their names in a mapping; a space stands for any run of blanks."""
+"""Separators by their names in a mapping; `space` is any run of blanks."""
 DECIMALS = {"point": ".", "comma": ","}
-MOST_SKIPPED = 10_000
+MAX_SKIPPED_LINES = 10_000
+"""Largest number of lines to pass over. Chosen."""
 
 
 @dataclass(frozen=True)
 class Layout:
-    """Of a text file with one row an interval."""
+    """The layout of a text file with one row an interval.
+
+    Attributes:
+        separator: between cells; None: any run of blanks.
+        decimal: decimal point or comma.
+        comment: beginning of a line to be ignored; empty: there are none.
+        encoding: of the text.
+        header: whether a row of names stands above the values.
+        lines_before_header: number of lines to pass over.
+        lines_after_header: likewise, such as a line of units.
+        missing: texts of a cell without a value, in lower case.
+    """
 
     separator: str | None = ","
     decimal: str = "."
     comment: str = ""
-    """What a line to be ignored begins with; empty: there are none."""
     encoding: str = "utf-8-sig"
     header: bool = True
-    """Whether a row of names stands above the values."""
     lines_before_header: int = 0
     lines_after_header: int = 0
-    """As of units."""
     missing: frozenset[str] = frozenset({"", "nan"})
-    """Texts of a cell without a value, in lower case."""
 
 
 @dataclass(frozen=True)
 class Cells:
-    """A file taken apart: source names it, rows (n,) are numbers of its lines, from 1."""
+    """The cells of a file. source: its name; rows: (n,) numbers of its lines, from 1."""
 
     source: str
     layout: Layout
@@ -48,10 +56,10 @@ class Cells:
     cells: tuple[tuple[str, ...], ...]
 
     def place(self, column: str | int) -> int:
-        """Of a column among the cells of a row, by its name or its number from 1.
+        """Index of a column in a row, by the column's name or its number from 1.
 
         Raises:
-            LogError: there is no such column, or more than one.
+            LogError: there is no such column, or more than one of that name.
         """
         if isinstance(column, int):
             if not 1 <= column <= len(self.cells[0]):
@@ -96,7 +104,7 @@ class Cells:
 
 
 def read_layout(table: TomlTable) -> Layout:
-    """A layout from its table in a mapping.
+    """The layout that a table of a mapping states.
 
     Raises:
         SpecificationError: an unknown key, or a value that is none of those it may have.
@@ -115,40 +123,41 @@ def read_layout(table: TomlTable) -> Layout:
         separator,
         decimal,
         table.text("comment", ""),
-        _encoding(table),
+        _read_encoding(table),
         table.flag("header", True),
-        _count(table, "lines_before_header"),
-        _count(table, "lines_after_header"),
-        Layout.missing | _missing(table),
+        table.whole_number("lines_before_header", 0, 0, MAX_SKIPPED_LINES),
+        table.whole_number("lines_after_header", 0, 0, MAX_SKIPPED_LINES),
+        Layout.missing | _read_missing_texts(table),
     )
 
 
 def read_cells(path: Path, layout: Layout) -> Cells:
-    """Take a file apart.
+    """The cells of a file.
 
     Raises:
-        LogError: unreadable, not in that encoding, no row of values, rows of unequal length.
+        LogError: the file can't be read or is not in that encoding; it has no row of values, or
+            rows of unequal length.
     """
-    lines = _lines(text_of(path, layout.encoding), layout)
+    lines = _split_lines(read_text(path, layout.encoding), layout)
     names: tuple[str, ...] = ()
     if layout.header:
         names = tuple(name.strip() for name in next(lines, (0, ()))[1])
     for _ in range(layout.lines_after_header):
         next(lines, None)
-    found = tuple(lines)
-    if not found:
+    rows_of_cells = tuple(lines)
+    if not rows_of_cells:
         raise LogError(f"{path.name}: found no row of values")
-    expected = len(names) or len(found[0][1])
-    for row, cells in found:
+    expected = len(names) or len(rows_of_cells[0][1])
+    for row, cells in rows_of_cells:
         if len(cells) != expected:
             trouble = f"{len(cells)} cells; expected {expected} as in the first row"
             raise LogError(f"{path.name}: row {row}: {trouble}")
-    rows = np.array([row for row, _ in found], dtype=np.int64)
-    return Cells(path.name, layout, names, rows, tuple(cells for _, cells in found))
+    rows = np.array([row for row, _ in rows_of_cells], dtype=np.int64)
+    return Cells(path.name, layout, names, rows, tuple(cells for _, cells in rows_of_cells))
 
 
-def _lines(text: str, layout: Layout) -> Iterator[tuple[int, tuple[str, ...]]]:
-    """Numbers and cells of the lines that hold any."""
+def _split_lines(text: str, layout: Layout) -> Iterator[tuple[int, tuple[str, ...]]]:
+    """Yield number and cells of each line that has any."""
     for number, line in enumerate(text.splitlines(), 1):
         ignored = layout.comment and line.lstrip().startswith(layout.comment)
         if number <= layout.lines_before_header or not line.strip() or ignored:
@@ -159,7 +168,7 @@ def _lines(text: str, layout: Layout) -> Iterator[tuple[int, tuple[str, ...]]]:
             yield number, tuple(next(csv.reader([line], delimiter=layout.separator)))
 
 
-def _encoding(table: TomlTable) -> str:
+def _read_encoding(table: TomlTable) -> str:
     name = table.text("encoding", Layout.encoding)
     try:
         codecs.lookup(name)
@@ -168,14 +177,7 @@ def _encoding(table: TomlTable) -> str:
     return name
 
 
-def _count(table: TomlTable, key: str) -> int:
-    value = table.number(key, 0, 0, MOST_SKIPPED)
-    if value != int(value):
-        raise table.error(key, value, "a whole number")
-    return int(value)
-
-
-def _missing(table: TomlTable) -> frozenset[str]:
+def _read_missing_texts(table: TomlTable) -> frozenset[str]:
     texts = table.values.get("missing", [])
     if not isinstance(texts, list) or not all(isinstance(text, str) for text in texts):
         raise table.error("missing", texts, "texts in brackets")

@@ -1,25 +1,35 @@
-"""A mapping: the TOML file that says what a lab's logs are."""
+"""A mapping: the TOML file that states columns and units of a laboratory's logs."""
 
 from dataclasses import dataclass
 from pathlib import Path
 
-from pyhrg.common.files import toml_of
-from pyhrg.common.toml_table import SpecificationError, TomlTable
+from pyhrg.common.toml_table import TomlTable, read_table
 from pyhrg.common.units import DEG
-from pyhrg.device.device_file import DeviceError, from_table
+from pyhrg.device.device_file import from_table
 from pyhrg.records.campaign import FILE_NAME, GRAVITY, ROLES, Site
 from pyhrg.records.campaign_import.column_mapping import BY_STEM, ColumnMapping, read_columns
 from pyhrg.records.campaign_import.layout import Layout, read_layout
 
-NEEDED = ("coriolis_factor", "decay_time_s", "frequency_Hz")
-"""Of a gyro's nominal values: without them nothing can be simulated."""
-SHORTEST, LONGEST = 1e-6, 1e6
-"""Sampling intervals, s."""
+REQUIRED_NOMINAL = ("coriolis_factor", "decay_time_s", "frequency_Hz")
+"""Nominal values that a mapping must state: without them nothing can be simulated."""
+MIN_INTERVAL, MAX_INTERVAL = 1e-6, 1e6
+"""Smallest and largest sampling interval, s. Chosen."""
 
 
 @dataclass(frozen=True)
 class TestMapping:
-    """One test: its file, and its columns by the campaign's field."""
+    """The mapping of one test.
+
+    Attributes:
+        id: name of the test, a file name.
+        kind: of the test (docs/records.md).
+        role: `fit` or `holdout`.
+        file: the laboratory's log.
+        interval: sampling interval, s; the median time step if None.
+        rows: length of the campaign's rows, s; as logged if None.
+        layout: of the file.
+        columns: by field of `Log`.
+    """
 
     __test__ = False  # not one of pytest's
 
@@ -28,16 +38,14 @@ class TestMapping:
     role: str
     file: Path
     interval: float | None
-    """s; None: the median time step."""
     rows: float | None
-    """Length of the campaign's rows, s; None: as logged."""
     layout: Layout
     columns: dict[str, ColumnMapping]
 
 
 @dataclass(frozen=True)
 class CampaignMapping:
-    """What a lab's logs are."""
+    """The mapping of all tests of one gyro. source: its file; nominal: by keys of a device file."""
 
     source: str
     device: str
@@ -47,48 +55,43 @@ class CampaignMapping:
 
 
 def read_mapping(path: Path) -> CampaignMapping:
-    """Read a mapping; files that it names are beside it.
+    """Read a mapping (docs/import.md); the files that it names are beside it.
 
     Raises:
-        SpecificationError: an unreadable file, a key that is unknown, missing or has a wrong value.
+        SpecificationError: the file can't be read; a key is unknown, missing or has a wrong value.
     """
-    top = TomlTable(str(path), "", toml_of(path, SpecificationError))
+    top = read_table(path)
     top.check_known(("device", "site", "nominal", "rows_s", "layout", "columns", "tests"))
-    tests = tuple(_test(entry, top, path.parent) for entry in top.tables("tests"))
+    tests = tuple(_read_test(entry, top, path.parent) for entry in top.tables("tests"))
     if not tests:
         raise top.missing("tests", "[[tests]], one a log")
     _check_ids(top, tests)
     device = top.require("device", "the gyro's name")
     if not isinstance(device, str) or not device:
         raise top.error("device", device, "the gyro's name")
-    return CampaignMapping(str(path), device, _site(top), _nominal(top), tests)
+    return CampaignMapping(str(path), device, _read_site(top), _read_nominal(top), tests)
 
 
-def _site(top: TomlTable) -> Site:
+def _read_site(top: TomlTable) -> Site:
     place = top.table("site")
     place.check_known(("latitude_deg", "gravity_m_s2"))
-    place.require("latitude_deg", "-90 to 90")
-    place.require("gravity_m_s2", f"{GRAVITY[0]:g} to {GRAVITY[1]:g}")
     return Site(
-        latitude=place.number("latitude_deg", 0.0, -90.0, 90.0) * DEG,
-        gravity=place.number("gravity_m_s2", 0.0, *GRAVITY),
+        latitude=place.number("latitude_deg", None, -90.0, 90.0) * DEG,
+        gravity=place.number("gravity_m_s2", None, *GRAVITY),
     )
 
 
-def _nominal(top: TomlTable) -> dict[str, float]:
-    """Numbers by key, each known to a device and within its range."""
+def _read_nominal(top: TomlTable) -> dict[str, float]:
+    """Nominal values by key, each known to a device and in its range."""
     table = top.table("nominal")
-    for key in NEEDED:
+    for key in REQUIRED_NOMINAL:
         table.require(key, "it: the gyro can't be simulated without")
-    values = {key: table.number(key, 0.0, -1e300, 1e300) for key in table.values}
-    try:
-        from_table(values, f"{top.source}: nominal")
-    except DeviceError as error:
-        raise SpecificationError(str(error)) from error
+    values = {key: table.finite_number(key) for key in table.values}
+    from_table(values, f"{top.source}: nominal")
     return values
 
 
-def _test(entry: TomlTable, top: TomlTable, folder: Path) -> TestMapping:
+def _read_test(entry: TomlTable, top: TomlTable, folder: Path) -> TestMapping:
     entry.check_known(
         ("id", "kind", "role", "file", "interval_s", "rows_s", "layout", "columns", "absent")
     )
@@ -100,27 +103,27 @@ def _test(entry: TomlTable, top: TomlTable, folder: Path) -> TestMapping:
         own.prefix if own.values else general.prefix,
         {**general.values, **own.values},
     )
-    absent = _absent(entry)
+    absent = _read_absent(entry)
     columns = read_columns(top.table("columns")) | read_columns(entry.table("columns"))
     return TestMapping(
         id=entry.text("id", ""),
         kind=entry.text("kind", ""),
         role=entry.text("role", "", ROLES),
         file=folder / entry.text("file", ""),
-        interval=_duration(entry, "interval_s"),
-        rows=_duration(entry, "rows_s") or _duration(top, "rows_s"),
+        interval=_read_duration(entry, "interval_s"),
+        rows=_read_duration(entry, "rows_s") or _read_duration(top, "rows_s"),
         layout=read_layout(layout),
         columns={f: mapping for f, mapping in columns.items() if f not in absent},
     )
 
 
-def _duration(table: TomlTable, key: str) -> float | None:
-    """s; None where it isn't stated."""
-    return table.number(key, 0.0, SHORTEST, LONGEST) if key in table.values else None
+def _read_duration(table: TomlTable, key: str) -> float | None:
+    """A duration, s; None where it isn't stated."""
+    return table.number(key, None, MIN_INTERVAL, MAX_INTERVAL) if key in table.values else None
 
 
-def _absent(entry: TomlTable) -> set[str]:
-    """Fields of columns that this test's log lacks."""
+def _read_absent(entry: TomlTable) -> set[str]:
+    """Fields of the columns that this test's log lacks."""
     stems = entry.values.get("absent", [])
     if not isinstance(stems, list) or not all(stem in BY_STEM for stem in stems):
         raise entry.error("absent", stems, f"some of {', '.join(BY_STEM)}, in brackets")

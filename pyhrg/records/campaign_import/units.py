@@ -1,4 +1,4 @@
-"""Units that a lab may log in, by quantity, as factors and offsets to SI.
+"""Units that a laboratory may log in, by quantity, as factors and offsets to SI.
 
 A table of our own: in the general libraries Hz is 1/s, a radian is 1, and mg is a mass, so that a
 wrong unit of a gyro's log would pass.
@@ -12,7 +12,7 @@ from pyhrg.records.columns import Column
 
 @dataclass(frozen=True)
 class Unit:
-    """SI = factor * value + offset."""
+    """A unit: SI value = factor * value + offset."""
 
     factor: float
     offset: float = 0.0
@@ -72,6 +72,6 @@ BY_COLUMN_UNIT = {
 }
 
 
-def units_of(column: Column) -> dict[str, Unit]:
-    """Those that a column of a campaign may be logged in, by name."""
+def list_units(column: Column) -> dict[str, Unit]:
+    """Units that a column of a campaign may be logged in, by name."""
     return BY_COLUMN_UNIT[column.unit]

@@ -1,1 +1,1 @@
-"""Logs of IMUs, in the formats that are known: what their sensors handed over, checked."""
+"""Logs of inertial measurement units (IMUs) in several formats, read and checked."""

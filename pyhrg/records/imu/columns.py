@@ -1,4 +1,4 @@
-"""Columns of a log as a table (CSV, Parquet)."""
+"""Columns of an IMU's log as a table (CSV, Parquet)."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -7,16 +7,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.common.units import DEG, STANDARD_GRAVITY
-from pyhrg.records.imu.log import LogError
+from pyhrg.records.columns import LogError
 
 AXES = ("x", "y", "z")
-"""Forward, right, down."""
+"""Body axes: forward, right, down."""
 TIME = "time_s"
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """Three columns: SI is value * factor; of a mean over the interval, or its integral."""
+    """Three columns of one quantity: SI value = factor * value.
+
+    integral: whether a value is the integral over the interval (an increment) or the mean over it.
+    """
 
     name: str
     unit: str
@@ -24,12 +27,12 @@ class Quantity:
     integral: bool
 
     def column(self, axis: str) -> str:
-        """Name in the file."""
+        """Name of an axis's column in the file."""
         return "_".join(filter(None, (self.name, axis, self.unit)))
 
     @property
     def columns(self) -> tuple[str, ...]:
-        """Of x, y, z."""
+        """Names of the columns of x, y and z."""
         return tuple(self.column(axis) for axis in AXES)
 
 
@@ -50,37 +53,37 @@ ACCELEROMETERS = (
 means over the interval (`gyro_x_deg_s`, `accelerometer_x_m_s2`), x forward, y right, z down."""
 
 
-def chosen(source: str, header: Sequence[str], among: Sequence[Quantity]) -> Quantity:
-    """The quantity that a header has all three columns of.
+def choose_quantity(source: str, header: Sequence[str], among: Sequence[Quantity]) -> Quantity:
+    """The quantity whose three columns a header has.
 
     Raises:
-        LogError: none or more than one; a column that stands there twice.
+        LogError: it has those of none or of more than one; a column stands there twice.
     """
     for name in header:
         if header.count(name) > 1:
             raise LogError(f"{source}: column {name}: found more than once, expected once")
-    there = [q for q in among if any(column in header for column in q.columns)]
-    if len(there) > 1:
-        names = " and ".join(q.column("x") for q in there)
+    present = [q for q in among if any(column in header for column in q.columns)]
+    if len(present) > 1:
+        names = " and ".join(q.column("x") for q in present)
         raise LogError(f"{source}: found columns {names}, expected one kind of them")
-    missing = [column for q in there for column in q.columns if column not in header]
-    if not there or missing:
+    missing = [column for q in present for column in q.columns if column not in header]
+    if not present or missing:
         kinds = " or ".join(q.column("x") for q in among)
         raise LogError(
             f"{source}: found no column {missing[0] if missing else kinds}, expected it "
             f"among {', '.join(header)}"
         )
-    return there[0]
+    return present[0]
 
 
-def per_second(
+def compute_means(
     quantity: Quantity, values: NDArray[np.float64], interval: float
 ) -> NDArray[np.float64]:
     """Means over the interval, in the file's unit."""
     return values / interval if quantity.integral else values
 
 
-def integrals(
+def compute_increments(
     quantity: Quantity, values: NDArray[np.float64], interval: float
 ) -> NDArray[np.float64]:
     """Increments, SI."""

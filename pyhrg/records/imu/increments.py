@@ -1,4 +1,4 @@
-"""What an IMU hands over."""
+"""Increments: what an IMU gives the navigator."""
 
 from dataclasses import dataclass
 
@@ -24,7 +24,7 @@ class Increments:
 
     @property
     def duration(self) -> float:
-        """s."""
+        """Duration of all intervals, s."""
         return len(self) * self.interval
 
     @property
@@ -33,7 +33,7 @@ class Increments:
         return np.asarray(self.start + self.interval * np.arange(len(self) + 1.0))
 
     def between(self, first: int, last: int) -> "Increments":
-        """Intervals first to last - 1."""
+        """The increments of intervals `first` to `last - 1`."""
         return Increments(
             self.interval,
             self.rotation[first:last],

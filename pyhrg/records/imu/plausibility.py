@@ -1,4 +1,4 @@
-"""Values under another unit, axis or column than a log says, told by gravity and Earth's rate."""
+"""Values in another unit, axis or column than a log says, found by gravity and Earth's rate."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -7,32 +7,33 @@ import numpy as np
 
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import ARCSEC, DEG, MICRO_G, STANDARD_GRAVITY
+from pyhrg.records.columns import LogError
 from pyhrg.records.imu.columns import Quantity
-from pyhrg.records.imu.log import Array, LogError
-from pyhrg.records.imu.rest import WINDOW, means, rate_at_rest
+from pyhrg.records.imu.log import Array
+from pyhrg.records.imu.rest import WINDOW_LENGTH, average_blocks, estimate_rate_at_rest
 
-BLOCK = 0.1
-"""Time over which readings are averaged against noise, s: no vehicle turns far in it."""
-TRAVELLING = (0.85, 1.4)
-"""Specific force over gravity that half of all blocks must stay within to be one: turns add to it,
-up to 45 deg of bank, more often than anything takes away."""
-RESTING = (0.99, 1.01)
-"""Likewise of the blocks of the first window, in which most vehicles rest."""
-SWAPPED = 0.05
-"""Most that accelerometers show, in the file's unit, if what they show is a rate."""
-UPSIDE_DOWN = 0.8
-"""Share of the specific force, downward along z, at which z is taken to be up."""
-FASTEST = 100.0
-"""Highest rate that is believed, rad/s."""
-NEAR_EARTH = 0.05
-"""Relative distance from a mistaken Earth's rate."""
+BLOCK_LENGTH = 0.1
+"""Length of the blocks over which readings are averaged, s. Chosen: no vehicle turns far in it."""
+MOVING_FORCE_RANGE = (0.85, 1.4)
+"""Range of the ratio to gravity in which half of all blocks must lie for readings to be specific
+force. Chosen: turns of up to 45 deg of bank add to it."""
+RESTING_FORCE_RANGE = (0.99, 1.01)
+"""The like range for the blocks of the first window, in which most vehicles rest. Chosen."""
+MAX_SWAPPED_READING = 0.05
+"""Largest median reading of accelerometers, in the file's unit, that may be a rate. Chosen."""
+MIN_UPSIDE_DOWN_SHARE = 0.8
+"""Smallest ratio to gravity of the specific force along z at which z must point up. Chosen."""
+MAX_RATE = 100.0
+"""Largest rate of a vehicle, rad/s. Chosen."""
+EARTH_RATE_TOLERANCE = 0.05
+"""Largest relative distance from Earth's rate in a mistaken unit. Chosen."""
 
 
 @dataclass(frozen=True)
 class Readings:
-    """What gyros and accelerometers show, as means over intervals in the file's units.
+    """Readings of gyros and accelerometers, as means over intervals in the file's units.
 
-    source: the file; interval: s; gyros, accelerometers: what the columns are said to be;
+    source: the file; interval: s; gyros, accelerometers: quantities that the file states;
     rate, force: (n, 3) in the file's unit, an increment's over s; body axes forward, right, down;
     z: where the file's own z axis points.
     """
@@ -47,42 +48,42 @@ class Readings:
 
     @cached_property
     def rate_size(self) -> Array:
-        """Of each block, in the file's unit."""
-        return np.linalg.norm(means(self.rate, self.interval, BLOCK), axis=1)
+        """(m,) size of the rate in each block, in the file's unit."""
+        return np.linalg.norm(average_blocks(self.rate, self.interval, BLOCK_LENGTH), axis=1)
 
     @cached_property
     def force_size(self) -> Array:
-        """Likewise."""
-        return np.linalg.norm(means(self.force, self.interval, BLOCK), axis=1)
+        """(m,) size of the specific force in each block, in the file's unit."""
+        return np.linalg.norm(average_blocks(self.force, self.interval, BLOCK_LENGTH), axis=1)
 
     @cached_property
     def down(self) -> float:
-        """Median specific force downwards, in the file's unit."""
-        return float(np.median(means(self.force, self.interval, BLOCK)[:, 2]))
+        """Median specific force along z, in the file's unit."""
+        return float(np.median(average_blocks(self.force, self.interval, BLOCK_LENGTH)[:, 2]))
 
     def error(self, quantity: Quantity, found: str, expected: str, guess: str) -> LogError:
-        """What is wrong with three columns."""
+        """Make the error about the three columns of a quantity."""
         return LogError(
             f"{self.source}: column {quantity.column('x')} and its like: found {found}, "
             f"expected {expected}: {guess}?"
         )
 
 
-def check(readings: Readings) -> None:
-    """Refuse a log that only a mix-up explains.
+def check_plausibility(readings: Readings) -> None:
+    """Refuse a log whose readings only a mix-up explains.
 
     Raises:
-        LogError: it names the mix-up.
+        LogError: there is one; the message names it.
     """
     _check_swapped(readings)
     _check_gravity(readings)
     _check_down(readings)
     _check_earth_rate(readings)
-    _check_fastest(readings)
+    _check_largest_rate(readings)
 
 
-def _near(sizes: Array, value: float, within: tuple[float, float]) -> bool:
-    """Whether half of all sizes are about a value."""
+def _is_near(sizes: Array, value: float, within: tuple[float, float]) -> bool:
+    """Whether the middle half of all sizes lies in a range of ratios to a value."""
     low, high = np.quantile(sizes, (0.25, 0.75))
     return bool(within[0] * value < low and high < within[1] * value)
 
@@ -90,7 +91,7 @@ def _near(sizes: Array, value: float, within: tuple[float, float]) -> bool:
 def _check_swapped(readings: Readings) -> None:
     gravities = (STANDARD_GRAVITY, 1.0)
     felt = any(_is_gravity(readings.rate_size, g) for g in gravities)
-    if felt and np.median(readings.force_size) < SWAPPED:
+    if felt and np.median(readings.force_size) < MAX_SWAPPED_READING:
         raise readings.error(
             readings.gyros,
             f"{np.median(readings.rate_size):.3g} per second, "
@@ -101,9 +102,11 @@ def _check_swapped(readings: Readings) -> None:
 
 
 def _is_gravity(sizes: Array, gravity: float) -> bool:
-    """Whether blocks show it, in the first window or in the whole log."""
-    first = sizes[: round(WINDOW / BLOCK)]
-    return _near(first, gravity, RESTING) or _near(sizes, gravity, TRAVELLING)
+    """Whether blocks show gravity, in the first window or in the whole log."""
+    first = sizes[: round(WINDOW_LENGTH / BLOCK_LENGTH)]
+    return _is_near(first, gravity, RESTING_FORCE_RANGE) or _is_near(
+        sizes, gravity, MOVING_FORCE_RANGE
+    )
 
 
 def _check_gravity(readings: Readings) -> None:
@@ -120,16 +123,17 @@ def _check_gravity(readings: Readings) -> None:
         f"is {unit} given where {stated} is meant": STANDARD_GRAVITY / factor
         for unit, factor in units.items()
     }
-    guesses |= _sums(kind, gravity, readings.interval)
+    guesses |= _list_mixups(kind, gravity, readings.interval)
     fitting = [guess for guess, size in guesses.items() if _is_gravity(readings.force_size, size)]
     if fitting:
-        found = f"a specific force of {np.median(readings.force_size[: round(WINDOW / BLOCK)]):.3g}"
+        first = readings.force_size[: round(WINDOW_LENGTH / BLOCK_LENGTH)]
+        found = f"a specific force of {np.median(first):.3g}"
         raise readings.error(kind, found, f"about {gravity:.3g} {stated}", ", or ".join(fitting))
 
 
 def _check_down(readings: Readings) -> None:
     down = readings.down
-    if down > UPSIDE_DOWN * STANDARD_GRAVITY / readings.accelerometers.factor:
+    if down > MIN_UPSIDE_DOWN_SHARE * STANDARD_GRAVITY / readings.accelerometers.factor:
         other = "up" if readings.z == "down" else "down"
         raise readings.error(
             readings.accelerometers,
@@ -139,14 +143,14 @@ def _check_down(readings: Readings) -> None:
         )
 
 
-def _check_fastest(readings: Readings) -> None:
+def _check_largest_rate(readings: Readings) -> None:
     fastest = float(np.max(readings.rate_size)) * readings.gyros.factor
-    if fastest > FASTEST:
-        given, _ = _angle_units(readings.gyros)
+    if fastest > MAX_RATE:
+        given, _ = _name_angle_units(readings.gyros)
         raise readings.error(
             readings.gyros,
             f"a rate of {fastest:.3g} rad/s",
-            f"at most {FASTEST:g} rad/s",
+            f"at most {MAX_RATE:g} rad/s",
             "are "
             + (f"{given}s given where radians are meant" if given == "degree" else "units right")
             + (", or rates where increments are meant" if readings.gyros.integral else ""),
@@ -155,31 +159,33 @@ def _check_fastest(readings: Readings) -> None:
 
 def _check_earth_rate(readings: Readings) -> None:
     force = readings.accelerometers.factor * readings.force
-    rate = rate_at_rest(readings.rate, force, readings.interval)
+    rate = estimate_rate_at_rest(readings.rate, force, readings.interval)
     if rate is None:
         return
     kind = readings.gyros
     own = EARTH_RATE / kind.factor
-    given, stated = _angle_units(kind)
+    given, stated = _name_angle_units(kind)
     small = "arcseconds" if kind.integral else "degrees per hour"
     sizes = {
         f"are {given}s given where {stated}s are meant": EARTH_RATE * kind.factor / DEG,
         f"are {small} given": EARTH_RATE / ARCSEC,
     }
-    sizes |= _sums(kind, own, readings.interval)
-    fitting = [guess for guess, size in sizes.items() if abs(rate / size - 1) < NEAR_EARTH]
+    sizes |= _list_mixups(kind, own, readings.interval)
+    fitting = [
+        guess for guess, size in sizes.items() if abs(rate / size - 1) < EARTH_RATE_TOLERANCE
+    ]
     if fitting:
         found = f"a rate of {rate:.3g} {stated}s per second at rest"
         raise readings.error(kind, found, f"Earth's, {own:.3g}", ", or ".join(fitting))
 
 
-def _sums(kind: Quantity, size: float, interval: float) -> dict[str, float]:
-    """What a steady size looks like when increments and rates are mixed up."""
+def _list_mixups(kind: Quantity, size: float, interval: float) -> dict[str, float]:
+    """Size that a steady reading has when increments and rates are mixed up, by the mix-up."""
     if kind.integral:
         return {"are rates given where increments are meant": size / interval}
     return {"are increments given where rates are meant": size * interval}
 
 
-def _angle_units(kind: Quantity) -> tuple[str, str]:
-    """Taken for it by mistake, and as stated."""
+def _name_angle_units(kind: Quantity) -> tuple[str, str]:
+    """Names of the mistaken and the stated unit of angles."""
     return ("degree", "radian") if kind.factor == 1.0 else ("radian", "degree")

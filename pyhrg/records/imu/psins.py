@@ -1,12 +1,13 @@
-"""Logs in the text format of PSINS (Yan Gongmin), of counts with axes right, forward, up."""
+"""Logs in the text format of PSINS (Yan Gongmin): counts, with axes right, forward, up."""
 
 import numpy as np
 
 from pyhrg.common.units import ARCSEC, DEG
+from pyhrg.records.columns import LogError
 from pyhrg.records.imu.columns import Quantity
 from pyhrg.records.imu.increments import Increments
-from pyhrg.records.imu.log import Array, LogError, RecordedImu, log_error, numbers
-from pyhrg.records.imu.plausibility import Readings, check
+from pyhrg.records.imu.log import Array, RecordedImu, make_field_error, parse_numbers
+from pyhrg.records.imu.plausibility import Readings, check_plausibility
 
 COMMENT = "%"
 ATTITUDE = ("pitch0(deg)", "roll0(deg)", "yaw0(deg)", "VE0(m/s)", "VN0(m/s)", "VU0(m/s)")
@@ -30,34 +31,36 @@ RANGES = {
     **dict.fromkeys(SCALES, (1e-6, 1e6)),
 }
 FORWARD_RIGHT_DOWN = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, -1.0]])
-"""Turns coordinates right, forward, up into body coordinates."""
+"""Rotation matrix from axes right, forward, up to body axes."""
 
 
-def read(source: str, lines: list[str], trusted: bool = False) -> RecordedImu:
-    """The log of a file's lines; `trusted` as in `recorded.read`.
+def read_psins(source: str, lines: list[str], trusted: bool = False) -> RecordedImu:
+    """The log of a file's lines; for `trusted` see `read_imu_log`.
 
-    Comments, then attitude (yaw counter-clockwise from north), place and interval, scale factors
-    (arcsec and ug s per count), then counts of each interval.
+    The file has comments, attitude (yaw counter-clockwise from north), place and interval, scale
+    factors (arcsec and ug s per count), then the counts of each interval.
 
     Raises:
-        LogError: a header value out of range, a row with too few or too many fields, a field that
-            is no finite number, an axis that is another than stated.
+        LogError: a header value is out of range; a row has too few or too many fields; a field is
+            no finite number; an axis is another than stated.
     """
     rows = [row for row, line in enumerate(lines) if line.strip() and line[0] != COMMENT]
     if len(rows) < 4:
         raise LogError(f"{source}: found {len(rows)} rows, expected three of header and counts")
     attitude, place, scales = (
-        _header(source, lines[row], row + 1, names)
+        _read_header(source, lines[row], row + 1, names)
         for row, names in zip(rows, (ATTITUDE, PLACE, SCALES), strict=False)
     )
     pitch, roll, yaw = DEG * attitude[:3]
     latitude, longitude, height, start, interval_ms, gravity = place
-    counts = numbers(source, lines[rows[3] :], rows[3] + 1, COUNTS)
+    counts = parse_numbers(source, lines[rows[3] :], rows[3] + 1, COUNTS)
     units = scales * np.repeat([ARCSEC, 1e-6 * gravity], 3)
     rotation, velocity = (x @ FORWARD_RIGHT_DOWN.T for x in np.split(counts * units, 2, axis=1))
     interval = 1e-3 * interval_ms
     if not trusted:
-        check(Readings(source, interval, *KINDS, rotation / interval, velocity / interval, z="up"))
+        check_plausibility(
+            Readings(source, interval, *KINDS, rotation / interval, velocity / interval, z="up")
+        )
     return RecordedImu(
         Increments(interval, rotation, velocity, start),
         np.array([DEG * latitude, DEG * longitude, height]),
@@ -66,10 +69,10 @@ def read(source: str, lines: list[str], trusted: bool = False) -> RecordedImu:
     )
 
 
-def _header(source: str, line: str, row: int, names: tuple[str, ...]) -> Array:
-    values = numbers(source, [line], row, names, least=1)[0]
+def _read_header(source: str, line: str, row: int, names: tuple[str, ...]) -> Array:
+    values = parse_numbers(source, [line], row, names, least=1)[0]
     for name, value in zip(names, values, strict=True):
         low, high = RANGES.get(name, (-np.inf, np.inf))
         if not low <= value <= high:
-            raise log_error(source, row, name, f"{value:g}", f"{low:g} to {high:g}")
+            raise make_field_error(source, row, name, f"{value:g}", f"{low:g} to {high:g}")
     return values

@@ -15,12 +15,12 @@ import fmpy
 import numpy as np
 import pytest
 
-from fmu_build.archive.description import Identity, fmi2_description
-from fmu_build.archive.documentation.document import documentation
-from fmu_build.archive.documentation.info_pages import model_pages
+from fmu_build.archive.description import Identity, describe_fmi2
+from fmu_build.archive.documentation.document import write_documentation
+from fmu_build.archive.documentation.info_pages import read_model_pages
 from fmu_build.archive.licences import read_licence
-from fmu_build.bundle import built_fmu
-from fmu_build.equations.scalars import scalars
+from fmu_build.bundle import build_fmu
+from fmu_build.equations.scalars import list_scalars
 from fmu_build.roots import ROOTS, Root
 from tests.fmu_build.c import native
 from tests.fmu_build.modelica import SAMPLED, translated
@@ -29,7 +29,7 @@ from tests.fmu_build.modelica import SAMPLED, translated
 @pytest.fixture(scope="module", params=[(n, f) for n in ROOTS for f in (2, 3)], ids=str)
 def path(request: pytest.FixtureRequest) -> Path:
     name, fmi = request.param
-    return built_fmu(fmi=fmi, root=ROOTS[name])
+    return build_fmu(name, fmi=fmi)
 
 
 @pytest.fixture
@@ -112,7 +112,7 @@ def test_the_page_names_the_integrator_and_its_step(archive: zipfile.ZipFile, pa
 @pytest.mark.parametrize("root", ROOTS)
 def test_every_class_and_function_of_a_model_has_its_page(root: str) -> None:
     dae = native.flat(root)
-    pages = model_pages(dae)
+    pages = read_model_pages(dae)
     for file in {variable.file for variable in dae.variables}:
         assert f".{Path(file).stem}</code></p>" in pages
     for function in dae.functions:
@@ -123,7 +123,7 @@ def test_an_info_text_that_is_no_html_is_refused(tmp_path: Path) -> None:
     body = SAMPLED.replace("  end M;", '  annotation(Documentation(info="<p>open"));\n  end M;')
     root = Root("M", "P.M", "title", "midpoint", "0.01")
     with pytest.raises(ValueError, match=r"info text of .* is no HTML"):
-        documentation(translated(tmp_path, body), root, "1")
+        write_documentation(translated(tmp_path, body), root, "1")
 
 
 def test_every_input_and_output_has_a_nominal_value(path: Path) -> None:
@@ -222,7 +222,7 @@ def test_a_unit_given_by_hand_is_not_the_type_s(tmp_path: Path) -> None:
     body = SAMPLED.replace("parameter Real a = 2", 'parameter A a(unit = "m") = 2').replace(
         "  model M", '  type A = Real(unit = "rad", displayUnit = "deg") "Angle";\n  model M'
     )
-    by_name = {s.name: s for s in scalars(translated(tmp_path, body))}
+    by_name = {s.name: s for s in list_scalars(translated(tmp_path, body))}
     assert by_name["a"].declared is None
     assert by_name["a"].attributes["unit"] == "m"
 
@@ -231,4 +231,4 @@ def test_unknown_units_are_refused(tmp_path: Path) -> None:
     identity = Identity("M", "", "", "1", (), "0.01")
     body = SAMPLED.replace('Real a = 2 "a"', 'Real a(unit = "furlong") = 2 "a"')
     with pytest.raises(ValueError, match="unit furlong is not among"):
-        fmi2_description(translated(tmp_path, body), identity)
+        describe_fmi2(translated(tmp_path, body), identity)

@@ -11,7 +11,7 @@ import fmpy
 import pytest
 
 from fmu_build.binaries.platforms import COMPILER, FLAGS, PLATFORMS
-from fmu_build.bundle import built_fmu
+from fmu_build.bundle import build_fmu
 from fmu_build.roots import ROOTS
 from tests.fmu_build.c import native
 
@@ -56,7 +56,7 @@ def models(
     result = {(fmi, "HRG"): folder for fmi, folder in folders.items()}
     for root in ROOTS.values():
         if root.identifier != "HRG":
-            path = built_fmu(fmi=3, platforms=RUNNABLE, root=root)
+            path = build_fmu(root.identifier, fmi=3, platforms=RUNNABLE)
             result[3, root.identifier] = tmp_path_factory.mktemp(root.identifier)
             with zipfile.ZipFile(path) as archive:
                 archive.extractall(result[3, root.identifier])

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import fmpy
 
-from fmu_build.bundle import SHELLS, SOURCES, modelica_library, write_sources
+from fmu_build.bundle import SHELLS, SOURCES, find_modelica_library, write_sources
 from fmu_build.equations.dae import Dae
 from fmu_build.equations.translate import translate
 from fmu_build.roots import ROOTS
@@ -32,7 +32,7 @@ def tool(name: str) -> str:
 @lru_cache
 def flat(root: str = "HRG") -> Dae:
     """The flat model of an FMU."""
-    return translate(modelica_library(), ROOTS[root].model)
+    return translate(find_modelica_library(), ROOTS[root].model)
 
 
 def run(command: list[str | Path], seconds: float = 120, **options: object) -> str:

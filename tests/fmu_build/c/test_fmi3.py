@@ -8,13 +8,13 @@ import fmpy.validation
 import numpy as np
 import pytest
 
-from fmu_build.binaries.platforms import universal
-from fmu_build.bundle import SOURCES, built_fmu
+from fmu_build.binaries.platforms import join_universal
+from fmu_build.bundle import SOURCES, build_fmu
 
 
 @pytest.fixture(scope="module")
 def fmi3_path() -> Path:
-    return built_fmu(fmi=3)
+    return build_fmu(fmi=3)
 
 
 def test_fmpy_finds_nothing(fmi3_path: Path) -> None:
@@ -64,7 +64,7 @@ def test_universal_binary_holds_both() -> None:
     parts = [
         b"\xcf\xfa\xed\xfe" + kind + b"\0" * 8 + b"x" * 100 for kind in (b"\7\0\0\1", b"\x0c\0\0\1")
     ]
-    fat = universal(parts)
+    fat = join_universal(parts)
     assert fat[:8] == b"\xca\xfe\xba\xbe\0\0\0\2"
     for index, part in enumerate(parts):
         entry = fat[8 + 20 * index : 28 + 20 * index]

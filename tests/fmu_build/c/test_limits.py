@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from fmu_build.bundle import built_fmu
+from fmu_build.bundle import build_fmu
 from fmu_build.roots import ROOTS
 from pyhrg.fmu import GyroFmu
 
@@ -23,7 +23,7 @@ def ends(fmu: GyroFmu, causality: str) -> list[tuple[str, float]]:
 
 @pytest.mark.parametrize("model", ROOTS)
 def test_parameters_at_their_limits(model: str) -> None:
-    fmu = GyroFmu(built_fmu(root=ROOTS[model]))
+    fmu = GyroFmu(build_fmu(model))
     for name, value in ends(fmu, "parameter"):
         if name in ("seed", "startAngle"):
             continue  # set at power-on
@@ -34,7 +34,7 @@ def test_parameters_at_their_limits(model: str) -> None:
 
 @pytest.mark.parametrize("model", ROOTS)
 def test_inputs_at_their_limits(model: str) -> None:
-    fmu = GyroFmu(built_fmu(root=ROOTS[model]))
+    fmu = GyroFmu(build_fmu(model))
     for name, value in ends(fmu, "input"):
         with fmu.power_on({}, seed=1, start_angle=0.3) as gyro:
             gyro.command(name, value)
@@ -44,7 +44,7 @@ def test_inputs_at_their_limits(model: str) -> None:
 
 @pytest.mark.parametrize("model", ROOTS)
 def test_every_parameter_and_input_has_a_range(model: str) -> None:
-    fmu = GyroFmu(built_fmu(root=ROOTS[model]))
+    fmu = GyroFmu(build_fmu(model))
     for v in fmu.description.modelVariables:
         if v.causality in ("parameter", "input"):
             assert v.min is not None, v.name

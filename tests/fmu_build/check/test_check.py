@@ -11,14 +11,14 @@ from pathlib import Path
 import pytest
 
 from fmu_build.binaries.platforms import PLATFORMS
-from fmu_build.bundle import built_fmu
+from fmu_build.bundle import build_fmu
 from fmu_build.check import importers
-from fmu_build.check.agreement import disagreements
-from fmu_build.check.archive import opened
-from fmu_build.check.experiment import Experiment, experiment
+from fmu_build.check.agreement import find_disagreements
+from fmu_build.check.archive import open_fmu
+from fmu_build.check.experiment import Experiment, plan_experiment
 from fmu_build.check.importers import IMPORTERS, Importer
 from fmu_build.check.recording import FailedError
-from fmu_build.check.report import checks
+from fmu_build.check.report import run_checks
 from fmu_build.roots import ROOTS
 from tests.fmu_build.check.tampering import damaged, description, removed, tampered
 
@@ -31,7 +31,7 @@ def checked(path: Path, **environment: str) -> subprocess.CompletedProcess[str]:
 
 
 def planned(path: Path) -> Experiment:
-    found = experiment(opened(path))
+    found = plan_experiment(open_fmu(path))
     assert found is not None
     return found
 
@@ -40,7 +40,7 @@ def planned(path: Path) -> Experiment:
 def check_delivered(name: str, fmi: int) -> subprocess.CompletedProcess[str]:
     """Check an FMU as it is delivered: for every platform that the standard has a folder for."""
     platforms = [p.name for p in PLATFORMS.values() if fmi == 3 or p.fmi2_folder]
-    return checked(built_fmu(fmi=fmi, platforms=platforms, root=ROOTS[name]))
+    return checked(build_fmu(name, fmi=fmi, platforms=platforms))
 
 
 NEEDS = {"Ecos": [pytest.mark.needs("libtbb12")], "fmi-sim": [pytest.mark.needs("fmi-sim")]}
@@ -71,7 +71,7 @@ def test_every_importer_runs_our_fmus(importer: Importer, name: str, fmi: int) -
 
 
 def test_a_finding_gives_status_1(tmp_path: Path) -> None:
-    copy = tampered(built_fmu(), tmp_path, description('stepSize="[^"]*"', 'stepSize="0"'))
+    copy = tampered(build_fmu(), tmp_path, description('stepSize="[^"]*"', 'stepSize="0"'))
     run = checked(copy)
     assert run.returncode == 1
     assert "FOUND the default experiment can be run\n      stepSize is 0" in run.stdout
@@ -84,7 +84,7 @@ def test_unusable_input_gives_status_2(tmp_path: Path) -> None:
 
 
 def test_a_missing_importer_is_skipped_and_says_how_to_install_it() -> None:
-    run = checked(built_fmu(), PATH="/nonexistent")
+    run = checked(build_fmu(), PATH=os.defpath)
     assert run.returncode == 0
     assert "SKIPPED fmi-sim runs it\n      fmi-sim is missing: " in run.stdout
     assert "cargo install fmi-sim" in run.stdout
@@ -94,7 +94,7 @@ def test_importers_that_can_not_be_loaded_are_skipped(tmp_path: Path) -> None:
     """With the comparison, when a single importer is left."""
     for package in ("ecospy", "libcosimpy"):
         (tmp_path / f"{package}.py").write_text("raise OSError('libnone.so: cannot open')")
-    run = checked(built_fmu(), PATH="/nonexistent", PYTHONPATH=str(tmp_path))
+    run = checked(build_fmu(), PATH="/nonexistent", PYTHONPATH=str(tmp_path))
     assert run.returncode == 0, run.stdout + run.stderr
     for name in ("Ecos", "libcosimpy"):
         reason = rf"{name} can't be loaded \(libnone\.so: cannot open\): pip install"
@@ -110,28 +110,28 @@ def test_ci_installs_the_version_that_is_asked_for() -> None:
 
 @pytest.mark.parametrize("fmi", [2, 3])
 def test_an_fmu_without_a_binary_for_this_machine_is_one_finding(tmp_path: Path, fmi: int) -> None:
-    copy = tampered(built_fmu(fmi=fmi), tmp_path, removed("^binaries/"))
-    (finding,) = [f for c in checks(opened(copy)) for f in c.findings]
+    copy = tampered(build_fmu(fmi=fmi), tmp_path, removed("^binaries/"))
+    (finding,) = [f for c in run_checks(open_fmu(copy)) for f in c.findings]
     assert finding.startswith("no binary for this machine: binaries/")
 
 
 @pytest.mark.parametrize("fmi", [2, 3])
 def test_a_damaged_entry_is_one_finding(tmp_path: Path, fmi: int) -> None:
-    copy = damaged(built_fmu(fmi=fmi), tmp_path, "documentation/index.html")
-    (finding,) = [f for c in checks(opened(copy)) for f in c.findings]
+    copy = damaged(build_fmu(fmi=fmi), tmp_path, "documentation/index.html")
+    (finding,) = [f for c in run_checks(open_fmu(copy)) for f in c.findings]
     assert finding.startswith("documentation/index.html is damaged: ")
 
 
 def test_a_damaged_description_is_no_usable_input(tmp_path: Path) -> None:
-    copy = damaged(built_fmu(), tmp_path, "modelDescription.xml")
+    copy = damaged(build_fmu(), tmp_path, "modelDescription.xml")
     run = checked(copy)
     assert run.returncode == 2
     assert "is no intact ZIP file" in run.stderr
 
 
 def test_what_fmpy_finds_is_a_finding(tmp_path: Path) -> None:
-    copy = tampered(built_fmu(), tmp_path, description('causality="output"', 'causality="ouput"'))
-    findings = {c.name: c.findings for c in checks(opened(copy))}
+    copy = tampered(build_fmu(), tmp_path, description('causality="output"', 'causality="ouput"'))
+    findings = {c.name: c.findings for c in run_checks(open_fmu(copy))}
     assert any("ouput" in finding for finding in findings["FMPy validates it"])
 
 
@@ -139,20 +139,20 @@ def test_a_crash_is_a_failure_of_the_importer() -> None:
     """libcosimpy knows FMI 2.0 only, and is not asked to run others for this reason."""
     (importer,) = (i for i in IMPORTERS if i.name == "libcosimpy")
     with pytest.raises(FailedError, match="it crashed by signal"):
-        importer.recording(planned(built_fmu(fmi=3)))
+        importer.recording(planned(build_fmu(fmi=3)))
 
 
 def test_an_importer_that_hangs_is_a_failure(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(importers, "TIMEOUT", 0.01)
     with pytest.raises(FailedError, match=r"no end within 0\.01 s"):
-        IMPORTERS[0].recording(planned(built_fmu()))
+        IMPORTERS[0].recording(planned(build_fmu()))
 
 
 def test_a_last_bit_is_a_disagreement() -> None:
-    run = replace(planned(built_fmu()), outputs={"y": 1}, steps=2, start=0.0, step=0.5)
+    run = replace(planned(build_fmu()), outputs={"y": 1}, steps=2, start=0.0, step=0.5)
     traces = {"A": {"y": [0.1, 0.2]}, "B": {"y": [0.1, 0.2 + 2**-55]}}
-    assert list(disagreements(run, {"A": traces["A"], "C": traces["A"]})) == []
-    (found,) = disagreements(run, traces)
+    assert list(find_disagreements(run, {"A": traces["A"], "C": traces["A"]})) == []
+    (found,) = find_disagreements(run, traces)
     assert found == "y at 1 s: 0.2 in A, 0.20000000000000004 in B"
 
 
@@ -160,13 +160,13 @@ def test_a_last_bit_is_a_disagreement() -> None:
     ("values", "words"), [([0.1], "1 values"), ([0.1, float("nan")], "not finite")]
 )
 def test_too_few_values_or_none_are_found(values: list[float], words: str) -> None:
-    run = replace(planned(built_fmu()), outputs={"y": 1}, steps=2)
-    (found,) = disagreements(run, {"A": {"y": values}})
+    run = replace(planned(build_fmu()), outputs={"y": 1}, steps=2)
+    (found,) = find_disagreements(run, {"A": {"y": values}})
     assert words in found
 
 
 def test_inputs_are_moved_within_their_limits() -> None:
-    run = planned(built_fmu())
+    run = planned(build_fmu())
     assert run.inputs["angularRate"] == 1e-3
     assert run.inputs["driveOn"] == 1 - 1e-3
     assert run.step == 2.0**-7

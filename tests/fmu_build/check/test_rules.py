@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from fmu_build.bundle import built_fmu
+from fmu_build.bundle import build_fmu
 from fmu_build.check import report  # noqa: F401 (registers the rules)
-from fmu_build.check.archive import UnusableError, opened
+from fmu_build.check.archive import UnusableError, open_fmu
 from fmu_build.check.rules.rule import RULES
 from tests.fmu_build.check.tampering import (
     Content,
@@ -240,7 +240,7 @@ def named(beginning: str) -> str:
 @pytest.mark.parametrize("fmi", [2, 3])
 @pytest.mark.parametrize("name", RULES)
 def test_our_fmu_keeps_the_rule(name: str, fmi: int) -> None:
-    assert list(RULES[name](opened(built_fmu(fmi=fmi)))) == []
+    assert list(RULES[name](open_fmu(build_fmu(fmi=fmi)))) == []
 
 
 @pytest.mark.parametrize(
@@ -249,22 +249,22 @@ def test_our_fmu_keeps_the_rule(name: str, fmi: int) -> None:
 def test_a_tampered_fmu_fails_by_name(
     tmp_path: Path, beginning: str, fmi: int, change: Callable[[Content], None], finding: str
 ) -> None:
-    fmu = opened(tampered(built_fmu(fmi=fmi), tmp_path, change))
+    fmu = open_fmu(tampered(build_fmu(fmi=fmi), tmp_path, change))
     findings = list(RULES[named(beginning)](fmu))
     assert any(finding in text for text in findings), findings
 
 
 def test_compression_that_importers_need_not_know_is_found(tmp_path: Path) -> None:
-    copy = tampered(built_fmu(), tmp_path, lambda content: None)
+    copy = tampered(build_fmu(), tmp_path, lambda content: None)
     with zipfile.ZipFile(copy, "a", zipfile.ZIP_LZMA) as archive:
         archive.writestr("resources/table.bin", b"0" * 100)
-    (finding,) = RULES[named("files are stored or deflated")](opened(copy))
+    (finding,) = RULES[named("files are stored or deflated")](open_fmu(copy))
     assert finding == "resources/table.bin is compressed by method 14"
 
 
 @pytest.mark.parametrize("name", ["documentation/index.html", "sources/core.c"])
 def test_an_entry_that_is_damaged_is_found(tmp_path: Path, name: str) -> None:
-    (finding,) = RULES[named("every entry")](opened(damaged(built_fmu(), tmp_path, name)))
+    (finding,) = RULES[named("every entry")](open_fmu(damaged(build_fmu(), tmp_path, name)))
     assert finding.startswith(f"{name} is damaged: ")
 
 
@@ -285,11 +285,11 @@ def test_unusable_input_is_an_error(
     tmp_path: Path, change: Callable[[Content], None], words: str
 ) -> None:
     with pytest.raises(UnusableError, match=words):
-        opened(tampered(built_fmu(), tmp_path, change))
+        open_fmu(tampered(build_fmu(), tmp_path, change))
 
 
 def test_what_is_no_archive_is_an_error(tmp_path: Path) -> None:
     path = tmp_path / "text.fmu"
     path.write_text("no ZIP file")
     with pytest.raises(UnusableError, match="is no intact ZIP file"):
-        opened(path)
+        open_fmu(path)

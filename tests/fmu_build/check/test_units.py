@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from fmu_build.check.rules.unit_names import EXPONENTS, meanings
+from fmu_build.check.rules.unit_names import EXPONENTS, find_meanings
 
 
 @pytest.mark.parametrize(
@@ -26,7 +26,7 @@ from fmu_build.check.rules.unit_names import EXPONENTS, meanings
     ],
 )
 def test_meaning(name: str, exponents: dict[str, int], factor: float, offset: float) -> None:
-    (meaning,) = meanings(name)
+    (meaning,) = find_meanings(name)
     assert meaning.exponents == tuple(exponents.get(n, 0) for n in EXPONENTS)
     assert meaning.factor == pytest.approx(factor, rel=1e-12)
     assert meaning.offset == offset
@@ -34,8 +34,8 @@ def test_meaning(name: str, exponents: dict[str, int], factor: float, offset: fl
 
 @pytest.mark.parametrize("name", ["furlong", "lbf.ft", "", "m^2", "m/s/s", "°C"])
 def test_what_cannot_be_read_is_not_judged(name: str) -> None:
-    assert meanings(name) == ()
+    assert find_meanings(name) == ()
 
 
 def test_hertz_may_be_of_either_frequency() -> None:
-    assert [m.factor for m in meanings("Hz")] == pytest.approx([1, 2 * math.pi])
+    assert [m.factor for m in find_meanings("Hz")] == pytest.approx([1, 2 * math.pi])

@@ -4,11 +4,12 @@ import subprocess
 import sys
 from pathlib import Path
 
+import platformdirs
 import pytest
 
 from fmu_build import bundle
-from fmu_build.bundle import built_fmu
-from fmu_build.cli import build as command
+from fmu_build.bundle import build_fmu
+from fmu_build.roots import Root
 from pyhrg.common import cli
 
 HRG = str(Path(sys.executable).parent / "hrg")
@@ -36,11 +37,13 @@ def test_all_are_those_that_the_standard_knows(
 ) -> None:
     asked: list[list[str]] = []
 
-    def record(progress: object, fmi: int, platforms: list[str], root: object) -> Path:
+    def record(path: Path, root: Root, fmi: int, platforms: list[str], progress: object) -> None:
         asked.append(platforms)
-        return built_fmu()
+        path.parent.mkdir(parents=True)
+        path.touch()
 
-    monkeypatch.setattr(command, "built_fmu", record)
+    monkeypatch.setattr(bundle, "write_fmu", record)
+    monkeypatch.setattr(platformdirs, "user_cache_path", lambda name: tmp_path / name)
     out = str(tmp_path / "HRG.fmu")
     assert cli.main(["build", "--fmi", str(fmi), "--platform", "all", "--out", out]) == 0
     assert len(asked[0]) == count
@@ -51,7 +54,7 @@ def test_all_are_those_that_the_standard_knows(
 def test_a_folder_is_refused_before_anything_is_built(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(bundle, "build", lambda *args: pytest.fail("it was built"))
+    monkeypatch.setattr(bundle, "write_fmu", lambda *args: pytest.fail("it was built"))
     assert cli.main(["build", "--out", str(tmp_path)]) == 2
     assert f"{tmp_path}: it is a folder" in capsys.readouterr().err
 
@@ -59,7 +62,7 @@ def test_a_folder_is_refused_before_anything_is_built(
 def test_what_is_unchanged_is_said_to_be(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    built_fmu()
+    build_fmu()
     assert cli.main(["build", "--out", str(tmp_path / "HRG.fmu")]) == 0
     said = capsys.readouterr()
     assert said.err == "unchanged, from cache\n"
@@ -68,7 +71,7 @@ def test_what_is_unchanged_is_said_to_be(
 
 def test_a_reader_that_leaves_is_no_error() -> None:
     process = subprocess.Popen(
-        [HRG, "check", str(built_fmu())], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+        [HRG, "check", str(build_fmu())], stdout=subprocess.PIPE, stderr=subprocess.PIPE
     )
     assert process.stdout is not None
     assert process.stderr is not None

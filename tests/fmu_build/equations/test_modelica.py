@@ -6,11 +6,11 @@ import pymoca.ast
 import pymoca.parser
 import pytest
 
-from fmu_build.bundle import modelica_library
-from fmu_build.equations.modelica import page, types_of
+from fmu_build.bundle import find_modelica_library
+from fmu_build.equations.modelica import read_page, read_types
 from tests.modelica.test_library import FILES, defined
 
-UNITS = modelica_library() / "Units" / "package.mo"
+UNITS = find_modelica_library() / "Units" / "package.mo"
 
 
 def attributes(item: pymoca.ast.Class) -> dict[str, str]:
@@ -25,7 +25,7 @@ def attributes(item: pymoca.ast.Class) -> dict[str, str]:
 
 def test_types_are_those_of_the_parser() -> None:
     parsed = defined(UNITS).classes
-    read = types_of([str(UNITS)])
+    read = read_types([str(UNITS)])
     assert set(read) == {f"HRG.Units.{name}" for name in parsed}
     for name, item in parsed.items():
         given = attributes(item)
@@ -36,11 +36,11 @@ def test_types_are_those_of_the_parser() -> None:
         assert found.display_unit == given.get("displayUnit", "")
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda p: str(p.relative_to(modelica_library())))
+@pytest.mark.parametrize("path", FILES, ids=lambda p: str(p.relative_to(find_modelica_library())))
 def test_pages_are_those_of_the_parser(path: Path) -> None:
     item = defined(path)
-    read = page(path)
+    read = read_page(path)
     place = path.parent if path.name == "package.mo" else path.with_suffix("")
-    assert read.name == ".".join(place.relative_to(modelica_library().parent).parts)
+    assert read.name == ".".join(place.relative_to(find_modelica_library().parent).parts)
     assert read.description == item.comment
     assert bool(read.info) == ("Documentation(info=" in path.read_text())

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from fmu_build.equations.dae import Dae
-from fmu_build.equations.sorting import Assignment, schedule
+from fmu_build.equations.sorting import Assignment, sort_equations
 from tests.fmu_build.modelica import SAMPLED, translated
 
 
@@ -15,7 +15,7 @@ def names(dae: Dae, assignments: tuple[Assignment, ...]) -> list[str]:
 
 def test_assignments_land_where_they_are_needed(tmp_path: Path) -> None:
     dae = translated(tmp_path, SAMPLED)
-    plan = schedule(dae)
+    plan = sort_equations(dae)
     assert names(dae, plan.parameters) == ["b"]
     assert names(dae, plan.starts) == ["x", "n"]
     assert names(dae, plan.tick) == ["twice", "n"]
@@ -25,16 +25,16 @@ def test_assignments_land_where_they_are_needed(tmp_path: Path) -> None:
 
 def test_either_side_of_an_equation_may_be_the_unknown(tmp_path: Path) -> None:
     dae = translated(tmp_path, SAMPLED.replace("twice = 2*x", "2*x = twice"))
-    assert "twice" in names(dae, schedule(dae).tick)
+    assert "twice" in names(dae, sort_equations(dae).tick)
 
 
 def test_algebraic_loop_is_named(tmp_path: Path) -> None:
     dae = translated(tmp_path, SAMPLED.replace("twice = 2*x", "twice = 2*x + y"))
     with pytest.raises(ValueError, match=r"algebraic loop: .*(twice|y)"):
-        schedule(dae)
+        sort_equations(dae)
 
 
 def test_vector_parameter_depends_on_others_if_any_element_does(tmp_path: Path) -> None:
     body = SAMPLED.replace("input Real u", 'parameter Real p[2] = {0, 2*a} "p";\n    input Real u')
     dae = translated(tmp_path, body.replace("-x + u", "-x + p[2]*u"))
-    assert set(names(dae, schedule(dae).parameters)) == {"b", "p"}
+    assert set(names(dae, sort_equations(dae).parameters)) == {"b", "p"}

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from fmu_build.code.generate import generate
+from fmu_build.code.generate import generate_source
 from fmu_build.equations import translate as translate_module
 from fmu_build.equations.translate import TranslationError, translate
 from tests.fmu_build.modelica import SAMPLED, translated
@@ -48,4 +48,4 @@ def test_array_reset_within_a_loop_is_refused(tmp_path: Path) -> None:
     with pytest.raises(
         ValueError, match="f: a statement of kind assignment_group is not supported"
     ):
-        generate(translated(tmp_path, body))
+        generate_source(translated(tmp_path, body))

@@ -1,4 +1,4 @@
-"""Standing vehicles with imperfect sensors, and what alignment makes of them."""
+"""Records of standing vehicles with sensor errors, and statistics of alignments."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -7,12 +7,12 @@ from scipy.stats import chi2
 
 from ins_eval.alignment.result import Alignment
 from ins_eval.common import earth
-from ins_eval.common.increments import Increments
 from ins_eval.common.rotation import mat_from_euler
 from ins_eval.common.sensor_errors import SensorErrors
-from ins_eval.imu.triad import Constant, Triad
+from ins_eval.imu.sensor_error_model import AxisConstants, SensorErrorModel
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 from pyhrg.common.units import DEG
+from pyhrg.records.imu.increments import Increments
 
 Array = NDArray[np.float64]
 
@@ -22,7 +22,7 @@ GRAVITY = float(earth.gravity(LATITUDE, 100.0))
 MAT_NB = mat_from_euler(*map(np.array, (0.02, -0.03, 1.0)))
 
 
-def still(seconds: float, interval: float, latitude: float = LATITUDE) -> Increments:
+def make_still_record(seconds: float, interval: float, latitude: float = LATITUDE) -> Increments:
     """Ideal increments of a vehicle that stands still at MAT_NB, 100 m high."""
     rate = earth.RATE * np.array([np.cos(latitude), 0.0, -np.sin(latitude)])
     force = np.array([0.0, 0.0, -earth.gravity(latitude, 100.0)])
@@ -34,7 +34,9 @@ def still(seconds: float, interval: float, latitude: float = LATITUDE) -> Increm
     )
 
 
-def swaying(seconds: float, interval: float, rng: np.random.Generator) -> tuple[Increments, Array]:
+def make_swaying_record(
+    seconds: float, interval: float, rng: np.random.Generator
+) -> tuple[Increments, Array]:
     """Ideal increments of a vehicle that rolls and pitches by about a degree and shifts by about
     2 cm, at many frequencies from 0.1 to 0.5 Hz; `mat_nb` at the end."""
     time = _knots(seconds)
@@ -43,14 +45,16 @@ def swaying(seconds: float, interval: float, rng: np.random.Generator) -> tuple[
         return _waves(time, sigma, (0.1, 0.5), rng)
 
     shift = [waves(0.02), waves(0.02), waves(0.01)]
-    return _moving(
+    return _make_record(
         time, shift, [waves(1 * DEG), waves(0.5 * DEG), waves(0.2 * DEG)], seconds, interval
     )
 
 
-def boarded(seconds: float, interval: float, rng: np.random.Generator) -> tuple[Increments, Array]:
-    """The same of a vehicle that people get in and out of: eight times it tilts by 1.5 mrad and
-    shifts by 1.5 mm for good, and it trembles by 0.1 mm at 0.3 to 1 Hz."""
+def make_boarded_record(
+    seconds: float, interval: float, rng: np.random.Generator
+) -> tuple[Increments, Array]:
+    """Likewise for a vehicle that people board: it tilts by 1.5 mrad and shifts by 1.5 mm eight
+    times, and it trembles by 0.1 mm at 0.3 to 1 Hz."""
     time = _knots(seconds)
     moments = rng.uniform(0, seconds, 8)
 
@@ -61,7 +65,7 @@ def boarded(seconds: float, interval: float, rng: np.random.Generator) -> tuple[
 
     shift = [steps(1.5e-3, 1e-4) for _ in range(3)]
     tilt = [steps(1.5e-3, 5e-5), steps(1.5e-3, 5e-5), steps(1e-4, 2e-5)]
-    return _moving(time, shift, tilt, seconds, interval)
+    return _make_record(time, shift, tilt, seconds, interval)
 
 
 def _knots(seconds: float) -> Array:
@@ -76,7 +80,7 @@ def _waves(
     return np.asarray(sigma * np.sqrt(2 / 30) * waves.sum(axis=1))
 
 
-def _moving(
+def _make_record(
     time: Array, shift: list[Array], turn: list[Array], seconds: float, interval: float
 ) -> tuple[Increments, Array]:
     radius = earth.meridian_radius(LATITUDE)
@@ -94,36 +98,40 @@ def _moving(
     return record, trajectory.mat_nb(np.array(seconds))
 
 
-def creeping(seconds: float, interval: float, rng: np.random.Generator) -> tuple[Increments, Array]:
-    """The same of a vehicle that sinks on one side at a steady rate, by some 1 mrad in all."""
+def make_creeping_record(
+    seconds: float, interval: float, rng: np.random.Generator
+) -> tuple[Increments, Array]:
+    """Likewise for a vehicle that tilts at a steady rate, by about 1 mrad in all."""
     time = _knots(seconds)
     still = np.zeros_like(time)
     roll, pitch = rng.normal(0, 1e-3, 2)[:, None] * time / seconds
-    return _moving(time, [still, still, still], [roll, pitch, still], seconds, interval)
+    return _make_record(time, [still, still, still], [roll, pitch, still], seconds, interval)
 
 
-def turned(seconds: float, interval: float, turn: float) -> tuple[Increments, Array]:
-    """The same of a vehicle that stands on a turntable, which turns for 20 s half-way, rad."""
+def make_turned_record(seconds: float, interval: float, turn: float) -> tuple[Increments, Array]:
+    """Likewise for a vehicle on a turntable that turns by `turn`, rad, in 20 s half-way."""
     time = _knots(seconds)
     s = np.clip((time - seconds / 2) / 20.0, 0, 1)
     still = np.zeros_like(time)
     yaw = turn * s**3 * (10 - 15 * s + 6 * s**2)
-    return _moving(time, [still, still, still], [still, still, yaw], seconds, interval)
+    return _make_record(time, [still, still, still], [still, still, yaw], seconds, interval)
 
 
-def measured(ideal: Increments, errors: SensorErrors, rng: np.random.Generator) -> Increments:
-    """With biases drawn once, white noise, bias instability and counts."""
-    gyros = Triad(
-        bias=Constant(deviation=errors.gyro_bias),
+def add_sensor_errors(
+    ideal: Increments, errors: SensorErrors, rng: np.random.Generator
+) -> Increments:
+    """Add biases, white noise, bias instability and quantization to ideal increments."""
+    gyros = SensorErrorModel(
+        bias=AxisConstants(deviation=errors.gyro_bias),
         white=errors.angle_random_walk,
         bias_instability=errors.gyro_bias_instability,
-        quantum=errors.angle_quantum,
+        quantization_step=errors.angle_quantization_step,
     )
-    accelerometers = Triad(
-        bias=Constant(deviation=errors.accelerometer_bias),
+    accelerometers = SensorErrorModel(
+        bias=AxisConstants(deviation=errors.accelerometer_bias),
         white=errors.velocity_random_walk,
         bias_instability=errors.accelerometer_bias_instability,
-        quantum=errors.velocity_quantum,
+        quantization_step=errors.velocity_quantization_step,
     )
     return Increments(
         ideal.interval,
@@ -145,6 +153,6 @@ def normalised_square(result: Alignment, truth: Array) -> float:
 
 
 def chi_square_interval(count: int, freedom: int) -> tuple[float, float]:
-    """99 % interval of the mean of so many chi-squares of so many degrees of freedom."""
+    """99 % interval of the mean of `count` chi-squares of `freedom` degrees of freedom."""
     low, high = chi2.ppf([0.005, 0.995], count * freedom) / count
     return float(low), float(high)

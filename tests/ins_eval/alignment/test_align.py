@@ -7,25 +7,25 @@ import numpy as np
 import pytest
 
 from ins_eval.alignment.align import align
-from ins_eval.alignment.analytic import AlignmentError, analytic_alignment, static_alignment
-from ins_eval.alignment.inertial.inertial_frame import inertial_frame_alignment
-from ins_eval.common.increments import Increments
+from ins_eval.alignment.analytic import AlignmentError, align_by_means, level_and_gyrocompass
+from ins_eval.alignment.inertial.inertial_frame import align_in_inertial_frame
 from ins_eval.common.sensor_errors import SensorErrors
-from ins_eval.imu.specification import imu
-from ins_eval.trajectories.catalogue import trajectory
+from ins_eval.imu.specification import load_imu
+from ins_eval.trajectories.catalogue import load_trajectory
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
+from pyhrg.records.imu.increments import Increments
 from tests.ins_eval.alignment.cases import (
     LATITUDE,
     MAT_NB,
     POSITION,
+    add_sensor_errors,
     attitude_error,
-    boarded,
     chi_square_interval,
-    creeping,
-    measured,
+    make_boarded_record,
+    make_creeping_record,
+    make_still_record,
+    make_swaying_record,
     normalised_square,
-    still,
-    swaying,
 )
 
 Motion = Callable[[float, float, np.random.Generator], tuple[Increments, np.ndarray]]
@@ -38,11 +38,11 @@ ERRORS = SensorErrors(
 )
 
 
-SIMPLE = imu("simple").errors
+SIMPLE = load_imu("simple").errors
 HRG = SensorErrors(
     gyro_bias=0.01 * DEG_PER_H,
     angle_random_walk=1e-4 * DEG_PER_SQRT_H,
-    angle_quantum=0.07 * ARCSEC,
+    angle_quantization_step=0.07 * ARCSEC,
     accelerometer_bias=5 * MICRO_G,
     velocity_random_walk=5e-5,
     accelerometer_bias_instability=1 * MICRO_G,
@@ -51,18 +51,18 @@ HRG = SensorErrors(
 
 def test_perfect_sensors_on_a_swaying_vehicle() -> None:
     """Heading to 0.01 deg of a vehicle that sways by a degree; averaging is off by degrees."""
-    record, truth = swaying(300.0, 0.05, np.random.default_rng(3))
+    record, truth = make_swaying_record(300.0, 0.05, np.random.default_rng(3))
     result = align(record, POSITION, SensorErrors(velocity_random_walk=1e-6))
     error = np.abs(attitude_error(result.mat_nb, truth))
     assert np.all(error < [1e-5, 1e-5, 0.01 * DEG])
     assert result.sway == pytest.approx(0.02, rel=0.25)
-    coarse = inertial_frame_alignment(record, POSITION, SensorErrors())
+    coarse = align_in_inertial_frame(record, POSITION, SensorErrors())
     assert abs(attitude_error(coarse.mat_nb, truth)[2]) < 0.5 * DEG
-    averaged = static_alignment(record, LATITUDE)
+    averaged = level_and_gyrocompass(record, LATITUDE)
     assert abs(attitude_error(averaged, truth)[2]) > 1.0 * DEG
 
 
-@pytest.mark.parametrize("motion", [swaying, boarded, creeping])
+@pytest.mark.parametrize("motion", [make_swaying_record, make_boarded_record, make_creeping_record])
 def test_covariance_on_moving_vehicles_is_consistent(motion: Motion) -> None:
     """20 vehicles, sway found from the record, no bias to hide behind; 99 % interval; seed 4."""
     rng, count = np.random.default_rng(4), 20
@@ -70,7 +70,7 @@ def test_covariance_on_moving_vehicles_is_consistent(motion: Motion) -> None:
     squares = []
     for _ in range(count):
         ideal, truth = motion(300.0, 0.1, rng)
-        result = align(measured(ideal, unbiased, rng), POSITION, unbiased)
+        result = align(add_sensor_errors(ideal, unbiased, rng), POSITION, unbiased)
         squares.append(normalised_square(result, truth))
     low, high = chi_square_interval(count, 3)
     assert low < np.mean(squares) < high
@@ -84,8 +84,8 @@ def test_a_still_vehicle_is_aligned_no_worse_than_by_averaging(errors: SensorErr
     unbiased = replace(errors, gyro_bias=0.0, accelerometer_bias=0.0)
     squares, headings = [], []
     for _ in range(count):
-        record = measured(still(300.0, 0.5), unbiased, rng)
-        results = [f(record, POSITION, unbiased) for f in (align, analytic_alignment)]
+        record = add_sensor_errors(make_still_record(300.0, 0.5), unbiased, rng)
+        results = [f(record, POSITION, unbiased) for f in (align, align_by_means)]
         squares.append([normalised_square(result, MAT_NB) for result in results])
         headings.append([attitude_error(result.mat_nb, MAT_NB)[2] for result in results])
     low, high = chi_square_interval(count, 3)
@@ -98,19 +98,19 @@ def test_a_still_vehicle_is_aligned_no_worse_than_by_averaging(errors: SensorErr
 def test_averaging_a_vehicle_that_sinks_is_far_off() -> None:
     """The control: its covariance knows nothing of motion. Fine alignment drops the steady tilt."""
     rng = np.random.default_rng(8)
-    ideal, truth = creeping(300.0, 0.1, rng)
-    record = measured(ideal, SIMPLE, rng)
-    assert normalised_square(analytic_alignment(record, POSITION, SIMPLE), truth) > 100
+    ideal, truth = make_creeping_record(300.0, 0.1, rng)
+    record = add_sensor_errors(ideal, SIMPLE, rng)
+    assert normalised_square(align_by_means(record, POSITION, SIMPLE), truth) > 100
     assert normalised_square(align(record, POSITION, SIMPLE), truth) < 15
 
 
 def test_result_does_not_depend_on_the_coarse_attitude_being_good() -> None:
     """A gyro of 1 deg/h leaves coarse and fine in error by degrees; both by the same bias."""
     east = MAT_NB.T @ np.array([0.0, 1 * DEG_PER_H, 0.0])
-    ideal = still(120.0, 0.1)
+    ideal = make_still_record(120.0, 0.1)
     record = Increments(0.1, ideal.rotation + east * 0.1, ideal.velocity)
     result = align(record, POSITION, SensorErrors(gyro_bias=1 * DEG_PER_H), sway=1e-5)
-    expected = static_alignment(record, LATITUDE)
+    expected = level_and_gyrocompass(record, LATITUDE)
     assert attitude_error(result.mat_nb, expected) == pytest.approx(np.zeros(3), abs=1e-4)
 
 
@@ -119,13 +119,13 @@ def test_result_does_not_depend_on_the_coarse_attitude_being_good() -> None:
 def test_anywhere_short_of_the_poles(latitude: float, errors: SensorErrors) -> None:
     """At the dateline, where longitude jumps."""
     position = np.array([latitude * DEG, 180 * DEG, 100.0])
-    result = align(still(300.0, 0.1, latitude * DEG), position, errors)
+    result = align(make_still_record(300.0, 0.1, latitude * DEG), position, errors)
     error = attitude_error(result.mat_nb, MAT_NB)
     assert np.all(np.abs(error) < [1e-6, 1e-6, 1e-4])
 
 
 def test_history_ends_in_the_result() -> None:
-    result = align(still(60.0, 0.1), POSITION, ERRORS)
+    result = align(make_still_record(60.0, 0.1), POSITION, ERRORS)
     assert result.history is not None
     assert result.history.time[-1] == pytest.approx(result.time) == pytest.approx(60.0)
     assert np.array_equal(result.history.mat_nb[-1], result.mat_nb)
@@ -155,16 +155,16 @@ def test_refused_with_what_was_expected(
     spoil: Callable[[Increments], Increments], message: str
 ) -> None:
     with pytest.raises(AlignmentError, match=message):
-        align(spoil(still(300.0, 0.1)), POSITION, ERRORS)
+        align(spoil(make_still_record(300.0, 0.1)), POSITION, ERRORS)
 
 
 @pytest.mark.parametrize("latitude", [90 * DEG, -89.5 * DEG, np.nan])
 def test_a_pole_is_refused(latitude: float) -> None:
     with pytest.raises(AlignmentError, match="at a pole there is no north"):
-        align(still(60.0, 0.1), np.array([latitude, 0.0, 0.0]), ERRORS)
+        align(make_still_record(60.0, 0.1), np.array([latitude, 0.0, 0.0]), ERRORS)
 
 
 def test_a_car_that_drives_off_is_refused() -> None:
-    drive = trajectory("car", 10.0, 310.0)
+    drive = load_trajectory("car", 310.0, 10.0)
     with pytest.raises(AlignmentError, match=r"velocity changes by \d.* standing vehicle"):
         align(drive.increments(0.0, 0.1, 3000), drive.position(np.array(0.0)), ERRORS)

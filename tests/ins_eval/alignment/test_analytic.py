@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from ins_eval.alignment.analytic import AlignmentError, static_alignment
+from ins_eval.alignment.analytic import AlignmentError, level_and_gyrocompass
 from ins_eval.common import earth
-from ins_eval.common.increments import Increments
 from ins_eval.common.rotation import body_rate_from_euler, euler_from_mat, mat_from_euler
 from pyhrg.common.units import DEG, DEG_PER_H
+from pyhrg.records.imu.increments import Increments
 from tests.ins_eval.cases import at_rest
 
 LATITUDE = 40 * DEG
@@ -15,7 +15,7 @@ LATITUDE = 40 * DEG
 
 @pytest.mark.parametrize("yaw", [0.0, 0.7, 3.0, -2.0])
 def test_perfect_sensors_give_the_attitude(yaw: float) -> None:
-    attitude = static_alignment(at_rest(LATITUDE, 0.0, 10, np.zeros(3), yaw), LATITUDE)
+    attitude = level_and_gyrocompass(at_rest(LATITUDE, 0.0, 10, np.zeros(3), yaw), LATITUDE)
     roll, pitch, heading = euler_from_mat(attitude)
     assert (roll, pitch) == pytest.approx((0.0, 0.0), abs=1e-12)
     assert heading == pytest.approx(yaw, abs=1e-12)
@@ -26,21 +26,23 @@ def test_tilted_vehicle() -> None:
     attitude = mat_from_euler(*map(np.array, angles))
     level = at_rest(LATITUDE, 0.0, 10, np.zeros(3))
     tilted = Increments(0.01, level.rotation @ attitude, level.velocity @ attitude)
-    assert euler_from_mat(static_alignment(tilted, LATITUDE)) == pytest.approx(angles, abs=1e-12)
+    assert euler_from_mat(level_and_gyrocompass(tilted, LATITUDE)) == pytest.approx(
+        angles, abs=1e-12
+    )
 
 
 def test_east_gyro_bias_turns_the_heading() -> None:
-    """By -e/(RATE cos latitude): at 40 deg, 0.1 deg/h gives half a degree."""
+    """Heading errs by -e/(RATE cos latitude): at 40 deg, 0.1 deg/h gives half a degree."""
     bias = 0.1 * DEG_PER_H
     record = at_rest(LATITUDE, 0.0, 10, np.array([0.0, bias, 0.0]))
-    heading = euler_from_mat(static_alignment(record, LATITUDE))[2]
+    heading = euler_from_mat(level_and_gyrocompass(record, LATITUDE))[2]
     assert heading == pytest.approx(-bias / (earth.RATE * np.cos(LATITUDE)), rel=1e-3)
 
 
 def test_moving_vehicle_is_refused() -> None:
     record = at_rest(LATITUDE, 0.0, 10, np.array([0.0, 0.0, 0.01]))
     with pytest.raises(AlignmentError, match=r"mean rate .* expected about Earth's"):
-        static_alignment(record, LATITUDE)
+        level_and_gyrocompass(record, LATITUDE)
 
 
 def test_euler_rates_are_the_derivative_of_the_attitude() -> None:

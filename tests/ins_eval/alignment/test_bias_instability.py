@@ -10,7 +10,7 @@ from ins_eval.alignment.bias_instability import (
     mean_variance,
     process_variance,
 )
-from ins_eval.imu.flicker import half_integral
+from ins_eval.imu.flicker import half_integral_response
 
 Array = NDArray[np.float64]
 
@@ -20,17 +20,17 @@ TIMES = INTERVAL * np.arange(1.0, COUNT + 1)
 COEFFICIENT = 2.0
 
 
-def simulated() -> Array:
+def simulated_covariance() -> Array:
     """(1200, 1200) covariance of the simulated flicker's integral at TIMES; exact, as the
     simulation is linear in white noise."""
-    response = half_integral(COUNT)
+    response = half_integral_response(COUNT)
     lag = np.subtract.outer(np.arange(COUNT), np.arange(COUNT))
     integral = INTERVAL * np.cumsum(np.where(lag >= 0, response[np.abs(lag)], 0.0), axis=0)
     return np.asarray(COEFFICIENT**2 * integral @ integral.T)
 
 
-def modelled() -> Array:
-    """The same of the filter's Gauss-Markov processes."""
+def modelled_covariance() -> Array:
+    """(1200, 1200) covariance of the integral of the filter's Gauss-Markov processes at TIMES."""
     a, b = np.meshgrid(TIMES, TIMES)
     total = np.zeros_like(a)
     for t in correlation_times(DURATION):
@@ -40,7 +40,7 @@ def modelled() -> Array:
 
 
 def slope_weights() -> Array:
-    """Of the integral at TIMES in its own slope by least squares."""
+    """Weights of the integral at TIMES in its least-squares slope."""
     centred = TIMES - TIMES.mean()
     return np.asarray(centred / (centred @ centred))
 
@@ -54,37 +54,37 @@ def allan_variance(covariance: Array, cluster: float) -> float:
 
 
 def test_the_integrals_closed_form_is_the_simulations() -> None:
-    """To what intervals of 0.25 s leave of continuous time."""
-    found, expected = simulated(), integral_covariance(COEFFICIENT, TIMES)
+    """Up to the difference of intervals of 0.25 s from continuous time."""
+    result, expected = simulated_covariance(), integral_covariance(COEFFICIENT, TIMES)
     scale = np.sqrt(np.outer(np.diag(expected), np.diag(expected)))
     later = slice(round(20.0 / INTERVAL), None)
-    assert np.abs((found - expected) / scale)[later, later].max() < 0.01
+    assert np.abs((result - expected) / scale)[later, later].max() < 0.01
     assert integral_covariance(COEFFICIENT, np.array([0.0]))[0, 0] == 0.0
 
 
 def test_the_mean_over_the_record() -> None:
     expected = mean_variance(COEFFICIENT)
-    assert simulated()[-1, -1] / DURATION**2 == pytest.approx(expected, rel=0.005)
-    assert modelled()[-1, -1] / DURATION**2 == pytest.approx(expected, rel=0.1)
+    assert simulated_covariance()[-1, -1] / DURATION**2 == pytest.approx(expected, rel=0.005)
+    assert modelled_covariance()[-1, -1] / DURATION**2 == pytest.approx(expected, rel=0.1)
 
 
 def test_the_slope_of_the_integral() -> None:
-    """What the inertial-frame method takes for a rate of tilt."""
+    """The slope that the inertial-frame method takes for a tilt rate."""
     weights = slope_weights()
-    expected = weights @ simulated() @ weights
-    assert weights @ modelled() @ weights == pytest.approx(expected, rel=0.1)
+    expected = weights @ simulated_covariance() @ weights
+    assert weights @ modelled_covariance() @ weights == pytest.approx(expected, rel=0.1)
 
 
 def test_the_slope_of_the_bias() -> None:
-    """What fine alignment takes for a rate of tilt where it is the accelerometers'."""
+    """The slope of accelerometer bias that fine alignment takes for a tilt rate."""
     mean_rate = np.diff(np.eye(COUNT), axis=0, prepend=0.0) / INTERVAL
     weights = slope_weights() @ mean_rate
-    expected = weights @ simulated() @ weights
-    assert weights @ modelled() @ weights == pytest.approx(expected, rel=0.15)
+    expected = weights @ simulated_covariance() @ weights
+    assert weights @ modelled_covariance() @ weights == pytest.approx(expected, rel=0.15)
 
 
 @pytest.mark.parametrize("cluster", [10.0, 30.0, 100.0])
 def test_the_allan_variance(cluster: float) -> None:
     """At shorter times than the fastest process the model has less."""
-    expected = allan_variance(simulated(), cluster)
-    assert allan_variance(modelled(), cluster) == pytest.approx(expected, rel=0.15)
+    expected = allan_variance(simulated_covariance(), cluster)
+    assert allan_variance(modelled_covariance(), cluster) == pytest.approx(expected, rel=0.15)

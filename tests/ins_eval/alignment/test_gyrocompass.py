@@ -7,24 +7,24 @@ import numpy as np
 import pytest
 
 from ins_eval.alignment import gyrocompass
-from ins_eval.alignment.analytic import analytic_alignment, static_alignment
-from ins_eval.alignment.inertial.inertial_frame import inertial_frame_alignment
-from ins_eval.alignment.kalman.fine import fine_alignment
+from ins_eval.alignment.analytic import align_by_means, level_and_gyrocompass
+from ins_eval.alignment.inertial.inertial_frame import align_in_inertial_frame
+from ins_eval.alignment.kalman.fine import align_by_kalman_filter
 from ins_eval.alignment.result import Alignment
 from ins_eval.common import earth
-from ins_eval.common.increments import Increments
 from ins_eval.common.sensor_errors import SensorErrors
 from pyhrg.common.units import DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
+from pyhrg.records.imu.increments import Increments
 from tests.ins_eval.alignment.cases import (
     GRAVITY,
     LATITUDE,
     MAT_NB,
     POSITION,
+    add_sensor_errors,
     attitude_error,
     chi_square_interval,
-    measured,
+    make_still_record,
     normalised_square,
-    still,
 )
 
 DURATION, INTERVAL = 300.0, 0.5
@@ -43,27 +43,27 @@ RATE_VARIANCES = {
 
 
 def inertial(record: Increments, errors: SensorErrors) -> Alignment:
-    return inertial_frame_alignment(record, POSITION, errors, sway=0.0)
+    return align_in_inertial_frame(record, POSITION, errors, sway=0.0)
 
 
 def fine(record: Increments, errors: SensorErrors, steady: bool) -> Alignment:
-    return fine_alignment(record, POSITION, errors, MAT_NB, QUIET, steady)
+    return align_by_kalman_filter(record, POSITION, errors, MAT_NB, QUIET, steady)
 
 
 METHODS: dict[str, Callable[[Increments, SensorErrors], Alignment]] = {
-    "analytic": lambda record, errors: analytic_alignment(record, POSITION, errors),
+    "analytic": lambda record, errors: align_by_means(record, POSITION, errors),
     "inertial": inertial,
     "free": lambda record, errors: fine(record, errors, steady=False),
     "fine": lambda record, errors: fine(record, errors, steady=True),
 }
 COUNTS = {"analytic": 400, "inertial": 400, "free": 60, "fine": 60}
-"""Of records. "free" is the fine one of a vehicle that may tilt as it likes."""
+"""Numbers of records. "free" is fine alignment without the assumption of a steady tilt."""
 
 
 @pytest.mark.parametrize("method", METHODS)
 def test_covariance_of_the_random_walk_is_the_closed_form(method: str) -> None:
     """To 4 %: the covariance also holds the tilt, and the coupling of level axes by Earth."""
-    result = METHODS[method](still(DURATION, INTERVAL), WALKS)
+    result = METHODS[method](make_still_record(DURATION, INTERVAL), WALKS)
     predicted = gyrocompass.heading_sigma(RATE_VARIANCES[method], LATITUDE)
     assert np.sqrt(result.covariance[2, 2]) == pytest.approx(predicted, rel=0.04)
 
@@ -72,9 +72,11 @@ def test_covariance_of_the_random_walk_is_the_closed_form(method: str) -> None:
 def test_heading_scatters_as_the_closed_form(method: str) -> None:
     """Random walks alone; 99 % interval of chi-square; seed 1."""
     rng, count = np.random.default_rng(1), COUNTS[method]
-    ideal = still(DURATION, INTERVAL)
+    ideal = make_still_record(DURATION, INTERVAL)
     headings = [
-        attitude_error(METHODS[method](measured(ideal, WALKS, rng), WALKS).mat_nb, MAT_NB)[2]
+        attitude_error(METHODS[method](add_sensor_errors(ideal, WALKS, rng), WALKS).mat_nb, MAT_NB)[
+            2
+        ]
         for _ in range(count)
     ]
     sigma = gyrocompass.heading_sigma(RATE_VARIANCES[method], LATITUDE)
@@ -98,8 +100,8 @@ def test_an_understated_bias_shows_in_the_covariance(method: str) -> None:
 
 
 def mean_normalised_square(method: str, stated: SensorErrors, seed: int) -> float:
-    rng, ideal = np.random.default_rng(seed), still(DURATION, INTERVAL)
-    records = [measured(ideal, ALL, rng) for _ in range(COUNTS[method])]
+    rng, ideal = np.random.default_rng(seed), make_still_record(DURATION, INTERVAL)
+    records = [add_sensor_errors(ideal, ALL, rng) for _ in range(COUNTS[method])]
     return float(np.mean([normalised_square(METHODS[method](r, stated), MAT_NB) for r in records]))
 
 
@@ -107,7 +109,7 @@ def mean_normalised_square(method: str, stated: SensorErrors, seed: int) -> floa
 def test_no_method_knows_heading_better_than_the_east_gyro(method: str) -> None:
     bias = 0.01 * DEG_PER_H
     quiet = SensorErrors(gyro_bias=bias, velocity_random_walk=1e-7)
-    result = METHODS[method](still(DURATION, INTERVAL), quiet)
+    result = METHODS[method](make_still_record(DURATION, INTERVAL), quiet)
     hidden = bias / (earth.RATE * np.cos(LATITUDE))
     assert np.sqrt(result.covariance[2, 2]) == pytest.approx(hidden, rel=0.01)
     assert np.sqrt(result.covariance[2, 2]) >= hidden * (1 - 1e-6)
@@ -117,15 +119,15 @@ def test_no_method_knows_heading_better_than_the_east_gyro(method: str) -> None:
 def test_biases_turn_the_attitude_as_the_closed_form(axis: int) -> None:
     biases = np.zeros(6)
     biases[axis] = 0.01 * DEG_PER_H if axis < 3 else 50 * MICRO_G
-    ideal = still(10.0, 0.5)
+    ideal = make_still_record(10.0, 0.5)
     record = Increments(
         0.5,
         ideal.rotation + MAT_NB.T @ biases[:3] * 0.5,
         ideal.velocity + MAT_NB.T @ biases[3:] * 0.5,
     )
     predicted = gyrocompass.bias_sensitivity(LATITUDE, GRAVITY) @ biases
-    found = attitude_error(static_alignment(record, LATITUDE), MAT_NB)
-    assert found == pytest.approx(predicted, abs=2e-6)
+    attitude = attitude_error(level_and_gyrocompass(record, LATITUDE), MAT_NB)
+    assert attitude == pytest.approx(predicted, abs=2e-6)
 
 
 def test_the_optimal_variance_lies_between_its_limits() -> None:

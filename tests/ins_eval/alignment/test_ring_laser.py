@@ -8,44 +8,44 @@ import numpy as np
 import pytest
 from scipy.stats import chi2
 
-from ins_eval.alignment import alignment_figure
 from ins_eval.alignment.align import align
-from ins_eval.alignment.analytic import AlignmentError, static_alignment
-from ins_eval.alignment.inertial.inertial_frame import inertial_frame_fit
-from ins_eval.alignment.measured_noise import MeasuredNoise, measured_noise
-from ins_eval.common.increments import Increments
+from ins_eval.alignment.alignment_figure import plot_alignment
+from ins_eval.alignment.analytic import AlignmentError, level_and_gyrocompass
+from ins_eval.alignment.inertial.inertial_frame import fit_inertial_frame
+from ins_eval.alignment.measured_noise import MeasuredNoise, measure_noise
 from ins_eval.common.rotation import euler_from_mat
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.common.state import State
 from ins_eval.imu import recorded
-from ins_eval.imu.recorded import RecordedImu
+from ins_eval.imu.recorded import ImuRecord
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
-from tests.ins_eval.alignment.cases import still
+from pyhrg.records.imu.increments import Increments
+from tests.ins_eval.alignment.cases import make_still_record
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 STATED = SensorErrors(
     gyro_bias=0.01 * DEG_PER_H,
     accelerometer_bias=50 * MICRO_G,
-    angle_quantum=0.1 * ARCSEC,
-    velocity_quantum=125 * MICRO_G,
+    angle_quantization_step=0.1 * ARCSEC,
+    velocity_quantization_step=125 * MICRO_G,
 )
 """Biases of the class; one count of the record."""
 SPAN = 300.0
 
 
 @pytest.fixture(scope="module")
-def log() -> RecordedImu:
+def log() -> ImuRecord:
     path = Path(os.environ.get("HRG_REAL", REAL)) / "lasergyro.imu.gz"
     if not path.is_file():
         pytest.skip(f"{path} is not there; HRG_REAL says where recorded data are")
-    return recorded.read(path)
+    return recorded.read_record(path)
 
 
 @pytest.fixture(scope="module")
-def noise(log: RecordedImu) -> MeasuredNoise:
-    return measured_noise(log.increments, log.position, STATED)
+def noise(log: ImuRecord) -> MeasuredNoise:
+    return measure_noise(log.increments, log.position, STATED)
 
 
 def spans(record: Increments) -> list[Increments]:
@@ -53,11 +53,11 @@ def spans(record: Increments) -> list[Increments]:
     return [record.between(first, first + each) for first in range(0, len(record) - each, each)]
 
 
-def motion(log: RecordedImu, times: list[float]) -> np.ndarray:
+def motion(log: ImuRecord, times: list[float]) -> np.ndarray:
     """Headings, rad, that the gyros carry from one attitude at the start; common error aside."""
     record = log.increments
     latitude, longitude, height = log.position
-    fit = inertial_frame_fit(record, log.position)
+    fit = fit_inertial_frame(record, log.position)
     start = State(latitude, longitude, height, np.zeros(3), fit.mat_ib)
     even = record.between(0, len(record) // 2 * 2)
     track = navigate(start, even, Clamped(np.full(len(even) + 1, height)), 2)
@@ -70,7 +70,7 @@ def test_the_gyros_noise_is_found_under_the_motion(noise: MeasuredNoise) -> None
     assert noise.relative_sigma[0] < 0.25
 
 
-def test_first_five_minutes(log: RecordedImu, noise: MeasuredNoise) -> None:
+def test_first_five_minutes(log: ImuRecord, noise: MeasuredNoise) -> None:
     """The log's own heading, coarse, is 90.6 deg."""
     result = align(spans(log.increments)[0], log.position, noise.errors)
     sigma = result.euler_sigma_deg
@@ -79,7 +79,7 @@ def test_first_five_minutes(log: RecordedImu, noise: MeasuredNoise) -> None:
     assert result.time == pytest.approx(SPAN)
 
 
-def test_spans_agree_within_their_sigma(log: RecordedImu, noise: MeasuredNoise) -> None:
+def test_spans_agree_within_their_sigma(log: ImuRecord, noise: MeasuredNoise) -> None:
     """Chi-square of six spans' headings less the motion between them, 99 %; the hidden bias is the
     same in all, so their sigmas are of noise alone. Averaging scatters by degrees."""
     parts = spans(log.increments)
@@ -93,11 +93,11 @@ def test_spans_agree_within_their_sigma(log: RecordedImu, noise: MeasuredNoise) 
     low, high = chi2.ppf([0.005, 0.995], len(parts) - 1)
     assert low < chi_square < high
 
-    averaged = [euler_from_mat(static_alignment(part, log.position[0]))[2] for part in parts]
+    averaged = [euler_from_mat(level_and_gyrocompass(part, log.position[0]))[2] for part in parts]
     assert np.std(averaged - moved, ddof=1) > 100 * np.std(heading, ddof=1)
 
 
-def test_a_span_agrees_with_the_whole(log: RecordedImu, noise: MeasuredNoise) -> None:
+def test_a_span_agrees_with_the_whole(log: ImuRecord, noise: MeasuredNoise) -> None:
     unbiased = replace(noise.errors, gyro_bias=0.0)
     first = align(spans(log.increments)[0], log.position, unbiased)
     whole = align(log.increments, log.position, unbiased)
@@ -106,7 +106,7 @@ def test_a_span_agrees_with_the_whole(log: RecordedImu, noise: MeasuredNoise) ->
     assert abs(difference) < 3 * np.sqrt(first.covariance[2, 2])
 
 
-def test_a_spoiled_span_is_refused(log: RecordedImu, noise: MeasuredNoise) -> None:
+def test_a_spoiled_span_is_refused(log: ImuRecord, noise: MeasuredNoise) -> None:
     """Latitude's sign, reversed gyros, gyros that stick for 100 s, a heading step in them alone."""
     record = spans(log.increments)[0]
     stuck, step = record.rotation.copy(), record.rotation.copy()
@@ -123,13 +123,15 @@ def test_a_spoiled_span_is_refused(log: RecordedImu, noise: MeasuredNoise) -> No
             align(replace(record, rotation=rotation), log.position * [sign, 1, 1], noise.errors)
 
 
-def test_figure(log: RecordedImu, tmp_path: Path) -> None:
+def test_figure(log: ImuRecord) -> None:
     errors = replace(STATED, angle_random_walk=1e-7, velocity_random_walk=1e-4)
     result = align(spans(log.increments)[0], log.position, errors)
-    alignment_figure.draw(result, tmp_path / "alignment.png")
-    assert (tmp_path / "alignment.png").stat().st_size > 10_000
+    figure = plot_alignment(result, "ring laser")
+    titles = [axes.get_title(loc="left") for axes in figure.axes]
+    assert [title.split()[0] for title in titles] == ["heading", "pitch", "roll"]
+    assert f"{result.heading_deg:.4f}" in titles[0]
 
 
 def test_five_minutes_are_too_short_to_measure_noise_on() -> None:
     with pytest.raises(AlignmentError, match="300 s: expected at least 1200 s"):
-        measured_noise(still(300.0, 0.1), np.array([40 * DEG, 0.0, 0.0]), STATED)
+        measure_noise(make_still_record(300.0, 0.1), np.array([40 * DEG, 0.0, 0.0]), STATED)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from ins_eval.cli.flight_options import align_report
+from ins_eval.flights import align_report
 from pyhrg.common.cli import main
 from tests.ins_eval.flights.logs import LATITUDE_DEG, ring_laser, written
 
@@ -63,12 +63,15 @@ def test_same_seed_same_bytes(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--seconds", "15"], "--seconds 15: expected a number from 30 to 7200"),
-        (["--seed", "x"], "--seed x: expected a whole number"),
+        (["--seconds", "15"], "seconds: found 15, expected a number from 30 to 7200"),
+        (["--seed", "x"], "argument --seed: invalid int value: 'x'"),
         (["--from-s", "5"], "--from-s: is for recorded logs, and the IMU is simulated"),
         (["--latitude-deg", "5"], "--latitude-deg: is for recorded logs, and the IMU is simulated"),
         (["nowhere.csv"], "nowhere.csv: can't be read: No such file"),
-        (["nowhere.csv", "--seed", "1"], "--seed: is for simulated IMUs, and nowhere.csv is a rec"),
+        (
+            ["nowhere.csv", "--seed", "1"],
+            "--seed: is for simulated IMUs, and nowhere.csv is recorded",
+        ),
         (["--imu", "nothing"], "nothing: found no such file, expected one or ideal, simple"),
         (["--trajectory", "great-circle"], "it can't stand still for 320 s before\n"),
     ],
@@ -76,7 +79,11 @@ def test_same_seed_same_bytes(tmp_path: Path) -> None:
 def test_mistake_is_one_line_and_status_2(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], arguments: list[str], message: str
 ) -> None:
-    assert main(["align", "--out", str(tmp_path / "result"), *arguments]) == 2
+    try:
+        status = main(["align", "--out", str(tmp_path / "result"), *arguments])
+    except SystemExit as stop:
+        status = int(str(stop.code))
+    assert status == 2
     error = capsys.readouterr().err
     assert message in error
     assert error.count("\n") == 1

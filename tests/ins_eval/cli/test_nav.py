@@ -7,14 +7,14 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from ins_eval.cli import nav as command
-from ins_eval.flights import report
+from ins_eval.flights import fly
 from ins_eval.results import tables
 from pyhrg.common.cli import main
 from tests.ins_eval.flights.logs import LATITUDE_DEG, ring_laser, written
 from tests.ins_eval.trajectories import test_recorded_drive as drives
 
-SIMULATED = report.files(truth=True, simulated=True)
+LOG = ("nav.json", "flights.csv", "flights.parquet", "flights.nc", "map.png")
+SIMULATED = (*LOG, "growth.png", "budget.csv", "budget.png")
 SHORT = ("--hours", "0.1", "--rate-hz", "20")
 BRIEF = (*SHORT, "--align-s", "60")
 UNALIGNED = (*SHORT, "--start-from-truth")
@@ -112,7 +112,7 @@ def test_options_fly(tmp_path: Path, options: tuple[str, ...]) -> None:
 
 
 def test_recorded_drive_is_flown(tmp_path: Path) -> None:
-    drive = drives.written(tmp_path, drives.made_up_drive())
+    drive = drives.write_drive(tmp_path, drives.make_drive())
     document = nav(tmp_path / "result", *BRIEF, "--trajectory", str(drive))
     assert document["trajectory"] == "drive.csv"
 
@@ -124,7 +124,7 @@ def test_log_without_truth_is_dead_reckoned(
     options = ("--imu", str(log), "--latitude-deg", LATITUDE_DEG, "--align-s", "120")
     document = nav(tmp_path / "result", *options)
     files = {path.name for path in (tmp_path / "result").iterdir()}
-    assert files == set(report.files(truth=False, simulated=False))
+    assert files == set(LOG)
     assert document["duration_s"] == pytest.approx(60)
     assert "north_error_m" not in document["at_the_end"]
     assert "from where it was aligned, m" in capsys.readouterr().out
@@ -149,20 +149,20 @@ def test_recorded_ring_laser_drifts(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--seed", "-1"], "--seed -1: expected a whole number from 0 to"),
-        (["--hours", "0"], "--hours 0: expected hours up to 24, in whole minutes"),
-        (["--hours", "nan"], "--hours nan: expected hours up to 24, in whole minutes"),
-        (["--hours", "0.11111"], "--hours 0.11111: expected hours up to 24, in whole minutes"),
-        (["--rate-hz", "5"], "--rate-hz 5: expected a whole number from 10 to 2000"),
-        (["--rate-hz", "2000", "--hours", "2"], "at 2000 Hz: 14400000 increments; expected at"),
-        (["--samples", "5"], "--samples 5: expected a whole number from 2 to 4"),
-        (["--runs", "0"], "--runs 0: expected a whole number from 1 to 1000"),
+        (["--seed", "-1"], "seed: found -1, expected a whole number from 0 to"),
+        (["--hours", "0"], "hours: found 0, expected hours up to 24 in whole minutes"),
+        (["--hours", "nan"], "hours: found nan, expected hours up to 24 in whole minutes"),
+        (["--hours", "0.11111"], "hours: found 0.11111, expected hours up to 24 in whole"),
+        (["--rate-hz", "5"], "rate_hz: found 5, expected a whole number from 10 to 2000"),
+        (["--rate-hz", "2000", "--hours", "2"], "at 2000 Hz, 14400000 increments; expected at"),
+        (["--samples", "5"], "samples: found 5, expected a whole number from 2 to 4"),
+        (["--runs", "0"], "runs: found 0, expected a whole number from 1 to 1000"),
         (["--height", "up"], "argument --height: invalid choice: 'up'"),
-        (["--align-s", "x"], "--align-s x: expected a number from 50 to 7200"),
+        (["--align-s", "x"], "argument --align-s: invalid float value: 'x'"),
         (["--align-s", "60", "--start-from-truth"], "not allowed with argument"),
         (["--trajectory", "nowhere"], "nowhere: found no such mission, expected aircraft, "),
         (["--trajectory", "nowhere.csv"], "nowhere.csv: can't be read: No such file"),
-        (["--trajectory", "weaving"], "stand still for 300 s before; or --start-from-truth"),
+        (["--trajectory", "weaving"], "stand still for 300 s before; or start from the truth"),
         (["--trajectory", "missile"], "shorter than the 3600 s asked for"),
         (["--imu", "nothing"], "nothing: found no such file, expected one or ideal, simple"),
         (["--imu", "nothing.toml"], "nothing.toml: found no such file"),
@@ -187,9 +187,9 @@ def test_mistake_is_one_line_and_status_2(
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ([], "standing.csv: doesn't say where it was recorded; expected --latitude-deg"),
-        (["--latitude-deg", "90"], "--latitude-deg 90: expected a number from -89 to 89"),
-        (["--height-m", "9"], "--height-m 9: expected --latitude-deg as well"),
+        ([], "standing.csv: doesn't say where it was recorded; expected latitude_deg"),
+        (["--latitude-deg", "90"], "latitude_deg: found 90, expected a number from -89 to 89"),
+        (["--height-m", "9"], "height_m: found 9, expected latitude_deg as well"),
         (["--latitude-deg", "40", "--runs", "2"], "--runs: is for simulated IMUs, and standing"),
         (["--latitude-deg", "40", "--start-from-truth"], "--start-from-truth: is for simulated"),
         (["--latitude-deg", "40"], "lasts 60 s; expected 300 s of alignment and 10 s of flight"),
@@ -226,7 +226,7 @@ def test_reference_must_begin_with_the_log(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     log = written(tmp_path, 60.0)
-    drive = drives.written(tmp_path, drives.made_up_drive())
+    drive = drives.write_drive(tmp_path, drives.make_drive())
     options = ["--imu", str(log), "--latitude-deg", "-40", "--align-s", "40"]
     error = refusal(tmp_path, capsys, [*options, "--trajectory", str(drive)])
     assert "km from where the log was recorded; expected at most 1 km" in error
@@ -234,7 +234,7 @@ def test_reference_must_begin_with_the_log(
 
 def test_reference_must_cover_the_log(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log = written(tmp_path, 400.0)
-    drive = drives.written(tmp_path, drives.made_up_drive())
+    drive = drives.write_drive(tmp_path, drives.make_drive())
     options = ["--imu", str(log), "--latitude-deg", "40", "--trajectory", str(drive)]
     assert "lasts 120 s; expected all of the log, 400 s" in refusal(tmp_path, capsys, options)
 
@@ -245,7 +245,7 @@ def test_interruption_leaves_nothing_behind(
     def interrupted(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(command, "experiment", interrupted)
+    monkeypatch.setattr(fly, "fly_runs", interrupted)
     assert main(["nav", "--out", str(tmp_path / "result"), *BRIEF]) == 130
     assert list(tmp_path.iterdir()) == []
 
@@ -253,7 +253,7 @@ def test_interruption_leaves_nothing_behind(
 def test_folder_that_cannot_be_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "file").write_text("in the way")
     assert main(["nav", "--out", str(tmp_path / "file")]) == 2
-    assert capsys.readouterr().err.startswith(f"hrg: can't write {tmp_path / 'file'}: ")
+    assert capsys.readouterr().err.startswith(f"hrg: {tmp_path / 'file'}: it is no folder")
     (tmp_path / "map.png").mkdir()
     assert main(["nav", "--out", str(tmp_path)]) == 2
     assert "map.png is a folder" in capsys.readouterr().err

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from ins_eval.parking import report, study
+from ins_eval.parking import parking, report
 from ins_eval.parking.case import CASES
 from ins_eval.parking.mission import Mission
 from ins_eval.parking.study import Comparison
@@ -40,7 +40,7 @@ def _no_flights(monkeypatch: pytest.MonkeyPatch) -> None:
     def compare(fmu: Path, mission: Mission, triads: int, seed: int, **kwargs: Any) -> Comparison:
         return made_up(triads, seed, mission)
 
-    monkeypatch.setattr(study, "compare", compare)
+    monkeypatch.setattr(parking, "compare", compare)
 
 
 @pytest.mark.usefixtures("_no_flights", "fmu_path")
@@ -80,5 +80,5 @@ def test_mistake_is_one_line_and_status_2(
     out = tmp_path / "result"
     assert main(["parking", "--triads", "5", "--out", str(out)]) == 2
     error = capsys.readouterr().err
-    assert error == "hrg: --triads 5: expected a whole number from 6 to 10000\n"
+    assert error == "hrg: triads: found 5, expected a whole number from 6 to 10000\n"
     assert list(tmp_path.iterdir()) == []

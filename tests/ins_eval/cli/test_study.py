@@ -4,11 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from ins_eval.cli import study as command
-from ins_eval.study import study_file
+from ins_eval.study import run_study, study_file
 from ins_eval.study.run import block
-from ins_eval.study.run.folder import claimed
-from ins_eval.study.run.identity import identity
+from ins_eval.study.run.folder import claim_folder
+from ins_eval.study.run.identity import identify_study
 from pyhrg.common.cli import main
 from tests.ins_eval.study import cases
 from tests.ins_eval.study.run.cheap import CHEAP, conclude, made
@@ -16,7 +15,8 @@ from tests.ins_eval.study.run.cheap import CHEAP, conclude, made
 
 @pytest.fixture(autouse=True)
 def cheap(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(command, "experiment", lambda: CHEAP)
+    monkeypatch.setattr(run_study, "make_experiment", lambda: CHEAP)
+    monkeypatch.setattr(run_study.StudyResult, "verdict", "cheap")
 
 
 @pytest.mark.parametrize(
@@ -24,7 +24,7 @@ def cheap(monkeypatch: pytest.MonkeyPatch) -> None:
     [
         (["huge"], "huge: found no such file, expected one or small, standard"),
         (["small", "--seed", "-1"], "small.toml: seed: found -1, expected a whole number from 0"),
-        (["small", "--workers", "0"], "--workers 0: expected a whole number from 1"),
+        (["small", "--workers", "0"], "workers: found 0, expected a whole number from 1"),
         (["small", "--workers", "1", "--scheduler", "tcp://a:1"], "not allowed with argument"),
         (["small", "--scheduler", "a:1"], "a:1: found no address, expected tcp://HOST:PORT"),
     ],
@@ -46,22 +46,21 @@ def test_folder_that_can_not_be_made_is_told(
     (tmp_path / "file").write_text("")
     out = tmp_path / "file" / "out"
     assert main(["study", "small", "--out", str(out)]) == 2
-    assert f"hrg: can't write {out}: Not a directory" in capsys.readouterr().err
+    assert f"hrg: {out}: Not a directory" in capsys.readouterr().err
 
 
 def test_study_whose_blocks_are_all_there_is_concluded(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file, out = cases.study_file(tmp_path), tmp_path / "out"
-    study = study_file.read(file)
-    with claimed(out, identity(study)) as folder:
-        for number in range(block.count(study)):
+    study = study_file.read_study(file)
+    with claim_folder(out, identify_study(study)) as folder:
+        for number in range(block.count_blocks(study)):
             work = block.BlockWork(study, folder.identity, made)
             folder.keep(number, work(number))
     assert main(["study", str(file), "--out", str(out)]) == 0
     said = capsys.readouterr()
-    assert said.out == f"written to {out}: {', '.join(CHEAP.files)}\n"
-    assert "75/75 triads" in said.err
-    conclude(study, block.joined([made(study, range(75))]), tmp_path)
+    assert said.out == f"cheap\n\nwritten to {out}: {', '.join(CHEAP.files)}\n"
+    conclude(study, block.join_blocks([made(study, range(75))]), tmp_path)
     for name in CHEAP.files:
         assert (out / name).read_bytes() == (tmp_path / name).read_bytes()

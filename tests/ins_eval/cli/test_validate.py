@@ -1,6 +1,5 @@
 """`hrg validate` from the command line: the small study, from blocks that are there already."""
 
-import argparse
 import csv
 import json
 from dataclasses import replace
@@ -8,74 +7,31 @@ from pathlib import Path
 
 import pytest
 
-from ins_eval.cli.validate import chosen
-from ins_eval.study import study_file
-from ins_eval.study.run.block import packed
-from ins_eval.study.run.folder import claimed
-from ins_eval.study.run.identity import identity
-from ins_eval.study.specification import TEST, TRAIN, Study
+from ins_eval.study.run.block import pack_block
+from ins_eval.study.run.folder import claim_folder
+from ins_eval.study.run.identity import identify_study
+from ins_eval.study.validation.validate import plan_validation
 from pyhrg.common.cli import main
 from tests.ins_eval.study import made_up
 from tests.ins_eval.study.test_experiment import PLAN
-from tests.ins_eval.trajectories.test_recorded_drive import made_up_drive, written
 
-NONE = argparse.Namespace(seed=None, hours=None, triads=None, calibration=None, trajectory=None)
 OPTIONS = ["--hours", "0.2", "--triads", "72", "--seed", "3"]
-
-
-def asked(**options: str) -> Study:
-    return chosen(argparse.Namespace(**{**vars(NONE), **options}))
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Blocks of the study that `OPTIONS` ask for, of gyros that were benched in a hurry."""
-    study = asked(hours="0.2", triads="72", seed="3")
+    study = plan_validation(hours=0.2, triads=72, seed=3)
     hurried = replace(study, settings={"bench": PLAN, "calibration": {**PLAN, "runs": 1}})
     out = tmp_path_factory.mktemp("validation") / "out"
     arrays = made_up.many(study, made_up.few(hurried))
-    with claimed(out, identity(study)) as kept:
+    with claim_folder(out, identify_study(study)) as kept:
         for number, block in enumerate(made_up.blocks(study, arrays)):
-            kept.keep(number, packed(block, kept.identity, number))
+            kept.keep(number, pack_block(block, kept.identity, number))
     return out
 
 
-def test_it_is_the_small_study() -> None:
-    assert asked() == study_file.study("small")
-
-
-def test_options_replace_keys() -> None:
-    study = asked(hours="0.5", triads="100", seed="9")
-    assert (study.hours, study.triads, study.seed, study.conditions) == (0.5, 100, 9, 40)
-    assert {mission.hours for mission in study.missions} == {0.5}
-    assert asked(triads="72").conditions == 36
-    mapped = asked(calibration="map")
-    assert (mapped.calibrations, mapped.conditions) == (("map",), 0)
-
-
-@pytest.mark.parametrize(
-    ("name", "training", "judged_class"),
-    [
-        ("aircraft", "car", "aircraft with rolls"),
-        ("car", "aircraft", "car"),
-        ("ship", "car", "ship"),
-    ],
-)
-def test_mission_that_is_asked_for_is_judged(name: str, training: str, judged_class: str) -> None:
-    first, second = asked(trajectory=name).missions
-    assert (first.name, first.half) == (training, TRAIN)
-    assert (second.name, second.half, second.mission_class) == (name, TEST, judged_class)
-    assert first.mission_class != second.mission_class
-
-
-def test_recorded_drive_is_judged(tmp_path: Path) -> None:
-    drive = written(tmp_path, made_up_drive())
-    judged = asked(trajectory=str(drive), hours="0.1").missions[-1]
-    assert (judged.name, judged.half) == ("drive", TEST)
-    assert judged.content == drive.read_bytes()
-
-
-def test_validate_writes_what_it_promises(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_validate_writes_its_files(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["validate", *OPTIONS, "--out", str(folder)]) == 0
     said = capsys.readouterr().out
     document = json.loads((folder / "validation.json").read_text())
@@ -93,7 +49,7 @@ def test_validate_writes_what_it_promises(folder: Path, capsys: pytest.CaptureFi
         promise = found["predicted"][key]
         assert promise["flown_over_predicted"] == score["value"]
         assert promise["flown_over_predicted_interval_95"] == [score["low"], score["high"]]
-    conditions = said.split("Elsewhere")[1].splitlines()[1:5]
+    conditions = said.split("In other conditions")[1].splitlines()[1:5]
     assert all("(36 triads)" in line and "the thesis " in line for line in conditions)
 
 
@@ -120,17 +76,17 @@ def test_again_is_told_without_work(folder: Path, capsys: pytest.CaptureFixture[
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--seed", "-1"], "--seed -1: expected a whole number from 0 to"),
-        (["--seed", "abc"], "--seed abc: expected a whole number"),
-        (["--hours", "0"], "--hours 0: expected a number from 0.1 to 10"),
-        (["--hours", "nan"], "--hours nan: expected a number"),
-        (["--hours", "1e9"], "--hours 1e9: expected a number"),
-        (["--triads", "5"], "--triads 5: expected a whole number from 72 to 1000000"),
+        (["--seed", "-1"], "seed: found -1, expected a whole number from 0 to"),
+        (["--seed", "abc"], "argument --seed: invalid int value: 'abc'"),
+        (["--hours", "0"], "hours: found 0, expected a number from 0.1 to 10"),
+        (["--hours", "nan"], "hours: found nan, expected a number"),
+        (["--hours", "1e9"], "hours: found 1e+09, expected a number"),
+        (["--triads", "5"], "triads: found 5, expected a whole number from 72 to 1000000"),
         (["--calibration", "best"], "--calibration: invalid choice: 'best'"),
         (["--trajectory", "nowhere.csv"], "nowhere.csv: can't be read: No such file"),
         (["--trajectory", "nowhere"], "nowhere: found no such mission, expected aircraft, "),
         (["--trajectory", "weaving"], "weaving"),
-        (["--workers", "0"], "--workers 0: expected a whole number from 1"),
+        (["--workers", "0"], "workers: found 0, expected a whole number from 1"),
         (["--bogus"], "unrecognized arguments: --bogus"),
     ],
 )

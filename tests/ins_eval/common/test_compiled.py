@@ -13,12 +13,12 @@ from ins_eval.common import compiled, earth
 
 PACKAGES = Path(ins_eval.__file__).parents[1]
 CALL = """
-from ins_eval import earth
+from ins_eval.common import earth
 print(earth.meridian_radius(0.5))
 """
 
 
-def fresh(cache: Path, packages: Path = PACKAGES) -> subprocess.Popen[str]:
+def start_process(cache: Path, packages: Path = PACKAGES) -> subprocess.Popen[str]:
     """A process of its own that calls one compiled function."""
     environment = os.environ | {"XDG_CACHE_HOME": str(cache), "PYTHONPATH": str(packages)}
     return subprocess.Popen(
@@ -31,18 +31,18 @@ def fresh(cache: Path, packages: Path = PACKAGES) -> subprocess.Popen[str]:
     )
 
 
-def said(process: subprocess.Popen[str]) -> float:
+def read_output(process: subprocess.Popen[str]) -> float:
     out, err = process.communicate(timeout=120)
     assert process.returncode == 0, err
     return float(out)
 
 
-def folders(cache: Path) -> list[str]:
+def list_folders(cache: Path) -> list[str]:
     return sorted(path.name for path in (cache / "hrg").iterdir())
 
 
 def test_sources_are_all_files_with_compiled_functions() -> None:
-    names = {path.name for path in compiled.sources()}
+    names = {path.name for path in compiled.list_sources()}
     assert {
         "site.py",
         "compiled.py",
@@ -54,9 +54,9 @@ def test_sources_are_all_files_with_compiled_functions() -> None:
 
 
 def test_two_processes_at_once_share_a_cold_cache(tmp_path: Path) -> None:
-    both = [fresh(tmp_path), fresh(tmp_path)]
-    assert [said(process) for process in both] == [earth.meridian_radius(0.5)] * 2
-    assert len(folders(tmp_path)) == 1
+    both = [start_process(tmp_path), start_process(tmp_path)]
+    assert [read_output(process) for process in both] == [earth.meridian_radius(0.5)] * 2
+    assert len(list_folders(tmp_path)) == 1
     assert list(tmp_path.rglob("*.nbi"))
 
 
@@ -67,17 +67,17 @@ def test_a_changed_source_gets_a_new_folder(tmp_path: Path) -> None:
     for package in ("ins_eval", "pyhrg"):
         shutil.copytree(PACKAGES / package, copy / package, ignore=skipped)
     cache = tmp_path / "cache"
-    before = said(fresh(cache, copy))
-    source = copy / "ins_eval" / "earth.py"
+    before = read_output(start_process(cache, copy))
+    source = copy / "ins_eval" / "common" / "earth.py"
     source.write_text(source.read_text().replace("SEMI_MAJOR = 6378137.0", "SEMI_MAJOR = 1.0"))
-    after = said(fresh(cache, copy))
+    after = read_output(start_process(cache, copy))
     assert after == pytest.approx(before / 6378137.0)
-    assert len(folders(cache)) == 2
+    assert len(list_folders(cache)) == 2
 
 
 def test_a_folder_that_cannot_be_written_does_no_harm(tmp_path: Path) -> None:
     """A file stands in the cache's way: no caching, not beside the sources either, and the same
     numbers."""
     (tmp_path / "hrg").write_text("in the way")
-    assert said(fresh(tmp_path)) == earth.meridian_radius(0.5)
+    assert read_output(start_process(tmp_path)) == earth.meridian_radius(0.5)
     assert not list(Path(ins_eval.__file__).parent.rglob("*.nbi"))

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.stats import binom
 
-from ins_eval.common.metrics import FEWEST_FOR_MEDIAN, median_interval, paired_ratio
+from ins_eval.common.metrics import MIN_SAMPLE_FOR_MEDIAN, median_interval, paired_ratio
 
 
 @pytest.mark.parametrize("n", [6, 7, 8, 9, 15, 20, 21, 50, 101])
@@ -16,8 +16,8 @@ def test_median_interval_is_the_narrowest_that_holds_95_percent(n: int) -> None:
 
 
 def test_too_few_for_an_interval() -> None:
-    with pytest.raises(ValueError, match="5 values can't hold the median"):
-        median_interval(np.arange(FEWEST_FOR_MEDIAN - 1))
+    with pytest.raises(ValueError, match="5 values can't bound the median"):
+        median_interval(np.arange(MIN_SAMPLE_FOR_MEDIAN - 1))
 
 
 @pytest.mark.parametrize(("n", "factor"), [(6, 1.0), (16, 0.2)])

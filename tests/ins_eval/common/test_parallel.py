@@ -4,15 +4,17 @@ import threading
 
 import pytest
 
-from ins_eval.common.parallel import in_parallel
+from ins_eval.common.parallel import map_in_threads
 
 
 @pytest.mark.parametrize("workers", [1, 3, None])
 def test_results_and_reports_come_in_the_items_order(workers: int | None) -> None:
-    told: list[int] = []
-    squares = in_parallel(lambda x: x * x, range(20), threading.Event(), workers, told.append)
+    reported: list[int] = []
+    squares = map_in_threads(
+        lambda x: x * x, range(20), threading.Event(), workers, reported.append
+    )
     assert squares == [x * x for x in range(20)]
-    assert told == squares
+    assert reported == squares
 
 
 def test_failure_stops_work_under_way() -> None:
@@ -25,5 +27,5 @@ def test_failure_stops_work_under_way() -> None:
         return item == 0 or stop.wait(10)
 
     with pytest.raises(ValueError, match="the second"):
-        in_parallel(work, range(4), stop, workers=2)
+        map_in_threads(work, range(4), stop, workers=2)
     assert stop.is_set()

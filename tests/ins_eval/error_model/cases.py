@@ -7,11 +7,11 @@ from scipy.integrate import cumulative_trapezoid
 from scipy.spatial.transform import Rotation
 
 from ins_eval.common import earth
-from ins_eval.common.increments import Increments
 from ins_eval.common.state import State, track_error
 from ins_eval.navigation.height import Clamped, Height
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories.trajectory import Knots, Trajectory
+from pyhrg.records.imu.increments import Increments
 
 EVERY = 60.0
 """Time between rows that are compared, s."""

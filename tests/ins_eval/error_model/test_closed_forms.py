@@ -5,7 +5,7 @@ import pytest
 
 from ins_eval.common import earth
 from ins_eval.error_model.dynamics import dynamics
-from ins_eval.error_model.linear_model import linear_model, propagated
+from ins_eval.error_model.linear_model import linearize, propagate
 from ins_eval.error_model.motion import Motion
 from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import Clamped, Free
@@ -39,7 +39,7 @@ def at_rest(latitude_deg: float, height: float, step: float, count: int) -> Moti
 def drift(motion: Motion, sensor: int, axis: int, size: float) -> np.ndarray:
     coefficients = np.zeros((2, 3))
     coefficients[sensor, axis] = size
-    return propagated(linear_model(motion, CLAMPED), np.zeros(COUNT), coefficients)
+    return propagate(linearize(motion, CLAMPED), np.zeros(COUNT), coefficients)
 
 
 def schuler(latitude: float) -> tuple[float, float, float]:
@@ -56,12 +56,12 @@ def test_frequencies(latitude_deg: float) -> None:
     latitude = np.deg2rad(latitude_deg)
     horizontal = [0, 1, 3, 4, 6, 7, 8]
     f = dynamics(at_rest(latitude_deg, 0.0, 1.0, 1), CLAMPED)[0][np.ix_(horizontal, horizontal)]
-    found = np.sort(np.abs(np.linalg.eigvals(f)))
+    result = np.sort(np.abs(np.linalg.eigvals(f)))
     middle = np.mean(schuler(latitude)[:2])
     vertical = earth.RATE * np.sin(latitude)
-    assert found[0] < 1e-3 * earth.RATE
-    assert found[1:3] == pytest.approx([earth.RATE] * 2, rel=5e-3)
-    assert found[3:] == pytest.approx(
+    assert result[0] < 1e-3 * earth.RATE
+    assert result[1:3] == pytest.approx([earth.RATE] * 2, rel=5e-3)
+    assert result[3:] == pytest.approx(
         np.repeat([middle - vertical, middle + vertical], 2), rel=2e-3
     )
     assert np.max(np.abs(np.linalg.eigvals(f).real)) < 1e-5 * middle
@@ -77,8 +77,8 @@ def test_free_height_runs_away_by_e_in_565_s() -> None:
 def test_published_up_gyro_bias() -> None:
     """Two independent navigators agree on these to 0.1 % (latitude 34 deg, height 380 m, +0.01
     deg/h up)."""
-    found = drift(at_rest(34.0, 380.0, 10.0, 720), 0, 2, -0.01 * DEG_PER_H)[[360, 720], :2]
-    assert found == pytest.approx(np.array([[105.06, 8.01], [450.1, 46.7]]), rel=2e-3)
+    result = drift(at_rest(34.0, 380.0, 10.0, 720), 0, 2, -0.01 * DEG_PER_H)[[360, 720], :2]
+    assert result == pytest.approx(np.array([[105.06, 8.01], [450.1, 46.7]]), rel=2e-3)
 
 
 def test_accelerometer_biases_swing() -> None:
@@ -89,8 +89,8 @@ def test_accelerometer_biases_swing() -> None:
     t = motion.time
     for axis, frequency in enumerate(schuler(latitude)[:2]):
         expected = FORCE / frequency**2 * (1 - np.cos(frequency * t))
-        found = drift(motion, 1, axis, FORCE)[:, axis]
-        assert np.max(np.abs(found - expected)) < 0.01 * np.max(expected)
+        result = drift(motion, 1, axis, FORCE)[:, axis]
+        assert np.max(np.abs(result - expected)) < 0.01 * np.max(expected)
 
 
 @pytest.mark.parametrize("axis", [0, 1, 2], ids=["north", "east", "down"])
@@ -115,5 +115,5 @@ def test_gyro_biases_drift_for_a_day(axis: int) -> None:
     drifted = 1j * built_up[:, 0] - built_up[:, 1] - swing
     radii = earth.meridian_radius(latitude), earth.transverse_radius(latitude)
     expected = np.stack([radii[0] * drifted.real, radii[1] * drifted.imag], axis=-1)
-    found = drift(motion, 0, axis, BIAS)[:, :2]
-    assert np.max(np.abs(found - expected)) < 0.01 * np.max(np.abs(expected))
+    result = drift(motion, 0, axis, BIAS)[:, :2]
+    assert np.max(np.abs(result - expected)) < 0.01 * np.max(np.abs(expected))

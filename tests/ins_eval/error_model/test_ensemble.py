@@ -10,9 +10,9 @@ from ins_eval.error_model.effects import (
     accelerometer_bias,
     gyro_bias,
 )
-from ins_eval.error_model.ensemble import ensemble
-from ins_eval.error_model.linear_model import linear_model, propagated_covariance
-from ins_eval.error_model.motion import along
+from ins_eval.error_model.ensemble import draw_ensemble
+from ins_eval.error_model.linear_model import linearize, propagate_covariance
+from ins_eval.error_model.motion import sample_motion
 from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import Clamped, Free
 from tests.ins_eval.error_model.cases import Flight, weave
@@ -32,12 +32,12 @@ def within(spread: np.ndarray, covariance: np.ndarray) -> np.ndarray:
 def test_spread_is_the_covariance(height: Free | Clamped) -> None:
     """n = 2000, seed 7, every variance in its 99.99 % interval, wandering biases included."""
     effects = (*BIASES, gyro_bias(300.0), accelerometer_bias(600.0))
-    model = linear_model(along(weave(45, 600), 0.0, 2.0, 300), height, effects, NOISE)
+    model = linearize(sample_motion(weave(45, 600), 0.0, 2.0, 300), height, effects, NOISE)
     sigmas = np.array([np.full(3, 2e-7), np.full(3, 1e-3), np.full(3, 5e-7), np.full(3, 1e-3)])
-    found = ensemble(model, INITIAL, sigmas, 2000, np.random.default_rng(7), keep_every=150)
-    expected = propagated_covariance(model, INITIAL, sigmas, keep_every=150)
+    result = draw_ensemble(model, INITIAL, sigmas, 2000, np.random.default_rng(7), keep_every=150)
+    expected = propagate_covariance(model, INITIAL, sigmas, keep_every=150)
     states = [0, 1, 3, 4, 6, 7, 8] + ([2, 5] if isinstance(height, Free) else [])
-    for draws, covariance in zip(found, expected, strict=True):
+    for draws, covariance in zip(result, expected, strict=True):
         own = covariance[np.ix_(states, states)]
         assert np.all(within(draws[:, states], own))
         whole = np.einsum("ni,ij,nj->", draws[:, states], np.linalg.inv(own), draws[:, states])
@@ -47,15 +47,15 @@ def test_spread_is_the_covariance(height: Free | Clamped) -> None:
 
 def test_without_wandering_it_would_not_be() -> None:
     """The control: biases taken as constant instead of wandering give another spread."""
-    motion = along(weave(45, 600), 0.0, 2.0, 300)
+    motion = sample_motion(weave(45, 600), 0.0, 2.0, 300)
     sigmas = np.full((1, 3), 2e-6)
     wandering, constant = (
-        linear_model(motion, Clamped(np.zeros(1)), (effect,), NOISE)
+        linearize(motion, Clamped(np.zeros(1)), (effect,), NOISE)
         for effect in (gyro_bias(60.0), gyro_bias())
     )
-    found = ensemble(wandering, INITIAL, sigmas, 2000, np.random.default_rng(7), 300)[-1]
-    expected = propagated_covariance(constant, INITIAL, sigmas, 300)[-1]
-    assert not np.any(within(found[:, 6:8], expected[6:8, 6:8]))
+    result = draw_ensemble(wandering, INITIAL, sigmas, 2000, np.random.default_rng(7), 300)[-1]
+    expected = propagate_covariance(constant, INITIAL, sigmas, 300)[-1]
+    assert not np.any(within(result[:, 6:8], expected[6:8, 6:8]))
 
 
 def test_spread_is_the_navigators() -> None:
@@ -64,8 +64,8 @@ def test_spread_is_the_navigators() -> None:
     flight = Flight.of(weave(45, 1200), 1200, 0.1)
     height = Clamped(flight.heights)
     sigmas = np.array([np.full(3, 2e-7), np.full(3, 1e-3)])
-    model = linear_model(along(flight.trajectory, 0.0, 1.0, 1200), height, noise=NOISE)
-    expected = propagated_covariance(model, INITIAL * _clamped(), sigmas, 1200)[-1]
+    model = linearize(sample_motion(flight.trajectory, 0.0, 1.0, 1200), height, noise=NOISE)
+    expected = propagate_covariance(model, INITIAL * _clamped(), sigmas, 1200)[-1]
     generator = np.random.default_rng(11)
     ends = []
     for _ in range(60):
@@ -88,9 +88,9 @@ def _clamped() -> np.ndarray:
 
 
 def test_same_seed_same_ensemble() -> None:
-    model = linear_model(along(weave(45, 30), 0.0, 1.0, 30), Free(), noise=NOISE)
+    model = linearize(sample_motion(weave(45, 30), 0.0, 1.0, 30), Free(), noise=NOISE)
     first, second, other = (
-        ensemble(model, INITIAL, np.zeros((2, 3)), 3, np.random.default_rng(seed))
+        draw_ensemble(model, INITIAL, np.zeros((2, 3)), 3, np.random.default_rng(seed))
         for seed in (1, 1, 2)
     )
     assert np.array_equal(first, second)

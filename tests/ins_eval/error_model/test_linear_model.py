@@ -19,16 +19,15 @@ from ins_eval.error_model.effects import (
     pick_off_map,
 )
 from ins_eval.error_model.linear_model import (
-    as_track_error,
-    joined,
-    linear_model,
-    propagated,
-    propagated_covariance,
+    join_models,
+    linearize,
+    propagate,
+    propagate_covariance,
 )
-from ins_eval.error_model.motion import Motion, along
+from ins_eval.error_model.motion import Motion, sample_motion
 from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
-from ins_eval.trajectories.catalogue import trajectory
+from ins_eval.trajectories.catalogue import load_trajectory
 from tests.ins_eval.error_model.cases import Flight, weave
 
 HOUR = 3600.0
@@ -54,13 +53,13 @@ def flight(request: pytest.FixtureRequest) -> Flight:
         "weave": lambda: weave(45, HOUR),
         "high latitude": lambda: weave(75, HOUR),
         "rolls": lambda: weave(45, HOUR, roll_every=600),
-        "car": lambda: trajectory("car", 20.0, HOUR + 10),
+        "car": lambda: load_trajectory("car", HOUR + 10, 20.0),
     }[request.param]()
     return Flight.of(flown, HOUR, interval=0.04)
 
 
 def odd_part(flight: Flight, height: Height, start: np.ndarray, sensors: np.ndarray) -> np.ndarray:
-    """What is linear in the navigator's errors, and of third order."""
+    """Half the difference of the navigator's errors for errors of both signs: no second order."""
     forward = flight.flown(height, start, sensors)
     return 0.5 * (forward - flight.flown(_mirrored(height, flight), -start, -sensors))
 
@@ -71,8 +70,8 @@ def _mirrored(height: Height, flight: Flight) -> Height:
     return height
 
 
-def horizontal_difference(found: np.ndarray, expected: np.ndarray) -> float:
-    difference = np.linalg.norm((found - expected)[:, :2])
+def horizontal_difference(result: np.ndarray, expected: np.ndarray) -> float:
+    difference = np.linalg.norm((result - expected)[:, :2])
     return float(difference / np.linalg.norm(expected[:, :2]))
 
 
@@ -84,13 +83,13 @@ def test_initial_errors_are_the_navigators(flight: Flight, kind: str) -> None:
     the test of the damped height shows."""
     damped = kind == "damped"
     height = BaroDamped(flight.heights) if damped else Clamped(flight.heights)
-    model = linear_model(along(flight.trajectory, 0.0, 1.0, 3600), height)
+    model = linearize(sample_motion(flight.trajectory, 0.0, 1.0, 3600), height)
     for state, size in enumerate(START_SIZES):
         if state == 5 and not damped:
             continue
         start = np.zeros(COUNT)
         start[state] = size
-        linear = propagated(model, start, np.zeros((2, 3)))[60::60, :9]
+        linear = propagate(model, start, np.zeros((2, 3)))[60::60, :9]
         own = Clamped(flight.heights - size) if state == 2 and not damped else height
         flown = odd_part(flight, own, start[:9], np.zeros((1, 6)))
         bound = {2: 2e-4, 5: 2e-3}.get(state, 5e-5) if damped else 5e-5
@@ -102,8 +101,8 @@ def test_effects_of_the_sensors_are_the_navigators(flight: Flight) -> None:
     need steps of 0.5 s."""
     effects = tuple(effect for effect, _ in EFFECTS)
     height = Clamped(flight.heights)
-    model = linear_model(along(flight.trajectory, 0.0, 0.5, 7200), height, effects)
-    middle = along(flight.trajectory, 0.0, 0.08, round(HOUR / 0.08))
+    model = linearize(sample_motion(flight.trajectory, 0.0, 0.5, 7200), height, effects)
+    middle = sample_motion(flight.trajectory, 0.0, 0.08, round(HOUR / 0.08))
     for number, (effect, size) in enumerate(EFFECTS):
         signal = size * effect.regressor(middle)[1::2]
         for axis in range(3):
@@ -111,17 +110,17 @@ def test_effects_of_the_sensors_are_the_navigators(flight: Flight) -> None:
             coefficients[number, axis] = size
             sensors = np.zeros((len(signal), 6))
             sensors[:, axis + 3 * (effect.sensor == "accelerometer")] = signal[:, axis]
-            linear = propagated(model, np.zeros(COUNT), coefficients)[120::120, :9]
+            linear = propagate(model, np.zeros(COUNT), coefficients)[120::120, :9]
             flown = odd_part(flight, height, np.zeros(9), sensors)
             assert horizontal_difference(flown, linear) < 1e-4, (effect.name, axis)
 
 
 def test_free_height_runs_away_as_the_navigators() -> None:
     flight = Flight.of(weave(45, 1200), 1200)
-    model = linear_model(along(flight.trajectory, 0.0, 1.0, 1200), Free())
+    model = linearize(sample_motion(flight.trajectory, 0.0, 1.0, 1200), Free())
     start = np.zeros(COUNT)
     start[2] = 1.0
-    linear = propagated(model, start, np.zeros((2, 3)))[60::60, :9]
+    linear = propagate(model, start, np.zeros((2, 3)))[60::60, :9]
     flown = odd_part(flight, Free(), start[:9], np.zeros((1, 6)))
     assert linear[-1, 2] > 3.0
     assert flown[:, 2] == pytest.approx(linear[:, 2], rel=1e-4)
@@ -137,8 +136,8 @@ def test_damped_height_comes_back_as_the_navigators(state: int, size: float) -> 
     for interval in (0.04, 0.02, 0.01):
         flight = Flight.of(weave(45, 1200), 1200, interval)
         height = BaroDamped(flight.heights)
-        model = linear_model(along(flight.trajectory, 0.0, 1.0, 1200), height)
-        linear = propagated(model, start, np.zeros((2, 3)))[60::60, :9]
+        model = linearize(sample_motion(flight.trajectory, 0.0, 1.0, 1200), height)
+        linear = propagate(model, start, np.zeros((2, 3)))[60::60, :9]
         flown = odd_part(flight, height, start[:9], np.zeros((1, 6)))
         off.append(horizontal_difference(flown, linear))
         assert np.linalg.norm((flown - linear)[:, 2]) < 1e-4 * np.linalg.norm(linear[:, 2])
@@ -150,11 +149,11 @@ def test_remainder_is_of_second_order() -> None:
     """Twice the error, four times the difference."""
     flight = Flight.of(weave(45, HOUR), HOUR)
     height = Clamped(flight.heights)
-    model = linear_model(along(flight.trajectory, 0.0, 1.0, 3600), height)
+    model = linearize(sample_motion(flight.trajectory, 0.0, 1.0, 3600), height)
     remainders = []
     for size in (1.0, 2.0):
         start = size * np.array([500, 500, 0, 1, 1, 0, 1e-3, 1e-3, 1e-3, 0])
-        linear = propagated(model, start, np.zeros((2, 3)))[60::60, :9]
+        linear = propagate(model, start, np.zeros((2, 3)))[60::60, :9]
         flown = flight.errors(height, start[:9], np.zeros((1, 6)))
         remainders.append(np.linalg.norm((flown - linear)[:, :2]))
     assert remainders[1] / remainders[0] == pytest.approx(4.0, rel=0.05)
@@ -165,9 +164,11 @@ def test_second_order_in_the_step_through_rolls() -> None:
     effects = (*BIASES, gyro_scale_factor(), *bias_map(4, FIRST_ANGLE))
 
     def final(step: float) -> np.ndarray:
-        model = linear_model(along(trajectory, 0.0, step, round(1200 / step)), CLAMPED, effects)
+        model = linearize(
+            sample_motion(trajectory, 0.0, step, round(1200 / step)), CLAMPED, effects
+        )
         start = np.array([0, 0, 0, 0.1, 0.1, 0, 1e-5, 1e-5, 1e-5, 0])
-        return propagated(model, start, np.full((5, 3), 1e-7))[-1, :2]
+        return propagate(model, start, np.full((5, 3), 1e-7))[-1, :2]
 
     exact = final(0.125)
     errors = [np.linalg.norm(final(step) - exact) for step in (0.5, 1.0)]
@@ -200,7 +201,7 @@ TILTED = np.concatenate([np.zeros(6), [1e-4, 0, 0, 0]])
 
 
 def _after_48_h(step: float) -> np.ndarray:
-    model = linear_model(_at_rest(step), CLAMPED)
+    model = linearize(_at_rest(step), CLAMPED)
     drive = np.tensordot(model.inputs[0], BIAS, axes=2)
     x = TILTED
     for _ in range(round(172_800 / step)):
@@ -210,53 +211,49 @@ def _after_48_h(step: float) -> np.ndarray:
 
 def _at_rest(step: float) -> Motion:
     """One step, which is like all others; the car's pitch and roll are 0."""
-    still = along(trajectory("car", 20.0, 10.0), -15.0, step=1.0, count=1)
+    still = sample_motion(load_trajectory("car", 10.0, 20.0), -15.0, step=1.0, count=1)
     return replace(still, step=step)
 
 
 def test_joined_models_must_follow() -> None:
-    car = trajectory("car", 60.0, 60.0)
-    first, then = (linear_model(along(car, start, 1.0, 30), CLAMPED) for start in (-30.0, 0.0))
-    assert len(joined(first, then)) == 60
+    car = load_trajectory("car", 60.0, 60.0)
+    first, then = (linearize(sample_motion(car, start, 1.0, 30), CLAMPED) for start in (-30.0, 0.0))
+    assert len(join_models(first, then)) == 60
     with pytest.raises(ValueError, match=r"from -30\.0 s.*same moment"):
-        joined(then, first)
-    without = linear_model(along(car, 0.0, 1.0, 30), CLAMPED, BIASES[:1])
+        join_models(then, first)
+    without = linearize(sample_motion(car, 0.0, 1.0, 30), CLAMPED, BIASES[:1])
     with pytest.raises(ValueError, match="expected the same"):
-        joined(first, without)
+        join_models(first, without)
 
 
 def test_covariance_is_that_of_its_parts() -> None:
     """Without noise, the covariance is the sum of outer products of what each part leads to."""
     effects = (*BIASES, gyro_scale_factor())
-    model = linear_model(along(weave(45, 600), 0.0, 1.0, 600), Free(), effects)
+    model = linearize(sample_motion(weave(45, 600), 0.0, 1.0, 600), Free(), effects)
     initial = np.diag(np.arange(1.0, COUNT + 1)) * 1e-8
     sigmas = np.array([np.full(3, 1e-8), np.full(3, 1e-4), np.full(3, 1e-6)])
-    found = propagated_covariance(model, initial, sigmas, keep_every=300)
+    result = propagate_covariance(model, initial, sigmas, keep_every=300)
     parts = []
     for state in range(COUNT):
         start = np.sqrt(initial) @ np.eye(COUNT)[state]
-        parts.append(propagated(model, start, np.zeros((3, 3)))[::300])
+        parts.append(propagate(model, start, np.zeros((3, 3)))[::300])
     for place in np.ndindex(3, 3):
-        one = np.zeros((3, 3))
-        one[place] = sigmas[place]
-        parts.append(propagated(model, np.zeros(COUNT), one)[::300])
+        unit = np.zeros((3, 3))
+        unit[place] = sigmas[place]
+        parts.append(propagate(model, np.zeros(COUNT), unit)[::300])
     expected = sum(np.einsum("ni,nj->nij", part, part) for part in parts)
     scale = np.sqrt(np.einsum("nii,njj->nij", expected, expected))
-    assert np.max(np.abs(found - expected) / np.maximum(scale, 1e-30)) < 1e-9
+    assert np.max(np.abs(result - expected) / np.maximum(scale, 1e-30)) < 1e-9
 
 
 def test_noise_gained_is_the_integral() -> None:
     """At rest for a minute: velocity and attitude walk."""
     noise = SensorErrors(angle_random_walk=1e-6, velocity_random_walk=1e-3)
-    model = linear_model(along(trajectory("car", 80.0, 10.0), -70.0, 1.0, 60), CLAMPED, (), noise)
-    found = propagated_covariance(model, np.zeros((COUNT, COUNT)), np.zeros((0, 3)))[-1]
-    assert found[6, 6] == pytest.approx(1e-12 * 60, rel=1e-4)
+    model = linearize(
+        sample_motion(load_trajectory("car", 10.0, 80.0), -70.0, 1.0, 60), CLAMPED, (), noise
+    )
+    result = propagate_covariance(model, np.zeros((COUNT, COUNT)), np.zeros((0, 3)))[-1]
+    assert result[6, 6] == pytest.approx(1e-12 * 60, rel=1e-4)
     tilted = (9.8 * 1e-6) ** 2 * 60**3 / 3
-    assert found[3, 3] == pytest.approx(1e-6 * 60 + tilted, rel=1e-2)
-    assert found[5, 5] == 0.0
-
-
-def test_names_are_track_errors() -> None:
-    found = as_track_error(np.zeros(1), np.arange(10.0)[None])
-    assert found.position.tolist() == [[0, 1, 2]]
-    assert found.attitude.tolist() == [[6, 7, 8]]
+    assert result[3, 3] == pytest.approx(1e-6 * 60 + tilted, rel=1e-2)
+    assert result[5, 5] == 0.0

@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from ins_eval.common.increments import Increments
 from ins_eval.imu import recorded, specification
 from ins_eval.trajectories import catalogue
+from pyhrg.records.imu.increments import Increments
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 LATITUDE_DEG = "39.9"
@@ -24,13 +24,13 @@ def ring_laser() -> Path:
 
 def standing(seconds: float, seed: int = 1) -> Increments:
     """What a simple IMU measures in a car that stands."""
-    truth = catalogue.trajectory("car", seconds, 10.0)
+    truth = catalogue.load_trajectory("car", 10.0, seconds)
     increments = truth.increments(-seconds, 0.01, round(seconds * 100))
-    return specification.imu("simple").measure(increments, seed).increments
+    return specification.load_imu("simple").measure(increments, seed).increments
 
 
 def written(folder: Path, seconds: float) -> Path:
     """Its log, as CSV."""
     path = folder / "standing.csv"
-    recorded.write(standing(seconds), path)
+    recorded.write_imu_log(standing(seconds), path)
     return path

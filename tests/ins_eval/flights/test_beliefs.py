@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from ins_eval.error_model.motion import along
-from ins_eval.flights.beliefs import DECADES, beliefs, instability, misalignment
+from ins_eval.error_model.motion import sample_motion
+from ins_eval.flights.beliefs import DECADES, model_misalignment, size_gauss_markov, state_beliefs
 from ins_eval.imu import specification
 from ins_eval.trajectories import catalogue
 
@@ -19,34 +19,34 @@ def allan_variance(correlation_time: float, time: float) -> float:
 
 @pytest.mark.parametrize("time", [100.0, 200.0, 500.0, 1e3, 2e3, 5e3, 1e4, 3e4])
 def test_processes_a_decade_apart_have_flickers_allan_deviation(time: float) -> None:
-    variance = sum(instability(1.0) ** 2 * allan_variance(each, time) for each in DECADES)
+    variance = sum(size_gauss_markov(1.0) ** 2 * allan_variance(each, time) for each in DECADES)
     assert math.sqrt(variance) == pytest.approx(math.sqrt(2 * math.log(2) / math.pi), rel=0.05)
 
 
 def test_simple_imu_is_believed_as_its_file_says() -> None:
-    imu = specification.imu("simple")
-    believed = beliefs(imu)
+    imu = specification.load_imu("simple")
+    believed = state_beliefs(imu)
     sizes = dict(zip((e.name for e in believed.effects), believed.deviations[:, 0], strict=True))
     assert sizes["gyro bias"] == imu.errors.gyro_bias
-    assert sizes["gyro bias instability"] == instability(imu.errors.gyro_bias_instability)
+    assert sizes["gyro bias instability"] == size_gauss_markov(imu.errors.gyro_bias_instability)
     assert sizes["accelerometer bias"] == imu.accelerometers.bias.deviation
     assert sizes["accelerometer scale factor"] == imu.accelerometers.scale_factor.deviation
     assert all("instability" not in effect.name for effect in believed.constant.effects)
 
 
 def test_ideal_imu_has_no_effects() -> None:
-    assert beliefs(specification.imu("ideal")).effects == ()
+    assert state_beliefs(specification.load_imu("ideal")).effects == ()
 
 
 def test_calibrated_whole_angle_gyros_have_a_map() -> None:
-    names = [effect.name for effect in beliefs(specification.imu("typical-hrg")).effects]
+    names = [effect.name for effect in state_beliefs(specification.load_imu("typical-hrg")).effects]
     assert sum(name.startswith("bias map") for name in names) == 2
     assert "gyro bias" not in names
 
 
 def test_misalignment_feels_the_other_axes() -> None:
-    motion = along(catalogue.trajectory("car", 0.0, 60.0), 0.0, 1.0, 60)
-    following, after = (effect.regressor(motion) for effect in misalignment("accelerometer"))
+    motion = sample_motion(catalogue.load_trajectory("car", 60.0), 0.0, 1.0, 60)
+    following, after = (effect.regressor(motion) for effect in model_misalignment("accelerometer"))
     np.testing.assert_array_equal(following[:, 0], motion.force[:, 1])
     np.testing.assert_array_equal(after[:, 0], motion.force[:, 2])
     np.testing.assert_array_equal(following[:, 2], motion.force[:, 0])

@@ -10,10 +10,10 @@ from scipy.stats import chi2
 
 from ins_eval.common.state import position_error
 from ins_eval.flights import linear
-from ins_eval.flights.beliefs import Beliefs, beliefs
-from ins_eval.flights.flight import Flights, fly
-from ins_eval.flights.plan import Plan, rows
-from ins_eval.flights.truth import Truth, truth
+from ins_eval.flights.beliefs import Beliefs, state_beliefs
+from ins_eval.flights.flight import Runs, fly_runs
+from ins_eval.flights.plan import Plan, count_row_increments
+from ins_eval.flights.truth import Truth, sample_truth
 from ins_eval.imu import specification
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.stated_gyros import StatedGyros
@@ -21,30 +21,37 @@ from ins_eval.trajectories import catalogue
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 RUNS, RATE, MINUTES = 120, 20, 20
-PLAN = Plan(1 / RATE, MINUTES * 60 * RATE, rows(1 / RATE, 2), alignment=None, seed=7, runs=RUNS)
+PLAN = Plan(
+    1 / RATE,
+    MINUTES * 60 * RATE,
+    count_row_increments(1 / RATE, 2),
+    alignment=None,
+    seed=7,
+    runs=RUNS,
+)
 
 
 @pytest.fixture(scope="module")
 def imu() -> Imu:
     """Simple, of constant errors and white noise alone."""
-    found = specification.imu("simple")
+    found = specification.load_imu("simple")
     assert isinstance(found.gyros, StatedGyros)
-    gyros = StatedGyros(replace(found.gyros.triad, bias_instability=0.0))
-    forces = replace(found.accelerometers, bias_instability=0.0, quantum=0.0)
+    gyros = StatedGyros(replace(found.gyros.error_model, bias_instability=0.0))
+    forces = replace(found.accelerometers, bias_instability=0.0, quantization_step=0.0)
     return replace(found, gyros=gyros, accelerometers=forces, interval=1 / RATE)
 
 
 @pytest.fixture(scope="module")
 def weaving() -> Truth:
-    return truth(PLAN, catalogue.trajectory("weaving", 0.0, PLAN.duration))
+    return sample_truth(PLAN, catalogue.load_trajectory("weaving", PLAN.duration))
 
 
 @pytest.fixture(scope="module")
-def flown(imu: Imu, weaving: Truth) -> Flights:
-    return fly(PLAN, weaving, imu)
+def flown(imu: Imu, weaving: Truth) -> Runs:
+    return fly_runs(PLAN, weaving, imu)
 
 
-def errors_at_the_end(flights: Flights, true: Truth) -> np.ndarray:
+def errors_at_the_end(flights: Runs, true: Truth) -> np.ndarray:
     """(runs, 2) m."""
     ends = np.array([track.position[-1] for track in flights.tracks])
     return position_error(ends, true.track.position[-1])[:, :2]
@@ -57,29 +64,27 @@ def explained(errors: np.ndarray, covariance: np.ndarray) -> bool:
     return bool(low < whole < high)
 
 
-def test_sigma_holds_flights(imu: Imu, weaving: Truth, flown: Flights) -> None:
+def test_sigma_holds_flights(imu: Imu, weaving: Truth, flown: Runs) -> None:
     errors = errors_at_the_end(flown, weaving)
-    covariance = linear.covariance(PLAN, weaving, beliefs(imu), None)
+    covariance = linear.propagate_flight_covariance(PLAN, weaving, state_beliefs(imu), None)
     assert len(covariance) == len(weaving.track)
     assert explained(errors, covariance[-1])
 
 
-def test_without_what_acts_in_manoeuvres_it_does_not(
-    imu: Imu, weaving: Truth, flown: Flights
-) -> None:
-    whole = beliefs(imu)
+def test_without_what_acts_in_manoeuvres_it_does_not(imu: Imu, weaving: Truth, flown: Runs) -> None:
+    whole = state_beliefs(imu)
     of_biases = [number for number, e in enumerate(whole.effects) if e.name.endswith("bias")]
     less = Beliefs(
         tuple(whole.effects[number] for number in of_biases),
         whole.deviations[of_biases],
         whole.noise,
     )
-    covariance = linear.covariance(PLAN, weaving, less, None)
+    covariance = linear.propagate_flight_covariance(PLAN, weaving, less, None)
     assert not explained(errors_at_the_end(flown, weaving), covariance[-1])
 
 
-def test_budget_sums_to_the_flight(imu: Imu, weaving: Truth, flown: Flights) -> None:
-    budget = linear.error_budget(PLAN, weaving, imu, flown.first)
+def test_budget_sums_to_the_flight(imu: Imu, weaving: Truth, flown: Runs) -> None:
+    budget = linear.compute_error_budget(PLAN, weaving, imu, flown.first)
     total = budget.shares["contribution"].sum(("effect", "axis", "time")).values
     error = errors_at_the_end(flown, weaving)[0]
     np.testing.assert_allclose(total, error, atol=0.01 * float(np.hypot(*error)))
@@ -87,9 +92,9 @@ def test_budget_sums_to_the_flight(imu: Imu, weaving: Truth, flown: Flights) -> 
 
 def test_budget_counts_alignment_in(imu: Imu) -> None:
     plan = replace(PLAN, alignment=120.0, runs=1, height="baro")
-    car = truth(plan, catalogue.trajectory("car", 140.0, plan.duration))
-    flights = fly(plan, car, imu)
-    shares = linear.error_budget(plan, car, imu, flights.first).shares
+    car = sample_truth(plan, catalogue.load_trajectory("car", plan.duration, 140.0))
+    flights = fly_runs(plan, car, imu)
+    shares = linear.compute_error_budget(plan, car, imu, flights.first).shares
     total = shares["contribution"].sum(("effect", "axis", "time")) + shares["initial"].sum("state")
     error = errors_at_the_end(flights, car)[0]
     np.testing.assert_allclose(total, error, atol=0.01 * float(np.hypot(*error)))
@@ -103,9 +108,9 @@ def test_budget_sums_to_a_recorded_drive(imu: Imu) -> None:
     if not path.is_file():
         pytest.skip(f"{path} is not there; HRG_REAL says where recorded data are")
     plan = replace(PLAN, count=18 * 60 * RATE, alignment=280.0, runs=1)
-    drive = truth(plan, catalogue.trajectory(path, 300.0, plan.duration))
-    flights = fly(plan, drive, imu)
-    shares = linear.error_budget(plan, drive, imu, flights.first).shares
+    drive = sample_truth(plan, catalogue.load_trajectory(path, plan.duration, 300.0))
+    flights = fly_runs(plan, drive, imu)
+    shares = linear.compute_error_budget(plan, drive, imu, flights.first).shares
     total = shares["contribution"].sum(("effect", "axis", "time")) + shares["initial"].sum("state")
     error = errors_at_the_end(flights, drive)[0]
     np.testing.assert_allclose(total, error, atol=0.005 * float(np.hypot(*error)))
@@ -113,10 +118,10 @@ def test_budget_sums_to_a_recorded_drive(imu: Imu) -> None:
 
 def test_sigma_starts_from_the_alignment(imu: Imu) -> None:
     plan = replace(PLAN, count=10 * RATE, keep_every=2, alignment=120.0, runs=1)
-    car = truth(plan, catalogue.trajectory("car", 140.0, plan.duration))
-    alignment = fly(plan, car, imu).first.alignment
+    car = sample_truth(plan, catalogue.load_trajectory("car", plan.duration, 140.0))
+    alignment = fly_runs(plan, car, imu).first.alignment
     assert alignment
-    covariance = linear.covariance(plan, car, beliefs(imu), alignment)
+    covariance = linear.propagate_flight_covariance(plan, car, state_beliefs(imu), alignment)
     np.testing.assert_allclose(
         np.sqrt(np.diag(covariance[0])[6:9]), np.sqrt(np.diag(alignment.covariance)), rtol=0.03
     )
@@ -124,17 +129,19 @@ def test_sigma_starts_from_the_alignment(imu: Imu) -> None:
 
 @pytest.mark.parametrize(("rate", "samples"), [(100, 2), (100, 3), (100, 4), (10, 3), (2000, 4)])
 def test_steps_fill_rows_and_flight(rate: int, samples: int) -> None:
-    plan = Plan(1 / rate, 3600 * rate, rows(1 / rate, samples), samples=samples)
-    grid = linear.steps(plan)
+    plan = Plan(1 / rate, 3600 * rate, count_row_increments(1 / rate, samples), samples=samples)
+    grid = linear.choose_steps(plan)
     assert 0.5 <= grid.step / linear.STEP <= 1.5
     assert grid.row * grid.step == pytest.approx(plan.row_spacing)
     assert grid.flight * grid.step == pytest.approx(plan.duration)
 
 
 def test_long_flights_take_longer_steps() -> None:
-    plan = Plan(0.01, 24 * 360_000, rows(0.01, 2))
-    assert linear.steps(plan).flight <= linear.MOST_STEPS
+    plan = Plan(0.01, 24 * 360_000, count_row_increments(0.01, 2))
+    assert linear.choose_steps(plan).flight <= linear.MOST_STEPS
 
 
 def test_only_positive_variances_are_left() -> None:
-    np.testing.assert_allclose(linear.positive(np.diag([2.0, -1.0, 0.0])), np.diag([2.0, 0, 0]))
+    np.testing.assert_allclose(
+        linear.clip_negative_eigenvalues(np.diag([2.0, -1.0, 0.0])), np.diag([2.0, 0, 0])
+    )

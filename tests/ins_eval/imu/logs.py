@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ins_eval.common.increments import Increments
 from pyhrg.records.imu.columns import ACCELEROMETERS, GYROS, TIME, Quantity
+from pyhrg.records.imu.increments import Increments
 from tests.ins_eval.cases import at_rest
 
 GYRO_RAD_S, GYRO_DEG_S = GYROS[2], GYROS[3]

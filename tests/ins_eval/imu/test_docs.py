@@ -11,17 +11,17 @@ NAMED = set(re.findall(r"`([^`\n]+)`", TEXT))
 
 
 def test_every_key_is_documented() -> None:
-    keys = triad_keys.triad_keys(triad_keys.GYROS + triad_keys.ACCELEROMETERS)
+    keys = triad_keys.error_keys(triad_keys.GYROS + triad_keys.ACCELEROMETERS)
     assert set(keys) <= NAMED
 
 
 def test_every_column_and_ready_imu_is_documented() -> None:
     quantities = columns.GYROS + columns.ACCELEROMETERS
     assert {quantity.column("x") for quantity in quantities} | {columns.TIME} <= NAMED
-    assert set(specification.READY) <= NAMED
+    assert set(specification.list_imus()) <= NAMED
 
 
 def test_the_example_is_read(tmp_path: Path) -> None:
     (tmp_path / "imu.toml").write_text(TEXT.split("```toml\n")[1].split("```")[0])
-    read = specification.read(tmp_path / "imu.toml")
+    read = specification.read_imu(tmp_path / "imu.toml")
     assert read.interval == 1 / 200

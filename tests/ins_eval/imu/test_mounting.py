@@ -3,33 +3,33 @@
 import numpy as np
 import pytest
 
-from ins_eval.imu.mounting import ORTHOGONAL, MountingError, mounted
+from ins_eval.imu.mounting import ORTHOGONAL, MountingError, make_mounting
 
-SKEWED = mounted([[1, 0, 1], [-1, 2, 1], [-1, -2, 1.5]])
+SKEWED = make_mounting([[1, 0, 1], [-1, 2, 1], [-1, -2, 1.5]])
 VECTORS = np.random.default_rng(1).normal(size=(50, 3))
 
 
 def test_decoding_undoes_sensing() -> None:
-    np.testing.assert_allclose(SKEWED.decoded(SKEWED.sensed(VECTORS)), VECTORS, atol=1e-14)
-    np.testing.assert_array_equal(ORTHOGONAL.decoded(ORTHOGONAL.sensed(VECTORS)), VECTORS)
+    np.testing.assert_allclose(SKEWED.decode(SKEWED.project(VECTORS)), VECTORS, atol=1e-14)
+    np.testing.assert_array_equal(ORTHOGONAL.decode(ORTHOGONAL.project(VECTORS)), VECTORS)
 
 
 def test_a_gyro_feels_the_component_along_its_axis() -> None:
-    np.testing.assert_allclose(SKEWED.sensed(np.array([[1.0, 0, 1]]))[0, 0], np.sqrt(2))
+    np.testing.assert_allclose(SKEWED.project(np.array([[1.0, 0, 1]]))[0, 0], np.sqrt(2))
 
 
 def test_a_mounting_error_tilts_what_is_decoded() -> None:
     """2000 draws of 1 mrad in two directions: the deviation of each cross coupling, 3.5 sigma."""
     generator = np.random.default_rng(1)
-    decoded = np.array(
+    decode = np.array(
         [
-            (lambda m: m.decoded(m.sensed(np.eye(3))))(ORTHOGONAL.disturbed(1e-3, generator))
+            (lambda m: m.decode(m.project(np.eye(3))))(ORTHOGONAL.disturb(1e-3, generator))
             for _ in range(2000)
         ]
     )
-    across = decoded[:, ~np.eye(3, dtype=bool)]
+    across = decode[:, ~np.eye(3, dtype=bool)]
     np.testing.assert_allclose(across.std(axis=0), 1e-3, rtol=3.5 / np.sqrt(4000))
-    along = decoded[:, np.eye(3, dtype=bool)] - 1
+    along = decode[:, np.eye(3, dtype=bool)] - 1
     assert np.max(np.abs(along)) < 1e-5
 
 
@@ -45,4 +45,4 @@ def test_a_mounting_error_tilts_what_is_decoded() -> None:
 )
 def test_axes_that_span_nothing_are_refused(axes: list[list[float]], message: str) -> None:
     with pytest.raises(MountingError, match=message):
-        mounted(axes)
+        make_mounting(axes)

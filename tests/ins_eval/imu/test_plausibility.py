@@ -8,14 +8,14 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from ins_eval.common.increments import Increments
 from ins_eval.imu import recorded
-from ins_eval.imu.specification import imu
-from ins_eval.trajectories.catalogue import names, trajectory
+from ins_eval.imu.specification import load_imu
+from ins_eval.trajectories.catalogue import list_trajectories, load_trajectory
 from pyhrg.common.units import DEG, STANDARD_GRAVITY
+from pyhrg.records.columns import LogError
 from pyhrg.records.imu.columns import ACCELEROMETERS, GYROS, ROTATION, VELOCITY, Quantity
-from pyhrg.records.imu.log import LogError
-from pyhrg.records.imu.plausibility import Readings, check
+from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.plausibility import Readings, check_plausibility
 from tests.ins_eval.imu.logs import (
     FORCE_G,
     FORCE_M_S2,
@@ -71,8 +71,8 @@ MIXED_UP = [
 def test_a_mix_up_is_named(tmp_path: Path, change: Change, message: str, latitude: float) -> None:
     path = saved(change(frame(resting(latitude=latitude))), tmp_path)
     with pytest.raises(LogError, match=rf"log\.csv: column .*{message}"):
-        recorded.read(path)
-    recorded.read(path, trusted=True)
+        recorded.read_record(path)
+    recorded.read_record(path, trusted=True)
 
 
 def test_at_10_hz_two_mix_ups_look_alike_and_both_are_named(tmp_path: Path) -> None:
@@ -80,7 +80,7 @@ def test_at_10_hz_two_mix_ups_look_alike_and_both_are_named(tmp_path: Path) -> N
     sums = [values.reshape(-1, 10, 3).sum(axis=1) for values in (slow.rotation, slow.velocity)]
     table = scaled(FORCE, 0.1)(frame(Increments(0.1, *sums)))
     with pytest.raises(LogError, match="are increments given where rates are meant"):
-        recorded.read(saved(table, tmp_path))
+        recorded.read_record(saved(table, tmp_path))
 
 
 def motion(rate: Motion, force: Motion, seconds: float = 120.0) -> Increments:
@@ -107,16 +107,16 @@ INVERTED = motion(lambda t: (0, 0, 1e-4), lambda t: (0, 0, np.where(t % 10 < 4, 
 def test_what_a_vehicle_may_do_raises_no_alarm(flight: Increments, kind: int) -> None:
     gyros, forces = ((ROTATION, VELOCITY), (GYRO_DEG_S, FORCE_G))[kind]
     rate, force = flight.rotation / 0.01 / gyros.factor, flight.velocity / 0.01 / forces.factor
-    check(Readings("flight", 0.01, gyros, forces, rate, force))
+    check_plausibility(Readings("flight", 0.01, gyros, forces, rate, force))
 
 
-@pytest.fixture(scope="module", params=names())
+@pytest.fixture(scope="module", params=list_trajectories())
 def mission(request: pytest.FixtureRequest) -> tuple[str, Increments]:
     """Five minutes of each ready mission, those that can from a minute at rest; at 100 Hz."""
     moving = request.param in MOVING
     still = 0.0 if moving else 60.0
-    truth = trajectory(request.param, still, 300.0 - still).increments(-still, 0.01, 30_000)
-    return request.param, imu("simple").measure(truth, seed=1).increments
+    truth = load_trajectory(request.param, 300.0 - still, still).increments(-still, 0.01, 30_000)
+    return request.param, load_imu("simple").measure(truth, seed=1).increments
 
 
 def readings(flown: Increments, gyros: Quantity, forces: Quantity, every: int = 1) -> Readings:
@@ -132,7 +132,7 @@ def test_a_mission_raises_no_alarm(mission: tuple[str, Increments], every: int) 
     _, flown = mission
     for gyros in GYROS:
         for forces in ACCELEROMETERS:
-            check(readings(flown, gyros, forces, every))
+            check_plausibility(readings(flown, gyros, forces, every))
 
 
 def test_a_mix_up_is_told_on_a_mission_that_begins_at_rest(
@@ -143,11 +143,11 @@ def test_a_mix_up_is_told_on_a_mission_that_begins_at_rest(
         right = readings(flown, gyros, forces)
         other = FORCE_G if forces is FORCE_M_S2 else FORCE_M_S2
         with pytest.raises(LogError, match=r"given where .* meant"):
-            check(replace(right, accelerometers=other))
+            check_plausibility(replace(right, accelerometers=other))
         if name not in MOVING:
             other = GYRO_DEG_S if gyros is GYRO_RAD_S else GYRO_RAD_S
             with pytest.raises(LogError, match=r"s given where .*s are meant"):
-                check(replace(right, gyros=other))
+                check_plausibility(replace(right, gyros=other))
 
 
 def test_tactical_gyros_raise_no_alarm() -> None:
@@ -157,4 +157,5 @@ def test_tactical_gyros_raise_no_alarm() -> None:
     for _ in range(500):
         bias = generator.normal(0.0, generator.uniform(0, 20) * DEG / 3600, size=3)
         rate = truth.rotation / 0.01 + bias
-        check(Readings("log", 0.01, GYROS[2], ACCELEROMETERS[1], rate, truth.velocity / 0.01))
+        force = truth.velocity / 0.01
+        check_plausibility(Readings("log", 0.01, GYROS[2], ACCELEROMETERS[1], rate, force))

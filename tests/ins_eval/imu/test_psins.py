@@ -11,7 +11,7 @@ from ins_eval.common import earth
 from ins_eval.common.rotation import euler_from_mat
 from ins_eval.imu import recorded
 from pyhrg.common.units import ARCSEC, DEG
-from pyhrg.records.imu.log import LogError
+from pyhrg.records.columns import LogError
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 
@@ -40,15 +40,15 @@ def write(folder: Path, text: str) -> Path:
 
 
 def test_counts_become_forward_right_down(tmp_path: Path) -> None:
-    log = recorded.read(write(tmp_path, HEADER + ROWS))
-    one = log.increments.between(0, 1)
-    np.testing.assert_allclose(one.rotation, [[0.4 * ARCSEC, 0.1 * ARCSEC, -0.9 * ARCSEC]])
-    np.testing.assert_allclose(one.velocity, 9.8e-6 * np.array([[1000.0, 400.0, -1800.0]]))
+    log = recorded.read_record(write(tmp_path, HEADER + ROWS))
+    first = log.increments.between(0, 1)
+    np.testing.assert_allclose(first.rotation, [[0.4 * ARCSEC, 0.1 * ARCSEC, -0.9 * ARCSEC]])
+    np.testing.assert_allclose(first.velocity, 9.8e-6 * np.array([[1000.0, 400.0, -1800.0]]))
     assert (len(log.increments), log.increments.interval, log.increments.start) == (20, 0.01, 5.0)
 
 
 def test_yaw_is_turned_into_heading(tmp_path: Path) -> None:
-    log = recorded.read(write(tmp_path, HEADER + ROWS))
+    log = recorded.read_record(write(tmp_path, HEADER + ROWS))
     assert log.position == pytest.approx([34.246048 * DEG, 108.909664 * DEG, 380.0])
     assert log.mat_nb is not None
     assert euler_from_mat(log.mat_nb) == pytest.approx([2 * DEG, 1 * DEG, 90.6 * DEG])
@@ -66,7 +66,7 @@ def test_yaw_is_turned_into_heading(tmp_path: Path) -> None:
 )
 def test_a_wrong_row_is_named(tmp_path: Path, wrong: str, message: str) -> None:
     with pytest.raises(LogError, match=message):
-        recorded.read(write(tmp_path, HEADER + ROWS + wrong))
+        recorded.read_record(write(tmp_path, HEADER + ROWS + wrong))
 
 
 @pytest.mark.parametrize(
@@ -80,31 +80,31 @@ def test_a_wrong_row_is_named(tmp_path: Path, wrong: str, message: str) -> None:
 )
 def test_a_wrong_header_is_named(tmp_path: Path, old: str, new: str, message: str) -> None:
     with pytest.raises(LogError, match=message):
-        recorded.read(write(tmp_path, HEADER.replace(old, new) + ROWS))
+        recorded.read_record(write(tmp_path, HEADER.replace(old, new) + ROWS))
 
 
 def test_a_z_axis_that_points_down_is_named(tmp_path: Path) -> None:
     """One g along z, the wrong way round: 1e4 counts of 1e-6 g s in 10 ms; 300 in the header."""
     header = HEADER.replace("300.0", "1.0")
-    recorded.read(write(tmp_path, header + "0 0 0 0 0 10000\n" * 20))
+    recorded.read_record(write(tmp_path, header + "0 0 0 0 0 10000\n" * 20))
     path = write(tmp_path, header + "0 0 0 0 0 -10000\n" * 20)
     with pytest.raises(LogError, match=r"column a_x .*is z down where up is meant"):
-        recorded.read(path)
-    assert recorded.read(path, trusted=True).increments.velocity[0, 2] > 0
+        recorded.read_record(path)
+    assert recorded.read_record(path, trusted=True).increments.velocity[0, 2] > 0
 
 
 def test_too_few_rows_and_a_cut_file_are_named(tmp_path: Path) -> None:
     with pytest.raises(LogError, match="found 1 rows of values, expected at least 10"):
-        recorded.read(write(tmp_path, HEADER + "1 2 3 4 5 6\n"))
+        recorded.read_record(write(tmp_path, HEADER + "1 2 3 4 5 6\n"))
     cut = tmp_path / "cut.imu.gz"
     cut.write_bytes(gzip.compress((HEADER + ROWS).encode())[:-20])
     with pytest.raises(LogError, match=r"cut\.imu\.gz: found gzipped data cut off"):
-        recorded.read(cut)
+        recorded.read_record(cut)
 
 
 def test_the_ring_laser_feels_gravity_and_earth(ring_laser: Path) -> None:
     """Gravity to 0.1 % and Earth's rate to 5 % over the whole record, by norm and sign."""
-    log = recorded.read(ring_laser)
+    log = recorded.read_record(ring_laser)
     assert log.position is not None
     latitude, _, height = log.position
     force = log.increments.velocity.sum(axis=0) / log.increments.duration

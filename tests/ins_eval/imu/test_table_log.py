@@ -6,10 +6,11 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from ins_eval.common.increments import Increments
 from ins_eval.imu import recorded
+from pyhrg.common.errors import HrgError
+from pyhrg.records.columns import LogError
 from pyhrg.records.imu.columns import ACCELEROMETERS, GYROS, Quantity
-from pyhrg.records.imu.log import LogError
+from pyhrg.records.imu.increments import Increments
 from tests.ins_eval.imu.logs import frame, resting, saved
 
 RANDOM = Increments(
@@ -20,14 +21,14 @@ RANDOM = Increments(
 @pytest.mark.parametrize("name", ["log.csv", "log.csv.gz", "log.parquet"])
 def test_what_was_written_reads_back_to_the_same_bits(tmp_path: Path, name: str) -> None:
     path = tmp_path / name
-    recorded.write(RANDOM, path)
-    back = recorded.read(path).increments
+    recorded.write_imu_log(RANDOM, path)
+    back = recorded.read_record(path).increments
     np.testing.assert_array_equal(back.rotation, RANDOM.rotation)
     np.testing.assert_array_equal(back.velocity, RANDOM.velocity)
     assert back.interval == pytest.approx(RANDOM.interval, rel=1e-12)
     assert back.start == pytest.approx(12.5, abs=1e-12)
     first = path.read_bytes()
-    recorded.write(RANDOM, path)
+    recorded.write_imu_log(RANDOM, path)
     assert path.read_bytes() == first
 
 
@@ -37,7 +38,7 @@ def test_every_kind_of_column_gives_the_same_increments(
     tmp_path: Path, gyros: Quantity, forces: Quantity
 ) -> None:
     truth = resting(40.0)
-    log = recorded.read(saved(frame(truth, gyros, forces), tmp_path))
+    log = recorded.read_record(saved(frame(truth, gyros, forces), tmp_path))
     np.testing.assert_allclose(log.increments.rotation, truth.rotation, rtol=1e-12)
     np.testing.assert_allclose(log.increments.velocity, truth.velocity, rtol=1e-12)
     assert (log.position, log.mat_nb) == (None, None)
@@ -45,14 +46,16 @@ def test_every_kind_of_column_gives_the_same_increments(
 
 def test_other_columns_are_ignored_and_order_is_free(tmp_path: Path) -> None:
     table = frame(resting()).assign(state="good")
-    plain = recorded.read(saved(table, tmp_path)).increments
-    turned = recorded.read(saved(table[table.columns[::-1]], tmp_path, "turned.csv")).increments
+    plain = recorded.read_record(saved(table, tmp_path)).increments
+    turned = recorded.read_record(
+        saved(table[table.columns[::-1]], tmp_path, "turned.csv")
+    ).increments
     np.testing.assert_array_equal(turned.rotation, plain.rotation)
 
 
 def test_another_ending_is_refused_and_nothing_is_left(tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match=r"found '.xls', expected .csv, .csv.gz or .parquet"):
-        recorded.write(RANDOM, tmp_path / "log.xls")
+    with pytest.raises(HrgError, match=r"found '.xls', expected .csv, .csv.gz or .parquet"):
+        recorded.write_imu_log(RANDOM, tmp_path / "log.xls")
     assert list(tmp_path.iterdir()) == []
 
 
@@ -94,7 +97,7 @@ def test_what_is_wrong_is_named(tmp_path: Path, table: pd.DataFrame, message: st
     path = tmp_path / "log.csv"
     path.write_text(table.to_csv(index=False).replace('"', ""))
     with pytest.raises(LogError, match=message):
-        recorded.read(path)
+        recorded.read_record(path)
 
 
 @pytest.mark.parametrize(
@@ -111,7 +114,7 @@ def test_a_file_that_is_none_is_refused(tmp_path: Path, data: bytes, message: st
     path = tmp_path / "log"
     path.write_bytes(data)
     with pytest.raises(LogError, match=message):
-        recorded.read(path)
+        recorded.read_record(path)
 
 
 def test_a_parquet_file_is_held_to_the_same(tmp_path: Path) -> None:
@@ -120,12 +123,12 @@ def test_a_parquet_file_is_held_to_the_same(tmp_path: Path) -> None:
     table.loc[7, GYRO_Y] = np.nan
     table.to_parquet(path)
     with pytest.raises(LogError, match="row 8, gyro_y_rad_s: found nan, expected a finite number"):
-        recorded.read(path)
+        recorded.read_record(path)
     with_cell(7, GYRO_Y, "x").astype({GYRO_Y: str}).to_parquet(path)
     with pytest.raises(LogError, match=r"column gyro_y_rad_s: found .*, expected numbers"):
-        recorded.read(path)
+        recorded.read_record(path)
 
 
 def test_a_missing_file_is_named(tmp_path: Path) -> None:
     with pytest.raises(LogError, match=r"none\.csv: can't be read: No such file"):
-        recorded.read(tmp_path / "none.csv")
+        recorded.read_record(tmp_path / "none.csv")

@@ -8,12 +8,12 @@ from numpy.typing import NDArray
 from scipy import stats
 
 from ins_eval.mission_model.noise_weights import (
-    FLICKER,
+    FLICKER_SCALE,
+    FLICKER_TIME_CONSTANTS,
     KINDS,
-    TIME_CONSTANTS,
-    error_weights,
-    factors,
-    noise_covariances,
+    compute_error_weights,
+    compute_noise_covariances,
+    factor_covariances,
 )
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR
 from pyhrg.device.device import Device
@@ -38,18 +38,20 @@ def rates(kind: str, deviates: Array) -> Array:
         return deviates / np.sqrt(STEP)
     if kind == "rate random walk":
         return np.sqrt(STEP) * np.cumsum(deviates)[BEFORE:]
-    decays = np.exp(-STEP / TIME_CONSTANTS)
+    decays = np.exp(-STEP / FLICKER_TIME_CONSTANTS)
     lags, total = np.zeros(len(decays)), []
     for deviate in deviates:
-        lags = decays * lags + (1 - decays) * np.sqrt(TIME_CONSTANTS / STEP) * deviate
-        total.append(FLICKER * lags.sum())
+        lags = decays * lags + (1 - decays) * np.sqrt(FLICKER_TIME_CONSTANTS / STEP) * deviate
+        total.append(FLICKER_SCALE * lags.sum())
     return np.array(total)[BEFORE:]
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_covariance_is_that_of_every_deviate(kind: str) -> None:
     transition, per_rate = system()
-    found = noise_covariances(error_weights(transition, per_rate, KEPT), STEP, BEFORE)
+    found = compute_noise_covariances(
+        compute_error_weights(transition, per_rate, KEPT), STEP, BEFORE
+    )
     count = {"angle white noise": STEPS + 1, "angle random walk": STEPS}
     total = np.zeros((4, 4))
     for impulse in np.eye(count.get(kind, STEPS + BEFORE)):
@@ -65,7 +67,7 @@ def test_covariance_is_that_of_every_deviate(kind: str) -> None:
 def test_factors_square_to_a_singular_covariance() -> None:
     root = np.random.default_rng(2).standard_normal((5, 2))
     covariance = root @ root.T
-    found = factors(covariance)
+    found = factor_covariances(covariance)
     assert found @ found.T == pytest.approx(covariance, abs=1e-9)
 
 
@@ -76,7 +78,7 @@ def test_noise_is_the_fmus(slow_fmu: GyroFmu) -> None:
     noise = np.array([white, walk, flicker, per_hour / np.sqrt(HOUR)])
     device = replace(
         Device(),
-        pickoff_noise=noise[0],
+        angle_white_noise=noise[0],
         angle_random_walk=noise[1],
         bias_instability=noise[2],
         rate_random_walk=noise[3],
@@ -90,7 +92,7 @@ def test_noise_is_the_fmus(slow_fmu: GyroFmu) -> None:
     transition = np.tile(np.eye(2), (steps, 1, 1))
     per_rate = np.zeros((steps, 2, 3))
     per_rate[:, 0, 0] = 1.0
-    weights = error_weights(transition, per_rate, np.array([steps]))
-    expected = noise**2 @ noise_covariances(weights, 1.0, before)[:, 0, 0, 0]
+    weights = compute_error_weights(transition, per_rate, np.array([steps]))
+    expected = noise**2 @ compute_noise_covariances(weights, 1.0, before)[:, 0, 0, 0]
     low, high = stats.chi2.ppf([0.0005, 0.9995], runs) / runs
     assert low < np.mean(np.square(ends)) / expected < high

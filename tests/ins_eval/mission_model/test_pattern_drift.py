@@ -4,15 +4,15 @@ from dataclasses import replace
 
 import numpy as np
 
-from ins_eval.error_model.motion import PARTS, Motion, along
-from ins_eval.mission_model.gyro_map import HARMONICS, TERMS, terms
+from ins_eval.error_model.motion import PARTS, Motion, sample_motion
+from ins_eval.mission_model.gyro_map import HARMONICS, TERMS, evaluate_terms
 from ins_eval.mission_model.missions import STILL, StudyMission
 from ins_eval.mission_model.pattern_drift import (
-    TURNING,
-    Swept,
-    drift_effects,
-    drift_products,
-    swept,
+    TURNING_TERMS,
+    TurningIntegrals,
+    compute_drift_products,
+    integrate_turning_terms,
+    list_drift_effects,
 )
 from ins_eval.mission_model.signals import COUNT
 
@@ -20,7 +20,7 @@ K, STEP, ROWS = 0.277, 1.0, 600
 
 
 def _motion(mission: StudyMission) -> Motion:
-    return along(mission.trajectory(), -STILL, STEP, ROWS)
+    return sample_motion(mission.trajectory(), -STILL, STEP, ROWS)
 
 
 def test_rate_of_a_pattern_that_drifts(short: StudyMission) -> None:
@@ -30,14 +30,14 @@ def test_rate_of_a_pattern_that_drifts(short: StudyMission) -> None:
     in_flight = np.zeros((1, COUNT, 3))
     in_flight[0, :TERMS] = left
     motion = _motion(short)
-    effects = drift_effects(swept(short.trajectory(), -STILL, ROWS - STILL))
-    products = drift_products(in_flight, bias[None])[0]
+    effects = list_drift_effects(integrate_turning_terms(short.trajectory(), -STILL, ROWS - STILL))
+    products = compute_drift_products(in_flight, bias[None])[0]
     found = sum(p * e.regressor(motion) for p, e in zip(products, effects, strict=True))
     ideal, step = -K * motion.turned, STEP / PARTS
     for axis in range(3):
-        turning = terms(ideal[:, axis])[:, list(TURNING)] @ bias[:, axis]
+        turning = evaluate_terms(ideal[:, axis])[:, list(TURNING_TERMS)] @ bias[:, axis]
         drifted = ideal[:, axis] - K * step * (np.cumsum(turning) - turning / 2)
-        change = (terms(drifted) - terms(ideal[:, axis])) @ left[:, axis]
+        change = (evaluate_terms(drifted) - evaluate_terms(ideal[:, axis])) @ left[:, axis]
         assert np.max(np.abs(found[:, axis] - change)) < 0.03 * np.max(np.abs(change))
 
 
@@ -52,15 +52,15 @@ def test_angle_that_is_read_moves_with_the_pattern(short: StudyMission) -> None:
     rate = np.deg2rad(20.0)
     turned = rate * np.repeat(since[:, None], 3, axis=1)
     motion = replace(still, rate=np.full_like(still.rate, rate), turned=turned)
-    waves = terms(-K * turned)[..., list(TURNING)]
+    waves = evaluate_terms(-K * turned)[..., list(TURNING_TERMS)]
     integrals = STEP / PARTS * (np.cumsum(waves, axis=0) - waves / 2 - waves[0] / 2)
-    by = Swept(motion.start + since, np.moveaxis(integrals, 1, 2))
-    effects = drift_effects(by)
-    products = drift_products(in_flight, bias[None])[0]
+    by = TurningIntegrals(motion.start + since, np.moveaxis(integrals, 1, 2))
+    effects = list_drift_effects(by)
+    products = compute_drift_products(in_flight, bias[None])[0]
     found = sum(p * e.regressor(motion) for p, e in zip(products, effects, strict=True))
     ideal, step = -K * motion.turned, STEP / PARTS
     for axis in range(3):
-        turning = terms(ideal[:, axis])[:, list(TURNING)] @ bias[:, axis]
+        turning = evaluate_terms(ideal[:, axis])[:, list(TURNING_TERMS)] @ bias[:, axis]
         drifted = ideal[:, axis] - K * step * (np.cumsum(turning) - turning / 2)
         error = _angle_error(scale[:, axis], drifted) - _angle_error(scale[:, axis], ideal[:, axis])
         change = np.gradient(error, step)[1:-1]
@@ -79,8 +79,10 @@ def test_what_warms_drifts_as_it_is_warm() -> None:
     """Bias at power-on and what it gains count alike; a mean has no slope."""
     one, other = np.zeros((2, 1, COUNT, 3))
     one[0, 3], other[0, 2 * TERMS + 3] = 1.0, 1.0
-    bias = np.ones((1, len(TURNING), 3))
-    np.testing.assert_array_equal(drift_products(one, bias), drift_products(other, bias))
+    bias = np.ones((1, len(TURNING_TERMS), 3))
+    np.testing.assert_array_equal(
+        compute_drift_products(one, bias), compute_drift_products(other, bias)
+    )
     mean = np.zeros((1, COUNT, 3))
     mean[0, 0] = 1.0
-    assert not drift_products(mean, bias).any()
+    assert not compute_drift_products(mean, bias).any()

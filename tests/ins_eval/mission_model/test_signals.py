@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from ins_eval.error_model.motion import along
-from ins_eval.mission_model.missions import study_mission
+from ins_eval.error_model.motion import sample_motion
+from ins_eval.mission_model.missions import plan_mission
 from ins_eval.mission_model.signals import (
     COUNT,
     CROSS_AXES,
@@ -13,10 +13,10 @@ from ins_eval.mission_model.signals import (
     STEADY,
     WARMING,
     Signal,
-    coefficients_of,
+    slice_coefficients,
 )
 
-MOTION = along(study_mission("car", 0.1).trajectory(), -300.0, 1.0, 600)
+MOTION = sample_motion(plan_mission("car", 0.1).trajectory(), -300.0, 1.0, 600)
 
 
 @pytest.mark.parametrize("signal", SIGNALS, ids=[signal.name for signal in SIGNALS])
@@ -38,5 +38,5 @@ def test_gyros_feel_what_is_along_and_across_them() -> None:
 
 
 def test_parts_are_all() -> None:
-    parts = [coefficients_of(of) for of in (STEADY, WARMING, ENVIRONMENT)]
+    parts = [slice_coefficients(of) for of in (STEADY, WARMING, ENVIRONMENT)]
     assert [p.start for p in parts] + [parts[-1].stop] == [0, parts[0].stop, parts[1].stop, COUNT]

@@ -7,13 +7,13 @@ from numpy.random import default_rng
 from benchmarks.navigation.motions import Flight, coning, static, weaving
 from benchmarks.navigation.weave import Weave
 from ins_eval.common.state import Track
-from ins_eval.navigation.coefficients import SAMPLES
+from ins_eval.navigation.coefficients import SAMPLES_PER_STEP
 from pyhrg.common.units import DEG_PER_H
 
 HOUR = 3600
 TWO_MINUTES = 120
 PRO_RATA = 3e-3 * TWO_MINUTES / HOUR
-"""An hour's 3 mm, for two minutes."""
+"""3 mm in an hour, scaled to two minutes, m."""
 
 
 def horizontal(flight: Flight, track: Track) -> float:
@@ -27,14 +27,14 @@ def hour_of_weaving(request: pytest.FixtureRequest) -> tuple[Flight, float]:
     return weaving(Weave(), HOUR, rate), limit
 
 
-@pytest.mark.parametrize("samples", SAMPLES)
+@pytest.mark.parametrize("samples", SAMPLES_PER_STEP)
 def test_weaving_aircraft(hour_of_weaving: tuple[Flight, float], samples: int) -> None:
     """250 m/s, heading 20 deg sin(2 pi t/60 s), 45 N: 3 mm at 100 Hz, 1 mm at 200 Hz in 1 h."""
     flight, limit = hour_of_weaving
     assert horizontal(flight, flight.flown(samples)) <= limit
 
 
-@pytest.mark.parametrize("samples", SAMPLES)
+@pytest.mark.parametrize("samples", SAMPLES_PER_STEP)
 @pytest.mark.parametrize(("hours", "rate"), [(1, 100), (24, 20)])
 def test_static(hours: int, rate: int, samples: int) -> None:
     """0.1 mm, tilted: rounding does not add up either."""
@@ -42,7 +42,7 @@ def test_static(hours: int, rate: int, samples: int) -> None:
     assert horizontal(flight, flight.flown(samples)) <= 1e-4
 
 
-@pytest.mark.parametrize("samples", SAMPLES)
+@pytest.mark.parametrize("samples", SAMPLES_PER_STEP)
 def test_error_falls_as_the_square_of_the_step_or_better(samples: int) -> None:
     errors = []
     for rate in (10, 20, 40):
@@ -105,7 +105,7 @@ def test_fast_high_and_low(speed: float, height: float) -> None:
 
 
 def test_the_dateline_changes_nothing() -> None:
-    """The same flight at longitude 0 and across the dateline ends at the same error."""
+    """One flight at longitude 0 and across the dateline ends at the same error."""
     errors = []
     for longitude in (0.0, np.pi - 1e-4):
         flight = weaving(Weave(longitude=longitude, heading=np.pi / 2), 120, 50)

@@ -5,11 +5,12 @@ import pytest
 
 from ins_eval import theory
 from ins_eval.common import earth
-from ins_eval.common.increments import Increments
 from ins_eval.common.state import State, Track
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories.trajectory import Knots, Trajectory
+from pyhrg.common.errors import HrgError
+from pyhrg.records.imu.increments import Increments
 from tests.ins_eval.cases import at_rest
 
 LATITUDE = np.deg2rad(45.0)
@@ -34,8 +35,8 @@ def climbing() -> Trajectory:
 
 
 def test_free_height_runs_away_as_a_hyperbolic_cosine() -> None:
-    """And down velocity as a sinh. At 80 deg: nearer the equator, Coriolis, which the closed form
-    leaves out, slows it (by 0.6 % in 1 h at 45 deg)."""
+    """The down velocity grows as a sinh. At 80 deg, since Coriolis acceleration, which the closed
+    form leaves out, slows the growth nearer the equator (by 0.6 % in 1 h at 45 deg)."""
     latitude = np.deg2rad(80.0)
     track = at_rest_from(1.0, Free(), 3600, latitude)
     expected = theory.free_height(1.0, track.time, latitude)
@@ -104,17 +105,17 @@ def test_vertical_error_falls_as_the_square_of_the_step(hold: type) -> None:
     assert np.all(orders > 1.8), (orders, errors)
 
 
-def few() -> tuple[State, Increments]:
+def make_four_increments() -> tuple[State, Increments]:
     start = State(LATITUDE, 0.0, 0.0, np.zeros(3), np.eye(3))
     return start, at_rest(LATITUDE, 0.0, 0.04, np.zeros(3))
 
 
 def test_height_that_is_not_finite_is_named() -> None:
-    with pytest.raises(ValueError, match="height 2 is nan: expected finite, in m"):
-        navigate(*few(), Clamped(np.array([0, 0, np.nan, 0, 0])), 2)
+    with pytest.raises(HrgError, match="height 2 is nan: expected finite, in m"):
+        navigate(*make_four_increments(), Clamped(np.array([0, 0, np.nan, 0, 0])), 2)
 
 
 @pytest.mark.parametrize("time_constant", [0.0, -1.0, 0.02, np.nan, np.inf])
 def test_time_constant_must_be_longer_than_a_step(time_constant: float) -> None:
-    with pytest.raises(ValueError, match=r"expected longer than a step, 0.02 s"):
-        navigate(*few(), BaroDamped(np.zeros(5), time_constant), 2)
+    with pytest.raises(HrgError, match=r"expected longer than a step, 0.02 s"):
+        navigate(*make_four_increments(), BaroDamped(np.zeros(5), time_constant), 2)

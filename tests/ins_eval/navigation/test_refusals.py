@@ -1,4 +1,4 @@
-"""What the navigator refuses, and what it says."""
+"""Inputs that the navigator refuses, and its messages."""
 
 from dataclasses import replace
 
@@ -6,17 +6,17 @@ import numpy as np
 import pytest
 
 from benchmarks.navigation.weave import Weave
-from ins_eval.common.increments import Increments
 from ins_eval.common.state import State
 from ins_eval.navigation.height import Clamped, Free
 from ins_eval.navigation.strapdown import NavigationError, check_rotation, navigate
+from pyhrg.records.imu.increments import Increments
 from tests.ins_eval.cases import at_rest
 
 START = State(0.5, 0.0, 0.0, np.zeros(3), np.eye(3))
 CLAMP = Clamped(np.zeros(5))
 
 
-def four() -> Increments:
+def make_four_increments() -> Increments:
     return at_rest(0.5, 0.0, 0.04, np.zeros(3))
 
 
@@ -24,53 +24,55 @@ def four() -> Increments:
 def test_start_at_a_pole(latitude_deg: float) -> None:
     start = replace(START, latitude=np.deg2rad(latitude_deg))
     with pytest.raises(NavigationError, match=r"start at latitude .* expected within 89.5 deg"):
-        navigate(start, four(), CLAMP, 2)
+        navigate(start, make_four_increments(), CLAMP, 2)
 
 
 def test_latitude_in_degrees_is_named() -> None:
     with pytest.raises(NavigationError, match="is it in degrees where radians are meant"):
-        navigate(replace(START, latitude=45.0), four(), CLAMP, 2)
+        navigate(replace(START, latitude=45.0), make_four_increments(), CLAMP, 2)
 
 
 def test_velocity_of_another_shape() -> None:
     with pytest.raises(NavigationError, match=r"velocity of shape \(2,\): expected \(3,\)"):
-        navigate(replace(START, velocity=np.zeros(2)), four(), CLAMP, 2)
+        navigate(replace(START, velocity=np.zeros(2)), make_four_increments(), CLAMP, 2)
 
 
 def test_no_row_to_keep() -> None:
-    with pytest.raises(ValueError, match="4 intervals, every 6 kept"):
-        navigate(START, four(), CLAMP, 6)
+    with pytest.raises(NavigationError, match="4 increments and keep_every 6"):
+        navigate(START, make_four_increments(), CLAMP, 6)
 
 
 def test_start_that_is_not_finite() -> None:
     with pytest.raises(NavigationError, match=r"start at .*nan.*: expected finite"):
-        navigate(replace(START, velocity=np.array([0, np.nan, 0])), four(), CLAMP, 2)
+        navigate(
+            replace(START, velocity=np.array([0, np.nan, 0])), make_four_increments(), CLAMP, 2
+        )
 
 
 @pytest.mark.parametrize(
     ("matrix", "what"),
     [
-        (np.diag([1.0, 1.0, -1.0]), "no rotation.*determinant -1"),
-        (1.01 * np.eye(3), "no rotation.*differs from 1 by 2.0e-02"),
+        (np.diag([1.0, 1.0, -1.0]), "not a rotation matrix.*determinant -1"),
+        (1.01 * np.eye(3), "not a rotation matrix.*differs from 1 by 2.0e-02"),
         (np.full((3, 3), np.nan), "expected a finite 3 x 3"),
         (np.eye(2), "shape .2, 2.*expected a finite 3 x 3"),
     ],
 )
-def test_attitude_that_is_no_rotation(matrix: np.ndarray, what: str) -> None:
+def test_attitude_that_is_not_a_rotation_matrix(matrix: np.ndarray, what: str) -> None:
     with pytest.raises(NavigationError, match=what):
-        navigate(replace(START, mat_nb=matrix), four(), CLAMP, 2)
+        navigate(replace(START, mat_nb=matrix), make_four_increments(), CLAMP, 2)
 
 
 def test_attitude_may_be_a_list() -> None:
     check_rotation(np.eye(3).tolist())  # type: ignore[arg-type]
-    with pytest.raises(NavigationError, match=r"no rotation.*determinant -1"):
+    with pytest.raises(NavigationError, match=r"not a rotation matrix.*determinant -1"):
         check_rotation(np.diag([1.0, 1.0, -1.0]).tolist())  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf])
 @pytest.mark.parametrize("sensor", ["rotation", "velocity"])
 def test_increment_that_is_not_finite_is_named(sensor: str, value: float) -> None:
-    record = four()
+    record = make_four_increments()
     getattr(record, sensor)[3, 1] = value
     with pytest.raises(NavigationError, match=rf"interval from 0.03 s are .*{value}.*rad and m/s"):
         navigate(START, record, CLAMP, 2)
@@ -79,11 +81,11 @@ def test_increment_that_is_not_finite_is_named(sensor: str, value: float) -> Non
 @pytest.mark.parametrize("interval", [0.0, -0.01, np.nan, np.inf])
 def test_interval(interval: float) -> None:
     with pytest.raises(NavigationError, match="expected longer than 0 s"):
-        navigate(START, replace(four(), interval=interval), CLAMP, 2)
+        navigate(START, replace(make_four_increments(), interval=interval), CLAMP, 2)
 
 
 def test_increments_of_different_numbers() -> None:
-    record = replace(four(), velocity=np.zeros((3, 3)))
+    record = replace(make_four_increments(), velocity=np.zeros((3, 3)))
     with pytest.raises(NavigationError, match=r"\(4, 3\) and \(3, 3\): expected \(n, 3\) both"):
         navigate(START, record, CLAMP, 2)
 

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from ins_eval.common.increments import Increments
 from ins_eval.common.state import track_error
-from ins_eval.navigation.coefficients import SAMPLES
+from ins_eval.navigation.coefficients import SAMPLES_PER_STEP
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories.trajectory import Knots, Trajectory
+from pyhrg.records.imu.increments import Increments
 
 SECONDS = 60
 FINE = 2000
@@ -28,17 +28,19 @@ def rolls() -> tuple[Trajectory, Increments]:
     return trajectory, trajectory.increments(0.0, 1 / FINE, SECONDS * FINE)
 
 
-def summed(fine: Increments, rate: int) -> Increments:
+def sum_increments(fine: Increments, rate: int) -> Increments:
     each = FINE // rate
     shape = (len(fine) // each, each, 3)
     rotation, velocity = (x.reshape(shape).sum(axis=1) for x in (fine.rotation, fine.velocity))
     return Increments(1 / rate, rotation, velocity)
 
 
-def errors(rolls: tuple[Trajectory, Increments], rate: int, samples: int) -> tuple[float, float]:
+def largest_errors(
+    rolls: tuple[Trajectory, Increments], rate: int, samples: int
+) -> tuple[float, float]:
     """Largest horizontal error, m, and attitude error, rad."""
     trajectory, fine = rolls
-    record = summed(fine, rate)
+    record = sum_increments(fine, rate)
     clamp = Clamped(trajectory.position(record.bounds)[:, 2])
     track = navigate(trajectory.state(0.0), record, clamp, 12 * rate, samples)
     error = track_error(track, trajectory.track(track.time))
@@ -52,23 +54,23 @@ def test_two_samples_at_100_hz_stay_within_the_weaving_aircrafts_budget(
     rolls: tuple[Trajectory, Increments],
 ) -> None:
     """3 mm; after five rolls."""
-    assert errors(rolls, 100, 2)[0] < 3e-3
+    assert largest_errors(rolls, 100, 2)[0] < 3e-3
 
 
-@pytest.mark.parametrize("samples", SAMPLES)
+@pytest.mark.parametrize("samples", SAMPLES_PER_STEP)
 def test_error_falls_with_the_third_power_of_the_step_or_better(
     rolls: tuple[Trajectory, Increments], samples: int
 ) -> None:
-    slow, fast = (errors(rolls, rate, samples)[0] for rate in (100, 500))
+    slow, fast = (largest_errors(rolls, rate, samples)[0] for rate in (100, 500))
     assert np.log(slow / fast) / np.log(5) > 3.0
 
 
-@pytest.mark.parametrize("samples", SAMPLES)
+@pytest.mark.parametrize("samples", SAMPLES_PER_STEP)
 def test_attitude_stands_a_quarter_turn_and_more_a_step(
     rolls: tuple[Trajectory, Increments], samples: int
 ) -> None:
     """At 10 Hz; in position, where gravity swings round within the step, that is too slow."""
-    record = summed(rolls[1], 10)
+    record = sum_increments(rolls[1], 10)
     steps = record.rotation[:, 0].reshape(-1, samples).sum(axis=1)
     assert np.max(steps) > np.pi / 2
-    assert errors(rolls, 10, samples)[1] < 1e-4
+    assert largest_errors(rolls, 10, samples)[1] < 1e-4

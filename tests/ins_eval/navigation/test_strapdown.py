@@ -4,18 +4,19 @@ import numpy as np
 import pytest
 
 from ins_eval.common.state import State, position_error
-from ins_eval.navigation.coefficients import SAMPLES
+from ins_eval.navigation.coefficients import SAMPLES_PER_STEP
 from ins_eval.navigation.height import Clamped
-from ins_eval.navigation.strapdown import navigate
-from ins_eval.parking.mission import Mission, mission
-from ins_eval.trajectories.catalogue import trajectory
+from ins_eval.navigation.strapdown import NavigationError, navigate
+from ins_eval.parking.mission import Mission, sample_mission
+from ins_eval.trajectories.catalogue import load_trajectory
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG_PER_H
 from tests.ins_eval.cases import at_rest
 
 
 @pytest.fixture(scope="module")
 def two_hours() -> Mission:
-    return mission(trajectory("car", 320.0, 7210.0), 2.0)
+    return sample_mission(load_trajectory("car", 7210.0, 320.0), 2.0)
 
 
 def test_own_error_is_below_10_m_at_2_h(two_hours: Mission) -> None:
@@ -44,11 +45,11 @@ def test_published_up_gyro_bias() -> None:
     )
 
 
-@pytest.mark.parametrize("samples", SAMPLES)
+@pytest.mark.parametrize("samples", SAMPLES_PER_STEP)
 def test_intervals_must_fill_steps(samples: int) -> None:
     record = at_rest(0.5, 0.0, 0.05, np.zeros(3))
     start = State(0.5, 0.0, 0.0, np.zeros(3), np.eye(3))
-    with pytest.raises(ValueError, match=f"5 intervals.*multiples of {samples}"):
+    with pytest.raises(NavigationError, match=f"5 increments.*multiples of samples, {samples}"):
         navigate(start, record, Clamped(np.zeros(6)), samples, samples)
 
 
@@ -56,6 +57,6 @@ def test_heights_must_match() -> None:
     record = at_rest(0.5, 0.0, 0.04, np.zeros(3))
     start = State(0.5, 0.0, 0.0, np.zeros(3), np.eye(3))
     with pytest.raises(
-        ValueError, match=r"shape \(3,\): expected \(5,\), at the bounds of 4 intervals"
+        HrgError, match=r"shape \(3,\): expected \(5,\), at the bounds of 4 intervals"
     ):
         navigate(start, record, Clamped(np.zeros(3)), 2)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from ins_eval.parking.angle import REACH, flattest, least_bias
+from ins_eval.parking.angle import REACH, find_flattest_extreme, find_flattest_zero
 from pyhrg.common.units import DEG, DEG_PER_H
 
 AXIS = 11.0 * DEG
@@ -20,13 +20,13 @@ def nearest(angle: float, first: float) -> float:
 
 
 def test_fourth_harmonic_is_parked_at_a_zero_or_at_an_extreme() -> None:
-    assert nearest(least_bias(fourth), AXIS) < 0.1 * DEG
-    assert nearest(flattest(fourth), AXIS + 22.5 * DEG) < 0.1 * DEG
+    assert nearest(find_flattest_zero(fourth), AXIS) < 0.1 * DEG
+    assert nearest(find_flattest_extreme(fourth), AXIS + 22.5 * DEG) < 0.1 * DEG
 
 
 def test_extreme_leaves_less_within_reach_than_a_zero() -> None:
     """1 - cos against sin of four times the reach."""
-    zero, extreme = least_bias(fourth), flattest(fourth)
+    zero, extreme = find_flattest_zero(fourth), find_flattest_extreme(fourth)
     crept = abs(float(fourth(zero + REACH) - 0.03 * DEG_PER_H))
     stayed = abs(float(fourth(extreme + REACH) - fourth(extreme)))
     expected = np.tan(2 * REACH)
@@ -44,6 +44,6 @@ def test_of_several_zeros_the_flattest_is_taken() -> None:
         np.mean((bias(angle + around) - 0.03 * DEG_PER_H) ** 2)
         for angle in np.arange(0.0, 180.0, 1.0) * DEG
     ]
-    chosen = np.mean((bias(least_bias(bias) + around) - 0.03 * DEG_PER_H) ** 2)
+    chosen = np.mean((bias(find_flattest_zero(bias) + around) - 0.03 * DEG_PER_H) ** 2)
     assert chosen <= min(left)
     assert chosen < 0.5 * np.median(left)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from ins_eval.common import earth
-from ins_eval.parking.mission import INTERVAL, STILL, Mission, StartUpError, since
+from ins_eval.parking.mission import INTERVAL, STILL, Mission, StartUpError, find_ready_time
 from tests.ins_eval.cases import short_mission
 
 START_UP = 12.0
@@ -42,9 +42,9 @@ def test_nothing_of_the_drive_is_aligned_on(flight: Mission) -> None:
 
 def test_start_up_ends_with_the_last_interval_that_is_not_good() -> None:
     good = np.ones(40_000, dtype=bool)
-    assert since(good) == since(None) == -STILL
+    assert find_ready_time(good) == find_ready_time(None) == -STILL
     good[[3, 1199, 35_000]] = False
-    assert since(good) == pytest.approx(12.0 - STILL)
+    assert find_ready_time(good) == pytest.approx(12.0 - STILL)
     good[29_999] = False
     with pytest.raises(StartUpError, match="not ready 300 s after power-on"):
-        since(good)
+        find_ready_time(good)

@@ -5,16 +5,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from ins_eval.common.increments import Increments
 from ins_eval.parking.case import CASES, Known, Start
-from ins_eval.parking.gyro import mapped
+from ins_eval.parking.gyro import measure_maps
 from ins_eval.parking.mission import INTERVAL, STILL
-from ins_eval.parking.study import Comparison, compare, ratios
+from ins_eval.parking.study import Comparison, compare, compare_with_first_case
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position.full_circumference import SHORTEST
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
+from pyhrg.records.imu.increments import Increments
 from pyhrg.theory import closed_forms as theory
 from tests.ins_eval.cases import short_mission
 
@@ -38,7 +38,7 @@ def test_same_seed_same_result_on_any_number_of_workers(
 
 def test_knowing_more_buys_more(typical: Comparison) -> None:
     """Every case's interval lies below the first case's, and whole maps are best."""
-    found = dict(zip(NAMES, ratios(typical.final), strict=True))
+    found = dict(zip(NAMES, compare_with_first_case(typical.final), strict=True))
     assert found["random_mean"].value == 1
     for name in ("random_at_start", "flat_at_start", "map"):
         assert found[name].high < 1, name
@@ -50,7 +50,7 @@ def test_without_anisotropy_parking_buys_nothing(fmu_path: Path) -> None:
     """Negative control, seed 2: the map is the calibration's noise."""
     device = TYPICAL.without_anisotropy()
     result = compare(fmu_path, short_mission(0.1), 4, 2, device=device, plan=SHORTEST)
-    parked = ratios(result.final)[NAMES.index("zero_mean")]
+    parked = compare_with_first_case(result.final)[NAMES.index("zero_mean")]
     assert parked.low <= 1 <= parked.high
 
 
@@ -69,7 +69,7 @@ def test_gyro_is_parked_where_its_true_map_says_so(fmu: GyroFmu, start: Start) -
 
     Bound: three deviations of that scatter, on the steepest slope, and of the mean over 280 s.
     """
-    gyro = mapped(Bench(fmu, TYPICAL, seed=8))
+    gyro = measure_maps(Bench(fmu, TYPICAL, seed=8))
     rest = np.zeros((round(STILL / INTERVAL), 3))
     flight = gyro.flight(Increments(INTERVAL, rest, rest, -STILL), 0, start, with_maps=False)
     parked = float(flight.pattern_angle[-1])

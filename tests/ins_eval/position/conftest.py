@@ -1,4 +1,4 @@
-"""Folders of diagnoses: a believed gyro, and one in which something was found."""
+"""Folders of diagnoses: a nominal device and an identified one."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -12,12 +12,12 @@ from pyhrg.device.device import Device
 from pyhrg.gap.findings import diagnosis
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, Gap, GapFigure
 
-BELIEVED = Device(
+NOMINAL = Device(
     damping_anisotropy=2e-8, damping_axis=20 * DEG, angle_random_walk=3e-4 * DEG_PER_SQRT_H
 )
 ANGLE = GapFigure(40.0, 0.5, 0.5, (0.2, 1.5))
 RATE = GapFigure(0.05, 3e-3, 1.8e-3, (1e-3, 2.5e-3))
-FOUND = Diagnosis(
+DIAGNOSIS = Diagnosis(
     device="made-up",
     verdict="explained",
     causes=(),
@@ -29,17 +29,17 @@ FOUND = Diagnosis(
     unnamed={},
     excluded=(),
 )
-Written = Callable[..., Path]
+WriteDiagnosis = Callable[..., Path]
 
 
 @pytest.fixture
-def written(tmp_path: Path) -> Written:
-    """Writes a diagnosis whose gyro after it has these fields."""
+def write_diagnosis(tmp_path: Path) -> WriteDiagnosis:
+    """Writes a diagnosis whose identified device has these fields."""
 
-    def write(found: Diagnosis = FOUND, /, **fields: float) -> Path:
-        device_file.write(BELIEVED, tmp_path / "before.toml")
-        device_file.write(replace(BELIEVED, **fields), tmp_path / "after.toml")  # type: ignore[arg-type]
-        diagnosis.write(found, tmp_path)
+    def write(content: Diagnosis = DIAGNOSIS, /, **fields: float) -> Path:
+        device_file.write(NOMINAL, tmp_path / "before.toml")
+        device_file.write(replace(NOMINAL, **fields), tmp_path / "after.toml")  # type: ignore[arg-type]
+        diagnosis.write(content, tmp_path)
         return tmp_path
 
     return write
@@ -48,4 +48,4 @@ def written(tmp_path: Path) -> Written:
 @pytest.fixture
 def confounded() -> Diagnosis:
     cause = Cause("drive_gain_mismatch", 1.0, {}, {}, ("damping_anisotropy",))
-    return replace(FOUND, verdict="ambiguous", causes=(cause,))
+    return replace(DIAGNOSIS, verdict="ambiguous", causes=(cause,))

@@ -33,9 +33,9 @@ def dataset(longitude_deg: float = 10.0, runs: int = 2, sigma: bool = True) -> x
     truth = track(longitude_deg, 0.0)
     tracks = [track(longitude_deg, 10.0 * (run + 1), 0.3 + 1e-4) for run in range(runs)]
     parts = [
-        flights.against(tracks, truth),
-        flights.own_error(track(longitude_deg, 1e-4), truth),
+        flights.compare_with_truth(tracks, truth),
+        flights.tabulate_own_error(track(longitude_deg, 1e-4), truth),
     ]
     if sigma:
-        parts.append(flights.sigmas(truth.time, covariance()))
+        parts.append(flights.tabulate_sigmas(truth.time, covariance()))
     return xr.merge(parts).assign_attrs(title="a title")

@@ -25,7 +25,7 @@ def test_radial_error_joins_north_and_east() -> None:
 
 
 def test_sigmas_are_roots_of_variances_in_the_units_they_are_labelled_with() -> None:
-    data = flights.sigmas(track(0.0, 0.0).time, covariance())
+    data = flights.tabulate_sigmas(track(0.0, 0.0).time, covariance())
     assert float(data["east_sigma"][0]) == pytest.approx(np.sqrt(2))
     assert float(data["heading_sigma"][0]) == pytest.approx(np.rad2deg(3.0))
     assert float(data["north_east_covariance"][1]) == pytest.approx(np.sqrt(2))
@@ -43,7 +43,7 @@ def test_longitude_and_heading_stay_in_their_ranges() -> None:
     data = dataset(longitude_deg=177.0)
     assert data["longitude"].min() < -179
     assert data["longitude"].max() < 180
-    west = flights.navigated([track(0.0, 0.0, yaw=-0.5)])
+    west = flights.tabulate_navigated([track(0.0, 0.0, yaw=-0.5)])
     assert west["heading"].values == pytest.approx(360 - np.rad2deg(0.5))
 
 
@@ -51,5 +51,5 @@ def test_tracks_of_other_times_are_refused() -> None:
     truth = track(0.0, 0.0)
     later = track(0.0, 0.0)
     later.time[:] += 1.0
-    with pytest.raises(ValueError, match="not of the same times"):
-        flights.against([later], truth)
+    with pytest.raises(ValueError, match="expected the same times"):
+        flights.compare_with_truth([later], truth)

@@ -48,7 +48,7 @@ def test_netcdf_round_trip(data: xr.Dataset, tmp_path: Path) -> None:
 
 
 def test_columns_name_their_units() -> None:
-    names = tables.frame(dataset()).columns
+    names = tables.tabulate(dataset()).columns
     for name in ("time_s", "north_error_m", "heading_error_deg", "velocity_east_m_s", "run"):
         assert name in names
 

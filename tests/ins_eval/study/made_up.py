@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study.experiment import NUMBERS, made
+from ins_eval.study.experiment import NUMBERS, compute_block
 from ins_eval.study.run import block
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.specification import CONDITION, Study
@@ -17,7 +17,7 @@ FEW = 3
 def few(study: Study) -> Arrays:
     """Of the first that are judged; in conditions too, if the study has any."""
     first = study.triads // 2
-    return made(study, range(first, first + FEW))
+    return compute_block(study, range(first, first + FEW))
 
 
 def many(study: Study, few: Arrays) -> Arrays:
@@ -36,8 +36,8 @@ def many(study: Study, few: Arrays) -> Arrays:
 def blocks(study: Study, arrays: Arrays) -> Iterator[dict[str, NDArray[Any]]]:
     """Of a study, as its workers would make them."""
     conditioned = 0
-    for number in range(block.count(study)):
-        triads = block.triads_of(study, number)
+    for number in range(block.count_blocks(study)):
+        triads = block.list_triads(study, number)
         count = len(_numbers(study, triads))
         rows = {True: slice(conditioned, conditioned + count)}
         rows[False] = slice(triads.start, triads.stop)

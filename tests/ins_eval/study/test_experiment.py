@@ -11,21 +11,23 @@ import pytest
 from numpy.typing import NDArray
 
 from ins_eval.study import agreement
-from ins_eval.study.conclusion import FILES, NEITHER, conclude
-from ins_eval.study.experiment import COSIMULATED, flown_of, made
+from ins_eval.study.conclusion import FILES, write_conclusion
+from ins_eval.study.experiment import COSIMULATED, compute_block, prepare, select_errors
+from ins_eval.study.flight_table import MIXED_HALVES
 from ins_eval.study.gyros.maker import METHODS
-from ins_eval.study.report.result import read
 from ins_eval.study.run import block
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.specification import TEST, TRAIN, PlannedMission, Study
+from ins_eval.study.study_data import read_study_data
 from ins_eval.study.tables import columns as c
 from ins_eval.trajectories import catalogue
+from pyhrg.common.errors import HrgError
 
 PLAN = {"runs": 2, "positions": 16, "segments": 1, "fixed_segments": 2, "periods": 1}
 
 
 def planned(name: str, half: str) -> PlannedMission:
-    path = catalogue.READY / f"{name}.toml"
+    path = catalogue.READY_FOLDER / f"{name}.toml"
     return PlannedMission(
         name=name,
         mission_class=name,
@@ -46,7 +48,7 @@ STUDY = Study(
 
 @pytest.fixture(scope="module")
 def three() -> Arrays:
-    return block.joined([made(STUDY, range(0, 2)), made(STUDY, range(2, 3))])
+    return block.join_blocks([compute_block(STUDY, range(0, 2)), compute_block(STUDY, range(2, 3))])
 
 
 @pytest.fixture(scope="module")
@@ -66,7 +68,7 @@ def arrays(three: Arrays) -> Arrays:
 @pytest.fixture(scope="module")
 def folder(arrays: Arrays, tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("study")
-    conclude(STUDY, arrays, path)
+    write_conclusion(STUDY, arrays, path)
     return path
 
 
@@ -77,7 +79,7 @@ def table(folder: Path) -> pd.DataFrame:
 
 def test_triads_are_the_same_in_any_block(three: Arrays) -> None:
     """But for the last bits of products of matrices, whose shape is the block's."""
-    alone = made(STUDY, range(1, 2))
+    alone = compute_block(STUDY, range(1, 2))
     assert alone.keys() == three.keys()
     for name, values in alone.items():
         np.testing.assert_allclose(three[name][1:2], values, rtol=1e-9, err_msg=name)
@@ -91,7 +93,7 @@ def test_one_row_a_triad_calibration_and_mission(table: pd.DataFrame) -> None:
 
 def test_parts_add_up(table: pd.DataFrame) -> None:
     for axis, flown in (("north", c.FLOWN_NORTH), ("east", c.FLOWN_EAST)):
-        total = sum(table[c.part(name, axis)] for name in c.PARTS)
+        total = sum(table[c.name_part(name, axis)] for name in c.PARTS)
         np.testing.assert_allclose(total, table[flown], rtol=1e-9, atol=1e-9)
     np.testing.assert_allclose(
         np.hypot(table[c.FLOWN_NORTH], table[c.FLOWN_EAST]), table[c.FLOWN_RADIAL]
@@ -102,8 +104,8 @@ def test_halves_are_of_triads_and_classes(table: pd.DataFrame) -> None:
     halves = table[table[c.CALIBRATION] == "map"].pivot(
         index=c.TRIAD, columns=c.MISSION, values=c.HALF
     )
-    assert halves["car"].tolist() == [TRAIN] * 12 + [NEITHER] * 12
-    assert halves["static-table"].tolist() == [NEITHER] * 12 + [TEST] * 12
+    assert halves["car"].tolist() == [TRAIN] * 12 + [MIXED_HALVES] * 12
+    assert halves["static-table"].tolist() == [MIXED_HALVES] * 12 + [TEST] * 12
 
 
 def test_growth_ends_every_ten_minutes(table: pd.DataFrame) -> None:
@@ -116,11 +118,11 @@ def test_scores_are_of_those_on_either_side_alone(folder: Path) -> None:
     document = json.loads((folder / "study.json").read_text())
     assert {score["half"] for score in document["scores"]} == {TRAIN, TEST}
     assert (document["seed"], document["triads"]) == (5, 24)
-    assert read(folder).scores
+    assert read_study_data(folder).scores
 
 
 def test_same_arrays_give_the_same_bytes(arrays: Arrays, folder: Path, tmp_path: Path) -> None:
-    conclude(STUDY, arrays, tmp_path)
+    write_conclusion(STUDY, arrays, tmp_path)
     for name in FILES:
         assert (tmp_path / name).read_bytes() == (folder / name).read_bytes()
 
@@ -132,14 +134,28 @@ def test_agreement_is_of_the_sample_without_noise(arrays: Arrays) -> None:
     flown = dict(arrays)
     for method in METHODS:
         for number in range(len(study.missions)):
-            error = flown_of(arrays, method, number)
+            error = select_errors(arrays, method, number)
             sample = np.where(np.array(chosen)[:, None, None], 1.01, np.nan)
             flown[f"{method}/{number}/{COSIMULATED}"] = sample * (error.error - error.noise)
-    found = agreement.scores(study, flown)
+    found = agreement.score_agreement(study, flown)
     assert {(s.calibration, s.mission_class) for s in found} == {
         (method, name) for method in METHODS for name in ("all", "car", "static-table")
     }
     for s in found:
         assert (s.value, s.low, s.high) == pytest.approx((1 / 101,) * 3)
         assert (s.n, s.holds) == (6, True)
-    assert agreement.scores(STUDY, arrays) == []
+    assert agreement.score_agreement(STUDY, arrays) == []
+
+
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        ({"bench": {"runs": 1}}, "bench: found 1 power-on of each test, expected 2 or more"),
+        ({"drift": {"coolest": -5.0, "warmest": 5.0}}, "-5 to 5 K of warming, expected 0 or more"),
+    ],
+)
+def test_settings_that_do_not_fit_are_refused_before_the_work(
+    settings: dict[str, Any], message: str
+) -> None:
+    with pytest.raises(HrgError, match=message):
+        prepare(replace(STUDY, settings=settings))

@@ -6,41 +6,41 @@ from pathlib import Path
 import pytest
 
 from ins_eval.study import study_file
-from ins_eval.study.run.identity import identity
-from ins_eval.study.specification import TEST, TRAIN, fewest_triads
+from ins_eval.study.run.identity import identify_study
+from ins_eval.study.specification import TEST, TRAIN, compute_fewest_triads
 from ins_eval.trajectories import catalogue
 from pyhrg.common.toml_table import SpecificationError
 from tests.ins_eval.study import cases
 
 
 def test_study_is_read(tmp_path: Path) -> None:
-    study = study_file.read(cases.study_file(tmp_path))
+    study = study_file.read_study(cases.study_file(tmp_path))
     assert (study.seed, study.triads, study.interval_percent) == (3, 75, 90.0)
     assert [(m.name, m.half, m.hours) for m in study.missions] == [
         ("car", TRAIN, 1.0),
         ("ship", TEST, 1.0),
     ]
-    assert study.missions[0].content == (catalogue.READY / "car.toml").read_bytes()
+    assert study.missions[0].content == (catalogue.READY_FOLDER / "car.toml").read_bytes()
     assert [study.half_of(triad) for triad in (0, 36, 37, 74)] == [TRAIN, TRAIN, TEST, TEST]
 
 
 def test_calibrations_may_be_chosen(tmp_path: Path) -> None:
-    assert study_file.read(cases.study_file(tmp_path)).calibrations == ("mean", "map")
+    assert study_file.read_study(cases.study_file(tmp_path)).calibrations == ("mean", "map")
     chosen = cases.study_file(tmp_path, ("hours = 1", 'hours = 1\ncalibrations = ["map"]'))
-    assert study_file.read(chosen).calibrations == ("map",)
+    assert study_file.read_study(chosen).calibrations == ("map",)
 
 
 def test_seed_may_be_given_beside_the_file(tmp_path: Path) -> None:
     path = cases.study_file(tmp_path, ("seed = 3\n", ""))
-    assert study_file.read(path, seed=8).seed == 8
+    assert study_file.read_study(path, seed=8).seed == 8
 
 
 def test_mission_from_a_file_is_placed_as_it_was(tmp_path: Path) -> None:
     (tmp_path / "drive.csv.gz").write_bytes(b"recorded")
     path = cases.study_file(tmp_path, ('name = "car"', 'file = "drive.csv.gz", hours = 0.5'))
-    mission = study_file.read(path).missions[0]
+    mission = study_file.read_study(path).missions[0]
     assert (mission.name, mission.hours) == ("drive", 0.5)
-    with mission.placed() as placed:
+    with mission.as_file() as placed:
         assert placed.name == "drive.csv.gz"
         assert placed.read_bytes() == b"recorded"
     assert not placed.exists()
@@ -53,20 +53,20 @@ def test_recorded_drive_is_flown_where_it_is(
     monkeypatch.setenv("HRG_REAL", str(tmp_path))
     drive = '{ recorded = "drive.csv.gz", class = "drive", half = "test" },\n]'
     path = cases.study_file(tmp_path, ("]\n", f"  {drive}\n"))
-    less = study_file.read(path)
+    less = study_file.read_study(path)
     assert (len(less.missions), less.left_out) == (2, ("drive.csv.gz",))
     (tmp_path / "drive.csv.gz").write_bytes(b"recorded")
-    whole = study_file.read(path)
+    whole = study_file.read_study(path)
     assert (len(whole.missions), whole.left_out) == (3, ())
     assert (whole.missions[2].name, whole.missions[2].content) == ("drive", b"recorded")
-    assert identity(less) != identity(whole)
+    assert identify_study(less) != identify_study(whole)
 
 
 @pytest.mark.parametrize("name", study_file.READY)
 def test_ready_study_can_be_flown(name: str) -> None:
-    for mission in study_file.study(name).missions:
-        with mission.placed() as path:
-            assert catalogue.trajectory(path, 300.0, 60.0)
+    for mission in study_file.load_study(name).missions:
+        with mission.as_file() as path:
+            assert catalogue.load_trajectory(path, 60.0, 300.0)
 
 
 @pytest.mark.parametrize(
@@ -111,7 +111,7 @@ def test_ready_study_can_be_flown(name: str) -> None:
 def test_what_is_wrong_is_named(tmp_path: Path, old: str, new: str, message: str) -> None:
     path = cases.study_file(tmp_path, (old, new))
     with pytest.raises(SpecificationError, match=f"^{re.escape(str(path))}: .*") as raised:
-        study_file.read(path)
+        study_file.read_study(path)
     assert message in str(raised.value)
 
 
@@ -120,18 +120,18 @@ def test_study_without_missions_is_refused(tmp_path: Path, missions: str) -> Non
     path = tmp_path / "study.toml"
     path.write_text(f"seed = 1\ntriads = 80\n{missions}\n")
     with pytest.raises(SpecificationError, match=r"missions: found .*, expected tables"):
-        study_file.read(path)
+        study_file.read_study(path)
 
 
 def test_neither_name_nor_file_is_refused() -> None:
     with pytest.raises(SpecificationError, match="huge: found no such file, expected one or small"):
-        study_file.study("huge")
+        study_file.load_study("huge")
 
 
 @pytest.mark.parametrize(("percent", "triads"), [(50.0, 12), (90.0, 72), (99.0, 736)])
 def test_fewest_triads_let_full_coverage_be_refuted(percent: float, triads: int) -> None:
     """In half of them all covered is rarer than 2.5 % where the interval is what it says."""
-    assert fewest_triads(percent) == triads
+    assert compute_fewest_triads(percent) == triads
     share = percent / 100
     if percent > 50:
         assert share ** (triads // 2) < 0.025 <= share ** (triads // 2 - 1)

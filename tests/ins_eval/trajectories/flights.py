@@ -6,7 +6,7 @@ from ins_eval.common import earth
 from ins_eval.common.state import position_error
 from ins_eval.trajectories.manoeuvres.manoeuvre import Manoeuvre
 from ins_eval.trajectories.manoeuvres.overlays import Overlay
-from ins_eval.trajectories.mission import Mission, Start, length, trajectory
+from ins_eval.trajectories.mission import Mission, Start, build_trajectory, compute_duration
 from ins_eval.trajectories.trajectory import Trajectory
 
 LATITUDE = np.deg2rad(45.0)
@@ -14,7 +14,7 @@ HEIGHT = 1000.0
 GRAVITY = float(earth.gravity(LATITUDE, HEIGHT))
 
 
-def flown(
+def fly_manoeuvres(
     *manoeuvres: Manoeuvre,
     speed: float = 200.0,
     heading: float = 0.0,
@@ -31,10 +31,10 @@ def flown(
         climb_angle=climb_angle,
     )
     mission = Mission(name="test", start=start, course=manoeuvres, overlays=overlays)
-    return trajectory(mission, 0.0, length(mission)), length(mission)
+    return build_trajectory(mission, compute_duration(mission)), compute_duration(mission)
 
 
-def moved(trajectory: Trajectory, time: float) -> np.ndarray:
+def displacement(trajectory: Trajectory, time: float) -> np.ndarray:
     """North, east, down (3,) from time 0, m."""
     at = trajectory.position(np.array([0.0, time]))
     return position_error(at[1], at[0])

@@ -1,4 +1,4 @@
-"""Ready missions, end to end: their increments, navigated, give them back."""
+"""Ready missions: their increments, navigated, reproduce them."""
 
 from pathlib import Path
 
@@ -11,7 +11,7 @@ from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.trajectory import Trajectory
-from tests.ins_eval.trajectories.test_recorded_drive import made_up_drive, written
+from tests.ins_eval.trajectories.test_recorded_drive import make_drive, write_drive
 
 IN_FLIGHT = ("great-circle", "weaving")
 SECONDS = {"missile": 850.0}
@@ -29,15 +29,15 @@ NAMES = (
     "weaving",
 )
 LIMIT = 1e-3
-"""Of the position error over half an hour, or the mission, m."""
+"""Largest position error over half an hour, or over a shorter mission, m."""
 
 
-def ready(name: str) -> tuple[Trajectory, float]:
+def load_ready(name: str) -> tuple[Trajectory, float]:
     duration = SECONDS.get(name, 1800.0)
-    return catalogue.trajectory(name, 0.0 if name in IN_FLIGHT else 320.0, duration), duration
+    return catalogue.load_trajectory(name, duration, 0.0 if name in IN_FLIGHT else 320.0), duration
 
 
-def flown(path: Trajectory, duration: float, interval: float) -> TrackError:
+def navigate_ideally(path: Trajectory, duration: float, interval: float) -> TrackError:
     count = 20 * round(duration / interval / 20)
     heights = path.position(interval * np.arange(count + 1.0))[:, 2]
     increments = path.increments(0.0, interval, count)
@@ -46,14 +46,14 @@ def flown(path: Trajectory, duration: float, interval: float) -> TrackError:
 
 
 def test_all_ready_missions_are_tried() -> None:
-    assert catalogue.names() == list(NAMES)
+    assert catalogue.list_trajectories() == list(NAMES)
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_ready_mission_navigates_to_itself(name: str) -> None:
     """Error-free increments at 100 Hz, height clamped."""
-    path, duration = ready(name)
-    error = flown(path, duration, 0.01)
+    path, duration = load_ready(name)
+    error = navigate_ideally(path, duration, 0.01)
     assert np.max(np.linalg.norm(error.position[:, :2], axis=1)) < LIMIT
     assert np.max(np.abs(error.attitude)) < 1e-8
 
@@ -61,7 +61,7 @@ def test_ready_mission_navigates_to_itself(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_ready_mission_navigates_with_free_height(name: str) -> None:
     """From time 0 for two minutes: also the vertical channel gives the mission back."""
-    path, _ = ready(name)
+    path, _ = load_ready(name)
     increments = path.increments(0.0, 0.01, 12_000)
     track = navigate(path.state(0.0), increments, Free(), 12_000)
     error = track_error(track, path.track(track.time))
@@ -70,9 +70,9 @@ def test_ready_mission_navigates_with_free_height(name: str) -> None:
 
 def test_error_of_the_aircraft_is_the_navigators() -> None:
     """It falls with the interval by the square or better: none of the increments' is left over."""
-    path, duration = ready("aircraft")
+    path, duration = load_ready("aircraft")
     coarse, fine = (
-        np.max(np.linalg.norm(flown(path, duration, h).position[:, :2], axis=1))
+        np.max(np.linalg.norm(navigate_ideally(path, duration, h).position[:, :2], axis=1))
         for h in (0.02, 0.01)
     )
     assert coarse > 4 * fine
@@ -80,14 +80,14 @@ def test_error_of_the_aircraft_is_the_navigators() -> None:
 
 @pytest.mark.parametrize("name", sorted(set(NAMES) - set(IN_FLIGHT)))
 def test_mission_stands_before_time_0(name: str) -> None:
-    path, _ = ready(name)
+    path, _ = load_ready(name)
     omega, force = path.rate_and_force(np.linspace(-320, 0, 321))
     assert np.ptp(omega, axis=0) == pytest.approx(np.zeros(3), abs=1e-9)
     assert np.ptp(force, axis=0) == pytest.approx(np.zeros(3), abs=1e-4)
 
 
 def test_great_circle_crosses_the_dateline_without_a_jump() -> None:
-    path = catalogue.trajectory("great-circle", 0.0, 33_600.0)
+    path = catalogue.load_trajectory("great-circle", 33_600.0)
     longitude = np.rad2deg(path.position(np.linspace(0, 33_600, 1000))[:, 1])
     assert longitude[0] < 180 < longitude[-1]
     assert np.max(np.diff(longitude)) < 0.2
@@ -98,19 +98,19 @@ def test_great_circle_crosses_the_dateline_without_a_jump() -> None:
 
 def test_files_are_told_by_their_endings(tmp_path: Path) -> None:
     mission = tmp_path / "mine.toml"
-    mission.write_text((catalogue.READY / "car.toml").read_text())
-    assert catalogue.trajectory(mission, 20.0, 60.0).name == "mine"
-    drive = written(tmp_path, made_up_drive())
-    assert catalogue.trajectory(str(drive), 20.0, 60.0).name == drive.name
+    mission.write_text((catalogue.READY_FOLDER / "car.toml").read_text())
+    assert catalogue.load_trajectory(mission, 60.0, 20.0).name == "mine"
+    drive = write_drive(tmp_path, make_drive())
+    assert catalogue.load_trajectory(str(drive), 60.0, 20.0).name == drive.name
 
 
 def test_unknown_name_is_told_the_known_ones() -> None:
     with pytest.raises(TrajectoryError, match="lorry: found no such mission, expected aircraft, "):
-        catalogue.trajectory("lorry", 0.0, 60.0)
+        catalogue.load_trajectory("lorry", 60.0)
 
 
 def test_missile_says_that_it_is_shorter() -> None:
     with pytest.raises(
         TrajectoryError, match=r"missile: lasts 858\.\d+ s, shorter than the 7200 s"
     ):
-        catalogue.trajectory("missile", 320.0, 7200.0)
+        catalogue.load_trajectory("missile", 7200.0, 320.0)

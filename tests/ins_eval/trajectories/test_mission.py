@@ -9,7 +9,7 @@ from ins_eval.trajectories.manoeuvres.overlays import Sway
 from ins_eval.trajectories.manoeuvres.straights import Accelerate, Rest, Straight
 from ins_eval.trajectories.manoeuvres.turns import CoordinatedTurn, Turn
 from ins_eval.trajectories.manoeuvres.vertical import Climb
-from ins_eval.trajectories.mission import Mission, Start, length, trajectory
+from ins_eval.trajectories.mission import Mission, Start, build_trajectory, compute_duration
 
 STANDING = Start(latitude=0.8, longitude=0.1)
 MOVING = Start(latitude=0.8, longitude=0.1, speed=20.0)
@@ -18,7 +18,7 @@ DRIVE = (Rest(duration=20.0), Accelerate(speed=20.0, duration=15.0))
 
 def test_stands_before_time_0_and_departs_after() -> None:
     mission = Mission(name="m", start=STANDING, course=(*DRIVE, Straight(duration=100.0)))
-    path = trajectory(mission, 300.3, 100.0)
+    path = build_trajectory(mission, 100.0, 300.3)
     assert path.start <= -300.3
     assert path.end >= 100.0
     still = path.velocity(np.linspace(-300.3, 10.0, 100))
@@ -30,7 +30,7 @@ def test_sea_begins_when_the_ship_leaves() -> None:
     course = (*DRIVE, Straight(duration=200.0))
     sea = (Sway(roll=0.1, start=20.0),)
     mission = Mission(name="m", start=STANDING, course=course, overlays=sea)
-    omega = trajectory(mission, 300.0, 200.0).rate_and_force(np.linspace(-300, 10, 200))[0]
+    omega = build_trajectory(mission, 200.0, 300.0).rate_and_force(np.linspace(-300, 10, 200))[0]
     assert np.ptp(omega, axis=0) == pytest.approx(np.zeros(3), abs=1e-7)
 
 
@@ -39,23 +39,23 @@ def test_motion_is_not_asked_to_stand() -> None:
     with pytest.raises(
         MovingStartError, match=r"m: starts at 20 m/s, expected .* for 320 s before"
     ):
-        trajectory(mission, 320.0, 60.0)
+        build_trajectory(mission, 60.0, 320.0)
 
 
 def test_mission_shorter_than_asked_for() -> None:
     mission = Mission(name="m", start=MOVING, course=(Straight(duration=100.0),), repeat=3)
-    assert length(mission) == pytest.approx(300.0)
-    assert trajectory(mission, 0.0, 300.0).end >= 300.0
+    assert compute_duration(mission) == pytest.approx(300.0)
+    assert build_trajectory(mission, 300.0).end >= 300.0
     with pytest.raises(TrajectoryError, match=r"m: lasts 300 s, shorter than the 301 s asked for"):
-        trajectory(mission, 0.0, 301.0)
+        build_trajectory(mission, 301.0)
 
 
 def test_course_repeats_after_its_departure() -> None:
     """Four sides of a square, over and over; departure once."""
     side = (Straight(duration=50.0), Turn(turn=np.pi / 2, duration=10.0))
     mission = Mission(name="m", start=STANDING, departure=DRIVE, course=side, repeat=None)
-    assert length(mission) == np.inf
-    path = trajectory(mission, 0.0, 1000.0)
+    assert compute_duration(mission) == np.inf
+    path = build_trajectory(mission, 1000.0)
     assert 1000.0 < path.end < 1011.0
     lap = path.velocity(np.array([60.0, 120.0, 180.0, 240.0, 300.0]))[:, :2] / 20.0
     expected = [[1, 0], [0, 1], [-1, 0], [0, -1], [1, 0]]
@@ -66,7 +66,7 @@ def test_beginning_does_not_depend_on_the_end() -> None:
     """Asked for longer, a mission begins the same."""
     mission = Mission(name="m", start=STANDING, course=(*DRIVE, Straight(duration=5000.0)))
     time = np.linspace(0, 80, 200)
-    short, long = (trajectory(mission, 0.0, duration) for duration in (100.0, 4000.0))
+    short, long = (build_trajectory(mission, duration) for duration in (100.0, 4000.0))
     assert short.position(time) == pytest.approx(long.position(time), abs=1e-13)
 
 
@@ -74,7 +74,7 @@ def test_manoeuvre_that_cannot_be_entered_is_named() -> None:
     turn = CoordinatedTurn(turn=1.0)
     mission = Mission(name="m", start=STANDING, departure=(Rest(duration=1.0), turn), course=DRIVE)
     with pytest.raises(TrajectoryError, match=r"^m: departure 2: speed: found 0 m/s"):
-        trajectory(mission, 0.0, 1.0)
+        build_trajectory(mission, 1.0)
 
 
 @pytest.mark.parametrize("path", ["rhumb", "great-circle"])
@@ -83,15 +83,15 @@ def test_pole_is_refused_with_its_time(path: str) -> None:
     start = Start(latitude=np.deg2rad(88), longitude=0.0, speed=250.0)
     mission = Mission(name="m", start=start, course=(Straight(duration=2000.0, path=path),))
     with pytest.raises(TrajectoryError, match=r"m: at 447 s it passes latitude 89 deg; expected"):
-        trajectory(mission, 0.0, 2000.0)
-    assert trajectory(mission, 0.0, 430.0).end > 430.0
+        build_trajectory(mission, 2000.0)
+    assert build_trajectory(mission, 430.0).end > 430.0
 
 
 @pytest.mark.parametrize(("still", "duration"), [(-1.0, 10.0), (0.0, 0.0), (np.nan, 10.0)])
 def test_times_that_are_none(still: float, duration: float) -> None:
     mission = Mission(name="m", start=STANDING, course=DRIVE)
     with pytest.raises(TrajectoryError, match=r"s at rest and .* s after, expected 0 or more"):
-        trajectory(mission, still, duration)
+        build_trajectory(mission, duration, still)
 
 
 @pytest.mark.parametrize(
@@ -109,7 +109,7 @@ def test_what_no_vehicle_does_is_refused(manoeuvre: Manoeuvre, message: str) -> 
     course = (manoeuvre, Straight(duration=20.0))
     mission = Mission(name="m", start=MOVING, course=course)
     with pytest.raises(TrajectoryError, match=message):
-        trajectory(mission, 0.0, length(mission))
+        build_trajectory(mission, compute_duration(mission))
 
 
 def test_values_out_of_range_are_refused_in_python_too() -> None:

@@ -10,14 +10,21 @@ import pytest
 
 from ins_eval.common import earth
 from ins_eval.common.state import position_error
-from ins_eval.trajectories.recorded_drive import COLUMNS, Drive, DriveError, read, trajectory
+from ins_eval.trajectories.errors import TrajectoryError
+from ins_eval.trajectories.recorded_drive import (
+    COLUMNS,
+    Drive,
+    DriveError,
+    read_drive,
+    repeat_drive,
+)
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 Rows = list[list[str]]
 
 
-def made_up_drive() -> Rows:
+def make_drive() -> Rows:
     """Two minutes of a car going north at 10 m/s, turning gently, 1 Hz."""
     time = np.arange(121.0)
     heading = 0.2 + 0.3 * np.sin(time / 60)
@@ -43,23 +50,23 @@ def made_up_drive() -> Rows:
     return [list(COLUMNS), *([f"{value:.9f}" for value in row] for row in table)]
 
 
-def written(folder: Path, rows: Rows) -> Path:
+def write_drive(folder: Path, rows: Rows) -> Path:
     path = folder / "drive.csv"
     path.write_text("\n".join(",".join(row) for row in rows) + "\n")
     return path
 
 
 def test_drive_is_read_plain_and_gzipped(tmp_path: Path) -> None:
-    plain = written(tmp_path, made_up_drive())
+    plain = write_drive(tmp_path, make_drive())
     packed = tmp_path / "drive.csv.gz"
     packed.write_bytes(gzip.compress(plain.read_bytes()))
-    assert np.array_equal(read(plain).position, read(packed).position)
+    assert np.array_equal(read_drive(plain).position, read_drive(packed).position)
 
 
 def test_drive_repeats_smoothly(tmp_path: Path) -> None:
     """Ten minutes from two: accelerations stay those of a car, rest comes first, heading holds."""
-    drive = read(written(tmp_path, made_up_drive()))
-    path = trajectory(drive, 320.0, 600.0)
+    drive = read_drive(write_drive(tmp_path, make_drive()))
+    path = repeat_drive(drive, 600.0, 320.0)
     assert path.start == -320.0
     assert path.end > 605.0
     time = np.arange(0.0, 600.0, 0.1)
@@ -73,7 +80,7 @@ def test_drive_repeats_smoothly(tmp_path: Path) -> None:
 
 def test_drive_in_circles_repeats_without_unwinding(tmp_path: Path) -> None:
     """Two rounds to the right: repetitions go on from the heading reached, never back."""
-    rows = made_up_drive()
+    rows = make_drive()
     time = np.arange(121.0)
     heading = 4 * np.pi * time / 120
     radius = 10 * 120 / (4 * np.pi)
@@ -84,7 +91,7 @@ def test_drive_in_circles_repeats_without_unwinding(tmp_path: Path) -> None:
         row[2] = f"{np.rad2deg(0.13 + east[i] / east_radius):.10f}"
         row[4], row[5] = f"{10 * np.cos(heading[i]):.6f}", f"{10 * np.sin(heading[i]):.6f}"
         row[9] = f"{np.rad2deg(np.mod(heading[i], 2 * np.pi)):.6f}"
-    path = trajectory(read(written(tmp_path, rows)), 320.0, 900.0)
+    path = repeat_drive(read_drive(write_drive(tmp_path, rows)), 900.0, 320.0)
     omega = path.rate_and_force(np.arange(0.0, 900.0, 0.1))[0]
     assert np.max(np.abs(omega[:, 2])) < 0.2
 
@@ -123,12 +130,12 @@ def gap(rows: Rows) -> Rows:
         (edit(7, "latitude_deg", "nan"), r"row 8, latitude_deg: nan; expected -89 to 89"),
         (edit(9, "latitude_deg", "95.0"), r"row 10, latitude_deg: 95\.0; expected -89 to 89"),
         (edit(5, "time_s", "2.0"), r"row 6, time_s: 2 after 3; expected time to increase"),
-        (edit(5, "yaw_deg", "north"), r"row 6, yaw_deg: 'north' is no number"),
-        (edit(5, "time_s", ""), r"row 6, time_s: '' is no number"),
+        (edit(5, "yaw_deg", "north"), r"row 6, yaw_deg: 'north' is not a number"),
+        (edit(5, "time_s", ""), r"row 6, time_s: '' is not a number"),
         (lambda rows: rows[:5], r"4 rows; expected at least 10"),
         (
             lambda rows: [[*row, row[0]] for row in rows],
-            r"column time_s stands there more than once",
+            r"column time_s appears more than once",
         ),
         (edit(5, "yaw_deg", "1e3"), r"row 6, yaw_deg: 1e3; expected -720 to 720"),
         (roll_over, r"row 7, roll_deg: turns at 1700 deg/s; expected at most 573 deg/s"),
@@ -138,32 +145,41 @@ def gap(rows: Rows) -> Rows:
     ],
 )
 def test_mistake_is_named(tmp_path: Path, mistake: Callable[[Rows], Rows], message: str) -> None:
-    path = written(tmp_path, mistake(made_up_drive()))
+    path = write_drive(tmp_path, mistake(make_drive()))
     with pytest.raises(DriveError, match=message) as caught:
-        read(path)
+        read_drive(path)
     assert str(caught.value).startswith(str(path))
     assert "\n" not in str(caught.value)
 
 
 def test_byte_order_mark_is_no_column(tmp_path: Path) -> None:
-    path = written(tmp_path, made_up_drive())
+    path = write_drive(tmp_path, make_drive())
     path.write_text("\ufeff" + path.read_text())
-    assert len(read(path).time) == 121
+    assert len(read_drive(path).time) == 121
 
 
 def test_missing_and_broken_files(tmp_path: Path) -> None:
     with pytest.raises(DriveError, match="No such file"):
-        read(tmp_path / "nowhere.csv")
+        read_drive(tmp_path / "nowhere.csv")
     (tmp_path / "broken.gz").write_bytes(b"\x1f\x8bnonsense")
     with pytest.raises(DriveError, match="can't be read"):
-        read(tmp_path / "broken.gz")
+        read_drive(tmp_path / "broken.gz")
 
 
 def test_drive_that_would_pass_the_pole_is_refused(tmp_path: Path) -> None:
     """North at 10 m/s from 45 deg: 150 h would end beyond 89 deg."""
-    drive = read(written(tmp_path, made_up_drive()))
+    drive = read_drive(write_drive(tmp_path, make_drive()))
     with pytest.raises(DriveError, match="leaves latitudes -89 to 89"):
-        trajectory(drive, 320.0, 150 * 3600.0)
+        repeat_drive(drive, 150 * 3600.0, 320.0)
+
+
+@pytest.mark.parametrize(("duration", "still"), [(0.0, 0.0), (np.inf, 0.0), (60.0, -1.0)])
+def test_times_that_are_no_durations_are_refused(
+    tmp_path: Path, duration: float, still: float
+) -> None:
+    drive = read_drive(write_drive(tmp_path, make_drive()))
+    with pytest.raises(TrajectoryError, match=r"s at rest and .* s after, expected 0 or more"):
+        repeat_drive(drive, duration, still)
 
 
 @pytest.fixture(scope="module")
@@ -172,10 +188,10 @@ def city() -> Drive:
     path = Path(os.environ.get("HRG_REAL", REAL)) / "turin_drive.csv.gz"
     if not path.is_file():
         pytest.skip(f"{path} is not there; HRG_REAL says where recorded data are")
-    return read(path)
+    return read_drive(path)
 
 
-def splined(drive: Drive, rows: slice) -> Trajectory:
+def spline_drive(drive: Drive, rows: slice) -> Trajectory:
     return Trajectory(
         "part", Knots(drive.time[rows], *drive.position[rows].T, *drive.euler[rows].T)
     )
@@ -184,7 +200,7 @@ def splined(drive: Drive, rows: slice) -> Trajectory:
 def test_recorded_velocity_is_the_splines(city: Drive) -> None:
     """0.10, 0.07 and 0.05 m/s rms apart; the record's own scatter, as far as the next test tells:
     down, positions 2 s apart predict withheld heights to 13 mm, but no velocity below 0.05 m/s."""
-    difference = splined(city, slice(None)).velocity(city.time) - city.velocity
+    difference = spline_drive(city, slice(None)).velocity(city.time) - city.velocity
     rms = np.sqrt(np.mean(difference**2, axis=0))
     assert np.all(rms < [0.11, 0.08, 0.06])
 
@@ -192,7 +208,7 @@ def test_recorded_velocity_is_the_splines(city: Drive) -> None:
 def test_withheld_rows_are_predicted(city: Drive) -> None:
     """From every other row: twice the interval of the drive as it is flown."""
     odd = slice(1, -1, 2)
-    spline = splined(city, slice(None, None, 2))
+    spline = spline_drive(city, slice(None, None, 2))
     error = position_error(spline.position(city.time[odd]), city.position[odd])
     assert np.all(np.sqrt(np.mean(error**2, axis=0)) < [0.1, 0.1, 0.02])
 
@@ -202,7 +218,7 @@ def test_recorded_drive_stays_a_cars(city: Drive) -> None:
 
     Largest change of a recorded velocity within a second: 3.3 m/s; of yaw: 35 deg.
     """
-    path = trajectory(city, 320.0, 7200.0)
+    path = repeat_drive(city, 7200.0, 320.0)
     time = np.arange(0.0, 7200.0, 0.1)
     omega, force = path.rate_and_force(time)
     assert np.all(np.max(np.abs(omega), axis=0) < np.deg2rad([4.5, 4.5, 40]))

@@ -10,7 +10,7 @@ from ins_eval.trajectories.trajectory import Trajectory
 
 @pytest.fixture(scope="module")
 def trajectory() -> Trajectory:
-    return catalogue.trajectory("car", 320.0, 900.0)
+    return catalogue.load_trajectory("car", 900.0, 320.0)
 
 
 def test_stands_still_and_feels_earth_and_gravity(trajectory: Trajectory) -> None:
@@ -38,7 +38,7 @@ def test_increments_integrate_rate_and_force(trajectory: Trajectory) -> None:
 def test_increments_at_any_rate(name: str, rate: float, count: int) -> None:
     """Against twelve points on each of twenty panels an interval; intervals need not end at
     knots."""
-    path = catalogue.trajectory(name, 0.0, 800.0)
+    path = catalogue.load_trajectory(name, 800.0)
     start, interval = 620.013, 1 / rate
     got = path.increments(start, interval, count)
     points, weights = np.polynomial.legendre.leggauss(12)

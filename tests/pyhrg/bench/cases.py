@@ -1,9 +1,11 @@
-"""Gyros and benches that tests share."""
+"""Gyros, benches and runs that tests share."""
 
 from dataclasses import replace
 
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position import full_circumference
+from pyhrg.bench.outcome import Outcome
+from pyhrg.bench.procedure import Procedure
 from pyhrg.device.device import Device
 from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
@@ -17,3 +19,8 @@ QUICK_PLAN = full_circumference.SHORTEST
 def slow_bench(fmu: GyroFmu, device: Device, seed: int = 1) -> Bench:
     """A bench of hours: quasi-steady loops, 0.1 s steps."""
     return Bench(fmu, device, seed, step=0.1, workers=2)
+
+
+def record_and_evaluate(procedure: Procedure, bench: Bench) -> Outcome:
+    """Outcome of a procedure with its default plan."""
+    return procedure.evaluate(bench.campaign(procedure.record(bench)))

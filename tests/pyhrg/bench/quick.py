@@ -17,15 +17,15 @@ LONG = 20
 
 
 def _fixed(bench: Bench) -> list[Test]:
-    return bench.run(fixed_position.power_ons(bench, RUNS, segments=3))
+    return bench.run(fixed_position.make_power_ons(bench, RUNS, segments=3))
 
 
 def _circumference(bench: Bench) -> list[Test]:
-    return bench.run(full_circumference.power_ons(bench, QUICK_PLAN, RUNS, segments=2))
+    return bench.run(full_circumference.make_power_ons(bench, QUICK_PLAN, RUNS, segments=2))
 
 
 def _long(bench: Bench) -> list[Test]:
-    return bench.run(fixed_position.power_ons(bench, LONG, segments=18))
+    return bench.run(fixed_position.make_power_ons(bench, LONG, segments=18))
 
 
 PROCEDURES: tuple[Procedure, ...] = (
@@ -40,7 +40,6 @@ LONG_TEST = replace(
 def offer(*procedures: Procedure) -> None:
     """Put these into the catalogue, before the command is loaded."""
     catalogue.PROCEDURES = procedures
-    catalogue.BY_NAME = {procedure.name: procedure for procedure in procedures}
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Long runs can be interrupted, and go on from what was kept of the same circumstances only."""
+"""An interrupted run resumes from logs that were made under the same circumstances only."""
 
 import signal
 import subprocess
@@ -10,11 +10,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pyhrg.bench import catalogue
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.position import fixed_position
-from pyhrg.bench.session import KEPT
+from pyhrg.bench.session import LOGS_TO_RESUME
 from pyhrg.bench.store import Store
-from pyhrg.cli import bench as command
 from pyhrg.common.cli import main
 from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
@@ -27,7 +27,7 @@ PATIENCE = 10.0
 with other things."""
 
 
-def started(out: Path) -> "subprocess.Popen[str]":
+def start_run(out: Path) -> "subprocess.Popen[str]":
     arguments = ["bench", "long", "--seed", "5", "--workers", "2", "--out", str(out)]
     return subprocess.Popen(
         [sys.executable, "-m", "tests.pyhrg.bench.quick", *arguments],
@@ -38,11 +38,11 @@ def started(out: Path) -> "subprocess.Popen[str]":
     )
 
 
-def kept(out: Path) -> set[str]:
-    return {path.name for path in (out / KEPT).glob("*.npz")}
+def list_logs(out: Path) -> set[str]:
+    return {path.name for path in (out / LOGS_TO_RESUME).glob("*.npz")}
 
 
-def contents(folder: Path) -> dict[str, bytes]:
+def read_files(folder: Path) -> dict[str, bytes]:
     files = (path for path in folder.rglob("*") if path.is_file())
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in files}
 
@@ -53,8 +53,8 @@ def test_interrupted_run_goes_on_to_the_same_bytes(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     out, whole = tmp_path / "out", tmp_path / "whole"
-    with started(out) as run:
-        while not kept(out) and run.poll() is None:
+    with start_run(out) as run:
+        while not list_logs(out) and run.poll() is None:
             time.sleep(0.02)
         run.send_signal(signal.SIGINT)
         begun = time.monotonic()
@@ -63,34 +63,34 @@ def test_interrupted_run_goes_on_to_the_same_bytes(
     assert run.returncode == 130
     assert said[0] == ""
     assert said[1].endswith("hrg: interrupted; the same command goes on from here\n")
-    before = kept(out)
-    assert set(contents(out)) == {f"{KEPT}/{name}" for name in before}
-    monkeypatch.setattr(command, "BY_NAME", {"long": LONG_TEST})
-    made = counted(monkeypatch)
+    before = list_logs(out)
+    assert set(read_files(out)) == {f"{LOGS_TO_RESUME}/{name}" for name in before}
+    monkeypatch.setattr(catalogue, "PROCEDURES", (LONG_TEST,))
+    made = count_simulated(monkeypatch)
     assert main(["bench", "long", "--seed", "5", "--out", str(out)]) == 0
     assert len(made) == LONG - len(before)
     assert main(["bench", "long", "--seed", "5", "--out", str(whole)]) == 0
-    assert contents(out) == contents(whole)
-    assert not (out / KEPT).exists()
+    assert read_files(out) == read_files(whole)
+    assert not (out / LOGS_TO_RESUME).exists()
 
 
-def counted(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+def count_simulated(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """Ids of the power-ons that are simulated from now on."""
     made: list[str] = []
-    simulate = Bench._recorded
+    simulate = Bench._simulate
 
     def recorded(bench: Bench, power_on: PowerOn) -> object:
         made.append(power_on.id)
         return simulate(bench, power_on)
 
-    monkeypatch.setattr(Bench, "_recorded", recorded)
+    monkeypatch.setattr(Bench, "_simulate", recorded)
     return made
 
 
 @pytest.fixture
 def kept_bench(slow_fmu: GyroFmu, tmp_path: Path) -> Bench:
     """A bench that keeps its logs, and has kept one."""
-    store = Store(tmp_path / KEPT)
+    store = Store(tmp_path / LOGS_TO_RESUME)
     store.folder.mkdir()
     bench = replace(slow_bench(slow_fmu, TYPICAL), store=store)
     bench.run([power_on(bench)])
@@ -98,7 +98,7 @@ def kept_bench(slow_fmu: GyroFmu, tmp_path: Path) -> Bench:
 
 
 def power_on(bench: Bench, segments: int = 1) -> PowerOn:
-    return fixed_position.power_ons(bench, 1, segments)[0]
+    return fixed_position.make_power_ons(bench, 1, segments)[0]
 
 
 def test_same_circumstances_are_not_simulated_again(
@@ -106,7 +106,7 @@ def test_same_circumstances_are_not_simulated_again(
 ) -> None:
     again = power_on(kept_bench)
     fresh = replace(kept_bench, store=None).log(again).log
-    made = counted(monkeypatch)
+    made = count_simulated(monkeypatch)
     log = kept_bench.log(again).log
     assert made == []
     assert log.source == fresh.source
@@ -127,7 +127,7 @@ def test_same_circumstances_are_not_simulated_again(
 def test_another_bench_is_simulated(
     kept_bench: Bench, monkeypatch: pytest.MonkeyPatch, changes: dict[str, object]
 ) -> None:
-    made = counted(monkeypatch)
+    made = count_simulated(monkeypatch)
     replace(kept_bench, **changes).log(power_on(kept_bench))
     assert made == ["fixed_1"]
 
@@ -135,7 +135,7 @@ def test_another_bench_is_simulated(
 def test_another_model_is_simulated(
     kept_bench: Bench, fmu: GyroFmu, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    made = counted(monkeypatch)
+    made = count_simulated(monkeypatch)
     replace(kept_bench, fmu=fmu).log(power_on(kept_bench))
     assert made == ["fixed_1"]
 
@@ -150,7 +150,7 @@ def test_another_power_on_is_simulated(kept_bench: Bench, monkeypatch: pytest.Mo
         replace(first, start_angle=0.1),
         replace(first, id="fixed_2"),
     ]
-    made = counted(monkeypatch)
+    made = count_simulated(monkeypatch)
     for other in others:
         kept_bench.log(other)
     assert len(made) == len(others)
@@ -160,13 +160,13 @@ def test_spoilt_log_is_made_again(kept_bench: Bench, monkeypatch: pytest.MonkeyP
     assert kept_bench.store
     (file,) = kept_bench.store.folder.iterdir()
     file.write_bytes(file.read_bytes()[:1000])
-    made = counted(monkeypatch)
+    made = count_simulated(monkeypatch)
     kept_bench.log(power_on(kept_bench))
     assert made == ["fixed_1"]
 
 
 def test_run_that_ends_leaves_nothing(slow_fmu: GyroFmu, tmp_path: Path) -> None:
-    with Store(tmp_path / KEPT) as store:
+    with Store(tmp_path / LOGS_TO_RESUME) as store:
         bench = replace(slow_bench(slow_fmu, TYPICAL), store=store)
         bench.run([power_on(bench)])
         assert [path.suffix for path in store.folder.iterdir()] == [".npz"]
@@ -174,6 +174,6 @@ def test_run_that_ends_leaves_nothing(slow_fmu: GyroFmu, tmp_path: Path) -> None
 
 
 def test_run_that_made_nothing_leaves_nothing(tmp_path: Path) -> None:
-    with pytest.raises(KeyboardInterrupt), Store(tmp_path / KEPT):
+    with pytest.raises(KeyboardInterrupt), Store(tmp_path / LOGS_TO_RESUME):
         raise KeyboardInterrupt
     assert list(tmp_path.iterdir()) == []

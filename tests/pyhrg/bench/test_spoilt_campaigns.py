@@ -1,4 +1,4 @@
-"""Campaigns with one spoilt log: a clear error, or a stated exclusion and figures still right."""
+"""Campaigns with one spoilt log: a clear error, or a stated exclusion and correct figures."""
 
 import csv
 import gzip
@@ -30,24 +30,24 @@ MIDDLE = slice(150, 175)
 
 
 @pytest.fixture(scope="module")
-def sound(slow_fmu: GyroFmu, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def intact(slow_fmu: GyroFmu, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Three power-ons of either test."""
     bench = slow_bench(slow_fmu, TYPICAL)
-    power_ons = fixed_position.power_ons(bench, RUNS)
-    power_ons += full_circumference.power_ons(bench, QUICK_PLAN, RUNS, segments=3)
+    power_ons = fixed_position.make_power_ons(bench, RUNS)
+    power_ons += full_circumference.make_power_ons(bench, QUICK_PLAN, RUNS, segments=3)
     folder = tmp_path_factory.mktemp("campaign")
-    campaigns.write(bench.campaign(bench.run(power_ons)), folder)
+    campaigns.write_campaign(bench.campaign(bench.run(power_ons)), folder)
     return folder
 
 
-def evaluated(procedure: Procedure, folder: Path) -> Outcome:
-    return procedure.evaluate(campaigns.read(folder))
+def evaluate(procedure: Procedure, folder: Path) -> Outcome:
+    return procedure.evaluate(campaigns.read_campaign(folder))
 
 
-def spoilt(sound: Path, tmp_path: Path, procedure: Procedure, spoil: Spoil) -> Path:
+def spoil_log(intact: Path, tmp_path: Path, procedure: Procedure, spoil: Spoil) -> Path:
     """The campaign with rows of one log changed."""
     folder = tmp_path / "spoilt"
-    shutil.copytree(sound, folder)
+    shutil.copytree(intact, folder)
     path = folder / f"{SPOILT[procedure.name]}.csv.gz"
     rows = spoil(list(csv.DictReader(io.StringIO(gzip.decompress(path.read_bytes()).decode()))))
     text = io.StringIO()
@@ -58,7 +58,7 @@ def spoilt(sound: Path, tmp_path: Path, procedure: Procedure, spoil: Spoil) -> P
     return folder
 
 
-def setting(column: str, part: slice, value: str | None) -> Spoil:
+def set_values(column: str, part: slice, value: str | None) -> Spoil:
     """A column's values in some rows replaced; None: by the first of them."""
 
     def spoil(rows: Rows) -> Rows:
@@ -70,19 +70,19 @@ def setting(column: str, part: slice, value: str | None) -> Spoil:
     return spoil
 
 
-def dropped(part: slice) -> Spoil:
+def drop_rows(part: slice) -> Spoil:
     return lambda rows: [row for i, row in enumerate(rows) if i not in range(*part.indices(10**6))]
 
 
-def without(*columns: str) -> Spoil:
+def drop_columns(*columns: str) -> Spoil:
     return lambda rows: [{k: v for k, v in row.items() if k not in columns} for row in rows]
 
 
-def renamed(old: str, new: str) -> Spoil:
+def rename_columns(old: str, new: str) -> Spoil:
     return lambda rows: [{k.replace(old, new): v for k, v in row.items()} for row in rows]
 
 
-def scaled(*columns: str) -> Spoil:
+def convert_to_radians(*columns: str) -> Spoil:
     """Radians under deg."""
 
     def spoil(rows: Rows) -> Rows:
@@ -93,37 +93,37 @@ def scaled(*columns: str) -> Spoil:
     return spoil
 
 
-def repeated(rows: Rows) -> Rows:
+def repeat_rows(rows: Rows) -> Rows:
     return rows[:200] + rows[150:200] + rows[200:]
 
 
-def reversed_in_part(rows: Rows) -> Rows:
+def reverse_part(rows: Rows) -> Rows:
     return rows[:150] + rows[150:175][::-1] + rows[175:]
 
 
-LEAVE = {
-    "gap": (dropped(MIDDLE), "row 152: a gap before each, 25 rows missing in all"),
-    "NaN": (setting("gyro_angle_deg", MIDDLE, "NaN"), "rows 152-176: gyro_angle_deg missing"),
-    "empty": (setting("wave_angle_deg", MIDDLE, ""), "rows 152-176: wave_angle_deg missing"),
-    "axis": (setting("axis_up", MIDDLE, "nan"), "rows 152-176: axis_up missing"),
-    "drive": (setting("drive_on", MIDDLE, ""), "rows 152-176: drive_on missing"),
-    "table": (setting("table_angle_deg", MIDDLE, ""), "rows 152-176: table_angle_deg missing"),
-    "saturated": (setting("gyro_angle_deg", MIDDLE, None), "gyro_angle_deg stands still"),
-    "repeated": (repeated, "rows 202-251: an earlier row again"),
-    "unused": (without("temperature_degC"), "no column temperature_degC"),
+EXCLUDED = {
+    "gap": (drop_rows(MIDDLE), "row 152: a gap before each, 25 rows missing in all"),
+    "NaN": (set_values("gyro_angle_deg", MIDDLE, "NaN"), "rows 152-176: gyro_angle_deg missing"),
+    "empty": (set_values("wave_angle_deg", MIDDLE, ""), "rows 152-176: wave_angle_deg missing"),
+    "axis": (set_values("axis_up", MIDDLE, "nan"), "rows 152-176: axis_up missing"),
+    "drive": (set_values("drive_on", MIDDLE, ""), "rows 152-176: drive_on missing"),
+    "table": (set_values("table_angle_deg", MIDDLE, ""), "rows 152-176: table_angle_deg missing"),
+    "saturated": (set_values("gyro_angle_deg", MIDDLE, None), "gyro_angle_deg stands still"),
+    "repeated": (repeat_rows, "rows 202-251: an earlier row again"),
+    "unused": (drop_columns("temperature_degC"), "no column temperature_degC"),
 }
-"""What is left out, and what is said of it."""
+"""Spoilt logs that can still be used, and the exclusion that the outcome states."""
 
 
 @pytest.mark.parametrize("procedure", [FIXED, AROUND], ids=lambda p: p.name)
-@pytest.mark.parametrize(("spoil", "said"), LEAVE.values(), ids=LEAVE)
-def test_what_is_left_out_is_said_and_figures_stay_right(
-    sound: Path, tmp_path: Path, procedure: Procedure, spoil: Spoil, said: str
+@pytest.mark.parametrize(("spoil", "message"), EXCLUDED.values(), ids=EXCLUDED)
+def test_an_exclusion_is_stated_and_figures_stay_right(
+    intact: Path, tmp_path: Path, procedure: Procedure, spoil: Spoil, message: str
 ) -> None:
-    right = evaluated(procedure, sound)
-    outcome = evaluated(procedure, spoilt(sound, tmp_path, procedure, spoil))
+    right = evaluate(procedure, intact)
+    outcome = evaluate(procedure, spoil_log(intact, tmp_path, procedure, spoil))
     file = SPOILT[procedure.name]
-    assert any(file in x and said in x for x in outcome.exclusions), outcome.exclusions
+    assert any(file in x and message in x for x in outcome.exclusions), outcome.exclusions
     assert right.exclusions == ()
     assert [f.name for f in outcome.findings] == [f.name for f in right.findings]
     for finding, expected in zip(outcome.findings, right.findings, strict=True):
@@ -133,40 +133,43 @@ def test_what_is_left_out_is_said_and_figures_stay_right(
 
 
 REFUSED = {
-    "reversed": (reversed_in_part, r"row 153, time_s: .* expected time to increase"),
-    "column": (without("gyro_angle_deg"), "column gyro_angle_deg is missing"),
-    "drive": (without("drive_on"), "column drive_on is missing"),
-    "virtual": (without("virtual_rotation_deg_s"), "column virtual_rotation_deg_s is missing"),
-    "text": (setting("gyro_angle_deg", MIDDLE, "n/a"), "row 152, gyro_angle_deg: 'n/a'; expected"),
-    "radians": (scaled("gyro_angle_deg"), "are radians given where degrees are meant"),
+    "reversed": (reverse_part, r"row 153, time_s: .* expected time to increase"),
+    "column": (drop_columns("gyro_angle_deg"), "column gyro_angle_deg is missing"),
+    "drive": (drop_columns("drive_on"), "column drive_on is missing"),
+    "virtual": (drop_columns("virtual_rotation_deg_s"), "column virtual_rotation_deg_s is missing"),
+    "text": (
+        set_values("gyro_angle_deg", MIDDLE, "n/a"),
+        "row 152, gyro_angle_deg: 'n/a'; expected",
+    ),
+    "radians": (convert_to_radians("gyro_angle_deg"), "are radians given where degrees are meant"),
     "short": (lambda rows: rows[:100], "segment"),
     "unit": (
-        renamed("gyro_angle_deg", "gyro_angle_rad"),
+        rename_columns("gyro_angle_deg", "gyro_angle_rad"),
         "gyro_angle_rad; expected gyro_angle_deg",
     ),
 }
-"""What can't be used, and what the error says."""
+"""Spoilt logs that can't be used, and the message of the error."""
 
 
 @pytest.mark.parametrize("procedure", [FIXED, AROUND], ids=lambda p: p.name)
-@pytest.mark.parametrize(("spoil", "said"), REFUSED.values(), ids=REFUSED)
+@pytest.mark.parametrize(("spoil", "message"), REFUSED.values(), ids=REFUSED)
 def test_what_can_not_be_used_is_refused_by_name(
-    sound: Path, tmp_path: Path, procedure: Procedure, spoil: Spoil, said: str
+    intact: Path, tmp_path: Path, procedure: Procedure, spoil: Spoil, message: str
 ) -> None:
-    folder = spoilt(sound, tmp_path, procedure, spoil)
-    with pytest.raises((BenchError, LogError), match=said) as raised:
-        evaluated(procedure, folder)
+    folder = spoil_log(intact, tmp_path, procedure, spoil)
+    with pytest.raises((BenchError, LogError), match=message) as raised:
+        evaluate(procedure, folder)
     assert SPOILT[procedure.name] in str(raised.value)
 
 
 @pytest.mark.parametrize("procedure", [FIXED, AROUND], ids=lambda p: p.name)
-def test_truncated_file_is_refused(sound: Path, tmp_path: Path, procedure: Procedure) -> None:
+def test_truncated_file_is_refused(intact: Path, tmp_path: Path, procedure: Procedure) -> None:
     folder = tmp_path / "spoilt"
-    shutil.copytree(sound, folder)
+    shutil.copytree(intact, folder)
     path = folder / f"{SPOILT[procedure.name]}.csv.gz"
     path.write_bytes(path.read_bytes()[:-1000])
     with pytest.raises(LogError, match=rf"{path.name}: can't be read"):
-        evaluated(procedure, folder)
+        evaluate(procedure, folder)
 
 
 def position(rows: Rows, number: int) -> slice:
@@ -178,15 +181,15 @@ def position(rows: Rows, number: int) -> slice:
 
 
 @pytest.mark.parametrize("number", [4, 7])
-def test_lost_position_does_not_shift_the_mean(sound: Path, tmp_path: Path, number: int) -> None:
+def test_lost_position_does_not_shift_the_mean(intact: Path, tmp_path: Path, number: int) -> None:
     """A position less would shift the mean over the circumference; its power-on is left out."""
 
     def lose(rows: Rows) -> Rows:
         part = position(rows, 4) if number == 4 else slice(len(rows) - 320, len(rows))
-        return dropped(part)(rows)
+        return drop_rows(part)(rows)
 
-    right = evaluated(AROUND, sound)
-    outcome = evaluated(AROUND, spoilt(sound, tmp_path, AROUND, lose))
+    right = evaluate(AROUND, intact)
+    outcome = evaluate(AROUND, spoil_log(intact, tmp_path, AROUND, lose))
     assert any("positions_2" in x and "7 positions" in x for x in outcome.exclusions)
     for name in ("bias", "bias stability"):
         expected = right.finding(name)
@@ -194,16 +197,16 @@ def test_lost_position_does_not_shift_the_mean(sound: Path, tmp_path: Path, numb
         assert outcome.finding(name).low <= expected.value <= outcome.finding(name).high
 
 
-def test_all_positions_lost_alike_are_refused(sound: Path, tmp_path: Path) -> None:
-    folder = spoilt(sound, tmp_path, AROUND, lambda rows: dropped(position(rows, 4))(rows))
+def test_all_positions_lost_alike_are_refused(intact: Path, tmp_path: Path) -> None:
+    folder = spoil_log(intact, tmp_path, AROUND, lambda rows: drop_rows(position(rows, 4))(rows))
     index = json.loads((folder / "campaign.json").read_text())
     index["tests"] = [test for test in index["tests"] if test["id"] == "positions_2"]
     (folder / "campaign.json").write_text(json.dumps(index))
     with pytest.raises(BenchError, match=r"positions_2\S*: 7 positions .* needs 8N"):
-        evaluated(AROUND, folder)
+        evaluate(AROUND, folder)
 
 
-def test_gap_within_a_position_makes_no_two_of_one(sound: Path, tmp_path: Path) -> None:
-    outcome = evaluated(AROUND, spoilt(sound, tmp_path, AROUND, dropped(slice(160, 165))))
+def test_gap_within_a_position_makes_no_two_of_one(intact: Path, tmp_path: Path) -> None:
+    outcome = evaluate(AROUND, spoil_log(intact, tmp_path, AROUND, drop_rows(slice(160, 165))))
     assert outcome.finding("bias").n == RUNS
     assert any("7 of 23 data points left out" in text for text in outcome.exclusions)

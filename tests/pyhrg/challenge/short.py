@@ -7,7 +7,7 @@ import pytest
 
 from pyhrg.bench.programme import Programme
 from pyhrg.challenge import case
-from pyhrg.challenge.campaigns.course import Course, course_of
+from pyhrg.challenge.campaigns.course import Course, make_course
 from pyhrg.challenge.campaigns.plans import Plan
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_SQRT_H, HZ
 from pyhrg.device.device import Device
@@ -21,19 +21,19 @@ GYRO = replace(
     frequency_per_kelvin=8.5e-5,
     decay_time_per_kelvin=-3e-3,
     angle_random_walk=3e-4 * DEG_PER_SQRT_H,
-    pickoff_noise=0.036 * ARCSEC,
+    angle_white_noise=0.036 * ARCSEC,
 )
 GRAVITY = 9.8015
 
 
 def turning(duration: float = 60.0, rate: float = 5 * DEG) -> Course:
     """The table at a rate, from rest."""
-    return course_of(Programme(1.0, GRAVITY).spin(rate, duration), 0.01)
+    return make_course(Programme(1.0, GRAVITY).spin(rate, duration), 0.01)
 
 
 def resting(duration: float = 60.0) -> Course:
     """The table at rest."""
-    return course_of(Programme(1.0, GRAVITY).rest(duration), 0.01)
+    return make_course(Programme(1.0, GRAVITY).rest(duration), 0.01)
 
 
 def short_plans(
@@ -51,4 +51,4 @@ def short_plans(
 @pytest.fixture
 def quick_cases(monkeypatch: pytest.MonkeyPatch) -> None:
     """Cases of two short tests, none of them at the carrier."""
-    monkeypatch.setattr(case, "plans", short_plans)
+    monkeypatch.setattr(case, "plan_tests", short_plans)

@@ -3,14 +3,13 @@
 import numpy as np
 import pytest
 
-from fmu_build.bundle import built_fmu
-from fmu_build.roots import ROOTS
+from fmu_build.bundle import build_fmu
 from pyhrg.challenge import case
 from pyhrg.challenge.campaigns.plans import TESTS, Plan, Variation
 from pyhrg.challenge.case import Case, Fmus
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
-from pyhrg.gap.diagnose import diagnosed
+from pyhrg.gap.diagnose import diagnose
 from pyhrg.gap.effects.design import LinearTest
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records.campaign import Campaign
@@ -36,7 +35,7 @@ def fast_plans(
 
 @pytest.fixture(scope="module")
 def fmus(simulation: Simulation) -> Fmus:
-    carrier = GyroFmu(built_fmu(root=ROOTS["HRGCarrier"]))
+    carrier = GyroFmu(build_fmu("HRGCarrier"))
     carrier.prepare()
     return Fmus(carrier, simulation)
 
@@ -51,14 +50,14 @@ def test_short_tests_are_made_at_the_carrier(simulation: Simulation, fmus: Fmus)
 def campaign(simulation: Simulation, fmus: Fmus) -> Campaign:
     """Without a gap."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(case, "plans", fast_plans)
-        drawn = case.prepared(NONE, simulation)
+        patch.setattr(case, "plan_tests", fast_plans)
+        drawn = case.prepare_case(NONE, simulation)
     made = drawn.recorded([(plan, fmus.of(plan)) for plan in drawn.plans], case.NOISE)
     return drawn.campaign([test for test, _ in made])
 
 
 def test_what_the_average_leaves_out_is_no_gap(simulation: Simulation, campaign: Campaign) -> None:
-    said = diagnosed(campaign, simulation).diagnosis
+    said = diagnose(campaign, simulation=simulation).diagnosis
     assert said.verdict == "no_gap"
     assert said.unknown_probability < 0.1
 
@@ -68,6 +67,6 @@ def test_it_would_be_one(
 ) -> None:
     """Were it not known of."""
     monkeypatch.setattr(
-        LinearTest, "left_out", lambda part, channel: np.zeros(len(part.test.log.time))
+        LinearTest, "carrier_terms", lambda part, channel: np.zeros(len(part.test.log.time))
     )
-    assert diagnosed(campaign, simulation).diagnosis.verdict != "no_gap"
+    assert diagnose(campaign, simulation=simulation).diagnosis.verdict != "no_gap"

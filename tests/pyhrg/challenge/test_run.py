@@ -1,6 +1,5 @@
 """A whole challenge on short campaigns, with a diagnosis that says the same of all."""
 
-import argparse
 import json
 import os
 import shutil
@@ -9,37 +8,43 @@ import time
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from pyhrg.challenge import run
 from pyhrg.challenge.roster import ChallengeError, Folder, Settings
 from pyhrg.challenge.run import Challenge
 from pyhrg.challenge.truths import seal
-from pyhrg.cli import challenge as command
+from pyhrg.common.cli import main
 from pyhrg.common.errors import HrgError
+from pyhrg.gap.findings.diagnosis import Diagnosis, Gap, GapFigure, NextTest, write
 from pyhrg.records import campaign
 from tests.pyhrg.challenge.short import quick_cases  # noqa: F401
 
 SETTINGS = Settings({"none": 2, "single": 1}, seed=3)
-NO_GAP = {
-    "schema": "hrg-diagnosis/1",
-    "verdict": "no_gap",
-    "causes": [],
-    "unknown_probability": 0.02,
-    "where": [],
-    "gap": {},
-    "next_test": None,
-}
-NEXT = {"kind": "tumble", "why": "", "hours": 0.5}
-CONFOUNDED = {**NO_GAP, "verdict": "ambiguous", "next_test": NEXT}
+FIGURE = GapFigure(1.0, 1.0, 1.0, (0.5, 2.0))
+NO_GAP = Diagnosis(
+    device="unit",
+    verdict="no_gap",
+    causes=(),
+    unknown_probability=0.02,
+    where=(),
+    sizes=(),
+    gap=Gap(FIGURE, None, None, None, None, None),
+    next_test=None,
+    unnamed={},
+    excluded=(),
+)
+CONFOUNDED = replace(NO_GAP, verdict="ambiguous", next_test=NextTest("tumble", "it separates", 0.5))
 
 
 def says_no_gap(campaign: Path, out: Path, without: Sequence[str]) -> None:
-    (out / "diagnosis.json").write_text(json.dumps(NO_GAP))
+    write(NO_GAP, out)
 
 
 def asks_for_a_test(campaign: Path, out: Path, without: Sequence[str]) -> None:
-    (out / "diagnosis.json").write_text(json.dumps(CONFOUNDED))
+    write(CONFOUNDED, out)
 
 
 def says_nothing(campaign: Path, out: Path, without: Sequence[str]) -> None:
@@ -130,7 +135,7 @@ def test_a_truth_that_was_changed_is_refused(tmp_path: Path) -> None:
     path.write_text(path.read_text().replace("{", "{ ", 1))
     with pytest.raises(ChallengeError, match="truths are not those that it has published"):
         Challenge(folder, SETTINGS, says_no_gap).run(1)
-    assert seal.hash_of(path)
+    assert seal.hash_truth(path)
 
 
 @pytest.mark.usefixtures("quick_cases")
@@ -139,7 +144,7 @@ def test_a_suggested_test_is_made_and_diagnosed(tmp_path: Path) -> None:
     settings = Settings({"single": 1}, seed=3)
     score = Challenge(folder, settings, asks_for_a_test).run(1)
     (case,) = score.cases
-    extended = campaign.read(folder.next_campaign(case.name))
+    extended = campaign.read_campaign(folder.next_campaign(case.name))
     assert [test.kind for test in extended.tests] == ["rate", "manoeuvre", "tumble"]
     settled = next(f for f in score.figures if f.name.startswith("next test"))
     assert (settled.n, settled.value) == (1, 0.0)
@@ -201,16 +206,13 @@ def test_names_and_order_tell_nothing_of_the_kinds() -> None:
     assert Settings(counts, seed=2).cases()[0].seed != cases[0].seed
 
 
-def options(*arguments: str) -> argparse.Namespace:
-    parser = argparse.ArgumentParser()
-    command.add_parser(parser.add_subparsers())
-    return parser.parse_args(["challenge", *arguments])
-
-
 @pytest.mark.usefixtures("quick_cases")
-def test_command_prints_the_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    few = ("--none", "1", "--single", "0", "--pairs", "0", "--outside", "0")
-    command.run(options("--out", str(tmp_path), *few, "--workers", "1"), says_no_gap)
+def test_command_prints_the_table(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(run, "diagnose_folder", says_no_gap)
+    few = ["--none", "1", "--single", "0", "--pairs", "0", "--outside", "0", "--workers", "1"]
+    assert main(["gap", "challenge", "--out", str(tmp_path), *few]) == 0
     shown = capsys.readouterr().out
     assert "false alarm without a gap" in shown
     assert "<= 0.02  pass" in shown
@@ -222,14 +224,14 @@ def test_command_prints_the_table(tmp_path: Path, capsys: pytest.CaptureFixture[
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("--none", "-1"), "--none -1: expected a whole number from 0"),
-        (("--seed", "-1"), "--seed -1: expected"),
-        (("--workers", "0"), "--workers 0: expected"),
-        (("--strongest", "6"), "--strongest 6: expected more than 6"),
+        ({"none": -1}, "none: found -1, expected a whole number from 0"),
+        ({"seed": -1}, "seed: found -1, expected"),
+        ({"workers": 0}, "workers: found 0, expected"),
+        ({"strongest": 6.0}, "strongest: found 6, expected a number above 6"),
     ],
 )
-def test_options_out_of_range_are_refused(
-    tmp_path: Path, arguments: tuple[str, ...], message: str
+def test_arguments_out_of_range_are_refused(
+    tmp_path: Path, arguments: dict[str, Any], message: str
 ) -> None:
     with pytest.raises(HrgError, match=message):
-        command.run(options("--out", str(tmp_path), *arguments), says_no_gap)
+        run.run_challenge(tmp_path, diagnose=says_no_gap, **arguments)

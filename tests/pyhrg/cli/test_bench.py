@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from pyhrg.cli import bench as command
+from pyhrg.bench import catalogue
 from pyhrg.common.cli import main
 from tests.pyhrg.bench.quick import PROCEDURES, RUNS
 
@@ -16,8 +16,7 @@ VOID = {"meta", "img"}
 
 @pytest.fixture(autouse=True)
 def _short_tests(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(command, "PROCEDURES", PROCEDURES)
-    monkeypatch.setattr(command, "BY_NAME", {p.name: p for p in PROCEDURES})
+    monkeypatch.setattr(catalogue, "PROCEDURES", PROCEDURES)
 
 
 def hrg(*arguments: object) -> int:
@@ -43,7 +42,7 @@ def device(folder: Path, text: str) -> Path:
 def done(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Results of all tests."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(command, "PROCEDURES", PROCEDURES)
+        patch.setattr(catalogue, "PROCEDURES", PROCEDURES)
         out = tmp_path_factory.mktemp("bench") / "all"
         assert hrg("all", "--out", out, "--seed", 7, "--workers", 1) == 0
     return out
@@ -187,12 +186,18 @@ def test_specification(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
     ("arguments", "message"),
     [
         (["no-such-test"], "argument TEST: invalid choice: 'no-such-test' (choose from"),
-        (["fixed-position", "--seed", "-1"], "--seed -1: expected a whole number from 0 to 2^63"),
+        (
+            ["fixed-position", "--seed", "-1"],
+            "seed: found -1, expected a whole number from 0 to 2^63",
+        ),
         (["fixed-position", "--seed", "1.5"], "argument --seed: invalid int value: '1.5'"),
         (["fixed-position", "--seed", str(2**63)], "expected a whole number from 0 to 2^63 - 1"),
-        (["fixed-position", "--workers", "0"], "--workers 0: expected a whole number from 1"),
+        (["fixed-position", "--workers", "0"], "workers: found 0, expected a whole number from 1"),
         (["fixed-position", "--workers", "two"], "argument --workers: invalid int value: 'two'"),
-        (["fixed-position", "--device", "none.toml"], "none.toml: can't be read: No such file"),
+        (
+            ["fixed-position", "--device", "none.toml"],
+            "none.toml: found no such file, expected one or ",
+        ),
         (["fixed-position", "--campaign", "none"], "campaign.json: can't be read: "),
         (["fixed-position", "--device", "a", "--campaign", "b"], "not allowed with argument"),
         (["fixed-position", "--bogus"], "unrecognized arguments: --bogus"),
@@ -260,7 +265,7 @@ def test_what_is_no_result_is_not_replaced(
     (tmp_path / "fixed-position").mkdir()
     (tmp_path / "fixed-position" / "thesis.tex").write_text("mine")
     assert hrg("all", "--out", tmp_path) == 2
-    assert "fixed-position is there and is no result of hrg bench" in capsys.readouterr().err
+    assert "fixed-position: found what is no result of a bench test" in capsys.readouterr().err
     (tmp_path / "other" / "report.html").mkdir(parents=True)
     assert hrg("all", "--out", tmp_path / "other") == 2
     assert "report.html is a folder" in capsys.readouterr().err

@@ -45,7 +45,7 @@ def test_example_is_understood_as_documented(
 def test_example_is_imported(mapping: Path) -> None:
     out = mapping.parent / "a" / "campaign"
     assert run(mapping, "--out", out) == 0
-    test = campaign.read(out).tests[0]
+    test = campaign.read_campaign(out).tests[0]
     assert (test.id, test.kind, test.log.interval) == ("rate_pos", "rate", 0.5)
     assert test.log.table_angle / DEG == pytest.approx([0, 0.2, 0.4, 0.6])
     assert test.log.gyro_angle[-1] / DEG == pytest.approx(0.6054)

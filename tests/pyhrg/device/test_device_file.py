@@ -8,12 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pyhrg.common.keys import Key
 from pyhrg.common.site import Site
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.device import device_file
-from pyhrg.device.device import FMU_NAMES, AngleMap, Device, fmu_values
+from pyhrg.device.device import FMU_NAMES, AngleMap, Device
 from pyhrg.device.device_file import DeviceError
-from pyhrg.device.keys import KEYS, SITE_KEYS, Key
+from pyhrg.device.keys import KEYS, SITE_KEYS
 from pyhrg.device.ready_devices import TABLE2, TYPICAL
 from pyhrg.fmu import GyroError, GyroFmu
 
@@ -54,7 +55,7 @@ def test_an_ideal_gyro_is_the_fmu_as_it_is(fmu: GyroFmu) -> None:
     """Every default of a device is the FMU's own: to the 15 digits that its description shows."""
     assert Device().fmu_parameters() == {}
     starts = {v.name: float(v.start) for v in fmu.description.modelVariables if v.name in FMU_NAMES}
-    stated = fmu_values(Device())
+    stated = Device().fmu_values()
     assert starts.keys() == FMU_NAMES
     for name in stated:
         assert stated[name] == pytest.approx(starts[name], rel=1e-14), name

@@ -1,12 +1,15 @@
 """Devices of a kind."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from pyhrg.common.units import DEG_PER_H
-from pyhrg.device.ready_devices import TYPICAL
+from pyhrg.device import device_file
+from pyhrg.device.device_file import DeviceError
+from pyhrg.device.ready_devices import TYPICAL, load_device
 from pyhrg.theory import closed_forms as theory
 
 
@@ -57,3 +60,11 @@ def test_what_scatters_from_power_on_to_power_on() -> None:
 
 def test_without_scatter_a_power_on_is_the_device() -> None:
     assert TYPICAL.turned_on(np.random.default_rng(1)) == TYPICAL.fmu_parameters()
+
+
+def test_a_device_is_loaded_by_name_or_file(tmp_path: Path) -> None:
+    assert load_device("typical") == TYPICAL
+    device_file.write(TYPICAL, tmp_path / "mine.toml")
+    assert load_device(tmp_path / "mine.toml") == TYPICAL
+    with pytest.raises(DeviceError, match="nothing: found no such file, expected one or table2"):
+        load_device("nothing")

@@ -13,7 +13,7 @@ from pyhrg.device.device import Device
 from pyhrg.device.keys import KEYS
 from pyhrg.fmu import GyroFmu
 from pyhrg.records.campaign import Campaign, Test
-from tests.pyhrg.gap.soundness.conftest import BELIEVED
+from tests.pyhrg.gap.soundness.conftest import NOMINAL
 
 THERMOMETER = 5e-3
 """Noise of a reading, K."""
@@ -22,7 +22,7 @@ THERMOMETER = 5e-3
 def recorded(
     fmu: GyroFmu,
     device: Device,
-    believed: Device = BELIEVED,
+    believed: Device = NOMINAL,
     seed: int = 1,
     power_ons: Sequence[PowerOn] | None = None,
 ) -> Campaign:

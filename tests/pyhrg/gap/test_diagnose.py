@@ -6,25 +6,30 @@ Larger numbers of seeds: `benchmarks/gap_controls.py`.
 
 import json
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.common.units import DEG, HZ
+from pyhrg.common.errors import HrgError
+from pyhrg.common.units import ARCSEC, DEG, HZ
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
-from pyhrg.gap.diagnose import Diagnosed, diagnosed
+from pyhrg.gap.closing.prediction import predict
+from pyhrg.gap.diagnose import CampaignDiagnosis, diagnose
 from pyhrg.gap.effects.catalogue import EFFECTS, Catalogue
-from pyhrg.gap.evidence.attribution import attributed
-from pyhrg.gap.replay.observations import Observed, observed
+from pyhrg.gap.evidence.attribution import attribute_gap
+from pyhrg.gap.replay.observations import ObservedTest, observe_test
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records import Log
+from pyhrg.records import campaign as campaigns
 from pyhrg.records.campaign import Campaign, CampaignError
 from tests.pyhrg.gap.bench import recorded
-from tests.pyhrg.gap.soundness.conftest import BELIEVED
-from tests.pyhrg.gap.soundness.spoil import Change, at, removed, spoilt
+from tests.pyhrg.gap.soundness.conftest import NOMINAL
+from tests.pyhrg.gap.soundness.spoil import Change, at, change_logs, removed
 
 Array = NDArray[np.float64]
 
@@ -38,11 +43,11 @@ FEW = tuple(
 """Enough of the catalogue for a test's time."""
 
 
-def diagnosed_few(simulation: Simulation, campaign: Campaign) -> Diagnosed:
-    return diagnosed(campaign, simulation, Catalogue(FEW))
+def diagnosed_few(simulation: Simulation, campaign: Campaign) -> CampaignDiagnosis:
+    return diagnose(campaign, catalogue=Catalogue(FEW), simulation=simulation)
 
 
-def tiny(simulation: Simulation, device: Device = BELIEVED, seed: int = 1) -> Campaign:
+def tiny(simulation: Simulation, device: Device = NOMINAL, seed: int = 1) -> Campaign:
     bench = Bench(simulation.sampled, device)
     begun = bench.programme
     power_ons = [
@@ -51,6 +56,46 @@ def tiny(simulation: Simulation, device: Device = BELIEVED, seed: int = 1) -> Ca
         PowerOn("ride", "manoeuvre", begun(0.5).rest(5).turn(90 * DEG, 10 * DEG).rest(220)),
     ]
     return recorded(simulation.sampled, device, seed=seed, power_ons=power_ons)
+
+
+def test_the_front_door_speaks_in_tables(simulation: Simulation, tmp_path: Path) -> None:
+    """From a folder to causes, residuals, a figure, files, and a prediction by these."""
+    given = recorded(simulation.sampled, replace(NOMINAL, drive_gain_mismatch=1e-3))
+    campaigns.write_campaign(given, tmp_path / "campaign")
+    lines: list[str] = []
+    found = diagnose(
+        str(tmp_path / "campaign"),
+        catalogue=Catalogue(FEW),
+        simulation=simulation,
+        progress=lines.append,
+    )
+    assert found.verdict == "explained"
+    assert lines[0] == "round 1: simulating"
+    (cause,) = found.causes.itertuples()
+    assert (cause.effect, cause.parameter) == ("drive_gain_mismatch", "drive_gain_mismatch")
+    assert cause.low_95 < cause.value < cause.high_95
+    table = found.residuals("ride")
+    assert table.attrs["units"]["gyro_angle_before_arcsec"] == "arcsec"
+    assert set(table.attrs["units"]) == set(table.columns)
+    held_out = found.diagnosis.gap.holdout_angle_arcsec
+    assert held_out is not None
+    for stage in ("before", "after"):
+        rms = np.sqrt((table[f"gyro_angle_{stage}_arcsec"] ** 2).mean())
+        assert rms == pytest.approx(getattr(held_out, stage))
+    axes = found.plot("ride", Figure().subplots())
+    assert [line.get_label() for line in axes.lines] == ["before", "after"]
+    with pytest.raises(HrgError, match="test_id: found 'nowhere', expected one of still, "):
+        found.residuals("nowhere")
+    found.write(tmp_path / "out")
+    log = next(test.log for test in given.tests if test.id == "ride")
+    predictions = [
+        predict(source, log, tmp_path / "campaign", simulation=simulation)
+        for source in (found, found.diagnosis, tmp_path / "out" / "diagnosis.json")
+    ]
+    angle = predictions[0]["gyro_angle_deg"] * DEG
+    assert np.sqrt(np.mean((log.gyro_angle - angle) ** 2)) < 2 * held_out.after * ARCSEC
+    for other in predictions[1:]:
+        np.testing.assert_allclose(other["gyro_angle_deg"] * DEG, angle, atol=1e-12)
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
@@ -62,7 +107,7 @@ def test_no_gap(simulation: Simulation, seed: int) -> None:
 
 
 def test_an_effect_is_found_and_closed(simulation: Simulation) -> None:
-    true = replace(BELIEVED, drive_gain_mismatch=1e-3)
+    true = replace(NOMINAL, drive_gain_mismatch=1e-3)
     found = diagnosed_few(simulation, recorded(simulation.sampled, true)).diagnosis
     assert found.verdict == "explained"
     assert [cause.effect for cause in found.causes] == ["drive_gain_mismatch"]
@@ -80,18 +125,18 @@ class Shy(Simulation):
 
     refused: list[Device] = field(default_factory=list)
 
-    def answers(self, device: Device, test: Observed) -> dict[str, Array]:
+    def simulate(self, device: Device, test: ObservedTest) -> dict[str, Array]:
         if device.drive_gain_mismatch and device in (self.refused or [device]):
             self.refused.append(device)
             raise GyroError("refused")
-        return super().answers(device, test)
+        return super().simulate(device, test)
 
 
 def test_a_move_to_a_gyro_that_is_refused_goes_half_the_way(simulation: Simulation) -> None:
     shy = Shy(simulation.sampled, simulation.quasi_steady)
-    true = replace(BELIEVED, drive_gain_mismatch=-0.03)
-    tests = [observed(t, BELIEVED) for t in recorded(simulation.sampled, true).tests]
-    found = attributed(shy, BELIEVED, tests, Catalogue((EFFECTS["drive_gain_mismatch"],)))
+    true = replace(NOMINAL, drive_gain_mismatch=-0.03)
+    tests = [observe_test(t, NOMINAL) for t in recorded(simulation.sampled, true).tests]
+    found = attribute_gap(shy, NOMINAL, tests, Catalogue((EFFECTS["drive_gain_mismatch"],)))
     assert shy.refused
     assert found.settled
     assert found.device.drive_gain_mismatch == pytest.approx(-0.03, rel=0.01)
@@ -99,12 +144,12 @@ def test_a_move_to_a_gyro_that_is_refused_goes_half_the_way(simulation: Simulati
 
 def test_what_a_linear_search_leaves_of_a_large_effect_has_no_name(simulation: Simulation) -> None:
     """The pattern turns by degrees while the gyro warms: 2 % of it are not linear."""
-    true = replace(BELIEVED, phase_per_kelvin=-2.5e-4)
+    true = replace(NOMINAL, phase_per_kelvin=-2.5e-4)
     bench = Bench(simulation.sampled, true)
-    warm = BELIEVED.reference_temperature + np.append(np.linspace(0, 30, 1201), np.full(400, 30))
+    warm = NOMINAL.reference_temperature + np.append(np.linspace(0, 30, 1201), np.full(400, 30))
     power_ons = [
         PowerOn("still", "static", bench.programme().rest(600)),
-        PowerOn("ramp", "thermal_ramp", bench.programme().rest(1600).tempered(warm)),
+        PowerOn("ramp", "thermal_ramp", bench.programme().rest(1600).set_temperatures(warm)),
     ]
     given = recorded(simulation.sampled, true, power_ons=power_ons)
     found = diagnosed_few(simulation, given).diagnosis
@@ -127,10 +172,10 @@ MANY_NAMES = [name.replace("phase_error", "demodulation_phase_error") for name i
 def test_of_many_effects_at_once_the_small_ones_are_found_beside_the_large(
     simulation: Simulation,
 ) -> None:
-    ideal = replace(BELIEVED, frequency_split=0.0, damping_anisotropy=0.0)
+    ideal = replace(NOMINAL, frequency_split=0.0, damping_anisotropy=0.0)
     given = recorded(simulation.sampled, replace(ideal, **MANY), ideal)
     few = [EFFECTS[name] for name in (*MANY_NAMES, "drive_frame_rotation", "loop_delay")]
-    found = diagnosed(given, simulation, Catalogue(tuple(few)))
+    found = diagnose(given, catalogue=Catalogue(tuple(few)), simulation=simulation)
     assert found.diagnosis.settled
     assert found.diagnosis.verdict == "explained"
     assert {cause.effect for cause in found.diagnosis.causes} == set(MANY_NAMES)
@@ -142,24 +187,24 @@ def test_of_many_effects_at_once_the_small_ones_are_found_beside_the_large(
 def test_a_search_that_is_ended_is_left_where_the_gyro_was_simulated(
     simulation: Simulation, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("pyhrg.gap.evidence.attribution.ROUNDS", 1)
-    true = replace(BELIEVED, drive_gain_mismatch=1e-3)
-    tests = [observed(test, BELIEVED) for test in tiny(simulation, true).tests]
-    found = attributed(simulation, BELIEVED, tests, Catalogue(FEW))
+    monkeypatch.setattr("pyhrg.gap.evidence.attribution.MAX_ROUNDS", 1)
+    true = replace(NOMINAL, drive_gain_mismatch=1e-3)
+    tests = [observe_test(test, NOMINAL) for test in tiny(simulation, true).tests]
+    found = attribute_gap(simulation, NOMINAL, tests, Catalogue(FEW))
     assert not found.settled
     assert all(part.device is found.device for part in found.parts)
 
 
 def test_backwards_in_time_no_effect_explains(simulation: Simulation) -> None:
     """The residual of an effect, reversed: something is there that no name explains."""
-    true = replace(BELIEVED, drive_gain_mismatch=1e-3)
-    given, honest = (tiny(simulation, device) for device in (true, BELIEVED.without_noise()))
+    true = replace(NOMINAL, drive_gain_mismatch=1e-3)
+    given, honest = (tiny(simulation, device) for device in (true, NOMINAL.without_noise()))
     tests = []
     for test, clean in zip(given.tests, honest.tests, strict=True):
         residual = test.log.gyro_angle - clean.log.gyro_angle
         turned = residual[-1] - np.concatenate([[0.0], residual[:0:-1]])
         angle = clean.log.gyro_angle + turned
-        wave = clean.log.wave_angle - BELIEVED.bryan_factor * turned
+        wave = clean.log.wave_angle - NOMINAL.bryan_factor * turned
         log = replace(clean.log, gyro_angle=angle, wave_angle=wave)
         tests.append(replace(test, recording=log))
     found = diagnosed_few(simulation, replace(given, tests=tuple(tests))).diagnosis
@@ -178,7 +223,7 @@ SPOILT: list[Change] = [
 
 @pytest.mark.parametrize("change", SPOILT)
 def test_what_is_missing_makes_no_gap(simulation: Simulation, change: Change) -> None:
-    found = diagnosed_few(simulation, spoilt(tiny(simulation), change)).diagnosis
+    found = diagnosed_few(simulation, change_logs(tiny(simulation), change)).diagnosis
     assert found.verdict == "no_gap"
     found.document()
 
@@ -194,9 +239,9 @@ def test_what_is_missing_makes_no_gap(simulation: Simulation, change: Change) ->
 def test_what_is_missing_while_a_pattern_rings_down_hides_no_effect(
     simulation: Simulation, missing: Change
 ) -> None:
-    true = replace(BELIEVED, drive_gain_mismatch=1e-3)
+    true = replace(NOMINAL, drive_gain_mismatch=1e-3)
     lost = at(slice(60, 62), np.nan, "gyro_angle")
-    given = spoilt(recorded(simulation.sampled, true), lambda log: lost(missing(log)), "ring")
+    given = change_logs(recorded(simulation.sampled, true), lambda log: lost(missing(log)), "ring")
     found = diagnosed_few(simulation, given).diagnosis
     assert [cause.effect for cause in found.causes] == ["drive_gain_mismatch"]
     json.dumps(found.document(), allow_nan=False)
@@ -206,15 +251,16 @@ def test_a_thermometer_without_noise(simulation: Simulation) -> None:
     def exact(log: Log) -> Log:
         return replace(log, temperature=np.full(len(log.time), 298.15))
 
-    assert diagnosed_few(simulation, spoilt(tiny(simulation), exact)).diagnosis.verdict == "no_gap"
+    without_gap = change_logs(tiny(simulation), exact)
+    assert diagnosed_few(simulation, without_gap).diagnosis.verdict == "no_gap"
 
 
 def test_tests_without_one_of_the_angles_are_left_out(simulation: Simulation) -> None:
     given = tiny(simulation)
-    found = diagnosed_few(simulation, spoilt(given, removed("wave_angle"), "pos")).diagnosis
-    assert [s for s in found.excluded if s.startswith("pos: not used: gyro_angle_deg and wave")]
+    found = diagnosed_few(simulation, change_logs(given, removed("wave_angle"), "pos")).diagnosis
+    assert [s for s in found.excluded if s.startswith("pos: not used: no row with both")]
     with pytest.raises(CampaignError, match="no test can be fitted to; still: not used"):
-        diagnosed_few(simulation, spoilt(given, removed("wave_angle")))
+        diagnosed_few(simulation, change_logs(given, removed("wave_angle")))
 
 
 def test_one_short_test_is_enough_to_say_something(simulation: Simulation) -> None:

@@ -4,29 +4,29 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pyhrg.gap.effects.jump import after
-from pyhrg.gap.evidence.jump_search import MOMENTS, jumps
-from pyhrg.gap.evidence.residuals import Remainder
-from pyhrg.gap.whitening.whitening import SlowNoise
+from pyhrg.gap.effects.jump import integrate_jump
+from pyhrg.gap.evidence.jump_search import MOMENTS, find_jumps
+from pyhrg.gap.evidence.residuals import Residual
+from pyhrg.gap.whitening.whitening import NoiseModel
 
 Array = NDArray[np.float64]
 
 ROWS = 2000
 TIME = np.arange(1.0, ROWS + 1)
-NOISE = SlowNoise(1.0, walk=0.05)
+NOISE = NoiseModel(1.0, angle_random_walk=0.05)
 SIZE = 0.03
 
 
-def left(seed: int, test: str, added: Array) -> Remainder:
+def left(seed: int, test: str, added: Array) -> Residual:
     generator = np.random.default_rng(seed)
-    walk = np.cumsum(generator.normal(0.0, NOISE.walk, ROWS))
+    walk = np.cumsum(generator.normal(0.0, NOISE.angle_random_walk, ROWS))
     values = walk + generator.normal(0.0, NOISE.white, ROWS) + added
-    return Remainder(test, "gyro_angle", values, np.ones(ROWS), 1.0, NOISE)
+    return Residual(test, "gyro_angle", values, np.ones(ROWS), 1.0, NOISE)
 
 
 def test_a_jump_is_found_at_its_moment() -> None:
-    planted = SIZE * after(TIME, np.array([1300.0]))[:, 0]
-    (found,) = jumps([left(1, "still", 0 * TIME), left(2, "jumped", planted)])
+    planted = SIZE * integrate_jump(TIME, np.array([1300.0]))[:, 0]
+    (found,) = find_jumps([left(1, "still", 0 * TIME), left(2, "jumped", planted)])
     ((test, time),) = found.times
     assert test == "jumped"
     assert time == pytest.approx(1300.0, abs=ROWS / MOMENTS)
@@ -34,9 +34,9 @@ def test_a_jump_is_found_at_its_moment() -> None:
 
 def test_jumps_of_every_test_are_one_explanation() -> None:
     moments = {"first": 500.0, "second": 900.0, "third": 1500.0}
-    found = jumps(
+    found = find_jumps(
         [
-            left(i, name, SIZE * after(TIME, np.array([moment]))[:, 0])
+            left(i, name, SIZE * integrate_jump(TIME, np.array([moment]))[:, 0])
             for i, (name, moment) in enumerate(moments.items())
         ]
     )
@@ -47,6 +47,6 @@ def test_jumps_of_every_test_are_one_explanation() -> None:
 def test_noise_does_not_jump() -> None:
     """In less than one set of records of twenty: prior odds of a jump are 0.025."""
     alarms = [
-        bool(jumps([left(100 * k + i, f"{i}", 0 * TIME) for i in range(3)])) for k in range(40)
+        bool(find_jumps([left(100 * k + i, f"{i}", 0 * TIME) for i in range(3)])) for k in range(40)
     ]
     assert sum(alarms) <= 2

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from pyhrg.common.units import ARCSEC
-from pyhrg.gap.diagnose import diagnosed
+from pyhrg.gap.diagnose import diagnose
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records import Log, campaign
 from pyhrg.records.campaign import Campaign
-from tests.pyhrg.gap.soundness.spoil import added, spoilt
+from tests.pyhrg.gap.soundness.spoil import added, change_logs
 
 WIDER = 1.3
 """Half width over that of 95 %: six parameters, of which one in twenty lies outside."""
@@ -22,7 +22,7 @@ WIDER = 1.3
 @pytest.mark.parametrize("number", range(1, 7))
 def test_the_truth_is_named(simulation: Simulation, recorded_campaign: Path, number: int) -> None:
     folder = recorded_campaign.parent / f"dev-0{number}"
-    found = diagnosed(campaign.read(folder), simulation).diagnosis
+    found = diagnose(campaign.read_campaign(folder), simulation=simulation).diagnosis
     truth = json.loads((folder / "truth.json").read_text())
     assert {cause.effect for cause in found.causes} == set(truth["effects"])
     assert found.verdict == ("explained" if truth["effects"] else "no_gap")
@@ -39,29 +39,31 @@ def test_the_truth_is_named(simulation: Simulation, recorded_campaign: Path, num
 def test_lost_words_and_a_coarse_thermometer_make_no_gap(
     simulation: Simulation, recorded_campaign: Path
 ) -> None:
-    given = campaign.read(recorded_campaign.parent / "dev-06")
-    spoilt_by_recorder = spoilt(given, coarse)
+    given = campaign.read_campaign(recorded_campaign.parent / "dev-06")
+    spoilt_by_recorder = change_logs(given, coarse)
     for test, field, size in SPARKS:
         rows = len(next(each.log.time for each in given.tests if each.id == test))
         spark = np.where(np.arange(rows) == rows // 2 + 100, size, 0.0)
-        spoilt_by_recorder = spoilt(spoilt_by_recorder, added(spark, field), test)
-    found = diagnosed(spoilt_by_recorder, simulation).diagnosis
+        spoilt_by_recorder = change_logs(spoilt_by_recorder, added(spark, field), test)
+    found = diagnose(spoilt_by_recorder, simulation=simulation).diagnosis
     assert found.verdict == "no_gap"
     assert len(found.excluded) == len(SPARKS)
 
 
 def test_a_noisy_encoder_makes_no_gap(simulation: Simulation, recorded_campaign: Path) -> None:
-    given = campaign.read(recorded_campaign.parent / "dev-06")
+    given = campaign.read_campaign(recorded_campaign.parent / "dev-06")
     generator = np.random.default_rng(3)
-    found = diagnosed(spoilt(given, lambda log: noisy(log, generator)), simulation).diagnosis
+    found = diagnose(
+        change_logs(given, lambda log: noisy(log, generator)), simulation=simulation
+    ).diagnosis
     assert found.verdict == "no_gap"
     (told,) = found.excluded
     assert told.startswith("table_angle_deg: scatters by up to 1 arcsec where the gyro does not")
 
 
 def test_a_step_of_the_angle_is_told(simulation: Simulation, recorded_campaign: Path) -> None:
-    given = campaign.read(recorded_campaign.parent / "dev-06")
-    found = diagnosed(stepped(given, "positions_8n", 900, ARCSEC), simulation).diagnosis
+    given = campaign.read_campaign(recorded_campaign.parent / "dev-06")
+    found = diagnose(stepped(given, "positions_8n", 900, ARCSEC), simulation=simulation).diagnosis
     assert found.verdict == "unexplained"
     assert found.causes == ()
     assert set(found.unnamed) == {"output alone: a step at 901 s in positions_8n (gyro_angle)"}
@@ -90,6 +92,6 @@ def stepped(given: Campaign, test: str, row: int, size: float) -> Campaign:
     rows = len(next(each.log.time for each in given.tests if each.id == test))
     step = np.where(np.arange(rows) >= row, size, 0.0)
     k = given.nominal["coriolis_factor"]
-    return spoilt(
-        spoilt(given, added(step, "gyro_angle"), test), added(-k * step, "wave_angle"), test
+    return change_logs(
+        change_logs(given, added(step, "gyro_angle"), test), added(-k * step, "wave_angle"), test
     )

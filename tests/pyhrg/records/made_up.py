@@ -8,7 +8,7 @@ import numpy as np
 
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import ARCSEC, DEG
-from pyhrg.records import COLUMNS, Log, write
+from pyhrg.records import COLUMNS, Log, write_log
 
 LATITUDE = 40 * DEG
 K = 0.277
@@ -53,7 +53,7 @@ def made_up_log(n: int = 600, table_rate: float = 0.0, noise: float = 1.0, seed:
 def spoilt(folder: Path, spoil: Callable[[Rows], object], log: Log | None = None) -> Path:
     """The file of a log (12 rows where none is given), after its header and rows were changed."""
     path = folder / "log.csv"
-    write(log or made_up_log(12), path)
+    write_log(log or made_up_log(12), path)
     rows = [line.split(",") for line in path.read_text().splitlines()]
     spoil(rows)
     path.write_text("".join(",".join(row) + "\n" for row in rows))

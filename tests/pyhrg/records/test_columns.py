@@ -5,7 +5,7 @@ from dataclasses import fields
 import pytest
 
 from pyhrg.records import COLUMNS, Log
-from pyhrg.records.columns import mislabelled
+from pyhrg.records.columns import find_mislabelled_column
 
 HEADER = (
     "time_s,table_angle_deg,axis_up,accel_x_m_s2,accel_y_m_s2,accel_z_m_s2,temperature_degC,"
@@ -37,11 +37,11 @@ def test_each_column_is_a_field_of_the_log() -> None:
     ],
 )
 def test_wrong_unit_is_seen_through(name: str, meant: str) -> None:
-    column = mislabelled(name)
+    column = find_mislabelled_column(name)
     assert column is not None
     assert column.name == meant
 
 
 @pytest.mark.parametrize("name", [*HEADER.split(","), "amplitude_raw", "time_utc", "pressure_Pa"])
 def test_right_units_and_other_columns_pass(name: str) -> None:
-    assert mislabelled(name) is None
+    assert find_mislabelled_column(name) is None

@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 
 from pyhrg.common.units import DEG
-from pyhrg.records import COLUMNS, read, write
+from pyhrg.records import COLUMNS, read_log, write_log
 from tests.pyhrg.records.made_up import made_up_log
 
 
 def test_written_log_is_read_back(tmp_path: Path) -> None:
     """To 1e-12 rad even after ten turns, and to the twelfth digit elsewhere."""
     log = made_up_log(table_rate=15 * DEG)
-    write(log, tmp_path / "log.csv.gz")
-    again = read(tmp_path / "log.csv.gz")
+    write_log(log, tmp_path / "log.csv.gz")
+    again = read_log(tmp_path / "log.csv.gz")
     assert again.source == "log.csv.gz"
     assert again.interval == 1.0
     assert again.exclusions == ()
@@ -33,23 +33,23 @@ def test_written_log_is_read_back(tmp_path: Path) -> None:
 
 
 def test_same_log_gives_the_same_bytes(tmp_path: Path) -> None:
-    write(made_up_log(), tmp_path / "a.csv.gz")
-    write(made_up_log(), tmp_path / "b.csv.gz")
+    write_log(made_up_log(), tmp_path / "a.csv.gz")
+    write_log(made_up_log(), tmp_path / "b.csv.gz")
     assert (tmp_path / "a.csv.gz").read_bytes() == (tmp_path / "b.csv.gz").read_bytes()
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.csv.gz", "b.csv.gz"]
 
 
 def test_columns_without_values_stay_missing(tmp_path: Path) -> None:
-    write(replace(made_up_log(), temperature=np.full(600, np.nan)), tmp_path / "log.csv")
+    write_log(replace(made_up_log(), temperature=np.full(600, np.nan)), tmp_path / "log.csv")
     assert "temperature" not in (tmp_path / "log.csv").read_text()
-    assert read(tmp_path / "log.csv").exclusions == ("no column temperature_degC",)
+    assert read_log(tmp_path / "log.csv").exclusions == ("no column temperature_degC",)
 
 
 def test_long_log_is_read_in_less_than_a_second(tmp_path: Path) -> None:
     path = tmp_path / "long.csv.gz"
-    write(made_up_log(100_000), path)
+    write_log(made_up_log(100_000), path)
     start = time.process_time()
-    read(path)
+    read_log(path)
     assert time.process_time() - start < 1.0
 
 
@@ -58,7 +58,7 @@ def test_recorded_logs_are_whole(recorded_campaign: Path) -> None:
     paths = sorted(recorded_campaign.glob("*.csv.gz"))
     assert paths
     for path in paths:
-        log = read(path)
+        log = read_log(path)
         assert log.exclusions == (), path.name
         assert log.stretches(*(c.field for c in COLUMNS if not c.optional)) == [
             slice(0, len(log.time))
@@ -71,10 +71,19 @@ def test_stretch_in_a_recorded_log_is_found(
 ) -> None:
     """Each of the logs in turn, held for 40 rows; the next one may happen to be equal."""
     for path in sorted(recorded_campaign.glob("*.csv.gz")):
-        log = read(path)
+        log = read_log(path)
         values = getattr(log, field).copy()
         values[100:140] = values[100]
-        write(replace(log, **{field: values}), tmp_path / "log.csv")
-        found = np.flatnonzero(np.isnan(getattr(read(tmp_path / "log.csv"), field)))
+        write_log(replace(log, **{field: values}), tmp_path / "log.csv")
+        found = np.flatnonzero(np.isnan(getattr(read_log(tmp_path / "log.csv"), field)))
         assert list(found[:40]) == list(range(100, 140)), path.name
         assert len(found) < 43, path.name
+
+
+def test_a_log_as_a_frame_has_si_columns_and_units() -> None:
+    log = made_up_log()
+    frame = log.to_frame()
+    assert list(frame.columns) == [column.field for column in COLUMNS]
+    np.testing.assert_array_equal(frame["gyro_angle"], log.gyro_angle)
+    units = frame.attrs["units"]
+    assert (units["gyro_angle"], units["temperature"], units["axis_up"]) == ("rad", "K", "1")

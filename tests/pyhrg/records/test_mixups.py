@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from pyhrg.common.units import DEG
-from pyhrg.records import Log, LogError, read, write
+from pyhrg.records import Log, LogError, read_log, write_log
 from tests.pyhrg.records.made_up import LATITUDE, K, made_up_log
 
 
 def read_back(log: Log, folder: Path) -> Log:
-    write(log, folder / "log.csv")
-    return read(folder / "log.csv", latitude=LATITUDE)
+    write_log(log, folder / "log.csv")
+    return read_log(folder / "log.csv", latitude_deg=LATITUDE / DEG)
 
 
 def scaled(log: Log, factor: float, *fields: str) -> Log:

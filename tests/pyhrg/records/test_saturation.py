@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from pyhrg.common.units import ARCSEC, DEG
-from pyhrg.records import Log, read, write
+from pyhrg.records import Log, read_log, write_log
 from tests.pyhrg.records.made_up import made_up_log
 
 RESPONSES = (
@@ -17,8 +17,8 @@ RESPONSES = (
 
 
 def read_back(log: Log, folder: Path) -> Log:
-    write(log, folder / "log.csv")
-    return read(folder / "log.csv")
+    write_log(log, folder / "log.csv")
+    return read_log(folder / "log.csv")
 
 
 def held(log: Log, field: str, first: int, last: int) -> Log:

@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyhrg.records import LogError, read, write
-from pyhrg.records.table import spans
+from pyhrg.records import LogError, read_log, write_log
+from pyhrg.records.table import describe_rows
 from tests.pyhrg.records.made_up import Rows, made_up_log, place, spoilt
 
 GYRO = place("gyro_angle_deg")
@@ -40,21 +40,21 @@ def test_wrong_field_is_named(
     tmp_path: Path, spoil: Callable[[Rows], object], message: str
 ) -> None:
     with pytest.raises(LogError, match=re.escape(message)) as caught:
-        read(spoilt(tmp_path, spoil))
+        read_log(spoilt(tmp_path, spoil))
     assert "log.csv" in str(caught.value)
 
 
 def test_unreadable_files_are_named(tmp_path: Path) -> None:
     path = tmp_path / "log.csv.gz"
-    write(made_up_log(12), path)
+    write_log(made_up_log(12), path)
     path.write_bytes(path.read_bytes()[:100])
     with pytest.raises(LogError, match=r"log\.csv\.gz: can't be read"):
-        read(path)
+        read_log(path)
     path.write_bytes(gzip.compress(b"\xff\xfe\x00"))
     with pytest.raises(LogError, match="can't be read"):
-        read(path)
+        read_log(path)
     with pytest.raises(LogError, match="No such file"):
-        read(tmp_path / "none.csv")
+        read_log(tmp_path / "none.csv")
 
 
 @pytest.mark.parametrize("text", ["", " ", "nan", "NaN"])
@@ -63,7 +63,7 @@ def test_missing_values_are_counted(tmp_path: Path, text: str) -> None:
         for row in (3, 6, 7, 8):
             rows[row - 1][GYRO] = text
 
-    log = read(spoilt(tmp_path, spoil))
+    log = read_log(spoilt(tmp_path, spoil))
     assert log.exclusions == ("rows 3, 6-8: gyro_angle_deg missing",)
     assert list(np.flatnonzero(np.isnan(log.gyro_angle)) + 2) == [3, 6, 7, 8]
     assert log.stretches("gyro_angle") == [slice(0, 1), slice(2, 4), slice(7, 12)]
@@ -71,7 +71,7 @@ def test_missing_values_are_counted(tmp_path: Path, text: str) -> None:
 
 
 def test_missing_column_is_asked_for_by_name(tmp_path: Path) -> None:
-    log = read(spoilt(tmp_path, lambda rows: [row.pop(GYRO) for row in rows]))
+    log = read_log(spoilt(tmp_path, lambda rows: [row.pop(GYRO) for row in rows]))
     assert log.exclusions == ("no column gyro_angle_deg",)
     assert np.isnan(log.gyro_angle).all()
     log.require("wave_angle", "time")
@@ -83,14 +83,14 @@ def test_missing_column_is_asked_for_by_name(tmp_path: Path) -> None:
 
 
 def test_column_without_values_is_missing_too(tmp_path: Path) -> None:
-    log = read(spoilt(tmp_path, lambda rows: [row.__setitem__(GYRO, "") for row in rows[1:]]))
+    log = read_log(spoilt(tmp_path, lambda rows: [row.__setitem__(GYRO, "") for row in rows[1:]]))
     assert log.exclusions == ("rows 2-13: gyro_angle_deg missing",)
     with pytest.raises(LogError, match="gyro_angle_deg is missing or has no values"):
         log.require("gyro_angle")
 
 
 def test_unknown_column_is_ignored_and_said(tmp_path: Path) -> None:
-    log = read(spoilt(tmp_path, lambda rows: [row.append("7") for row in rows]))
+    log = read_log(spoilt(tmp_path, lambda rows: [row.append("7") for row in rows]))
     assert log.exclusions == ("column 7: not known, ignored",)
 
 
@@ -101,19 +101,22 @@ def test_blank_lines_and_foreign_text_do_not_shift_rows(tmp_path: Path) -> None:
         rows[5][GYRO] = ""
         rows.insert(3, [])
 
-    log = read(spoilt(tmp_path, spoil))
+    log = read_log(spoilt(tmp_path, spoil))
     assert log.exclusions == ("column remark: not known, ignored", "row 7: gyro_angle_deg missing")
     assert len(log.time) == 12
 
 
 def test_line_ends_do_not_matter(tmp_path: Path) -> None:
     path = spoilt(tmp_path, lambda rows: None)
-    plain = read(path)
+    plain = read_log(path)
     path.write_bytes(path.read_bytes().replace(b"\n", b"\r\n"))
-    assert np.array_equal(read(path).gyro_angle, plain.gyro_angle)
+    assert np.array_equal(read_log(path).gyro_angle, plain.gyro_angle)
 
 
 def test_many_rows_are_only_counted() -> None:
-    assert spans(np.array([4])) == "row 4"
-    assert spans(np.array([4, 5, 9])) == "rows 4-5, 9"
-    assert spans(np.arange(2, 42, 2)) == "rows 2, 4, 6, 8, 10, 12, 14, 16 and more, 20 rows in all"
+    assert describe_rows(np.array([4])) == "row 4"
+    assert describe_rows(np.array([4, 5, 9])) == "rows 4-5, 9"
+    assert (
+        describe_rows(np.arange(2, 42, 2))
+        == "rows 2, 4, 6, 8, 10, 12, 14, 16 and more, 20 rows in all"
+    )

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyhrg.records import LogError, read
+from pyhrg.records import LogError, read_log
 from tests.pyhrg.records.made_up import Rows, made_up_log, place, spoilt
 
 TIME = place("time_s")
@@ -15,7 +15,7 @@ def test_repeated_rows_are_dropped_and_said(tmp_path: Path) -> None:
     def twice(rows: Rows) -> None:
         rows[6:6] = [list(row) for row in rows[3:6]]
 
-    log = read(spoilt(tmp_path, twice))
+    log = read_log(spoilt(tmp_path, twice))
     assert log.exclusions == ("rows 7-9: an earlier row again, left out",)
     assert np.array_equal(log.time, np.arange(1.0, 13.0))
     assert log.stretches("gyro_angle") == [slice(0, 12)]
@@ -26,7 +26,7 @@ def test_repeated_rows_with_the_same_nan_are_the_same(tmp_path: Path) -> None:
         rows[4][place("amplitude")] = "nan"
         rows.insert(5, list(rows[4]))
 
-    log = read(spoilt(tmp_path, twice))
+    log = read_log(spoilt(tmp_path, twice))
     assert log.exclusions[0] == "row 6: an earlier row again, left out"
 
 
@@ -37,24 +37,24 @@ def test_one_time_with_two_values_is_an_error(tmp_path: Path) -> None:
 
     message = "row 6, wave_angle_deg: differs from row 5 at the same time"
     with pytest.raises(LogError, match=message):
-        read(spoilt(tmp_path, twice))
+        read_log(spoilt(tmp_path, twice))
 
 
 def test_reversed_time_is_an_error(tmp_path: Path) -> None:
     message = r"log.csv: row 7, time_s: 5 after 6; expected time to increase"
     with pytest.raises(LogError, match=message):
-        read(spoilt(tmp_path, lambda rows: rows.insert(5, rows.pop(6))))
+        read_log(spoilt(tmp_path, lambda rows: rows.insert(5, rows.pop(6))))
 
 
 def test_row_without_time_is_left_out(tmp_path: Path) -> None:
-    log = read(spoilt(tmp_path, lambda rows: rows[4].__setitem__(TIME, "")))
+    log = read_log(spoilt(tmp_path, lambda rows: rows[4].__setitem__(TIME, "")))
     assert log.exclusions[0] == "row 5: no time_s, left out"
     assert len(log.time) == 11
 
 
 def test_log_without_times_is_an_error(tmp_path: Path) -> None:
     with pytest.raises(LogError, match="0 rows with a time"):
-        read(spoilt(tmp_path, lambda rows: [row.__setitem__(TIME, "nan") for row in rows[1:]]))
+        read_log(spoilt(tmp_path, lambda rows: [row.__setitem__(TIME, "nan") for row in rows[1:]]))
 
 
 def test_gaps_are_said_and_split(tmp_path: Path) -> None:
@@ -62,23 +62,23 @@ def test_gaps_are_said_and_split(tmp_path: Path) -> None:
         del rows[9]
         del rows[3:6]
 
-    log = read(spoilt(tmp_path, lose), 1.0)
+    log = read_log(spoilt(tmp_path, lose), interval_s=1.0)
     assert log.exclusions == ("rows 4, 7: a gap before each, 4 rows missing in all",)
     assert log.stretches("gyro_angle") == [slice(0, 2), slice(2, 5), slice(5, 8)]
 
 
 def test_row_too_soon_is_said_and_splits(tmp_path: Path) -> None:
-    log = read(spoilt(tmp_path, lambda rows: rows[5].__setitem__(TIME, "4.2")))
+    log = read_log(spoilt(tmp_path, lambda rows: rows[5].__setitem__(TIME, "4.2")))
     assert "row 6: less than half an interval after the row before" in log.exclusions
     assert log.stretches("time") == [slice(0, 4), slice(4, 5), slice(5, 12)]
 
 
 def test_interval_is_found_or_held_to(tmp_path: Path) -> None:
     path = spoilt(tmp_path, lambda rows: None)
-    assert read(path).interval == 1.0
-    assert read(path, 1.001).interval == 1.001
+    assert read_log(path).interval == 1.0
+    assert read_log(path, interval_s=1.001).interval == 1.001
     with pytest.raises(LogError, match=r"time_s steps by 1; expected 0\.1"):
-        read(path, 0.1)
+        read_log(path, interval_s=0.1)
 
 
 def test_jitter_is_no_gap(tmp_path: Path) -> None:
@@ -88,6 +88,6 @@ def test_jitter_is_no_gap(tmp_path: Path) -> None:
         for row, by in zip(rows[1:], late, strict=True):
             row[TIME] = f"{float(row[TIME]) + by:.3f}"
 
-    log = read(spoilt(tmp_path, jitter, made_up_log(600)), 1.0)
+    log = read_log(spoilt(tmp_path, jitter, made_up_log(600)), interval_s=1.0)
     assert log.exclusions == ()
     assert log.stretches("gyro_angle") == [slice(0, 600)]

@@ -1,1 +1,1 @@
-"""What predictors share."""
+"""Calculations that several predictors use."""

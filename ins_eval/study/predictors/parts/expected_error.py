@@ -1,23 +1,23 @@
-"""The error of maps that are known, what aligning does beyond first order included."""
+"""The error of known maps, with the second-order error of the alignment (Eq. 4)."""
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.mission_model.flown import map_errors
+from ins_eval.mission_model.alignment_at_rest import compute_second_order_error
 from ins_eval.mission_model.mission_weights import MissionWeights
-from ins_eval.mission_model.standing import beyond_first_order
+from ins_eval.mission_model.position_errors import compute_map_errors
 
 Array = NDArray[np.float64]
 
 
-def expected_error(weights: MissionWeights, maps: Array) -> Array:
-    """(r, k, 2) m.
+def compute_expected_error(weights: MissionWeights, maps: Array) -> Array:
+    """(r, k, 2) expected error, m.
 
     Args:
-        weights: of the mission.
-        maps: (r, COUNT, 3) in flight.
+        weights: weights of the mission.
+        maps: (r, COUNT, 3) coefficients in flight.
     """
-    standing = weights.standing
-    rate = np.einsum("ca,rca->ra", standing.rates, maps)
-    linear = map_errors(weights.maps, maps)
-    return linear + beyond_first_order(standing, rate, np.zeros_like(rate))
+    alignment = weights.alignment
+    rate = np.einsum("ca,rca->ra", alignment.rates, maps)
+    linear = compute_map_errors(weights.maps, maps)
+    return linear + compute_second_order_error(alignment, rate, np.zeros_like(rate))

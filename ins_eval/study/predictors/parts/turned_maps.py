@@ -1,4 +1,4 @@
-"""Maps, and weights of maps, seen from other pattern angles."""
+"""Maps, and weights of maps, for patterns that start at other angles (mission_model.md, Eq. 2)."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,32 +8,29 @@ from ins_eval.mission_model.gyro_map import HARMONICS, TERMS
 Array = NDArray[np.float64]
 
 
-def started(maps: Array, angles: Array) -> Array:
-    """Maps (..., 2 TERMS, 3) over the pattern's turn from angles (..., 3), rad, as
-    `GyroMap.started_at`; leading dimensions are broadcast."""
-    return _mixed(maps, angles, sign=1.0)
+def start_maps(maps: Array, angles: Array) -> Array:
+    """(..., n TERMS, 3) maps over the pattern's turn from angles (..., 3), rad, as
+    `GyroMap.start_at`; leading dimensions are broadcast."""
+    return _rotate_harmonics(maps, angles, sign=1.0)
 
 
-def unstarted(maps: Array, angles: Array) -> Array:
+def undo_start(maps: Array, angles: Array) -> Array:
     """The inverse of `started`."""
-    return _mixed(maps, angles, sign=-1.0)
+    return _rotate_harmonics(maps, angles, sign=-1.0)
 
 
-def weights_from(weights: Array, angles: Array) -> Array:
-    """Weights of maps that start at 0, made weights of maps that start at angles (..., 3), rad.
+def turn_weights(weights: Array, angles: Array) -> Array:
+    """(..., k, 2, n TERMS, 3) weights of maps over the pattern angle itself.
 
     Args:
-        weights: (k, 2, n TERMS, 3) of `MissionWeights`.
-        angles: (..., 3).
-
-    Returns:
-        (..., k, 2, n TERMS, 3).
+        weights: (k, 2, n TERMS, 3) weights of maps over the turn from the start angle.
+        angles: (..., 3) start angles, rad.
     """
-    return _mixed(weights, angles[..., None, None, :], sign=-1.0)
+    return _rotate_harmonics(weights, angles[..., None, None, :], sign=-1.0)
 
 
-def _mixed(values: Array, angles: Array, sign: float) -> Array:
-    """Cosine and sine terms turned into each other by each harmonic's multiple of the angles."""
+def _rotate_harmonics(values: Array, angles: Array, sign: float) -> Array:
+    """Rotate cosine and sine of each harmonic h by h times the angles."""
     leading = np.broadcast_shapes(values.shape[:-2], angles.shape[:-1])
     mixed = np.array(np.broadcast_to(values, (*leading, *values.shape[-2:])))
     for first in range(0, values.shape[-2], TERMS):

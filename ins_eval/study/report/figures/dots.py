@@ -1,37 +1,60 @@
-"""Flights as dots on log axes: a path a calibration, half and mission class."""
+"""Flights as dots on log axes; one path for each calibration, half and mission class."""
 
 import pandas as pd
 
-from ins_eval.study.report.figures.marks import colour, marked
-from ins_eval.study.report.result import StudyResult
+from ins_eval.study.report.figures.filters import choose_colour, make_filter_attributes
+from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
 from pyhrg.common.pages import svg
 
 KEYS = [c.CALIBRATION, c.HALF, c.CLASS]
-SMALL, LARGE, MANY = 2.5, 5.0, 3000
-"""Diameters of dots, user units: of more than MANY, and of fewer."""
+SMALL, LARGE = 2.5, 5.0
+"""Diameters of dots, user units: for more flights than `MANY`, and for fewer. Chosen."""
+MANY = 3000
 
 
-def positive(rows: pd.DataFrame, x: str, y: str) -> pd.DataFrame:
-    """Those that log axes can show."""
+def select_positive(rows: pd.DataFrame, x: str, y: str) -> pd.DataFrame:
+    """Rows that log axes can show."""
     return rows[(rows[x] > 0) & (rows[y] > 0)]
 
 
-def dots(
-    result: StudyResult, rows: pd.DataFrame, x: tuple[str, svg.Scale], y: tuple[str, svg.Scale]
+def draw_dots(
+    data: StudyData, rows: pd.DataFrame, x: tuple[str, svg.Scale], y: tuple[str, svg.Scale]
 ) -> str:
-    """Of rows that are `positive`.
+    """Dots of rows with positive values.
 
     Args:
-        rows: of `KEYS` and both columns.
+        data: the study, for the colours.
+        rows: rows with the columns `KEYS` and both columns that are drawn.
         x, y: column and scale.
     """
-    (column_x, across), (column_y, up) = x, y
-    groups = "".join(
-        f'<path class="dots {colour(result, mission_class)}"'
-        f"{marked(mission_class, calibration, half)} "
-        f'd="{svg.points(across(flights[column_x]), up(flights[column_y]))}"/>'
+    paths = "".join(
+        draw_path(
+            flights,
+            x,
+            y,
+            choose_colour(data, mission_class),
+            make_filter_attributes(mission_class, calibration, half),
+        )
         for (calibration, half, mission_class), flights in rows.groupby(KEYS, sort=True)
     )
-    size = svg.FINENESS * (SMALL if len(rows) > MANY else LARGE)
-    return f'<g transform="scale({1 / svg.FINENESS:g})" stroke-width="{size:g}">{groups}</g>'
+    return scale_dots(paths, SMALL if len(rows) > MANY else LARGE)
+
+
+def draw_path(
+    rows: pd.DataFrame,
+    x: tuple[str, svg.Scale],
+    y: tuple[str, svg.Scale],
+    colour: str,
+    attributes: str = "",
+) -> str:
+    """Dots of one colour, in the units of `scale_dots`."""
+    (column_x, across), (column_y, up) = x, y
+    points = svg.format_points(across(rows[column_x]), up(rows[column_y]))
+    return f'<path class="dots {colour}"{attributes} d="{points}"/>'
+
+
+def scale_dots(paths: str, diameter: float) -> str:
+    """Paths of dots with this diameter, user units."""
+    size = svg.GRID_DIVISIONS * diameter
+    return f'<g transform="scale({1 / svg.GRID_DIVISIONS:g})" stroke-width="{size:g}">{paths}</g>'

@@ -1,24 +1,27 @@
-"""Scores as tables: a row a mission class, a column a predictor, each cell with its interval."""
+"""Scores as tables: a row for each mission class, a column for each predictor."""
 
 import html
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ins_eval.study.report.figures.marks import calibration_title, marked
-from ins_eval.study.report.result import StudyResult
+from ins_eval.study.report.figures.filters import make_filter_attributes, name_calibration
+from ins_eval.study.report.figures.parts import Row, format_interval, make_table
+from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
 from ins_eval.study.tables.score import ALL, COVERAGE, SCORES, WIDTH, Score
-from pyhrg.common.pages.svg import Scale, number
+from pyhrg.common.pages.markup import make_paragraph
+from pyhrg.common.pages.svg import Scale
 
 BAR = 96
 """Width of a drawn interval, px."""
 TITLES = {p.key: p.title for p in c.PREDICTORS} | {"": "Figure"}
+"""Headings of the columns by predictor; "" for scores without one."""
 
 
 @dataclass(frozen=True)
-class Axis:
-    """Of the drawn intervals; a stroke at `reference`."""
+class IntervalAxis:
+    """Axis of the drawn intervals, with a stroke at `reference`."""
 
     low: float
     high: float
@@ -27,79 +30,73 @@ class Axis:
 
     @property
     def scale(self) -> Scale:
-        """Onto the bar."""
+        """Scale onto the bar's width."""
         return Scale(self.low, self.high, 3, BAR - 3, self.log)
 
 
-def matrices(result: StudyResult, score: str, axis: Axis, shuffled: bool = False) -> str:
-    """Tables of a score, one a calibration and half."""
-    scores = result.picked(score, shuffled=shuffled)
+def render_matrices(data: StudyData, score: str, axis: IntervalAxis, shuffled: bool = False) -> str:
+    """Tables of a score, one for each calibration and half."""
+    scores = data.select(score, shuffled=shuffled)
     kinds = sorted({(s.calibration, s.half) for s in scores})
     if not kinds:
         what = SCORES[score] + (", devices shuffled" if shuffled else "")
-        return f"<p>Not scored in this study: {html.escape(what)}.</p>"
-    tables = ([s for s in scores if (s.calibration, s.half) == kind] for kind in kinds)
-    return "".join(_table(group, axis, _caption(group, result.level)) for group in tables)
+        return make_paragraph(f"Not scored in this study: {what}.")
+    groups = ([s for s in scores if (s.calibration, s.half) == kind] for kind in kinds)
+    return "".join(_render(group, axis, data.interval_percent) for group in groups)
 
 
-def _table(scores: Sequence[Score], axis: Axis, caption: str) -> str:
+def _render(scores: Sequence[Score], axis: IntervalAxis, interval_percent: float) -> str:
     first = scores[0]
     order = [key for key in TITLES if any(s.predictor == key for s in scores)]
     classes = sorted({s.mission_class for s in scores}, key=lambda name: (name != ALL, name))
-    head = "".join(f'<th scope="col">{html.escape(TITLES[key])}</th>' for key in order)
-    rows = "".join(_row(scores, name, order, axis) for name in classes)
-    return (
-        f'<div class="wide"{marked(ALL, first.calibration, first.half)}><table class="matrix">'
-        f"<caption>{html.escape(caption)}</caption>"
-        f'<thead><tr><th scope="col">Class</th>{head}<th scope="col">triads</th></tr></thead>'
-        f"<tbody>{rows}</tbody></table></div>"
+    return make_table(
+        _make_caption(scores, interval_percent),
+        ("Class", *(TITLES[key] for key in order), "triads"),
+        (_make_row(scores, name, order, axis) for name in classes),
+        make_filter_attributes(ALL, first.calibration, first.half),
     )
 
 
-def _caption(scores: Sequence[Score], level: float) -> str:
+def _make_caption(scores: Sequence[Score], interval_percent: float) -> str:
     first = scores[0]
-    asked = f", {level:g} % asked" if first.score in (COVERAGE, WIDTH) else ""
+    parts = [SCORES[first.score]]
+    if first.score in (COVERAGE, WIDTH):
+        parts.append(f"{interval_percent:g} % required")
+    if first.shuffled:
+        parts.append("devices shuffled")
+    intervals = [f"{100 * first.confidence:g} % intervals", _name_method(first)]
     seeds = sorted({s.seed for s in scores if s.seed is not None})
-    seeded = f", seed {', '.join(map(str, seeds))}" if seeds else ""
-    shuffled = ", devices shuffled" if first.shuffled else ""
-    of = f"{calibration_title(first.calibration)}, {first.half} half"
-    intervals = f"{100 * first.confidence:g} % intervals, {_method(first)}{seeded}"
-    return f"{SCORES[first.score]}{asked}{shuffled}; {of}; {intervals}"
+    if seeds:
+        intervals.append(f"seed {', '.join(map(str, seeds))}")
+    group = f"{name_calibration(first.calibration)}, {first.half} half"
+    return "; ".join([", ".join(parts), group, ", ".join(intervals)])
 
 
-def _method(score: Score) -> str:
+def _name_method(score: Score) -> str:
     if score.shuffled:
-        return "over shuffles"
+        return "over permutations"
     return "exact binomial" if score.score == COVERAGE else "bootstrap over triads"
 
 
-def _row(scores: Sequence[Score], name: str, order: Sequence[str], axis: Axis) -> str:
+def _make_row(scores: Sequence[Score], name: str, order: Sequence[str], axis: IntervalAxis) -> Row:
     here = {s.predictor: s for s in scores if s.mission_class == name}
-    cells = "".join(_cell(here.get(key), axis) for key in order)
     counts = " to ".join(f"{n:,}" for n in sorted({s.n for s in here.values()}))
-    return (
-        f'<tr{marked(name)}><th scope="row">{html.escape(name)}</th>{cells}<td>{counts}</td></tr>'
-    )
+    cells = [*(_render_cell(here.get(key), axis) for key in order), counts]
+    return Row(name, cells, make_filter_attributes(name))
 
 
-def _cell(score: Score | None, axis: Axis) -> str:
+def _render_cell(score: Score | None, axis: IntervalAxis) -> str:
     if score is None or math.isnan(score.value):
-        return "<td>–</td>"
-    note = f' title="{html.escape(score.note)}"' if score.note else ""
-    return (
-        f"<td{note}><b>{number(score.value)}</b>{_held(score)}<br>"
-        f"<small>{number(score.low)} to {number(score.high)}</small><br>{_bar(score, axis)}</td>"
-    )
+        return "–"
+    cell = f"{format_interval(score.value, score.low, score.high)}<br>{_draw_bar(score, axis)}"
+    if score.holds is not None:
+        word = "met" if score.holds else "not met"
+        style = "holds" if score.holds else "fails"
+        cell += f'<br><span class="{style}">{html.escape(score.asked)}: {word}</span>'
+    return f'<span title="{html.escape(score.note)}">{cell}</span>' if score.note else cell
 
 
-def _held(score: Score) -> str:
-    if score.holds is None:
-        return ""
-    word = "holds" if score.holds else "fails"
-    return f'<br><span class="{word}">{html.escape(score.asked)}: {word}</span>'
-
-
-def _bar(score: Score, axis: Axis) -> str:
+def _draw_bar(score: Score, axis: IntervalAxis) -> str:
     ends = [score.low, score.value, score.high]
     if any(math.isnan(v) for v in ends):
         return ""
@@ -108,12 +105,12 @@ def _bar(score: Score, axis: Axis) -> str:
     return (
         f'<svg class="bar" viewBox="0 0 {BAR} 14" width="{BAR}" aria-hidden="true">'
         f'<path class="grid" d="M{at:.1f} 0V14"/><path class="span" d="M{low:.1f} 7H{high:.1f}"/>'
-        f"{_point(value, score.value < axis.low, score.value > axis.high)}</svg>"
+        f"{_draw_point(value, score.value < axis.low, score.value > axis.high)}</svg>"
     )
 
 
-def _point(at: float, below: bool, above: bool) -> str:
-    """A dot, or an arrow where the value lies outside."""
+def _draw_point(at: float, below: bool, above: bool) -> str:
+    """A dot, or an arrow where the value lies outside the axis."""
     if below or above:
         way = -5 if below else 5
         return f'<path d="M{at:.1f} 7l{-way} -4v8z"/>'

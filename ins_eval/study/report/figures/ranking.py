@@ -1,36 +1,42 @@
-"""Gyros: what the bench says of each against its rms error over power-on angles."""
+"""Bench figures of single gyros against their rms error over power-on angles."""
 
-import html
-
-from ins_eval.study.report.figures.dots import KEYS, dots, positive
-from ins_eval.study.report.result import StudyResult
+from ins_eval.study.report.figures.dots import KEYS, draw_dots, select_positive
+from ins_eval.study.report.figures.parts import Panel, draw_axes, join_panels
+from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
 from pyhrg.common.pages import svg
 
 RANKED_BY = {
-    "fixed_rule": (c.GYROS_FIXED, "Fixed-position stability", "deg/h"),
-    "circumference_rule": (c.GYROS_CIRCUMFERENCE, "Full-circumference stability", "deg/h"),
-    "fitted_map": (c.GYROS_FITTED, "Fitted map", "predicted rms, m"),
+    c.FIXED_RULE: (c.GYROS_FIXED, "Fixed-position stability", "deg/h"),
+    c.CIRCUMFERENCE_RULE: (c.GYROS_CIRCUMFERENCE, "Full-circumference stability", "deg/h"),
+    c.FITTED_MAP: (c.GYROS_FITTED, "Fitted map", "predicted rms, m"),
 }
-"""By the predictor whose rank correlation it shows: column, title, axis."""
+"""Column, title and axis of each bench figure, by the predictor whose rank correlation it shows."""
 
 
-def ranking(result: StudyResult) -> str:
-    """A panel a bench figure."""
-    drawn = "".join(_figure(result, predictor) for predictor in RANKED_BY)
-    return f'<div class="panels">{drawn}</div>'
+def render_ranking(data: StudyData) -> str:
+    """A panel for each bench figure."""
+    return join_panels(_make_panel(data, predictor) for predictor in RANKED_BY)
 
 
-def _figure(result: StudyResult, predictor: str) -> str:
+def _make_panel(data: StudyData, predictor: str) -> Panel:
     column, title, axis = RANKED_BY[predictor]
-    gyros = result.table[[*KEYS, column, c.GYROS_FLOWN]].explode([column, c.GYROS_FLOWN])
-    gyros = positive(gyros.astype({column: float, c.GYROS_FLOWN: float}), column, c.GYROS_FLOWN)
-    x, y = svg.across(*svg.decades(gyros[column])), svg.up(*svg.decades(gyros[c.GYROS_FLOWN]))
-    label = html.escape(f"{title} against flown rms error, {len(gyros)} gyros and missions")
-    return (
-        f'<figure data-panel="rank_{predictor}"><figcaption><b>{html.escape(title)}</b><br>'
-        f'<span class="live">{len(gyros):,} gyros in missions</span></figcaption>'
-        f'<svg viewBox="0 0 {svg.WIDTH} {svg.HEIGHT}" role="img" aria-label="{label}">'
-        f"{svg.frame(x, y, axis, 'flown rms over angles, m')}"
-        f"{dots(result, gyros, (column, x), (c.GYROS_FLOWN, y))}</svg></figure>"
+    gyros = data.table[[*KEYS, column, c.GYROS_FLOWN]].explode([column, c.GYROS_FLOWN])
+    gyros = gyros.astype({column: float, c.GYROS_FLOWN: float})
+    gyros = select_positive(gyros, column, c.GYROS_FLOWN)
+    x, y = (
+        svg.make_horizontal_scale(*svg.find_decades(gyros[column])),
+        svg.make_vertical_scale(*svg.find_decades(gyros[c.GYROS_FLOWN])),
+    )
+    return Panel(
+        title=title,
+        body=draw_axes(
+            x,
+            y,
+            (axis, "flown rms over angles, m"),
+            draw_dots(data, gyros, (column, x), (c.GYROS_FLOWN, y)),
+            f"{title} against flown rms error, {len(gyros)} gyros and missions",
+        ),
+        notes=[f'<span class="live">{len(gyros):,} gyros in missions</span>'],
+        attributes=f' data-panel="rank_{predictor}"',
     )

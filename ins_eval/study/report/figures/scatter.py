@@ -1,51 +1,52 @@
-"""Predicted against flown, a panel a predictor."""
+"""Predicted against flown error; a panel for each predictor."""
 
 import html
 
 import numpy as np
 import pandas as pd
 
-from ins_eval.study.report.figures.dots import dots, positive
-from ins_eval.study.report.figures.marks import legend
-from ins_eval.study.report.result import StudyResult
+from ins_eval.study.report.figures.dots import draw_dots, select_positive
+from ins_eval.study.report.figures.filters import make_class_legend
+from ins_eval.study.report.figures.parts import Panel, draw_axes, draw_equality, join_panels
+from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
 from pyhrg.common.pages import svg
 
 
-def predictions(result: StudyResult) -> str:
-    """Panels on the same axes."""
+def render_scatter(data: StudyData) -> str:
+    """Panels with common axes."""
     shown = [c.FLOWN_RADIAL, *(p.median for p in c.PREDICTORS)]
-    limits = svg.decades(np.concatenate([result.table[column] for column in shown]))
-    drawn = "".join(_figure(result, predictor, limits) for predictor in c.PREDICTORS)
-    return f'{legend(result)}<div class="panels" id="predictions">{drawn}</div>'
+    limits = svg.find_decades(np.concatenate([data.table[column] for column in shown]))
+    panels = (_make_panel(data, predictor, limits) for predictor in c.PREDICTORS)
+    return make_class_legend(data) + join_panels(panels, ' id="predictions"')
 
 
-def _figure(result: StudyResult, predictor: c.Predictor, limits: tuple[float, float]) -> str:
-    rows = positive(result.table, predictor.median, c.FLOWN_RADIAL)
-    body = _drawing(result, rows, predictor, limits) if len(rows) else "<p>No predictions.</p>"
-    return (
-        f'<figure data-panel="{predictor.key}"><figcaption><b>{html.escape(predictor.title)}</b>'
-        f'<br><span class="weak">{html.escape(predictor.what)}</span><br>'
-        f'<span class="live">{len(rows):,} of {len(result.table):,} flights</span></figcaption>'
-        f"{body}</figure>"
+def _make_panel(data: StudyData, predictor: c.Predictor, limits: tuple[float, float]) -> Panel:
+    rows = select_positive(data.table, predictor.median, c.FLOWN_RADIAL)
+    return Panel(
+        title=predictor.title,
+        body=_draw(data, rows, predictor, limits) if len(rows) else "<p>No predictions.</p>",
+        notes=[
+            f'<span class="weak">{html.escape(predictor.what)}</span>',
+            f'<span class="live">{len(rows):,} of {len(data.table):,} flights</span>',
+        ],
+        attributes=f' data-panel="{predictor.key}"',
     )
 
 
-def _drawing(
-    result: StudyResult, rows: pd.DataFrame, predictor: c.Predictor, limits: tuple[float, float]
+def _draw(
+    data: StudyData, rows: pd.DataFrame, predictor: c.Predictor, limits: tuple[float, float]
 ) -> str:
-    x, y = svg.across(*limits), svg.up(*limits)
-    ends = np.array(limits)
-    drawn = dots(result, rows, (predictor.median, x), (c.FLOWN_RADIAL, y))
-    label = html.escape(
+    x, y = svg.make_horizontal_scale(*limits), svg.make_vertical_scale(*limits)
+    dots = draw_dots(data, rows, (predictor.median, x), (c.FLOWN_RADIAL, y))
+    return draw_axes(
+        x,
+        y,
+        ("predicted, m", "flown, m"),
+        f'{draw_equality(x, y)}{dots}<circle class="mark" r="7" visibility="hidden"/>',
         f"{predictor.title}: flown against predicted horizontal error, {len(rows)} flights. "
-        "Arrow keys step through them."
-    )
-    return (
-        f'<svg viewBox="0 0 {svg.WIDTH} {svg.HEIGHT}" role="img" tabindex="0" '
-        f'aria-label="{label}" data-x="{predictor.median}" data-y="{c.FLOWN_RADIAL}" '
+        "Arrow keys step through them.",
+        f' tabindex="0" data-x="{predictor.median}" data-y="{c.FLOWN_RADIAL}" '
         f'data-plot="{svg.LEFT} {svg.RIGHT} {svg.BOTTOM} {svg.TOP}" '
-        f'data-range="{limits[0]:g} {limits[1]:g}">{svg.frame(x, y, "predicted, m", "flown, m")}'
-        f'<path class="equal" d="{svg.line(x(ends), y(ends))}"/>{drawn}'
-        '<circle class="mark" r="7" visibility="hidden"/></svg>'
+        f'data-range="{limits[0]:g} {limits[1]:g}"',
     )

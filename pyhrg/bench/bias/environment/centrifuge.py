@@ -1,7 +1,8 @@
-"""Bias under large constant specific force: linear and quadratic terms that gravity can't show.
+"""Bias under large constant specific force: its linear and quadratic coefficients.
 
-The input axis stands across the arm's axis, so that the arm's rate is not on it; Earth's rate on it
-averages out over the turns of the arm. Each axis in turn points along the arm, both ways.
+The input axis is perpendicular to the axis of the arm, so that it doesn't sense the arm's rotation;
+Earth's rate on it averages out over the turns of the arm. Each axis in turn points along the arm,
+in both directions.
 """
 
 import numpy as np
@@ -11,7 +12,7 @@ from pyhrg.bench.bias.environment import g_sensitivity
 from pyhrg.bench.bias.environment.g_sensitivity import AXES, SETTLE
 from pyhrg.bench.bias.environment.tumble import PATTERN_ANGLES, turn_pattern
 from pyhrg.bench.outcome import Outcome
-from pyhrg.bench.procedure import Procedure
+from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import SEGMENT, WARM_UP
 from pyhrg.common.units import DEG_PER_H, STANDARD_GRAVITY
@@ -19,42 +20,44 @@ from pyhrg.records.campaign import Campaign, Test
 
 KIND = "centrifuge"
 LEVELS = (-50.0, -25.0, -10.0, 10.0, 25.0, 50.0)
-"""Specific force along the arm, g."""
+"""Specific forces along the arm, g."""
 UPRIGHT = {"x": "y", "y": "x", "z": "x"}
-"""Axis that gravity is on while another points along the arm."""
+"""Axis that gravity acts along, by the axis that points along the arm."""
 
 
-def programme(
+def make_programme(
     bench: Bench,
     levels: tuple[float, ...] = LEVELS,
     pattern_angles: int = PATTERN_ANGLES,
     segments: int = 1,
 ) -> Programme:
-    """One power-on: every axis along the arm at every level, at each pattern angle."""
+    """Programme of one power-on: at each pattern angle, every axis along the arm at every level."""
     course = bench.programme().attitude(0.0).rest(WARM_UP)
     for number in range(pattern_angles):
         if number:
             turn_pattern(course, bench.device.bryan_factor)
         for axis in AXES:
             for level in levels:
-                course.command(**_forces(axis, level * STANDARD_GRAVITY, bench.device.site.gravity))
+                course.command(
+                    **_make_forces(axis, level * STANDARD_GRAVITY, bench.device.site.gravity)
+                )
                 course.rest(SETTLE + segments * (SEGMENT + course.interval))
     return course
 
 
-def _forces(axis: str, along: float, gravity: float) -> dict[str, float]:
+def _make_forces(axis: str, along: float, gravity: float) -> dict[str, float]:
     forces = {f"acceleration_{name}": 0.0 for name in AXES}
     return forces | {f"acceleration_{UPRIGHT[axis]}": gravity, f"acceleration_{axis}": along}
 
 
 def record(bench: Bench) -> list[Test]:
-    """One power-on, all axes."""
-    return bench.run([PowerOn("centrifuge", KIND, programme(bench))])
+    """Test of one power-on with all axes."""
+    return bench.run([PowerOn("centrifuge", KIND, make_programme(bench))])
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Linear and quadratic coefficients with intervals."""
-    result = g_sensitivity.measured(campaign, KIND)
+    """Linear and quadratic coefficients of the bias against specific force."""
+    result = g_sensitivity.fit_sensitivity(campaign, KIND)
     size = np.max(np.abs(result.points.acceleration)) / STANDARD_GRAVITY
     columns = {n: c for n, c in result.columns.items() if n.startswith("g ")}
     share = sum(result.fitted.value(n) * c for n, c in columns.items())
@@ -63,14 +66,14 @@ def evaluate(campaign: Campaign) -> Outcome:
         procedure=PROCEDURE.name,
         findings=result.findings(),
         verdict=f"Specific force of up to {size:.3g} g moves the bias by up to {worst:.2g} deg/h.",
-        warnings=g_sensitivity.warnings(result),
-        exclusions=g_sensitivity.exclusions(campaign, (KIND,)),
+        warnings=g_sensitivity.list_warnings(result),
+        exclusions=list_exclusions(require_tests(campaign, KIND)),
         draw=lambda figure: g_sensitivity.draw(figure, result, "Bias on the centrifuge"),
         values={"terms": dict(zip(result.fitted.names, result.fitted.values, strict=True))},
     )
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="centrifuge",
     group="bias",
     title="Bias on the centrifuge",

@@ -1,11 +1,10 @@
-"""Bias under specific force, B = B0(th) + D(th) a + a' G(th) a, as far as the records tell.
+"""Sensitivity of the bias to specific force: B = B0(th) + D(th) a + a' G(th) a.
 
-What the tumble and the centrifuge share (IEEE Std 1431, g-sensitive drift; IEEE Std 529). th is the
-pattern angle: specific force acts on gaps and axes of the shell, so that its bias has a constant
-part and a fourth harmonic, each with its own coefficient. One pattern angle gives their sum there.
+Tumble and centrifuge share this fit (IEEE Std 1431, g-sensitive drift; IEEE Std 529). Specific
+force a changes the gaps and the axes of the shell, so that each coefficient has a constant part and
+a fourth harmonic of the pattern angle th. Records at one pattern angle give their sum only.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,10 +12,10 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
-from pyhrg.bench.estimation.terms import PatternBasis, distinguishable, pattern_basis
+from pyhrg.bench.estimation.terms import PatternBasis, choose_pattern_basis, select_separable
 from pyhrg.bench.outcome import BenchError, Finding
-from pyhrg.bench.procedure import exclusions_of, tests_of
-from pyhrg.bench.readings.dwells import Points, joined, points
+from pyhrg.bench.procedure import require_tests
+from pyhrg.bench.readings.dwells import Points, join_points, read_points
 from pyhrg.common.units import DEG_PER_H, STANDARD_GRAVITY
 from pyhrg.records.campaign import Campaign
 
@@ -25,16 +24,18 @@ Array = NDArray[np.float64]
 AXES = "xyz"
 SETTLE = 20.0
 """Time in a position before its first data point, s."""
-STEADY = 0.02
-"""Specific force of the same size to this share, throughout: gravity alone."""
+SIZE_TOLERANCE = 0.02
+"""Largest relative range of the specific force's magnitude at which gravity alone acts."""
 
 
 @dataclass(frozen=True)
 class Sensitivity:
-    """Fit of bias against specific force and pattern angle.
+    """Fit of the bias by specific force and pattern angle.
 
-    columns: of the fit, each (n,).
-    refused: a sentence on each term that the records don't give, by name.
+    points: the n data points.
+    basis: dependence on the pattern angle.
+    columns: (n,) each, of the fitted terms.
+    refused: by name, a sentence on each term that the records don't determine.
     """
 
     points: Points
@@ -44,11 +45,11 @@ class Sensitivity:
     refused: dict[str, str]
 
     def findings(self) -> tuple[Finding, ...]:
-        """Every term but the bias map, NaN where it can't be had."""
+        """Bias and its sensitivities; NaN for a sensitivity that the records don't determine."""
         plain = [name for name in self.columns if name.startswith(("bias", "g "))]
-        found = [self._finding(name) for name in plain]
+        fitted = [self._make_finding(name) for name in plain]
         missing = [
-            Finding(name, np.nan, _unit(name), note=text)
+            Finding(name, np.nan, _choose_unit(name), note=text)
             for name, text in self.refused.items()
             if name.startswith("g ") and "cos4" not in name and "sin4" not in name
         ]
@@ -60,46 +61,46 @@ class Sensitivity:
             n=len(self.points),
             note=f"without specific force, {self.basis.place}",
         )
-        return (mean, *found, *missing)
+        return (mean, *fitted, *missing)
 
-    def _finding(self, name: str) -> Finding:
+    def _make_finding(self, name: str) -> Finding:
         low, high = self.fitted.interval(name)
         n, note = len(self.points), "" if "4" in name else self.basis.place
-        return Finding(name, self.fitted.value(name), _unit(name), low, high, n, note)
+        return Finding(name, self.fitted.value(name), _choose_unit(name), low, high, n, note)
 
 
-def measured(campaign: Campaign, kind: str) -> Sensitivity:
-    """Fit all power-ons of a kind together.
+def fit_sensitivity(campaign: Campaign, kind: str) -> Sensitivity:
+    """Fit of all power-ons of a kind together.
 
     Raises:
-        BenchError: fewer than three different specific forces, or too few data points.
+        BenchError: there are fewer than three different specific forces, or too few data points.
     """
-    logs = [test.log for test in tests_of(campaign, kind)]
-    found = joined([points(log, campaign.site.latitude, SETTLE) for log in logs])
-    different = len(np.unique(np.round(found.acceleration), axis=0))
+    logs = [test.log for test in require_tests(campaign, kind)]
+    data = join_points([read_points(log, campaign.site.latitude, SETTLE) for log in logs])
+    different = len(np.unique(np.round(data.acceleration), axis=0))
     if different < 3:
         names = ", ".join(log.source for log in logs)
         raise BenchError(f"{names}: {different} different specific forces; at least 3 are needed")
-    basis = pattern_basis(found.pattern_angle)
-    force = force_columns(found.acceleration)
-    wanted = {MEAN: np.ones(len(found)), **basis.columns, **force}
+    basis = choose_pattern_basis(data.pattern_angle)
+    force = make_force_columns(data.acceleration)
+    wanted = {MEAN: np.ones(len(data)), **basis.columns, **force}
     if basis.angle is None:
         for name, column in force.items():
             wanted |= {f"{name} {p}": column * turn for p, turn in basis.columns.items()}
-    columns, refused = distinguishable(wanted)
-    return Sensitivity(found, basis, columns, fit(columns, found.rate), refused)
+    columns, refused = select_separable(wanted)
+    return Sensitivity(data, basis, columns, fit(columns, data.rate), refused)
 
 
-def force_columns(acceleration: Array) -> dict[str, Array]:
-    """Linear and quadratic terms of (n, 3) specific forces, m/s2.
+def make_force_columns(acceleration: Array) -> dict[str, Array]:
+    """Columns (n,) of linear and quadratic terms from specific forces (n, 3), m/s2.
 
-    Gravity alone has one size, so that the mean of the three squares' coefficients is part of the
-    bias; what a tumble gives is how they differ.
+    Under gravity alone the magnitude is constant, so that the mean of the three squares'
+    coefficients can't be separated from the bias. The columns are then differences of squares.
     """
     linear = {f"g bias {axis}": column for axis, column in zip(AXES, acceleration.T, strict=True)}
     x, y, z = acceleration.T
     size = np.linalg.norm(acceleration, axis=1)
-    if np.ptp(size) < STEADY * np.mean(size):
+    if np.ptp(size) < SIZE_TOLERANCE * np.mean(size):
         squares = {"g squared zz over mean": z**2 - (x**2 + y**2) / 2}
         squares["g squared half xx less yy"] = x**2 - y**2
     else:
@@ -108,24 +109,26 @@ def force_columns(acceleration: Array) -> dict[str, Array]:
     return linear | squares | products
 
 
-def warnings(result: Sensitivity) -> tuple[str, ...]:
-    """What the records don't give, one sentence each; fourth harmonics in one."""
-    told = [s for name, s in result.refused.items() if "4" not in name and name.startswith("g ")]
+def list_warnings(result: Sensitivity) -> tuple[str, ...]:
+    """A sentence on each sensitivity that the records don't determine, harmonics apart."""
+    sentences = [
+        s for name, s in result.refused.items() if "4" not in name and name.startswith("g ")
+    ]
     if result.basis.angle is not None:
-        told.append(
-            "the pattern hardly moved: sensitivities hold at its angle only, and what of them "
-            "turns with the pattern can't be told from what does not"
+        sentences.append(
+            "the pattern hardly moved: sensitivities are those at its angle, and their constant "
+            "part can't be separated from their fourth harmonic"
         )
-    return tuple(told)
+    return tuple(sentences)
 
 
 def draw(figure: Figure, result: Sensitivity, title: str) -> None:
-    """What each axis's specific force does to the bias, all else of the fit taken out."""
+    """Draw the bias against each axis's specific force, without the other terms of the fit."""
     panels = figure.subplots(1, 3, sharey=True)
     for axis, force, colour, panel in zip(
         AXES, result.points.acceleration.T, ("#0072B2", "#D55E00", "#009E73"), panels, strict=True
     ):
-        own = [name for name in result.columns if _of_axis(name, axis)]
+        own = [name for name in result.columns if _is_of_axis(name, axis)]
         part = sum((result.fitted.value(n) * result.columns[n] for n in own), np.zeros(len(force)))
         panel.plot(
             force / STANDARD_GRAVITY,
@@ -142,15 +145,10 @@ def draw(figure: Figure, result: Sensitivity, title: str) -> None:
     figure.suptitle(title)
 
 
-def _of_axis(name: str, axis: str) -> bool:
-    """Terms of this axis alone that don't turn with the pattern."""
+def _is_of_axis(name: str, axis: str) -> bool:
+    """Whether a term is this axis's alone and constant over the pattern angle."""
     return name in (f"g bias {axis}", f"g squared {axis}{axis}")
 
 
-def _unit(name: str) -> str:
+def _choose_unit(name: str) -> str:
     return "deg/h/g^2" if name.startswith("g squared") else "deg/h/g"
-
-
-def exclusions(campaign: Campaign, kinds: Sequence[str]) -> tuple[str, ...]:
-    """Of the logs of these kinds."""
-    return exclusions_of(tests_of(campaign, *kinds))

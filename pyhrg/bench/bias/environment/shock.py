@@ -1,4 +1,4 @@
-"""Shock pulses: what is made of them, and what they leave in the output angle."""
+"""Shock pulses: their programme, and the change of the output angle that they cause."""
 
 from dataclasses import dataclass
 
@@ -15,25 +15,26 @@ from pyhrg.records import Log
 Array = NDArray[np.float64]
 
 PEAK = 100 * STANDARD_GRAVITY
+"""Largest specific force of a pulse, m/s2."""
 DURATION = 6e-3
-"""Half sine, s."""
+"""Duration of a pulse, a half sine, s."""
 PAUSE = 2.0
-"""Between pulses, s."""
+"""Time between pulses, s."""
 THRESHOLD = 1.0 * STANDARD_GRAVITY
-"""Specific force that departs from its median by more is a pulse, m/s2."""
+"""Deviation of the specific force from its median, m/s2, above which there is a pulse."""
 SETTLE, WINDOW = 0.5, 0.5
-"""From a pulse to where the angle is read, and for how long, s."""
-
+"""Time from the end of a pulse to the reading of the angle, and duration of that reading, s."""
 QUIET = 20.0
-"""Before the first pulse, where the bias is measured, s."""
+"""Time before the first pulse in which the bias is measured, s."""
 
 
 @dataclass(frozen=True)
 class Pulse:
-    """One pulse in a log.
+    """Response of the output angle to one pulse.
 
-    axis: x, y or z, with its sign.
-    kept: angle that stays, rad. swing: largest departure within the pause, rad.
+    axis: of the pulse, x, y or z after its sign.
+    kept: lasting change of the angle, rad.
+    swing: largest deviation of the angle until it is read, rad.
     valid: whether the output was valid throughout.
     """
 
@@ -43,10 +44,10 @@ class Pulse:
     valid: bool
 
 
-def pulses(course: Programme, axis: str, sign: float, count: int = 3) -> None:
-    """Append half-sine pulses along an axis, each as its means over the programme's rows."""
+def add_pulses(course: Programme, axis: str, sign: float, count: int = 3) -> None:
+    """Append half-sine pulses along an axis to a programme, as means over its rows."""
     name = f"acceleration_{axis}"
-    steady = course.holds(name)
+    steady = course.current(name)
     rows = max(1, int(np.ceil(DURATION / course.interval - 1e-9)))
     ends = np.minimum(np.arange(rows + 1) * course.interval, DURATION)
     swept = PEAK * DURATION / np.pi * (1 - np.cos(np.pi * ends / DURATION))
@@ -56,30 +57,30 @@ def pulses(course: Programme, axis: str, sign: float, count: int = 3) -> None:
         course.command(**{name: steady}).rest(PAUSE)
 
 
-def found_pulses(log: Log, site: Site) -> list[Pulse]:
-    """Pulses of a log, by its specific force.
+def find_pulses(log: Log, site: Site) -> list[Pulse]:
+    """Responses to the pulses of a log, which its specific force shows.
 
     Raises:
-        BenchError: none, or rows too long to see what the gyro does.
+        BenchError: there is no pulse, the rows are too long, or the first pulse comes too early.
     """
-    force = _pulse_force(log)
-    starts, ends = _bounds(log, force)
-    angle = _without_drift(log, site, starts[0])
+    force = _read_pulse_force(log)
+    starts, ends = _find_bounds(log, force)
+    angle = _remove_drift(log, site, starts[0])
     pairs = zip(starts, ends, strict=True)
-    return [pulse for a, b in pairs if (pulse := _pulse(log, force, angle, int(a), int(b)))]
+    return [pulse for a, b in pairs if (pulse := _measure_pulse(log, force, angle, int(a), int(b)))]
 
 
-def readings_without(log: Log, site: Site) -> list[float]:
-    """What `Pulse.kept` reads where there is no pulse: in the quiet before the first, rad.
+def read_quiet_changes(log: Log, site: Site) -> list[float]:
+    """Changes of the angle, rad, read as `Pulse.kept` is but before the first pulse: a reference.
 
-    The drift taken off is as uncertain as the quiet is short, and common to all pulses; it is in
-    these readings as well, so that the difference of means is free of it.
+    The drift that is subtracted has an error that is common to all pulses. These readings have it
+    too, so that the difference of the means is free of it.
 
     Raises:
         BenchError: as `found_pulses`.
     """
-    starts, ends = _bounds(log, _pulse_force(log))
-    angle = _without_drift(log, site, starts[0])
+    starts, ends = _find_bounds(log, _read_pulse_force(log))
+    angle = _remove_drift(log, site, starts[0])
     settle, window = (round(t / log.interval) for t in (SETTLE, WINDOW))
     later = window + settle + int(ends[0] - starts[0])
     first = starts[0] - round(QUIET / log.interval)
@@ -88,14 +89,14 @@ def readings_without(log: Log, site: Site) -> list[float]:
     return [float(np.mean(change[begin : begin + window])) for begin in begins]
 
 
-def _pulse_force(log: Log) -> Array:
-    """(n, 3) specific force beyond its median, m/s2."""
+def _read_pulse_force(log: Log) -> Array:
+    """(n, 3) specific force less its median, m/s2."""
     force = np.column_stack([getattr(log, name) for name in FORCES])
     return np.asarray(force - np.nanmedian(force, axis=0))
 
 
-def _bounds(log: Log, force: Array) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """First and last rows of the pulses."""
+def _find_bounds(log: Log, force: Array) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """First and last row of each pulse."""
     shaken = np.max(np.abs(force), axis=1) > THRESHOLD
     starts = np.flatnonzero(shaken & ~np.append(False, shaken[:-1]))
     ends = np.flatnonzero(shaken & ~np.append(shaken[1:], False))
@@ -113,15 +114,15 @@ def _bounds(log: Log, force: Array) -> tuple[NDArray[np.int64], NDArray[np.int64
     return starts, ends
 
 
-def _without_drift(log: Log, site: Site, first: int) -> Array:
-    """(n,) output angle, Earth's rate and the drift before the first pulse taken out, rad."""
+def _remove_drift(log: Log, site: Site, first: int) -> Array:
+    """(n,) output angle less Earth's rotation and the drift before the first pulse, rad."""
     angle = log.gyro_angle - np.cumsum(site.vertical_rate * log.axis_up) * log.interval
     quiet = slice(first - round(QUIET / log.interval), first)
     return np.asarray(angle - np.polyfit(log.time[quiet], angle[quiet], 1)[0] * log.time)
 
 
-def _pulse(log: Log, force: Array, angle: Array, start: int, end: int) -> Pulse | None:
-    """One pulse; None where the log begins or ends too near to it."""
+def _measure_pulse(log: Log, force: Array, angle: Array, start: int, end: int) -> Pulse | None:
+    """Response to one pulse; None where the log begins or ends too close to it."""
     settle, window = (round(t / log.interval) for t in (SETTLE, WINDOW))
     before, after = slice(start - window, start), slice(end + settle, end + settle + window)
     if before.start < 0 or after.stop > len(angle):

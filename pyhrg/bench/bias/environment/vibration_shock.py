@@ -1,10 +1,10 @@
-"""Bias before, during and after vibration, and after shock, along the input axis and across.
+"""Bias before, during and after vibration, and after shock, along the input axis and across it.
 
 Each state is measured over the circumference in several power-ons, so that the power-on angle
-doesn't matter. The case vibrates at the modal frequency, steadily and at random (the part of a
-broadband vibration that the shell answers to), and with low-frequency specific force, held for a
-row each. Nothing in the model remembers vibration or shock: a gyro that has changed is another
-device, given for the power-ons afterwards.
+has no effect. The case vibrates at the modal frequency, with a steady and a random part (the part
+of a broadband vibration that excites the shell), and with a random low-frequency specific force.
+The model itself keeps no effect of vibration or shock: a gyro that has changed is given as another
+device for the power-ons afterwards.
 """
 
 from collections.abc import Sequence
@@ -14,13 +14,13 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias.circumference import Circumference, circumference
-from pyhrg.bench.bias.compare import change_finding, noise_ratio_finding
-from pyhrg.bench.bias.environment.shock import found_pulses, pulses, readings_without
-from pyhrg.bench.bias.thermal_programme import positions
-from pyhrg.bench.estimation.harmonics import MEAN, harmonic
+from pyhrg.bench.bias.circumference import Circumference, fit_circumference
+from pyhrg.bench.bias.compare import estimate_change, estimate_noise_ratio
+from pyhrg.bench.bias.environment.shock import add_pulses, find_pulses, read_quiet_changes
+from pyhrg.bench.bias.thermal_programme import add_positions
+from pyhrg.bench.estimation.harmonics import MEAN, name_terms
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
-from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of, usable
+from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests, select_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import WARM_UP
 from pyhrg.common.units import DEG_PER_H, STANDARD_GRAVITY
@@ -28,155 +28,171 @@ from pyhrg.device.device import Device
 from pyhrg.records.campaign import Campaign, Test
 
 BEFORE = "before_vibration"
+"""Kind of the tests that the others are compared with."""
 STATES = {
     "vibration_along": "during vibration along the input axis",
     "vibration_across": "during vibration across the input axis",
     "after_vibration": "after vibration",
     "after_shock": "after shock",
 }
-"""Kinds that are held against the one before, as findings name them."""
+"""Kinds of tests that are compared with `BEFORE`, and their words in the findings' names."""
 SHOCK = "shock"
-KEPT = "angle kept after a pulse"
-AXIS = {"vibration_along": "z", "vibration_across": "x"}
+KEPT_ANGLE = "angle kept after a pulse"
+VIBRATION_AXIS = {"vibration_along": "z", "vibration_across": "x"}
+"""Axis of the vibration, by kind of test."""
 RUNS = 4
 SEGMENTS = 2
 STEADY, RANDOM = 0.1, 0.1
-"""Vibration at the modal frequency, m/s2: steady part, and rms of what changes from row to row."""
+"""Vibration at the modal frequency, m/s2: steady part, and rms of the part that is drawn anew in
+each row."""
 SHAKE = 1.0 * STANDARD_GRAVITY
-"""Specific force below the sampling rate, rms, m/s2."""
+"""Rms of the specific force that is drawn anew in each row, m/s2."""
 ROW = 1e-3
-"""Rows of the shock test, s, where the gyro runs in steps below `COARSE`."""
+"""Length of the shock test's rows, s, on a bench whose step is below `COARSE`."""
 COARSE = 0.05
+"""Communication step, s, from which on the bench keeps its own step in the shock test."""
 
 
-def still(bench: Bench) -> Programme:
-    """One power-on over the circumference."""
+def make_still_programme(bench: Bench) -> Programme:
+    """Programme of one power-on over the circumference, without vibration."""
     course = bench.programme().rest(WARM_UP)
-    positions(course, bench.device.bryan_factor, SEGMENTS)
+    add_positions(course, bench.device.bryan_factor, SEGMENTS)
     return course
 
 
-def shaken(bench: Bench, axis: str, run: int) -> Programme:
-    """The same under vibration along x or z, another in each run."""
-    course, generator = still(bench), np.random.default_rng([bench.seed, ord(axis), run])
+def make_vibration_programme(bench: Bench, axis: str, run: int) -> Programme:
+    """Programme of one power-on under vibration along x or z, drawn anew for each run."""
+    course, generator = (
+        make_still_programme(bench),
+        np.random.default_rng([bench.seed, ord(axis), run]),
+    )
     n = len(course)
-    force = course.held(f"acceleration_{axis}") + SHAKE * generator.standard_normal(n)
+    force = course.values(f"acceleration_{axis}") + SHAKE * generator.standard_normal(n)
     vibration = STEADY + RANDOM * generator.standard_normal(n)
     course.override(**{f"acceleration_{axis}": force, "vibration": vibration})
     return course
 
 
-def shocked(bench: Bench) -> Programme:
-    """Three pulses both ways along each axis."""
+def make_shock_programme(bench: Bench) -> Programme:
+    """Programme of one power-on with three pulses in both directions of each axis."""
     course = bench.programme(ROW if bench.step < COARSE else bench.step).rest(WARM_UP)
     for axis in "xyz":
         for sign in (1.0, -1.0):
-            pulses(course, axis, sign)
+            add_pulses(course, axis, sign)
     return course
 
 
-def power_ons(bench: Bench, kind: str, runs: int) -> list[PowerOn]:
-    """Of one state."""
-    courses = [shaken(bench, AXIS[kind], n) if kind in AXIS else still(bench) for n in range(runs)]
+def make_power_ons(bench: Bench, kind: str, runs: int) -> list[PowerOn]:
+    """Power-ons of one kind."""
+    courses = [
+        make_vibration_programme(bench, VIBRATION_AXIS[kind], n)
+        if kind in VIBRATION_AXIS
+        else make_still_programme(bench)
+        for n in range(runs)
+    ]
     return [PowerOn(f"{kind}_{n + 1}", kind, course) for n, course in enumerate(courses)]
 
 
 def record(bench: Bench, changed: Device | None = None, runs: int = RUNS) -> list[Test]:
-    """All states.
+    """Tests of all kinds.
 
     Args:
-        bench: with the gyro as it was before.
-        changed: the gyro as vibration and shock left it (a mounting that lost its torque adds
-            `resonator.material.mountingDamping`); the same by default.
-        runs: power-ons of each state.
+        bench: with the gyro before vibration.
+        changed: the gyro after vibration and shock (a mounting that has lost its torque has a
+            larger `resonator.material.mountingDamping`); the same gyro if None.
+        runs: power-ons of each kind.
     """
     after = replace(bench, device=changed or bench.device)
-    tests = bench.run([p for kind in (BEFORE, *AXIS) for p in power_ons(bench, kind, runs)])
+    tests = bench.run(
+        [p for kind in (BEFORE, *VIBRATION_AXIS) for p in make_power_ons(bench, kind, runs)]
+    )
     fine = replace(bench, step=min(ROW, bench.step) if bench.step < COARSE else bench.step)
-    tests += fine.run([PowerOn(SHOCK, SHOCK, shocked(fine))])
-    kinds = [kind for kind in STATES if kind not in AXIS]
-    return tests + after.run([p for kind in kinds for p in power_ons(after, kind, runs)])
+    tests += fine.run([PowerOn(SHOCK, SHOCK, make_shock_programme(fine))])
+    kinds = [kind for kind in STATES if kind not in VIBRATION_AXIS]
+    return tests + after.run([p for kind in kinds for p in make_power_ons(after, kind, runs)])
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Changes of bias and of its map against before, and what pulses do.
+    """Changes of bias and bias map from before, and the response to pulses.
 
     Raises:
-        BenchError: no power-on before, or none of any other state.
+        BenchError: there is no power-on before vibration, or none to compare with it.
     """
     groups = {
-        kind: [circumference(test, campaign.site) for test in usable(campaign, kind)]
+        kind: [fit_circumference(test, campaign.site) for test in select_tests(campaign, kind)]
         for kind in (BEFORE, *STATES)
     }
-    tests_of(campaign, BEFORE)
-    if not any(groups[kind] for kind in STATES) and not usable(campaign, SHOCK):
+    require_tests(campaign, BEFORE)
+    if not any(groups[kind] for kind in STATES) and not select_tests(campaign, SHOCK):
         raise BenchError(f"{campaign.device}: nothing to compare with {BEFORE}")
-    there = {text: groups[kind] for kind, text in STATES.items() if groups[kind]}
-    findings = [f for text, runs in there.items() for f in _changes(text, groups[BEFORE], runs)]
+    measured = {text: groups[kind] for kind, text in STATES.items() if groups[kind]}
+    findings = [
+        f for text, runs in measured.items() for f in _estimate_changes(text, groups[BEFORE], runs)
+    ]
     missing = [text for kind, text in STATES.items() if not groups[kind]]
-    used = usable(campaign, BEFORE, *STATES, SHOCK)
+    used = select_tests(campaign, BEFORE, *STATES, SHOCK)
     return Outcome(
         procedure=PROCEDURE.name,
-        findings=(*findings, *_shock(campaign)),
-        verdict=_verdict(findings),
-        warnings=(*(f"no record {text}" for text in missing), REMEMBERS_NOTHING),
-        exclusions=exclusions_of(used),
-        draw=lambda figure: draw(figure, {"before": groups[BEFORE], **there}),
+        findings=(*findings, *_estimate_shock(campaign)),
+        verdict=_describe_verdict(findings),
+        warnings=(*(f"no record {text}" for text in missing), NO_MEMORY),
+        exclusions=list_exclusions(used),
+        draw=lambda figure: draw(figure, {"before": groups[BEFORE], **measured}),
     )
 
 
-REMEMBERS_NOTHING = (
-    "the simulated gyro remembers neither vibration nor shock: where records afterwards differ by "
-    "more than their interval, they are of a device that was changed on purpose, or of a real one"
+NO_MEMORY = (
+    "vibration and shock leave no lasting change in the simulated gyro: records that differ "
+    "significantly afterwards are of a device that was changed on purpose, or of a real gyro"
 )
 
 
-def _changes(
+def _estimate_changes(
     text: str, before: Sequence[Circumference], after: Sequence[Circumference]
 ) -> tuple[Finding, ...]:
     terms = {MEAN: f"bias change {text}"}
-    terms |= {name: f"bias {name} change {text}" for h in (2, 4) for name in harmonic(h)}
+    terms |= {name: f"bias {name} change {text}" for h in (2, 4) for name in name_terms(h)}
     changes = tuple(
-        change_finding(label, [r.value(t) for r in before], [r.value(t) for r in after], "deg/h")
+        estimate_change(label, [r.value(t) for r in before], [r.value(t) for r in after], "deg/h")
         for t, label in terms.items()
     )
-    return (*changes, noise_ratio_finding(f"noise ratio {text}", before, after))
+    return (*changes, estimate_noise_ratio(f"noise ratio {text}", before, after))
 
 
-def _shock(campaign: Campaign) -> tuple[Finding, ...]:
-    logs, site = [test.log for test in usable(campaign, SHOCK)], campaign.site
-    found = [pulse for log in logs for pulse in found_pulses(log, site)]
-    without = [reading for log in logs for reading in readings_without(log, site)]
-    if not found:
+def _estimate_shock(campaign: Campaign) -> tuple[Finding, ...]:
+    logs, site = [test.log for test in select_tests(campaign, SHOCK)], campaign.site
+    pulses = [pulse for log in logs for pulse in find_pulses(log, site)]
+    quiet = [reading for log in logs for reading in read_quiet_changes(log, site)]
+    if not pulses:
         return ()
-    lost = sum(not pulse.valid for pulse in found)
-    note = f"{len(found)} pulses less {len(without)} readings without"
-    note += f"; output invalid in {lost}" if lost else ""
-    swing = max(pulse.swing for pulse in found)
+    invalid = sum(not pulse.valid for pulse in pulses)
+    note = f"{len(pulses)} pulses less {len(quiet)} readings without"
+    note += f"; output invalid in {invalid}" if invalid else ""
+    swing = max(pulse.swing for pulse in pulses)
     return (
-        change_finding(KEPT, without, [p.kept for p in found], "arcsec", note),
-        Finding("largest swing of a pulse", swing, "arcsec", n=len(found), note="no interval"),
+        estimate_change(KEPT_ANGLE, quiet, [p.kept for p in pulses], "arcsec", note),
+        Finding("largest swing of a pulse", swing, "arcsec", n=len(pulses), note="no interval"),
     )
 
 
-def _verdict(findings: Sequence[Finding]) -> str:
+def _describe_verdict(findings: Sequence[Finding]) -> str:
     changes = [f for f in findings if " change " in f.name]
     if not changes:
-        return "Pulses alone: nothing is said of the bias."
-    clear = [f for f in changes if f.low > 0 or f.high < 0]
-    if not clear:
-        return "No change of the bias or its map is clear of zero."
-    worst = max(clear, key=lambda f: abs(f.value))
-    term, state = worst.name.split(" change ")
+        return "The records hold pulses alone, which give no change of the bias."
+    significant = [f for f in changes if f.low > 0 or f.high < 0]
+    if not significant:
+        return "No change of the bias or of its map is significant."
+    largest = max(significant, key=lambda f: abs(f.value))
+    term, state = largest.name.split(" change ")
     return (
-        f"{len(clear)} of {len(changes)} changes are clear of zero, where {len(changes) / 20:.1g} "
-        f"would be by chance; the largest is that of {term} {state}: "
-        f"{worst.value / DEG_PER_H:.2g} deg/h."
+        f"{len(significant)} of {len(changes)} changes are significant at 95 %, of which "
+        f"{len(changes) / 20:.1g} are expected by chance; the largest is that of {term} {state}: "
+        f"{largest.value / DEG_PER_H:.2g} deg/h."
     )
 
 
 def draw(figure: Figure, groups: dict[str, Sequence[Circumference]]) -> None:
-    """Bias over the circumference in each state."""
+    """Draw the bias over the circumference before, during and after."""
     axes = figure.add_subplot()
     colours = ("#000000", "#D55E00", "#E69F00", "#0072B2", "#009E73")
     for (text, runs), colour, marker in zip(groups.items(), colours, "o^vsD", strict=False):
@@ -191,7 +207,7 @@ def draw(figure: Figure, groups: dict[str, Sequence[Circumference]]) -> None:
     axes.legend()
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="vibration-shock",
     group="bias",
     title="Bias before, during and after vibration and shock",

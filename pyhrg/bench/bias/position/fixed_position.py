@@ -1,7 +1,7 @@
-"""The old bias test: the gyro rests, and the pattern stays where it is.
+"""The conventional bias test: the gyro rests and the pattern stays at one angle.
 
-Procedure of the fibre-optic gyro standards, as the paper's sections 1.2 and 4.1 describe it. The
-input axis is level and points east, so that no Earth rate moves the pattern during the hour.
+This is the procedure of the fibre-optic gyro standards, which the paper describes in 1.2 and 4.1.
+The input axis is level and points east, so that Earth's rate doesn't move the pattern.
 """
 
 from collections.abc import Sequence
@@ -10,11 +10,11 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias.bias_test import RUNS, BiasTest, bias_test
+from pyhrg.bench.bias.bias_test import RUNS, BiasTest, summarize_runs
 from pyhrg.bench.outcome import BenchError, Outcome
-from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Segments, segment_means
+from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Segments, read_segments
 from pyhrg.common.units import DEG, DEG_PER_H, MINUTE
 from pyhrg.records.campaign import Campaign, Test
 
@@ -23,36 +23,36 @@ SEGMENTS = 36
 KIND = "static"
 
 
-def programme(bench: Bench, segments: int = SEGMENTS) -> Programme:
-    """One power-on: at rest, input axis east."""
+def make_programme(bench: Bench, segments: int = SEGMENTS) -> Programme:
+    """Programme of one power-on: at rest, input axis east."""
     return bench.programme().attitude(0.0).rest(WARM_UP + segments * SEGMENT)
 
 
-def power_ons(bench: Bench, runs: int = RUNS, segments: int = SEGMENTS) -> list[PowerOn]:
-    """Seven of an hour each."""
-    course = programme(bench, segments)
+def make_power_ons(bench: Bench, runs: int = RUNS, segments: int = SEGMENTS) -> list[PowerOn]:
+    """Power-ons, by default seven of an hour each."""
+    course = make_programme(bench, segments)
     return [PowerOn(f"fixed_{n + 1}", KIND, course) for n in range(runs)]
 
 
 def record(bench: Bench) -> list[Test]:
-    """Run them."""
-    return bench.run(power_ons(bench))
+    """Tests of the power-ons."""
+    return bench.run(make_power_ons(bench))
 
 
-def measured(campaign: Campaign) -> BiasTest:
-    """Means, stability and repeatability of the campaign's static tests."""
-    return bias_test(runs_of(campaign))
+def measure_bias(campaign: Campaign) -> BiasTest:
+    """Bias, stability and repeatability of the campaign's static tests."""
+    return summarize_runs(read_runs(campaign))
 
 
-def runs_of(campaign: Campaign) -> list[Segments]:
+def read_runs(campaign: Campaign) -> list[Segments]:
     """Data points of each power-on.
 
     Raises:
-        BenchError: there are none, or one has too few data points.
+        BenchError: there is no static test, or one has fewer than two data points.
     """
     latitude = campaign.site.latitude
-    logs = [test.log for test in tests_of(campaign, KIND)]
-    runs = [segment_means(log, latitude, 0.0, warm_up=WARM_UP) for log in logs]
+    logs = [test.log for test in require_tests(campaign, KIND)]
+    runs = [read_segments(log, latitude, 0.0, warm_up=WARM_UP) for log in logs]
     for log, run in zip(logs, runs, strict=True):
         if len(run) < 2:
             raise BenchError(
@@ -62,27 +62,27 @@ def runs_of(campaign: Campaign) -> list[Segments]:
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """The old figure, and over how little of the circumference it was taken."""
-    runs = runs_of(campaign)
-    test = bias_test(runs)
-    logs = [test.log for test in tests_of(campaign, KIND)]
+    """Bias, stability and repeatability, and the range of pattern angle that they are taken at."""
+    runs = read_runs(campaign)
+    test = summarize_runs(runs)
+    logs = [test.log for test in require_tests(campaign, KIND)]
     swept = max(float(np.nanmax(log.wave_angle) - np.nanmin(log.wave_angle)) for log in logs)
     return Outcome(
         procedure=PROCEDURE.name,
         findings=test.findings(),
         verdict=(
             f"Bias stability {test.stability / DEG_PER_H:.2g} deg/h at a fixed position: the "
-            f"pattern moved over {swept / DEG:.2g} of the 90 deg of a period of the bias map, so "
-            "that this figure says nothing of the rest."
+            f"pattern moved over {swept / DEG:.2g} of the 90 deg of a period of the bias map, and "
+            "the figure holds for that part alone."
         ),
         tables=(test.table(),),
-        exclusions=exclusions_of(tests_of(campaign, KIND)),
+        exclusions=list_exclusions(require_tests(campaign, KIND)),
         draw=lambda figure: draw(figure, runs),
     )
 
 
 def draw(figure: Figure, runs: Sequence[Segments]) -> None:
-    """Data points against time, a line a power-on."""
+    """Draw the data points against time, one line for each power-on."""
     axes = figure.add_subplot()
     for number, run in enumerate(runs, 1):
         axes.plot(run.time / MINUTE, run.rate / DEG_PER_H, ".-", lw=0.6, label=f"run {number}")
@@ -93,7 +93,7 @@ def draw(figure: Figure, runs: Sequence[Segments]) -> None:
     axes.legend(ncols=2)
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="fixed-position",
     group="bias",
     title="Bias at a fixed position (old method)",

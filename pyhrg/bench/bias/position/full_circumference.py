@@ -1,8 +1,8 @@
-"""The paper's bias test (section 4.1): 8N positions of the pattern, moved by the table.
+"""The paper's bias test (section 4.1): 8N positions of the pattern, which the table turns.
 
-One power-on goes through all positions; 100 s means at each; seven power-ons. The standard
-deviation of a run's points is its bias stability, that of the runs' means the repeatability. A fit
-of harmonics and tilt tells what the bias depends on, as far as the positions can tell.
+A power-on goes through all positions, with 100 s means at each; there are seven power-ons. Bias
+stability is the standard deviation of a run's data points, repeatability that of the runs' means. A
+fit by harmonics of the pattern angle and the tilt of the input axis gives the bias map.
 """
 
 from collections.abc import Sequence
@@ -12,32 +12,41 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias.bias_test import RUNS, BiasTest, bias_test
-from pyhrg.bench.bias.position.position_runs import complete_runs, leakage
-from pyhrg.bench.bias.position.position_variances import between_finding, within_finding
-from pyhrg.bench.bias.position.positions import HARMONICS, Plan, chosen, visible
-from pyhrg.bench.estimation.harmonics import MEAN, TILT, Fit, design, fit, harmonic
-from pyhrg.bench.outcome import BenchError, Finding, Outcome, mean_finding
-from pyhrg.bench.procedure import Option, Procedure, exclusions_of, tests_of
+from pyhrg.bench.bias.bias_test import RUNS, BiasTest, summarize_runs
+from pyhrg.bench.bias.position.position_runs import describe_leakage, read_complete_runs
+from pyhrg.bench.bias.position.position_variances import estimate_between, estimate_within
+from pyhrg.bench.bias.position.positions import HARMONICS, Plan, choose_plan, select_visible
+from pyhrg.bench.estimation.harmonics import MEAN, TILT, Fit, fit, make_columns, name_terms
+from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_mean
+from pyhrg.bench.procedure import Option, Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Segments
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.campaign import Campaign, Test
 
 POSITIONS = 24
+"""Positions of the default plan."""
 SEGMENTS = 3
+"""Data points at each position."""
 TABLE_RATE = 10 * DEG
+"""Rate from one position to the next, rad/s."""
 SETTLE = 20.0
 """Time at rest before a position's first data point, s."""
 KIND = "positions"
 SHORTEST = Plan(positions=8, pattern_step=22.5 * DEG)
-"""The paper's simplest case with its spacing mended: the standard deviation of a fourth harmonic
-does not depend on where the pattern begins."""
+"""Shortest plan whose standard deviation of a fourth harmonic doesn't depend on the start angle:
+the paper's eight positions, half as far apart."""
 
 
 @dataclass(frozen=True)
-class Map:
-    """Bias against pattern angle: terms of the fit, one fit a run, and what can't be seen."""
+class BiasMap:
+    """Bias against pattern angle.
+
+    harmonics: orders that are fitted.
+    tilt: whether the tilt of the input axis is fitted.
+    fits: one for each run.
+    refused: a sentence on each term that the positions can't separate.
+    """
 
     harmonics: tuple[int, ...]
     tilt: bool
@@ -45,14 +54,15 @@ class Map:
     refused: tuple[str, ...]
 
     def value(self, name: str) -> float:
-        """Of a term, mean over runs, rad/s."""
+        """Value of a term, mean over the runs, rad/s."""
         return float(np.mean([fitted.value(name) for fitted in self.fits]))
 
     def finding(self, name: str) -> Finding:
-        """A term with its interval: over runs where there are three, else the fit's own."""
+        """A term with its interval: over the runs where there are three or more, else that of the
+        first run's fit."""
         label = "mean of the map" if name == MEAN else f"bias {name.replace('_', ' ')}"
         if len(self.fits) > 2:
-            return mean_finding(label, [fitted.value(name) for fitted in self.fits], "deg/h")
+            return estimate_mean(label, [fitted.value(name) for fitted in self.fits], "deg/h")
         fitted = self.fits[0]
         low, high = fitted.interval(name)
         n = len(fitted.residual)
@@ -60,15 +70,15 @@ class Map:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Terms of the fit."""
+        """Names of the fitted terms."""
         return self.fits[0].names
 
 
-def programme(bench: Bench, plan: Plan, segments: int = SEGMENTS) -> Programme:
-    """One power-on: input axis up, the table turns from position to position.
+def make_programme(bench: Bench, plan: Plan, segments: int = SEGMENTS) -> Programme:
+    """Programme of one power-on: input axis up, the table turns from position to position.
 
-    Earth turns the pattern as well, by 0.07 deg in 100 s; the table makes up for it, so that the
-    positions are spaced as planned and their mean is that of the circumference.
+    Earth's rate turns the pattern too, by 0.07 deg in 100 s. The table steps allow for it, so that
+    the positions are spaced as planned and their mean is that over the circumference.
     """
     course = bench.programme().rest(WARM_UP)
     dwell = SETTLE + segments * SEGMENT
@@ -81,12 +91,12 @@ def programme(bench: Bench, plan: Plan, segments: int = SEGMENTS) -> Programme:
     return course
 
 
-def power_ons(
+def make_power_ons(
     bench: Bench, plan: Plan | None = None, runs: int = RUNS, segments: int = SEGMENTS
 ) -> list[PowerOn]:
-    """Seven through all positions; the plan is chosen to tell all terms apart."""
-    plan = plan or chosen(POSITIONS, bench.device.bryan_factor)
-    course = programme(bench, plan, segments)
+    """Power-ons through all positions of a plan; by default of one that separates all terms."""
+    plan = plan or choose_plan(POSITIONS, bench.device.bryan_factor)
+    course = make_programme(bench, plan, segments)
     return [PowerOn(f"positions_{n + 1}", KIND, course) for n in range(runs)]
 
 
@@ -97,10 +107,17 @@ def record(
     dwell_s: float = SEGMENTS * SEGMENT,
     runs: int = RUNS,
 ) -> list[Test]:
-    """Run them; the options of the plan are those of the command line.
+    """Tests of the power-ons of a plan.
+
+    Args:
+        bench: with the gyro.
+        positions: 8N.
+        spacing_deg: pattern angle between positions; chosen to separate most terms if None.
+        dwell_s: duration of the data points at each position, a multiple of 100 s.
+        runs: power-ons.
 
     Raises:
-        BenchError: a plan that can't be had.
+        BenchError: the plan is impossible.
     """
     segments = round(dwell_s / SEGMENT)
     if segments < 1 or abs(segments * SEGMENT - dwell_s) > 1e-6:
@@ -113,77 +130,84 @@ def record(
         raise BenchError(f"{spacing_deg:g} deg between positions: expected 1 to 720")
     factor = bench.device.bryan_factor
     if spacing_deg is None:
-        plan = chosen(positions, factor)
+        plan = choose_plan(positions, factor)
     else:
         plan = Plan(positions, spacing_deg * DEG, factor)
-    return bench.run(power_ons(bench, plan, runs, segments))
+    return bench.run(make_power_ons(bench, plan, runs, segments))
 
 
-def measured(campaign: Campaign) -> BiasTest:
-    """Means, stability and repeatability of the campaign's position tests (paper 4.1)."""
-    return bias_test(runs_of(campaign))
+def measure_bias(campaign: Campaign) -> BiasTest:
+    """Bias, stability and repeatability of the campaign's position tests (paper 4.1)."""
+    return summarize_runs(read_runs(campaign))
 
 
-def mean_bias(campaign: Campaign) -> float:
-    """Bias averaged over the circumference, rad/s: the mean of the fitted fourth harmonic's map."""
-    return fitted_map(runs_of(campaign), wanted=(4,), tilt=False).value(MEAN)
+def measure_mean_bias(campaign: Campaign) -> float:
+    """Mean bias over the circumference, rad/s, from a map of the fourth harmonic."""
+    return fit_map(read_runs(campaign), wanted=(4,), tilt=False).value(MEAN)
 
 
-def runs_of(campaign: Campaign) -> list[Segments]:
+def read_runs(campaign: Campaign) -> list[Segments]:
     """Data points of each power-on, equally many at each position.
 
     Raises:
-        BenchError: no power-on has 8N positions, evenly spaced.
+        BenchError: no power-on has 8N evenly spaced positions.
     """
-    return complete_runs(tests_of(campaign, KIND), campaign.site.latitude, SETTLE)[0]
+    return read_complete_runs(require_tests(campaign, KIND), campaign.site.latitude, SETTLE)[0]
 
 
-def fitted_map(
+def fit_map(
     runs: Sequence[Segments], wanted: Sequence[int] = HARMONICS, tilt: bool = True
-) -> Map:
-    """Fit each run by what its positions can tell apart."""
+) -> BiasMap:
+    """Bias map of the terms that the positions can separate, fitted to each run.
+
+    Args:
+        runs: data points, at the same positions in each.
+        wanted: harmonics to be fitted.
+        tilt: whether the tilt of the input axis is to be fitted.
+    """
     pattern, table = (
         np.array(
             [np.mean(getattr(runs[0], name)[runs[0].dwell == d]) for d in np.unique(runs[0].dwell)]
         )
         for name in ("pattern_angle", "table_angle")
     )
-    seen, with_tilt, refused = visible(pattern, table, wanted, tilt)
+    seen, with_tilt, refused = select_visible(pattern, table, wanted, tilt)
     fits = tuple(
-        fit(design(run.pattern_angle, run.table_angle, seen, with_tilt), run.rate) for run in runs
+        fit(make_columns(run.pattern_angle, run.table_angle, seen, with_tilt), run.rate)
+        for run in runs
     )
-    return Map(tuple(seen), with_tilt, fits, tuple(refused))
+    return BiasMap(tuple(seen), with_tilt, fits, tuple(refused))
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Stability, repeatability, variances, harmonics and tilt."""
-    tests = tests_of(campaign, KIND)
-    runs, left_out = complete_runs(tests, campaign.site.latitude, SETTLE)
-    test, fitted = bias_test(runs), fitted_map(runs)
-    within = within_finding("within positions", runs)
-    between = between_finding("between positions", runs, fitted.fits)
+    """Bias, stability, repeatability, variances within and between positions, bias map."""
+    tests = require_tests(campaign, KIND)
+    runs, exclusions = read_complete_runs(tests, campaign.site.latitude, SETTLE)
+    test, fitted = summarize_runs(runs), fit_map(runs)
+    within = estimate_within("within positions", runs)
+    between = estimate_between("between positions", runs, fitted.fits)
     maps = tuple(fitted.finding(name) for name in fitted.names)
     return Outcome(
         procedure=PROCEDURE.name,
-        findings=(*test.findings(), within, between, *_amplitude(fitted), *maps),
-        verdict=_verdict(test, within.value, between.value),
+        findings=(*test.findings(), within, between, *_estimate_amplitude(fitted), *maps),
+        verdict=_describe_verdict(test, within.value, between.value),
         tables=(test.table(),),
-        warnings=(*fitted.refused, *filter(None, [leakage(runs[0])])),
-        exclusions=(*exclusions_of(tests), *left_out),
+        warnings=(*fitted.refused, *filter(None, [describe_leakage(runs[0])])),
+        exclusions=(*list_exclusions(tests), *exclusions),
         draw=lambda figure: draw(figure, runs, fitted),
         values={"bias_map": {name: fitted.value(name) for name in fitted.names}},
     )
 
 
-def _amplitude(fitted: Map) -> tuple[Finding, ...]:
+def _estimate_amplitude(fitted: BiasMap) -> tuple[Finding, ...]:
     if 4 not in fitted.harmonics:
         return ()
-    cosine, sine = harmonic(4)
+    cosine, sine = name_terms(4)
     sizes = [float(np.hypot(f.value(cosine), f.value(sine))) for f in fitted.fits]
-    return (mean_finding("fourth harmonic", sizes, "deg/h", "amplitude"),)
+    return (estimate_mean("fourth harmonic", sizes, "deg/h", "amplitude"),)
 
 
-def _verdict(test: BiasTest, within: float, between: float) -> str:
+def _describe_verdict(test: BiasTest, within: float, between: float) -> str:
     stability = f"Bias stability {test.stability / DEG_PER_H:.2g} deg/h over the circumference"
     if not within > 0:
         return f"{stability}."
@@ -191,11 +215,11 @@ def _verdict(test: BiasTest, within: float, between: float) -> str:
     return f"{stability}; positions differ {share}."
 
 
-def draw(figure: Figure, runs: Sequence[Segments], fitted: Map) -> None:
-    """Data points and fitted map against the pattern angle."""
+def draw(figure: Figure, runs: Sequence[Segments], fitted: BiasMap) -> None:
+    """Draw data points and bias map against the pattern angle."""
     axes = figure.add_subplot()
     grid = np.linspace(0.0, np.pi, 361)
-    columns = design(grid, grid, fitted.harmonics, tilt=False)
+    columns = make_columns(grid, grid, fitted.harmonics, tilt=False)
     curve = sum(fitted.value(name) * column for name, column in columns.items())
     for number, run in enumerate(runs):
         lean = sum(
@@ -217,7 +241,7 @@ def draw(figure: Figure, runs: Sequence[Segments], fitted: Map) -> None:
     axes.legend()
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="full-circumference",
     group="bias",
     title="Bias over the full circumference (8N positions)",
@@ -229,7 +253,7 @@ PROCEDURE = Procedure(
     options=(
         Option("positions", int, f"8, 16, 24, ... (default {POSITIONS})"),
         Option(
-            "spacing_deg", float, "of pattern from one to the next (default: chosen to see most)"
+            "spacing_deg", float, "of pattern from one to the next (default: separates most terms)"
         ),
         Option("dwell_s", float, f"means at each, whole 100 s (default {SEGMENTS * SEGMENT:g})"),
         Option("runs", int, f"power-ons (default {RUNS})"),

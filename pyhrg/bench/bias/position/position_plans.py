@@ -1,9 +1,8 @@
-"""The trap in "8 positions": what four plans report of one gyro, against where its pattern starts.
+"""Aliasing of the fourth harmonic: bias stability that four plans report, against the start angle.
 
-Positions 45 deg of pattern apart (the paper's 8 over 360 deg) take the fourth harmonic at two
-phases 180 deg apart: their standard deviation is A |sin 4(th_0 - th_tau)| times sqrt(8/7), anywhere
-between 0 and 1.07 A. At 22.5 or 11.25 deg it is A / sqrt 2, times sqrt(n/(n-1)), wherever the
-pattern starts.
+Positions 45 deg of pattern angle apart (the paper's 8 over 360 deg) sample the fourth harmonic at
+two phases, 180 deg apart. Their standard deviation is A |sin 4(th_0 - th_tau)| sqrt(8/7): anything
+from 0 to 1.07 A. At 22.5 or 11.25 deg it is A / sqrt 2 times sqrt(n/(n-1)) for every start angle.
 """
 
 import math
@@ -16,12 +15,12 @@ from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.position import full_circumference
-from pyhrg.bench.bias.position.full_circumference import SETTLE, programme
+from pyhrg.bench.bias.position.full_circumference import SETTLE, make_programme
 from pyhrg.bench.bias.position.positions import Plan
-from pyhrg.bench.estimation.harmonics import design, fit, harmonic
+from pyhrg.bench.estimation.harmonics import fit, make_columns, name_terms
 from pyhrg.bench.outcome import Finding, Outcome
-from pyhrg.bench.procedure import Procedure, tests_of
-from pyhrg.bench.readings.segments import WARM_UP, Segments, segment_means
+from pyhrg.bench.procedure import Procedure, require_tests
+from pyhrg.bench.readings.segments import WARM_UP, Segments, read_segments
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.campaign import Campaign, Test
@@ -36,8 +35,11 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Reported:
-    """What one plan reports: bias stability (n,), rad/s, at start angles (n,), rad."""
+class PlanReport:
+    """Bias stability (n,), rad/s, that a plan reports at start angles (n,), rad.
+
+    pattern_step: pattern angle between positions, rad.
+    """
 
     positions: int
     pattern_step: float
@@ -46,25 +48,27 @@ class Reported:
 
     @property
     def name(self) -> str:
-        """As the issue of spacing is spoken of: 8 x 45 deg."""
+        """Number and spacing of the positions, as in "8 x 45 deg"."""
         return f"{self.positions} x {self.pattern_step / DEG:g} deg"
 
 
 def record(bench: Bench) -> list[Test]:
-    """Every plan from every start angle, one data point a position."""
+    """Tests of every plan from every start angle, with one data point at each position."""
     k = bench.device.bryan_factor
     plans = [Plan(plan.positions, plan.pattern_step, k) for plan in PLANS]
     return bench.run(
         [
-            PowerOn(f"plan_{n + 1}_start_{m + 1:02}", KIND, programme(bench, plan, 1), float(start))
+            PowerOn(
+                f"plan_{n + 1}_start_{m + 1:02}", KIND, make_programme(bench, plan, 1), float(start)
+            )
             for n, plan in enumerate(plans)
             for m, start in enumerate(STARTS)
         ]
     )
 
 
-def reports(runs: Sequence[Segments]) -> list[Reported]:
-    """The runs by plan, as number and spacing of their positions show it."""
+def summarize_plans(runs: Sequence[Segments]) -> list[PlanReport]:
+    """Reports of the plans, to which runs belong by number and spacing of their positions."""
     plans: dict[tuple[int, float], list[tuple[float, float]]] = {}
     for run in runs:
         step = abs(float(np.median(np.diff(run.pattern_angle)))) / DEG
@@ -72,60 +76,60 @@ def reports(runs: Sequence[Segments]) -> list[Reported]:
         start = float(run.pattern_angle[0] % (math.pi / 2))
         plans.setdefault(key, []).append((start, float(np.std(run.rate, ddof=1))))
     return [
-        Reported(positions, step * DEG, *np.array(sorted(points)).T)
+        PlanReport(positions, step * DEG, *np.array(sorted(points)).T)
         for (positions, step), points in plans.items()
     ]
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Range of what each plan reports, beside what the map of all of them together says."""
+    """Range of the bias stability that each plan reports, and the map fitted to all runs."""
     latitude = campaign.site.latitude
-    logs = [test.log for test in tests_of(campaign, KIND)]
-    runs = [segment_means(log, latitude, SETTLE, warm_up=WARM_UP) for log in logs]
+    logs = [test.log for test in require_tests(campaign, KIND)]
+    runs = [read_segments(log, latitude, SETTLE, warm_up=WARM_UP) for log in logs]
     pattern, rate = (
         np.concatenate([getattr(run, name) for run in runs]) for name in ("pattern_angle", "rate")
     )
-    fitted = fit(design(pattern, pattern, (4,), tilt=False), rate)
-    amplitude = math.hypot(*(fitted.value(name) for name in harmonic(4)))
-    found = reports(runs)
+    fitted = fit(make_columns(pattern, pattern, (4,), tilt=False), rate)
+    amplitude = math.hypot(*(fitted.value(name) for name in name_terms(4)))
+    reports = summarize_plans(runs)
     rows = tuple(
         (r.name, *(f"{x / DEG_PER_H:.4f}" for x in (r.stability.min(), r.stability.max())))
-        for r in found
+        for r in reports
     )
     return Outcome(
         procedure=PROCEDURE.name,
         findings=(
             Finding("fourth harmonic", amplitude, "deg/h", note="amplitude A, of all runs"),
             Finding("rms of the map", amplitude / math.sqrt(2), "deg/h", note="A / sqrt 2"),
-            *(_spread(r) for r in found),
+            *(_make_finding(r) for r in reports),
         ),
-        verdict=_verdict(found),
+        verdict=_describe_verdict(reports),
         tables=(Table("Reported bias stability, deg/h", ("plan", "least", "most"), rows),),
-        draw=lambda figure: draw(figure, found, amplitude),
+        draw=lambda figure: draw(figure, reports, amplitude),
     )
 
 
-def _spread(reported: Reported) -> Finding:
-    ratio = float(reported.stability.max() / reported.stability.min())
-    n = len(reported.start)
-    return Finding(f"most over least, {reported.name}", ratio, "1", n=n, note="over start angles")
+def _make_finding(report: PlanReport) -> Finding:
+    ratio = float(report.stability.max() / report.stability.min())
+    n = len(report.start)
+    return Finding(f"most over least, {report.name}", ratio, "1", n=n, note="over start angles")
 
 
-def _verdict(found: Sequence[Reported]) -> str:
-    blind = [r for r in found if r.stability.max() > 2 * r.stability.min()]
-    if not blind:
+def _describe_verdict(reports: Sequence[PlanReport]) -> str:
+    aliased = [r for r in reports if r.stability.max() > 2 * r.stability.min()]
+    if not aliased:
         return "No plan's figure depends on where the pattern starts by more than a factor of 2."
-    names = ", ".join(r.name for r in blind)
-    return f"What {names} reports depends on where the pattern starts: the fourth harmonic aliases."
+    names = ", ".join(r.name for r in aliased)
+    return f"Figures of {names} depend on where the pattern starts: the fourth harmonic aliases."
 
 
-def draw(figure: Figure, found: Sequence[Reported], amplitude: float) -> None:
-    """Reported stability against the start angle."""
+def draw(figure: Figure, reports: Sequence[PlanReport], amplitude: float) -> None:
+    """Draw the reported bias stability against the start angle."""
     axes = figure.add_subplot()
-    for reported, mark in zip(found, "osv^" * len(found), strict=False):
+    for report, mark in zip(reports, "osv^" * len(reports), strict=False):
         axes.plot(
-            reported.start / DEG, reported.stability / DEG_PER_H, mark + "-", ms=4, lw=1,
-            label=reported.name,
+            report.start / DEG, report.stability / DEG_PER_H, mark + "-", ms=4, lw=1,
+            label=report.name,
         )  # fmt: skip
     rms = amplitude / math.sqrt(2) / DEG_PER_H
     axes.axhline(rms, color="black", ls="--", lw=1, label="A / √2 of the map")
@@ -138,10 +142,10 @@ def draw(figure: Figure, found: Sequence[Reported], amplitude: float) -> None:
     axes.legend()
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="position-plans",
     group="bias",
-    title="What plans of positions report, by start angle",
+    title="Bias stability that plans of positions report, by start angle",
     rows=(),
     source=full_circumference.PROCEDURE.source,
     kinds=(KIND,),

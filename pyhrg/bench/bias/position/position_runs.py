@@ -1,7 +1,7 @@
-"""Power-ons that went evenly round the circumference, and what keeps the others from it.
+"""Power-ons that have all positions, evenly spaced, and reasons why others are not used.
 
-The mean over positions is that of the circumference, and their standard deviation its stability
-(paper 4.1), only where 8N positions are evenly spaced and count alike: a lost one would shift both.
+Mean and standard deviation over positions are those over the circumference (paper 4.1) only where
+8N positions are evenly spaced and have equally many data points. A lost position would shift both.
 """
 
 from collections.abc import Sequence
@@ -9,55 +9,59 @@ from collections.abc import Sequence
 import numpy as np
 
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Segments, segment_means
+from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Segments, read_segments
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Test
 
-UNEVEN = 0.3
-"""Share of a step of the pattern by which steps may differ: a lost position makes one of two."""
+STEP_TOLERANCE = 0.3
+"""Largest range of the pattern steps, relative to their median (chosen); a lost position makes one
+step twice as long."""
 
-LEAKS = 0.02
-"""Share of the fourth harmonic in the mean over positions, from which it is told."""
+SMALLEST_LEAKAGE = 0.02
+"""Share of the fourth harmonic in the mean over positions from which a warning is given."""
 
 
-def complete_runs(
+def read_complete_runs(
     tests: Sequence[Test], latitude: float, settle: float
 ) -> tuple[list[Segments], list[str]]:
-    """Data points of each complete power-on, equally many a position, and what was left out.
+    """Data points of each complete power-on, equally many at each position.
 
     Args:
-        tests: of positions.
+        tests: position tests.
         latitude: of the site, rad.
-        settle: left out at the beginning of each rest, s.
+        settle: time at the beginning of each rest that is not used, s.
+
+    Returns:
+        The runs, and a sentence on each power-on or data point that is not used.
 
     Raises:
         BenchError: no power-on is complete.
     """
-    found = [segment_means(test.log, latitude, settle, warm_up=WARM_UP) for test in tests]
-    most = max(points.dwells for points in found)
-    runs, left_out = [], []
-    for test, points in zip(tests, found, strict=True):
-        trouble = _incomplete(points, most)
-        if not trouble:
-            runs.append(_balanced(points))
-            trouble = _unbalanced(points, runs[-1])
-        left_out += [f"{test.log.source}: {trouble}"] if trouble else []
+    candidates = [read_segments(test.log, latitude, settle, warm_up=WARM_UP) for test in tests]
+    expected = max(points.dwells for points in candidates)
+    runs, exclusions = [], []
+    for test, points in zip(tests, candidates, strict=True):
+        reason = _describe_incompleteness(points, expected)
+        if not reason:
+            runs.append(_balance(points))
+            reason = _describe_balancing(points, runs[-1])
+        exclusions += [f"{test.log.source}: {reason}"] if reason else []
     if not runs:
-        raise BenchError("; ".join(left_out))
-    return runs, left_out
+        raise BenchError("; ".join(exclusions))
+    return runs, exclusions
 
 
-def _incomplete(points: Segments, most: int) -> str:
-    """What makes a power-on useless, or nothing."""
+def _describe_incompleteness(points: Segments, expected: int) -> str:
+    """Why a power-on can't be used; empty where it can."""
     count = points.dwells
-    held = f"{count} positions hold a segment of {SEGMENT:g} s after settling"
+    present = f"{count} positions hold a segment of {SEGMENT:g} s after settling"
     if count < 8 or count % 8:
-        return f"{held}; the test needs 8N, at least 8"
-    if count < most:
-        return f"{held}, {most} in other power-ons; left out"
+        return f"{present}; the test needs 8N, at least 8"
+    if count < expected:
+        return f"{present}, {expected} in other power-ons; left out"
     first = np.unique(points.dwell, return_index=True)[1]
     steps = np.abs(np.diff(points.pattern_angle[first])) / DEG
-    if np.ptp(steps) > UNEVEN * np.median(steps):
+    if np.ptp(steps) > STEP_TOLERANCE * np.median(steps):
         return (
             f"positions lie {steps.min():.1f} to {steps.max():.1f} deg of pattern apart; "
             "the test needs them evenly spaced"
@@ -65,31 +69,31 @@ def _incomplete(points: Segments, most: int) -> str:
     return ""
 
 
-def _balanced(points: Segments) -> Segments:
-    """The same number of data points at each position, so that each counts alike."""
+def _balance(points: Segments) -> Segments:
+    """The first data points of each position, equally many at each."""
     dwells, counts = np.unique(points.dwell, return_counts=True)
     fewest = counts.min()
     keep = np.concatenate([np.flatnonzero(points.dwell == d)[:fewest] for d in dwells])
     return Segments(*(getattr(points, name)[keep] for name in points.__dataclass_fields__))
 
 
-def _unbalanced(points: Segments, balanced: Segments) -> str:
-    """What balancing left out, or nothing."""
+def _describe_balancing(points: Segments, balanced: Segments) -> str:
+    """Number of data points that balancing excluded, in words; empty for none."""
     fewer = len(points) - len(balanced)
     if not fewer:
         return ""
-    held = len(balanced) // balanced.dwells
-    return f"{fewer} of {len(points)} data points left out: a position has no more than {held}"
+    each = len(balanced) // balanced.dwells
+    return f"{fewer} of {len(points)} data points left out: a position has no more than {each}"
 
 
-def leakage(points: Segments) -> str:
-    """How much of the fourth harmonic is in the mean over positions, where it is much.
+def describe_leakage(points: Segments) -> str:
+    """Share of the fourth harmonic in the mean over positions, in words; empty for little.
 
-    Evenly spaced positions take the harmonic at evenly spaced phases, which sum to zero only where
-    they fill whole periods.
+    Evenly spaced positions sample the harmonic at evenly spaced phases. Their sum is zero only
+    where the phases fill whole periods.
     """
     share = float(np.abs(np.mean(np.exp(4j * points.pattern_angle))))
-    if share < LEAKS:
+    if share < SMALLEST_LEAKAGE:
         return ""
     return (
         f"the positions don't fill whole periods of the fourth harmonic: up to {share:.0%} of its "

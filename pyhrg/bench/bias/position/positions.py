@@ -1,10 +1,10 @@
-"""Plans of an 8N-position test: which spacing sees what, and which does not.
+"""Plans of an 8N-position test, and the terms that their positions can separate.
 
-The table moves the pattern: a step of the table turns it by -k times as much. Positions that lie
-45 deg of pattern apart take the fourth harmonic at two phases only and alias it into their mean;
-within one turn of the table the tilt of the input axis, once a turn, looks like the fourth
-harmonic, four times in 3.61 turns. Turning the pattern by another 90 deg changes no harmonic of
-order 4 and 8 and moves the table on by most of a turn: that separates them.
+A table step turns the pattern by -k times as much. Positions 45 deg of pattern angle apart sample
+the fourth harmonic at two phases only and alias it into their mean. Within one table turn, the tilt
+of the input axis (once a turn) is confounded with the fourth harmonic (four times in 3.61 turns).
+Steps that are 90 deg longer leave the harmonics 4 and 8 as they are and turn the table by 0.9 of a
+turn more, which separates the two.
 """
 
 import math
@@ -14,21 +14,27 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, TILT, design, harmonic, inflation
+from pyhrg.bench.estimation.harmonics import (
+    LARGEST_INFLATION,
+    compute_inflations,
+    make_columns,
+)
 from pyhrg.common.units import DEG
 
 Array = NDArray[np.float64]
 
 HARMONICS = (2, 4, 8)
+"""Orders of the bias map in the pattern angle."""
 STARTS = np.arange(0.0, 90.0, 7.5) * DEG
-"""Power-on angles that a plan is judged at: it is as good as at the worst of them."""
+"""Start angles of the pattern, rad, for the worst of which a plan is rated."""
 
 
 @dataclass(frozen=True)
 class Plan:
-    """Positions of the pattern, reached by the table from one to the next.
+    """Positions of the pattern that the table reaches one after the other.
 
-    pattern_step: rad between neighbours, positive as the table turns.
+    pattern_step: between neighbours, rad; positive in the table's direction.
+    bryan_factor: angular gain of the gyro.
     """
 
     positions: int
@@ -41,53 +47,54 @@ class Plan:
 
     @property
     def table_step(self) -> float:
-        """Of the table between positions, rad."""
+        """Table angle between positions, rad."""
         return self.pattern_step / self.bryan_factor
 
     def angles(self, start: float = 0.0) -> tuple[Array, Array]:
-        """Pattern and table angles (n,), rad, from a power-on angle of the pattern."""
+        """Pattern and table angles (n,), rad, for a start angle of the pattern."""
         number = np.arange(self.positions, dtype=np.float64)
         return start - number * self.pattern_step, number * self.table_step
 
     def inflation(self, harmonics: Sequence[int] = HARMONICS, tilt: bool = True) -> float:
-        """Largest factor, over terms and power-on angles, by which terms disturb each other."""
+        """Largest variance inflation factor over terms and start angles."""
         return max(
-            max(inflation(design(*self.angles(start), harmonics, tilt)).values())
+            max(compute_inflations(make_columns(*self.angles(start), harmonics, tilt)).values())
             for start in STARTS
         )
 
 
-def visible(
+def select_visible(
     pattern_angle: Array,
     table_angle: Array,
     wanted: Sequence[int] = HARMONICS,
     tilt: bool = True,
 ) -> tuple[list[int], bool, list[str]]:
-    """What positions can tell apart.
+    """Terms of the bias map that positions can separate.
 
-    The fourth harmonic comes first, then tilt, then the others, as long as every term stays
-    within `LARGEST_INFLATION` and two positions are left to show the scatter. Where the fourth, the
-    largest of a whole-angle gyro, is not seen, nothing else is either: it would look like it.
+    The fourth harmonic is tried first, then the tilt, then the other harmonics. A term is accepted
+    if all variance inflation factors stay within `LARGEST_INFLATION` and the positions outnumber
+    the terms by two. Without the fourth harmonic, the largest of a whole-angle gyro, no term is
+    accepted, for it would alias into them.
 
     Args:
-        pattern_angle, table_angle: (n,) positions, rad; all power-ons together.
-        wanted: harmonics.
-        tilt: whether the tilt of the input axis is wanted.
+        pattern_angle, table_angle: (n,) positions, rad, of all power-ons together.
+        wanted: harmonics to be fitted.
+        tilt: whether the tilt of the input axis is to be fitted.
 
     Returns:
-        Harmonics that are seen, whether tilt is, and a sentence on each that is not.
+        Accepted harmonics, whether the tilt is accepted, and a sentence on each term that is not.
     """
-    distinct = _distinct(pattern_angle, table_angle)
-    seen: list[int] = []
+    distinct = _count_distinct(pattern_angle, table_angle)
+    accepted: list[int] = []
     with_tilt = False
     refused = []
     order: list[int | None] = [*[h for h in (4,) if h in wanted]]
     order += [None] if tilt else []
     order += [h for h in wanted if h != 4]
     for term in order:
-        trial = [*seen, term] if term is not None else seen
-        columns = design(pattern_angle, table_angle, trial, with_tilt or term is None)
-        worst = max(inflation(columns).values())
+        trial = [*accepted, term] if term is not None else accepted
+        columns = make_columns(pattern_angle, table_angle, trial, with_tilt or term is None)
+        worst = max(compute_inflations(columns).values())
         name = "the tilt of the input axis" if term is None else f"harmonic {term}"
         if len(columns) + 2 > distinct:
             refused.append(
@@ -97,44 +104,45 @@ def visible(
         elif worst > LARGEST_INFLATION:
             factor = f"{worst:.3g} times" if math.isfinite(worst) else "infinitely"
             refused.append(
-                f"the positions can't tell {name} from the other terms: "
+                f"the positions can't separate {name} from the other terms: "
                 f"variance inflated {factor}, at most {LARGEST_INFLATION:g} is accepted"
             )
         elif term is None:
             with_tilt = True
         else:
-            seen.append(term)
-    if 4 in wanted and 4 not in seen:
+            accepted.append(term)
+    if 4 in wanted and 4 not in accepted:
         refused = [text for text in refused if "harmonic 4" in text]
         hidden = "nothing else is fitted, for harmonic 4 would show as tilt or as another harmonic"
         return [], False, [*refused, hidden]
-    return sorted(seen), with_tilt, refused
+    return sorted(accepted), with_tilt, refused
 
 
-def _distinct(pattern_angle: Array, table_angle: Array) -> int:
-    """Number of different positions: pattern within 180 deg, table within a turn, to 1 deg."""
+def _count_distinct(pattern_angle: Array, table_angle: Array) -> int:
+    """Number of positions that differ by 1 deg or more: pattern modulo 180 deg, table modulo a
+    turn."""
     pairs = np.column_stack([pattern_angle % math.pi, table_angle % (2 * math.pi)]) / DEG
     return len(np.unique(np.round(pairs), axis=0))
 
 
-def chosen(
+def choose_plan(
     positions: int,
     bryan_factor: float = 0.277,
     harmonics: Iterable[int] = HARMONICS,
     tilt: bool = True,
     largest_turns: float = 40.0,
 ) -> Plan:
-    """The plan with the least disturbance between terms; of equals, the least turning.
+    """The plan with the smallest variance inflation; of equal plans, that with the shortest steps.
 
-    Only plans are considered whose positions go round the fourth harmonic a whole number of times,
-    so that nothing of it is left in their mean.
+    Only plans are considered whose positions fill whole periods of the fourth harmonic, so that
+    their mean holds none of it.
 
     Args:
         positions: 8N.
-        bryan_factor: of the gyro.
-        harmonics: to be told apart; with 8 positions the fourth alone is.
-        tilt: whether the tilt of the input axis is to be told from them.
-        largest_turns: of the table, in all.
+        bryan_factor: angular gain of the gyro.
+        harmonics: to be separated; 8 positions separate the fourth alone.
+        tilt: whether the tilt of the input axis is to be separated from them.
+        largest_turns: table turns in all, at most.
     """
     wanted = tuple(harmonics)
     share = 90.0 / positions
@@ -145,13 +153,7 @@ def chosen(
     ]
     plans = [p for p in plans if positions * p.table_step <= largest_turns * 2 * math.pi]
 
-    def badness(plan: Plan) -> tuple[float, float]:
+    def cost(plan: Plan) -> tuple[float, float]:
         return round(plan.inflation(wanted, tilt), 1), plan.pattern_step
 
-    return min(plans, key=badness)
-
-
-def terms(harmonics: Sequence[int], tilt: bool) -> list[str]:
-    """Names of the fit's terms beside the mean."""
-    names = [name for order in harmonics for name in harmonic(order)]
-    return [*names, *TILT] if tilt else names
+    return min(plans, key=cost)

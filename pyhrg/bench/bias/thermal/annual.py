@@ -1,9 +1,8 @@
-"""Bias and scale factor over a year: a power-on a month, over the circumference and in spins.
+"""Bias and scale factor over a year: one power-on a month, over the circumference and in spins.
 
-The model ages by its decay time alone, exponentially, with the time since power-on; a gyro that is
-m months old is one whose decay time is what is left of it. Axes, anisotropies, electrodes and the
-Bryan factor don't age: what a year shows of a real gyro beyond the decay time, simulation can't
-give.
+In the model only the decay time ages, exponentially with time. A gyro of an age is simulated as one
+with the decay time of that age. Axes, anisotropies, electrodes and the angular gain of a real gyro
+age too, which this simulation doesn't show.
 """
 
 import math
@@ -15,15 +14,15 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias.circumference import circumference
-from pyhrg.bench.bias.thermal_programme import SPIN, SPIN_RATE, positions
+from pyhrg.bench.bias.circumference import fit_circumference
+from pyhrg.bench.bias.thermal_programme import SPIN, SPIN_RATE, add_positions
 from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
-from pyhrg.bench.estimation.spread import spread_finding
-from pyhrg.bench.outcome import BenchError, Finding, Outcome, pooled_deviation_finding
-from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.estimation.spread import estimate_spread
+from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_pooled_deviation
+from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import WARM_UP
-from pyhrg.bench.readings.spins import pair_scale_factor, pairs, spins
+from pyhrg.bench.readings.spins import compute_scale_factor_error, find_spins, pair_spins
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG_PER_H, PPM, YEAR
 from pyhrg.device.device import Device
@@ -33,10 +32,10 @@ Array = NDArray[np.float64]
 
 KIND = "annual"
 MONTHS = 12
-LEAST = 4
-"""Months from which a drift and its scatter can be told apart."""
+FEWEST_MONTHS = 4
+"""Fewest months from which a drift and the scatter about it are estimated."""
 MONTH = YEAR / 12
-STRAIGHT = "straight line, scatter about it independent"
+DRIFT_NOTE = "straight line, scatter about it independent"
 AGEING = "resonator.material.decayTimeAgeing"
 SEGMENTS = 2
 PAIRS = 3
@@ -44,11 +43,11 @@ PAIRS = 3
 
 @dataclass(frozen=True)
 class Months:
-    """One figure a month.
+    """A quantity that is measured once a month.
 
-    values: (n,), SI.
-    noise: standard deviation of one month's by noise within it.
-    freedom: degrees of freedom that the noise is known with.
+    values: (n,) SI.
+    noise: standard deviation of a month's value by noise within the month, SI.
+    freedom: degrees of freedom of `noise`.
     """
 
     values: Array
@@ -57,101 +56,109 @@ class Months:
 
     @property
     def age(self) -> Array:
-        """(n,) s."""
+        """(n,) age at each test, s, counted from the first."""
         return np.asarray(np.arange(len(self.values)) * MONTH, dtype=np.float64)
 
     @property
     def drift(self) -> Fit:
-        """Straight line over age, about the middle of it."""
+        """Straight line against the age, about its mean."""
         age = self.age
         return fit({MEAN: np.ones_like(age), "drift": age - np.mean(age)}, self.values)
 
 
-def aged(device: Device, age: float) -> Device:
-    """The gyro after `age` seconds: decay time exp(-decayTimeAgeing age) of what it was."""
-    left = math.exp(-device.model.get(AGEING, 0.0) * age)
-    return replace(device, decay_time=device.decay_time * left)
+def age_device(device: Device, age: float) -> Device:
+    """The gyro at an age, s: its decay time is multiplied by exp(-decayTimeAgeing age)."""
+    share = math.exp(-device.model.get(AGEING, 0.0) * age)
+    return replace(device, decay_time=device.decay_time * share)
 
 
-def programme(bench: Bench) -> Programme:
-    """One month: eight positions, then spins each way."""
+def make_programme(bench: Bench) -> Programme:
+    """Programme of one month: eight positions, then spins in both directions."""
     course = bench.programme().rest(WARM_UP)
-    positions(course, bench.device.bryan_factor, SEGMENTS)
+    add_positions(course, bench.device.bryan_factor, SEGMENTS)
     for rate in (SPIN_RATE, -SPIN_RATE) * PAIRS:
         course.spin(rate, SPIN).rest(course.interval)
     return course
 
 
 def record(bench: Bench) -> list[Test]:
-    """A power-on at the beginning of each month."""
+    """Tests at the beginning of each month."""
     tests = []
     for month in range(MONTHS):
-        older = replace(bench, device=aged(bench.device, month * MONTH))
-        tests += older.run([PowerOn(f"annual_{month + 1:02d}", KIND, programme(older))])
+        older = replace(bench, device=age_device(bench.device, month * MONTH))
+        tests += older.run([PowerOn(f"annual_{month + 1:02d}", KIND, make_programme(older))])
     return tests
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Monthly figures, their deviation, range and drift; tests are a month apart, in order.
+    """Standard deviation, range and drift of the monthly bias and scale factor.
+
+    The campaign's tests are taken as a month apart, in their order.
 
     Raises:
-        BenchError: fewer than four months.
+        BenchError: there are fewer than four tests.
     """
-    tests = tests_of(campaign, KIND)
-    if len(tests) < LEAST:
+    tests = require_tests(campaign, KIND)
+    if len(tests) < FEWEST_MONTHS:
         raise BenchError(
-            f"{campaign.device}: {len(tests)} monthly tests; a year needs at least {LEAST}"
+            f"{campaign.device}: {len(tests)} monthly tests; a year needs at least {FEWEST_MONTHS}"
         )
-    bias = _bias(campaign, tests)
-    scale = _scale_factor_error(campaign, tests)
+    bias = _measure_bias(campaign, tests)
+    scale = _measure_scale_factor(campaign, tests)
     return Outcome(
         procedure=PROCEDURE.name,
-        findings=(*_findings("bias", bias, "deg/h"), *_findings("scale factor", scale, "ppm")),
-        verdict=_verdict(bias, scale),
-        tables=(_table(bias, scale),),
+        findings=(
+            *_make_findings("bias", bias, "deg/h"),
+            *_make_findings("scale factor", scale, "ppm"),
+        ),
+        verdict=_describe_verdict(bias, scale),
+        tables=(_make_table(bias, scale),),
         warnings=(
             f"tests are taken as a month apart, in order: {tests[0].id} to {tests[-1].id}",
-            "of what ages, the model has the decay time alone",
+            "in the model only the decay time ages",
         ),
-        exclusions=exclusions_of(tests),
+        exclusions=list_exclusions(tests),
         draw=lambda figure: draw(figure, bias, scale),
     )
 
 
-def _bias(campaign: Campaign, tests: Sequence[Test]) -> Months:
-    """Means over the circumference; noise as the fits leave it."""
-    runs = [circumference(test, campaign.site).fitted for test in tests]
+def _measure_bias(campaign: Campaign, tests: Sequence[Test]) -> Months:
+    """Monthly means over the circumference; the noise is that of the fits."""
+    runs = [fit_circumference(test, campaign.site).fitted for test in tests]
     noise = np.sqrt(np.mean([run.deviation(MEAN) ** 2 for run in runs]))
     freedom = sum(run.freedom for run in runs)
     return Months(np.array([run.value(MEAN) for run in runs]), float(noise), freedom)
 
 
-def _scale_factor_error(campaign: Campaign, tests: Sequence[Test]) -> Months:
-    """Means over pairs of spins; noise as pairs of a month differ."""
+def _measure_scale_factor(campaign: Campaign, tests: Sequence[Test]) -> Months:
+    """Monthly means over pairs of spins; the noise is from how the pairs of a month differ."""
     rate = campaign.site.vertical_rate
     months = [
-        [pair_scale_factor(pair) for pair in pairs(spins(test.log, rate), test.log.source)]
+        [
+            compute_scale_factor_error(pair)
+            for pair in pair_spins(find_spins(test.log, rate), test.log.source)
+        ]
         for test in tests
     ]
-    each, size = pooled_deviation_finding("", months, "ppm").value, sum(map(len, months))
+    each, size = estimate_pooled_deviation("", months, "ppm").value, sum(map(len, months))
     noise = each * math.sqrt(len(months) / size)
     return Months(np.array([np.mean(month) for month in months]), noise, size - len(months))
 
 
-def _findings(name: str, months: Months, unit: str) -> tuple[Finding, ...]:
+def _make_findings(name: str, months: Months, unit: str) -> tuple[Finding, ...]:
     values, line, n = months.values, months.drift, len(months.values)
     stability, (low, high) = f"{name} annual stability", line.interval("drift")
     note = "standard deviation of the months"
     return (
-        spread_finding(stability, values, months.noise, months.freedom, unit, note),
+        estimate_spread(stability, values, months.noise, months.freedom, unit, note),
         Finding(
             f"{name} annual range", float(np.ptp(values)), unit, n=n, note="of these, no interval"
         ),
-        Finding(f"{name} drift", line.value("drift"), f"{unit}/year", low, high, n, STRAIGHT),
+        Finding(f"{name} drift", line.value("drift"), f"{unit}/year", low, high, n, DRIFT_NOTE),
     )
 
 
-def _verdict(bias: Months, scale: Months) -> str:
+def _describe_verdict(bias: Months, scale: Months) -> str:
     deviations = [float(np.std(months.values, ddof=1)) for months in (bias, scale)]
     return (
         f"Over {len(bias.values)} months the bias varies by {deviations[0] / DEG_PER_H:.2g} deg/h "
@@ -159,7 +166,7 @@ def _verdict(bias: Months, scale: Months) -> str:
     )
 
 
-def _table(bias: Months, scale: Months) -> Table:
+def _make_table(bias: Months, scale: Months) -> Table:
     rows = tuple(
         (str(month), f"{b / DEG_PER_H:.5f}", f"{s / PPM:.4f}")
         for month, (b, s) in enumerate(zip(bias.values, scale.values, strict=True), 1)
@@ -168,7 +175,7 @@ def _table(bias: Months, scale: Months) -> Table:
 
 
 def draw(figure: Figure, bias: Months, scale: Months) -> None:
-    """Bias and scale factor over the months, with their drifts."""
+    """Draw bias and scale factor against the age, with their drifts."""
     panels = figure.subplots(2, 1, sharex=True)
     series = (
         (bias, DEG_PER_H, "bias, deg/h", "#0072B2"),
@@ -186,7 +193,7 @@ def draw(figure: Figure, bias: Months, scale: Months) -> None:
     figure.suptitle("A year: bias over the circumference, scale factor")
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="annual",
     group="bias",
     title="Bias and scale factor over a year",

@@ -1,7 +1,8 @@
 """Bias and scale factor over the temperature range: soaks over the circumference, and ramps.
 
-Bias is fitted by pattern angle, by the resonator's temperature (its loop frequency tells how it
-lags behind the case) and by the rate of the case's temperature, which ramps up and down tell apart.
+The bias is fitted by pattern angle, by the resonator's temperature and by the rate of the case's
+temperature, which ramps up and down separate. The loop frequency shows how the resonator's
+temperature lags behind the case's.
 """
 
 import numpy as np
@@ -12,15 +13,15 @@ from pyhrg.bench.bias.thermal.thermal_fit import (
     KIND,
     PER_KELVIN,
     PER_RATE,
-    STEADY,
+    SOAK_RATE,
     Thermal,
-    measured,
+    fit_temperature,
 )
-from pyhrg.bench.bias.thermal.thermal_scale_factor import scale_factor_findings
-from pyhrg.bench.bias.thermal_programme import programme
-from pyhrg.bench.estimation.spread import spread_finding
-from pyhrg.bench.outcome import Finding, Outcome, pooled_deviation_finding
-from pyhrg.bench.procedure import Procedure, exclusions_of, tests_of
+from pyhrg.bench.bias.thermal.thermal_scale_factor import estimate_scale_factor
+from pyhrg.bench.bias.thermal_programme import make_programme
+from pyhrg.bench.estimation.spread import estimate_spread
+from pyhrg.bench.outcome import Finding, Outcome, estimate_pooled_deviation
+from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.records.campaign import Campaign, Test
@@ -29,36 +30,41 @@ RUNS = 2
 
 
 def record(bench: Bench) -> list[Test]:
-    """Two power-ons through all temperatures."""
-    course = programme(bench)
+    """Tests of two power-ons through all temperatures."""
+    course = make_programme(bench)
     return bench.run([PowerOn(f"thermal_{n + 1}", KIND, course) for n in range(RUNS)])
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Bias stability, bias over temperature, slopes, temperature-rate bias, lag, scale factor."""
-    result = measured(campaign)
-    logs = [test.log for test in tests_of(campaign, KIND)]
-    scale, told = scale_factor_findings(campaign, logs, result.thermometers)
+    """Bias stability, temperature coefficients, thermal lag and scale factor over temperature."""
+    result = fit_temperature(campaign)
+    logs = [test.log for test in require_tests(campaign, KIND)]
+    scale, scale_warnings = estimate_scale_factor(campaign, logs, result.thermometers)
     return Outcome(
         procedure=PROCEDURE.name,
-        findings=(*_spreads(result), *_slopes(result), *_lag(result), *scale),
-        verdict=_verdict(result),
-        tables=(_table(result),),
-        warnings=(*_warnings(result), *told),
-        exclusions=exclusions_of(tests_of(campaign, KIND)),
+        findings=(
+            *_estimate_spreads(result),
+            *_make_slopes(result),
+            *_make_lag_findings(result),
+            *scale,
+        ),
+        verdict=_describe_verdict(result),
+        tables=(_make_table(result),),
+        warnings=(*_list_warnings(result), *scale_warnings),
+        exclusions=list_exclusions(require_tests(campaign, KIND)),
         draw=lambda figure: draw(figure, result),
         values={"terms": dict(zip(result.fitted.names, result.fitted.values, strict=True))},
     )
 
 
-def _spreads(result: Thermal) -> tuple[Finding, ...]:
-    """Stability: of all data points. Over temperature: of the soaks' means. Repeatability: over
-    power-ons, of a soak's means."""
+def _estimate_spreads(result: Thermal) -> tuple[Finding, ...]:
+    """Standard deviations of all data points (stability), of the soaks' means (over temperature)
+    and of a soak's means over power-ons (repeatability)."""
     soaks = list(result.soaks().values())
     each = float(np.sqrt(np.mean([soak.deviation**2 for soak in soaks]))) if soaks else np.nan
     whole = "over the circumference" if all(s.whole for s in soaks) else "where the pattern was"
     return (
-        spread_finding(
+        estimate_spread(
             "bias stability over temperature",
             result.points.rate,
             result.noise,
@@ -66,7 +72,7 @@ def _spreads(result: Thermal) -> tuple[Finding, ...]:
             "deg/h",
             "standard deviation of all 100 s means, soaks and ramps",
         ),
-        spread_finding(
+        estimate_spread(
             "bias over temperature",
             [soak.mean for soak in soaks],
             each,
@@ -74,12 +80,12 @@ def _spreads(result: Thermal) -> tuple[Finding, ...]:
             "deg/h",
             f"standard deviation of the means of {len(soaks)} soaks, {whole}",
         ),
-        repeatability(result),
+        estimate_repeatability(result),
     )
 
 
-def repeatability(result: Thermal) -> Finding:
-    """Standard deviation over power-ons of a soak's mean, pooled over soaks."""
+def estimate_repeatability(result: Thermal) -> Finding:
+    """Standard deviation of a soak's mean over power-ons, pooled over the soaks."""
     name, runs = "bias repeatability over temperature", int(result.run.max()) + 1
     if runs < 2:
         return Finding(name, np.nan, "deg/h", note="one power-on: at least 2 are needed")
@@ -89,28 +95,28 @@ def repeatability(result: Thermal) -> Finding:
         return Finding(name, np.nan, "deg/h", note="no soak that all power-ons have")
     groups = [[run[t].mean for run in means] for t in common]
     note = f"{runs} power-ons at {len(common)} soaks, each soak by itself"
-    return pooled_deviation_finding(name, groups, "deg/h", note)
+    return estimate_pooled_deviation(name, groups, "deg/h", note)
 
 
-def _slopes(result: Thermal) -> tuple[Finding, ...]:
-    """Of the bias by temperature and by its rate."""
+def _make_slopes(result: Thermal) -> tuple[Finding, ...]:
+    """Coefficients of the bias by temperature and by its rate."""
     turning = [n for n in result.basis.columns if f"{PER_KELVIN} {n}" in result.fitted.names]
     units = {PER_KELVIN: "deg/h/K", PER_RATE: "deg/h/(K/min)"}
     units |= {f"{PER_KELVIN} {name}": "deg/h/K" for name in turning}
-    found = []
+    findings = []
     for name, unit in units.items():
         if name in result.fitted.names:
             low, high = result.fitted.interval(name)
             note = result.basis.place if name in (PER_KELVIN, PER_RATE) else ""
             value, n = result.fitted.value(name), len(result.points)
-            found.append(Finding(name, value, unit, low, high, n, note))
+            findings.append(Finding(name, value, unit, low, high, n, note))
         else:
-            found.append(Finding(name, np.nan, unit, note=result.refused[name]))
-    return tuple(found)
+            findings.append(Finding(name, np.nan, unit, note=result.refused[name]))
+    return tuple(findings)
 
 
-def _lag(result: Thermal) -> tuple[Finding, ...]:
-    """Of the first power-on, by its loop frequency."""
+def _make_lag_findings(result: Thermal) -> tuple[Finding, ...]:
+    """Thermal lag and frequency coefficient from the first power-on."""
     meter = result.thermometers[0]
     note = meter.note
     if not np.isnan(meter.lag):
@@ -121,7 +127,7 @@ def _lag(result: Thermal) -> tuple[Finding, ...]:
     )
 
 
-def _verdict(result: Thermal) -> str:
+def _describe_verdict(result: Thermal) -> str:
     span = np.ptp(result.temperature)
     spread = float(np.std(result.points.rate, ddof=1))
     ratio = spread / result.noise if result.noise > 0 else np.inf
@@ -130,25 +136,25 @@ def _verdict(result: Thermal) -> str:
     )
     return (
         f"Bias stability {spread / DEG_PER_H:.2g} deg/h over {span:.3g} K, {source}: {ratio:.3g} "
-        "times the noise that a fit by pattern angle and temperature leaves."
+        "times the residual of a fit by pattern angle and temperature."
     )
 
 
-def _warnings(result: Thermal) -> tuple[str, ...]:
-    told = list(result.refused.values())
+def _list_warnings(result: Thermal) -> tuple[str, ...]:
+    sentences = list(result.refused.values())
     if result.basis.angle is not None:
-        told.append(
+        sentences.append(
             f"figures hold {result.basis.place}: the pattern moved by "
-            f"{np.degrees(np.ptp(result.points.pattern_angle)):.3g} deg only, and the deviations "
-            "hold what it moved over"
+            f"{np.degrees(np.ptp(result.points.pattern_angle)):.3g} deg only, and the standard "
+            "deviations hold the bias map over that range"
         )
     if len(result.soaks()) < 3:
-        told.append(f"{len(result.soaks())} soaks: their deviation says little")
-    told += [f"thermal lag {m.note}" for m in result.thermometers if np.isnan(m.lag)]
-    return tuple(dict.fromkeys(told))
+        sentences.append(f"{len(result.soaks())} soaks: too few for a useful standard deviation")
+    sentences += [f"thermal lag {m.note}" for m in result.thermometers if np.isnan(m.lag)]
+    return tuple(dict.fromkeys(sentences))
 
 
-def _table(result: Thermal) -> Table:
+def _make_table(result: Thermal) -> Table:
     rows = tuple(
         (f"{level:.1f}", f"{soak.mean / DEG_PER_H:.5f}", str(soak.n))
         for level, soak in result.soaks().items()
@@ -157,10 +163,10 @@ def _table(result: Thermal) -> Table:
 
 
 def draw(figure: Figure, result: Thermal) -> None:
-    """Bias against the resonator's temperature: soaks, ramps up and down."""
+    """Draw the bias against the resonator's temperature, by soaks and ramps up and down."""
     axes = figure.add_subplot()
-    bias = (result.points.rate - result.of_pattern()) / DEG_PER_H
-    resting, up = np.abs(result.rate) < STEADY, result.rate > 0
+    bias = (result.points.rate - result.compute_map()) / DEG_PER_H
+    resting, up = np.abs(result.rate) < SOAK_RATE, result.rate > 0
     groups = (
         ("case steady", resting, "#000000", "o"),
         ("ramp up", ~resting & up, "#D55E00", "^"),
@@ -172,12 +178,12 @@ def draw(figure: Figure, result: Thermal) -> None:
         )
     axes.set_xlabel("resonator above the reference temperature, K")
     axes.set_ylabel("bias, deg/h")
-    axes.set_title(f"Bias over temperature, its map taken out ({result.basis.place})")
+    axes.set_title(f"Bias over temperature, without its map ({result.basis.place})")
     axes.grid(alpha=0.3)
     axes.legend()
 
 
-PROCEDURE = Procedure(
+PROCEDURE: Procedure = Procedure(
     name="full-temperature",
     group="bias",
     title="Bias and scale factor over temperature",

@@ -1,17 +1,17 @@
-"""Bias against the resonator's temperature, the rate of the case's, and the pattern angle."""
+"""Fit of the bias by the resonator's temperature, the rate of the case's and the pattern angle."""
 
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.bias.thermal.thermometer import Thermometer, filled, thermometer
+from pyhrg.bench.bias.thermal.thermometer import Thermometer, estimate_temperature, fill_gaps
 from pyhrg.bench.bias.thermal_programme import SETTLE
 from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
-from pyhrg.bench.estimation.terms import PatternBasis, distinguishable, pattern_basis
+from pyhrg.bench.estimation.terms import PatternBasis, choose_pattern_basis, select_separable
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.procedure import tests_of
-from pyhrg.bench.readings.dwells import Points, joined, points
+from pyhrg.bench.procedure import require_tests
+from pyhrg.bench.readings.dwells import Points, join_points, read_points
 from pyhrg.bench.readings.segments import WARM_UP
 from pyhrg.common.units import MINUTE, ZERO_CELSIUS
 from pyhrg.records import Log
@@ -20,23 +20,25 @@ from pyhrg.records.campaign import Campaign
 Array = NDArray[np.float64]
 
 KIND = "thermal"
-STEADY = 0.05 / MINUTE
-"""Soak: the case's temperature changes by less, K/s, and the resonator's is within `NEAR` of it."""
-NEAR = 0.3
-SAME = 3.0
-"""Soaks closer than this are one temperature, K."""
-LEAST_RANGE = 10.0
-"""K."""
+SOAK_RATE = 0.05 / MINUTE
+"""Largest rate of the case's temperature in a soak, K/s."""
+SOAK_DISTANCE = 0.3
+"""Largest difference of the resonator's temperature from the case's in a soak, K."""
+SOAK_SPACING = 3.0
+"""Smallest difference between the temperatures of two soaks, K."""
+SMALLEST_RANGE = 10.0
+"""Smallest range of the resonator's temperature that the test takes, K."""
 PER_KELVIN, PER_RATE = "bias per kelvin", "temperature-rate bias"
 
 
 @dataclass(frozen=True)
 class Soak:
-    """Bias at one temperature, rad/s.
+    """Bias at one temperature.
 
-    mean: over the circumference where `whole`, else over where the pattern was.
-    deviation: of the mean, by noise; freedom: degrees of freedom that it is known with.
-    n: data points.
+    mean: rad/s, over the circumference where `whole` is true, else over the data points.
+    deviation: standard error of the mean, rad/s.
+    freedom: degrees of freedom of `deviation`.
+    n: number of data points.
     """
 
     mean: float
@@ -48,12 +50,16 @@ class Soak:
 
 @dataclass(frozen=True)
 class Thermal:
-    """Data points of all power-ons, and the fit.
+    """Data points of all power-ons, and the fit of the bias to them.
 
-    temperature: (n,) of the resonator above the reference, K.
-    rate, warming: (n,) rate of the case's temperature, and of the resonator's, K/s.
-    soak: (n,) temperature of the soak that the point belongs to, degC; NaN on a ramp.
-    run: (n,) number of the power-on.
+    points: the n data points.
+    temperature: (n,) of the resonator above the reference temperature, K.
+    rate, warming: (n,) rate of the case's and of the resonator's temperature, K/s.
+    soak: (n,) temperature of the data point's soak, degC; NaN on a ramp.
+    run: (n,) number of the data point's power-on.
+    thermometers: one for each power-on.
+    basis: dependence on the pattern angle.
+    refused: by name, a sentence on each term that the records can't separate.
     """
 
     points: Points
@@ -69,69 +75,71 @@ class Thermal:
 
     @property
     def noise(self) -> float:
-        """Standard deviation of a data point's noise, rad/s: of the fit's residual."""
+        """Standard deviation of a data point's noise, rad/s, from the residual of the fit."""
         residual = self.fitted.residual
         return float(np.sqrt(residual @ residual / self.fitted.freedom))
 
-    def of_pattern(self) -> Array:
-        """(n,) part of the fit that depends on the pattern angle, rad/s."""
-        columns = _columns(self.basis, self.temperature, self.rate, self.warming)
+    def compute_map(self) -> Array:
+        """(n,) part of the fitted bias that depends on the pattern angle, rad/s."""
+        columns = _make_columns(self.basis, self.temperature, self.rate, self.warming)
         turning = [n for n in self.fitted.names if n.endswith(tuple(self.basis.columns))]
         parts = [self.fitted.value(name) * columns[name] for name in turning]
         return np.asarray(np.sum(parts, axis=0) + np.zeros(len(self.points)))
 
     def soaks(self, run: int | None = None) -> dict[float, Soak]:
-        """By temperature, degC, of one power-on or all."""
-        mine = np.isfinite(self.soak) & ((self.run == run) | (run is None))
-        levels = np.unique(self.soak[mine])
-        return {float(t): _soak(self.points.part(mine & (self.soak == t))) for t in levels}
+        """Soaks by temperature, degC, of one power-on or of all."""
+        chosen = np.isfinite(self.soak) & ((self.run == run) | (run is None))
+        levels = np.unique(self.soak[chosen])
+        masks = {float(level): chosen & (self.soak == level) for level in levels}
+        return {level: _summarize_soak(self.points.part(mask)) for level, mask in masks.items()}
 
 
-def _soak(found: Points) -> Soak:
-    basis = pattern_basis(found.pattern_angle)
-    if basis.angle is not None or len(found) < 6:
-        deviation = np.std(found.rate, ddof=1) / np.sqrt(len(found)) if len(found) > 1 else np.nan
-        return Soak(float(np.mean(found.rate)), float(deviation), len(found) - 1, len(found), False)
-    fitted = fit({MEAN: np.ones(len(found)), **basis.columns}, found.rate)
-    return Soak(fitted.value(MEAN), fitted.deviation(MEAN), fitted.freedom, len(found), True)
+def _summarize_soak(points: Points) -> Soak:
+    basis, n = choose_pattern_basis(points.pattern_angle), len(points)
+    if basis.angle is not None or n < 6:
+        deviation = np.std(points.rate, ddof=1) / np.sqrt(n) if n > 1 else np.nan
+        return Soak(float(np.mean(points.rate)), float(deviation), n - 1, n, whole=False)
+    fitted = fit({MEAN: np.ones(n), **basis.columns}, points.rate)
+    return Soak(fitted.value(MEAN), fitted.deviation(MEAN), fitted.freedom, n, whole=True)
 
 
-def measured(campaign: Campaign) -> Thermal:
-    """Fit all thermal tests together.
+def fit_temperature(campaign: Campaign) -> Thermal:
+    """Fit of all thermal tests together.
 
     Raises:
         BenchError: the resonator's temperature changes by less than 10 K.
     """
-    believed = campaign.nominal.get("thermal_lag_s")
+    nominal_lag = campaign.nominal.get("thermal_lag_s")
     reference = campaign.nominal.get("reference_temperature_degC", 25.0) + ZERO_CELSIUS
-    logs = [test.log for test in tests_of(campaign, KIND)]
-    parts = [points(log, campaign.site.latitude, SETTLE, warm_up=WARM_UP) for log in logs]
-    meters = tuple(thermometer(log, believed) for log in logs)
+    logs = [test.log for test in require_tests(campaign, KIND)]
+    parts = [read_points(log, campaign.site.latitude, SETTLE, warm_up=WARM_UP) for log in logs]
+    meters = tuple(estimate_temperature(log, nominal_lag) for log in logs)
     warm, rates, warming, case = (
-        np.concatenate(c) for c in zip(*map(_heat, logs, meters, parts), strict=True)
+        np.concatenate(c) for c in zip(*map(_read_temperatures, logs, meters, parts), strict=True)
     )
-    if np.ptp(warm) < LEAST_RANGE:
+    if np.ptp(warm) < SMALLEST_RANGE:
         names = ", ".join(log.source for log in logs)
         raise BenchError(
             f"{names}: the resonator's temperature changes by {np.ptp(warm):.3g} K; "
-            f"the test needs at least {LEAST_RANGE:g} K"
+            f"the test needs at least {SMALLEST_RANGE:g} K"
         )
-    found = joined(parts)
-    steady = (np.abs(rates) < STEADY) & (np.abs(warm - case) < NEAR)
-    basis = pattern_basis(found.pattern_angle)
-    wanted = _columns(basis, warm - reference, rates, warming)
-    columns, refused = distinguishable(wanted)
+    data = join_points(parts)
+    steady = (np.abs(rates) < SOAK_RATE) & (np.abs(warm - case) < SOAK_DISTANCE)
+    basis = choose_pattern_basis(data.pattern_angle)
+    wanted = _make_columns(basis, warm - reference, rates, warming)
+    columns, refused = select_separable(wanted)
     run = np.repeat(np.arange(len(parts)), [len(p) for p in parts])
-    soak = _soaks(case - ZERO_CELSIUS, steady)
-    fitted = fit(columns, found.rate)
+    soak = _group_soaks(case - ZERO_CELSIUS, steady)
+    fitted = fit(columns, data.rate)
     return Thermal(
-        found, warm - reference, rates, warming, soak, run, meters, basis, fitted, refused
+        data, warm - reference, rates, warming, soak, run, meters, basis, fitted, refused
     )
 
 
-def _heat(log: Log, meter: Thermometer, part: Points) -> tuple[Array, ...]:
-    """Of each point: resonator's temperature, case's rate, resonator's rate, case's temperature."""
-    case = filled(log.temperature)
+def _read_temperatures(log: Log, meter: Thermometer, part: Points) -> tuple[Array, ...]:
+    """For each data point: temperature of the resonator, K, rates of the case's and of the
+    resonator's temperature, K/s, and temperature of the case, K."""
+    case = fill_gaps(log.temperature)
     rows = list(zip(part.first, part.last, strict=True))
     warm, mean = (
         np.array([np.mean(values[a : b + 1]) for a, b in rows])
@@ -144,11 +152,14 @@ def _heat(log: Log, meter: Thermometer, part: Points) -> tuple[Array, ...]:
     return warm, rate, warming, mean
 
 
-def _columns(basis: PatternBasis, warm: Array, rate: Array, warming: Array) -> dict[str, Array]:
-    """Terms of the fit: map, temperature, its rate, and how the map changes with temperature.
+def _make_columns(
+    basis: PatternBasis, warm: Array, rate: Array, warming: Array
+) -> dict[str, Array]:
+    """Columns (n,) of the fit: bias map, temperature, its rate, and changes of the map with both.
 
-    Pick-off gains that change while the resonator warms turn the detected angle: a bias that goes
-    with the resonator's rate and a fourth harmonic, at one pattern angle a constant.
+    Pick-off gains that change while the resonator warms turn the detected angle. The bias from that
+    is proportional to the rate of the resonator's temperature and to a fourth harmonic, which at
+    one pattern angle is a constant.
     """
     columns = {MEAN: np.ones_like(warm), **basis.columns, PER_KELVIN: warm, PER_RATE: rate}
     columns |= {f"{PER_KELVIN} {name}": warm * c for name, c in basis.columns.items()}
@@ -159,10 +170,10 @@ def _columns(basis: PatternBasis, warm: Array, rate: Array, warming: Array) -> d
     return columns | {f"per kelvin squared {n}": warm**2 * c for n, c in basis.columns.items()}
 
 
-def _soaks(case: Array, steady: NDArray[np.bool_]) -> Array:
-    """(n,) mean temperature of the points' soak, NaN where there is none."""
+def _group_soaks(case: Array, steady: NDArray[np.bool_]) -> Array:
+    """(n,) mean temperature of each data point's soak, degC; NaN on a ramp."""
     order = np.argsort(case[steady])
-    jumps = np.diff(case[steady][order], prepend=-np.inf) > SAME
+    jumps = np.diff(case[steady][order], prepend=-np.inf) > SOAK_SPACING
     group = np.empty(len(order), dtype=int)
     group[order] = np.cumsum(jumps)
     soak = np.full(len(case), np.nan)

@@ -1,4 +1,4 @@
-"""Temperature of the resonator from the case's: the loop frequency as thermometer finds the lag."""
+"""Temperature of the resonator, which lags behind the case's; the loop frequency shows the lag."""
 
 from dataclasses import dataclass
 
@@ -10,20 +10,21 @@ from pyhrg.records import Log
 
 Array = NDArray[np.float64]
 
-LAGS = (20.0, 7200.0)
-"""Thermal lags that are looked for, s."""
-SEEN = 0.999
-"""Share of the frequency's variance that temperature explains where it is a thermometer."""
+LAG_BOUNDS = (20.0, 7200.0)
+"""Range in which the thermal lag is searched, s."""
+EXPLAINED_SHARE = 0.999
+"""Smallest share (chosen) of the loop frequency's variance that the temperature must explain, for
+the frequency to be used as a thermometer."""
 
 
 @dataclass(frozen=True)
 class Thermometer:
     """Temperature of the resonator in a log.
 
-    temperature: (n,) at the rows' ends, K.
-    lag: behind the case, s; NaN where nothing shows it.
-    frequency_per_kelvin: of the loop, rad/s/K; NaN likewise.
-    note: where the lag is from.
+    temperature: (n,) at the ends of the rows, K.
+    lag: time constant behind the case, s; NaN where the record doesn't show it.
+    frequency_per_kelvin: change of the loop frequency, rad/s/K; NaN where `lag` is.
+    note: what the lag is taken from.
     """
 
     temperature: Array
@@ -32,35 +33,33 @@ class Thermometer:
     note: str
 
 
-def thermometer(log: Log, believed_lag: float | None = None) -> Thermometer:
-    """Resonator's temperature of a first-order lag, equal to the case's at power-on.
+def estimate_temperature(log: Log, nominal_lag: float | None = None) -> Thermometer:
+    """Temperature of the resonator: first-order lag, equal to the case's at power-on.
 
     Args:
-        log: one power-on, the case's temperature changes.
-        believed_lag: taken where the loop frequency does not follow the temperature, s.
+        log: one power-on in which the case's temperature changes.
+        nominal_lag: used where the loop frequency does not follow the temperature, s.
     """
     log.require("temperature", "frequency_offset")
 
     def misfit(lag: float) -> float:
-        return _fit(log, lag)[1]
+        return _fit_frequency(log, lag)[1]
 
-    best = optimize.minimize_scalar(misfit, bounds=LAGS, method="bounded")
-    slope, unexplained = _fit(log, float(best.x))
-    if unexplained < 1 - SEEN:
+    best = optimize.minimize_scalar(misfit, bounds=LAG_BOUNDS, method="bounded")
+    slope, unexplained = _fit_frequency(log, float(best.x))
+    if unexplained < 1 - EXPLAINED_SHARE:
         lag = float(best.x)
-        return Thermometer(lagged(log, lag), lag, slope, "by the loop frequency")
-    if believed_lag:
-        note = (
-            "not seen: the loop frequency doesn't follow the temperature; the nominal lag is taken"
-        )
-        return Thermometer(lagged(log, believed_lag), np.nan, np.nan, note)
-    note = "not known: the case's temperature is taken for the resonator's"
-    return Thermometer(filled(log.temperature), np.nan, np.nan, note)
+        return Thermometer(compute_lagged(log, lag), lag, slope, "by the loop frequency")
+    if nominal_lag:
+        note = "not visible: loop frequency doesn't follow the temperature; the nominal lag is used"
+        return Thermometer(compute_lagged(log, nominal_lag), np.nan, np.nan, note)
+    note = "unknown: the case's temperature is used for the resonator's"
+    return Thermometer(fill_gaps(log.temperature), np.nan, np.nan, note)
 
 
-def lagged(log: Log, lag: float) -> Array:
-    """(n,) temperature of a body that follows the case, linear within a row, with a lag, K."""
-    case = filled(log.temperature)
+def compute_lagged(log: Log, lag: float) -> Array:
+    """(n,) temperature, K, that follows the case's, linear within a row, with a lag, s."""
+    case = fill_gaps(log.temperature)
     step = log.interval
     decay = np.exp(-step / lag)
     old, new = (1 - decay) * lag / step - decay, 1 - (1 - decay) * lag / step
@@ -69,9 +68,10 @@ def lagged(log: Log, lag: float) -> Array:
     return np.asarray(signal.lfilter([1.0], [1.0, -decay], driven, zi=[decay * case[0]])[0])
 
 
-def _fit(log: Log, lag: float) -> tuple[float, float]:
-    """Slope of frequency over lagged temperature, and the share of variance that is left."""
-    ends = lagged(log, lag)
+def _fit_frequency(log: Log, lag: float) -> tuple[float, float]:
+    """Slope of the loop frequency against the lagged temperature, and the unexplained share of its
+    variance."""
+    ends = compute_lagged(log, lag)
     means = (ends + np.concatenate((ends[:1], ends[:-1]))) / 2
     good = np.isfinite(log.frequency_offset)
     x, y = means[good], log.frequency_offset[good]
@@ -82,8 +82,8 @@ def _fit(log: Log, lag: float) -> tuple[float, float]:
     return slope, float(np.sum((y - slope * x) ** 2) / np.sum(y**2))
 
 
-def filled(values: Array) -> Array:
-    """Linear through gaps."""
+def fill_gaps(values: Array) -> Array:
+    """Values (n,) with gaps filled by linear interpolation."""
     known = np.isfinite(values)
     rows = np.arange(len(values))
     return np.asarray(np.interp(rows, rows[known], values[known]))

@@ -1,1 +1,1 @@
-"""Which noise of the output angle goes beyond the believed one."""
+"""Which noise of the output angle goes beyond the stated one."""

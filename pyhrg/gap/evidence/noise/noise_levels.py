@@ -1,4 +1,4 @@
-"""How likely records are at levels of the output angle's noise, and the level that is likeliest."""
+"""Likelihood of the output angle's residuals at given noise levels, and the most probable level."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -8,36 +8,38 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
-from pyhrg.gap.whitening.whitening import SlowNoise, whitened
+from pyhrg.gap.whitening.whitening import NoiseModel, whiten
 
 Array = NDArray[np.float64]
 
 PARTS = {
-    "angle_random_walk": "walk",
-    "rate_random_walk": "rate_walk",
-    "bias_instability": "flicker",
-    "pickoff_noise": "white",
+    "angle_random_walk": "angle_random_walk",
+    "rate_random_walk": "rate_random_walk",
+    "bias_instability": "bias_instability",
+    "angle_white_noise": "white",
 }
-"""Part of `SlowNoise` by field of a device."""
-RANGE = (1e-3, 1e3)
-"""Levels of an added noise over its usual size; flat in the logarithm between them."""
-SAME_LEVEL = 0.02
-"""Share by which two levels differ that are one."""
-GRID = 13
-"""Levels that are looked at over the range before the likeliest is found."""
-FINELY = 0.01
-"""To which its logarithm is found."""
-CURVATURE = 0.1
-"""Step of the logarithm by which the likelihood's curvature is taken."""
+"""Field of `NoiseModel` by field of `Device`."""
+LEVEL_RANGE = (1e-3, 1e3)
+"""Range of an added noise's level over its typical one; its prior is flat in the logarithm between.
+Chosen."""
+LEVEL_TOLERANCE = 0.02
+"""Two levels are equal when they differ by less than this share. Chosen: well below the 3 % to
+which a stated level is known."""
+GRID_LEVELS = 13
+"""Levels over the range that are tried before the maximum is refined: two per decade. Chosen."""
+LEVEL_PRECISION = 0.01
+"""Precision of the logarithm of the most probable level. Chosen."""
+CURVATURE_STEP = 0.1
+"""Step of the level's logarithm in the second difference that gives the curvature. Chosen."""
 
 
 @dataclass(frozen=True)
-class AngleRecord:
-    """What is left of an output angle when all that is explained is taken out.
+class AngleResidual:
+    """Residual of the output angle in one test.
 
     angle: (n,) rad.
-    steps: (n,) time from the reading before, s.
-    encoder: white noise that is none of the gyro's, rad.
+    steps: (n,) time since the reading before, s.
+    encoder: white noise of the turntable's encoder, rad.
     """
 
     angle: Array
@@ -45,56 +47,59 @@ class AngleRecord:
     encoder: float = 0.0
 
 
-def alike(one: SlowNoise, other: SlowNoise) -> bool:
-    """Whether levels differ by less than what can be told."""
-    pairs = [(getattr(one, part), getattr(other, part)) for part in PARTS.values()]
-    if one.correlated and other.correlated:
-        pairs.append((one.correlated.level, other.correlated.level))
-    kinds = [noise.correlated and noise.correlated.kind for noise in (one, other)]
-    return kinds[0] == kinds[1] and all(abs(a - b) <= SAME_LEVEL * max(a, b) for a, b in pairs)
+def are_equal(noise: NoiseModel, other: NoiseModel) -> bool:
+    """Whether two noises have the same parts at levels that differ by less than the tolerance."""
+    pairs = [(getattr(noise, part), getattr(other, part)) for part in PARTS.values()]
+    if noise.correlated and other.correlated:
+        pairs.append((noise.correlated.level, other.correlated.level))
+    kinds = [n.correlated and n.correlated.kind for n in (noise, other)]
+    return kinds[0] == kinds[1] and all(abs(a - b) <= LEVEL_TOLERANCE * max(a, b) for a, b in pairs)
 
 
-def log_likelihood(records: Sequence[AngleRecord], noise: SlowNoise) -> float:
-    """Of records under a noise, but for a constant."""
+def log_likelihood(residuals: Sequence[AngleResidual], noise: NoiseModel) -> float:
+    """Log likelihood of residuals under a noise, up to a constant."""
     total = 0.0
-    for record in records:
-        white = whitened(record.angle[:, None], record.steps, noise.louder(record.encoder))
+    for residual in residuals:
+        white = whiten(residual.angle[:, None], residual.steps, noise.add_white(residual.encoder))
         total -= (float((white.series**2).sum()) + white.log_determinant) / 2
     return total
 
 
 @dataclass(frozen=True)
 class Level:
-    """The likeliest level of an added noise.
+    """The most probable level of an added noise.
 
-    logarithm: of it.
-    gain: there, of the logarithm of likelihood and other priors.
-    deviation: of the logarithm.
+    logarithm: logarithm of the level.
+    gain: gain in log posterior density at this level.
+    sigma: standard deviation of the logarithm.
     """
 
     logarithm: float
     gain: float
-    deviation: float
+    sigma: float
 
     def log_prior(self, odds: float) -> float:
-        """Of a noise of these prior odds, its level integrated out (Laplace)."""
-        width = math.log(RANGE[1] / RANGE[0])
-        return math.log(odds * self.deviation * math.sqrt(2 * math.pi) / width)
+        """What prior odds and Laplace's integral over the level add to the log odds of the noise
+        (docs/methods/evidence.md, Eq. (12))."""
+        width = math.log(LEVEL_RANGE[1] / LEVEL_RANGE[0])
+        return math.log(odds * self.sigma * math.sqrt(2 * math.pi) / width)
 
 
-def level_found(gain: Callable[[float], float], scale: float) -> Level:
-    """The likeliest level.
+def fit_level(gain: Callable[[float], float], scale: float) -> Level:
+    """Find the most probable level.
 
     Args:
-        gain: by the level's logarithm.
-        scale: a level that is nothing special.
+        gain: gain in log posterior density by the level's logarithm.
+        scale: a typical level.
     """
-    low, high = (math.log(scale * end) for end in RANGE)
-    grid = np.linspace(low, high, GRID)
+    low, high = (math.log(scale * end) for end in LEVEL_RANGE)
+    grid = np.linspace(low, high, GRID_LEVELS)
     values = [gain(x) for x in grid]
     top = int(np.argmax(values))
     bounds = (grid[max(top - 1, 0)], grid[min(top + 1, len(grid) - 1)])
-    best = float(minimize_scalar(lambda x: -gain(x), bounds=bounds, options={"xatol": FINELY}).x)
+    options = {"xatol": LEVEL_PRECISION}
+    best = float(minimize_scalar(lambda x: -gain(x), bounds=bounds, options=options).x)
     peak = gain(best)
-    curvature = -(gain(best + CURVATURE) - 2 * peak + gain(best - CURVATURE)) / CURVATURE**2
+    second = gain(best + CURVATURE_STEP) - 2 * peak + gain(best - CURVATURE_STEP)
+    curvature = -second / CURVATURE_STEP**2
     return Level(best, peak, 1 / math.sqrt(max(curvature, 1 / (high - low) ** 2)))

@@ -1,4 +1,4 @@
-"""A step in which the output angle is counted, seen in the angles themselves."""
+"""Quantization of the output angle, estimated from the angles themselves (Eq. (18))."""
 
 import math
 from collections.abc import Sequence
@@ -10,98 +10,103 @@ from numpy.typing import NDArray
 from pyhrg.common.units import ARCSEC
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import NOISE_EFFECTS, NOISES, NoiseEffect
-from pyhrg.gap.evidence.noise.noise_search import NORMAL_95, AddedNoise, NoiseFound
-from pyhrg.gap.evidence.noise.unstated_noise import STILL
-from pyhrg.gap.replay.observations import Observed
+from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise, NoiseHypothesis
+from pyhrg.gap.evidence.noise.unstated_noise import REST_RATE
+from pyhrg.gap.replay.observations import ObservedTest
 
 Array = NDArray[np.float64]
 
-COUNTED = NOISE_EFFECTS["angle_quantisation"]
-FINEST, COARSEST = 0.01 * ARCSEC, 10 * ARCSEC
-"""Steps that are looked for, rad."""
-SAMPLE = 200
-"""Second differences that are compared."""
-SAME = 1e-3 * FINEST
-"""Distance below which two of them are one, rad."""
-BETWEEN = 0.02
-"""Share of neighbours that are neither one nor a step apart, on no lattice."""
-LATTICE = 0.98
-"""Length of the mean phasor of angles on a lattice; of noise that spreads over steps it is less."""
-FEW_STEPS = 20
-"""Steps from zero up to which the step is fitted."""
-ROUGH = 2.0
-"""Step over the noise of a reading up to which its error is noise: what repeats of it is less than
-exp(-2 pi^2/ROUGH^2) of a step."""
-KNOWN = 0.05
-"""Share by which a believed step may differ from the one that is seen."""
+QUANTIZATION = NOISE_EFFECTS["angle_quantisation"]
+MIN_STEP, MAX_STEP = 0.01 * ARCSEC, 10 * ARCSEC
+"""Range of quantization steps that are looked for, rad. Chosen."""
+SAMPLES = 200
+"""Number of second differences that are compared with each other. Chosen."""
+ROUNDING_ERROR = 1e-3 * MIN_STEP
+"""Two second differences that differ by less are equal, rad. Chosen."""
+MAX_OFF_LATTICE = 0.02
+"""Share of neighbouring second differences that may differ by more than rounding and by less than
+the smallest step; with more of them the angles are on no lattice. Chosen."""
+MIN_PHASOR = 0.98
+"""Least length of the mean phasor (Eq. (18)) of angles on a lattice. Chosen."""
+MAX_COUNT = 20
+"""Largest second difference, in steps, that is used to fit the step. Chosen."""
+COARSE_RATIO = 2.0
+"""Ratio of the quantization step to the white noise of a reading above which the quantization error
+repeats with the angle. Below it the repeating part is less than exp(-2 pi^2 / ratio^2) = 0.7 % of a
+step. Chosen."""
+STEP_TOLERANCE = 0.05
+"""A stated step that differs from the estimated one by less than this share is no gap. Chosen."""
 
 
-def counted(
-    found: NoiseFound,
-    tests: Sequence[Observed],
-    believed: float,
+def add_quantization(
+    hypothesis: NoiseHypothesis,
+    tests: Sequence[ObservedTest],
+    stated_step: float,
     noises: Sequence[NoiseEffect] = NOISES,
-) -> NoiseFound:
-    """Noises with the step that an output is counted in, in place of the noise of the angle that it
-    is: white, or lasting where the angle moves slowly.
+) -> NoiseHypothesis:
+    """The hypothesis with the quantization of the output, where there is one that is not stated.
+
+    It replaces added white noise and unnamed noise of the angle, which stood in for it.
 
     Args:
-        found: noises of the output angle.
-        tests: that it was found in.
-        believed: step, rad; 0 where none is.
-        noises: of the catalogue.
+        hypothesis: noise of the output angle.
+        tests: tests to which it was fitted.
+        stated_step: quantization step that the nominal gyro states, rad; 0 where it states none.
+        noises: noises of the catalogue.
     """
-    step = quantum(tests) if COUNTED in noises else None
-    if step is None or abs(step[0] - believed) < KNOWN * believed:
-        return found
-    value, spread = step
-    ends = (value - NORMAL_95 * spread, value + NORMAL_95 * spread)
-    others = [added for added in found.added if added.effect.name != "angle_white_noise"]
-    lasting = found.nameless if found.nameless and found.nameless.correlated.of_rate else None
-    counting = AddedNoise(COUNTED, value, ends, math.inf, 0.0)
-    return replace(found, added=(*others, counting), nameless=lasting)
+    step = find_quantization_step(tests) if QUANTIZATION in noises else None
+    if step is None or abs(step[0] - stated_step) < STEP_TOLERANCE * stated_step:
+        return hypothesis
+    value, sigma = step
+    ends = (value - NORMAL_95 * sigma, value + NORMAL_95 * sigma)
+    others = [added for added in hypothesis.added if added.effect.name != "angle_white_noise"]
+    unnamed = hypothesis.unnamed
+    of_rate = unnamed if unnamed and unnamed.correlated.of_rate else None
+    quantization = AddedNoise(QUANTIZATION, value, ends, math.inf, 0.0)
+    return replace(hypothesis, added=(*others, quantization), unnamed=of_rate)
 
 
-def is_rough(found: NoiseFound, believed: Device) -> bool:
-    """Whether the output is counted in steps so large beside its noise that the error of counting
-    repeats with the angle, and is no noise."""
-    steps = [added.total for added in found.added if added.effect is COUNTED]
-    return max(steps, default=believed.angle_quantum) > ROUGH * believed.pickoff_noise
+def is_coarsely_quantized(hypothesis: NoiseHypothesis, nominal: Device) -> bool:
+    """Whether the quantization step is so large beside the noise of a reading that the quantization
+    error repeats with the angle, and is no noise."""
+    steps = [added.total for added in hypothesis.added if added.effect is QUANTIZATION]
+    return max(steps, default=nominal.quantization_step) > COARSE_RATIO * nominal.angle_white_noise
 
 
-def quantum(tests: Sequence[Observed]) -> tuple[float, float] | None:
-    """Step of the output angle and its standard deviation, rad; None where there is none.
+def find_quantization_step(tests: Sequence[ObservedTest]) -> tuple[float, float] | None:
+    """Quantization step of the output angle and its standard deviation, rad; None where the angles
+    are on no lattice.
 
-    Second differences of angles on a lattice are on it too.
+    Second differences of angles on a lattice are on the same lattice.
 
     Args:
-        tests: of which those without rotation count.
+        tests: only those without rotation are used.
     """
-    bends = _bends(tests)
-    sample = np.sort(bends[:: max(1, len(bends) // SAMPLE)])
+    differences = _second_differences(tests)
+    sample = np.sort(differences[:: max(1, len(differences) // SAMPLES)])
     gaps = np.diff(sample)
-    steps = gaps[gaps >= FINEST]
-    if len(sample) < SAMPLE / 2 or not len(steps):
+    steps = gaps[gaps >= MIN_STEP]
+    if len(sample) < SAMPLES / 2 or not len(steps):
         return None
-    if np.mean((gaps > SAME) & (gaps < FINEST)) > BETWEEN:
+    if np.mean((gaps > ROUNDING_ERROR) & (gaps < MIN_STEP)) > MAX_OFF_LATTICE:
         return None
-    near = sample[np.abs(sample) < FEW_STEPS * steps.min()]
-    counts = np.round(near / steps.min())
+    small = sample[np.abs(sample) < MAX_COUNT * steps.min()]
+    counts = np.round(small / steps.min())
     power = float(counts @ counts)
-    step = float(near @ counts) / power if power else 0.0
-    if not FINEST <= step <= COARSEST:
+    step = float(small @ counts) / power if power else 0.0
+    if not MIN_STEP <= step <= MAX_STEP:
         return None
-    if abs(np.exp(2j * math.pi * bends / step).mean()) < LATTICE:
+    if abs(np.exp(2j * math.pi * differences / step).mean()) < MIN_PHASOR:
         return None
-    off = float(np.std(near - step * counts))
-    return step, max(off, SAME) / math.sqrt(power)
+    scatter = float(np.std(small - step * counts))
+    return step, max(scatter, ROUNDING_ERROR) / math.sqrt(power)
 
 
-def _bends(tests: Sequence[Observed]) -> Array:
+def _second_differences(tests: Sequence[ObservedTest]) -> Array:
     parts = [
         np.diff(t.log.gyro_angle, 2)
         for t in tests
-        if np.abs(t.inputs.table.rates).max() < STILL and not np.ptp(t.log.virtual_rotation)
+        if np.abs(t.inputs.table.rates).max() < REST_RATE and not np.ptp(t.log.virtual_rotation)
     ]
-    bends = np.concatenate(parts) if parts else np.empty(0)
-    return np.asarray(bends[np.isfinite(bends)])
+    differences = np.concatenate(parts) if parts else np.empty(0)
+    return np.asarray(differences[np.isfinite(differences)])

@@ -1,1 +1,1 @@
-"""Drawings of the page."""
+"""Figures of the page as SVG."""

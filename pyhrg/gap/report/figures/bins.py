@@ -1,4 +1,4 @@
-"""Residuals gathered in bins of a coordinate, with what noise alone leaves in each."""
+"""Mean residuals in bins of a coordinate, with the 95 % band of noise in each bin."""
 
 from dataclasses import dataclass
 
@@ -6,17 +6,18 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
-from pyhrg.gap.report.figures.views import TURN, Axis
+from pyhrg.gap.report.figures.views import FULL_TURN, Axis
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
 class Residual:
-    """A channel of a test, in the unit of its view.
+    """Residual of a channel in a test, in the unit of its view.
 
-    before, after: (n,) NaN where they are not compared.
-    noise: (n, d) draws of noise alone.
+    before, after: (n,) of the nominal and of the identified gyro; NaN where record and simulation
+        are not compared.
+    noise: (n, d) simulated noise of the channel, d independent draws.
     """
 
     before: Array
@@ -26,12 +27,12 @@ class Residual:
 
 @dataclass(frozen=True)
 class Bins:
-    """Sums over the rows of each bin.
+    """Sums over the rows of each of b bins.
 
-    edges: (b + 1,) of the coordinate.
-    counts: (b,).
-    before, after: (b,).
-    noise: (b, d).
+    edges: (b + 1,) of the bins, in the coordinate's unit.
+    counts: (b,) rows.
+    before, after: (b,) residual of the nominal and of the identified gyro.
+    noise: (b, d) simulated noise.
     """
 
     edges: Array
@@ -41,7 +42,7 @@ class Bins:
     noise: Array
 
     def __add__(self, other: "Bins") -> "Bins":
-        """Both, in the same bins."""
+        """Sums over the rows of two tests, in the same bins."""
         return Bins(
             self.edges,
             self.counts + other.counts,
@@ -52,62 +53,64 @@ class Bins:
 
     @property
     def means(self) -> "Means":
-        """Of the bins that have rows."""
-        there = self.counts > 0
-        n = self.counts[there]
-        centres = (self.edges[1:] + self.edges[:-1])[there] / 2
-        band = 1.96 * np.sqrt((self.noise[there] ** 2).mean(axis=1)) / n
+        """Mean residual of the bins that have rows."""
+        kept = self.counts > 0
+        n = self.counts[kept]
+        centres = (self.edges[1:] + self.edges[:-1])[kept] / 2
+        band = 1.96 * np.sqrt((self.noise[kept] ** 2).mean(axis=1)) / n
         width = float(self.edges[1] - self.edges[0])
-        return Means(centres, width, self.before[there] / n, self.after[there] / n, band)
+        return Means(centres, width, self.before[kept] / n, self.after[kept] / n, band)
 
 
 @dataclass(frozen=True)
 class Means:
     """Mean residual in each bin that has rows, (b,) each.
 
-    at: middles of the bins.
+    centres: of the bins, in the coordinate's unit.
     width: of a bin.
-    band: that noise alone stays within in 95 % of cases, either way.
+    before, after: mean residual of the nominal and of the identified gyro.
+    band: half width of the interval around zero that holds the mean of noise with 95 % probability.
     """
 
-    at: Array
+    centres: Array
     width: float
     before: Array
     after: Array
     band: Array
 
-    def outside(self, values: Array) -> int:
-        """Bins in which noise alone would rarely be."""
+    def count_outside(self, values: Array) -> int:
+        """Number of bins whose value lies outside the band."""
         return int((np.abs(values) > self.band).sum())
 
 
-def edges(axis: Axis, low: float, high: float) -> Array:
-    """Of bins over a range, whose ends are in the middle of the first and the last; an angle's go
-    round."""
-    if axis.turns:
-        return np.linspace(0.0, TURN, axis.bins + 1)
+def compute_edges(axis: Axis, low: float, high: float) -> Array:
+    """(b + 1,) edges of bins over a range, whose ends are the centres of the first and of the last
+    bin. The bins of an angle cover a full turn."""
+    if axis.is_angle:
+        return np.linspace(0.0, FULL_TURN, axis.bins + 1)
     half = (high - low) / (axis.bins - 1) / 2
     return np.linspace(low - half, high + half, axis.bins + 1)
 
 
-def gathered(values: Array, bounds: Array, axis: Axis, residual: Residual) -> Bins:
-    """Rows by bin; those outside and those that are not compared are left out.
+def sum_in_bins(values: Array, edges: Array, axis: Axis, residual: Residual) -> Bins:
+    """Sums over the rows of each bin. Rows outside all bins and rows that are not compared are left
+    out.
 
     Args:
-        values: (n,) of the coordinate.
-        bounds: (b + 1,) of the bins.
-        axis: the coordinate's.
-        residual: of the rows.
+        values: (n,) the coordinate at each row.
+        edges: (b + 1,) of the bins.
+        axis: of the coordinate.
+        residual: n rows.
     """
-    place = np.mod(values, TURN) if axis.turns else values
+    place = np.mod(values, FULL_TURN) if axis.is_angle else values
     rows = np.isfinite(residual.before) & np.isfinite(residual.after) & np.isfinite(place)
-    index = np.searchsorted(bounds, place[rows], side="right") - 1
-    index[place[rows] == bounds[-1]] = len(bounds) - 2
-    b = len(bounds) - 1
-    # sums of draws that miss no row: noise of rows that are not compared is left out alike
+    index = np.searchsorted(edges, place[rows], side="right") - 1
+    index[place[rows] == edges[-1]] = len(edges) - 2
+    b = len(edges) - 1
+    # noise is drawn for all rows and summed over the rows that are compared
     sums = csr_array((np.ones(len(index)), (index, np.arange(len(index)))), shape=(b, len(index)))
     return Bins(
-        bounds,
+        edges,
         np.bincount(index, minlength=b).astype(float),
         sums @ residual.before[rows],
         sums @ residual.after[rows],
@@ -115,14 +118,14 @@ def gathered(values: Array, bounds: Array, axis: Axis, residual: Residual) -> Bi
     )
 
 
-def extremes(values: Array, bins: int) -> tuple[Array, Array, Array]:
-    """Row, lowest and highest value of stretches of rows, those without a value left out.
+def find_extremes(values: Array, count: int) -> tuple[Array, Array, Array]:
+    """Middle row, lowest and highest value of each stretch of rows that has values.
 
     Args:
-        values: (n,) NaN where there is none.
-        bins: stretches at most.
+        values: (n,) NaN where a row has no value.
+        count: largest number of stretches.
     """
-    stretches = np.array_split(np.arange(len(values)), min(bins, len(values)))
+    stretches = np.array_split(np.arange(len(values)), min(count, len(values)))
     kept = [s[np.isfinite(values[s])] for s in stretches]
     kept = [s for s in kept if len(s)]
     return (

@@ -1,4 +1,4 @@
-"""Residuals before and after against each coordinate, channel by channel, test by test."""
+"""Panels of the residuals against each coordinate, by channel and by test."""
 
 import html
 from collections.abc import Sequence
@@ -7,22 +7,31 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.gap.diagnose import Diagnosed
-from pyhrg.gap.report.figures.bins import Bins, Means, Residual, edges, gathered
-from pyhrg.gap.report.figures.strips import Band, Labels, Size, Strip, drawing
-from pyhrg.gap.report.figures.views import AXES, VIEWS, Axis, View, along, moving, noises
+from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.report.figures.bins import Bins, Means, Residual, compute_edges, sum_in_bins
+from pyhrg.gap.report.figures.strips import Band, Labels, Size, Strip, draw_strips
+from pyhrg.gap.report.figures.views import (
+    AXES,
+    VIEWS,
+    Axis,
+    View,
+    compute_axis_values,
+    draw_view_noise,
+    find_moving_axes,
+)
 
 Array = NDArray[np.float64]
 
 ALL = "all"
+"""Stands for all tests together."""
 SIZE = Size(420, 112, 5)
-MOST = 330
-"""Panels of single tests; a page of more is heavy."""
+MAX_PANELS = 330
+"""Largest number of panels of single tests, which keeps the page below 3 MB (chosen)."""
 
 
 @dataclass(frozen=True)
 class Panel:
-    """A view against an axis; test: its id, or `ALL`."""
+    """A view against an axis, of one test (its id) or of all (`ALL`)."""
 
     test: str
     view: View
@@ -32,96 +41,105 @@ class Panel:
 
 @dataclass(frozen=True)
 class Panels:
-    """All of them, and the tests that have none of their own for want of room."""
+    """All panels, and the tests that have no panels of their own for lack of room."""
 
     panels: tuple[Panel, ...]
     left_out: tuple[str, ...]
 
 
-def panels(found: Diagnosed) -> Panels:
-    """Gather all residuals."""
-    where = [along(test, found.believed) for test in found.tests]
-    bounds = _bounds(where)
-    room, own = MOST, []
+def compute_panels(result: CampaignDiagnosis) -> Panels:
+    """Mean residuals of all views against all coordinates that change, for all tests together and
+    for each test."""
+    values = [compute_axis_values(test, result.nominal) for test in result.tests]
+    edges = _compute_common_edges(values)
+    room, single = MAX_PANELS, []
     left_out = []
     pooled: dict[tuple[View, Axis], Bins] = {}
-    for i in _order(found):
-        axes = moving(where[i])
+    for i in _order_tests(result):
+        axes = find_moving_axes(values[i])
         fits = len(axes) * len(VIEWS) <= room
         room -= len(axes) * len(VIEWS) if fits else 0
-        left_out += [] if fits else [found.tests[i].test.id]
+        left_out += [] if fits else [result.tests[i].test.id]
         for number, view in enumerate(VIEWS):
-            residual = _residual(found, i, view, number)
-            own += [_own(found, i, view, a, where[i], residual) for a in axes if fits]
-            for axis, limits in bounds.items():
-                bins = gathered(where[i][axis.key], limits, axis, residual)
+            residual = _compute_residual(result, i, view, number)
+            single += [
+                _make_panel(result, i, view, axis, values[i], residual) for axis in axes if fits
+            ]
+            for axis, limits in edges.items():
+                bins = sum_in_bins(values[i][axis.key], limits, axis, residual)
                 key = (view, axis)
                 pooled[key] = pooled[key] + bins if key in pooled else bins
-    every = [Panel(ALL, view, axis, bins.means) for (view, axis), bins in pooled.items()]
-    return Panels(tuple(p for p in (*every, *own) if len(p.means.at)), tuple(left_out))
+    together = [Panel(ALL, view, axis, bins.means) for (view, axis), bins in pooled.items()]
+    kept = tuple(p for p in (*together, *single) if len(p.means.centres))
+    return Panels(kept, tuple(left_out))
 
 
-def markup(panel: Panel, put_in: bool) -> str:
+def draw_panel(panel: Panel, has_after: bool) -> str:
     """A figure with its caption.
 
     Args:
-        panel: of residuals.
-        put_in: whether anything was put into the gyro; else there is no after.
+        panel: of mean residuals.
+        has_after: whether the identified gyro differs from the nominal one.
     """
     m, view, axis = panel.means, panel.view, panel.axis
-    strips = [Strip("gyro as believed", "c1", m.at, m.before, m.before)]
-    counts = f"outside the band: {m.outside(m.before)} of {len(m.at)} bins"
-    if put_in:
-        strips.append(Strip("with what was found", "c0", m.at, m.after, m.after))
-        counts += f" before, {m.outside(m.after)} after"
-    of = "all tests" if panel.test == ALL else panel.test
+    strips = [Strip("nominal gyro", "c1", m.centres, m.before, m.before)]
+    counts = f"outside the band: {m.count_outside(m.before)} of {len(m.centres)} bins"
+    if has_after:
+        strips.append(Strip("identified gyro", "c0", m.centres, m.after, m.after))
+        counts += f" before, {m.count_outside(m.after)} after"
+    tests = "all tests" if panel.test == ALL else panel.test
     title = f"{view.title} against {axis.title[0].lower()}{axis.title[1:]}"
     labels = Labels(
-        f"{axis.title}, {axis.unit}", f"{view.title}, {view.unit}", f"{title}, {of}; {counts}"
+        f"{axis.title}, {axis.unit}", f"{view.title}, {view.unit}", f"{title}, {tests}; {counts}"
     )
-    svg = drawing(strips, Band(m.at, m.band, m.width), SIZE, labels)
+    svg = draw_strips(strips, Band(m.centres, m.band, m.width), SIZE, labels)
     hidden = "" if panel.test == ALL else " hidden"
     return (
         f'<figure data-test="{html.escape(panel.test)}" data-view="{view.key}" '
         f'data-axis="{axis.key}"{hidden}><figcaption><b>{html.escape(title)}</b>, '
-        f'{html.escape(of)}<br><span class="weak">{counts}</span></figcaption>{svg}</figure>'
+        f'{html.escape(tests)}<br><span class="weak">{counts}</span></figcaption>{svg}</figure>'
     )
 
 
-def _residual(found: Diagnosed, i: int, view: View, number: int) -> Residual:
-    test, noise = found.tests[i], found.noise
+def _compute_residual(result: CampaignDiagnosis, i: int, view: View, number: int) -> Residual:
+    test = result.tests[i]
     before, after = (
-        view.shown(residuals[i][view.channel], test.log.interval)
-        for residuals in (found.before, found.after)
+        view.convert(residuals[i][view.channel], test.log.interval)
+        for residuals in (result.before, result.after)
     )
-    return Residual(before, after, noises(test, view, noise, (i, number)))
+    return Residual(before, after, draw_view_noise(test, view, result.noise, (i, number)))
 
 
-def _own(
-    found: Diagnosed, i: int, view: View, axis: Axis, where: dict[str, Array], residual: Residual
+def _make_panel(
+    result: CampaignDiagnosis,
+    i: int,
+    view: View,
+    axis: Axis,
+    values: dict[str, Array],
+    residual: Residual,
 ) -> Panel:
-    values = where[axis.key]
-    limits = edges(axis, float(np.nanmin(values)), float(np.nanmax(values)))
-    return Panel(found.tests[i].test.id, view, axis, gathered(values, limits, axis, residual).means)
+    own = values[axis.key]
+    edges = compute_edges(axis, float(np.nanmin(own)), float(np.nanmax(own)))
+    return Panel(result.tests[i].test.id, view, axis, sum_in_bins(own, edges, axis, residual).means)
 
 
-def _bounds(where: Sequence[dict[str, Array]]) -> dict[Axis, Array]:
-    """Bins for all tests together, of axes along which they differ."""
-    found = {}
+def _compute_common_edges(values: Sequence[dict[str, Array]]) -> dict[Axis, Array]:
+    """Edges of bins for all tests together, of the axes that change within or between tests."""
+    edges = {}
     for axis in AXES:
-        together = {axis.key: np.concatenate([w[axis.key] for w in where])}
-        low, high = float(np.nanmin(together[axis.key])), float(np.nanmax(together[axis.key]))
-        if high - low > axis.least:
-            found[axis] = edges(axis, low, high)
-    return found
+        pooled = np.concatenate([each[axis.key] for each in values])
+        low, high = float(np.nanmin(pooled)), float(np.nanmax(pooled))
+        if high - low > axis.smallest_range:
+            edges[axis] = compute_edges(axis, low, high)
+    return edges
 
 
-def _order(found: Diagnosed) -> list[int]:
-    """Tests, held-out ones first, then those with most of the gap."""
+def _order_tests(result: CampaignDiagnosis) -> list[int]:
+    """Indices of the tests: held-out ones first, then by their share of the gap."""
     shares: dict[str, float] = {}
-    for place in found.diagnosis.where:
+    for place in result.diagnosis.where:
         shares[place.test] = shares.get(place.test, 0.0) + place.share
-    tests = [t.test for t in found.tests]
+    tests = [t.test for t in result.tests]
     return sorted(
         range(len(tests)), key=lambda i: (not tests[i].is_holdout, -shares.get(tests[i].id, 0.0), i)
     )

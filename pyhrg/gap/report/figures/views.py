@@ -1,4 +1,4 @@
-"""Residuals as they are shown: channels in units that people use, and coordinates."""
+"""Channels in customary units, and the coordinates that residuals are drawn against."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,77 +17,85 @@ from pyhrg.common.units import (
     ZERO_CELSIUS,
 )
 from pyhrg.device.device import Device
-from pyhrg.gap.effects.candidate_terms import coordinates
-from pyhrg.gap.replay.observations import Observed
-from pyhrg.gap.whitening.channel_noise import ChannelNoise
-from pyhrg.gap.whitening.noise_draws import drawn
+from pyhrg.gap.effects.candidate_terms import compute_coordinates
+from pyhrg.gap.replay.observations import ObservedTest
+from pyhrg.gap.whitening.channel_noise import CampaignNoise
+from pyhrg.gap.whitening.noise_draws import draw_noise
 
 Array = NDArray[np.float64]
 
 DRAWS = 100
-"""Of noise, for what it leaves in a bin."""
+"""Draws of the noise from which its band is computed (chosen)."""
 SEED = 2
-"""Of them."""
-TURN = 360.0
+"""Seed of these draws, so that the same diagnosis gives the same page."""
+FULL_TURN = 360.0
+"""deg"""
 
 
 @dataclass(frozen=True)
 class View:
-    """What is shown of a channel.
+    """A channel as it is shown.
 
-    key: the page's.
-    channel: a field of a log.
-    title, unit: as read.
-    size: of the unit, SI.
-    rate: whether it is the change from row to row, over the row.
+    key: identifies the view on the page.
+    channel: field of a log.
+    title, unit: text of the axis.
+    factor: the unit in SI.
+    is_rate: whether the difference between rows over the interval is shown.
     """
 
     key: str
     channel: str
     title: str
     unit: str
-    size: float
-    rate: bool = False
+    factor: float
+    is_rate: bool = False
 
-    def shown(self, residual: Array, interval: float) -> Array:
-        """(n, ...) a residual, SI, in the unit."""
-        if not self.rate:
-            return residual / self.size
+    def convert(self, residual: Array, interval: float) -> Array:
+        """(n, ...) a residual in the view's unit.
+
+        Args:
+            residual: (n, ...) SI.
+            interval: between rows, s.
+        """
+        if not self.is_rate:
+            return residual / self.factor
         before = np.full_like(residual[:1], np.nan)
-        return np.asarray(np.diff(residual, axis=0, prepend=before) / interval / self.size)
+        return np.asarray(np.diff(residual, axis=0, prepend=before) / interval / self.factor)
 
 
 VIEWS = (
     View("angle", "gyro_angle", "Output angle", "arcsec", ARCSEC),
-    View("rate", "gyro_angle", "Output rate", "deg/h", DEG_PER_H, rate=True),
+    View("rate", "gyro_angle", "Output rate", "deg/h", DEG_PER_H, is_rate=True),
     View("amplitude", "amplitude", "Amplitude", "ppm", PPM),
     View("amplitude_force", "amplitude_force", "Amplitude force", "10⁻⁹/s", 1e-9),
     View("quadrature_force", "quadrature_force", "Quadrature force", "10⁻⁹/s", 1e-9),
     View("frequency", "frequency_offset", "Loop frequency", "µHz", 1e-6 * HZ),
 )
+ANGLE = VIEWS[0]
 
 
 @dataclass(frozen=True)
 class Axis:
     """A coordinate that residuals are drawn against.
 
-    key, title, unit: as of a view.
-    least: range in a test below which the coordinate stands still, in the unit.
-    bins: that the range is cut in; odd, so that the middle of the range is that of a bin.
-    turns: whether it is an angle that starts anew after a turn.
+    key, title, unit: as in a view.
+    smallest_range: range in a test, in the unit, below which the coordinate counts as constant
+        (chosen).
+    bins: number over the range; odd, so that the middle of the range is the centre of a bin.
+    is_angle: whether the coordinate is an angle, taken modulo a full turn.
     """
 
     key: str
     title: str
     unit: str
-    least: float
+    smallest_range: float
     bins: int = 31
-    turns: bool = False
+    is_angle: bool = False
 
 
 AXES = (
-    Axis("wave_angle", "Pattern angle", "deg", 2.0, 36, turns=True),
-    Axis("table_angle", "Table angle", "deg", 2.0, 36, turns=True),
+    Axis("wave_angle", "Pattern angle", "deg", 2.0, 36, is_angle=True),
+    Axis("table_angle", "Table angle", "deg", 2.0, 36, is_angle=True),
     Axis("temperature", "Resonator temperature", "°C", 0.5),
     Axis("temperature_rate", "Temperature rate of the case", "K/min", 0.02),
     Axis("rate", "Rate of the table", "deg/s", 0.01),
@@ -100,16 +108,16 @@ AXES = (
 )
 
 
-def along(test: Observed, believed: Device) -> dict[str, Array]:
-    """(n,) where a test was, by the axes' keys, in their units.
+def compute_axis_values(test: ObservedTest, nominal: Device) -> dict[str, Array]:
+    """(n,) coordinates at each row of a test, by the axes' keys and in their units.
 
     Args:
-        test: observed.
-        believed: thermal lag and reference temperature are used.
+        test: observed test of n rows.
+        nominal: its thermal lag and reference temperature give the resonator's temperature.
     """
     log = test.log
-    where = coordinates(test, log.wave_angle, log.amplitude, believed)
-    celsius = where.resonator + believed.reference_temperature - ZERO_CELSIUS
+    where = compute_coordinates(test, log.wave_angle, log.amplitude, nominal)
+    celsius = where.resonator + nominal.reference_temperature - ZERO_CELSIUS
     return {
         "wave_angle": where.pattern_angle / DEG,
         "table_angle": where.table_angle / DEG,
@@ -125,25 +133,27 @@ def along(test: Observed, believed: Device) -> dict[str, Array]:
     }
 
 
-def moving(where: dict[str, Array]) -> list[Axis]:
-    """Axes along which a test moves."""
-    return [axis for axis in AXES if _range(where[axis.key]) > axis.least]
+def find_moving_axes(values: dict[str, Array]) -> list[Axis]:
+    """Axes whose coordinate changes in a test."""
+    return [axis for axis in AXES if _range(values[axis.key]) > axis.smallest_range]
 
 
-def noises(test: Observed, view: View, noise: ChannelNoise, draws: Sequence[int]) -> Array:
-    """(n, DRAWS) what noise alone would show, in the view's unit.
+def draw_view_noise(
+    test: ObservedTest, view: View, noise: CampaignNoise, stream: Sequence[int]
+) -> Array:
+    """(n, DRAWS) simulated noise of a channel in the view's unit.
 
     Args:
-        test: whose rows count.
+        test: observed test of n rows.
         view: of a channel.
         noise: of all channels.
-        draws: numbers that tell this test's draws from others'.
+        stream: numbers that select the random stream.
     """
-    generator = np.random.default_rng([SEED, *draws])
+    generator = np.random.default_rng([SEED, *stream])
     n, interval = len(test.log.time), test.log.interval
-    of = noise.of(view.channel, test)
-    readings = np.column_stack([drawn(of, n, interval, generator) for _ in range(DRAWS)])
-    return view.shown(readings, interval)
+    model = noise.get_model(view.channel, test)
+    readings = np.column_stack([draw_noise(model, n, interval, generator) for _ in range(DRAWS)])
+    return view.convert(readings, interval)
 
 
 def _range(values: Array) -> float:

@@ -1,1 +1,1 @@
-"""Which noise terms explain a static record."""
+"""Bayesian comparison of the noise terms of one channel."""

@@ -1,4 +1,4 @@
-"""What one channel's record says of what was believed of its noise."""
+"""The diagnosis of one channel: verdict, noise terms that exceed the belief, held-out check."""
 
 from dataclasses import dataclass
 
@@ -7,29 +7,42 @@ from numpy.typing import NDArray
 from scipy.stats import chi2
 
 from pyhrg.gap.static_record.belief import Belief
-from pyhrg.gap.static_record.fit.evidence import RAMP, Posterior, Problem, problem
-from pyhrg.gap.static_record.fit.hypotheses import FALSE_ALARMS, Judgement, judged
-from pyhrg.gap.static_record.fit.likelihood import Data, column_estimates, data_of, whitened
-from pyhrg.gap.static_record.fit.unknowns import octaves
-from pyhrg.gap.static_record.fit.whiteness import Whiteness, whiteness
+from pyhrg.gap.static_record.fit.evidence import RAMP, Posterior, Problem, build_problem
+from pyhrg.gap.static_record.fit.hypotheses import FALSE_ALARMS, Ranking, rank_explanations
+from pyhrg.gap.static_record.fit.likelihood import (
+    Transform,
+    estimate_columns,
+    transform_record,
+    whiten_coefficients,
+)
+from pyhrg.gap.static_record.fit.unknowns import split_octaves
+from pyhrg.gap.static_record.fit.whiteness import Whiteness, measure_whiteness
 from pyhrg.gap.static_record.record import Channel
 from pyhrg.gap.static_record.terms import Kind, Term
 
 Array = NDArray[np.float64]
 
 TEMPERATURE = "temperature"
-RIVAL = 3.0
-"""Log evidence within which another term says the same."""
-SURE = 0.9
-"""Probability from which a term is named alone."""
-LIKELY = 0.5
-"""Probability beyond which something without a name takes part."""
+EQUIVALENT_LOG_RATIO = 3.0
+"""A term is confounded with another if the swap lowers the log evidence by less than this
+(chosen)."""
+NAMED_PROBABILITY = 0.9
+"""Posterior probability above which a term is named without reservation (chosen)."""
+UNKNOWN_PROBABILITY = 0.5
+"""Posterior probability of an unknown above which the verdict is `unexplained` (chosen)."""
 TAIL = 0.025
+"""Probability beyond each end of an interval."""
 
 
 @dataclass(frozen=True)
 class Cause:
-    """A noise term that exceeds belief: its total level and 95 % interval, in the file's unit."""
+    """A noise term that exceeds the belief.
+
+    term: of the sensor.
+    probability: that it exceeds the belief and no unknown takes part.
+    value, low, high: median and 95 % interval of its total level, in the file's unit.
+    equivalents: names of the terms that are confounded with it.
+    """
 
     term: Term
     probability: float
@@ -40,8 +53,9 @@ class Cause:
 
 
 @dataclass(frozen=True)
-class Closing:
-    """Whiteness of one half under the belief and under the closed model; the same if none is."""
+class HalfComparison:
+    """Whiteness of one half of the record under the belief and under the closed noise model. The
+    two are equal where no term was found."""
 
     before: Whiteness
     after: Whiteness
@@ -49,93 +63,109 @@ class Closing:
 
 @dataclass(frozen=True)
 class ChannelDiagnosis:
-    """Of one channel; ceilings: level (file's unit) that each noise can't exceed whatever else is
-    in the record, 97.5 %; closed: levels (4,) SI of the closed model."""
+    """The diagnosis of one channel.
+
+    verdict: `no_gap`, `explained`, `ambiguous` or `unexplained`.
+    ranking: all explanations with their probabilities.
+    causes: noise terms that exceed the belief.
+    ceilings: upper 97.5 % bound of each noise's level, in the file's unit, whatever else is in the
+        record.
+    closed: (4,) levels of the closed noise model, SI.
+    units: (4,) levels of unit strengths, SI.
+    fit, holdout: whiteness of the fitted first half and of the held-out second half.
+    """
 
     channel: Channel
     belief: Belief
     verdict: str
-    judgement: Judgement
+    ranking: Ranking
     causes: tuple[Cause, ...]
     ceilings: dict[str, float]
     closed: Array
     units: Array
-    """(4,) SI levels of unit strengths."""
-    fit: Closing
-    holdout: Closing
+    fit: HalfComparison
+    holdout: HalfComparison
 
 
-def data_of_channel(channel: Channel, belief: Belief) -> Data:
-    """Transformed: believed sinusoids in any size, ramp and temperature as random effects."""
+def transform_channel(channel: Channel, belief: Belief) -> Transform:
+    """The transformed channel: believed sinusoids are free columns, ramp and temperature random
+    columns."""
     n = len(channel.angle)
     time = channel.interval * (np.arange(n) - (n - 1) / 2)
     free = [f(2 * np.pi * time / p) for p in belief.periods for f in (np.cos, np.sin)]
     random = {RAMP: time**2 / 2}
-    if channel.drifts:
+    if channel.may_drift:
         free.append(random.pop(RAMP))
     if channel.temperature is not None and np.ptp(channel.temperature) > 0:
-        warmth = channel.temperature - np.mean(channel.temperature)
-        random[TEMPERATURE] = channel.interval * np.cumsum(warmth)
-    return data_of(channel.angle - belief.ramp * time**2 / 2, free, random)
+        deviation = channel.temperature - np.mean(channel.temperature)
+        random[TEMPERATURE] = channel.interval * np.cumsum(deviation)
+    return transform_record(channel.angle - belief.ramp * time**2 / 2, free, random)
 
 
-def diagnosed(
+def diagnose_channel(
     channel: Channel, belief: Belief, false_alarms: float = FALSE_ALARMS, seed: int = 0
 ) -> ChannelDiagnosis:
-    """Judge the first half, verify on the second.
+    """Diagnose a channel on its first half and verify the noise model on its second half.
 
     Args:
-        channel: the record.
+        channel: at second_half.
         belief: of its sensor.
-        false_alarms: share of records as believed that may be called a gap, at most.
-        seed: of the samples.
+        false_alarms: largest share of records as believed that are called a gap.
+        seed: of the importance samples.
     """
     fit = channel.part(0, channel.half)
-    of = problem(data_of_channel(fit, belief), belief, channel.interval)
-    judgement = judged(of, seed, false_alarms)
-    alarm = judgement.log_ratio > -np.log(false_alarms)
-    chosen = judgement.best if alarm and judgement.unknown_probability <= LIKELY else judgement.null
-    causes = tuple(_causes(channel, judgement, chosen)) if alarm else ()
+    problem = build_problem(transform_channel(fit, belief), belief, channel.interval)
+    ranking = rank_explanations(problem, seed, false_alarms)
+    is_alarm = ranking.log_ratio > -np.log(false_alarms)
+    chosen = (
+        ranking.best
+        if is_alarm and ranking.unknown_probability <= UNKNOWN_PROBABILITY
+        else ranking.null
+    )
+    causes = tuple(_find_causes(channel, ranking, chosen)) if is_alarm else ()
     held_out = channel.part(channel.half, len(channel.angle))
-    rest = problem(data_of_channel(held_out, belief), belief, channel.interval)
+    second_half = build_problem(transform_channel(held_out, belief), belief, channel.interval)
     return ChannelDiagnosis(
         channel=channel,
         belief=belief,
-        verdict=_verdict(alarm, judgement, causes),
-        judgement=judgement,
+        verdict=_reach_verdict(is_alarm, ranking, causes),
+        ranking=ranking,
         causes=causes,
-        ceilings=_ceilings(channel.kind, of),
-        closed=np.sqrt(chosen.best[0]) * of.units if causes else belief.levels,
-        units=of.units,
-        fit=_closing(of, chosen if causes else None),
-        holdout=_closing(rest, chosen if causes else None),
+        ceilings=_compute_ceilings(channel.kind, problem),
+        closed=np.sqrt(chosen.best[0]) * problem.units if causes else belief.levels,
+        units=problem.units,
+        fit=_compare_whiteness(problem, chosen if causes else None),
+        holdout=_compare_whiteness(second_half, chosen if causes else None),
     )
 
 
-def _verdict(alarm: bool, judgement: Judgement, causes: tuple[Cause, ...]) -> str:
-    if not alarm:
+def _reach_verdict(is_alarm: bool, ranking: Ranking, causes: tuple[Cause, ...]) -> str:
+    if not is_alarm:
         return "no_gap"
-    if judgement.unknown_probability > LIKELY or not causes:
+    if ranking.unknown_probability > UNKNOWN_PROBABILITY or not causes:
         return "unexplained"
-    sure = all(c.probability > SURE and not c.equivalents for c in causes)
-    return "explained" if sure else "ambiguous"
+    is_certain = all(c.probability > NAMED_PROBABILITY and not c.equivalents for c in causes)
+    return "explained" if is_certain else "ambiguous"
 
 
-def _causes(channel: Channel, judgement: Judgement, chosen: Posterior) -> list[Cause]:
-    causes = [_cause(channel.kind, judgement, chosen, effect) for effect in chosen.extra]
-    return [_by_grid(c, channel) if c.term is channel.kind.terms[0] else c for c in causes]
+def _find_causes(channel: Channel, ranking: Ranking, chosen: Posterior) -> list[Cause]:
+    causes = [_make_cause(channel.kind, ranking, chosen, effect) for effect in chosen.extra]
+    return [
+        _name_quantization(c, channel) if c.term is channel.kind.terms[0] else c for c in causes
+    ]
 
 
-def _cause(kind: Kind, judgement: Judgement, chosen: Posterior, effect: int) -> Cause:
-    term = term_of(kind, chosen.problem, effect)
-    levels = _levels(chosen, effect) / term.factor
-    low, value, high = _quantiles(levels, chosen.weights, (TAIL, 0.5, 1 - TAIL))
-    rivals = _rivals(kind, judgement, chosen, effect)
-    return Cause(term, judgement.probability_of(effect), value, low, high, tuple(rivals))
+def _make_cause(kind: Kind, ranking: Ranking, chosen: Posterior, effect: int) -> Cause:
+    term = get_term(kind, chosen.problem, effect)
+    levels = _draw_levels(chosen, effect) / term.factor
+    low, value, high = _compute_quantiles(levels, chosen.weights, (TAIL, 0.5, 1 - TAIL))
+    equivalents = _find_equivalents(kind, ranking, chosen, effect)
+    return Cause(term, ranking.get_probability(effect), value, low, high, tuple(equivalents))
 
 
-def _by_grid(cause: Cause, channel: Channel) -> Cause:
-    """White noise of the angle is quantisation where readings lie on a grid whose step has it."""
+def _name_quantization(cause: Cause, channel: Channel) -> Cause:
+    """White noise of the angle is called quantization if the readings lie on a grid whose step
+    agrees with it."""
     term, step = channel.kind.quantum, channel.quantum
     ends = np.array([cause.value, cause.low, cause.high]) * cause.term.factor * np.sqrt(12)
     if step is None or not ends[1] <= step <= ends[2]:
@@ -144,69 +174,77 @@ def _by_grid(cause: Cause, channel: Channel) -> Cause:
     return Cause(term, cause.probability, value, low, high, cause.equivalents)
 
 
-def term_of(kind: Kind, of: Problem, effect: int) -> Term:
-    """The term that an effect's index is."""
+def get_term(kind: Kind, problem: Problem, effect: int) -> Term:
+    """The term with an index: four noises, then the random columns."""
     if effect < len(kind.terms):
         return kind.terms[effect]
-    return kind.ramp if of.data.names[effect - len(kind.terms)] == RAMP else kind.warmth
+    return (
+        kind.ramp if problem.data.names[effect - len(kind.terms)] == RAMP else kind.temperature_term
+    )
 
 
-def _levels(of: Posterior, effect: int) -> Array:
-    """(s,) SI; of a column its coefficient, drawn about its estimate."""
-    noises = len(of.problem.belief)
+def _draw_levels(posterior: Posterior, effect: int) -> Array:
+    """(s,) samples of a term's level in SI. The coefficient of a column is drawn from its normal
+    distribution, given the noise of the sample."""
+    problem, noises = posterior.problem, len(posterior.problem.belief)
     if effect < noises:
-        return np.asarray(of.levels[:, effect] * of.problem.units[effect])
+        return np.asarray(posterior.levels[:, effect] * problem.units[effect])
     column = effect - noises
-    squares = of.levels**2
-    mean, covariance = column_estimates(of.problem.data, squares[:, :noises], squares[:, noises:])
+    squares = posterior.levels**2
+    mean, covariance = estimate_columns(problem.data, squares[:, :noises], squares[:, noises:])
     spread = np.sqrt(covariance[:, column, column])
     drawn = np.random.default_rng(effect).standard_normal(len(spread))
     drawn = mean[:, column] + spread * drawn
-    return np.asarray(drawn / of.problem.data.lengths[column])
+    return np.asarray(drawn / problem.data.lengths[column])
 
 
-def _quantiles(values: Array, weights: Array, shares: tuple[float, ...]) -> tuple[float, ...]:
+def _compute_quantiles(
+    values: Array, weights: Array, shares: tuple[float, ...]
+) -> tuple[float, ...]:
     order = np.argsort(values)
     reached = np.cumsum(weights[order]) - weights[order] / 2
     return tuple(float(x) for x in np.interp(shares, reached, values[order]))
 
 
-def _rivals(kind: Kind, judgement: Judgement, chosen: Posterior, effect: int) -> list[str]:
-    """Terms that explain nearly as much in this one's place."""
-    others = {frozenset(h.terms.extra): h.terms for h in judgement.hypotheses if not h.unknown}
-    found = []
+def _find_equivalents(kind: Kind, ranking: Ranking, chosen: Posterior, effect: int) -> list[str]:
+    """Terms that explain the record nearly as well in this one's place."""
+    others = {frozenset(h.terms.extra): h.terms for h in ranking.hypotheses if not h.unknown}
+    equivalents = []
     for rival in range(chosen.problem.effects):
         swapped = others.get(frozenset({*chosen.extra, rival} - {effect}))
         if (
             rival not in chosen.extra
             and swapped
-            and swapped.log_evidence > chosen.log_evidence - RIVAL
+            and swapped.log_evidence > chosen.log_evidence - EQUIVALENT_LOG_RATIO
         ):
-            found.append(term_of(kind, chosen.problem, rival).effect)
-    return found
+            equivalents.append(get_term(kind, chosen.problem, rival).effect)
+    return equivalents
 
 
-def _ceilings(kind: Kind, of: Problem) -> dict[str, float]:
-    """No octave shows less power than a noise in it has, but by chance."""
-    data = of.data
-    bands = octaves(data.n - 1)[:-1]
+def _compute_ceilings(kind: Kind, problem: Problem) -> dict[str, float]:
+    """Upper bounds of the levels: in no octave is a noise stronger than the record, but by chance
+    (docs/methods/noise.md, Eq. 14)."""
+    data = problem.data
+    bands = split_octaves(data.n - 1)[:-1]
     power = np.array([np.sum(data.coefficients[band] ** 2) for band in bands])
     count = np.array([band.stop - band.start for band in bands])
-    most = power / chi2.ppf(TAIL / len(bands), count)
+    highest = power / chi2.ppf(TAIL / len(bands), count)
     middle = [(band.start + band.stop) / 2 for band in bands]
     shapes = np.exp(
         [np.interp(np.log(middle), np.log(data.harmonics), s) for s in np.log(data.shapes)]
     )
-    levels = np.sqrt(np.min(most / shapes, axis=1)) * of.units
+    levels = np.sqrt(np.min(highest / shapes, axis=1)) * problem.units
     return {t.parameter: float(x / t.factor) for t, x in zip(kind.terms, levels, strict=True)}
 
 
-def _closing(of: Problem, after: Posterior | None) -> Closing:
-    """Exactly as believed, and with what was missing if anything was named."""
-    strengths, variances = of.unpack((), np.zeros((1, len(of.believed))))
-    before = whiteness(whitened(of.data, strengths[0], variances[0]))
+def _compare_whiteness(problem: Problem, after: Posterior | None) -> HalfComparison:
+    """Whiteness under the belief, and under the closed noise model if a term was found."""
+    strengths, variances = problem.unpack((), np.zeros((1, len(problem.believed))))
+    before = measure_whiteness(whiten_coefficients(problem.data, strengths[0], variances[0]))
     if after is None:
-        return Closing(before, before)
+        return HalfComparison(before, before)
     strengths, variances = after.best
-    fitting = np.resize(variances, len(of.data.names))
-    return Closing(before, whiteness(whitened(of.data, strengths, fitting)))
+    column_variances = np.resize(variances, len(problem.data.names))
+    return HalfComparison(
+        before, measure_whiteness(whiten_coefficients(problem.data, strengths, column_variances))
+    )

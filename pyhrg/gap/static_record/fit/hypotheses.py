@@ -1,8 +1,9 @@
-"""Every explanation of a record beside every other: noise terms, unknowns, and both.
+"""Comparison of all explanations of a record: noise terms, unknowns, and both together
+(docs/methods/noise.md, Eq. 13).
 
-The evidence ratio of the mixture of all explanations with one part to "as believed" is 1 or less
-on average over records that are as believed. It therefore exceeds 1/a in a share of at most a of
-them (Markov's inequality): the false-alarm rate is bounded without any simulation.
+The Bayes factor of the mixture of all explanations with one part to "as believed" is 1 or less on
+average over records that are as believed. By Markov's inequality it exceeds 1/a in a share of at
+most a of them, so the false-alarm rate is bounded without simulation.
 """
 
 from collections.abc import Sequence
@@ -13,25 +14,26 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import logsumexp
 
-from pyhrg.gap.static_record.fit.evidence import Posterior, Problem, posterior
-from pyhrg.gap.static_record.fit.likelihood import whitened
-from pyhrg.gap.static_record.fit.unknowns import Unknown, competitors
+from pyhrg.gap.static_record.fit.evidence import Posterior, Problem, compute_posterior
+from pyhrg.gap.static_record.fit.likelihood import whiten_coefficients
+from pyhrg.gap.static_record.fit.unknowns import Unknown, assess_unknowns
 
 Array = NDArray[np.float64]
 
 FALSE_ALARMS = 0.02
-"""Share of records as believed that may be called a gap, at most."""
-EACH = 0.2
-"""Odds of each further part of an explanation."""
-PAIRS = 2
-"""Likeliest pairs of noise terms that a third is added to."""
-KEPT = 6
-"""Likeliest sets of noise terms that unknowns are added to."""
+"""Largest share of records as believed that are called a gap (chosen)."""
+PART_ODDS = 0.2
+"""Prior odds of each further part of an explanation (chosen)."""
+EXTENDED_PAIRS = 2
+"""Number of the most probable pairs of noise terms that a third term is added to (chosen)."""
+EXTENDED_SETS = 6
+"""Number of the most probable sets of noise terms that unknowns are added to (chosen)."""
 
 
 @dataclass(frozen=True)
 class Hypothesis:
-    """Noise terms that exceed belief, maybe with an unknown on top; log of evidence and prior."""
+    """Noise terms that exceed the belief, with or without an unknown; log_weight: natural logarithm
+    of evidence times prior."""
 
     terms: Posterior
     unknown: Unknown | None
@@ -39,87 +41,101 @@ class Hypothesis:
 
 
 @dataclass(frozen=True)
-class Judgement:
-    """log_ratio: of the mixture of one-part explanations to belief; null: belief alone;
-    hypotheses, the likeliest first, with probabilities; those of no gap among them."""
+class Ranking:
+    """All explanations of a record.
+
+    log_ratio: natural logarithm of the Bayes factor of the mixture of one-part explanations to
+        the belief.
+    null: the belief alone.
+    hypotheses: all explanations, that of no gap among them, the most probable first.
+    probabilities: posterior probability of each hypothesis.
+    unknowns: the unknowns beside the belief alone.
+    """
 
     log_ratio: float
     null: Posterior
     hypotheses: tuple[Hypothesis, ...]
     probabilities: Array
     unknowns: tuple[Unknown, ...]
-    """Beside belief alone."""
 
     @property
     def best(self) -> Posterior:
-        """The likeliest noise terms."""
+        """The noise terms of the most probable hypothesis."""
         return self.hypotheses[0].terms
 
-    def probability_of(self, effect: int) -> float:
-        """That a noise term exceeds belief and nothing unknown takes part."""
+    def get_probability(self, effect: int) -> float:
+        """Probability that a noise term exceeds the belief and no unknown takes part."""
         chosen = [effect in h.terms.extra and h.unknown is None for h in self.hypotheses]
         return float(np.sum(self.probabilities[chosen]))
 
     @property
     def unknown_probability(self) -> float:
-        """That something unknown takes part."""
+        """Probability that an unknown takes part."""
         chosen = [h.unknown is not None for h in self.hypotheses]
         return float(np.sum(self.probabilities[chosen]))
 
-    def share_of(self, name: str) -> float:
-        """Probability of one unknown."""
+    def get_unknown_probability(self, name: str) -> float:
+        """Probability that the unknown of this name takes part."""
         chosen = [h.unknown is not None and h.unknown.name == name for h in self.hypotheses]
         return float(np.sum(self.probabilities[chosen]))
 
 
-def judged(problem: Problem, seed: int = 0, false_alarms: float = FALSE_ALARMS) -> Judgement:
-    """Weigh explanations; those of several parts only where one part alone raises the alarm.
+def rank_explanations(
+    problem: Problem, seed: int = 0, false_alarms: float = FALSE_ALARMS
+) -> Ranking:
+    """Compute the posterior probabilities of all explanations. Explanations of several parts are
+    added only where those of one part raise the alarm.
 
     Args:
-        problem: the record and its belief.
+        problem: a record with its belief.
         seed: of the samples.
-        false_alarms: as `FALSE_ALARMS`.
+        false_alarms: largest share of records as believed that raise the alarm.
     """
-    null = posterior(problem, (), seed)
-    singles = [posterior(problem, (i,), seed) for i in range(problem.effects)]
-    unknowns = unknowns_beside(null)
-    named = [s.log_evidence - null.log_evidence for s in singles]
-    others = [u.log_ratio for u in unknowns]
-    log_ratio = float(logsumexp([_mean(named), _mean(others)]) - np.log(2))
+    null = compute_posterior(problem, (), seed)
+    singles = [compute_posterior(problem, (i,), seed) for i in range(problem.effects)]
+    unknowns = compare_unknowns_beside(null)
+    of_terms = [s.log_evidence - null.log_evidence for s in singles]
+    of_unknowns = [u.log_ratio for u in unknowns]
+    log_ratio = float(logsumexp([_log_mean(of_terms), _log_mean(of_unknowns)]) - np.log(2))
     terms = [null, *singles]
     if log_ratio > -np.log(false_alarms):
-        pairs = [posterior(problem, s, seed) for s in combinations(range(problem.effects), 2)]
-        terms += [*pairs, *(posterior(problem, s, seed) for s in _larger(pairs, problem.effects))]
-    return _weighed(log_ratio, null, terms, unknowns)
+        pairs = [
+            compute_posterior(problem, s, seed) for s in combinations(range(problem.effects), 2)
+        ]
+        terms += [
+            *pairs,
+            *(compute_posterior(problem, s, seed) for s in _extend_pairs(pairs, problem.effects)),
+        ]
+    return _add_unknowns(log_ratio, null, terms, unknowns)
 
 
-def _larger(pairs: list[Posterior], effects: int) -> list[tuple[int, ...]]:
-    """Sets of three that hold one of the likeliest pairs."""
-    best = sorted(pairs, key=lambda p: -p.log_evidence)[:PAIRS]
+def _extend_pairs(pairs: list[Posterior], effects: int) -> list[tuple[int, ...]]:
+    """Sets of three terms that contain one of the most probable pairs."""
+    best = sorted(pairs, key=lambda p: -p.log_evidence)[:EXTENDED_PAIRS]
     sets = {frozenset({*p.extra, more}) for p in best for more in range(effects)}
     return sorted(tuple(sorted(s)) for s in sets if len(s) == 3)
 
 
-def _mean(logs: Sequence[float]) -> float:
+def _log_mean(logs: Sequence[float]) -> float:
     return float(logsumexp(logs) - np.log(len(logs)))
 
 
-def unknowns_beside(terms: Posterior) -> tuple[Unknown, ...]:
-    """Competitors for what noise terms at their likeliest levels leave."""
-    return competitors(whitened(terms.problem.data, *terms.best))
+def compare_unknowns_beside(terms: Posterior) -> tuple[Unknown, ...]:
+    """The unknowns in a record that is whitened with noise terms at their posterior mean."""
+    return assess_unknowns(whiten_coefficients(terms.problem.data, *terms.best))
 
 
-def _weighed(
+def _add_unknowns(
     log_ratio: float, null: Posterior, terms: list[Posterior], unknowns: tuple[Unknown, ...]
-) -> Judgement:
-    plain = [Hypothesis(t, None, t.log_evidence + len(t.extra) * np.log(EACH)) for t in terms]
+) -> Ranking:
+    plain = [Hypothesis(t, None, t.log_evidence + len(t.extra) * np.log(PART_ODDS)) for t in terms]
     plain.sort(key=lambda h: -h.log_weight)
-    more = [
-        Hypothesis(h.terms, u, h.log_weight + u.log_ratio + np.log(EACH / len(unknowns)))
-        for h in plain[:KEPT]
-        for u in (unknowns if h.terms is null else unknowns_beside(h.terms))
+    extended = [
+        Hypothesis(h.terms, u, h.log_weight + u.log_ratio + np.log(PART_ODDS / len(unknowns)))
+        for h in plain[:EXTENDED_SETS]
+        for u in (unknowns if h.terms is null else compare_unknowns_beside(h.terms))
     ]
-    every = sorted([*plain, *more], key=lambda h: -h.log_weight)
-    logs = np.array([h.log_weight for h in every])
+    hypotheses = sorted([*plain, *extended], key=lambda h: -h.log_weight)
+    logs = np.array([h.log_weight for h in hypotheses])
     probabilities = np.exp(logs - logsumexp(logs))
-    return Judgement(log_ratio, null, tuple(every), probabilities, unknowns)
+    return Ranking(log_ratio, null, tuple(hypotheses), probabilities, unknowns)

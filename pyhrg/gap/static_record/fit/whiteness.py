@@ -1,4 +1,4 @@
-"""How white a record is once the noise model is divided out."""
+"""Whiteness of a record after division by the noise model."""
 
 from dataclasses import dataclass
 
@@ -7,18 +7,21 @@ from numpy.typing import NDArray
 from scipy.special import polygamma
 from scipy.stats import chi2
 
-from pyhrg.gap.static_record.fit.unknowns import octaves
+from pyhrg.gap.static_record.fit.unknowns import split_octaves
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
 class Whiteness:
-    """rms: 1 where the model is right;
-    octaves: (k,) mean squares, the fastest first;
-    log_rms: of their logarithms; log_floor: what chance leaves of it;
-    p_value: that a white record's most conspicuous octave is as conspicuous (two-sided chi-square,
-    Bonferroni).
+    """Statistics of whitened coefficients.
+
+    rms: root mean square; 1 where the model is right.
+    octaves: (k,) mean square in each octave, from the highest frequencies down.
+    log_rms: root mean square of the octaves' logarithms.
+    log_floor: expectation of `log_rms` for white noise.
+    p_value: probability that white noise deviates as far in its most deviating octave (two-sided
+        chi-square test with the Bonferroni correction).
     """
 
     rms: float
@@ -28,9 +31,9 @@ class Whiteness:
     p_value: float
 
 
-def whiteness(white: Array) -> Whiteness:
-    """Of (m,) whitened coefficients."""
-    bands = octaves(len(white))
+def measure_whiteness(white: Array) -> Whiteness:
+    """Statistics of (m,) whitened coefficients."""
+    bands = split_octaves(len(white))
     count = np.array([band.stop - band.start for band in bands])
     power = np.array([np.sum(white[band] ** 2) for band in bands])
     tail = 2 * np.minimum(chi2.cdf(power, count), chi2.sf(power, count))

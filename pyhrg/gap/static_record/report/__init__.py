@@ -1,1 +1,1 @@
-"""The page of a static record."""
+"""The files of a diagnosis of a static record."""

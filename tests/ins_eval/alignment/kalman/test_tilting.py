@@ -1,11 +1,11 @@
-"""How much a vehicle tilts, found in its gyros' record."""
+"""Tilting of a vehicle is estimated from its gyros' record."""
 
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from ins_eval.alignment.kalman.tilting import BOUNDS, likeliest_tilting
+from ins_eval.alignment.kalman.tilting import BOUNDS, estimate_tilting
 from ins_eval.common.sensor_errors import SensorErrors
 
 STEP, COUNT = 1.0, 300
@@ -13,7 +13,7 @@ GYROS = SensorErrors(angle_random_walk=6e-7, gyro_bias_instability=1.5e-8)
 
 
 def turned(white: float, walk: float, rng: np.random.Generator) -> np.ndarray:
-    """With a steady rate beside."""
+    """Rotation of a tilting vehicle, plus a steady rate."""
     wandered = np.cumsum(rng.normal(0, walk * np.sqrt(STEP), (COUNT, 2)), axis=0)
     steady = 1e-7 * STEP * np.arange(1.0, COUNT + 1)[:, None]
     return np.asarray(wandered + rng.normal(0, white, (COUNT, 2)) + steady)
@@ -24,16 +24,16 @@ def test_motion_is_found_beside_the_gyros_noise() -> None:
     rng = np.random.default_rng(1)
     white, walk = 1e-5, 3e-6
     record = turned(white, np.hypot(walk, GYROS.angle_random_walk), rng)
-    found = likeliest_tilting(record, STEP, GYROS)
-    assert found.white == pytest.approx(white, rel=0.3)
-    assert found.walk == pytest.approx(walk, rel=0.3)
+    estimate = estimate_tilting(record, STEP, GYROS)
+    assert estimate.white == pytest.approx(white, rel=0.3)
+    assert estimate.walk == pytest.approx(walk, rel=0.3)
 
 
 def test_the_gyros_own_noise_is_no_motion() -> None:
-    """Of 50 still vehicles; seed 2."""
+    """50 vehicles at rest; seed 2."""
     rng = np.random.default_rng(2)
     walks = [
-        likeliest_tilting(turned(0.0, GYROS.angle_random_walk, rng), STEP, GYROS).walk
+        estimate_tilting(turned(0.0, GYROS.angle_random_walk, rng), STEP, GYROS).walk
         for _ in range(50)
     ]
     assert np.sqrt(np.mean(np.square(walks))) < 0.3 * GYROS.angle_random_walk
@@ -42,10 +42,10 @@ def test_the_gyros_own_noise_is_no_motion() -> None:
 def test_noise_that_is_not_stated_counts_as_motion() -> None:
     rng = np.random.default_rng(3)
     unstated = replace(GYROS, angle_random_walk=0.0)
-    found = likeliest_tilting(turned(0.0, GYROS.angle_random_walk, rng), STEP, unstated)
-    assert found.walk == pytest.approx(GYROS.angle_random_walk, rel=0.2)
+    estimate = estimate_tilting(turned(0.0, GYROS.angle_random_walk, rng), STEP, unstated)
+    assert estimate.walk == pytest.approx(GYROS.angle_random_walk, rel=0.2)
 
 
 def test_nothing_at_all_is_the_least_there_is() -> None:
-    found = likeliest_tilting(np.zeros((COUNT, 2)), STEP, SensorErrors())
-    assert (found.white, found.walk) == pytest.approx([low for low, _ in BOUNDS], rel=0.1)
+    estimate = estimate_tilting(np.zeros((COUNT, 2)), STEP, SensorErrors())
+    assert (estimate.white, estimate.walk) == pytest.approx([low for low, _ in BOUNDS], rel=0.1)

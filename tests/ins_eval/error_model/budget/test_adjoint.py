@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from ins_eval.error_model.budget.adjoint import Weights, labelled, weights
+from ins_eval.error_model.budget.adjoint import Weights, compute_weights, label_weights
 from ins_eval.error_model.effects import BIASES, bias_map, gyro_scale_factor
-from ins_eval.error_model.linear_model import LinearModel, linear_model, propagated
-from ins_eval.error_model.motion import along
+from ins_eval.error_model.linear_model import LinearModel, linearize, propagate
+from ins_eval.error_model.motion import sample_motion
 from ins_eval.error_model.states import COUNT, UNITS
 from ins_eval.navigation.height import BaroDamped
 from tests.ins_eval.error_model.cases import Flight, weave
@@ -16,28 +16,28 @@ EFFECTS = (*BIASES, gyro_scale_factor(), *bias_map(4, np.array([0.1, 0.7, 1.3]))
 
 @pytest.fixture(scope="module")
 def model() -> LinearModel:
-    motion = along(weave(45, 1200), 0.0, 1.0, 1200)
-    return linear_model(motion, BaroDamped(np.zeros(1)), EFFECTS)
+    motion = sample_motion(weave(45, 1200), 0.0, 1.0, 1200)
+    return linearize(motion, BaroDamped(np.zeros(1)), EFFECTS)
 
 
 @pytest.fixture(scope="module")
-def found(model: LinearModel) -> Weights:
-    return weights(model)
+def weights(model: LinearModel) -> Weights:
+    return compute_weights(model)
 
 
-def test_initial_errors(model: LinearModel, found: Weights) -> None:
+def test_initial_errors(model: LinearModel, weights: Weights) -> None:
     for state in range(COUNT):
-        forward = propagated(model, np.eye(COUNT)[state], np.zeros((5, 3)))[-1, :2]
-        assert found.states[0][:, state] == pytest.approx(forward, rel=1e-11, abs=1e-9)
+        forward = propagate(model, np.eye(COUNT)[state], np.zeros((5, 3)))[-1, :2]
+        assert weights.states[0][:, state] == pytest.approx(forward, rel=1e-11, abs=1e-9)
 
 
-def test_coefficients(model: LinearModel, found: Weights) -> None:
+def test_coefficients(model: LinearModel, weights: Weights) -> None:
     for place in np.ndindex(5, 3):
-        one = np.zeros((5, 3))
-        one[place] = 1.0
-        forward = propagated(model, np.zeros(COUNT), one)[-1, :2]
+        unit = np.zeros((5, 3))
+        unit[place] = 1.0
+        forward = propagate(model, np.zeros(COUNT), unit)[-1, :2]
         size = np.linalg.norm(forward)
-        assert found.coefficients[:, *place] == pytest.approx(forward, abs=1e-11 * size)
+        assert weights.coefficients[:, *place] == pytest.approx(forward, abs=1e-11 * size)
 
 
 def test_an_error_at_any_moment_is_the_navigators() -> None:
@@ -45,7 +45,7 @@ def test_an_error_at_any_moment_is_the_navigators() -> None:
     weights say, to 1e-4 of the triad's."""
     flight = Flight.of(weave(45, 1200), 1200)
     height = BaroDamped(flight.heights)
-    own = weights(linear_model(along(flight.trajectory, 0.0, 1.0, 1200), height))
+    own = compute_weights(linearize(sample_motion(flight.trajectory, 0.0, 1.0, 1200), height))
     for second in (0, 333, 1000):
         for sensor, size in enumerate((1e-5,) * 3 + (1e-1,) * 3):
             errors = np.zeros((60_000, 6))
@@ -57,12 +57,12 @@ def test_an_error_at_any_moment_is_the_navigators() -> None:
             assert difference < 1e-4 * size * np.linalg.norm(own.sensors[second, :, triad])
 
 
-def test_labels(found: Weights) -> None:
-    dataset = labelled(found)
+def test_labels(weights: Weights) -> None:
+    dataset = label_weights(weights)
     assert dataset.gyro.attrs["units"] == "m/rad"
     assert dataset.sizes == {
         "time": 1200, "component": 2, "axis": 3, "bound": 1201, "state": 10, "effect": 5,
     }  # fmt: skip
-    one = dataset.gyro.sel(component="east", axis="right", time=600.5)
-    assert float(one) == found.sensors[600, 1, 1]
+    unit = dataset.gyro.sel(component="east", axis="right", time=600.5)
+    assert float(unit) == weights.sensors[600, 1, 1]
     assert tuple(dataset.state_unit.values) == UNITS

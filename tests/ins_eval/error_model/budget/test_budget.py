@@ -1,30 +1,34 @@
 """Budgets: alignment and navigation of a car with known errors of its sensors."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-from ins_eval.alignment.analytic import static_alignment
-from ins_eval.common.increments import Increments
+from ins_eval.alignment.analytic import level_and_gyrocompass
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.common.state import position_error
-from ins_eval.error_model.aligning import alignment_model
-from ins_eval.error_model.budget.adjoint import Weights, weights
-from ins_eval.error_model.budget.budget import budget, sigmas, total, variance_budget
-from ins_eval.error_model.budget.budget_figure import draw
+from ins_eval.error_model.aligning import model_alignment
+from ins_eval.error_model.budget.adjoint import Weights, compute_weights
+from ins_eval.error_model.budget.budget import (
+    coefficient_sigmas,
+    compute_budget,
+    compute_variance_budget,
+    sum_contributions,
+)
+from ins_eval.error_model.budget.budget_figure import MAX_SHOWN_EFFECTS, plot_budget
 from ins_eval.error_model.effects import BIASES, Effect, bias_map, gyro_bias
-from ins_eval.error_model.linear_model import joined, linear_model, propagated_covariance
-from ins_eval.error_model.motion import along
+from ins_eval.error_model.linear_model import join_models, linearize, propagate_covariance
+from ins_eval.error_model.motion import sample_motion
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
-from ins_eval.trajectories.catalogue import trajectory
+from ins_eval.trajectories.catalogue import load_trajectory
 from pyhrg.common.units import DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
+from pyhrg.records.imu.increments import Increments
 
 STILL, FLIGHT, INTERVAL = 200.0, 1800.0, 0.05
 ALIGNED = round(STILL / INTERVAL)
-TRAJECTORY = trajectory("car", STILL + 20, FLIGHT + 10)
+TRAJECTORY = load_trajectory("car", FLIGHT + 10, STILL + 20)
 NOISE = SensorErrors(
     gyro_bias=0.01 * DEG_PER_H,
     angle_random_walk=1e-3 * DEG_PER_SQRT_H,
@@ -35,10 +39,12 @@ NOISE = SensorErrors(
 
 
 def model_weights(step: float, effects: tuple[Effect, ...] = BIASES) -> Weights:
-    still = along(TRAJECTORY, -STILL, step, round(STILL / step))
-    moving = along(TRAJECTORY, 0.0, step, round(FLIGHT / step))
-    aligning = alignment_model(still, effects, NOISE)
-    return weights(joined(aligning, linear_model(moving, Clamped(np.zeros(1)), effects, NOISE)))
+    still = sample_motion(TRAJECTORY, -STILL, step, round(STILL / step))
+    moving = sample_motion(TRAJECTORY, 0.0, step, round(FLIGHT / step))
+    aligning = model_alignment(still, effects, NOISE)
+    return compute_weights(
+        join_models(aligning, linearize(moving, Clamped(np.zeros(1)), effects, NOISE))
+    )
 
 
 @pytest.fixture(scope="module")
@@ -59,15 +65,15 @@ def signals(truth: Increments) -> dict[str, Increments]:
         "scale factor": 1e-6 * truth.rotation,
         "noise": walk * generator.standard_normal(none.shape),
     }
-    found = {name: replace(truth, rotation=r, velocity=none) for name, r in rotations.items()}
+    result = {name: replace(truth, rotation=r, velocity=none) for name, r in rotations.items()}
     force = none + 5 * MICRO_G * INTERVAL * np.array([1, -1, 0.5])
-    return found | {"accelerometers": replace(truth, rotation=none, velocity=force)}
+    return result | {"accelerometers": replace(truth, rotation=none, velocity=force)}
 
 
 def flown(record: Increments) -> np.ndarray:
     """Final position error north and east, alignment included."""
     start = TRAJECTORY.state(0.0)
-    mat_nb = static_alignment(record.between(0, ALIGNED), start.latitude)
+    mat_nb = level_and_gyrocompass(record.between(0, ALIGNED), start.latitude)
     flight = record.between(ALIGNED, len(record))
     height = Clamped(TRAJECTORY.position(flight.bounds)[:, 2])
     track = navigate(replace(start, mat_nb=mat_nb), flight, height, len(flight))
@@ -84,12 +90,12 @@ def erring(truth: Increments, signals: dict[str, Increments], sign: float) -> In
 
 def test_each_effect_is_the_navigators(truth: Increments, signals: dict[str, Increments]) -> None:
     """Flown one by one, forth and back: 1e-3 of each effect's part, at steps of 0.1 s."""
-    found = budget(model_weights(0.1), signals)
+    result = compute_budget(model_weights(0.1), signals)
     for name, signal in signals.items():
-        one = {name: signal}
-        ends = [flown(erring(truth, one, sign)) for sign in (1.0, -1.0)]
+        single = {name: signal}
+        ends = [flown(erring(truth, single, sign)) for sign in (1.0, -1.0)]
         expected = (ends[0] - ends[1]) / 2
-        part = found.contribution.sel(effect=name).sum(("axis", "time")).values
+        part = result.contribution.sel(effect=name).sum(("axis", "time")).values
         assert np.linalg.norm(part - expected) < 1e-3 * np.linalg.norm(expected), name
 
 
@@ -101,11 +107,11 @@ def test_parts_sum_to_the_whole(truth: Increments, signals: dict[str, Increments
         whole, rotation=whole.rotation - truth.rotation, velocity=whole.velocity - truth.velocity
     )
     initial = np.array([1.0, 2, 0, 0.01, 0.02, 0, 1e-6, 2e-6, 3e-6, 0])
-    parts = total(budget(own, signals, initial))
-    together = total(budget(own, {"all": sensor_errors}, initial))
+    parts = sum_contributions(compute_budget(own, signals, initial))
+    together = sum_contributions(compute_budget(own, {"all": sensor_errors}, initial))
     assert parts == pytest.approx(together, rel=1e-9)
     expected = flown(whole) - flown(truth)
-    without = total(budget(own, signals))
+    without = sum_contributions(compute_budget(own, signals))
     assert np.linalg.norm(without - expected) < 2e-3 * np.linalg.norm(expected)
     assert together - without == pytest.approx(own.states[0] @ initial, rel=1e-9)
 
@@ -115,12 +121,12 @@ def test_variances_sum_to_the_covariance() -> None:
     effects = (*BIASES, gyro_bias(1000.0), *bias_map(4, np.array([0.1, 0.7, 1.3])))
     own = model_weights(1.0, effects)
     maps = {f"bias map {wave} 4": 0.02 * DEG_PER_H for wave in ("cos", "sin")}
-    spreads = sigmas(effects, NOISE, maps)
+    spreads = coefficient_sigmas(effects, NOISE, maps)
     initial = np.diag([1.0, 1, 0, 1e-4, 1e-4, 0, 0, 0, 0, 0])
-    shares = variance_budget(own, initial, spreads, NOISE)
-    found = shares.variance.sum(("effect", "axis")) + shares.initial
-    expected = propagated_covariance(own.model, initial, spreads)[-1]
-    assert found.values == pytest.approx(np.diagonal(expected)[:2], rel=1e-4)
+    shares = compute_variance_budget(own, initial, spreads, NOISE)
+    result = shares.variance.sum(("effect", "axis")) + shares.initial
+    expected = propagate_covariance(own.model, initial, spreads)[-1]
+    assert result.values == pytest.approx(np.diagonal(expected)[:2], rel=1e-4)
     assert shares.variance.attrs["units"] == "m^2"
     assert float(shares.variance.min()) >= 0.0
 
@@ -128,29 +134,31 @@ def test_variances_sum_to_the_covariance() -> None:
 def test_every_effect_needs_its_sigma() -> None:
     effects = (*BIASES, *bias_map(2, np.zeros(3)))
     with pytest.raises(ValueError, match="'bias map cos 2'"):
-        sigmas(effects, NOISE)
+        coefficient_sigmas(effects, NOISE)
     with pytest.raises(ValueError, match="'bias map cos 4'"):
-        sigmas(BIASES, NOISE, {"bias map cos 4": 1e-8})
+        coefficient_sigmas(BIASES, NOISE, {"bias map cos 4": 1e-8})
 
 
 def test_signals_must_span_the_model(signals: dict[str, Increments]) -> None:
     short = {"noise": signals["noise"].between(ALIGNED, ALIGNED + 100)}
     with pytest.raises(ValueError, match=r"increments span 0\.0 to 5\.0 s: expected -200\.0"):
-        budget(model_weights(1.0), short)
+        compute_budget(model_weights(1.0), short)
 
 
 def test_labels(signals: dict[str, Increments]) -> None:
-    found = budget(model_weights(1.0), signals)
-    assert found.contribution.attrs["units"] == "m"
-    assert found.contribution.dims == ("effect", "axis", "time", "component")
-    accelerometers = found.contribution.sel(effect="mean bias", axis="accelerometer right")
+    result = compute_budget(model_weights(1.0), signals)
+    assert result.contribution.attrs["units"] == "m"
+    assert result.contribution.dims == ("effect", "axis", "time", "component")
+    accelerometers = result.contribution.sel(effect="mean bias", axis="accelerometer right")
     assert float(abs(accelerometers).max()) == 0.0
 
 
-def test_figure(tmp_path: Path, signals: dict[str, Increments]) -> None:
+def test_figure(signals: dict[str, Increments]) -> None:
+    """Two effects are all shown; of twice as many the smallest are summed."""
     own = model_weights(1.0)
-    draw(own, budget(own, signals), tmp_path / "few.png")
-    many = {f"{name} {k}": signal for k in range(2) for name, signal in signals.items()}
-    draw(own, budget(own, many), tmp_path / "many.png", "All twice")
-    for name in ("few", "many"):
-        assert (tmp_path / f"{name}.png").stat().st_size > 20_000
+    many = {f"{name} {k}": signal for k in range(4) for name, signal in signals.items()}
+    for shown, title in ((signals, "Few"), (many, "Many")):
+        figure = plot_budget(own, compute_budget(own, shown), title)
+        labels = figure.axes[2].get_legend_handles_labels()[1]
+        assert len(labels) == min(len(shown), MAX_SHOWN_EFFECTS) + 1
+        assert figure.get_suptitle().startswith(title)

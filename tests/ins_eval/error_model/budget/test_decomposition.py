@@ -5,17 +5,23 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ins_eval.common.increments import Increments
 from ins_eval.common.sensor_errors import SensorErrors
-from ins_eval.error_model.budget.decomposition import REST, Prior, decomposed, sensor_error, summed
+from ins_eval.error_model.budget.decomposition import (
+    UNEXPLAINED,
+    Prior,
+    decompose_errors,
+    sensor_error,
+    sum_over_steps,
+)
 from ins_eval.error_model.effects import (
     BIASES,
     accelerometer_scale_factor,
     bias_map,
     gyro_scale_factor,
 )
-from ins_eval.error_model.motion import along
-from ins_eval.trajectories.catalogue import trajectory
+from ins_eval.error_model.motion import sample_motion
+from ins_eval.trajectories.catalogue import load_trajectory
+from pyhrg.records.imu.increments import Increments
 
 INTERVAL = 0.1
 COUNT = 18_000
@@ -25,7 +31,7 @@ EFFECTS = (*BIASES, gyro_scale_factor(), accelerometer_scale_factor(), *bias_map
 
 @pytest.fixture(scope="module")
 def truth() -> Increments:
-    return trajectory("car", 20.0, 1810.0).increments(0.0, INTERVAL, COUNT)
+    return load_trajectory("car", 1810.0, 20.0).increments(0.0, INTERVAL, COUNT)
 
 
 def test_each_effect_is_found_again(truth: Increments) -> None:
@@ -41,27 +47,29 @@ def test_each_effect_is_found_again(truth: Increments) -> None:
         rotation=2e-7 * INTERVAL + scale + bias_map_4 + noise,
         velocity=np.full_like(truth.velocity, 1e-4 * INTERVAL),
     )
-    parts = decomposed(error, along(trajectory("car", 20.0, 1810.0), 0.0, 1.0, 1800), EFFECTS)
+    parts = decompose_errors(
+        error, sample_motion(load_trajectory("car", 1810.0, 20.0), 0.0, 1.0, 1800), EFFECTS
+    )
     assert parts["gyro bias"].rotation[:, 2] == pytest.approx(2e-7, rel=1e-2)
     expected = bias_map_4.reshape(1800, 10, 3).sum(axis=1)
-    found = parts["bias map, harmonic 4"].rotation
-    assert found[:, 2] == pytest.approx(expected[:, 2], abs=5e-9)
+    result = parts["bias map, harmonic 4"].rotation
+    assert result[:, 2] == pytest.approx(expected[:, 2], abs=5e-9)
     turning = scale[:, 2].reshape(1800, 10).sum(axis=1)
     assert parts["gyro scale factor"].rotation[:, 2] == pytest.approx(turning, rel=1e-2, abs=1e-9)
-    whole = summed(error, 0.0, 1.0, 1800)
+    whole = sum_over_steps(error, 0.0, 1.0, 1800)
     assert sum(part.rotation for part in parts.values()) == pytest.approx(whole.rotation, abs=1e-18)
     assert sum(part.velocity for part in parts.values()) == pytest.approx(whole.velocity, abs=1e-15)
-    assert np.std(parts[REST].rotation) < 2 * np.std(noise) * np.sqrt(10)
+    assert np.std(parts[UNEXPLAINED].rotation) < 2 * np.std(noise) * np.sqrt(10)
 
 
 def test_sums(truth: Increments) -> None:
-    found = summed(truth, 30.0, 0.5, 4)
-    assert found.start == 30.0
-    assert found.rotation[1] == pytest.approx(truth.rotation[305:310].sum(axis=0))
+    result = sum_over_steps(truth, 30.0, 0.5, 4)
+    assert result.start == 30.0
+    assert result.rotation[1] == pytest.approx(truth.rotation[305:310].sum(axis=0))
     with pytest.raises(ValueError, match=r"steps of 0\.25 s.*whole intervals of 0\.1 s"):
-        summed(truth, 0.0, 0.25, 4)
+        sum_over_steps(truth, 0.0, 0.25, 4)
     with pytest.raises(ValueError, match=r"span 0\.0 to 1800\.0 s: expected 1799\.0 to 1801\.0"):
-        summed(truth, 1799.0, 1.0, 2)
+        sum_over_steps(truth, 1799.0, 1.0, 2)
 
 
 def test_difference_needs_the_same_times(truth: Increments) -> None:
@@ -80,22 +88,26 @@ def test_prior_keeps_like_signals_from_cancelling(truth: Increments) -> None:
     generator = np.random.default_rng(3)
     drift = 2e-7 * INTERVAL + white * generator.standard_normal(truth.rotation.shape)
     error = replace(truth, rotation=drift, velocity=np.zeros_like(truth.velocity))
-    motion = along(trajectory("car", 20.0, 1810.0), 0.0, 1.0, 1800)
+    motion = sample_motion(load_trajectory("car", 1810.0, 20.0), 0.0, 1.0, 1800)
     prior = Prior(np.full((len(EFFECTS), 3), 1e-7), noise)
 
     def largest(parts: dict[str, Increments]) -> float:
-        sums = [np.abs(part.rotation[:, 0].sum()) for n, part in parts.items() if n != REST]
+        sums = [np.abs(part.rotation[:, 0].sum()) for n, part in parts.items() if n != UNEXPLAINED]
         return float(max(sums) / np.abs(drift[:, 0].sum()))
 
-    likeliest = decomposed(error, motion, EFFECTS, prior)
+    likeliest = decompose_errors(error, motion, EFFECTS, prior)
     assert largest(likeliest) < 2
-    assert largest(decomposed(error, motion, EFFECTS)) > 20
-    whole = summed(error, 0.0, 1.0, 1800).rotation
+    assert largest(decompose_errors(error, motion, EFFECTS)) > 20
+    whole = sum_over_steps(error, 0.0, 1.0, 1800).rotation
     assert sum(part.rotation for part in likeliest.values()) == pytest.approx(whole, abs=1e-18)
 
 
 def test_prior_of_nothing_leaves_all_to_the_rest(truth: Increments) -> None:
-    motion = along(trajectory("car", 20.0, 1810.0), 0.0, 1.0, 1800)
-    parts = decomposed(truth, motion, EFFECTS, Prior(np.zeros((len(EFFECTS), 3)), SensorErrors()))
+    motion = sample_motion(load_trajectory("car", 1810.0, 20.0), 0.0, 1.0, 1800)
+    parts = decompose_errors(
+        truth, motion, EFFECTS, Prior(np.zeros((len(EFFECTS), 3)), SensorErrors())
+    )
     assert parts["gyro bias"].rotation == pytest.approx(0)
-    assert np.array_equal(parts[REST].rotation, summed(truth, 0.0, 1.0, 1800).rotation)
+    assert np.array_equal(
+        parts[UNEXPLAINED].rotation, sum_over_steps(truth, 0.0, 1.0, 1800).rotation
+    )

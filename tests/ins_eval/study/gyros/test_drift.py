@@ -3,10 +3,11 @@
 import numpy as np
 import pytest
 
-from ins_eval.mission_model.gyro_map import characterised
-from ins_eval.study.gyros.drift import Drift, flight
+from ins_eval.mission_model.gyro_map import measure_gyro_map
+from ins_eval.study.gyros.drift import Drift, draw_flight
 from ins_eval.study.gyros.population import RAW
-from ins_eval.study.gyros.true_maps import slow_parameters
+from ins_eval.study.gyros.true_maps import list_slow_parameters
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import YEAR
 from pyhrg.fmu import GyroFmu
 
@@ -14,18 +15,18 @@ from pyhrg.fmu import GyroFmu
 def test_age_and_power_on_move_the_map(slow_fmu: GyroFmu) -> None:
     """By a share of it, more with age."""
     device = RAW.draw(np.random.default_rng(5))
-    before = characterised(slow_fmu, slow_parameters(device)).bias
+    before = measure_gyro_map(slow_fmu, list_slow_parameters(device)).bias
     shares = []
     for age in (0.0, 4 * YEAR):
-        flown = flight(device, Drift(age=age), np.random.default_rng(6))
-        after = characterised(slow_fmu, slow_parameters(flown.device)).bias
+        flown = draw_flight(device, Drift(age=age), np.random.default_rng(6))
+        after = measure_gyro_map(slow_fmu, list_slow_parameters(flown.device)).bias
         shares.append(np.linalg.norm(after - before) / np.linalg.norm(before))
     assert 0 < shares[0] < shares[1] < 0.5
 
 
 def test_flight_is_its_seeds() -> None:
     device = RAW.draw(np.random.default_rng(5))
-    one, same, other = (flight(device, Drift(), np.random.default_rng(s)) for s in (1, 1, 2))
+    one, same, other = (draw_flight(device, Drift(), np.random.default_rng(s)) for s in (1, 1, 2))
     assert one == same
     assert one.power_on_angle != other.power_on_angle
     assert one.device.turn_on_scatter == {}
@@ -34,5 +35,5 @@ def test_flight_is_its_seeds() -> None:
 
 @pytest.mark.parametrize("wrong", [{"age": -1.0}, {"coolest": 20.0}, {"warmest": np.inf}])
 def test_impossible_drift_is_refused(wrong: dict[str, float]) -> None:
-    with pytest.raises(ValueError, match="expected 0 or more, the least first"):
+    with pytest.raises(HrgError, match="expected 0 or more, the smaller first"):
         Drift(**wrong)

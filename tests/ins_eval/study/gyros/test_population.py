@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
-from ins_eval.mission_model.gyro_map import characterised
+from ins_eval.mission_model.gyro_map import measure_gyro_map
 from ins_eval.study.gyros.population import RAW, TRIMMED, Population
-from ins_eval.study.gyros.true_maps import slow_parameters
+from ins_eval.study.gyros.true_maps import list_slow_parameters
+from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.fmu import GyroFmu
 
@@ -21,11 +22,11 @@ def test_maps_are_of_the_stated_size(slow_fmu: GyroFmu, population: Population) 
     """Median rms of 20 gyros' maps, mean apart, within the stated range."""
     generator = np.random.default_rng(3)
     drawn = [population.draw(generator) for _ in range(20)]
-    maps = [characterised(slow_fmu, slow_parameters(device)).bias[1:] for device in drawn]
+    maps = [measure_gyro_map(slow_fmu, list_slow_parameters(device)).bias[1:] for device in drawn]
     sizes = [np.linalg.norm(each) / np.sqrt(2) for each in maps]
     assert population.smallest < np.median(sizes) < population.largest
 
 
 def test_impossible_sizes_are_refused() -> None:
-    with pytest.raises(ValueError, match=r"2 to 1 deg/h: expected above 0, the smallest first"):
+    with pytest.raises(HrgError, match=r"2 to 1 deg/h: expected above 0, the smaller first"):
         Population(2 * DEG_PER_H, DEG_PER_H)

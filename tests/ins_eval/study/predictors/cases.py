@@ -4,14 +4,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.mission_model import pattern_drift, signals
+from ins_eval.mission_model.alignment_at_rest import AlignmentAtRest
 from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.noise_weights import KINDS
 from ins_eval.mission_model.signals import COUNT
-from ins_eval.mission_model.standing import Standing
-from ins_eval.mission_model.triads import Triads
-from ins_eval.study.gyros.bench_plan import WARMER
-from ins_eval.study.predictors.parts.turned_maps import started
+from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.study.gyros.bench_plan import WARM_RISE
+from ins_eval.study.predictors.parts.turned_maps import start_maps
 from pyhrg.common.units import DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G
 
 Array = NDArray[np.float64]
@@ -44,7 +44,7 @@ def mission(seed: int, times: int = 1) -> MissionWeights:
         drift=np.zeros((times, 2, pattern_drift.COUNT, 3)),
         accelerometers=random.normal(size=(times, 2, 3)) / MICRO_G,
         noise=(noise @ np.swapaxes(noise, -1, -2)) * (100 / WALK) ** 2,
-        standing=Standing(
+        alignment=AlignmentAtRest(
             latitude=0.7,
             height=0.0,
             mat_nb=np.eye(3),
@@ -54,7 +54,7 @@ def mission(seed: int, times: int = 1) -> MissionWeights:
     )
 
 
-def triads(seed: int, count: int, spread: Array = SPREAD, fit: Array = FIT) -> Triads:
+def triads(seed: int, count: int, spread: Array = SPREAD, fit: Array = FIT) -> TriadBlock:
     """Whose bench errs by `fit`; whose maps drift, warm and make noise as stated above. What the
     bench expects of their warming is true, but for the drift."""
     random = np.random.default_rng(seed)
@@ -70,23 +70,23 @@ def triads(seed: int, count: int, spread: Array = SPREAD, fit: Array = FIT) -> T
     true[:, :c], true[:, c : 2 * c] = bench_map, gain * rise[:, None]
     drifted = true + DRIFT[:, None] * size * random.normal(size=true.shape)
     variance = np.broadcast_to(fit[:, None] ** 2, shape)
-    told = gain + np.sqrt(variance) / WARMER * random.normal(size=shape)
+    told = gain + np.sqrt(variance) / WARM_RISE * random.normal(size=shape)
     stability = np.sqrt(np.sum(bench_map[:, 1:TERMS] ** 2, axis=1) / 2)
     noise = np.zeros((count, len(KINDS), 3))
     noise[:, 1] = WALK
-    return Triads(
+    return TriadBlock(
         fixed_stability=0.01 * stability[::-1],
         circumference_stability=stability,
         instability=np.zeros((count, 3)),
-        walk=noise[:, 1],
-        known=known,
-        gain=told,
-        variance=variance,
-        true=true,
+        random_walk=noise[:, 1],
+        fitted_map=known,
+        map_per_kelvin=told,
+        map_variance=variance,
+        true_map=true,
         start_angle=start_angle,
         rise=rise,
-        in_flight=started(drifted, start_angle),
-        turning=np.zeros((count, len(pattern_drift.TURNING), 3)),
+        in_flight=start_maps(drifted, start_angle),
+        turning=np.zeros((count, len(pattern_drift.TURNING_TERMS), 3)),
         noise=noise,
         accelerometers=ACCELEROMETER_BIAS * random.normal(size=(count, 3)),
         seeds=random.integers(2**63, size=(count, 2), dtype=np.uint64),

@@ -3,18 +3,18 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.mission_model.flown import flown
 from ins_eval.mission_model.mission_weights import MissionWeights
-from ins_eval.mission_model.triads import Triads
+from ins_eval.mission_model.position_errors import compute_position_errors
+from ins_eval.mission_model.triad_block import TriadBlock
 
 Array = NDArray[np.float64]
 
 
-def errors(triads: Triads, weights: MissionWeights) -> Array:
+def errors(triads: TriadBlock, weights: MissionWeights) -> Array:
     """(r, k, 2) m."""
-    return flown(triads, weights, mission=0).error
+    return compute_position_errors(triads, weights, mission=0).error
 
 
-def radial(triads: Triads, weights: MissionWeights) -> Array:
+def radial(triads: TriadBlock, weights: MissionWeights) -> Array:
     """(r, k) m."""
     return np.asarray(np.linalg.norm(errors(triads, weights), axis=-1))

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ins_eval.mission_model.flown import map_errors
 from ins_eval.mission_model.gyro_map import TERMS
+from ins_eval.mission_model.position_errors import compute_map_errors
 from ins_eval.study.predictors import manoeuvre_theory
 from pyhrg.common.units import DEG_PER_H
 from tests.ins_eval.study.predictors import cases
@@ -23,7 +23,7 @@ def test_covariance_is_that_of_random_phases() -> None:
     amplitude = np.sqrt(2 * shares[[1, 3], None]) * stability
     maps = np.zeros((n, 2 * TERMS, 3))
     maps[:, [3, 7]], maps[:, [4, 8]] = amplitude * np.cos(phases), amplitude * np.sin(phases)
-    errors = map_errors(weights.gyros, maps)[:, 0]
+    errors = compute_map_errors(weights.gyros, maps)[:, 0]
     found = manoeuvre_theory.predict(stability, weights, NONE, shares).covariance[0, 0]
     scatter = np.sqrt(np.var(errors[:, :, None] * errors[:, None, :], axis=0) / n)
     assert np.all(np.abs(errors.T @ errors / n - found) < 4 * scatter)
@@ -40,5 +40,5 @@ def test_it_knows_the_manoeuvre() -> None:
 def test_shares_of_harmonics() -> None:
     maps = np.zeros((2, 2 * TERMS, 3))
     maps[:, 3], maps[:, 8], maps[:, TERMS + 1] = 3.0, 4.0, 100.0
-    found = manoeuvre_theory.harmonic_shares(maps)
+    found = manoeuvre_theory.estimate_harmonic_shares(maps)
     assert found == pytest.approx(np.array([0.0, 0.36, 0.0, 0.64]))

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ins_eval.study.predictors.unpredictable import unpredictable
+from ins_eval.study.predictors.unpredictable import compute_unpredictable_covariance
 from tests.ins_eval.study.predictors import cases, flights
 
 COUNT = 4000
@@ -25,7 +25,9 @@ def test_covariance_of_flights_without_maps(noisy: float, biased: float) -> None
         accelerometers=biased * triads.accelerometers,
     )
     errors = flights.errors(bare, weights)
-    found = unpredictable(weights, noise, biased * cases.ACCELEROMETER_BIAS).mean(axis=0)
+    found = compute_unpredictable_covariance(
+        weights, noise, biased * cases.ACCELEROMETER_BIAS
+    ).mean(axis=0)
     products = errors[..., :, None] * errors[..., None, :]
     scatter = products.std(axis=0) / np.sqrt(COUNT)
     assert np.all(np.abs(products.mean(axis=0) - found) <= 5 * scatter)

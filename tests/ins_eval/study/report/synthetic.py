@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 from scipy import stats
 
-from ins_eval.study.report.result import StudyResult, result
+from ins_eval.study.study_data import StudyData, check_study_data
 from ins_eval.study.tables import columns as c
 from ins_eval.study.tables import score as scored
 
@@ -29,7 +29,7 @@ CONDITIONS = {"straight & level": "the pattern stays", "self-calibrated": "maps 
 """Title and what is special; the second is where the thesis does not hold."""
 
 
-def synthetic(triads: int = 40, seed: int = 5, conditions: bool = True) -> StudyResult:
+def synthetic(triads: int = 40, seed: int = 5, conditions: bool = True) -> StudyData:
     """Triads through every mission and calibration, and in conditions."""
     generator = np.random.default_rng(seed)
     blocks = [
@@ -42,7 +42,7 @@ def synthetic(triads: int = 40, seed: int = 5, conditions: bool = True) -> Study
     table = pd.concat(blocks, ignore_index=True)
     about = {"schema": "hrg-study/1", "seed": seed, "triads": triads, "hours": 2.0}
     about |= {"interval_percent": 90.0, "conditions": CONDITIONS}
-    return result(table, about | {"scores": scores(table, seed)})
+    return check_study_data(table, about | {"scores": scores(table, seed)})
 
 
 def _apart(title: str, triads: int, generator: np.random.Generator) -> pd.DataFrame:
@@ -93,7 +93,7 @@ def _flights(
         c.GYROS_CIRCUMFERENCE: list(0.1 * gyros * generator.lognormal(0, 0.2, (triads, 3))),
     }
     for name, error in parts.items():
-        columns |= {c.part(name, "north"): error[:, 0], c.part(name, "east"): error[:, 1]}
+        columns |= {c.name_part(name, "north"): error[:, 0], c.name_part(name, "east"): error[:, 1]}
     typical = {
         "fixed_rule": 0.05 * spread[:, 0] * generator.lognormal(0, 0.8, triads),
         "circumference_rule": spread[:, 0] * generator.lognormal(0, 0.3, triads),

@@ -7,9 +7,9 @@ from typing import Any
 import pandas as pd
 import pytest
 
-from ins_eval.study.report.page import write
-from ins_eval.study.report.result import StudyResult
-from ins_eval.study.report.sections import SECTIONS
+from ins_eval.study.report.page import write_page
+from ins_eval.study.report.sections import make_sections
+from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
 from tests.ins_eval.study.report.synthetic import synthetic
 from tests.programs import find_chromium
@@ -20,14 +20,14 @@ pytestmark = pytest.mark.needs("chromium")
 
 
 @pytest.fixture(scope="module")
-def result() -> StudyResult:
+def result() -> StudyData:
     return synthetic(20)
 
 
 @pytest.fixture(scope="module")
-def address(result: StudyResult, tmp_path_factory: pytest.TempPathFactory) -> str:
+def address(result: StudyData, tmp_path_factory: pytest.TempPathFactory) -> str:
     folder: Path = tmp_path_factory.mktemp("report")
-    write(result, folder)
+    write_page(result, folder)
     return (folder / "report.html").as_uri()
 
 
@@ -60,7 +60,7 @@ def chosen(table: pd.DataFrame, **wanted: str) -> pd.DataFrame:
     return table
 
 
-def test_the_page_opens_on_the_unseen_half(page: Any, result: StudyResult) -> None:
+def test_the_page_opens_on_the_unseen_half(page: Any, result: StudyData) -> None:
     rows = chosen(result.table, calibration="map", half="test")
     assert page.locator("h1").is_visible()
     live = page.locator("[data-panel=fitted_map] .live").inner_text()
@@ -69,7 +69,7 @@ def test_the_page_opens_on_the_unseen_half(page: Any, result: StudyResult) -> No
     assert shown == rows[c.CLASS].nunique()
 
 
-def test_every_choice_can_be_made(page: Any, result: StudyResult) -> None:
+def test_every_choice_can_be_made(page: Any, result: StudyData) -> None:
     for name in ("calibration", "half", "class", "predictor"):
         select = page.locator(f"select[name={name}]")
         for value in select.locator("option").evaluate_all("all => all.map(o => o.value)"):
@@ -79,7 +79,7 @@ def test_every_choice_can_be_made(page: Any, result: StudyResult) -> None:
     assert live.startswith(f"{len(result.table)} flights")
 
 
-def test_a_class_alone(page: Any, result: StudyResult) -> None:
+def test_a_class_alone(page: Any, result: StudyData) -> None:
     page.locator("select[name=half]").select_option("all")
     page.locator("select[name=class]").select_option("car")
     rows = chosen(result.table, calibration="map", mission_class="car")
@@ -97,7 +97,7 @@ def test_a_predictor_alone(page: Any) -> None:
     assert visible.locator("svg").bounding_box()["width"] > 600
 
 
-def test_hovering_a_dot_tells_its_flight(page: Any, result: StudyResult) -> None:
+def test_hovering_a_dot_tells_its_flight(page: Any, result: StudyData) -> None:
     page.locator("select[name=predictor]").select_option("fitted_map")
     rows = chosen(result.table, calibration="map", half="test")
     row = rows.loc[rows[c.FLOWN_RADIAL].idxmax()]
@@ -124,7 +124,7 @@ def test_hovering_a_dot_tells_its_flight(page: Any, result: StudyResult) -> None
     assert not page.locator("#tip").is_visible()
 
 
-def test_dots_can_be_stepped_through_with_the_keyboard(page: Any, result: StudyResult) -> None:
+def test_dots_can_be_stepped_through_with_the_keyboard(page: Any, result: StudyData) -> None:
     rows = chosen(result.table, calibration="map", half="test")
     order = rows.sort_values(c.FLOWN_RADIAL)[c.TRIAD].tolist()
     page.locator("[data-panel=oracle] svg").focus()
@@ -137,8 +137,8 @@ def test_dots_can_be_stepped_through_with_the_keyboard(page: Any, result: StudyR
     assert not page.locator("#tip").is_visible()
 
 
-def test_links_and_folds_open(page: Any) -> None:
-    for section in SECTIONS:
+def test_links_and_folds_open(page: Any, result: StudyData) -> None:
+    for section in make_sections(result):
         page.locator(f'nav a[href="#{section.name}"]').click()
         assert page.locator(f"#{section.name} h2").is_visible()
     for fold in page.locator("details:visible").all():
@@ -147,7 +147,7 @@ def test_links_and_folds_open(page: Any) -> None:
 
 
 def test_without_scripts_every_figure_and_table_is_there(
-    browser: Any, address: str, result: StudyResult
+    browser: Any, address: str, result: StudyData
 ) -> None:
     context = browser.new_context(java_script_enabled=False)
     opened = context.new_page()

@@ -7,8 +7,8 @@ import pandas as pd
 import pytest
 from scipy.stats import binom
 
-from ins_eval.study.report.figures.budget import rms, shares
-from ins_eval.study.report.figures.growth import growth
+from ins_eval.study.report.figures.budget import compute_shares, estimate_rms
+from ins_eval.study.report.figures.growth import compute_growth
 from ins_eval.study.tables import columns as c
 
 
@@ -26,12 +26,12 @@ def flights(triads: int, missions: int, seed: int) -> pd.DataFrame:
 
 def test_rms_is_that_of_the_radial_error() -> None:
     rows = pd.DataFrame({c.TRIAD: [0, 1], "north": [3.0, 0.0], "east": [4.0, 5.0]})
-    assert rms(rows, "north", "east").value == pytest.approx(5.0)
+    assert estimate_rms(rows, "north", "east").value == pytest.approx(5.0)
 
 
 def test_rms_intervals_hold_the_truth_as_often_as_they_say() -> None:
     n = 300
-    found = [rms(flights(200, 2, seed), "north", "east") for seed in range(n)]
+    found = [estimate_rms(flights(200, 2, seed), "north", "east") for seed in range(n)]
     held = sum(r.low <= np.sqrt(2) <= r.high for r in found)
     low, high = binom.ppf([0.005, 0.995], n, 0.95)
     assert low <= held <= high
@@ -40,20 +40,20 @@ def test_rms_intervals_hold_the_truth_as_often_as_they_say() -> None:
 def test_flights_of_one_triad_count_as_one() -> None:
     single = flights(60, 1, seed=1)
     copied = pd.concat([single] * 4)
-    found, expected = rms(copied, "north", "east"), rms(single, "north", "east")
+    found, expected = estimate_rms(copied, "north", "east"), estimate_rms(single, "north", "east")
     assert astuple(found) == pytest.approx(astuple(expected))
 
 
 def test_shares_add_up() -> None:
     rows = flights(50, 1, seed=2)
-    part = rms(rows, "north", "east")
-    held = shares({"map": part, "noise": part})
+    part = estimate_rms(rows, "north", "east")
+    held = compute_shares({"map": part, "noise": part})
     assert held == {"map": 0.5, "noise": 0.5}
 
 
 def test_growth_is_the_quantiles_at_each_time() -> None:
     errors = np.random.default_rng(4).rayleigh(1.0, (400, 1)) * np.arange(1, 13)
-    found = growth(pd.Series(list(errors)))
+    found = compute_growth(pd.Series(list(errors)))
     np.testing.assert_allclose(found.hours[[0, -1]], [1 / 6, 2])
     np.testing.assert_allclose(found.quantiles[:, 1], np.median(errors, axis=0))
     assert found.low < 12 * np.sqrt(2 * np.log(2)) < found.high
@@ -61,7 +61,7 @@ def test_growth_is_the_quantiles_at_each_time() -> None:
 
 
 def test_a_flight_that_ends_sooner_counts_while_it_lasts() -> None:
-    found = growth(pd.Series([[1.0, 2.0], [3.0]]))
+    found = compute_growth(pd.Series([[1.0, 2.0], [3.0]]))
     np.testing.assert_allclose(found.quantiles[:, 1], [2.0, 2.0])
     assert found.n == 1
     assert np.isnan(found.low)

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from ins_eval.study.report.page import page, write
-from ins_eval.study.report.result import StudyResult
-from ins_eval.study.report.sections import SECTIONS
+from ins_eval.study.report.page import render_page, write_page
+from ins_eval.study.report.sections import make_sections
+from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
 from tests.elements import elements
 from tests.ins_eval.study.report.synthetic import MISSIONS, synthetic
@@ -19,23 +19,23 @@ ROWS = 8000
 
 
 @pytest.fixture(scope="module")
-def result() -> StudyResult:
+def result() -> StudyData:
     return synthetic(12)
 
 
 @pytest.fixture(scope="module")
-def text(result: StudyResult) -> str:
-    return page(result)
+def text(result: StudyData) -> str:
+    return render_page(result)
 
 
 def test_same_study_same_bytes(text: str) -> None:
-    assert page(synthetic(12)) == text
+    assert render_page(synthetic(12)) == text
 
 
-def test_every_section_can_be_reached(text: str) -> None:
+def test_every_section_can_be_reached(result: StudyData, text: str) -> None:
     anchors = {attributes.get("id") for _, attributes in elements(text)}
     links = {a["href"] for tag, a in elements(text) if tag == "a"}
-    assert links == {f"#{section.name}" for section in SECTIONS}
+    assert links == {f"#{section.name}" for section in make_sections(result)}
     assert {str(link)[1:] for link in links} <= anchors
 
 
@@ -56,10 +56,10 @@ def test_drawings_are_told_to_those_who_do_not_see_them(text: str) -> None:
 def test_a_study_of_8000_rows_is_small_enough() -> None:
     large = synthetic(ROWS // len(MISSIONS) // 2, conditions=False)
     assert len(large.table) == ROWS
-    assert len(page(large).encode()) <= MOST_BYTES
+    assert len(render_page(large).encode()) <= MOST_BYTES
 
 
-def test_embedded_points_are_those_of_the_table(result: StudyResult, text: str) -> None:
+def test_embedded_points_are_those_of_the_table(result: StudyData, text: str) -> None:
     embedded = re.search(r'<script type="application/json" id="study">(.*?)</script>', text)
     assert embedded
     study = json.loads(embedded[1])
@@ -71,35 +71,35 @@ def test_embedded_points_are_those_of_the_table(result: StudyResult, text: str) 
     assert [named["levels"][code] for code in named["codes"]] == result.table[c.MISSION].tolist()
 
 
-def test_missing_predictions_leave_a_word(result: StudyResult) -> None:
+def test_missing_predictions_leave_a_word(result: StudyData) -> None:
     gone = {p: float("nan") for p in ("oracle_median_m", "oracle_low_m", "oracle_high_m")}
-    text = page(replace(result, table=result.table.assign(**gone)))
+    text = render_page(replace(result, table=result.table.assign(**gone)))
     assert "No predictions." in text
     elements(text)
 
 
-def test_a_study_without_scores_says_so(result: StudyResult) -> None:
-    text = page(replace(result, scores=[]))
-    assert "Nothing was asked of this study" in text
+def test_a_study_without_scores_says_so(result: StudyData) -> None:
+    text = render_page(replace(result, scores=[]))
+    assert "This study has no requirements" in text
     assert "Not scored in this study" in text
     elements(text)
 
 
-def test_names_are_only_names(result: StudyResult) -> None:
+def test_names_are_only_names(result: StudyData) -> None:
     evil = "</script><script>alert(1)</script>"
     table = result.table.replace({c.MISSION: {"car": evil}, c.CLASS: {"car": evil}})
-    text = page(replace(result, table=table))
+    text = render_page(replace(result, table=table))
     assert evil not in text
     assert text.count("<script") == 2
     elements(text)
 
 
-def test_written_whole_or_not_at_all(result: StudyResult, tmp_path: Path) -> None:
-    write(result, tmp_path)
+def test_written_whole_or_not_at_all(result: StudyData, tmp_path: Path) -> None:
+    write_page(result, tmp_path)
     assert [p.name for p in tmp_path.iterdir()] == ["report.html"]
     before = (tmp_path / "report.html").read_bytes()
     broken = replace(result, table=result.table.drop(columns=[c.GROWTH]))
     with pytest.raises(KeyError):
-        write(broken, tmp_path)
+        write_page(broken, tmp_path)
     assert [p.name for p in tmp_path.iterdir()] == ["report.html"]
     assert (tmp_path / "report.html").read_bytes() == before

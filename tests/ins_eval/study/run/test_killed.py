@@ -9,7 +9,7 @@ import pytest
 
 from ins_eval.study import study_file
 from ins_eval.study.run import block
-from ins_eval.study.run.identity import identity
+from ins_eval.study.run.identity import identify_study
 from ins_eval.study.specification import Study
 from tests.ins_eval.study import cases
 from tests.ins_eval.study.run import cheap
@@ -22,7 +22,7 @@ from tests.ins_eval.study.run.processes import (
     worker,
 )
 
-BLOCKS = block.count(cases.study())
+BLOCKS = block.count_blocks(cases.study())
 
 
 @pytest.fixture
@@ -39,9 +39,11 @@ def file(tmp_path: Path) -> Path:
 def undisturbed(study: Study, folder: Path) -> dict[str, bytes]:
     """What the study gives without workers or interruptions."""
     folder.mkdir()
-    made = [cheap.made(study, block.triads_of(study, n)) for n in range(block.count(study))]
-    cheap.conclude(study, block.joined(made), folder)
-    (folder / "identity.json").write_text(identity(study).text)
+    made = [
+        cheap.made(study, block.list_triads(study, n)) for n in range(block.count_blocks(study))
+    ]
+    cheap.conclude(study, block.join_blocks(made), folder)
+    (folder / "identity.json").write_text(identify_study(study).text)
     return contents(folder)
 
 
@@ -62,7 +64,7 @@ def test_killed_command_goes_on_from_what_it_kept(file: Path, tmp_path: Path, ga
         again = gate.pass_all(BLOCKS - 1)
         assert run.wait(60) == 0
     assert sorted([second.number, *again]) == list(range(BLOCKS))
-    assert contents(out) == undisturbed(study_file.read(file), tmp_path / "undisturbed")
+    assert contents(out) == undisturbed(study_file.read_study(file), tmp_path / "undisturbed")
 
 
 def test_command_killed_in_its_conclusion_does_no_block_again(
@@ -80,7 +82,7 @@ def test_command_killed_in_its_conclusion_does_no_block_again(
     with study_command(file, out, "--workers", "1", environment=environment) as run:
         assert gate.pass_all(1) == [last]
         assert run.wait(60) == 0
-    assert contents(out) == undisturbed(study_file.read(file), tmp_path / "undisturbed")
+    assert contents(out) == undisturbed(study_file.read_study(file), tmp_path / "undisturbed")
 
 
 def test_terminated_command_says_how_to_go_on(file: Path, tmp_path: Path, gate: Gate) -> None:
@@ -128,7 +130,7 @@ def test_cluster_that_loses_its_workers_goes_on(file: Path, tmp_path: Path, gate
             passed = gate.pass_all(BLOCKS - 1)
             assert run.wait(60) == 0
     assert sorted([first, *passed]) == list(range(BLOCKS))
-    assert contents(out) == undisturbed(study_file.read(file), tmp_path / "undisturbed")
+    assert contents(out) == undisturbed(study_file.read_study(file), tmp_path / "undisturbed")
 
 
 def test_killed_command_goes_on_with_the_same_cluster(
@@ -150,7 +152,7 @@ def test_killed_command_goes_on_with_the_same_cluster(
     assert first not in passed
     assert set(passed) | {first, under_way.number} == set(range(BLOCKS))
     assert len(passed) <= BLOCKS + 1
-    assert contents(out) == undisturbed(study_file.read(file), tmp_path / "undisturbed")
+    assert contents(out) == undisturbed(study_file.read_study(file), tmp_path / "undisturbed")
 
 
 def test_block_that_kills_its_workers_is_named(file: Path, tmp_path: Path, gate: Gate) -> None:

@@ -16,11 +16,11 @@ from ins_eval.study.run import block, workers
 from ins_eval.study.run.block import Arrays, BlockWork
 from ins_eval.study.run.errors import StudyRunError
 from ins_eval.study.run.folder import StudyFolder
-from ins_eval.study.run.identity import Identity, identity
-from ins_eval.study.run.run import Cluster, run
-from ins_eval.study.run.workers import ANY_PORT
+from ins_eval.study.run.identity import Identity, identify_study
+from ins_eval.study.run.run import Cluster, run_experiment
+from ins_eval.study.run.workers import DASHBOARD_ADDRESS
 from ins_eval.study.specification import Study
-from pyhrg.common.made_by import difference
+from pyhrg.common.made_by import find_difference
 from tests.ins_eval.study import cases
 from tests.ins_eval.study.run.cheap import CHEAP, conclude, made
 from tests.ins_eval.study.run.processes import contents
@@ -38,7 +38,7 @@ def cluster() -> Iterator[Cluster]:
         processes=False,
         host="127.0.0.1",
         protocol="tcp",
-        dashboard_address=ANY_PORT,
+        dashboard_address=DASHBOARD_ADDRESS,
     ) as local:
         yield Cluster(local.scheduler_address)
 
@@ -47,18 +47,18 @@ def cluster() -> Iterator[Cluster]:
 def complete(tmp_path: Path, cluster: Cluster) -> Path:
     """The folder of a study that is complete."""
     out = tmp_path / "out"
-    run(STUDY, out, CHEAP, cluster)
+    run_experiment(STUDY, out, CHEAP, cluster)
     return out
 
 
 @pytest.fixture
 def begun(tmp_path: Path) -> StudyFolder:
     """The folder of a study of which all blocks but the last are kept."""
-    own = identity(STUDY)
+    own = identify_study(STUDY)
     folder = StudyFolder(tmp_path / "out", own)
     folder.path.mkdir()
     (folder.path / "identity.json").write_text(own.text)
-    for number in range(block.count(STUDY) - 1):
+    for number in range(block.count_blocks(STUDY) - 1):
         folder.keep(number, BlockWork(STUDY, own, made)(number))
     return folder
 
@@ -73,16 +73,18 @@ def test_all_triads_are_there_in_order_and_blocks_are_not(complete: Path) -> Non
 
 
 def test_complete_study_is_not_done_again(complete: Path) -> None:
-    before, told = contents(complete), list[int]()
-    run(STUDY, complete, replace(CHEAP, made=fails), NOWHERE, told.append)
+    before, told = contents(complete), list[tuple[int, int]]()
+    run_experiment(
+        STUDY, complete, replace(CHEAP, compute=fails), NOWHERE, lambda *now: told.append(now)
+    )
     assert contents(complete) == before
-    assert told == [STUDY.triads]
+    assert told == [(STUDY.triads, STUDY.triads)]
 
 
 def test_kept_blocks_are_not_done_again(begun: StudyFolder, cluster: Cluster) -> None:
-    told = list[int]()
-    run(STUDY, begun.path, CHEAP, cluster, told.append)
-    assert told == [70, 5]
+    told = list[tuple[int, int]]()
+    run_experiment(STUDY, begun.path, CHEAP, cluster, lambda *now: told.append(now))
+    assert told == [(70, 75), (75, 75)]
 
 
 @pytest.mark.parametrize("damage", [lambda b: b[:500], lambda b: b[:400] + b"?" + b[401:]])
@@ -90,22 +92,22 @@ def test_damaged_block_is_done_again(begun: StudyFolder, cluster: Cluster, damag
     assert callable(damage)
     path = begun.block(1)
     path.write_bytes(damage(path.read_bytes()))
-    told = list[int]()
-    run(STUDY, begun.path, CHEAP, cluster, told.append)
-    assert told == [65, 5, 5]
+    told = list[tuple[int, int]]()
+    run_experiment(STUDY, begun.path, CHEAP, cluster, lambda *now: told.append(now))
+    assert told == [(65, 75), (70, 75), (75, 75)]
 
 
 def test_block_of_another_number_or_study_is_none(begun: StudyFolder) -> None:
     file = begun.block(1).read_bytes()
-    assert block.unpacked(file, begun.identity, 1)
-    assert block.unpacked(file, begun.identity, 2) is None
-    assert block.unpacked(file, identity(cases.study(seed=4)), 1) is None
+    assert block.unpack_block(file, begun.identity, 1)
+    assert block.unpack_block(file, begun.identity, 2) is None
+    assert block.unpack_block(file, identify_study(cases.study(seed=4)), 1) is None
 
 
 def test_what_fails_keeps_what_was_done(begun: StudyFolder, cluster: Cluster) -> None:
     before = contents(begun.path)
     with pytest.raises(AssertionError, match=r"range\(70, 75\) done"):
-        run(STUDY, begun.path, replace(CHEAP, made=fails), cluster)
+        run_experiment(STUDY, begun.path, replace(CHEAP, compute=fails), cluster)
     assert contents(begun.path) == before
 
 
@@ -115,9 +117,9 @@ def test_results_appear_together_or_not_at_all(begun: StudyFolder, cluster: Clus
         raise RuntimeError("no score")
 
     with pytest.raises(RuntimeError, match="no score"):
-        run(STUDY, begun.path, replace(CHEAP, conclude=breaks_off), cluster)
+        run_experiment(STUDY, begun.path, replace(CHEAP, conclude=breaks_off), cluster)
     assert not set(contents(begun.path)) & set(CHEAP.files)
-    assert begun.arrays(3) is not None
+    assert begun.load_block(3) is not None
 
 
 def test_leftovers_of_a_killed_command_are_removed(complete: Path) -> None:
@@ -127,14 +129,14 @@ def test_leftovers_of_a_killed_command_are_removed(complete: Path) -> None:
     (complete / "blocks").mkdir()
     (complete / "blocks" / ".000001.npz.x").write_text("half")
     with pytest.raises(StudyRunError, match="found no address"):
-        run(STUDY, complete, CHEAP, Cluster("tcp:1"))
+        run_experiment(STUDY, complete, CHEAP, Cluster("tcp:1"))
     assert not (complete / ".partial-x").exists()
 
 
 def refused(out: Path, study: Study, message: str) -> None:
     before = contents(out)
     with pytest.raises(StudyRunError, match=re.escape(f"{out}{message}")):
-        run(study, out, CHEAP, NOWHERE)
+        run_experiment(study, out, CHEAP, NOWHERE)
     assert contents(out) == before
 
 
@@ -189,18 +191,18 @@ def test_one_command_at_a_time(complete: Path) -> None:
 
 
 def test_absent_scheduler_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(workers, "PATIENCE", 0.2)
+    monkeypatch.setattr(workers, "ARRIVAL_TIMEOUT", 0.2)
     with pytest.raises(StudyRunError, match="1: found no scheduler, expected one"):
-        run(STUDY, tmp_path, CHEAP, NOWHERE)
+        run_experiment(STUDY, tmp_path, CHEAP, NOWHERE)
 
 
 def test_address_that_is_none_is_told(tmp_path: Path) -> None:
     with pytest.raises(StudyRunError, match="here: found no address, expected tcp://HOST:PORT"):
-        run(STUDY, tmp_path, CHEAP, Cluster("here"))
+        run_experiment(STUDY, tmp_path, CHEAP, Cluster("here"))
 
 
 def test_worker_of_another_version_refuses() -> None:
-    own = identity(STUDY)
+    own = identify_study(STUDY)
     other = Identity(own.study, {**own.made_by, "code": "0"})
     message = f"a worker of another version: code: found {own.made_by['code']}, expected 0"
     with pytest.raises(StudyRunError, match=message):
@@ -213,7 +215,7 @@ def test_arrays_of_a_few_blocks_alone_are_joined() -> None:
         {"a": np.array([2]), "b": np.array([3])},
         {"b": np.array([4])},
     ]
-    joined = block.joined(blocks)
+    joined = block.join_blocks(blocks)
     assert {name: values.tolist() for name, values in joined.items()} == {"a": [1, 2], "b": [3, 4]}
 
 
@@ -221,14 +223,14 @@ def test_blocks_hold_all_triads_once() -> None:
     """Many for many workers, none larger than a kill may cost."""
     for triads in (2, 15, 16, 75, 80, 1000):
         study = cases.study(triads=triads)
-        blocks = [block.triads_of(study, number) for number in range(block.count(study))]
+        blocks = [block.list_triads(study, number) for number in range(block.count_blocks(study))]
         assert [triad for each in blocks for triad in each] == list(range(triads))
-        assert max(map(len, blocks)) <= block.MOST
+        assert max(map(len, blocks)) <= block.LARGEST_BLOCK
         assert len(blocks) >= min(triads, 10)
 
 
 def test_difference_names_the_first_key() -> None:
-    assert difference({"a": [1, {"b": 2}]}, {"a": [1, {"b": 2}]}) is None
-    assert difference({"a": [1, {"b": 2}]}, {"a": [1, {"b": 3}]}) == ("a[1].b", 2, 3)
-    assert difference({"a": [1]}, {"a": [1, 2]}) == ("a", [1], [1, 2])
-    assert difference({}, {"c": 1}) == ("c", None, 1)
+    assert find_difference({"a": [1, {"b": 2}]}, {"a": [1, {"b": 2}]}) is None
+    assert find_difference({"a": [1, {"b": 2}]}, {"a": [1, {"b": 3}]}) == ("a[1].b", 2, 3)
+    assert find_difference({"a": [1]}, {"a": [1, 2]}) == ("a", [1], [1, 2])
+    assert find_difference({}, {"c": 1}) == ("c", None, 1)

@@ -3,9 +3,9 @@
 from dataclasses import replace
 from pathlib import Path
 
-from ins_eval.cli.study import experiment
-from ins_eval.study.run.run import Cluster, run
-from ins_eval.study.run.workers import connected
+from ins_eval.study.run.run import Cluster, run_experiment
+from ins_eval.study.run.workers import connect
+from ins_eval.study.run_study import make_experiment
 from tests.ins_eval.study.run.processes import contents
 from tests.ins_eval.study.test_experiment import STUDY
 
@@ -21,7 +21,7 @@ SMALL = replace(
 
 def test_same_bytes_by_any_number_of_workers(tmp_path: Path) -> None:
     for workers in (1, 2):
-        run(SMALL, tmp_path / str(workers), experiment(), Cluster(workers=workers))
+        run_experiment(SMALL, tmp_path / str(workers), make_experiment(), Cluster(workers=workers))
     one, two = (contents(tmp_path / str(workers)) for workers in (1, 2))
     assert {"study.parquet", "study.json", "report.html"} < set(one)
     assert one == two
@@ -29,5 +29,5 @@ def test_same_bytes_by_any_number_of_workers(tmp_path: Path) -> None:
 
 def test_two_studies_run_at_once() -> None:
     """No warning of a port that is taken, which would be an error here."""
-    with connected(None, 1) as one, connected(None, 1) as other:
+    with connect(None, 1) as one, connect(None, 1) as other:
         assert one.submit(sum, (1, 2)).result() == other.submit(sum, (1, 2)).result() == 3

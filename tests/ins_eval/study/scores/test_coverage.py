@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.stats import binomtest
 
-from ins_eval.study.scores.coverage import coverage
+from ins_eval.study.scores.coverage import estimate_coverage
 
 RANDOM = np.random.default_rng(1)
 QUANTILES = -np.log([0.95, 0.05])
@@ -16,7 +16,7 @@ def test_exact_binomial_over_triads() -> None:
     flown = np.repeat(RANDOM.exponential(size=(200, 1)), 10, axis=1)
     low, high = (np.full_like(flown, q) for q in QUANTILES)
     inside = int(np.sum((flown[:, 0] >= QUANTILES[0]) & (flown[:, 0] <= QUANTILES[1])))
-    found = coverage(flown, low, high, seed=1)
+    found = estimate_coverage(flown, low, high, seed=1)
     interval = binomtest(inside, 200).proportion_ci(0.95)
     assert (found.value, found.low, found.high) == (inside / 200, interval.low, interval.high)
 
@@ -27,7 +27,7 @@ def test_right_intervals_are_found_right() -> None:
     for seed in range(200):
         flown = RANDOM.exponential(size=(150, 3))
         low, high = (np.full_like(flown, q) for q in QUANTILES)
-        found = coverage(flown, low, high, seed)
+        found = estimate_coverage(flown, low, high, seed)
         held += found.low <= 0.9 <= found.high
     assert held >= 183
 
@@ -36,7 +36,7 @@ def test_right_intervals_are_found_right() -> None:
 def test_wrong_intervals_are_found_wrong(width: float) -> None:
     flown = RANDOM.exponential(size=(1000, 3))
     middle, half = np.mean(QUANTILES), width * np.ptp(QUANTILES) / 2
-    found = coverage(
+    found = estimate_coverage(
         flown, np.full_like(flown, middle - half), np.full_like(flown, middle + half), 1
     )
     assert not found.low <= 0.9 <= found.high

@@ -5,7 +5,7 @@ import pytest
 from scipy.stats import binom
 
 from ins_eval.study.scores import measures
-from ins_eval.study.scores.resampling import bootstrapped, shuffled
+from ins_eval.study.scores.resampling import bootstrap, shuffle_devices
 
 
 def test_interval_of_r2_holds_it() -> None:
@@ -16,7 +16,7 @@ def test_interval_of_r2_holds_it() -> None:
     for number in range(times):
         predicted = random.normal(size=(n, 1))
         flown = predicted + 0.5 * random.normal(size=(n, 1))
-        found = bootstrapped(measures.r2, [flown, predicted], seed=number, draws=399)
+        found = bootstrap(measures.compute_r2, [flown, predicted], seed=number, draws=399)
         held += found.low <= 0.8 <= found.high
     assert binom.ppf(1e-4, times, 0.91) <= held <= binom.isf(1e-4, times, 0.96)
 
@@ -24,7 +24,7 @@ def test_interval_of_r2_holds_it() -> None:
 def test_interval_of_a_mean_is_students() -> None:
     """Of 2000 triads: 1.96 sigmas either way, within 10 %."""
     sample = np.random.default_rng(4).normal(size=(2000, 1))
-    found = bootstrapped(lambda a: np.mean(a, axis=(-2, -1)), [sample], seed=1)
+    found = bootstrap(lambda a: np.mean(a, axis=(-2, -1)), [sample], seed=1)
     assert found.high - found.low == pytest.approx(2 * 1.96 / np.sqrt(2000), rel=0.1)
 
 
@@ -32,15 +32,15 @@ def test_a_triads_missions_stay_together() -> None:
     """The same mission flown four times tells nothing more: the interval stays, to the bit."""
     random = np.random.default_rng(2)
     flown, predicted = np.exp(random.normal(size=(2, 40, 1)))
-    once = bootstrapped(measures.median_ratio, [flown, predicted], seed=1)
+    once = bootstrap(measures.compute_median_ratio, [flown, predicted], seed=1)
     four = [np.repeat(sample, 4, axis=1) for sample in (flown, predicted)]
-    assert bootstrapped(measures.median_ratio, four, seed=1) == once
+    assert bootstrap(measures.compute_median_ratio, four, seed=1) == once
 
 
 def test_seeds() -> None:
     flown, predicted = np.exp(np.random.default_rng(2).normal(size=(2, 40, 2)))
     first, again, other = (
-        bootstrapped(measures.median_ratio, [flown, predicted], seed) for seed in (1, 1, 2)
+        bootstrap(measures.compute_median_ratio, [flown, predicted], seed) for seed in (1, 1, 2)
     )
     assert first == again
     assert first.value == other.value
@@ -49,36 +49,36 @@ def test_seeds() -> None:
 
 def test_parts_are_no_matter(monkeypatch: pytest.MonkeyPatch) -> None:
     flown, predicted = np.random.default_rng(2).normal(size=(2, 40, 2))
-    whole = bootstrapped(measures.r2, [flown, predicted], seed=1)
-    monkeypatch.setattr("ins_eval.study.scores.resampling._ROOM", 1000)
-    assert bootstrapped(measures.r2, [flown, predicted], seed=1) == whole
+    whole = bootstrap(measures.compute_r2, [flown, predicted], seed=1)
+    monkeypatch.setattr("ins_eval.study.scores.resampling._MOST_NUMBERS", 1000)
+    assert bootstrap(measures.compute_r2, [flown, predicted], seed=1) == whole
 
 
 def test_shuffled_predictions_show_nothing() -> None:
     """A perfect prediction of others': ranks don't correlate, and R2 is -1 of equal spreads."""
     truth = np.random.default_rng(3).normal(size=(300, 2, 3))
-    ranks = shuffled(measures.spearman, truth, [truth], seed=1)
+    ranks = shuffle_devices(measures.compute_spearman, truth, [truth], seed=1)
     assert ranks.low < 0 < ranks.high
     assert ranks.high - ranks.low < 0.3
     pairs = truth[..., :2]
-    found = shuffled(measures.r2_components, pairs, [pairs], seed=1)
+    found = shuffle_devices(measures.compute_component_r2, pairs, [pairs], seed=1)
     assert found.value == pytest.approx(-1, abs=0.02)
 
 
 def test_resamples_that_tell_nothing_do_not_count() -> None:
     """Of two triads half of the resamples are one triad twice, whose R2 nobody knows."""
     flown, predicted = np.array([[1.0], [2.0]]), np.array([[1.1], [2.1]])
-    found = bootstrapped(measures.r2, [flown, predicted], seed=1)
+    found = bootstrap(measures.compute_r2, [flown, predicted], seed=1)
     assert (found.low, found.value, found.high) == pytest.approx((0.96,) * 3)
 
 
 def test_nobody_keeps_his_own() -> None:
     who = np.arange(3.0)[:, None]
-    own = shuffled(lambda a, b: np.sum(a == b, axis=(-2, -1)), who, [who], seed=1)
+    own = shuffle_devices(lambda a, b: np.sum(a == b, axis=(-2, -1)), who, [who], seed=1)
     assert (own.value, own.high) == (0.0, 0.0)
 
 
 def test_one_triad_cannot_be_shuffled() -> None:
     one = np.ones((1, 1))
     with pytest.raises(ValueError, match="1 triads: expected 2 or more"):
-        shuffled(measures.r2, one, [one], seed=1)
+        shuffle_devices(measures.compute_r2, one, [one], seed=1)

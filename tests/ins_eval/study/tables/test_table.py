@@ -18,7 +18,7 @@ def rows(count: int = 3) -> dict[str, list[Any]]:
 
 def test_table_keeps_values_units_and_meanings(tmp_path: Path) -> None:
     path = tmp_path / table.TABLE
-    table.write(table.table(rows()), path)
+    table.write_table(table.make_table(rows()), path)
     read = pq.read_table(path)
     assert read.to_pydict() == rows()
     hours = read.schema.field(HOURS).metadata
@@ -28,17 +28,17 @@ def test_table_keeps_values_units_and_meanings(tmp_path: Path) -> None:
 
 def test_same_rows_give_the_same_bytes(tmp_path: Path) -> None:
     for name in ("a", "b"):
-        table.write(table.table(rows(2 * table.ROWS + 1)), tmp_path / name)
+        table.write_table(table.make_table(rows(2 * table.ROW_GROUP_SIZE + 1)), tmp_path / name)
     assert (tmp_path / "a").read_bytes() == (tmp_path / "b").read_bytes()
     groups = pq.ParquetFile(tmp_path / "a").metadata
     sizes = [groups.row_group(i).num_rows for i in range(groups.num_row_groups)]
-    assert sizes == [table.ROWS, table.ROWS, 1]
+    assert sizes == [table.ROW_GROUP_SIZE, table.ROW_GROUP_SIZE, 1]
 
 
 def test_missing_and_unknown_columns_are_refused() -> None:
     short = rows()
     del short[TRIAD]
     with pytest.raises(ValueError, match=r"differing in .'triad'."):
-        table.table(short)
+        table.make_table(short)
     with pytest.raises(ValueError, match=r"differing in .'speed_m_s'."):
-        table.table({**rows(), "speed_m_s": [1.0] * 3})
+        table.make_table({**rows(), "speed_m_s": [1.0] * 3})

@@ -8,8 +8,8 @@ import pytest
 from ins_eval.common import earth
 from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.manoeuvres.straights import Accelerate, Rest, Roll, Straight, Turntable
-from ins_eval.trajectories.mission import Mission, Start, trajectory
-from tests.ins_eval.trajectories.flights import euler, flown, moved
+from ins_eval.trajectories.mission import Mission, Start, build_trajectory
+from tests.ins_eval.trajectories.flights import displacement, euler, fly_manoeuvres
 
 
 def vincenty(latitude: float, azimuth: float, distance: float) -> tuple[float, float, float]:
@@ -47,7 +47,7 @@ def far(path: str, heading: float, hours: float) -> np.ndarray:
     """Latitude, longitude, yaw (3,) after hours at 250 m/s, at sea level, from 40 N 170 E."""
     start = Start(latitude=np.deg2rad(40), longitude=np.deg2rad(170), heading=heading, speed=250.0)
     leg = Straight(duration=hours * 3600 + 60, path=path)
-    flight = trajectory(Mission(name="far", start=start, course=(leg,)), 0.0, hours * 3600)
+    flight = build_trajectory(Mission(name="far", start=start, course=(leg,)), hours * 3600)
     end = np.array(hours * 3600)
     return np.array([*flight.position(end)[:2], euler(flight, end)[2]])
 
@@ -79,8 +79,8 @@ def test_rhumb_line_keeps_its_heading_and_goes_by_isometric_latitude() -> None:
 
 def test_acceleration_ends_at_its_speed() -> None:
     """Way: the mean of both speeds, by symmetry of the step; peak 1.875 of the mean."""
-    path, end = flown(Accelerate(speed=260.0, duration=30.0))
-    assert moved(path, end)[0] == pytest.approx(230 * 30, rel=1e-5)
+    path, end = fly_manoeuvres(Accelerate(speed=260.0, duration=30.0))
+    assert displacement(path, end)[0] == pytest.approx(230 * 30, rel=1e-5)
     assert path.velocity(np.array(end))[0] == pytest.approx(260.0, abs=1e-3)
     force = path.rate_and_force(np.array(15.0))[1]
     assert force[0] == pytest.approx(1.875 * 60 / 30, abs=2e-2)
@@ -89,21 +89,21 @@ def test_acceleration_ends_at_its_speed() -> None:
 @pytest.mark.parametrize("turns", [1, -2])
 def test_roll_comes_back(turns: int) -> None:
     """The integral of the rate about the forward axis is the roll; attitude and course are kept."""
-    path, end = flown(Roll(roll=turns * 2 * np.pi, duration=8.0), Straight(duration=5.0))
+    path, end = fly_manoeuvres(Roll(roll=turns * 2 * np.pi, duration=8.0), Straight(duration=5.0))
     swept = path.increments(0.0, end / 1000, 1000).rotation[:, 0].sum()
     assert swept == pytest.approx(turns * 2 * np.pi, abs=2e-3)
     assert path.mat_nb(np.array(end)) == pytest.approx(path.mat_nb(np.array(0.0)), abs=1e-5)
     assert euler(path, np.array(4.0))[0] % (2 * np.pi) == pytest.approx(
         (turns * np.pi) % (2 * np.pi), abs=1e-6
     )
-    assert moved(path, end)[1] == pytest.approx(0.0, abs=1e-6)
+    assert displacement(path, end)[1] == pytest.approx(0.0, abs=1e-6)
 
 
 def test_turntable_turns_at_its_rate_and_stays() -> None:
     table = Turntable(turn=np.deg2rad(-270), rate=np.deg2rad(10), ramp=1.0)
-    path, end = flown(Rest(duration=30.0), table, Rest(duration=30.0), speed=0.0)
+    path, end = fly_manoeuvres(Rest(duration=30.0), table, Rest(duration=30.0), speed=0.0)
     assert end == pytest.approx(30 + 28 + 30)
-    assert moved(path, end) == pytest.approx(np.zeros(3), abs=1e-9)
+    assert displacement(path, end) == pytest.approx(np.zeros(3), abs=1e-9)
     assert euler(path, np.array(end))[2] == pytest.approx(np.deg2rad(90), abs=1e-6)
     down = -path.rate_and_force(np.array(44.0))[0][2]
     assert down == pytest.approx(np.deg2rad(10) + earth.RATE * np.sin(np.deg2rad(45)), rel=1e-6)
@@ -111,10 +111,10 @@ def test_turntable_turns_at_its_rate_and_stays() -> None:
 
 def test_turntable_too_short_for_its_rate() -> None:
     with pytest.raises(TrajectoryError, match=r"course 1: turn_deg: found 0\.1 s .* ramp_s, 1 s"):
-        flown(Turntable(turn=0.01, rate=0.1), speed=0.0)
+        fly_manoeuvres(Turntable(turn=0.01, rate=0.1), speed=0.0)
 
 
 @pytest.mark.parametrize("manoeuvre", [Rest(duration=5.0), Turntable(turn=1.0, rate=0.1)])
 def test_moving_vehicle_does_not_stand(manoeuvre: Rest | Turntable) -> None:
     with pytest.raises(TrajectoryError, match="course 1: speed: found 200 m/s, expected 0"):
-        flown(manoeuvre)
+        fly_manoeuvres(manoeuvre)

@@ -15,7 +15,14 @@ from ins_eval.trajectories.manoeuvres.turns import (
     UTurn,
     Weave,
 )
-from tests.ins_eval.trajectories.flights import GRAVITY, HEIGHT, LATITUDE, euler, flown, moved
+from tests.ins_eval.trajectories.flights import (
+    GRAVITY,
+    HEIGHT,
+    LATITUDE,
+    displacement,
+    euler,
+    fly_manoeuvres,
+)
 
 BANK = np.deg2rad(30.0)
 RADIUS = 200.0**2 / (GRAVITY * np.tan(BANK))
@@ -31,8 +38,8 @@ def circumradius(points: np.ndarray) -> float:
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_coordinated_turn_has_the_radius_of_its_bank(side: float) -> None:
     """v^2 / (g tan(bank)); it ends at its angle, level; the force stays in the symmetry plane."""
-    path, end = flown(CoordinatedTurn(turn=side * np.deg2rad(200), bank=BANK))
-    points = np.array([moved(path, t)[:2] for t in (20.0, 30.0, 40.0)])
+    path, end = fly_manoeuvres(CoordinatedTurn(turn=side * np.deg2rad(200), bank=BANK))
+    points = np.array([displacement(path, t)[:2] for t in (20.0, 30.0, 40.0)])
     assert circumradius(points) == pytest.approx(RADIUS, rel=3e-4)
     assert euler(path, np.array(30.0))[0] == pytest.approx(side * BANK, abs=1e-6)
     assert euler(path, np.array(end))[[0, 2]] == pytest.approx(
@@ -48,16 +55,16 @@ def test_turn_lasts_its_angle_over_its_rate() -> None:
 
 
 def test_small_turn_is_flown_at_less_bank() -> None:
-    path, end = flown(CoordinatedTurn(turn=np.deg2rad(2), bank=BANK, ramp=4.0))
+    path, end = fly_manoeuvres(CoordinatedTurn(turn=np.deg2rad(2), bank=BANK, ramp=4.0))
     banks = euler(path, np.linspace(0, end, 200))[:, 0]
     assert np.max(banks) < 0.8 * BANK
     assert euler(path, np.array(end))[2] == pytest.approx(np.deg2rad(2), abs=1e-5)
 
 
 def test_u_turn_comes_back_abeam_by_its_diameter() -> None:
-    """With a short ramp; ramps widen it a little."""
-    path, end = flown(UTurn(side="left", bank=BANK, ramp=0.5))
-    assert moved(path, end)[1] == pytest.approx(-2 * RADIUS, rel=1e-3)
+    """The ramp is short, since ramps widen the turn a little."""
+    path, end = fly_manoeuvres(UTurn(side="left", bank=BANK, ramp=0.5))
+    assert displacement(path, end)[1] == pytest.approx(-2 * RADIUS, rel=1e-3)
     assert np.cos(euler(path, np.array(end))[2]) == pytest.approx(-1.0, abs=1e-8)
 
 
@@ -65,11 +72,11 @@ def test_s_turn_ends_abeam() -> None:
     """R (1 - cos) twice to the right, R sin twice on, and one ramp's way between the arcs, along
     the turned heading; at the ends, half a ramp's way each."""
     turn, ramp, speed = np.deg2rad(70), 0.5, 60.0
-    path, end = flown(STurn(turn=turn, bank=BANK, ramp=ramp), speed=speed)
+    path, end = fly_manoeuvres(STurn(turn=turn, bank=BANK, ramp=ramp), speed=speed)
     radius = speed**2 / (GRAVITY * np.tan(BANK))
     arcs = 2 * radius * np.array([np.sin(turn), 1 - np.cos(turn)])
     ramps = speed * ramp * np.array([1 + np.cos(turn), np.sin(turn)])
-    assert moved(path, end)[:2] == pytest.approx(arcs + ramps, rel=3e-4)
+    assert displacement(path, end)[:2] == pytest.approx(arcs + ramps, rel=3e-4)
     assert euler(path, np.array(end)) == pytest.approx(np.zeros(3), abs=1e-4)
 
 
@@ -77,12 +84,12 @@ def test_s_turn_ends_abeam() -> None:
 def test_figure_eight_closes(ramp: float) -> None:
     """To 10 cm of 88 km. Half way it is off by what heading turns against a straight line on the
     Earth, the loop's area times tan(latitude) / radius; the second loop takes that back."""
-    path, end = flown(FigureEight(bank=BANK, ramp=ramp), heading=0.5)
+    path, end = fly_manoeuvres(FigureEight(bank=BANK, ramp=ramp), heading=0.5)
     assert end > 440
-    assert np.linalg.norm(moved(path, end)) < 0.1
+    assert np.linalg.norm(displacement(path, end)) < 0.1
     east = np.pi * RADIUS**2 * np.tan(LATITUDE) / (earth.transverse_radius(LATITUDE) + HEIGHT)
-    assert moved(path, end / 2) == pytest.approx([0.0, east, 0.0], rel=0.02, abs=1e-3)
-    assert np.linalg.norm(moved(path, end / 4)[:2]) > RADIUS
+    assert displacement(path, end / 2) == pytest.approx([0.0, east, 0.0], rel=0.02, abs=1e-3)
+    assert np.linalg.norm(displacement(path, end / 4)[:2]) > RADIUS
     assert euler(path, np.array(end))[2] == pytest.approx(0.5, abs=1e-6)
 
 
@@ -90,7 +97,10 @@ def test_flat_and_outward_leaning_turns() -> None:
     """`lean` is the share of the coordinated bank."""
     middle = np.array(10.0)
     right = {"turn": np.deg2rad(90), "duration": 20.0}
-    banks = [euler(flown(Turn(**right, lean=x), speed=15.0)[0], middle)[0] for x in (0, 1, -0.15)]
+    banks = [
+        euler(fly_manoeuvres(Turn(**right, lean=x), speed=15.0)[0], middle)[0]
+        for x in (0, 1, -0.15)
+    ]
     rate = np.deg2rad(90) * 1.5 / 20
     assert banks[0] == pytest.approx(0.0, abs=1e-9)
     assert banks[1] == pytest.approx(np.arctan(15 * rate / GRAVITY), rel=1e-3)
@@ -99,7 +109,7 @@ def test_flat_and_outward_leaning_turns() -> None:
 
 def test_weave_swings_its_heading() -> None:
     amplitude = np.deg2rad(20)
-    path, _ = flown(Weave(heading=amplitude, period=60.0, duration=240.0), speed=250.0)
+    path, _ = fly_manoeuvres(Weave(heading=amplitude, period=60.0, duration=240.0), speed=250.0)
     time = np.linspace(0, 235, 500)
     roll, _, yaw = euler(path, time).T
     assert yaw == pytest.approx(amplitude * np.sin(2 * np.pi * time / 60), abs=1e-6)
@@ -108,7 +118,7 @@ def test_weave_swings_its_heading() -> None:
 
 
 def test_swelling_weave_begins_and_ends_level() -> None:
-    path, end = flown(Weave(heading=0.2, period=30.0, duration=180.0, ramp=30.0))
+    path, end = fly_manoeuvres(Weave(heading=0.2, period=30.0, duration=180.0, ramp=30.0))
     ends = euler(path, np.array([0.0, end]))
     assert ends == pytest.approx(np.zeros((2, 3)), abs=2e-3)
 
@@ -116,18 +126,18 @@ def test_swelling_weave_begins_and_ends_level() -> None:
 def test_weave_without_a_ramp_fits_its_own_kind_alone() -> None:
     """Otherwise its bank would jump."""
     weave = Weave(heading=0.2, period=30.0, duration=60.0)
-    assert flown(weave, weave)[1] == pytest.approx(120.0)
+    assert fly_manoeuvres(weave, weave)[1] == pytest.approx(120.0)
     for others in ((weave, Straight(duration=10.0)), (Straight(duration=10.0), weave)):
         with pytest.raises(TrajectoryError, match=r"course 2: turns at .* give a weave a ramp_s"):
-            flown(*others)
+            fly_manoeuvres(*others)
 
 
 def test_standing_vehicle_does_not_turn() -> None:
     with pytest.raises(TrajectoryError, match=r"course 1: speed: found 0 m/s .* at least 0\.1"):
-        flown(UTurn(side="right"), speed=0.0)
+        fly_manoeuvres(UTurn(side="right"), speed=0.0)
 
 
 def test_heights_hold_through_turns() -> None:
-    path, end = flown(CoordinatedTurn(turn=6.0, bank=BANK), UTurn(side="left"))
+    path, end = fly_manoeuvres(CoordinatedTurn(turn=6.0, bank=BANK), UTurn(side="left"))
     heights = path.position(np.linspace(0, end, 300))[:, 2]
     assert heights == pytest.approx(np.full(300, HEIGHT), abs=1e-6)

@@ -1,4 +1,4 @@
-"""What the bias tests report of a gyro whose map is known."""
+"""Bias tests of a gyro whose bias map is known."""
 
 from dataclasses import replace
 
@@ -17,17 +17,17 @@ from pyhrg.theory import closed_forms as theory
 from tests.pyhrg.bench.cases import QUIET, slow_bench
 
 
-def measured(fmu: GyroFmu, device: Device, plan: Plan, segments: int = 1) -> BiasTest:
+def measure(fmu: GyroFmu, device: Device, plan: Plan, segments: int = 1) -> BiasTest:
     bench = slow_bench(fmu, device)
-    power_ons = full_circumference.power_ons(bench, plan, 1, segments)
-    return full_circumference.measured(bench.campaign(bench.run(power_ons)))
+    power_ons = full_circumference.make_power_ons(bench, plan, 1, segments)
+    return full_circumference.measure_bias(bench.campaign(bench.run(power_ons)))
 
 
 @pytest.mark.parametrize("start", [0.0, 5.0, 11.25, 17.0])
 def test_full_circumference_does_not_alias(slow_fmu: GyroFmu, start: float) -> None:
     """Its deviation is the map's, whatever the power-on angle: A/sqrt 2, with n - 1 of 8."""
     device = replace(QUIET, power_on_angle=start * DEG)
-    test = measured(slow_fmu, device, full_circumference.SHORTEST)
+    test = measure(slow_fmu, device, full_circumference.SHORTEST)
     expected = theory.circumferential_bias_stability(device) * np.sqrt(8 / 7)
     assert test.stability == pytest.approx(expected, rel=0.005)
     assert test.bias == pytest.approx(theory.mean_bias(device), abs=1e-4 * DEG_PER_H)
@@ -39,7 +39,7 @@ def test_positions_45_degrees_apart_alias(slow_fmu: GyroFmu) -> None:
     for start in (0.0, 5.625, 11.25, 16.875):
         device = replace(QUIET, power_on_angle=start * DEG)
         first = theory.static_bias(device, device.power_on_angle) - theory.mean_bias(device)
-        reported = measured(slow_fmu, device, Plan(8, 45 * DEG)).stability
+        reported = measure(slow_fmu, device, Plan(8, 45 * DEG)).stability
         expected = abs(float(first)) * np.sqrt(8 / 7)
         assert reported == pytest.approx(expected, abs=0.015 * amplitude)
 
@@ -48,8 +48,8 @@ def test_map_and_tilt_are_recovered(slow_fmu: GyroFmu) -> None:
     """Harmonics of the closed form, Earth's rate times the pick-off errors, and the tilt."""
     device = replace(QUIET, misalignment=20 * ARCSEC, misalignment_direction=40 * DEG)
     bench = slow_bench(slow_fmu, device)
-    campaign = bench.campaign(bench.run(full_circumference.power_ons(bench, runs=1)))
-    fitted = full_circumference.fitted_map(full_circumference.runs_of(campaign))
+    campaign = bench.campaign(bench.run(full_circumference.make_power_ons(bench, runs=1)))
+    fitted = full_circumference.fit_map(full_circumference.read_runs(campaign))
     phasor, earth = theory.static_bias_phasor(device), device.site.vertical_rate
     tilt = device.site.horizontal_rate * device.misalignment
     expected = {
@@ -67,7 +67,7 @@ def test_map_and_tilt_are_recovered(slow_fmu: GyroFmu) -> None:
 
 def test_eight_positions_can_not_show_the_eighth_harmonic(slow_fmu: GyroFmu) -> None:
     bench = slow_bench(slow_fmu, QUIET)
-    power_ons = full_circumference.power_ons(bench, full_circumference.SHORTEST, 1)
+    power_ons = full_circumference.make_power_ons(bench, full_circumference.SHORTEST, 1)
     outcome = full_circumference.evaluate(bench.campaign(bench.run(power_ons)))
     assert "bias cos8" not in [finding.name for finding in outcome.findings]
     assert any("harmonic 8" in warning for warning in outcome.warnings)
@@ -75,7 +75,9 @@ def test_eight_positions_can_not_show_the_eighth_harmonic(slow_fmu: GyroFmu) -> 
 
 def test_fixed_position_sees_one_point_of_the_map(slow_fmu: GyroFmu) -> None:
     bench = slow_bench(slow_fmu, QUIET)
-    test = fixed_position.measured(bench.campaign(bench.run(fixed_position.power_ons(bench, 1))))
+    test = fixed_position.measure_bias(
+        bench.campaign(bench.run(fixed_position.make_power_ons(bench, 1)))
+    )
     at_start = float(theory.static_bias(QUIET, QUIET.power_on_angle))
     assert test.bias == pytest.approx(at_start, abs=0.001 * DEG_PER_H)
     assert test.stability < 0.01 * theory.circumferential_bias_stability(QUIET)
@@ -83,7 +85,7 @@ def test_fixed_position_sees_one_point_of_the_map(slow_fmu: GyroFmu) -> None:
 
 def test_power_ons_differ_in_noise_and_angle(slow_fmu: GyroFmu) -> None:
     bench = slow_bench(slow_fmu, TYPICAL)
-    first, second = bench.run(fixed_position.power_ons(bench, 2, segments=2))
+    first, second = bench.run(fixed_position.make_power_ons(bench, 2, segments=2))
     assert not np.any(np.isclose(first.log.gyro_angle, second.log.gyro_angle, rtol=1e-9, atol=0.0))
     assert abs(first.log.wave_angle[0] - second.log.wave_angle[0]) > 0.01 * DEG
 
@@ -92,14 +94,14 @@ def test_same_seed_same_numbers_on_any_number_of_workers(slow_fmu: GyroFmu) -> N
     runs = []
     for workers in (1, 3):
         bench = replace(slow_bench(slow_fmu, TYPICAL), workers=workers)
-        tests = bench.run(fixed_position.power_ons(bench, 3, segments=1))
+        tests = bench.run(fixed_position.make_power_ons(bench, 3, segments=1))
         runs.append(np.stack([test.log.gyro_angle for test in tests]))
     assert np.array_equal(*runs)
 
 
 def test_too_few_positions_are_refused(slow_fmu: GyroFmu) -> None:
     bench = slow_bench(slow_fmu, QUIET)
-    (power_on,) = full_circumference.power_ons(bench, full_circumference.SHORTEST, 1)
+    (power_on,) = full_circumference.make_power_ons(bench, full_circumference.SHORTEST, 1)
     test = bench.log(power_on)
     half = {name: value[:1500] for name, value in vars(test.log).items() if np.ndim(value)}
     short = replace(test, recording=replace(test.log, **half))

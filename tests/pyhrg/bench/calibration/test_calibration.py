@@ -7,18 +7,18 @@ import numpy as np
 import pytest
 
 from benchmarks.intervals.calibration import PLAN, drawn, repeat, truth
-from pyhrg.bench.bias.position.full_circumference import power_ons
+from pyhrg.bench.bias.position.full_circumference import make_power_ons
 from pyhrg.bench.calibration.calibration import (
     AFTER,
     CONTROL,
     PERIODS,
     RATE,
-    applied,
+    apply_maps,
     evaluate,
     record,
 )
-from pyhrg.bench.calibration.calibration_maps import calibrated, calibration, turned
-from pyhrg.bench.calibration.stages import of_stage, stage_bench
+from pyhrg.bench.calibration.calibration_maps import add_maps, fit_maps, turn_map
+from pyhrg.bench.calibration.stages import select_stage, stage_bench
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.scale_factor.rate_tests import record_turns
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H
@@ -37,13 +37,13 @@ NOISELESS = replace(RICH.without_noise(), power_on_scatter=0.0)
 
 def measured(fmu: GyroFmu, device: Device, seed: int = 1) -> Campaign:
     bench = slow_bench(fmu, device, seed)
-    tests = [*bench.run(power_ons(bench, PLAN, 3, 1)), *record_turns(bench, RATE, PERIODS, 1)]
+    tests = [*bench.run(make_power_ons(bench, PLAN, 3, 1)), *record_turns(bench, RATE, PERIODS, 1)]
     return bench.campaign(tests)
 
 
 def deviation(campaign: Campaign) -> float:
     """Over the circumference, deg/h."""
-    return evaluate(campaign).finding("bias stability before").shown
+    return evaluate(campaign).finding("bias stability before").value_in_unit
 
 
 @pytest.fixture(scope="module")
@@ -59,7 +59,7 @@ def outcome(campaign: Campaign) -> Outcome:
 
 def test_maps_of_a_noiseless_gyro(slow_fmu: GyroFmu) -> None:
     """Within 2e-4 deg/h of 0.15 and 2e-3 arcsec of 2: a thousandth."""
-    found, expected = calibration(measured(slow_fmu, NOISELESS)), truth(NOISELESS)
+    found, expected = fit_maps(measured(slow_fmu, NOISELESS)), truth(NOISELESS)
     for coefficients, tolerance in (
         (found.bias_map, 2e-4 * DEG_PER_H),
         (found.scale_factor_map, 2e-3 * ARCSEC),
@@ -71,9 +71,9 @@ def test_maps_of_a_noiseless_gyro(slow_fmu: GyroFmu) -> None:
 
 def test_maps_leave_the_noise(outcome: Outcome) -> None:
     before, after = (outcome.finding(f"bias stability {x}") for x in ("before", "after"))
-    assert before.shown > 0.1
+    assert before.value_in_unit > 0.1
     # noise of 100 s means, 1e-4 deg/sqrt(h) * 6, and tilt, 5e-5 of 11.5 deg/h once a turn
-    assert after.shown == pytest.approx(np.hypot(6e-4, 4.1e-4), rel=0.25)
+    assert after.value_in_unit == pytest.approx(np.hypot(6e-4, 4.1e-4), rel=0.25)
     assert after.high < before.low / 50
     left = outcome.finding("scale factor variation after")
     assert left.high < outcome.finding("scale factor variation before").low / 50
@@ -89,11 +89,13 @@ def test_wrong_maps_make_it_worse(outcome: Outcome) -> None:
 @pytest.mark.parametrize("seed", [1, 4, 5])
 def test_map_of_another_gyro_leaves_the_difference(slow_fmu: GyroFmu, seed: int) -> None:
     """Fourth harmonics H of both: what is left is |H - H'|/sqrt 2, with n - 1 of 24 positions."""
-    found = calibration(measured(slow_fmu, QUIET))
+    found = fit_maps(measured(slow_fmu, QUIET))
     other = QUIET.another(np.random.default_rng(seed))
     left = theory.static_bias_phasor(other) - theory.static_bias_phasor(QUIET)
     expected = abs(left) / np.sqrt(2) * np.sqrt(24 / 23) / DEG_PER_H
-    assert deviation(measured(slow_fmu, applied(other, found))) == pytest.approx(expected, rel=0.05)
+    assert deviation(measured(slow_fmu, apply_maps(other, found))) == pytest.approx(
+        expected, rel=0.05
+    )
 
 
 def test_noise_of_the_second_measurement_is_its_own(slow_fmu: GyroFmu) -> None:
@@ -112,8 +114,8 @@ def test_without_a_second_measurement_it_says_so(slow_fmu: GyroFmu) -> None:
 
 def test_maps_add_to_those_applied(slow_fmu: GyroFmu) -> None:
     """Calibrating a calibrated gyro changes nothing."""
-    first = calibration(measured(slow_fmu, NOISELESS))
-    second = calibration(measured(slow_fmu, applied(NOISELESS, first)))
+    first = fit_maps(measured(slow_fmu, NOISELESS))
+    second = fit_maps(measured(slow_fmu, apply_maps(NOISELESS, first)))
     for one, other in (
         (first.bias_map, second.bias_map),
         (first.scale_factor_map, second.scale_factor_map),
@@ -124,7 +126,7 @@ def test_maps_add_to_those_applied(slow_fmu: GyroFmu) -> None:
 
 
 def test_true_bryan_factor_is_kept() -> None:
-    device = calibrated(replace(TYPICAL, bryan_factor_error=3e-6), AngleMap(), AngleMap(), 2e-6)
+    device = add_maps(replace(TYPICAL, bryan_factor_error=3e-6), AngleMap(), AngleMap(), 2e-6)
     true = device.bryan_factor * (1 + device.bryan_factor_error)
     assert true == pytest.approx(TYPICAL.bryan_factor * (1 + 3e-6), rel=1e-12)
     assert device.bryan_factor == pytest.approx(TYPICAL.bryan_factor * (1 + 2e-6), rel=1e-12)
@@ -138,14 +140,14 @@ def test_turned_map_is_the_map_of_turned_axes() -> None:
         return m.mean + sum(c * np.cos(h * th) + s * np.sin(h * th) for c, s, h in waves)
 
     for angle in (0.0, 0.3, 45 * DEG):
-        assert value(turned(coefficients, angle), 1.0) == pytest.approx(
+        assert value(turn_map(coefficients, angle), 1.0) == pytest.approx(
             value(coefficients, 1.0 - angle)
         )
 
 
 def test_calibrated_gyro_is_a_device_file(outcome: Outcome, tmp_path: Path) -> None:
     maps = [AngleMap(**outcome.values[name]) for name in ("bias_map", "scale_factor_map")]  # type: ignore[arg-type]
-    device = calibrated(RICH, *maps)
+    device = add_maps(RICH, *maps)
     device_file.write(device, tmp_path / "gyro.toml")
     back = device_file.read(tmp_path / "gyro.toml")
     assert back.scale_factor_map.sin4 == pytest.approx(-RICH.pickoff_gain_mismatch / 4, rel=0.01)
@@ -156,21 +158,21 @@ def test_calibrated_gyro_is_a_device_file(outcome: Outcome, tmp_path: Path) -> N
 def test_turns_one_way_are_refused(campaign: Campaign) -> None:
     one_way = replace(campaign, tests=tuple(t for t in campaign.tests if "neg" not in t.id))
     with pytest.raises(BenchError, match="both ways"):
-        calibration(one_way)
+        fit_maps(one_way)
 
 
 def test_other_kinds_are_refused(campaign: Campaign) -> None:
     turns = replace(campaign, tests=tuple(t for t in campaign.tests if t.kind == "rate"))
     with pytest.raises(BenchError, match="no test of kind positions"):
-        calibration(turns)
+        fit_maps(turns)
 
 
 def test_stages_are_told_apart(campaign: Campaign) -> None:
-    after = of_stage(campaign, AFTER)
+    after = select_stage(campaign, AFTER)
     assert after is not None
     assert {t.kind for t in after.tests} == {"positions", "rate"}
     assert all(t.id.endswith(AFTER) for t in after.tests)
-    assert of_stage(campaign, "elsewhere") is None
+    assert select_stage(campaign, "elsewhere") is None
 
 
 def test_a_perfect_gyro_has_maps_of_zero(slow_fmu: GyroFmu) -> None:
@@ -178,7 +180,7 @@ def test_a_perfect_gyro_has_maps_of_zero(slow_fmu: GyroFmu) -> None:
     noise = TYPICAL.without_anisotropy()
     inside = []
     for seed in range(8):
-        found = calibration(measured(slow_fmu, noise, seed))
+        found = fit_maps(measured(slow_fmu, noise, seed))
         coefficients = [*found.bias_map.values(), *found.scale_factor_map.values()]
         inside += [f.low <= 0.0 <= f.high for f in coefficients]
     assert len(inside) == 104

@@ -8,8 +8,8 @@ import pytest
 
 from pyhrg.bench.bench import PowerOn
 from pyhrg.bench.dead_zone import dead_zone
-from pyhrg.bench.dead_zone.lock import run_of
-from pyhrg.bench.estimation.harmonic_amplitude import interval
+from pyhrg.bench.dead_zone.lock import read_run
+from pyhrg.bench.estimation.harmonic_amplitude import compute_length_interval
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.device.ready_devices import TYPICAL
@@ -44,7 +44,7 @@ def test_lock_rate_is_a_quarter_of_the_damping_over_the_bryan_factor(outcome: Ou
 
 def test_pattern_locks_within_and_only_within(campaign: Campaign) -> None:
     lock = theory.lock_rate(CAPTURING)
-    runs, excluded = dead_zone.runs(campaign, dead_zone.PLAIN)
+    runs, excluded = dead_zone.read_runs(campaign, dead_zone.PLAIN)
     assert len(runs) == len(dead_zone.NET_RATES) + len(dead_zone.FEWER)
     assert not excluded
     for run in runs:
@@ -59,7 +59,7 @@ def test_locks_at_adlers_angle(outcome: Outcome) -> None:
 
 
 def test_virtual_rotation_moves_the_dead_zone_by_itself(campaign: Campaign) -> None:
-    runs, _ = dead_zone.runs(campaign, dead_zone.PLAIN)
+    runs, _ = dead_zone.read_runs(campaign, dead_zone.PLAIN)
     moved = [run for run in runs if run.rotation > 0]
     lock = theory.lock_rate(CAPTURING)
     assert all(run.rate > 5 * lock for run in moved)
@@ -75,7 +75,7 @@ def test_compensation_gives_the_rate_of_a_pattern_that_rests(outcome: Outcome) -
 
 def test_cancellation_lets_the_pattern_turn(campaign: Campaign) -> None:
     """Eq. 7: the pattern turns with the input, also where it would lock."""
-    runs, _ = dead_zone.runs(campaign, dead_zone.CANCELLED)
+    runs, _ = dead_zone.read_runs(campaign, dead_zone.CANCELLED)
     assert len(runs) == len(dead_zone.FEWER)
     for run in runs:
         assert not run.locked
@@ -100,7 +100,7 @@ def test_a_slow_capture_is_not_waited_for(slow_fmu: GyroFmu) -> None:
 
 def test_no_anisotropy_no_dead_zone(slow_fmu: GyroFmu) -> None:
     bench = slow_bench(slow_fmu, TYPICAL.without_anisotropy(), seed=4)
-    outcome = dead_zone.evaluate(bench.campaign(bench.run(dead_zone.map_runs(bench))))
+    outcome = dead_zone.evaluate(bench.campaign(bench.run(dead_zone.plan_map_runs(bench))))
     lock = outcome.finding("lock rate")
     assert lock.low == 0.0
     assert lock.high < 0.001 * DEG_PER_H
@@ -113,22 +113,22 @@ def test_interval_of_a_length_holds_it() -> None:
         missed = 0
         for _ in range(40):
             x, y = generator.normal([true, 0.0], 1.0)
-            low, high = interval(math.hypot(x, y), 1.0, 200)
+            low, high = compute_length_interval(math.hypot(x, y), 1.0, 200)
             missed += not low <= true <= high
         assert missed <= 6
 
 
 def test_a_short_run_has_no_mean_rate(slow_fmu: GyroFmu) -> None:
     bench = slow_bench(slow_fmu, CAPTURING)
-    course = dead_zone.spin(bench, 1.0, 2 * theory.lock_rate(CAPTURING), 200.0)
+    course = dead_zone.make_spin(bench, 1.0, 2 * theory.lock_rate(CAPTURING), 200.0)
     log = bench.log(PowerOn("short", dead_zone.PLAIN, course)).log
     with pytest.raises(BenchError, match="short: the pattern is not locked and turned by"):
-        run_of(log, 0.0, 0.277)
+        read_run(log, 0.0, 0.277)
 
 
 def test_a_resting_table_has_no_map(slow_fmu: GyroFmu) -> None:
     bench = slow_bench(slow_fmu, CAPTURING)
-    course = dead_zone.spin(bench, 1.0, 0.0, 200.0)
+    course = dead_zone.make_spin(bench, 1.0, 0.0, 200.0)
     campaign = bench.campaign(bench.run([PowerOn("rest", dead_zone.MAP, course)]))
     with pytest.raises(BenchError, match="no log turns the pattern by 90 deg"):
         dead_zone.evaluate(campaign)

@@ -1,4 +1,4 @@
-"""Measuring range, start-up and bandwidth, on the gyro with its loops."""
+"""Measuring range, start-up and bandwidth of the gyro with its loops."""
 
 from dataclasses import replace
 
@@ -8,7 +8,7 @@ import pytest
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.dynamic import bandwidth, measuring_range, start_up
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.reporting.judgement import judged
+from pyhrg.bench.reporting.judgement import judge_findings
 from pyhrg.common.units import DEG
 from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
@@ -38,7 +38,7 @@ def test_whole_angle_has_no_such_end(fmu: GyroFmu) -> None:
     assert outcome.finding("measuring range").value == pytest.approx(5700 * DEG)
     assert outcome.finding("measuring range").high == np.inf
     limits = {"measuring_range_deg_per_s": 500.0}
-    assert [judgement.word for judgement in judged(outcome, limits)] == ["meets"]
+    assert [judgement.word for judgement in judge_findings(outcome, limits)] == ["meets"]
     assert "at least" in outcome.verdict
 
 
@@ -83,13 +83,13 @@ def test_least_and_greatest_time_hold_the_median() -> None:
     generator = np.random.default_rng(4)
     for row, most in ((1e-4, 0.984 + 0.01), (0.2, 1.0)):
         whole = np.ceil(generator.lognormal(0.0, 1.0, (2000, 7)) / row) * row
-        found = [start_up.times("time", samples.tolist(), row)[0] for samples in whole]
+        found = [start_up.summarize_times("time", samples.tolist(), row)[0] for samples in whole]
         inside = np.mean([finding.low <= 1.0 <= finding.high for finding in found])
         assert 0.984 - 0.01 <= inside <= most
 
 
 def test_five_times_give_no_interval() -> None:
-    median, _ = start_up.times("time", [1.0, 1.0, 1.0, 1.0, 9.0], 0.01)
+    median, _ = start_up.summarize_times("time", [1.0, 1.0, 1.0, 1.0, 9.0], 0.01)
     assert median.value == 1.0
     assert np.isnan(median.low)
     assert "5 of at least 6" in median.note
@@ -116,7 +116,7 @@ def test_whole_angle_output_follows_at_once(fmu: GyroFmu) -> None:
     outcome = bandwidth.evaluate(bench.campaign(bandwidth.record(bench, periods=4)))
     width, delay, low, high = outcome.findings
     assert width.high == np.inf
-    assert width.shown == pytest.approx(450)
+    assert width.value_in_unit == pytest.approx(450)
     assert delay.value == pytest.approx(0.0, abs=1e-8)
     expected = 1 + theory.hold_scale_factor_error(1e-3, 0.0, IDEAL.decay_time)
     assert low.value == pytest.approx(expected, abs=2e-7)
@@ -132,10 +132,10 @@ def test_a_slow_output_has_a_bandwidth_and_a_delay(fmu: GyroFmu) -> None:
     slow = np.zeros_like(test.log.gyro_angle)
     for i in range(1, len(slow)):
         slow[i] = share * slow[i - 1] + (1 - share) * test.log.gyro_angle[i]
-    found = bandwidth.response(replace(test.log, gyro_angle=slow))
+    found = bandwidth.measure_response(replace(test.log, gyro_angle=slow))
     turn = np.exp(-2j * np.pi * found.frequency * step)
     np.testing.assert_allclose(found.mean, (1 - share) / (1 - share * turn), rtol=1e-2)
-    assert 50 < bandwidth.bandwidth(found).shown < 100
+    assert 50 < bandwidth.find_bandwidth(found).value_in_unit < 100
 
 
 def test_rows_of_a_second_show_no_bandwidth(fmu: GyroFmu) -> None:

@@ -37,7 +37,7 @@ def test_long_dwells_do(slow_fmu: GyroFmu) -> None:
     bench = slow_bench(slow_fmu, CAPTURED)
     rates = tuple(np.array([0.5, 1.05, 1.3]) * lock)
     tests = threshold.record(bench, rates, repeats=2, dwell=10000.0)
-    found = threshold.responses([test.log for test in tests])
+    found = threshold.measure_responses([test.log for test in tests])
     outcome = threshold.evaluate(bench.campaign(tests))
     for response in found:
         if abs(response.rate) < lock:
@@ -52,7 +52,7 @@ def test_responses_are_covered(slow_fmu: GyroFmu) -> None:
     for seed in range(6):
         bench = slow_bench(slow_fmu, TYPICAL, seed)
         tests = threshold.record(bench, (2e-4 * DEG, 5e-5 * DEG), repeats=3)
-        found = threshold.responses([test.log for test in tests])
+        found = threshold.measure_responses([test.log for test in tests])
         inside += sum(abs(r.value - 1) <= r.reach for r in found)
     assert inside >= 19
 
@@ -67,7 +67,7 @@ def test_noise_is_no_response(slow_fmu: GyroFmu) -> None:
 
 def test_a_log_without_repeats_is_refused(slow_fmu: GyroFmu) -> None:
     bench = slow_bench(slow_fmu, QUIET)
-    course = threshold.programme(bench, [1e-3 * DEG], 1, 100.0)
+    course = threshold.make_programme(bench, [1e-3 * DEG], 1, 100.0)
     tests = bench.run([PowerOn("once", threshold.KIND, course)])
     with pytest.raises(BenchError, match="once: 2 dwells at 2 rates"):
         threshold.evaluate(bench.campaign(tests))

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pyhrg.bench.estimation.angle_fit import AngleFit, Record, fit_angles, inflation
+from pyhrg.bench.estimation.angle_fit import AngleFit, Record, compute_largest_inflation, fit_angles
 from pyhrg.bench.estimation.harmonics import fit
 
 Array = NDArray[np.float64]
@@ -82,10 +82,12 @@ def test_records_of_other_offsets_join() -> None:
 
 
 def test_inflation_tells_like_columns() -> None:
-    assert inflation([Record(STEP, TIME, COLUMNS)]) < 1.1
+    assert compute_largest_inflation([Record(STEP, TIME, COLUMNS)]) < 1.1
     twice = {"rate": TIME, "again": 2 * TIME}
-    assert inflation([Record(STEP, TIME, twice)]) == np.inf
-    assert inflation([Record(STEP, TIME, {"rate": TIME, "none": 0 * TIME})]) == np.inf
+    assert compute_largest_inflation([Record(STEP, TIME, twice)]) == np.inf
+    assert (
+        compute_largest_inflation([Record(STEP, TIME, {"rate": TIME, "none": 0 * TIME})]) == np.inf
+    )
 
 
 def test_too_short_a_record_is_refused() -> None:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pyhrg.bench.estimation.largest import largest_interval
+from pyhrg.bench.estimation.largest import estimate_largest
 
 REPEATS = 1000
 
@@ -16,7 +16,7 @@ def test_intervals_cover(largest: float) -> None:
     true[4] = -largest
     hits = 0
     for _ in range(REPEATS):
-        value, low, high = largest_interval(true + generator.normal(size=(7, 22)))
+        value, low, high = estimate_largest(true + generator.normal(size=(7, 22)))
         assert low <= value <= high
         hits += low <= largest <= high
     assert hits >= 922
@@ -25,6 +25,6 @@ def test_intervals_cover(largest: float) -> None:
 
 
 def test_one_sample_has_no_interval() -> None:
-    value, low, high = largest_interval(np.array([[1.0, -3.0]]))
+    value, low, high = estimate_largest(np.array([[1.0, -3.0]]))
     assert value == 3.0
     assert np.isnan([low, high]).all()

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pyhrg.bench.estimation.magnitude import magnitude_interval
+from pyhrg.bench.estimation.magnitude import estimate_magnitude
 
 REPEATS = 1000
 
@@ -19,17 +19,17 @@ def test_intervals_cover(length: float, sizes: tuple[float, ...]) -> None:
     hits = 0
     for _ in range(REPEATS):
         values = true + np.array(sizes) * generator.normal(size=6)
-        _, low, high = magnitude_interval(values, covariance)
+        _, low, high = estimate_magnitude(values, covariance)
         hits += low <= length <= high
     expected, deviation = (975, 5) if length == 0.0 else (950, 7)
     assert abs(hits - expected) <= 4 * deviation + 6  # 6: the approximation, 0.6 %
 
 
 def test_noise_is_taken_off() -> None:
-    value, low, high = magnitude_interval(np.array([3.0, 4.0]), np.eye(2))
+    value, low, high = estimate_magnitude(np.array([3.0, 4.0]), np.eye(2))
     assert value == pytest.approx(np.sqrt(23))
     assert low < value < high
 
 
 def test_without_noise_it_is_the_length() -> None:
-    assert magnitude_interval(np.array([3.0, 4.0]), np.zeros((2, 2))) == (5.0, 5.0, 5.0)
+    assert estimate_magnitude(np.array([3.0, 4.0]), np.zeros((2, 2))) == (5.0, 5.0, 5.0)

@@ -25,17 +25,17 @@ from pyhrg.bench.outcome import BenchError
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
-from tests.pyhrg.bench.cases import QUIET, slow_bench
+from tests.pyhrg.bench.cases import QUIET, record_and_evaluate, slow_bench
 
 REPEATS = 40
 LEAST = int(binom.ppf(1e-4, REPEATS, 0.95))
 """Of 40 intervals of 95 %, fewer hold the truth once in 10 000 times."""
-IDEAL = Device(angle_random_walk=1e-4 * DEG / 60, pickoff_noise=1e-7, frequency_split=2e-3)
+IDEAL = Device(angle_random_walk=1e-4 * DEG / 60, angle_white_noise=1e-7, frequency_split=2e-3)
 
 
 def test_ring_down_finds_the_shell(slow_fmu: GyroFmu) -> None:
     """Errors of drives and pick-offs, which the device has, take no part."""
-    outcome = ring_down.PROCEDURE.run(slow_bench(slow_fmu, QUIET))
+    outcome = record_and_evaluate(ring_down.PROCEDURE, slow_bench(slow_fmu, QUIET))
     found = {finding.name: finding.value for finding in outcome.findings}
     assert found["decay time"] == pytest.approx(QUIET.decay_time, rel=1e-7)
     assert found["damping anisotropy"] == pytest.approx(QUIET.damping_anisotropy, rel=1e-5)
@@ -57,7 +57,7 @@ def test_ring_down_settles_on_any_split(slow_fmu: GyroFmu, split: float, warning
 
 
 def test_rate_reversal_finds_the_pickoffs(slow_fmu: GyroFmu) -> None:
-    outcome = rate_reversal.PROCEDURE.run(slow_bench(slow_fmu, QUIET))
+    outcome = record_and_evaluate(rate_reversal.PROCEDURE, slow_bench(slow_fmu, QUIET))
     gain = outcome.finding("pick-off gain mismatch").value
     skew = outcome.finding("pick-off non-orthogonality").value
     assert gain == pytest.approx(QUIET.pickoff_gain_mismatch, abs=1e-8)
@@ -65,7 +65,7 @@ def test_rate_reversal_finds_the_pickoffs(slow_fmu: GyroFmu) -> None:
 
 
 def test_virtual_rotation_finds_pickoffs_and_drives_together(slow_fmu: GyroFmu) -> None:
-    outcome = virtual_rotation.PROCEDURE.run(slow_bench(slow_fmu, QUIET))
+    outcome = record_and_evaluate(virtual_rotation.PROCEDURE, slow_bench(slow_fmu, QUIET))
     gain = QUIET.pickoff_gain_mismatch + QUIET.drive_gain_mismatch
     found = outcome.finding("gain mismatch of pick-offs and drives").value
     assert found == pytest.approx(gain, abs=1e-8)
@@ -73,7 +73,7 @@ def test_virtual_rotation_finds_pickoffs_and_drives_together(slow_fmu: GyroFmu) 
 
 def test_force_map_finds_the_split(slow_fmu: GyroFmu) -> None:
     """The axis is the pick-offs', off by a quarter of their non-orthogonality."""
-    outcome = force_map.PROCEDURE.run(slow_bench(slow_fmu, QUIET))
+    outcome = record_and_evaluate(force_map.PROCEDURE, slow_bench(slow_fmu, QUIET))
     axis = QUIET.stiffness_axis + QUIET.pickoff_nonorthogonality / 4
     assert outcome.finding("frequency split").value == pytest.approx(
         QUIET.frequency_split, rel=1e-6
@@ -83,13 +83,13 @@ def test_force_map_finds_the_split(slow_fmu: GyroFmu) -> None:
 
 def test_amplitude_sweep_finds_stiffness_and_cubic(slow_fmu: GyroFmu) -> None:
     device = replace(QUIET, duffing=1e-3, pickoff_cubic=2e-5)
-    outcome = amplitude_sweep.PROCEDURE.run(slow_bench(slow_fmu, device))
+    outcome = record_and_evaluate(amplitude_sweep.PROCEDURE, slow_bench(slow_fmu, device))
     assert outcome.finding("Duffing shift").value == pytest.approx(1e-3, rel=1e-4)
     assert outcome.finding("pick-off cubic").value == pytest.approx(2e-5, rel=2e-3)
 
 
 def test_phase_step_responds_as_the_force_says(slow_fmu: GyroFmu) -> None:
-    outcome = phase_step.PROCEDURE.run(slow_bench(slow_fmu, QUIET))
+    outcome = record_and_evaluate(phase_step.PROCEDURE, slow_bench(slow_fmu, QUIET))
     assert outcome.findings[0].value == pytest.approx(1.0, abs=1e-4)
 
 
@@ -107,7 +107,7 @@ def test_intervals_hold_the_truth(
 
 def test_nothing_is_found_where_nothing_is(slow_fmu: GyroFmu) -> None:
     """A gyro without anisotropy: the intervals hold zero, and an axis is refused."""
-    outcome = ring_down.PROCEDURE.run(slow_bench(slow_fmu, IDEAL, seed=5))
+    outcome = record_and_evaluate(ring_down.PROCEDURE, slow_bench(slow_fmu, IDEAL, seed=5))
     for name in ("damping anisotropy cos4", "damping anisotropy sin4"):
         finding = outcome.finding(name)
         assert finding.low < 0 < finding.high

@@ -12,7 +12,7 @@ from benchmarks.intervals import random_walk as coverage
 from pyhrg.bench.bench import PowerOn
 from pyhrg.bench.noise import random_walk
 from pyhrg.bench.outcome import BenchError, Outcome
-from pyhrg.bench.readings.noise_records import noise_records
+from pyhrg.bench.readings.noise_records import find_noise_records
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.device.device import Device
 from pyhrg.device.ready_devices import TYPICAL
@@ -23,7 +23,9 @@ from tests.pyhrg.bench.cases import QUIET, slow_bench
 
 def measured(fmu: GyroFmu, device: Device, seed: int = 1) -> Outcome:
     bench = slow_bench(fmu, device, seed)
-    return random_walk.evaluate(bench.campaign(bench.run(random_walk.power_ons(bench, 3000.0))))
+    return random_walk.evaluate(
+        bench.campaign(bench.run(random_walk.plan_power_ons(bench, 3000.0)))
+    )
 
 
 def test_typical_gyro_walks_ten_times_as_fast_under_virtual_rotation(slow_fmu: GyroFmu) -> None:
@@ -62,8 +64,8 @@ def test_without_noise_nothing_is_left_but_the_models_rounding(slow_fmu: GyroFmu
     """What is removed is all that virtual rotation brings but noise: to 1e-4 arcsec of 1.2."""
     device = replace(QUIET, model={})
     bench = slow_bench(slow_fmu, device)
-    (test,) = bench.run(random_walk.power_ons(bench, 3000.0)[1:])
-    (found,) = noise_records(test.log)
+    (test,) = bench.run(random_walk.plan_power_ons(bench, 3000.0)[1:])
+    (found,) = find_noise_records(test.log)
     assert np.std(found.spectrum.rest) < 1e-4 * ARCSEC
     time, angle = test.log.time, test.log.gyro_angle
     line = np.polynomial.Polynomial.fit(time, angle, 1)
@@ -77,7 +79,7 @@ def test_commands_that_change_part_a_log(slow_fmu: GyroFmu) -> None:
     course.command(virtual_rotation=1 * DEG).rest(400.0)
     course.command(virtual_rotation=-1 * DEG).rest(200.0)
     (test,) = bench.run([PowerOn("parts", "static", course)])
-    found = noise_records(test.log)
+    found = find_noise_records(test.log)
     assert [part.rotation for part in found] == pytest.approx([0.0, 0.0, 1 * DEG])
     assert [part.n for part in found] == pytest.approx([371, 390, 390], abs=2)
 
@@ -97,7 +99,7 @@ def test_records_that_cannot_say_it_are_refused(slow_fmu: GyroFmu) -> None:
 
 def test_one_state_alone_has_no_ratio(slow_fmu: GyroFmu) -> None:
     bench = slow_bench(slow_fmu, TYPICAL)
-    outcome = random_walk.evaluate(bench.campaign(bench.run(random_walk.power_ons(bench)[:1])))
+    outcome = random_walk.evaluate(bench.campaign(bench.run(random_walk.plan_power_ons(bench)[:1])))
     assert outcome.finding("angle random walk").low > 0
     for name in ("angle random walk under virtual rotation", random_walk.RATIO):
         assert math.isnan(outcome.finding(name).value)
@@ -106,13 +108,13 @@ def test_one_state_alone_has_no_ratio(slow_fmu: GyroFmu) -> None:
 
 def test_recorded_campaign(recorded_campaign: Path) -> None:
     """Its noises are those of its nominal, and its rotation adds none."""
-    recorded = campaign.read(recorded_campaign)
+    recorded = campaign.read_campaign(recorded_campaign)
     outcome = random_walk.evaluate(recorded)
     for name, key in (
         ("angle random walk", "angle_random_walk_deg_sqrt_h"),
         ("white angle noise", "angle_white_noise_arcsec"),
     ):
-        low, high = outcome.finding(name).interval_shown
+        low, high = outcome.finding(name).interval_in_unit
         assert low < recorded.nominal[key] < high
     ratio = outcome.finding(random_walk.RATIO)
     assert ratio.low < 1 < ratio.high

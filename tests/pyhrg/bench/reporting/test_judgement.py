@@ -5,7 +5,7 @@ import math
 import pytest
 
 from pyhrg.bench.outcome import Finding, Outcome
-from pyhrg.bench.reporting.judgement import Judgement, judged, unmatched
+from pyhrg.bench.reporting.judgement import Judgement, describe_unmatched_limits, judge_findings
 from pyhrg.common.units import DEG_PER_H
 
 NAN, INF = math.nan, math.inf
@@ -63,10 +63,10 @@ def test_sentence_has_value_interval_limit_and_word() -> None:
 def test_only_findings_that_are_limited_are_judged() -> None:
     outcome = Outcome("test", (finding(0.5, 0.4, 0.9), Finding("bias", 1.0, "deg/h")), "")
     limits = {"bias_stability_deg_per_h": 1.0, "range_deg_per_s": 300.0}
-    assert [j.finding.name for j in judged(outcome, limits)] == ["bias stability"]
-    (sentence,) = unmatched([outcome], limits)
+    assert [j.finding.name for j in judge_findings(outcome, limits)] == ["bias stability"]
+    (sentence,) = describe_unmatched_limits([outcome], limits)
     assert sentence.startswith("range_deg_per_s: not judged")
-    (sentence,) = unmatched([outcome], {"bias_stabilty_deg_h": 1.0})
+    (sentence,) = describe_unmatched_limits([outcome], {"bias_stabilty_deg_h": 1.0})
     assert sentence.endswith("the closest is bias_stability_deg_per_h")
 
 

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from pyhrg.bench.catalogue import BY_NAME
+from pyhrg.bench.catalogue import PROCEDURES
 from pyhrg.bench.outcome import Finding, Outcome
-from pyhrg.bench.reporting.parameter_system import TABLE_1, table
+from pyhrg.bench.reporting.parameter_system import TABLE_1, make_table_1
 
 
 def printed() -> set[str]:
@@ -26,7 +26,7 @@ def test_every_row_has_a_test_or_a_reason() -> None:
     for row in TABLE_1:
         assert bool(row.reason) != bool(row.procedure), row.term
         if row.procedure:
-            assert row.procedure in BY_NAME, row.term
+            assert row.procedure in [procedure.name for procedure in PROCEDURES], row.term
 
 
 def test_rows_are_those_of_the_paper() -> None:
@@ -36,13 +36,13 @@ def test_rows_are_those_of_the_paper() -> None:
 
 def test_terms_that_procedures_claim_are_rows() -> None:
     terms = {row.term for row in TABLE_1}
-    for procedure in BY_NAME.values():
+    for procedure in PROCEDURES:
         assert set(procedure.rows) <= terms, procedure.name
 
 
 def test_a_figure_stands_in_its_row() -> None:
     finding = Finding("threshold", 1.745e-5, "deg/s", 0.0, 1.745e-5, 5)
-    rows = {cells[0]: cells for cells in table([Outcome("threshold", (finding,), "")]).rows}
+    rows = {cells[0]: cells for cells in make_table_1([Outcome("threshold", (finding,), "")]).rows}
     assert rows["threshold (阈值)"][1] == "0.00100"
     assert rows["measuring range (测量范围)"][4] == "hrg bench range"
     assert rows["mass (质量)"][1] == "-"

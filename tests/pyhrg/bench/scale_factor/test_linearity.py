@@ -39,7 +39,7 @@ def test_recovers_without_noise(slow_fmu: GyroFmu) -> None:
     device = Device(damping_anisotropy=3e-4)
     bench = Bench(slow_fmu, device, step=0.1)
     campaign = bench.campaign(linearity.record(bench, 1, RATES))
-    line = linearity.lines(campaign)[0]
+    line = linearity.read_lines(campaign)[0]
     lock = 3e-4 / (4 * 0.277)
     hold = 1 + theory.hold_scale_factor_error(1e-3, 0.0, 450.0)
     expected = Line(line.input, hold * np.sign(line.input) * np.sqrt(line.input**2 - lock**2))

@@ -1,4 +1,4 @@
-"""Methods A and B: what was put into the gyro, and what the records can't tell."""
+"""Methods A and B recover the known errors of a gyro and refuse terms that records confound."""
 
 from dataclasses import replace
 from importlib import import_module
@@ -46,7 +46,7 @@ def test_recovers_without_noise(slow_fmu: GyroFmu, method: ModuleType) -> None:
 def test_a_perfect_gyro_has_no_map(slow_fmu: GyroFmu, method: ModuleType) -> None:
     """Control: zero is in every interval but the hold's scale factor (1 interval in 20 may miss:
     3 of 14 at most)."""
-    noise = {"angle_random_walk": 3e-4 * DEG_PER_SQRT_H, "pickoff_noise": 0.02 * ARCSEC}
+    noise = {"angle_random_walk": 3e-4 * DEG_PER_SQRT_H, "angle_white_noise": 0.02 * ARCSEC}
     found = outcome(Bench(slow_fmu, Device(**noise), seed=2, step=0.1), method)
     names = list(truths(gyro(np.random.default_rng(0)), 1.0))[1:]
     missed = [n for n in names if not found.finding(n).low <= 0.0 <= found.finding(n).high]
@@ -126,8 +126,8 @@ def test_a_period_is_too_little_for_the_second_harmonic(slow_fmu: GyroFmu) -> No
 
 
 def test_tilt_takes_ten_turns(slow_fmu: GyroFmu) -> None:
-    """30 arcsec look like a bias harmonic of 0.0017 deg/h in two turns of the table; said, and in
-    ten taken off."""
+    """30 arcsec look like a bias harmonic of 0.0017 deg/h in two turns of the table, with
+    a warning; ten turns separate them."""
     device = Device(misalignment=30 * ARCSEC)
     bench = Bench(slow_fmu, device, step=0.1)
     short = outcome(bench, scale_factor_angle, periods=2)
@@ -143,17 +143,17 @@ def test_tilt_takes_ten_turns(slow_fmu: GyroFmu) -> None:
 
 
 def test_rows_that_are_too_long_are_refused(slow_fmu: GyroFmu) -> None:
-    turn = scale_factor_rate.fitted(
-        scale_factor_rate.rate_turns(
+    turn = scale_factor_rate.fit_scale_factor_map(
+        scale_factor_rate.read_rate_turns(
             campaign(Bench(slow_fmu, TYPICAL, step=0.1), scale_factor_rate), slow=False
         ),
         0.277,
     ).turns[0]
     with pytest.raises(BenchError, match="rows of 1 s; method B averages at most"):
-        scale_factor_rate.rate_error(replace(turn, interval=1.0))
+        scale_factor_rate.compute_rate_error(replace(turn, interval=1.0))
 
 
-def test_averages_lose_what_is_said(slow_fmu: GyroFmu) -> None:
+def test_the_correction_for_averages_is_right(slow_fmu: GyroFmu) -> None:
     """The paper's own figure of method B, corrected, is the map's deviation."""
     device = Device(pickoff_gain_mismatch=1e-4)
     found = outcome(Bench(slow_fmu, device, step=0.1), scale_factor_rate)

@@ -13,7 +13,7 @@ from pyhrg.challenge.campaigns.instruments import Instruments
 from pyhrg.common.units import ARCSEC, DEG_PER_H
 from pyhrg.device import device_file
 from pyhrg.fmu import GyroFmu
-from pyhrg.gap.replay.replay import HELD, replayable
+from pyhrg.gap.replay.replay import HELD_COLUMNS, prepare_inputs
 from pyhrg.records import Log, campaign
 from tests.pyhrg.challenge.short import GYRO, resting, turning
 
@@ -22,8 +22,10 @@ SETTLED = 5
 
 
 def course_of_log(log: Log, rates: np.ndarray, gravity: float) -> Course:
-    held = {name: getattr(log, name) for name in HELD}
-    level = {n: np.round(held[n] / gravity) * gravity for n in HELD if n.startswith("accel")}
+    held = {name: getattr(log, name) for name in HELD_COLUMNS}
+    level = {
+        n: np.round(held[n] / gravity) * gravity for n in HELD_COLUMNS if n.startswith("accel")
+    }
     still, on = np.zeros(len(log.time)), np.ones(len(log.time))
     inputs = {**held, **level, "axis_up": log.axis_up, "vibration": still, "bias_voltage": on}
     temperature = np.full(len(log.time) + 1, GYRO.reference_temperature)
@@ -37,12 +39,12 @@ def course_of_log(log: Log, rates: np.ndarray, gravity: float) -> Course:
 def test_recorded_campaign_is_reproduced_to_its_noise(
     recorded_campaign: Path, fmu: GyroFmu, name: str
 ) -> None:
-    brought = campaign.read(recorded_campaign)
+    brought = campaign.read_campaign(recorded_campaign)
     truth = json.loads((recorded_campaign / "truth.json").read_text())["parameters"]
     believed = device_file.from_table({**brought.nominal, **truth}, "dev-01")
     device = replace(believed, site=brought.site)
     log = next(test.log for test in brought.tests if test.id == name)
-    inputs = replayable(log, device)
+    inputs = prepare_inputs(log, device)
     course = course_of_log(log, inputs.table.rates, brought.site.gravity)
     quiet = TrueGyro(fmu, device).exact(name, course, inputs.start_angle, np.zeros((1, 1)))
     own = Instruments()
@@ -55,7 +57,7 @@ def test_recorded_campaign_is_reproduced_to_its_noise(
     assert deviation("quadrature_force") == pytest.approx(own.quadrature_force, rel=0.12)
     assert deviation("frequency_offset") == pytest.approx(own.frequency_offset, rel=0.12)
     fast = np.diff(log.gyro_angle - quiet.gyro_angle, 2)[rows] / np.sqrt(6)
-    assert np.std(fast) == pytest.approx(device.pickoff_noise, rel=0.15)
+    assert np.std(fast) == pytest.approx(device.angle_white_noise, rel=0.15)
     if name != "ring_down":
         force = own.amplitude_force * quiet.amplitude_force[rows].mean()
         assert deviation("amplitude_force") == pytest.approx(force, rel=0.12)
@@ -77,7 +79,7 @@ def test_rows_do_not_depend_on_the_blocks_they_are_made_in(
 ) -> None:
     gyro, course = TrueGyro(fmu, GYRO), turning(20.0)
     whole = gyro.exact("", course, 0.3, np.zeros((1, 1)))
-    monkeypatch.setattr("pyhrg.fmu.CHUNK", 3000)
+    monkeypatch.setattr("pyhrg.fmu.gyro.CHUNK", 3000)
     parts = gyro.exact("", course, 0.3, np.zeros((1, 1)))
     for name in ("gyro_angle", "amplitude", "amplitude_force", "quadrature_force"):
         np.testing.assert_array_equal(getattr(whole, name), getattr(parts, name))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pyhrg.challenge.campaigns.gyro import TrueGyro
-from pyhrg.challenge.campaigns.instruments import Instruments, logged
+from pyhrg.challenge.campaigns.instruments import Instruments, record_log
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.fmu import GyroFmu
 from pyhrg.records import Log
@@ -21,25 +21,25 @@ def exact(slow_fmu: GyroFmu) -> Log:
 
 def test_channels_have_their_own_noise(exact: Log) -> None:
     own = Instruments()
-    log = logged(exact, GYRO, own, np.random.default_rng(1))
+    log = record_log(exact, GYRO, own, np.random.default_rng(1))
     for name in ("temperature", "amplitude", "frequency_offset", "quadrature_force"):
         noise = getattr(log, name) - getattr(exact, name)
         assert np.std(noise) == pytest.approx(getattr(own, name), rel=0.05)
     relative = log.amplitude_force / exact.amplitude_force - 1
     assert np.std(relative) == pytest.approx(own.amplitude_force, rel=0.05)
     angle = log.gyro_angle - exact.gyro_angle
-    assert np.std(angle) == pytest.approx(GYRO.pickoff_noise, rel=0.05)
+    assert np.std(angle) == pytest.approx(GYRO.angle_white_noise, rel=0.05)
 
 
 def test_output_is_a_multiple_of_its_quantum_to_the_digits(exact: Log) -> None:
     quantum = 0.3 * ARCSEC
-    device = replace(GYRO, angle_quantum=quantum)
-    steps = logged(exact, device, Instruments(), np.random.default_rng(1)).gyro_angle / quantum
+    device = replace(GYRO, quantization_step=quantum)
+    steps = record_log(exact, device, Instruments(), np.random.default_rng(1)).gyro_angle / quantum
     np.testing.assert_allclose(steps, np.round(steps), atol=0.5e-9 * DEG / quantum * 1.01)
 
 
 def test_columns_have_the_recorded_digits(exact: Log) -> None:
-    log = logged(exact, GYRO, Instruments(), np.random.default_rng(1))
+    log = record_log(exact, GYRO, Instruments(), np.random.default_rng(1))
     wave = log.wave_angle / DEG * 1e4
     np.testing.assert_allclose(wave, np.round(wave), atol=1e-6)
     for force in log.quadrature_force[:50].tolist():

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.stats import binom
 
-from pyhrg.challenge.scoring.calibration import calibration, squared_calibration_error
+from pyhrg.challenge.scoring.calibration import find_squared_calibration_error, score_calibration
 
 
 def claims(n: int, seed: int, excess: float = 0.0) -> list[tuple[float, bool]]:
@@ -16,12 +16,12 @@ def claims(n: int, seed: int, excess: float = 0.0) -> list[tuple[float, bool]]:
 
 
 def test_right_probabilities_have_none_on_average() -> None:
-    squares = [squared_calibration_error(claims(400, seed)) for seed in range(200)]
+    squares = [find_squared_calibration_error(claims(400, seed)) for seed in range(200)]
     assert abs(np.mean(squares)) < 4 * np.std(squares) / np.sqrt(len(squares))
 
 
 def test_an_excess_is_measured() -> None:
-    squares = [squared_calibration_error(claims(1000, seed, 0.15)) for seed in range(40)]
+    squares = [find_squared_calibration_error(claims(1000, seed, 0.15)) for seed in range(40)]
     assert np.mean(squares) == pytest.approx(0.15**2, abs=4 * np.std(squares) / np.sqrt(40))
 
 
@@ -30,25 +30,25 @@ def test_interval_covers_the_error() -> None:
     covered = 0
     for seed in range(20):
         campaigns = [claims(2, 1000 * seed + i, 0.15) for i in range(150)]
-        figure = calibration("", campaigns, seed, "about", 0.15)
+        figure = score_calibration("", campaigns, seed, "about", 0.15)
         covered += figure.passed is True
     assert covered >= binom.ppf(1e-3, 20, 0.9)
 
 
 def test_right_probabilities_pass() -> None:
     campaigns = [claims(2, seed) for seed in range(500)]
-    assert calibration("", campaigns, 1, "at most", 0.05).passed
+    assert score_calibration("", campaigns, 1, "at most", 0.05).passed
 
 
 def test_interval_of_a_wrong_claimant_leaves_the_target_out() -> None:
     campaigns = [claims(2, seed, 0.15) for seed in range(500)]
-    figure = calibration("", campaigns, 1, "at most", 0.05)
+    figure = score_calibration("", campaigns, 1, "at most", 0.05)
     assert figure.passed is False
     assert figure.low < figure.value < figure.high
 
 
 def test_same_seed_same_interval() -> None:
     campaigns = [claims(2, seed) for seed in range(50)]
-    assert calibration("", campaigns, 3, "at most", 0.05) == calibration(
+    assert score_calibration("", campaigns, 3, "at most", 0.05) == score_calibration(
         "", campaigns, 3, "at most", 0.05
     )

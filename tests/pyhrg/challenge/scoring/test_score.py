@@ -6,25 +6,28 @@ import pytest
 
 from pyhrg.challenge.scoring import score
 from pyhrg.challenge.scoring.coordinates import COORDINATES
-from pyhrg.challenge.scoring.diagnosis import Cause, Diagnosis
-from pyhrg.challenge.scoring.score import Judged
+from pyhrg.challenge.scoring.diagnosis import ScoredDiagnosis
+from pyhrg.challenge.scoring.score import ScoredCase
 from pyhrg.challenge.truths.truth import Truth
-from pyhrg.gap.effects.catalogue import NAMES
+from pyhrg.gap.effects.catalogue import EFFECT_NAMES
+from pyhrg.gap.findings.diagnosis import Cause
 
 DAMPING = "damping_anisotropy"
 GAIN = "drive_gain_mismatch"
 
 
-def judged(truth: Truth, diagnosis: Diagnosis, then: Diagnosis | None = None) -> Judged:
-    return Judged("unit", truth, diagnosis, then)
+def judged(
+    truth: Truth, diagnosis: ScoredDiagnosis, then: ScoredDiagnosis | None = None
+) -> ScoredCase:
+    return ScoredCase("unit", truth, diagnosis, then)
 
 
 def single(effect: str = DAMPING, **parameters: float) -> Truth:
     return Truth("single", (effect,), parameters, (8.0,))
 
 
-def said(*causes: Cause, verdict: str = "explained") -> Diagnosis:
-    return Diagnosis(verdict, causes)
+def said(*causes: Cause, verdict: str = "explained") -> ScoredDiagnosis:
+    return ScoredDiagnosis(verdict, causes)
 
 
 @pytest.mark.parametrize(
@@ -40,7 +43,9 @@ def said(*causes: Cause, verdict: str = "explained") -> Diagnosis:
         (said(verdict="no_gap"), False),
     ],
 )
-def test_a_single_effect_is_right_alone_or_in_its_class(diagnosis: Diagnosis, right: bool) -> None:
+def test_a_single_effect_is_right_alone_or_in_its_class(
+    diagnosis: ScoredDiagnosis, right: bool
+) -> None:
     assert score.is_right(judged(single(), diagnosis)) is right
 
 
@@ -85,20 +90,25 @@ def test_an_axis_is_covered_after_a_quarter_turn(
 ) -> None:
     cause = Cause(DAMPING, 0.9, {}, {"damping_axis_deg": (low, high)})
     truth = single(damping_anisotropy_per_s=1e-6, damping_axis_deg=value)
-    assert score.coverage(judged(truth, said(cause))) == [covered]
+    assert score.list_coverage(judged(truth, said(cause))) == [covered]
 
 
 def test_a_magnitude_does_not_wrap() -> None:
     cause = Cause(DAMPING, 0.9, {}, {"damping_anisotropy_per_s": (2e-6, 3e-6)})
-    assert score.coverage(judged(single(damping_anisotropy_per_s=1e-6), said(cause))) == [False]
+    assert score.list_coverage(judged(single(damping_anisotropy_per_s=1e-6), said(cause))) == [
+        False
+    ]
 
 
 @pytest.mark.parametrize(
     ("diagnosis", "owned"),
     [
-        (Diagnosis("unexplained", where=(("wave_angle", 0.7), ("time", 0.3))), True),
-        (Diagnosis("unexplained", where=(("time", 0.4), ("rate", 0.3), ("time", 0.1))), False),
-        (Diagnosis("unexplained"), False),
+        (ScoredDiagnosis("unexplained", where=(("wave_angle", 0.7), ("time", 0.3))), True),
+        (
+            ScoredDiagnosis("unexplained", where=(("time", 0.4), ("rate", 0.3), ("time", 0.1))),
+            False,
+        ),
+        (ScoredDiagnosis("unexplained"), False),
         (said(Cause(GAIN, 0.9)), True),
         (said(Cause("duffing_stiffness", 0.9)), False),
         (said(verdict="ambiguous"), False),
@@ -106,7 +116,7 @@ def test_a_magnitude_does_not_wrap() -> None:
     ],
 )
 def test_an_effect_left_out_is_none_of_these_or_a_stand_in(
-    diagnosis: Diagnosis, owned: bool
+    diagnosis: ScoredDiagnosis, owned: bool
 ) -> None:
     truth = Truth("left_out", (DAMPING,), {}, (8.0,), stand_ins=(GAIN,))
     assert score.is_owned(judged(truth, diagnosis)) is owned
@@ -121,18 +131,22 @@ def test_next_test_settles_what_is_then_named_alone() -> None:
 
 
 def test_probabilities_are_held_against_the_truth() -> None:
-    diagnosis = Diagnosis("explained", (Cause(DAMPING, 0.7), Cause(GAIN, 0.2)), 0.1)
-    assert score.claims(judged(single(), diagnosis)) == [(0.7, True), (0.2, False), (0.1, False)]
+    diagnosis = ScoredDiagnosis("explained", (Cause(DAMPING, 0.7), Cause(GAIN, 0.2)), 0.1)
+    assert score.list_claims(judged(single(), diagnosis)) == [
+        (0.7, True),
+        (0.2, False),
+        (0.1, False),
+    ]
     outside = Truth("outside", form="jump")
-    assert score.claims(judged(outside, diagnosis))[-1] == (0.1, True)
+    assert score.list_claims(judged(outside, diagnosis))[-1] == (0.1, True)
 
 
 def test_every_figure_counts_its_own_kind() -> None:
-    no_gap = Diagnosis("no_gap")
+    no_gap = ScoredDiagnosis("no_gap")
     cases = [judged(Truth("none"), no_gap)] * 30 + [judged(Truth("none"), said(Cause(GAIN, 0.9)))]
-    cases += [judged(Truth("outside"), Diagnosis("unexplained"))] * 4
+    cases += [judged(Truth("outside"), ScoredDiagnosis("unexplained"))] * 4
     cases += [judged(single(), said(Cause(DAMPING, 0.9)))] * 5
-    figures = {figure.name: figure for figure in score.figures(cases, 1)}
+    figures = {figure.name: figure for figure in score.score_figures(cases, 1)}
     assert figures["false alarm without a gap"].n == 31
     assert figures["false alarm without a gap"].value == pytest.approx(1 / 31)
     assert figures["outside: recognised"].value == 1
@@ -143,19 +157,19 @@ def test_every_figure_counts_its_own_kind() -> None:
 
 def test_curve_has_every_single_once() -> None:
     weak = Truth("weak", (DAMPING,), {}, (1.2,))
-    cases = [judged(weak, Diagnosis("no_gap")), judged(single(), said(Cause(DAMPING, 0.9)))]
-    points = score.curve(cases)
+    cases = [judged(weak, ScoredDiagnosis("no_gap")), judged(single(), said(Cause(DAMPING, 0.9)))]
+    points = score.score_curve(cases)
     assert sum(point.right.n for point in points) == 2
     assert [p.right.value for p in points if p.right.n] == [0.0, 1.0]
     assert points[-1].high == math.inf
 
 
 def test_every_effect_shows_in_some_coordinate() -> None:
-    assert set(COORDINATES) == set(NAMES)
+    assert set(COORDINATES) == set(EFFECT_NAMES)
 
 
 def test_closing_is_measured_by_the_noise_of_the_same_records() -> None:
     truth = Truth("single", (DAMPING,), {}, (8.0,), holdout_noise_arcsec=2.0)
-    said = Diagnosis("explained", holdout_after_arcsec=2.2)
-    assert score.after_over_noise(Judged("", truth, said)) == pytest.approx(1.1)
-    assert score.after_over_noise(Judged("", truth, Diagnosis("no_gap"))) is None
+    said = ScoredDiagnosis("explained", holdout_after_arcsec=2.2)
+    assert score.find_residual_over_noise(ScoredCase("", truth, said)) == pytest.approx(1.1)
+    assert score.find_residual_over_noise(ScoredCase("", truth, ScoredDiagnosis("no_gap"))) is None

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from pyhrg.bench.programme import Programme
-from pyhrg.challenge.campaigns.course import course_of
+from pyhrg.challenge.campaigns.course import make_course
 from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.challenge.campaigns.instruments import Instruments
-from pyhrg.challenge.truths.meter import Meter, measured
+from pyhrg.challenge.truths.meter import Meter, make_measured_course
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import EFFECTS, NOISES
@@ -25,7 +25,7 @@ RATE = 1e-3 * DEG_PER_H
 
 def meter(simulation: Simulation, believed: Device = GYRO, rate: float = 0.0) -> Meter:
     programme = Programme(1.0, GRAVITY).spin(rate, ROWS)
-    course = course_of(programme, 1.0)
+    course = make_course(programme, 1.0)
     return Meter(simulation, believed, [(course, 0.3)], Instruments())
 
 
@@ -35,7 +35,7 @@ def test_no_gap_has_no_strength(simulation: Simulation) -> None:
 
 def test_a_rate_on_random_walk(simulation: Simulation) -> None:
     """W sqrt(t)/N, where walk is all the noise."""
-    device = replace(GYRO, pickoff_noise=1e-12, frequency_split=0.0, damping_anisotropy=0.0)
+    device = replace(GYRO, angle_white_noise=1e-12, frequency_split=0.0, damping_anisotropy=0.0)
     disturbance = Disturbance(rate=lambda course, start: np.full((1, 1), RATE))
     found = meter(simulation, device).sigmas(device, disturbance)
     assert found == pytest.approx(RATE * math.sqrt(ROWS) / device.angle_random_walk, rel=0.01)
@@ -44,7 +44,7 @@ def test_a_rate_on_random_walk(simulation: Simulation) -> None:
 def test_a_ramp_on_white_noise(simulation: Simulation) -> None:
     """W sqrt(sum t^2)/R, where reading noise is all there is."""
     device = replace(
-        GYRO, angle_random_walk=1e-14, pickoff_noise=ARCSEC, frequency_split=0.0,
+        GYRO, angle_random_walk=1e-14, angle_white_noise=ARCSEC, frequency_split=0.0,
         damping_anisotropy=0.0,
     )  # fmt: skip
     disturbance = Disturbance(rate=lambda course, start: np.full((1, 1), RATE))
@@ -67,7 +67,7 @@ def test_an_effect_leaves_nothing_beyond_itself(simulation: Simulation) -> None:
 
 def test_what_the_average_leaves_out_is_noise_of_its_shape(simulation: Simulation) -> None:
     """Three times it are three deviations, however far it stands out of the rows' noise."""
-    course = measured(Programme(0.1, GRAVITY).rest(5).spin(100 * DEG, 20))
+    course = make_measured_course(Programme(0.1, GRAVITY).rest(5).spin(100 * DEG, 20))
     rate = course.rate.mean(axis=1)
 
     def shown(log: Log) -> Log:
@@ -93,7 +93,7 @@ def test_twice_the_noise_of_white_readings(simulation: Simulation) -> None:
     """Twice the divergence of n variances r times as large is n (r - 1 - ln r); a level known to
     3 % may make up for some of it."""
     believed = replace(GYRO, angle_random_walk=0.0)
-    device = replace(believed, pickoff_noise=2 * believed.pickoff_noise)
+    device = replace(believed, angle_white_noise=2 * believed.angle_white_noise)
     off = np.linspace(0, 30, 100_001)
     ratios = 4 * np.exp(-2 * 0.03 * off)
     expected = math.sqrt(np.min((ROWS - 1) * (ratios - 1 - np.log(ratios)) + off**2))
@@ -104,7 +104,7 @@ def test_twice_the_noise_of_white_readings(simulation: Simulation) -> None:
 def test_quantisation_and_white_noise_stand_in_for_each_other(simulation: Simulation) -> None:
     measuring = meter(simulation)
     by_name = {noise.name: noise for noise in NOISES}
-    coarse = replace(GYRO, angle_quantum=0.5 * ARCSEC)
+    coarse = replace(GYRO, quantization_step=0.5 * ARCSEC)
     assert measuring.sigmas_of_noise(coarse) > 10
     assert measuring.sigmas_of_noise_beyond(by_name["angle_white_noise"], coarse) < 0.1
     assert measuring.sigmas_of_noise_beyond(by_name["rate_random_walk"], coarse) > 10
@@ -115,8 +115,8 @@ def test_noise_that_comes_is_as_strong_as_its_divergence_from_steady_noise(
 ) -> None:
     """Five times the random walk's power in every other stretch of 256 s, beside none: walk is all
     the noise, r over the mean of 3.5. Loud everywhere, it is steady."""
-    device = replace(GYRO, pickoff_noise=1e-12, frequency_split=0.0, damping_anisotropy=0.0)
-    course = course_of(Programme(1.0, GRAVITY).spin(0.0, 8192), 1.0)
+    device = replace(GYRO, angle_white_noise=1e-12, frequency_split=0.0, damping_anisotropy=0.0)
+    course = make_course(Programme(1.0, GRAVITY).spin(0.0, 8192), 1.0)
     measuring = Meter(simulation, device, [(course, 0.3)], Instruments())
     loud = np.arange(len(course)) // 256 % 2 == 0
     noise = np.random.default_rng(1).standard_normal(len(course))

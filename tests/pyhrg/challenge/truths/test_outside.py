@@ -10,8 +10,8 @@ import pyhrg
 from pyhrg.challenge.campaigns.course import Course
 from pyhrg.challenge.campaigns.instruments import Instruments
 from pyhrg.challenge.campaigns.plans import TESTS, Variation
-from pyhrg.challenge.truths.form import FILE, Form, forms
-from pyhrg.challenge.truths.meter import Meter, measured
+from pyhrg.challenge.truths.form import FORMS_MODULE, Form, load_forms
+from pyhrg.challenge.truths.meter import Meter, make_measured_course
 from pyhrg.gap.replay.simulation import Simulation
 from tests.pyhrg.challenge.short import GYRO
 
@@ -30,29 +30,29 @@ def meter(simulation: Simulation) -> Meter:
     for i, (_, _, role, profile) in enumerate(TESTS):
         programme = profile(vary)
         if role == "fit":
-            tests.append((measured(programme), 0.1 + 0.1 * i))
+            tests.append((make_measured_course(programme), 0.1 + 0.1 * i))
     return Meter(simulation, GYRO, tests, Instruments())
 
 
 def test_no_module_imports_them() -> None:
-    name = FILE.rpartition(".")[2]
+    name = FORMS_MODULE.rpartition(".")[2]
     for root in ROOTS:
         for path in root.rglob("*.py"):
             for node in ast.walk(ast.parse(path.read_text())):
                 if isinstance(node, ast.Import | ast.ImportFrom):
                     names = [alias.name for alias in node.names]
                     module = getattr(node, "module", "") or ""
-                    assert FILE not in (module, *names), path
-                    assert not (module == FILE.rpartition(".")[0] and name in names), path
+                    assert FORMS_MODULE not in (module, *names), path
+                    assert not (module == FORMS_MODULE.rpartition(".")[0] and name in names), path
 
 
 def test_there_are_forms_in_every_coordinate() -> None:
-    assert len(forms()) >= 12
-    assert {form.coordinate for form in forms()} == set(COORDINATES)
-    assert len({form.name for form in forms()}) == len(forms())
+    assert len(load_forms()) >= 12
+    assert {form.coordinate for form in load_forms()} == set(COORDINATES)
+    assert len({form.name for form in load_forms()}) == len(load_forms())
 
 
-@pytest.mark.parametrize("form", forms(), ids=lambda form: form.name)
+@pytest.mark.parametrize("form", load_forms(), ids=lambda form: form.name)
 def test_a_form_shows_beyond_the_catalogue_and_vanishes_with_its_size(
     meter: Meter, form: Form
 ) -> None:
@@ -65,7 +65,7 @@ def test_a_form_shows_beyond_the_catalogue_and_vanishes_with_its_size(
     assert np.linalg.norm(gaps[1]) < 1e-3 * np.linalg.norm(gaps[0])
 
 
-@pytest.mark.parametrize("form", forms(), ids=lambda form: form.name)
+@pytest.mark.parametrize("form", load_forms(), ids=lambda form: form.name)
 def test_a_form_is_the_same_by_the_same_generator(meter: Meter, form: Form) -> None:
     course, start = meter.tests[0]
     rates = [

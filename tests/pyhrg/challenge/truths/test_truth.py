@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from pyhrg.bench.programme import Programme
-from pyhrg.challenge.campaigns.course import course_of
+from pyhrg.challenge.campaigns.course import make_course
 from pyhrg.challenge.campaigns.instruments import Instruments
 from pyhrg.challenge.truths.meter import Meter
-from pyhrg.challenge.truths.truth import Drawing, solved
+from pyhrg.challenge.truths.truth import Drawing, solve_size
 from pyhrg.common.units import DEG
 from pyhrg.fmu import GyroError
-from pyhrg.gap.effects.catalogue import EFFECTS, NAMES
+from pyhrg.gap.effects.catalogue import EFFECT_NAMES, EFFECTS
 from pyhrg.gap.replay.simulation import Simulation
 from tests.pyhrg.challenge.short import GRAVITY, GYRO
 
@@ -23,7 +23,7 @@ SEEN = ("damping_anisotropy", "pickoff_gain_mismatch", "coriolis_factor_error", 
 @pytest.fixture(scope="module")
 def meter(simulation: Simulation) -> Meter:
     courses = [
-        course_of(Programme(1.0, GRAVITY).spin(rate * DEG, 300.0), 1.0) for rate in (-5, 0, 20)
+        make_course(Programme(1.0, GRAVITY).spin(rate * DEG, 300.0), 1.0) for rate in (-5, 0, 20)
     ]
     return Meter(simulation, GYRO, [(course, 0.3) for course in courses], Instruments())
 
@@ -38,8 +38,8 @@ def test_an_effect_is_as_strong_as_it_was_drawn(meter: Meter, effect: str) -> No
     (strength,) = state.truth.strengths
     assert 6 <= strength <= 60
     assert meter.sigmas_of(effect, state.truth.parameters) == pytest.approx(strength, rel=0.02)
-    field = "angle_quantum" if effect == "angle_quantisation" else "name"
-    assert (getattr(state.device, field) != getattr(GYRO, field)) == (field == "angle_quantum")
+    field = "quantization_step" if effect == "angle_quantisation" else "name"
+    assert (getattr(state.device, field) != getattr(GYRO, field)) == (field == "quantization_step")
 
 
 def test_none_is_the_believed_gyro(meter: Meter) -> None:
@@ -54,7 +54,7 @@ def test_a_pair_is_two_that_cannot_stand_in_for_each_other(
     state = drawing(meter, 4).state("pair")
     assert len(set(state.truth.effects)) == 2
     noises = ("angle_white_noise", "angle_quantisation")
-    monkeypatch.setattr("pyhrg.challenge.truths.truth.TRIES", 10)
+    monkeypatch.setattr("pyhrg.challenge.truths.truth.MAX_ATTEMPTS", 10)
     with pytest.raises(ValueError, match="pair: the tests show nothing"):
         drawing(meter, 1, noises).state("pair")
 
@@ -87,7 +87,7 @@ def test_an_effect_left_out_tells_its_stand_ins(meter: Meter) -> None:
     state = drawing(meter, 1, ("angle_quantisation",)).state("left_out")
     assert "angle_white_noise" in state.truth.stand_ins
     assert "angle_quantisation" not in state.truth.stand_ins
-    assert set(state.truth.stand_ins) <= set(NAMES)
+    assert set(state.truth.stand_ins) <= set(EFFECT_NAMES)
 
 
 def test_what_tests_cannot_show_is_refused(meter: Meter) -> None:
@@ -98,8 +98,8 @@ def test_what_tests_cannot_show_is_refused(meter: Meter) -> None:
 
 
 def test_size_is_solved() -> None:
-    assert solved(lambda size: 1e4 * size, 8.0) == pytest.approx(8e-4, rel=0.01)
-    assert solved(lambda size: 1e-3 * size, 8.0) is None
+    assert solve_size(lambda size: 1e4 * size, 8.0) == pytest.approx(8e-4, rel=0.01)
+    assert solve_size(lambda size: 1e-3 * size, 8.0) is None
 
 
 @pytest.mark.parametrize(("most", "found"), [(2.0, True), (0.1, False), (1e-10, False)])
@@ -109,5 +109,5 @@ def test_sizes_that_cannot_be_simulated_are_none(most: float, found: bool) -> No
             raise GyroError("gyroAngle is no longer finite at 62 s")
         return 8.0 * size
 
-    size = solved(strength, 8.0)
+    size = solve_size(strength, 8.0)
     assert size == (pytest.approx(1.0, rel=0.01) if found else None)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pyhrg.challenge.truths.unsteadiness import unsteadiness
+from pyhrg.challenge.truths.unsteadiness import measure_unsteadiness
 
 ROWS = 1 << 16
 
@@ -13,8 +13,8 @@ def noise(seed: int) -> np.ndarray:
 
 
 def test_nothing_is_nothing() -> None:
-    assert unsteadiness([[np.zeros(ROWS)]]) == 0
-    assert unsteadiness([]) == 0
+    assert measure_unsteadiness([[np.zeros(ROWS)]]) == 0
+    assert measure_unsteadiness([]) == 0
 
 
 @pytest.mark.parametrize("size", [0.1, 1.0, 10.0])
@@ -22,7 +22,7 @@ def test_steady_noise_is_next_to_nothing(size: float) -> None:
     """Beside the same power in a tenth of the time."""
     loud = np.repeat(np.arange(ROWS // 1024) % 10 == 0, 1024)
     tenth = size * np.sqrt(10) * loud * noise(1)
-    assert unsteadiness([[size * noise(1)]]) < 0.2 * unsteadiness([[tenth]])
+    assert measure_unsteadiness([[size * noise(1)]]) < 0.2 * measure_unsteadiness([[tenth]])
 
 
 def test_loud_in_half_the_rows_is_as_strong_as_the_divergence_says() -> None:
@@ -30,7 +30,7 @@ def test_loud_in_half_the_rows_is_as_strong_as_the_divergence_says() -> None:
     loud = np.repeat(np.arange(ROWS // 1024) % 2 == 0, 1024)
     ratio = np.where(loud, 1.4, 1.0) / 1.2
     expected = np.sqrt(np.sum(ratio - 1 - np.log(ratio)))
-    found = unsteadiness([[np.sqrt(0.4) * loud * noise(2)]])
+    found = measure_unsteadiness([[np.sqrt(0.4) * loud * noise(2)]])
     assert found == pytest.approx(expected, rel=0.05)
 
 
@@ -39,11 +39,11 @@ def test_a_weak_one_known_by_its_realisation_alone_is_weak() -> None:
     loud = np.repeat(np.arange(ROWS // 1024) % 2 == 0, 1024)
     weak = np.sqrt(0.02) * loud * noise(3)
     assert np.linalg.norm(weak) > 25
-    assert unsteadiness([[weak]]) < 3
+    assert measure_unsteadiness([[weak]]) < 3
 
 
 def test_steady_noise_in_one_kind_of_two_is_steady() -> None:
     """As one kind it would be loud in one of two places."""
     kinds = [[noise(4)], [np.zeros(ROWS)]]
-    assert unsteadiness(kinds) < 10
-    assert unsteadiness([[series for kind in kinds for series in kind]]) > 50
+    assert measure_unsteadiness(kinds) < 10
+    assert measure_unsteadiness([[series for kind in kinds for series in kind]]) > 50

@@ -27,17 +27,17 @@ def test_a_linear_scale_has_round_ticks_within() -> None:
 def test_decades_hold_every_positive_value(
     values: list[float], limits: tuple[float, float]
 ) -> None:
-    assert svg.decades(values) == pytest.approx(limits)
+    assert svg.find_decades(values) == pytest.approx(limits)
 
 
 def test_points_lie_where_they_were_put_each_once() -> None:
     generator = np.random.default_rng(3)
     x, y = generator.uniform(70, 410, (2, 500))
-    twice = svg.points(np.tile(x, 2), np.tile(y, 2))
+    twice = svg.format_points(np.tile(x, 2), np.tile(y, 2))
     steps = re.findall(r"m(-?\d+)( |(?=-))(-?\d+)h0", twice)
     assert "".join(f"m{a}{gap}{b}h0" for a, gap, b in steps) == twice
     drawn = np.cumsum([(int(a), int(b)) for a, _, b in steps], axis=0)
-    wanted = np.unique(np.rint(svg.FINENESS * np.stack([x, y], axis=1)), axis=0)
+    wanted = np.unique(np.rint(svg.GRID_DIVISIONS * np.stack([x, y], axis=1)), axis=0)
     np.testing.assert_array_equal(drawn, wanted)
 
 
@@ -56,4 +56,4 @@ def test_points_lie_where_they_were_put_each_once() -> None:
     ],
 )
 def test_numbers_are_told_in_three_digits(value: float, text: str) -> None:
-    assert svg.number(value) == text
+    assert svg.format_number(value) == text

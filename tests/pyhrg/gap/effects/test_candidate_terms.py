@@ -1,28 +1,28 @@
-"""Nameless elements reach what effects of the catalogue do, should they lack a name."""
+"""Candidate terms explain what effects of the catalogue do, should those be missing."""
 
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from pyhrg.gap.effects.candidate_terms import columns, coordinates
+from pyhrg.gap.effects.candidate_terms import build_term_columns, compute_coordinates
 from pyhrg.gap.effects.catalogue import EFFECTS
-from pyhrg.gap.effects.sensitivities import secants
-from pyhrg.gap.replay.observations import observed
+from pyhrg.gap.effects.sensitivities import compute_sensitivities
+from pyhrg.gap.replay.observations import observe_test
 from pyhrg.gap.replay.simulation import Simulation
-from pyhrg.gap.whitening.channel_noise import angle_noise
-from pyhrg.gap.whitening.whitening import whitened
+from pyhrg.gap.whitening.channel_noise import build_angle_noise
+from pyhrg.gap.whitening.whitening import whiten
 from pyhrg.records.campaign import Test
-from tests.pyhrg.gap.soundness.conftest import BELIEVED
+from tests.pyhrg.gap.soundness.conftest import NOMINAL
 from tests.pyhrg.records.made_up import made_up_log
 
 ROWS = 600
-LEFT = 0.15
-"""Share of an effect's power that one element may leave: of the biases that it brings as well."""
+MAX_UNEXPLAINED = 0.15
+"""Share of an effect's power that one term may leave: part of it are biases by the same effect."""
 
 
 @pytest.mark.parametrize(
-    ("name", "channel", "of"),
+    ("name", "channel", "function"),
     [
         (
             "g_sensitive_gain",
@@ -37,8 +37,8 @@ LEFT = 0.15
         ("residual_quadrature", "quadrature_force", "mean over the pattern angle"),
     ],
 )
-def test_an_element_does_what_an_effect_does(
-    simulation: Simulation, name: str, channel: str, of: str
+def test_a_term_explains_an_effect(
+    simulation: Simulation, name: str, channel: str, function: str
 ) -> None:
     turns = np.arange(ROWS) / ROWS
     log = replace(
@@ -46,27 +46,29 @@ def test_an_element_does_what_an_effect_does(
         acceleration_x=5 * np.sin(4 * np.pi * turns),
         temperature=298.15 + 10 * np.sin(2 * np.pi * turns),
     )
-    device = BELIEVED.without_noise()
-    seen = observed(Test("test", "static", "fit", log), device)
-    answer = simulation.answers(device, seen)
-    where = coordinates(seen, answer["wave_angle"], answer["amplitude"], device)
+    device = NOMINAL.without_noise()
+    observed = observe_test(Test("test", "static", "fit", log), device)
+    simulated = simulation.simulate(device, observed)
+    where = compute_coordinates(observed, simulated["wave_angle"], simulated["amplitude"], device)
     effect = EFFECTS[name]
-    does = secants(simulation, device, seen, [effect])[effect][channel][:, 0]
-    block = next(b for element, b in columns(where, channel) if element.of == of)
-    rows = seen.rows[channel]
-    series = np.column_stack([block, does])[rows]
-    white = whitened(series, np.diff(log.time[rows], prepend=0.0), angle_noise(BELIEVED)).series
-    element, effect_itself = white[:, :-1], white[:, -1]
-    left = effect_itself - element @ np.linalg.lstsq(element, effect_itself, rcond=None)[0]
-    assert left @ left < LEFT * (effect_itself @ effect_itself)
+    response = compute_sensitivities(simulation, device, observed, [effect])[effect][channel][:, 0]
+    block = next(b for term, b in build_term_columns(where, channel) if term.function == function)
+    rows = observed.rows[channel]
+    series = np.column_stack([block, response])[rows]
+    white = whiten(series, np.diff(log.time[rows], prepend=0.0), build_angle_noise(NOMINAL)).series
+    term, effect_itself = white[:, :-1], white[:, -1]
+    unexplained = effect_itself - term @ np.linalg.lstsq(term, effect_itself, rcond=None)[0]
+    assert unexplained @ unexplained < MAX_UNEXPLAINED * (effect_itself @ effect_itself)
 
 
-def test_the_amplitude_of_a_free_pattern_is_its_own() -> None:
-    """With the drive on it is what is commanded; by simulation, whatever is read."""
+def test_the_amplitude_coordinate_of_a_free_pattern_is_simulated() -> None:
+    """With the drive on it is the commanded amplitude. The logged one is not used."""
     amplitude = np.exp(-np.clip(np.arange(100) - 50, 0, None) / 400) + 1e-6
     log = replace(made_up_log(100), drive_on=(np.arange(100) < 50) * 1.0)
-    seen = observed(Test("test", "ring_down", "fit", log), BELIEVED)
-    where = coordinates(seen, np.zeros(100), amplitude, BELIEVED)
-    found = {element.of: block for element, block in columns(where, "quadrature_force")}
+    observed = observe_test(Test("test", "ring_down", "fit", log), NOMINAL)
+    where = compute_coordinates(observed, np.zeros(100), amplitude, NOMINAL)
+    columns = {
+        term.function: block for term, block in build_term_columns(where, "quadrature_force")
+    }
     expected = np.where(np.arange(100) < 50, 0.0, amplitude - 1)
-    np.testing.assert_array_equal(found["amplitude"][:, 0], expected)
+    np.testing.assert_array_equal(columns["amplitude"][:, 0], expected)

@@ -5,9 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from pyhrg.challenge.scoring.coordinates import COORDINATES
 from pyhrg.common.units import DEG
+from pyhrg.device.declarations import read_declarations
 from pyhrg.device.device import Device
-from pyhrg.gap.effects.catalogue import DETERMINISTIC, EFFECTS, Effect
+from pyhrg.gap.effects.catalogue import DETERMINISTIC, EFFECT_NAMES, EFFECTS, Effect
 
 DEVICE = Device(damping_anisotropy=1e-6, damping_axis=20 * DEG, phase_error=1e-3)
 
@@ -34,3 +36,14 @@ def test_vectors_end_where_gyros_do(effect: Effect) -> None:
 def test_a_delay_is_never_negative() -> None:
     delay = EFFECTS["loop_delay"]
     assert delay.put(DEVICE, np.array([-1e-3])).loop_delay == 0.0
+
+
+def test_every_declared_effect_has_one_name_and_one_position() -> None:
+    declared = [d.effect for d in read_declarations(Device).values() if d.effect]
+    positions = [effect.position for effect in declared if np.isfinite(effect.position)]
+    assert len(set(positions)) == len(positions)
+    assert len(set(EFFECT_NAMES)) == len(EFFECT_NAMES) == len(COORDINATES)
+    assert [effect.name for effect in DETERMINISTIC][:2] == [
+        "damping_anisotropy",
+        "frequency_split",
+    ]

@@ -5,10 +5,10 @@ import pytest
 from numpy.typing import NDArray
 from scipy.integrate import quad
 
-from pyhrg.gap.effects.candidate_terms import Element
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import EFFECTS
-from pyhrg.gap.evidence.equivalents import equivalents
-from pyhrg.gap.evidence.evidence import LARGEST, fit
+from pyhrg.gap.evidence.equivalents import find_equivalents
+from pyhrg.gap.evidence.evidence import MAX_SIGMA, fit
 from tests.pyhrg.gap.made_up import design_of
 
 Array = NDArray[np.float64]
@@ -25,14 +25,14 @@ def rng() -> np.random.Generator:
 
 @pytest.mark.parametrize("size", [4.0, 8.0, 40.0])
 def test_one_dimension(size: float) -> None:
-    """The likelihood ratio, averaged over lengths flat in the logarithm from 1 on, both signs."""
+    """Mean likelihood ratio over sizes of both signs, flat in the logarithm from 1."""
     column = rng().normal(size=200) * 1e3
     unit = column / np.linalg.norm(column)
     found = fit(design_of({ONE: column[:, None]}, size * unit), [ONE])
     assert found is not None
 
     def integrand(x: float) -> float:
-        return float(np.exp(-((x - size) ** 2) / 2) / (2 * abs(x) * np.log(LARGEST)))
+        return float(np.exp(-((x - size) ** 2) / 2) / (2 * abs(x) * np.log(MAX_SIGMA)))
 
     near = quad(integrand, max(1.0, size - 12), size + 12, epsabs=0)[0]
     # Laplace: what is left is of the order of (noise over size) squared
@@ -51,7 +51,7 @@ def test_two_dimensions(size: float) -> None:
     edge = np.arange(-12, 12, 0.05) + 0.025
     x, y = np.meshgrid(edge + size, edge)
     length = np.hypot(x, y)
-    density = np.where(length > 1, 1 / (2 * np.pi * length**2 * np.log(LARGEST)), 0.0)
+    density = np.where(length > 1, 1 / (2 * np.pi * length**2 * np.log(MAX_SIGMA)), 0.0)
     integral = (np.exp(-((x - size) ** 2 + y**2) / 2) * density).sum() * 0.05**2
     expected = size**2 / 2 + np.log(integral)
     assert found.log_evidence == pytest.approx(expected, abs=4 / size**2)
@@ -75,10 +75,10 @@ def test_the_same_column_twice_is_not_fitted() -> None:
     assert fit(design, [ONE, OTHER]) is None
 
 
-def test_what_a_rough_element_differs_by_says_nothing() -> None:
+def test_a_small_difference_of_two_candidate_terms_is_not_fitted() -> None:
     column, other = rng().normal(size=(2, 400, 1))
     near = column + 0.02 * other
-    rough = Element("gyro_angle", "rate", "rate")
+    rough = CandidateTerm("gyro_angle", "rate", "rate")
     residual = 10 * (column - near)[:, 0]
     assert fit(design_of({ONE: column, OTHER: near}, residual), [ONE, OTHER]) is not None
     assert fit(design_of({ONE: column, rough: near}, residual), [rough, ONE]) is None
@@ -89,8 +89,8 @@ def test_equivalents_are_columns_that_are_collinear() -> None:
     design = design_of({ONE: column, OTHER: -5 * column, THIRD: other}, 2 * column[:, 0])
     best = fit(design, [ONE])
     assert best is not None
-    assert list(equivalents(design, best, ONE, [ONE, OTHER, THIRD])) == [OTHER]
+    assert list(find_equivalents(design, best, ONE, [ONE, OTHER, THIRD])) == [OTHER]
     nothing = design_of({ONE: column, OTHER: other, THIRD: column[::-1]}, 2 * column[:, 0])
     best = fit(nothing, [ONE])
     assert best is not None
-    assert not equivalents(nothing, best, ONE, [ONE, OTHER, THIRD])
+    assert not find_equivalents(nothing, best, ONE, [ONE, OTHER, THIRD])

@@ -1,16 +1,16 @@
-"""Sets and their ranking."""
+"""Ranking of sets."""
 
 import numpy as np
 
 from pyhrg.gap.effects.catalogue import DETERMINISTIC
 from pyhrg.gap.evidence.evidence import Fit
-from pyhrg.gap.evidence.search import Ranked
+from pyhrg.gap.evidence.search import Ranking
 
 
 def test_groups_come_in_the_order_of_their_sets() -> None:
-    """Not in that of a hash, which is another in each process."""
+    """The order must not depend on hashes, which differ from process to process."""
     a, b, *more = DETERMINISTIC
     orders = [(b, a), (b,), (a, *more)]
     nothing = np.zeros((0, 0))
     fits = tuple(Fit(groups, 0.0, 0.0, (), nothing) for groups in orders)
-    assert Ranked(fits, (0.5, 0.3, 0.2), 0.0).groups == (b, a, *more)
+    assert Ranking(fits, (0.5, 0.3, 0.2), 0.0).groups == (b, a, *more)

@@ -3,14 +3,26 @@
 import json
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from pyhrg.device.device import Device
-from pyhrg.gap.closing.closing import with_causes
+from pyhrg.gap.closing.closing import device_with_causes
 from pyhrg.gap.effects.catalogue import EFFECTS
-from pyhrg.gap.findings import diagnosis
-from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, DiagnosisError, Gap, GapFigure, Where
+from pyhrg.gap.findings.diagnosis import (
+    FILE,
+    Cause,
+    Diagnosis,
+    DiagnosisError,
+    Gap,
+    GapFigure,
+    NextTest,
+    read_diagnosis,
+    write,
+)
+from pyhrg.gap.findings.localisation import Place
+from pyhrg.gap.findings.quantity import Size
 
 FIGURE = GapFigure(3.0, 2.0, 1.0, (0.5, 1.5))
 GIVEN = Diagnosis(
@@ -32,7 +44,7 @@ GIVEN = Diagnosis(
         ),
     ),
     unknown_probability=0.01,
-    where=(Where("still", "gyro_angle", "wave_angle", 0.9, 12.0, 4),),
+    where=(Place("still", "gyro_angle", "wave_angle", 0.9, 12.0, 4),),
     sizes=(),
     gap=Gap(FIGURE, None, FIGURE, FIGURE, 50.0, 0.3),
     next_test=None,
@@ -42,8 +54,8 @@ GIVEN = Diagnosis(
 
 
 def kept(folder: Path, given: Diagnosis = GIVEN) -> Path:
-    (folder / diagnosis.FILE).write_text(json.dumps(given.document(), allow_nan=False))
-    return folder / diagnosis.FILE
+    write(given, folder)
+    return folder / FILE
 
 
 def test_keys_are_the_format_s(tmp_path: Path) -> None:
@@ -68,9 +80,30 @@ def test_a_place_that_is_no_angle_has_no_harmonic() -> None:
     assert "harmonic" not in replace(GIVEN, where=places).document()["where"][0]
 
 
+@pytest.mark.parametrize(
+    "given",
+    [
+        GIVEN,
+        replace(
+            GIVEN,
+            verdict="ambiguous",
+            where=(replace(GIVEN.where[0], harmonic=None),),
+            sizes=(Size("still", "amplitude", 10.0, 3.0, 0.0),),
+            gap=Gap(FIGURE, None, None, None, None, None),
+            next_test=NextTest("static", "2 h of rest separate them", 2.0),
+            unnamed={"bias: a jump": 0.2},
+            excluded=("a: not used",),
+            settled=False,
+        ),
+    ],
+)
+def test_what_was_written_is_read_back(tmp_path: Path, given: Diagnosis) -> None:
+    assert read_diagnosis(kept(tmp_path, given)) == given
+    assert read_diagnosis(str(tmp_path)) == given
+
+
 def test_causes_are_put_into_the_gyro(tmp_path: Path) -> None:
-    causes = diagnosis.causes_of(kept(tmp_path), GIVEN.device)
-    device = with_causes(Device(), causes)
+    device = device_with_causes(Device(), read_diagnosis(kept(tmp_path)).causes)
     effect = EFFECTS["damping_anisotropy"]
     assert effect.parameters(effect.vector(device)) == pytest.approx(
         {"damping_anisotropy_per_s": 2e-6, "damping_axis_deg": 45.0}
@@ -79,21 +112,40 @@ def test_causes_are_put_into_the_gyro(tmp_path: Path) -> None:
 
 
 def test_a_missing_parameter_is_named() -> None:
+    cause = Cause("damping_anisotropy", 1.0, {"damping_anisotropy_per_s": 1e-6})
     with pytest.raises(DiagnosisError, match="damping_anisotropy: damping_axis_deg: missing"):
-        with_causes(Device(), {"damping_anisotropy": {"damping_anisotropy_per_s": 1e-6}})
+        device_with_causes(Device(), [cause])
+
+
+CAUSE = GIVEN.document()["causes"][0]
 
 
 @pytest.mark.parametrize(
-    ("text", "message"),
+    ("change", "message"),
     [
-        ("{", "can't be read"),
-        ("[]", r"schema: found \[\], expected 'hrg-diagnosis/1'"),
-        ('{"schema": "other"}', "found 'other'"),
-        ('{"schema": "hrg-diagnosis/1"}', "KeyError"),
-        ('{"schema": "hrg-diagnosis/1", "causes": [3]}', "expected effect and parameters"),
+        ({"schema": "other"}, "schema: found 'other', expected hrg-diagnosis/1"),
+        ({"record": "a.csv"}, "record: found 'a.csv', expected a campaign's diagnosis"),
+        ({"verdict": "maybe"}, "verdict: found 'maybe', expected no_gap or"),
+        ({"unknown_probability": 1.2}, "unknown_probability: found 1.2, expected 0 to 1"),
+        ({"causes": [3]}, r"causes\[0\]: found 3"),
+        ({"causes": [{**CAUSE, "probability": None}]}, r"causes\[0\]\.probability: found None"),
+        (
+            {"causes": [{**CAUSE, "interval_95": {"duffing_Hz": [2, 1]}}]},
+            r"duffing_Hz: found \[2, 1\], expected \[low, high\]",
+        ),
+        ({"causes": [{**CAUSE, "equivalents": "x"}]}, "equivalents: found 'x'"),
+        ({"next_test": {"why": "so"}}, "next_test.kind: found no such key"),
+        ({"gap": {}}, "gap.before.fit.angle_arcsec: found no such key"),
     ],
 )
+def test_what_is_wrong_is_said(tmp_path: Path, change: dict[str, Any], message: str) -> None:
+    (tmp_path / FILE).write_text(json.dumps({**GIVEN.document(), **change}))
+    with pytest.raises(DiagnosisError, match=message):
+        read_diagnosis(tmp_path / FILE)
+
+
+@pytest.mark.parametrize(("text", "message"), [("{", "no JSON"), ("[]", "a JSON object")])
 def test_other_files_are_refused(tmp_path: Path, text: str, message: str) -> None:
     (tmp_path / "a.json").write_text(text)
     with pytest.raises(DiagnosisError, match=message):
-        diagnosis.causes_of(tmp_path / "a.json", "unit")
+        read_diagnosis(tmp_path / "a.json")

@@ -6,18 +6,18 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pyhrg.gap.effects.candidate_terms import Element
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.design import Block, Group
-from pyhrg.gap.findings.localisation import located
+from pyhrg.gap.findings.localisation import locate_gap
 from tests.pyhrg.gap.made_up import design_of
 
 Array = NDArray[np.float64]
 
 N = 2000
 TIME = np.arange(N) / N
-FOURTH = Element("gyro_angle", "wave_angle", "harmonic 4", 4)
-RATE = Element("gyro_angle", "rate", "rate")
-HEAT = Element("gyro_angle", "temperature", "temperature")
+FOURTH = CandidateTerm("gyro_angle", "wave_angle", "harmonic 4", 4)
+RATE = CandidateTerm("gyro_angle", "rate", "rate")
+HEAT = CandidateTerm("gyro_angle", "temperature", "temperature")
 COLUMNS: dict[Group, Array] = {
     FOURTH: np.column_stack([np.cos(60 * np.pi * TIME), np.sin(60 * np.pi * TIME)]),
     RATE: (TIME**2)[:, None],
@@ -31,7 +31,7 @@ def noise() -> Array:
 
 def test_a_planted_coordinate_is_found() -> None:
     fourth, rate = 4 * np.cos(60 * np.pi * TIME - 1), 6 * TIME**2
-    places = located(design_of(COLUMNS, noise() + fourth + rate))
+    places = locate_gap(design_of(COLUMNS, noise() + fourth + rate))
     assert sum(place.share for place in places) == pytest.approx(1)
     shares = {(place.coordinate, place.harmonic): place.share for place in places}
     whole = (fourth + rate) @ (fourth + rate)
@@ -43,52 +43,52 @@ def test_a_planted_coordinate_is_found() -> None:
 
 
 def test_a_residual_beyond_all_noise_is_placed() -> None:
-    """1e9 deviations: beside their square, small differences of power are lost to rounding."""
-    places = located(design_of(COLUMNS, noise() + 1e9 * TIME**2))
+    """A gap of 1e9 sigma: its power of 1e18 hides small differences by rounding."""
+    places = locate_gap(design_of(COLUMNS, noise() + 1e9 * TIME**2))
     assert places[0].coordinate == "rate"
 
 
-def test_what_follows_no_coordinate_is_noise() -> None:
-    places = located(design_of(COLUMNS, 2 * noise()))
+def test_power_that_no_term_explains_is_noise() -> None:
+    places = locate_gap(design_of(COLUMNS, 2 * noise()))
     assert [place.coordinate for place in places] == ["noise"]
     assert places[0].share == 1
 
 
 def test_noise_alone_is_no_gap() -> None:
-    assert located(design_of(COLUMNS, noise())) == ()
+    assert locate_gap(design_of(COLUMNS, noise())) == ()
 
 
-def test_what_tests_share_is_found_though_none_shows_it_alone() -> None:
-    """12 sigma in 16 tests, 3 in each; its power to 3 deviations."""
+def test_a_term_shared_by_tests_is_found_though_none_shows_it_alone() -> None:
+    """A term of 12 sigma in 16 tests, 3 in each; its power to 3 standard deviations."""
     generator = np.random.default_rng(5)
     fourth = 3 / np.sqrt(N / 2) * np.cos(60 * np.pi * TIME - 1)
     parts = [design_of(COLUMNS, generator.normal(size=N) + fourth) for _ in range(16)]
     blocks = [replace(part.blocks[0], test=f"test {i}") for i, part in enumerate(parts)]
-    places = located(replace(parts[0], blocks=tuple(blocks)))
+    places = locate_gap(replace(parts[0], blocks=tuple(blocks)))
     assert {(place.coordinate, place.harmonic) for place in places} == {("wave_angle", 4)}
     assert sum(place.sigmas**2 for place in places) == pytest.approx(12**2, abs=3 * 2 * 12)
     assert sum(place.share for place in places) == pytest.approx(1)
     assert len(places) > 8
 
 
-def test_the_plainest_of_coordinates_that_say_the_same_is_told() -> None:
-    """What is the same in all rows, though a force squared, one but in few rows, is as like it."""
-    mean = Element("gyro_angle", "wave_angle", "mean", 0)
-    force = Element("gyro_angle", "acceleration", "acceleration z squared")
+def test_the_first_of_equally_good_coordinates_is_taken() -> None:
+    """A constant, though a squared force that is one in almost all rows explains as much."""
+    mean = CandidateTerm("gyro_angle", "wave_angle", "mean", 0)
+    force = CandidateTerm("gyro_angle", "acceleration", "acceleration z squared")
     squared = np.ones((N, 1))
     squared[:20] = 0.0
     residual = noise() + 0.3
     residual[:20] -= 0.3
-    places = located(design_of({mean: np.ones((N, 1)), force: squared}, residual))
+    places = locate_gap(design_of({mean: np.ones((N, 1)), force: squared}, residual))
     assert {(place.coordinate, place.harmonic) for place in places} == {("wave_angle", 0)}
 
 
 @pytest.mark.parametrize(("values", "coordinate"), [((3, 3), "wave_angle"), ((5, -5), "time")])
-def test_a_value_for_each_power_on_is_told_where_nothing_else_is(
+def test_a_value_for_each_power_on_is_taken_where_nothing_else_explains(
     values: tuple[float, float], coordinate: str
 ) -> None:
-    mean = Element("gyro_angle", "wave_angle", "mean", 0)
-    each = Element("gyro_angle", "time", "of its own", is_of_each_power_on=True)
+    mean = CandidateTerm("gyro_angle", "wave_angle", "mean", 0)
+    each = CandidateTerm("gyro_angle", "time", "of its own", is_of_each_power_on=True)
     generator = np.random.default_rng(6)
     blocks = []
     for i, value in enumerate(values * 2):
@@ -97,5 +97,5 @@ def test_a_value_for_each_power_on_is_told_where_nothing_else_is(
         columns = np.array([0, 1 + i])
         blocks.append(Block(f"test {i}", "gyro_angle", columns, both.T @ both, N, 0.0))
     whole = design_of({mean: np.ones((N, 1)), each: generator.normal(size=(N, 4))}, noise())
-    places = located(replace(whole, blocks=tuple(blocks)))
+    places = locate_gap(replace(whole, blocks=tuple(blocks)))
     assert {place.coordinate for place in places} == {coordinate}

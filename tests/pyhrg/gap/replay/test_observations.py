@@ -1,4 +1,4 @@
-"""Which rows are compared, and what temperature a log tells."""
+"""Rows that are compared, and the temperature that is replayed."""
 
 from dataclasses import replace
 
@@ -8,7 +8,12 @@ from numpy.typing import NDArray
 
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
-from pyhrg.gap.replay.observations import CHANNELS, COARSE_STEPS, Observed, observed
+from pyhrg.gap.replay.observations import (
+    CHANNELS,
+    COARSE_SETTLING_STEPS,
+    ObservedTest,
+    observe_test,
+)
 from pyhrg.records import Log
 from pyhrg.records.campaign import Test
 from tests.pyhrg.records.made_up import made_up_log
@@ -16,8 +21,8 @@ from tests.pyhrg.records.made_up import made_up_log
 Array = NDArray[np.float64]
 
 
-def seen(log: Log, device: Device | None = None) -> Observed:
-    return observed(Test("test", "static", "fit", log), device or Device())
+def observe(log: Log, device: Device | None = None) -> ObservedTest:
+    return observe_test(Test("test", "static", "fit", log), device or Device())
 
 
 def nan_at(values: Array, rows: slice) -> Array:
@@ -28,48 +33,48 @@ def nan_at(values: Array, rows: slice) -> Array:
 
 def test_rows_without_an_angle_are_not_compared() -> None:
     log = made_up_log(60)
-    rows = seen(replace(log, gyro_angle=nan_at(log.gyro_angle, slice(30, 33)))).rows
+    rows = observe(replace(log, gyro_angle=nan_at(log.gyro_angle, slice(30, 33)))).rows
     for name in CHANNELS:
         assert np.flatnonzero(~rows[name][25:]).tolist() == [5, 6, 7], name
-    rows = seen(replace(log, amplitude=nan_at(log.amplitude, slice(30, 33)))).rows
+    rows = observe(replace(log, amplitude=nan_at(log.amplitude, slice(30, 33)))).rows
     assert rows["gyro_angle"].all()
     assert not rows["amplitude"][30:33].any()
 
 
-@pytest.mark.parametrize(("loop", "settled"), [(6.0, COARSE_STEPS), (1.0, 24), (0.5, 48)])
+@pytest.mark.parametrize(("loop", "settled"), [(6.0, COARSE_SETTLING_STEPS), (1.0, 24), (0.5, 48)])
 def test_slow_loops_take_longer(loop: float, settled: int) -> None:
-    found = seen(made_up_log(60), Device(quadrature_loop=loop))
-    assert np.flatnonzero(found.rows["quadrature_force"])[0] == settled
+    test = observe(made_up_log(60), Device(quadrature_loop=loop))
+    assert np.flatnonzero(test.rows["quadrature_force"])[0] == settled
 
 
 def test_forces_are_not_compared_without_drive() -> None:
     log = made_up_log(60)
     off = np.where(log.time > 30, 0.0, 1.0)
-    rows = seen(replace(log, drive_on=off)).rows
+    rows = observe(replace(log, drive_on=off)).rows
     assert not rows["amplitude_force"][30:].any()
-    assert rows["amplitude"][30 + COARSE_STEPS :].all()
+    assert rows["amplitude"][30 + COARSE_SETTLING_STEPS :].all()
 
 
-def test_a_thermometer_s_noise_is_no_temperature() -> None:
+def test_the_noise_of_a_thermometer_is_averaged() -> None:
     log = made_up_log(600)
-    assert np.ptp(seen(log).inputs.temperatures) == 0
+    assert np.ptp(observe(log).inputs.temperatures) == 0
     warmed = replace(log, temperature=log.temperature + 1e-4 * log.time)
-    assert np.ptp(seen(warmed).inputs.temperatures) > 0.05
+    assert np.ptp(observe(warmed).inputs.temperatures) > 0.05
 
 
-def test_motion_of_the_table_runs_the_loops() -> None:
-    still, turning = (seen(made_up_log(60, rate)).moving[5:] for rate in (0.0, 5 * DEG))
+def test_motion_of_the_table_makes_rows_transient() -> None:
+    still, turning = (observe(made_up_log(60, rate)).transient[5:] for rate in (0.0, 5 * DEG))
     assert not still.any()
     assert turning.any()
     assert not turning.all()
 
 
 def test_loops_settle_anew_when_the_gyro_is_turned_over() -> None:
-    """A vehicle's specific force, which changes slowly, leaves rows as they are."""
+    """A slowly changing specific force, as on a vehicle, excludes no rows."""
     log = made_up_log(120)
     over = np.where(log.time > 60, 9.8, 0.0)
-    rows = seen(replace(log, acceleration_x=over)).rows
+    rows = observe(replace(log, acceleration_x=over)).rows
     assert np.flatnonzero(~rows["amplitude_force"][30:]).tolist() == list(range(30, 50))
     assert rows["gyro_angle"].all()
     swaying = 3.0 * np.sin(log.time / 10)
-    assert seen(replace(log, acceleration_x=swaying)).rows["amplitude_force"][30:].all()
+    assert observe(replace(log, acceleration_x=swaying)).rows["amplitude_force"][30:].all()

@@ -1,107 +1,107 @@
-"""Increments of the encoder are kept; a table rests where it does, whatever its log leaves out."""
+"""The motion keeps the encoder's increments, and rests where the table rests."""
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
 from pyhrg.common.units import DEG
-from pyhrg.gap.replay.table_motion import TableMotion, table_motion
+from pyhrg.gap.replay.table_motion import TableMotion, estimate_table_motion
 
 Array = NDArray[np.float64]
 
 ROWS = 600
 MOVES = (40.3, 150.7, 300.1, 450.55)
-"""Beginnings, s."""
-FAST, QUICK = 20 * DEG, 10 * DEG
-"""Rate, and its change in a second."""
-STAY = 4.1
-"""From the begin of a move to that of its end, s."""
+"""Times at which moves begin, s."""
+RATE, ACCELERATION = 20 * DEG, 10 * DEG
+"""Of a move, rad/s and rad/s^2."""
+DURATION = 4.1
+"""From the begin of a move to the begin of its deceleration, s."""
 
 
-def angles(rates: Array, interval: float) -> Array:
+def integrate(rates: Array, interval: float) -> Array:
     return np.asarray(np.cumsum((rates[1:] + rates[:-1]) / 2) * interval)
 
 
-def check_kept(found: TableMotion, angle: Array) -> None:
-    kept = np.cumsum(found.means) * found.interval
+def assert_increments_kept(motion: TableMotion, angle: Array) -> None:
+    kept = np.cumsum(motion.means) * motion.interval
     np.testing.assert_allclose(kept, angle, atol=1e-12 * np.abs(angle).max())
 
 
-def moves(seconds: Array) -> Array:
-    """Angle after moves with ramps of 2 s, which begin and end within rows."""
+def make_moves(seconds: Array) -> Array:
+    """(n,) angle after moves with ramps of 2 s that begin and end within rows, rad."""
     since = seconds[:, None] - np.array(MOVES)
-    ramps = [_ramped(since - delay) for delay in (0.0, STAY)]
+    ramps = [_ramped(since - delay) for delay in (0.0, DURATION)]
     return np.asarray((ramps[0] - ramps[1]).sum(axis=1))
 
 
 def _ramped(since: Array) -> Array:
-    top = FAST / QUICK
+    top = RATE / ACCELERATION
     ramp = np.clip(since, 0.0, top)
-    return QUICK * ramp**2 / 2 + FAST * np.maximum(since - top, 0.0)
+    return ACCELERATION * ramp**2 / 2 + RATE * np.maximum(since - top, 0.0)
 
 
 @pytest.mark.parametrize("n", [2, 3, 5])
 def test_few_rows(n: int) -> None:
-    angle = angles(0.1 * np.arange(n + 1.0), 0.5)
-    check_kept(table_motion(angle, 0.5), angle)
+    angle = integrate(0.1 * np.arange(n + 1.0), 0.5)
+    assert_increments_kept(estimate_table_motion(angle, 0.5), angle)
 
 
 @pytest.mark.parametrize("interval", [0.1, 1.0])
-def test_a_smooth_profile_is_found(interval: float) -> None:
+def test_a_smooth_profile_is_reproduced(interval: float) -> None:
     time = np.arange(0, 200 + interval / 2, interval)
     rates = 0.3 * np.sin(2 * np.pi * time / 50) ** 2
-    found = table_motion(angles(rates, interval), interval)
-    np.testing.assert_allclose(found.rates, rates, atol=1e-4)
-    check_kept(found, angles(rates, interval))
+    motion = estimate_table_motion(integrate(rates, interval), interval)
+    np.testing.assert_allclose(motion.rates, rates, atol=1e-4)
+    assert_increments_kept(motion, integrate(rates, interval))
 
 
-def test_a_rate_that_is_reached_over_one_row_is_found() -> None:
+def test_a_ramp_of_one_row_is_reproduced() -> None:
     rates = np.concatenate([np.zeros(20), np.full(50, 0.09), np.zeros(30)])
-    found = table_motion(angles(rates, 1.0), 1.0)
-    np.testing.assert_allclose(found.rates, rates, atol=1e-12)
-    np.testing.assert_allclose(found.swells, 0.0, atol=1e-12)
+    motion = estimate_table_motion(integrate(rates, 1.0), 1.0)
+    np.testing.assert_allclose(motion.rates, rates, atol=1e-12)
+    np.testing.assert_allclose(motion.parabola_means, 0.0, atol=1e-12)
 
 
 @pytest.mark.parametrize("digits", [4, 5, 6])
-def test_what_an_encoder_rounds_off_does_not_go_on(digits: int) -> None:
+def test_rounding_of_the_encoder_does_not_alternate(digits: int) -> None:
     rates = np.concatenate([np.zeros(20), np.full(21, 4.06137), np.zeros(300)] * 3) * DEG
-    rounded = np.round(angles(rates, 1.0) / DEG, digits) * DEG
-    found = table_motion(rounded, 1.0)
+    rounded = np.round(integrate(rates, 1.0) / DEG, digits) * DEG
+    motion = estimate_table_motion(rounded, 1.0)
     step = 10.0**-digits * DEG
-    np.testing.assert_allclose(found.rates, rates, atol=2 * step)
+    np.testing.assert_allclose(motion.rates, rates, atol=2 * step)
     resting = (rates[1:] == 0) & (rates[:-1] == 0)
-    np.testing.assert_allclose(found.means[resting], 0.0, atol=1e-15)
-    np.testing.assert_allclose(found.swells[resting], 0.0, atol=0.1 * step)
-    check_kept(found, rounded)
+    np.testing.assert_allclose(motion.means[resting], 0.0, atol=1e-15)
+    np.testing.assert_allclose(motion.parabola_means[resting], 0.0, atol=0.1 * step)
+    assert_increments_kept(motion, rounded)
 
 
 @pytest.mark.parametrize("noise", [0.0, 1e-7, 1e-6])
 def test_a_table_that_moves_within_rows_comes_to_rest(noise: float) -> None:
     generator = np.random.default_rng(1)
-    angle = moves(np.arange(1.0, ROWS + 1)) + noise * generator.normal(size=ROWS)
-    found = table_motion(angle, 1.0)
-    check_kept(found, angle)
+    angle = make_moves(np.arange(1.0, ROWS + 1)) + noise * generator.normal(size=ROWS)
+    motion = estimate_table_motion(angle, 1.0)
+    assert_increments_kept(motion, angle)
     since = np.arange(ROWS + 1.0)[:, None] - np.array(MOVES)
-    resting = ((since < -2) | (since > STAY + 4)).all(axis=1)
-    assert np.abs(found.rates[resting]).max() < 5 * noise + 1e-9
-    true = np.gradient(moves(np.arange(0.0, ROWS + 1, 1e-3)), 1e-3)[::1000]
-    assert np.abs(found.rates - true[: ROWS + 1]).max() < 0.15 * FAST
+    resting = ((since < -2) | (since > DURATION + 4)).all(axis=1)
+    assert np.abs(motion.rates[resting]).max() < 5 * noise + 1e-9
+    true = np.gradient(make_moves(np.arange(0.0, ROWS + 1, 1e-3)), 1e-3)[::1000]
+    assert np.abs(motion.rates - true[: ROWS + 1]).max() < 0.15 * RATE
 
 
 @pytest.mark.parametrize("steps", [1, 2, 10, 100])
 def test_steps_add_up_to_rows(steps: int) -> None:
-    found = TableMotion(2.0, np.array([0.0, 0.3, 0.1]), np.array([0.05, -0.02]))
-    each = found.rates_in(steps)
-    np.testing.assert_allclose(each.mean(axis=1), found.means)
+    motion = TableMotion(2.0, np.array([0.0, 0.3, 0.1]), np.array([0.05, -0.02]))
+    each = motion.rates_in(steps)
+    np.testing.assert_allclose(each.mean(axis=1), motion.means)
     middles = np.cumsum(each, axis=1) - each / 2
-    turned = found.turned_in(steps)
+    turned = motion.turned_in(steps)
     assert turned.shape == (2, steps)
     if steps == 100:
         np.testing.assert_allclose(turned, middles * 2.0 / steps, atol=2e-5)
-    np.testing.assert_allclose(found.section(slice(1, 3)).rates_in(steps), each[1:3])
+    np.testing.assert_allclose(motion.section(slice(1, 3)).rates_in(steps), each[1:3])
 
 
 def test_a_table_at_rest_has_no_rate() -> None:
-    found = table_motion(np.zeros(10), 1.0)
-    assert not found.rates.any()
-    assert not found.swells.any()
+    motion = estimate_table_motion(np.zeros(10), 1.0)
+    assert not motion.rates.any()
+    assert not motion.parabola_means.any()

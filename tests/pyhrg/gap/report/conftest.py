@@ -11,12 +11,12 @@ from pyhrg.device import device_file
 from pyhrg.device.device import Device
 from pyhrg.device.keys import KEYS
 from pyhrg.fmu import GyroFmu
-from pyhrg.gap.diagnose import Diagnosed, diagnosed
+from pyhrg.gap.diagnose import CampaignDiagnosis, diagnose
 from pyhrg.gap.effects.catalogue import EFFECTS, Catalogue
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign
-from tests.pyhrg.gap.soundness.conftest import BELIEVED
+from tests.pyhrg.gap.soundness.conftest import NOMINAL
 
 NOISE = {
     "amplitude": 1e-6,
@@ -28,7 +28,7 @@ NOISE = {
 """Of a row, SI."""
 FIELDS = (
     *("damping_anisotropy", "damping_axis", "frequency_split", "stiffness_axis"),
-    *("angle_random_walk", "pickoff_noise"),
+    *("angle_random_walk", "angle_white_noise"),
 )
 STATED = [key for key in KEYS if key.field in FIELDS]
 """What is believed beside what any bench believes."""
@@ -42,7 +42,7 @@ def campaign_of(fmu: GyroFmu, device: Device) -> Campaign:
     """A rest, a slow turn, a warming, and a held-out ride of a gyro believed to be `BELIEVED`."""
     bench = Bench(fmu, device, step=0.1)
     begun = bench.programme
-    warm = begun(2.0).rest(20).heat(BELIEVED.reference_temperature + 10, 300).rest(200)
+    warm = begun(2.0).rest(20).heat(NOMINAL.reference_temperature + 10, 300).rest(200)
     power_ons = [
         PowerOn("still", "static", begun().rest(400)),
         PowerOn("slow", "rate", begun().rest(5).spin(0.5 * DEG, 300)),
@@ -59,8 +59,8 @@ def campaign_of(fmu: GyroFmu, device: Device) -> Campaign:
         )
         for t in campaign.tests
     ]
-    stated = {key.name: key.from_si(getattr(BELIEVED, key.field)) for key in STATED}
-    nominal = {**device_file.nominal(BELIEVED), **stated}
+    stated = {key.name: key.from_si(getattr(NOMINAL, key.field)) for key in STATED}
+    nominal = {**device_file.nominal(NOMINAL), **stated}
     return replace(campaign, nominal=nominal, tests=tuple(tests))
 
 
@@ -79,12 +79,13 @@ def simulation(fmu: GyroFmu, slow_fmu: GyroFmu) -> Simulation:
 
 
 @pytest.fixture(scope="session")
-def with_gap(slow_fmu: GyroFmu, simulation: Simulation) -> Diagnosed:
+def with_gap(slow_fmu: GyroFmu, simulation: Simulation) -> CampaignDiagnosis:
     """Too much damping anisotropy."""
-    campaign = campaign_of(slow_fmu, replace(BELIEVED, damping_anisotropy=3e-6))
-    return diagnosed(campaign, simulation, Catalogue(CATALOGUE))
+    campaign = campaign_of(slow_fmu, replace(NOMINAL, damping_anisotropy=3e-6))
+    return diagnose(campaign, catalogue=Catalogue(CATALOGUE), simulation=simulation)
 
 
 @pytest.fixture(scope="session")
-def without_gap(slow_fmu: GyroFmu, simulation: Simulation) -> Diagnosed:
-    return diagnosed(campaign_of(slow_fmu, BELIEVED), simulation, Catalogue(CATALOGUE))
+def without_gap(slow_fmu: GyroFmu, simulation: Simulation) -> CampaignDiagnosis:
+    campaign = campaign_of(slow_fmu, NOMINAL)
+    return diagnose(campaign, catalogue=Catalogue(CATALOGUE), simulation=simulation)

@@ -6,10 +6,10 @@ from typing import Any
 
 import pytest
 
-from pyhrg.gap.diagnose import Diagnosed
-from pyhrg.gap.report.figures.panels import panels
+from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.report.figures.panels import compute_panels
 from pyhrg.gap.report.figures.views import VIEWS
-from pyhrg.gap.report.page import page as drawn
+from pyhrg.gap.report.page import build_page
 from tests.programs import find_chromium
 
 api = pytest.importorskip("playwright.sync_api")
@@ -18,9 +18,9 @@ pytestmark = pytest.mark.needs("chromium")
 
 
 @pytest.fixture(scope="module")
-def address(with_gap: Diagnosed, tmp_path_factory: pytest.TempPathFactory) -> str:
+def address(with_gap: CampaignDiagnosis, tmp_path_factory: pytest.TempPathFactory) -> str:
     file: Path = tmp_path_factory.mktemp("report") / "report.html"
-    file.write_text(drawn(with_gap), encoding="utf-8")
+    file.write_text(build_page(with_gap), encoding="utf-8")
     return file.as_uri()
 
 
@@ -59,8 +59,8 @@ def test_the_page_opens_on_the_channel_with_most_of_the_gap(page: Any) -> None:
     assert {f["view"] for f in shown} == {page.locator("select[name=view]").input_value()}
 
 
-def test_every_choice_shows_its_panels(page: Any, with_gap: Diagnosed) -> None:
-    made = panels(with_gap).panels
+def test_every_choice_shows_its_panels(page: Any, with_gap: CampaignDiagnosis) -> None:
+    made = compute_panels(with_gap).panels
     for view in VIEWS:
         page.locator("select[name=view]").select_option(view.key)
         for test in ("all", *(t.test.id for t in with_gap.tests)):

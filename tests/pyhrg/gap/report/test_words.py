@@ -3,7 +3,13 @@
 import pytest
 
 from pyhrg.gap.effects.catalogue import DETERMINISTIC, NOISES
-from pyhrg.gap.report.words import effect_words, listed, percent, unit_of, value_words
+from pyhrg.gap.report.words import (
+    format_effect,
+    format_percent,
+    format_value,
+    join_words,
+    parse_parameter,
+)
 
 
 @pytest.mark.parametrize(
@@ -18,35 +24,35 @@ from pyhrg.gap.report.words import effect_words, listed, percent, unit_of, value
     ],
 )
 def test_a_parameter_has_words_and_a_unit(name: str, expected: tuple[str, str, float]) -> None:
-    assert unit_of(name) == expected
+    assert parse_parameter(name) == expected
 
 
 def test_no_unit_is_left_in_the_words_of_the_catalogue() -> None:
     keys = [key for e in DETERMINISTIC for key in e.keys] + [e.key for e in NOISES]
     for key in keys:
-        words = unit_of(key.name)[0].split()
+        words = parse_parameter(key.name)[0].split()
         assert not {"deg", "h", "per", "K", "g", "s", "rad", "Hz", "ppm", "arcsec"} & set(words)
 
 
 def test_values_have_the_digits_that_their_interval_gives() -> None:
-    assert value_words(2.68888e-6, 2.68798e-6, 2.68978e-6).startswith("2.68888e−06 (2.68798e−06")
-    assert value_words(33.1774, 33.1699, 33.1848) == "33.1774 (33.1699 to 33.1848)"
-    assert value_words(0.3, 0.3, 0.3) == "0.3 (0.3 to 0.3)"
+    assert format_value(2.68888e-6, 2.68798e-6, 2.68978e-6).startswith("2.68888e−06 (2.68798e−06")
+    assert format_value(33.1774, 33.1699, 33.1848) == "33.1774 (33.1699 to 33.1848)"
+    assert format_value(0.3, 0.3, 0.3) == "0.3 (0.3 to 0.3)"
 
 
 def test_nothing_is_certain() -> None:
-    assert percent(1.0) == ">\u00a099.9\u00a0%"
-    assert percent(0.999) == "99.9\u00a0%"
-    assert percent(1e-9) == "<\u00a00.1\u00a0%"
-    assert percent(0.0) == "0.0\u00a0%"
+    assert format_percent(1.0) == ">\u00a099.9\u00a0%"
+    assert format_percent(0.999) == "99.9\u00a0%"
+    assert format_percent(1e-9) == "<\u00a00.1\u00a0%"
+    assert format_percent(0.0) == "0.0\u00a0%"
 
 
 def test_lists() -> None:
-    assert listed(["a"]) == "a"
-    assert listed(["a", "b", "c"]) == "a, b and c"
-    assert listed([]) == ""
+    assert join_words(["a"]) == "a"
+    assert join_words(["a", "b", "c"]) == "a, b and c"
+    assert join_words([]) == ""
 
 
 def test_names_keep_their_letters() -> None:
-    assert effect_words("g_sensitive_bias") == "g-sensitive bias"
-    assert effect_words("coriolis_factor_error") == "Coriolis factor error"
+    assert format_effect("g_sensitive_bias") == "g-sensitive bias"
+    assert format_effect("coriolis_factor_error") == "Coriolis factor error"

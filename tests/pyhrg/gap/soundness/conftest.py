@@ -1,4 +1,4 @@
-"""A short campaign of an honest gyro, recorded on the FMU."""
+"""A short campaign of a gyro without errors beyond the nominal ones, recorded on the FMU."""
 
 from dataclasses import replace
 
@@ -11,8 +11,8 @@ from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.records.campaign import Campaign
 
-BELIEVED = Device(
-    name="believed",
+NOMINAL = Device(
+    name="nominal",
     damping_anisotropy=1e-6,
     damping_axis=20 * DEG,
     frequency_split=5e-4 * HZ,
@@ -20,41 +20,40 @@ BELIEVED = Device(
     frequency_per_kelvin=8.5e-5,
     decay_time_per_kelvin=-3e-3,
     angle_random_walk=3e-4 * DEG_PER_SQRT_H,
-    pickoff_noise=0.036 * ARCSEC,
+    angle_white_noise=0.036 * ARCSEC,
 )
-KEYS = ("damping_anisotropy_per_s", "damping_axis_deg", "frequency_split_Hz", "stiffness_axis_deg")
 
 
-def recorded(fmu: GyroFmu, device: Device) -> Campaign:
-    """Tests of every kind that moves something, of a gyro believed to be `BELIEVED`."""
+def record_campaign(fmu: GyroFmu, device: Device) -> Campaign:
+    """One test of each kind, of a gyro whose nominal device is `BELIEVED`."""
     bench = Bench(fmu, device, step=0.1)
     campaign = bench.campaign(bench.run(_power_ons(bench)))
     tests = [replace(t, role="holdout" if t.kind == "manoeuvre" else "fit") for t in campaign.tests]
-    return replace(campaign, nominal=device_file.nominal(BELIEVED), tests=tuple(tests))
+    return replace(campaign, nominal=device_file.nominal(NOMINAL), tests=tuple(tests))
 
 
 def _power_ons(bench: Bench) -> list[PowerOn]:
-    begun, quick = bench.programme, bench.programme(0.5)
-    tumble = begun().rest(60)
+    start, quick = bench.programme, bench.programme(0.5)
+    tumble = start().rest(60)
     for up in (0.0, -1.0, 0.0):
         tumble.attitude(up).rest(60)
-    warm = begun(2.0).rest(60).heat(BELIEVED.reference_temperature + 35, 600).rest(300)
-    ring = begun().rest(20).command(drive_on=0.0).rest(180)
-    turning = begun().rest(20).command(virtual_rotation=1 * DEG).rest(100)
-    sweep = begun(0.5).command(amplitude_setpoint=0.8).spin(5 * DEG, 40)
+    warm = start(2.0).rest(60).heat(NOMINAL.reference_temperature + 35, 600).rest(300)
+    ring = start().rest(20).command(drive_on=0.0).rest(180)
+    turning = start().rest(20).command(virtual_rotation=1 * DEG).rest(100)
+    sweep = start(0.5).command(amplitude_setpoint=0.8).spin(5 * DEG, 40)
     return [
-        PowerOn("still", "static", begun().rest(600)),
+        PowerOn("still", "static", start().rest(600)),
         PowerOn("pos", "rate", quick.rest(10).spin(5 * DEG, 60)),
-        PowerOn("neg", "rate", begun(0.5).rest(10).spin(-20 * DEG, 60)),
+        PowerOn("neg", "rate", start(0.5).rest(10).spin(-20 * DEG, 60)),
         PowerOn("ring", "ring_down", ring),
         PowerOn("virtual", "virtual_rotation", turning),
         PowerOn("warm", "thermal", warm),
         PowerOn("sweep", "amplitude", sweep),
         PowerOn("tumble", "tumble", tumble),
-        PowerOn("ride", "manoeuvre", begun(0.5).rest(5).turn(90 * DEG, 10 * DEG).rest(60)),
+        PowerOn("ride", "manoeuvre", start(0.5).rest(5).turn(90 * DEG, 10 * DEG).rest(60)),
     ]
 
 
 @pytest.fixture(scope="session")
-def honest(slow_fmu: GyroFmu) -> Campaign:
-    return recorded(slow_fmu, BELIEVED)
+def error_free(slow_fmu: GyroFmu) -> Campaign:
+    return record_campaign(slow_fmu, NOMINAL)

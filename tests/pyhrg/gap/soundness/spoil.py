@@ -1,4 +1,4 @@
-"""What labs mix up, done to the logs of a campaign."""
+"""Mistakes of a laboratory's recording, applied to the logs of a campaign."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -14,8 +14,8 @@ Change = Callable[[Log], Log]
 Array = NDArray[np.float64]
 
 
-def spoilt(campaign: Campaign, change: Change, *ids: str) -> Campaign:
-    """All logs changed, or those of these tests."""
+def change_logs(campaign: Campaign, change: Change, *ids: str) -> Campaign:
+    """The campaign with all logs changed, or those of these tests."""
     tests = (
         replace(test, recording=change(test.log)) if not ids or test.id in ids else test
         for test in campaign.tests
@@ -23,7 +23,7 @@ def spoilt(campaign: Campaign, change: Change, *ids: str) -> Campaign:
     return replace(campaign, tests=tuple(tests))
 
 
-def lacking(campaign: Campaign, *ids: str) -> Campaign:
+def drop_tests(campaign: Campaign, *ids: str) -> Campaign:
     return replace(campaign, tests=tuple(t for t in campaign.tests if t.id not in ids))
 
 
@@ -57,7 +57,7 @@ def at(rows: slice, value: float, field: str) -> Change:
 
 
 def without_rows(rows: slice) -> Change:
-    """As if the recorder had slept."""
+    """Rows that the recorder missed."""
     return lambda log: _with(
         log, {c.field: np.delete(getattr(log, c.field), rows) for c in COLUMNS}
     )

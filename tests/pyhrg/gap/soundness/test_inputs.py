@@ -1,4 +1,4 @@
-"""Inputs are whole, row by row, or the log is cut; outputs are never made up."""
+"""Inputs are complete in every row, or the log is cut; outputs are never filled in."""
 
 import re
 from dataclasses import replace
@@ -7,16 +7,16 @@ import numpy as np
 import pytest
 
 from pyhrg.common.units import DEG
-from pyhrg.gap.soundness import sound
+from pyhrg.gap.soundness import screen_campaign
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign
 from tests.pyhrg.gap.soundness.spoil import (
     Change,
     at,
+    change_logs,
     removed,
     scaled,
     shifted,
-    spoilt,
     swapped,
     without_rows,
 )
@@ -26,10 +26,10 @@ def log_of(given: Campaign, name: str) -> Log:
     return next(test.log for test in given.tests if test.id == name)
 
 
-def changed(given: Campaign, change: Change, name: str) -> tuple[Log, list[str]]:
-    """The log of a test after its change, and what was said of it."""
-    found, exclusions = sound(spoilt(given, change, name))
-    return log_of(found, name), list(exclusions)
+def screen_changed(given: Campaign, change: Change, name: str) -> tuple[Log, list[str]]:
+    """The screened log of a test after a change, and the sentences about it."""
+    screened, exclusions = screen_campaign(change_logs(given, change, name))
+    return log_of(screened, name), list(exclusions)
 
 
 INPUTS = (
@@ -39,61 +39,65 @@ INPUTS = (
 
 
 @pytest.mark.parametrize("name", ["still", "neg", "warm", "virtual"])
-def test_missing_rows_are_filled_while_nothing_changes(honest: Campaign, name: str) -> None:
+def test_missing_rows_are_filled_while_nothing_changes(error_free: Campaign, name: str) -> None:
     rows = slice(60, 65)
-    log, said = changed(honest, without_rows(rows), name)
-    before = log_of(honest, name)
-    assert said == [f"{name}: 5 missing rows: inputs filled in, outputs not"]
+    log, sentences = screen_changed(error_free, without_rows(rows), name)
+    before = log_of(error_free, name)
+    assert sentences == [f"{name}: 5 missing rows: inputs filled in, outputs not"]
     for field in (*INPUTS, "time"):
         np.testing.assert_allclose(getattr(log, field), getattr(before, field), rtol=1e-9)
     for field in ("gyro_angle", "wave_angle", "amplitude", "amplitude_force"):
         assert np.flatnonzero(np.isnan(getattr(log, field))).tolist() == [60, 61, 62, 63, 64]
 
 
-def test_a_log_is_cut_where_its_inputs_can_not_be_told(honest: Campaign) -> None:
-    log, said = changed(honest, without_rows(slice(18, 22)), "pos")
-    assert said == ["pos: inputs missing from time_s 9.5 on, while they changed: cut there"]
+def test_a_log_is_cut_where_its_inputs_are_unknown(error_free: Campaign) -> None:
+    log, sentences = screen_changed(error_free, without_rows(slice(18, 22)), "pos")
+    assert sentences == ["pos: inputs missing from time_s 9.5 on, while they changed: cut there"]
     assert len(log.time) == 18
     assert np.isfinite(log.gyro_angle).all()
-    log, said = changed(honest, at(slice(80, 200), np.nan, "virtual_rotation"), "virtual")
+    log, sentences = screen_changed(
+        error_free, at(slice(80, 200), np.nan, "virtual_rotation"), "virtual"
+    )
     assert len(log.time) == 80
 
 
 @pytest.mark.parametrize("field", ["table_angle", "temperature", "drive_on"])
-def test_missing_values_of_inputs_are_filled(honest: Campaign, field: str) -> None:
-    log, said = changed(honest, at(slice(30, 33), np.nan, field), "neg")
-    np.testing.assert_allclose(getattr(log, field), getattr(log_of(honest, "neg"), field))
+def test_missing_values_of_inputs_are_filled(error_free: Campaign, field: str) -> None:
+    log, sentences = screen_changed(error_free, at(slice(30, 33), np.nan, field), "neg")
+    np.testing.assert_allclose(getattr(log, field), getattr(log_of(error_free, "neg"), field))
     assert np.isfinite(log.gyro_angle).all()
-    assert said == ["neg: 3 missing rows: inputs filled in, outputs not"]
+    assert sentences == ["neg: 3 missing rows: inputs filled in, outputs not"]
 
 
-def test_the_start_must_be_there(honest: Campaign) -> None:
-    log, said = changed(honest, without_rows(slice(0, 2)), "still")
+def test_the_start_must_be_there(error_free: Campaign) -> None:
+    log, sentences = screen_changed(error_free, without_rows(slice(0, 2)), "still")
     assert len(log.time) == 600
-    assert said == ["still: 2 missing rows: inputs filled in, outputs not"]
-    _, exclusions = sound(spoilt(honest, without_rows(slice(0, 9)), "still"))
+    assert sentences == ["still: 2 missing rows: inputs filled in, outputs not"]
+    _, exclusions = screen_campaign(change_logs(error_free, without_rows(slice(0, 9)), "still"))
     assert exclusions == ("still: not used: still: 9 rows are missing before the first one",)
 
 
-def test_too_many_missing_rows_are_not_filled(honest: Campaign) -> None:
-    _, said = sound(spoilt(honest, without_rows(slice(100, 300)), "still"))
-    assert re.match(r"still: not used: still: .* 1 to 600 in 400 rows; expected 1 to 400", said[0])
+def test_too_many_missing_rows_are_not_filled(error_free: Campaign) -> None:
+    _, sentences = screen_campaign(change_logs(error_free, without_rows(slice(100, 300)), "still"))
+    assert re.match(
+        r"still: not used: still: .* 1 to 600 in 400 rows; expected 1 to 400", sentences[0]
+    )
 
 
-def test_columns_that_are_not_there_are_those_of_a_gyro_at_rest(honest: Campaign) -> None:
-    log, said = changed(honest, removed(*INPUTS[2:]), "still")
-    assert said == [
+def test_missing_columns_are_those_of_a_gyro_at_rest(error_free: Campaign) -> None:
+    log, sentences = screen_changed(error_free, removed(*INPUTS[2:]), "still")
+    assert sentences == [
         "still: virtual_rotation_deg_s, amplitude_setpoint, phase_offset_rad, drive_on, "
-        "temperature_degC, accel_z_m_s2: not there, taken as on a gyro at rest"
+        "temperature_degC, accel_z_m_s2: missing, taken as on a gyro at rest"
     ]
     for field in INPUTS:
-        np.testing.assert_allclose(getattr(log, field), getattr(log_of(honest, "still"), field))
+        np.testing.assert_allclose(getattr(log, field), getattr(log_of(error_free, "still"), field))
 
 
-def test_attitude_is_taken_from_the_accelerometer(honest: Campaign) -> None:
-    log, said = changed(honest, removed("axis_up"), "tumble")
-    assert said == ["tumble: axis_up: not there, taken from accel_z_m_s2"]
-    np.testing.assert_array_equal(log.axis_up, log_of(honest, "tumble").axis_up)
+def test_attitude_is_taken_from_the_accelerometer(error_free: Campaign) -> None:
+    log, sentences = screen_changed(error_free, removed("axis_up"), "tumble")
+    assert sentences == ["tumble: axis_up: missing, taken from accel_z_m_s2"]
+    np.testing.assert_array_equal(log.axis_up, log_of(error_free, "tumble").axis_up)
 
 
 @pytest.mark.parametrize(
@@ -104,42 +108,44 @@ def test_attitude_is_taken_from_the_accelerometer(honest: Campaign) -> None:
         (scaled(0.5, "acceleration_z"), r"4\.9\d* m/s2 in all; expected 9\.8"),
     ],
 )
-def test_specific_force_that_is_no_gravity_is_replaced(
-    honest: Campaign, change: Change, message: str
+def test_specific_force_that_is_not_gravity_is_replaced(
+    error_free: Campaign, change: Change, message: str
 ) -> None:
-    log, said = changed(honest, change, "still")
-    assert re.search(message, said[0])
-    assert said[1].endswith("not there, taken as on a gyro at rest")
-    np.testing.assert_allclose(log.acceleration_z, log_of(honest, "still").acceleration_z)
+    log, sentences = screen_changed(error_free, change, "still")
+    assert re.search(message, sentences[0])
+    assert sentences[1].endswith("missing, taken as on a gyro at rest")
+    np.testing.assert_allclose(log.acceleration_z, log_of(error_free, "still").acceleration_z)
 
 
-def test_attitude_that_the_accelerometers_contradict_is_not_guessed(honest: Campaign) -> None:
-    _, said = sound(spoilt(honest, at(slice(None), 1.0, "axis_up"), "tumble"))
-    assert said[0].startswith("tumble: not used: ")
-    assert "m/s2 along z; expected axis_up times gravity" in said[0]
+def test_an_attitude_that_the_accelerometers_contradict_is_not_used(error_free: Campaign) -> None:
+    _, sentences = screen_campaign(
+        change_logs(error_free, at(slice(None), 1.0, "axis_up"), "tumble")
+    )
+    assert sentences[0].startswith("tumble: not used: ")
+    assert "m/s2 along z; expected axis_up times gravity" in sentences[0]
 
 
 @pytest.mark.parametrize("change", [shifted(273.15, "temperature"), shifted(52.0, "temperature")])
-def test_a_temperature_that_the_frequency_contradicts_is_left_out(
-    honest: Campaign, change: Change
+def test_a_temperature_that_the_frequency_contradicts_is_excluded(
+    error_free: Campaign, change: Change
 ) -> None:
-    log, said = changed(honest, change, "still")
-    assert re.search(r"beside the reference, .*: is the unit degC\?", said[0])
+    log, sentences = screen_changed(error_free, change, "still")
+    assert re.search(r"from the reference, .*: is the unit degC\?", sentences[0])
     np.testing.assert_allclose(log.temperature, 298.15)
 
 
-def test_a_wild_value_takes_its_row_alone(honest: Campaign) -> None:
-    log, said = changed(honest, at(slice(40, 42), 500 * DEG, "wave_angle"), "neg")
-    assert re.search("from time_s 20.5 on not .*; 2 rows left out", said[0])
+def test_stray_values_exclude_their_rows_only(error_free: Campaign) -> None:
+    log, sentences = screen_changed(error_free, at(slice(40, 42), 500 * DEG, "wave_angle"), "neg")
+    assert re.search("from time_s 20.5 on, gyro is not .*; 2 rows left out", sentences[0])
     assert np.flatnonzero(np.isnan(log.wave_angle)).tolist() == [40, 41]
     assert np.flatnonzero(np.isnan(log.gyro_angle)).tolist() == [40, 41]
 
 
-def test_a_wrapped_wave_angle_is_left_out(honest: Campaign) -> None:
+def test_a_wrapped_wave_angle_is_excluded(error_free: Campaign) -> None:
     def wrap(log: Log) -> Log:
         return replace(log, wave_angle=np.mod(log.wave_angle, 90 * DEG))
 
-    log, said = changed(honest, wrap, "neg")
-    assert re.search("it jumps by 90 deg, is it wrapped", said[0])
+    log, sentences = screen_changed(error_free, wrap, "neg")
+    assert re.search("it jumps by 90 deg, is it wrapped", sentences[0])
     assert np.isnan(log.wave_angle).all()
     assert np.isfinite(log.gyro_angle).all()

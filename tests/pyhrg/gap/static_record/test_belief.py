@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
-from pyhrg.gap.static_record.belief import BeliefError, read
+from pyhrg.gap.static_record.belief import BeliefError, read_beliefs
 
 
 def written(folder: Path, text: str) -> Path:
@@ -29,7 +29,7 @@ sinusoid_periods_s = [60.0]
 [accelerometer_z]
 bias_instability_micro_g = 7
 """
-    found = read(written(tmp_path, text))
+    found = read_beliefs(written(tmp_path, text))
     gyros = found["gyros"]
     expected = [5 * ARCSEC, 0.001 * DEG_PER_SQRT_H, 0.003 * DEG_PER_H, 0.0001 * DEG_PER_H]
     np.testing.assert_allclose(gyros.levels, expected)
@@ -49,12 +49,18 @@ bias_instability_micro_g = 7
         ("[gyros]\nangle_random_walk_deg_sqrt_h = nan", "found nan, expected a finite"),
         ("[gyros]\nangle_random_walk_deg_sqrt_h = '1'", "found '1', expected a number"),
         ("[gyros]\nangle_random_walk_deg_sqrt_h = 0", "found no noise"),
-        ("[gyros]\nquantum_arcsec = 1\nsinusoid_periods_s = 3", "expected a list"),
-        ("[gyros]\nquantum_arcsec = 1\nsinusoid_periods_s = [0]", "found 0, expected more"),
+        (
+            "[gyros]\nquantum_arcsec = 1\nsinusoid_periods_s = 3",
+            "found 3, expected numbers in brackets",
+        ),
+        (
+            "[gyros]\nquantum_arcsec = 1\nsinusoid_periods_s = [0]",
+            r"found \[0.0\], expected periods above 0",
+        ),
         ("[gyros]\nquantum_arcsec = 1\ntolerance_percent = 0", "found 0, expected 0.1 to 100"),
         ("gyros", "no TOML"),
     ],
 )
 def test_refused(tmp_path: Path, text: str, message: str) -> None:
     with pytest.raises(BeliefError, match=message):
-        read(written(tmp_path, text))
+        read_beliefs(written(tmp_path, text))

@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyhrg.gap.static_record import BeliefError, RecordError, StaticRecord, diagnose, judge
-from pyhrg.gap.static_record.belief import Belief, belief_of, read
-from pyhrg.gap.static_record.reading import read as read_record
-from pyhrg.gap.static_record.record import Channel, grid, of_increments
-from pyhrg.gap.static_record.shared_motion import shared_power
+from pyhrg.gap.static_record import BeliefError, RecordError, StaticRecord, diagnose_record
+from pyhrg.gap.static_record.belief import Belief, parse_belief, read_beliefs
+from pyhrg.gap.static_record.reading import read_static_record as read_record
+from pyhrg.gap.static_record.record import Channel, channel_from_increments, find_quantization_step
+from pyhrg.gap.static_record.shared_motion import compute_shared_power
 from pyhrg.gap.static_record.terms import ACCELEROMETER, GYRO
 from tests.pyhrg.noises import noisy_angle
 
@@ -40,22 +40,27 @@ def belief_file(folder: Path, table: str = "gyros") -> Path:
 def test_files(tmp_path: Path) -> None:
     """What was closed is believed the second time, and nothing is missing."""
     log, first, second = imu_log(tmp_path / "imu.csv"), tmp_path / "first", tmp_path / "second"
-    assert diagnose(log, belief_file(tmp_path), first).verdict == "explained"
+    result = diagnose_record(log, belief_file(tmp_path), out=first)
+    assert result.verdict == "explained"
+    table = result.channels
+    assert list(table["channel"]) == ["gyro_x", "gyro_y", "gyro_z"]
+    assert (table["low_95"] < table["value"]).all()
+    assert result.summary.startswith("imu.csv: explained\n  gyro_x: explained: angle_random_walk ")
     found = json.loads((first / "diagnosis.json").read_text())
     assert found["schema"] == "hrg-diagnosis/1"
     assert [(c["channel"], c["effect"]) for c in found["causes"]] == [
         (f"gyro_{axis}", "angle_random_walk") for axis in "xyz"
     ]
     assert found["channels"]["gyro_x"]["gap"]["shrink_percent"] > 90
-    assert "accelerometer_x: nothing is believed of it" in found["notes"]
+    assert "accelerometer_x: it has no belief" in found["notes"]
     assert (first / "report.html").read_text().count("<svg") == 6
-    assert diagnose(log, first / "closed.toml", second).verdict == "no_gap"
+    assert diagnose_record(log, first / "closed.toml", out=second).verdict == "no_gap"
 
 
 def test_the_same_bytes(tmp_path: Path) -> None:
     log, belief = imu_log(tmp_path / "imu.csv", 1200), belief_file(tmp_path, "gyro_x")
     for name in ("one", "two"):
-        diagnose(log, belief, tmp_path / name)
+        diagnose_record(log, belief, out=tmp_path / name)
     for file in ("diagnosis.json", "report.html", "closed.toml"):
         assert (tmp_path / "one" / file).read_bytes() == (tmp_path / "two" / file).read_bytes()
 
@@ -63,27 +68,29 @@ def test_the_same_bytes(tmp_path: Path) -> None:
 def test_nothing_is_written_where_something_is_refused(tmp_path: Path) -> None:
     belief = belief_file(tmp_path)
     with pytest.raises(RecordError, match="gyro_x: found 800 readings, expected 1024 or more"):
-        diagnose(imu_log(tmp_path / "imu.csv", 800), belief, tmp_path / "out")
+        diagnose_record(imu_log(tmp_path / "imu.csv", 800), belief, out=tmp_path / "out")
     belief.write_text("[accelerometers]\nvelocity_random_walk_m_s_sqrt_h = 1\n")
     gyro = Channel("gyro", GYRO, 1.0, noisy_angle(2048, (0, 1, 0, 0, 0), np.random.default_rng(1)))
     with pytest.raises(BeliefError, match="found a record of gyros, expected a belief of them"):
-        judge(StaticRecord("log", (gyro,)), read(belief))
+        diagnose_record(StaticRecord("log", (gyro,)), read_beliefs(belief))
     assert not (tmp_path / "out").exists()
 
 
 def test_readings_that_are_none_are_refused() -> None:
     values = np.random.default_rng(1).standard_normal(2000)
     with pytest.raises(RecordError, match="g: found 3 in all readings"):
-        of_increments("g", GYRO, 1.0, np.full(2000, 3.0))
+        channel_from_increments("g", GYRO, 1.0, np.full(2000, 3.0))
     values[5] = np.nan
     with pytest.raises(RecordError, match="g: reading 5: found nan"):
-        of_increments("g", GYRO, 1.0, values)
+        channel_from_increments("g", GYRO, 1.0, values)
 
 
 def test_grid() -> None:
     generator = np.random.default_rng(2)
-    assert grid(0.25 * np.round(9 * generator.random(1000))) == pytest.approx(0.25)
-    assert grid(generator.standard_normal(1000)) is None
+    assert find_quantization_step(0.25 * np.round(9 * generator.random(1000))) == pytest.approx(
+        0.25
+    )
+    assert find_quantization_step(generator.standard_normal(1000)) is None
 
 
 def test_motion_is_shared_and_noise_is_not() -> None:
@@ -94,8 +101,8 @@ def test_motion_is_shared_and_noise_is_not() -> None:
     motion = np.convolve(generator.standard_normal(n + 400), np.ones(100) / 10, "valid")[:n]
     noises[0] += 3 * motion
     noises[1] += 3 * np.roll(motion, 20)
-    channels = [of_increments(str(i), GYRO, 0.01, x) for i, x in enumerate(noises)]
-    shared = shared_power(channels)
+    channels = [channel_from_increments(str(i), GYRO, 0.01, x) for i, x in enumerate(noises)]
+    shared = compute_shared_power(channels)
     assert np.all(shared[:2, 8] > 0.9)
     assert np.all(shared[2] < 0.35)
     assert np.all(shared[:, 0] < 0.05)
@@ -109,10 +116,10 @@ def test_a_bench_log_s_walk_is_found() -> None:
     for number in range(1, 7):
         campaign = folder / f"dev-0{number}"
         nominal = json.loads((campaign / "campaign.json").read_text())["nominal"]
-        stated = {key: nominal[key] for key in GYRO.of_file if key in nominal}
-        belief = {"gyros": belief_of(stated, GYRO, "campaign.json")}
-        result = judge(read_record(campaign / "static_fixed.csv.gz"), belief)
-        causes = result.channels[0].causes
+        stated = {key: nominal[key] for key in GYRO.by_parameter if key in nominal}
+        belief = {"gyros": parse_belief(stated, GYRO, "campaign.json")}
+        result = diagnose_record(read_record(campaign / "static_fixed.csv.gz"), belief)
+        causes = result.channel_diagnoses[0].causes
         assert [c.term.effect for c in causes] == ["angle_random_walk"] * (number == 4)
         assert all(c.low < 0.000655336 < c.high for c in causes)
 
@@ -125,10 +132,10 @@ def test_a_laser_gyro_s_record_is_motion() -> None:
     record = read_record(path)
     assert [c.kind for c in record.channels] == [GYRO] * 3 + [ACCELEROMETER] * 3
     assert record.channels[0].quantum == pytest.approx(np.deg2rad(0.1 / 3600), rel=1e-6)
-    shared = shared_power(record.channels)
+    shared = compute_shared_power(record.channels)
     assert np.all(shared[:3, 7:9] > 0.8)
     short = StaticRecord(record.source, tuple(c.part(0, 20000) for c in record.channels[2:3]))
     belief = Belief(np.array([1.4e-7, 3e-7, 0.0, 0.0]))
-    found = judge(short, {"gyros": belief})
+    found = diagnose_record(short, {"gyros": belief})
     assert found.verdict == "unexplained"
-    assert found.channels[0].causes == ()
+    assert found.channel_diagnoses[0].causes == ()

@@ -1,4 +1,4 @@
-"""Noise of channels as planted: by length of rows, with outliers, without any noise at all."""
+"""Estimated noise of the channels against planted noise."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -9,74 +9,80 @@ from numpy.typing import NDArray
 
 from pyhrg.common.units import ARCSEC
 from pyhrg.device.device import Device
-from pyhrg.gap.replay.observations import CHANNELS, Observed, observed
-from pyhrg.gap.whitening.channel_noise import RESOLVED, angle_noise, believed_noise
+from pyhrg.gap.replay.observations import CHANNELS, ObservedTest, observe_test
+from pyhrg.gap.whitening.channel_noise import (
+    REPLAY_RESOLUTION,
+    build_angle_noise,
+    estimate_campaign_noise,
+)
 from pyhrg.records.campaign import Test
 from tests.pyhrg.records.made_up import made_up_log
 
 N = 2000
-DEVICE = Device(frequency_per_kelvin=8.5e-5, pickoff_noise=0.04 * ARCSEC)
+DEVICE = Device(frequency_per_kelvin=8.5e-5, angle_white_noise=0.04 * ARCSEC)
 
 
-def watched(kelvin: float = 0.0) -> list[Observed]:
-    """Two tests, rows of 1 s and of 0.5 s."""
+def observe_two_tests(kelvin: float = 0.0) -> list[ObservedTest]:
+    """Two tests, with rows of 1 s and of 0.5 s, and noise of the thermometer, K."""
     log = made_up_log(N)
     generator = np.random.default_rng(2)
-    read = 298.15 + kelvin * generator.normal(size=N)
-    fine = replace(log, interval=0.5, time=log.time / 2, temperature=read)
-    logs = (replace(log, temperature=read), fine)
-    return [observed(Test(str(i), "static", "fit", x), DEVICE) for i, x in enumerate(logs)]
+    temperature = 298.15 + kelvin * generator.normal(size=N)
+    fine = replace(log, interval=0.5, time=log.time / 2, temperature=temperature)
+    logs = (replace(log, temperature=temperature), fine)
+    return [observe_test(Test(str(i), "static", "fit", x), DEVICE) for i, x in enumerate(logs)]
 
 
-def residuals(*scales: float) -> list[Mapping[str, NDArray[np.float64]]]:
+def draw_residuals(*scales: float) -> list[Mapping[str, NDArray[np.float64]]]:
     generator = np.random.default_rng(3)
     return [{name: s * generator.normal(size=N) for name in CHANNELS} for s in scales]
 
 
-def test_each_length_of_row_has_its_own() -> None:
-    found = believed_noise(DEVICE, watched(), residuals(1e-6, 3e-6))
-    for name in RESOLVED:
-        assert found.white[name][1.0] == pytest.approx(1e-6, rel=0.06), name
-        assert found.white[name][0.5] == pytest.approx(3e-6, rel=0.06), name
-    tests = watched()
-    assert found.of("amplitude", tests[1]).white == found.white["amplitude"][0.5]
-    # a length that was never seen has the nearest one's
+def test_each_row_length_has_its_own_noise() -> None:
+    noise = estimate_campaign_noise(DEVICE, observe_two_tests(), draw_residuals(1e-6, 3e-6))
+    for name in REPLAY_RESOLUTION:
+        assert noise.white[name][1.0] == pytest.approx(1e-6, rel=0.06), name
+        assert noise.white[name][0.5] == pytest.approx(3e-6, rel=0.06), name
+    tests = observe_two_tests()
+    assert noise.get_model("amplitude", tests[1]).white == noise.white["amplitude"][0.5]
+    # an unknown row length has the noise of the nearest one
     other = replace(tests[0], inputs=replace(tests[0].inputs, log=made_up_log(10)))
-    assert found.of("amplitude", other).white == found.white["amplitude"][1.0]
+    assert noise.get_model("amplitude", other).white == noise.white["amplitude"][1.0]
 
 
-def test_slow_signals_and_outliers_are_no_noise() -> None:
-    given = [dict(r) for r in residuals(1e-6, 1e-6)]
+def test_slow_signals_and_outliers_are_not_counted() -> None:
+    given = [dict(r) for r in draw_residuals(1e-6, 1e-6)]
     given[0]["amplitude"] = given[0]["amplitude"] + 1e-4 * np.sin(np.arange(N) / 200)
     given[0]["amplitude"][::200] += 1e-3
-    found = believed_noise(DEVICE, watched(), given)
-    assert found.white["amplitude"][1.0] == pytest.approx(1e-6, rel=0.1)
+    noise = estimate_campaign_noise(DEVICE, observe_two_tests(), given)
+    assert noise.white["amplitude"][1.0] == pytest.approx(1e-6, rel=0.1)
 
 
-def test_records_without_noise_are_compared_no_closer_than_replays() -> None:
-    found = believed_noise(DEVICE, watched(), residuals(0.0, 0.0))
-    assert all(set(found.white[name].values()) == {least} for name, least in RESOLVED.items())
-    assert set(found.temperature.values()) == {0.0}
+def test_noise_is_at_least_the_resolution_of_replays() -> None:
+    noise = estimate_campaign_noise(DEVICE, observe_two_tests(), draw_residuals(0.0, 0.0))
+    assert all(
+        set(noise.white[name].values()) == {least} for name, least in REPLAY_RESOLUTION.items()
+    )
+    assert set(noise.temperature.values()) == {0.0}
 
 
-def test_a_channel_that_is_not_there() -> None:
-    tests = watched()
+def test_a_missing_channel() -> None:
+    tests = observe_two_tests()
     none = np.zeros(N, dtype=bool)
     blind = [replace(t, rows={**t.rows, "amplitude": none}) for t in tests]
-    found = believed_noise(DEVICE, blind, residuals(1e-6, 1e-6))
-    assert found.white["amplitude"][1.0] == RESOLVED["amplitude"]
+    noise = estimate_campaign_noise(DEVICE, blind, draw_residuals(1e-6, 1e-6))
+    assert noise.white["amplitude"][1.0] == REPLAY_RESOLUTION["amplitude"]
 
 
-def test_the_thermometer_s_noise_is_known() -> None:
-    found = believed_noise(DEVICE, watched(5e-3), residuals(1e-4, 1e-4))
-    assert found.temperature["0"] == pytest.approx(5e-3, rel=0.06)
+def test_the_noise_of_the_thermometer_is_estimated() -> None:
+    noise = estimate_campaign_noise(DEVICE, observe_two_tests(5e-3), draw_residuals(1e-4, 1e-4))
+    assert noise.temperature["0"] == pytest.approx(5e-3, rel=0.06)
 
 
-def test_a_believed_quantum_is_noise() -> None:
-    counted = replace(DEVICE, pickoff_noise=0.0, angle_quantum=0.6)
-    assert angle_noise(counted).white == pytest.approx(0.6 / np.sqrt(12))
+def test_a_stated_quantization_is_noise() -> None:
+    counted = replace(DEVICE, angle_white_noise=0.0, quantization_step=0.6)
+    assert build_angle_noise(counted).white == pytest.approx(0.6 / np.sqrt(12))
 
 
-def test_an_angle_of_which_no_noise_is_stated_has_some() -> None:
-    """So that a gap can be weighed against it."""
-    assert angle_noise(Device()).white > 0
+def test_an_angle_without_stated_noise_has_some() -> None:
+    """A gap is compared with it, so it must not be zero."""
+    assert build_angle_noise(Device()).white > 0

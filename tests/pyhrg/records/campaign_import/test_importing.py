@@ -10,7 +10,7 @@ from pyhrg.common.site import Site
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.records import COLUMNS, Log, LogError, campaign
 from pyhrg.records.campaign import Campaign, Test
-from pyhrg.records.campaign_import import imported, read_mapping
+from pyhrg.records.campaign_import import import_campaign
 from tests.pyhrg.records.campaign_import.labs import HEAD, entry_of, foreign
 from tests.pyhrg.records.made_up import LATITUDE, made_up_log
 
@@ -44,8 +44,10 @@ def check_equal(found: Log, made: Log) -> None:
 
 def test_foreign_logs_become_the_campaign_that_they_were(tmp_path: Path) -> None:
     made = made_up_campaign()
-    campaign.write(imported(read_mapping(foreign(made, tmp_path))).campaign, tmp_path / "campaign")
-    found = campaign.read(tmp_path / "campaign")
+    campaign.write_campaign(
+        import_campaign(foreign(made, tmp_path)).campaign, tmp_path / "campaign"
+    )
+    found = campaign.read_campaign(tmp_path / "campaign")
     assert found.device == made.device
     assert found.nominal == made.nominal
     assert found.site.gravity == made.site.gravity
@@ -55,9 +57,9 @@ def test_foreign_logs_become_the_campaign_that_they_were(tmp_path: Path) -> None
 
 
 def test_recorded_campaign_survives_foreign_logs(tmp_path: Path, recorded_campaign: Path) -> None:
-    recorded = campaign.read(recorded_campaign)
+    recorded = campaign.read_campaign(recorded_campaign)
     chosen = tuple(t for t in recorded.tests if t.kind in ("static", "rate", "virtual_rotation"))
-    found = imported(read_mapping(foreign(replace(recorded, tests=chosen), tmp_path)))
+    found = import_campaign(foreign(replace(recorded, tests=chosen), tmp_path))
     assert len(found.tests) == len(chosen) == 7
     for before, after in zip(chosen, found.tests, strict=True):
         check_equal(after.read, before.log)
@@ -68,7 +70,7 @@ def read_one(folder: Path, columns: str, rows: str, extra: str = "") -> Log:
     text = HEAD + "[layout]\nheader = false\n" + entry_of("one", "static", "fit", "one.csv")
     (folder / "one.csv").write_text(rows)
     (folder / "mapping.toml").write_text(text + extra + "\n[tests.columns]\n" + columns)
-    return imported(read_mapping(folder / "mapping.toml")).tests[0].logged
+    return import_campaign(folder / "mapping.toml").tests[0].logged
 
 
 SECONDS = 'time = { column = 1, unit = "s" }\n'
@@ -165,13 +167,13 @@ def test_a_sign_that_the_table_contradicts_is_refused(tmp_path: Path) -> None:
     path = foreign(made, tmp_path)
     path.write_text(path.read_text().replace("scale = -1", "scale = 1"))
     with pytest.raises(LogError, match=r"pos\.txt: column gyro_angle_deg: .*is a sign reversed"):
-        imported(read_mapping(path))
+        import_campaign(path)
 
 
 def test_a_log_may_lack_a_column_of_all(tmp_path: Path) -> None:
     made = replace(made_up_campaign(), tests=made_up_campaign().tests[:1])
     path = foreign(made, tmp_path)
     path.write_text(path.read_text() + 'absent = ["temperature"]\n')
-    found = imported(read_mapping(path)).tests[0]
+    found = import_campaign(path).tests[0]
     assert np.isnan(found.logged.temperature).all()
     assert found.read.exclusions == ("no column temperature_degC",)

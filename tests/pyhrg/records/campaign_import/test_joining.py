@@ -12,8 +12,8 @@ from pyhrg.common.units import DEG, HZ
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.records import COLUMNS, Log, LogError
-from pyhrg.records.campaign_import import imported, read_mapping
-from pyhrg.records.campaign_import.joining import joined
+from pyhrg.records.campaign_import import import_campaign
+from pyhrg.records.campaign_import.joining import join_rows
 from tests.pyhrg.records.campaign_import.labs import HEAD, entry_of
 from tests.pyhrg.records.made_up import made_up_log
 
@@ -44,7 +44,7 @@ def recorded(fmu: GyroFmu, interval: float) -> Log:
 
 
 def test_joined_rows_are_those_of_a_slower_recorder(fmu: GyroFmu) -> None:
-    slow, found = recorded(fmu, 1.0), joined(recorded(fmu, 0.05), 1.0)
+    slow, found = recorded(fmu, 1.0), join_rows(recorded(fmu, 0.05), 1.0)
     assert found.interval == 1.0
     assert found.exclusions == ()
     for column in COLUMNS:
@@ -64,7 +64,7 @@ def without(log: Log, *rows: int) -> Log:
 
 
 def test_rows_that_are_not_whole_are_left_out() -> None:
-    found = joined(without(fast_log(95), 34, 35), 1.0)
+    found = join_rows(without(fast_log(95), 34, 35), 1.0)
     np.testing.assert_allclose(found.time, [1, 2, 3, 5, 6, 7, 8, 9])
     assert found.exclusions == ("13 rows that are not part of a whole 1 s: left out",)
 
@@ -75,7 +75,7 @@ def test_a_value_that_is_missing_stays_missing() -> None:
         values = getattr(log, field).copy()
         values[[12, 29]] = np.nan
         log = replace(log, **{field: values})
-    found = joined(log, 1.0)
+    found = join_rows(log, 1.0)
     assert np.flatnonzero(np.isnan(found.quadrature_force)).tolist() == [1, 2]
     assert np.flatnonzero(np.isnan(found.gyro_angle)).tolist() == [2]
 
@@ -83,30 +83,30 @@ def test_a_value_that_is_missing_stays_missing() -> None:
 def test_what_can_not_be_joined_is_refused() -> None:
     log = fast_log()
     with pytest.raises(LogError, match=r"rows of 0\.1 s; expected rows_s, 0\.25, to be a multiple"):
-        joined(log, 0.25)
+        join_rows(log, 0.25)
     with pytest.raises(LogError, match="rows_s, 0\\.01, to be a multiple"):
-        joined(log, 0.01)
+        join_rows(log, 0.01)
     with pytest.raises(LogError, match="0 times 20 s without a missing row; expected 2"):
-        joined(log, 20.0)
+        join_rows(log, 20.0)
     changed = np.where(np.arange(100) < 35, 1.0, 0.0)
     message = r"drive_on changes between time_s 3\.1 and 4; expected it to be the same in a row"
     for drive_on in (changed, np.where(np.arange(100) == 31, np.nan, changed)):
         with pytest.raises(LogError, match=message):
-            joined(replace(log, drive_on=drive_on), 1.0)
+            join_rows(replace(log, drive_on=drive_on), 1.0)
 
 
 @pytest.mark.parametrize("clock", [1.0, 1 + 2e-5, 1 - 2e-5])
 def test_a_clock_that_is_off_loses_no_row(clock: float) -> None:
     log = fast_log(20000)
     late = np.where(np.arange(20000) % 1000 == 500, 0.005, 0.0)
-    found = joined(replace(log, time=clock * log.time + late), 1.0)
+    found = join_rows(replace(log, time=clock * log.time + late), 1.0)
     assert len(found.time) == 2000
     assert found.exclusions == ()
 
 
 def test_a_rate_that_is_rounded_is_a_whole_one() -> None:
     log = fast_log(600)
-    found = joined(replace(log, interval=0.016667, time=np.round(log.time / 6, 6)), 1.0)
+    found = join_rows(replace(log, interval=0.016667, time=np.round(log.time / 6, 6)), 1.0)
     np.testing.assert_array_equal(found.time, np.arange(1, 11))
 
 
@@ -125,7 +125,7 @@ axis_up = 1
 """
     text = f"{head}\n{HEAD}[layout]\nheader = false\n{entry_of('one', 'static', 'fit', 'one.csv')}"
     (tmp_path / "mapping.toml").write_text(f"{text}{entry}\n{columns}")
-    (test,) = imported(read_mapping(tmp_path / "mapping.toml")).tests
+    (test,) = import_campaign(tmp_path / "mapping.toml").tests
     count = 12 // rows
     assert test.logged.interval == 0.5 * count
     np.testing.assert_allclose(test.logged.gyro_angle / DEG, 0.1 * count * np.arange(1, rows + 1))

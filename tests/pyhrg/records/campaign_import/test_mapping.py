@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from pyhrg.common.errors import HrgError
 from pyhrg.common.toml_table import SpecificationError
 from pyhrg.records.campaign_import import read_mapping
 from tests.pyhrg.records.campaign_import.labs import HEAD, entry_of
@@ -56,7 +57,7 @@ def test_a_good_mapping_is_read(tmp_path: Path) -> None:
 )
 def test_a_wrong_key_is_named(tmp_path: Path, change: tuple[str, str], message: str) -> None:
     assert change[0] in GOOD
-    with pytest.raises(SpecificationError, match=rf"mapping\.toml: {message}"):
+    with pytest.raises(HrgError, match=rf"mapping\.toml: {message}"):
         read(tmp_path, GOOD.replace(*change))
 
 

@@ -5,16 +5,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ins_eval.mission_model.flown import flown
-from ins_eval.mission_model.mission_weights import MissionWeights, mission_weights
-from ins_eval.mission_model.missions import study_mission
-from ins_eval.study.predictors.parts.expected_error import expected_error
+from ins_eval.mission_model.mission_weights import MissionWeights, compute_mission_weights
+from ins_eval.mission_model.missions import plan_mission
+from ins_eval.mission_model.position_errors import compute_position_errors
+from ins_eval.study.predictors.parts.expected_error import compute_expected_error
 from tests.ins_eval.study.predictors import cases
 
 
 @pytest.fixture(scope="module")
 def car() -> MissionWeights:
-    return mission_weights(study_mission("car", 0.5))
+    return compute_mission_weights(plan_mission("car", 0.5))
 
 
 def test_it_is_flown_without_noise_and_accelerometers(car: MissionWeights) -> None:
@@ -24,7 +24,7 @@ def test_it_is_flown_without_noise_and_accelerometers(car: MissionWeights) -> No
         noise=np.zeros_like(triads.noise),
         accelerometers=np.zeros_like(triads.accelerometers),
     )
-    parts = flown(quiet, car, mission=0)
-    found = expected_error(car, triads.in_flight)
+    parts = compute_position_errors(quiet, car, mission=0)
+    found = compute_expected_error(car, triads.in_flight)
     np.testing.assert_allclose(found, parts.error, rtol=1e-9, atol=1e-6)
     assert np.max(np.abs(parts.alignment)) > 1.0

@@ -1,4 +1,4 @@
-"""What tumble and centrifuge report of a gyro whose sensitivities are known."""
+"""Tumble and centrifuge recover the known sensitivities of a gyro."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -19,7 +19,7 @@ from pyhrg.records import campaign
 from tests.pyhrg.bench.cases import QUIET, slow_bench
 
 PER_G = DEG_PER_H / STANDARD_GRAVITY
-FEELING = replace(
+SENSITIVE = replace(
     QUIET,
     bias_per_acceleration=0.02 * PER_G,
     pickoff_gain_per_acceleration=1e-6,
@@ -29,19 +29,19 @@ QUARTER = 1 / (4 * QUIET.bryan_factor * QUIET.decay_time)
 """Bias by a gain mismatch, as sin 4th, per mismatch."""
 
 
-def tumbled(fmu: GyroFmu, device: Device, **plan: object) -> Outcome:
+def run_tumble(fmu: GyroFmu, device: Device, **plan: object) -> Outcome:
     bench = slow_bench(fmu, device)
-    course = tumble.programme(bench, **plan)
+    course = tumble.make_programme(bench, **plan)
     return tumble.evaluate(bench.campaign(bench.run([PowerOn("tumble", tumble.KIND, course)])))
 
 
-def spun(fmu: GyroFmu, device: Device) -> Outcome:
+def run_centrifuge(fmu: GyroFmu, device: Device) -> Outcome:
     bench = slow_bench(fmu, device)
     return centrifuge.evaluate(bench.campaign(centrifuge.record(bench)))
 
 
 def test_tumble_recovers_linear_terms(slow_fmu: GyroFmu) -> None:
-    outcome = tumbled(slow_fmu, FEELING, segments=1)
+    outcome = run_tumble(slow_fmu, SENSITIVE, segments=1)
     within = 2e-5 * PER_G
     assert outcome.finding("g bias z").value == pytest.approx(0.02 * PER_G, abs=within)
     assert outcome.finding("g bias x").value == pytest.approx(0.0, abs=within)
@@ -50,7 +50,7 @@ def test_tumble_recovers_linear_terms(slow_fmu: GyroFmu) -> None:
 
 
 def test_centrifuge_recovers_quadratic_terms(slow_fmu: GyroFmu) -> None:
-    outcome = spun(slow_fmu, FEELING)
+    outcome = run_centrifuge(slow_fmu, SENSITIVE)
     assert outcome.finding("g bias z").value == pytest.approx(0.02 * PER_G, rel=1e-3)
     assert outcome.finding("g squared zz sin4").value == pytest.approx(2e-8 * QUARTER, rel=0.02)
 
@@ -58,21 +58,21 @@ def test_centrifuge_recovers_quadratic_terms(slow_fmu: GyroFmu) -> None:
 @pytest.mark.parametrize("name", ["g bias x", "g bias y", "g bias z", "g squared zz over mean"])
 def test_insensitive_gyro_shows_none(slow_fmu: GyroFmu, name: str) -> None:
     """Negative control: 99.99 % of normal deviation, so that one seed decides."""
-    found = tumbled(slow_fmu, TYPICAL, segments=1).finding(name)
+    found = run_tumble(slow_fmu, TYPICAL, segments=1).finding(name)
     assert abs(found.value) < 2 * (found.high - found.low) / 2
 
 
 def test_one_pattern_angle_gives_the_sum_there_and_says_so(slow_fmu: GyroFmu) -> None:
-    device = replace(FEELING, power_on_angle=np.radians(22.5 / 2))
-    outcome = tumbled(slow_fmu, device, pattern_angles=1)
+    device = replace(SENSITIVE, power_on_angle=np.radians(22.5 / 2))
+    outcome = run_tumble(slow_fmu, device, pattern_angles=1)
     angle = device.power_on_angle
     expected = 1e-6 * QUARTER * np.sin(4 * angle)
     assert outcome.finding("g bias x").value == pytest.approx(expected, rel=0.05)
-    assert any("can't be told" in text for text in outcome.warnings)
+    assert any("can't be separated" in text for text in outcome.warnings)
 
 
 def test_six_positions_refuse_products(slow_fmu: GyroFmu) -> None:
-    outcome = tumbled(slow_fmu, FEELING, positions=tumble.SIX)
+    outcome = run_tumble(slow_fmu, SENSITIVE, positions=tumble.SIX)
     found = outcome.finding("g squared xz")
     assert np.isnan(found.value)
     assert "don't vary" in found.note
@@ -80,7 +80,7 @@ def test_six_positions_refuse_products(slow_fmu: GyroFmu) -> None:
 
 def test_one_attitude_is_an_error(slow_fmu: GyroFmu) -> None:
     with pytest.raises(BenchError, match="tumble: 1 different specific forces; at least 3"):
-        tumbled(slow_fmu, FEELING, positions=tumble.SIX[:1])
+        run_tumble(slow_fmu, SENSITIVE, positions=tumble.SIX[:1])
 
 
 def test_short_positions_are_an_error(slow_fmu: GyroFmu) -> None:
@@ -102,7 +102,7 @@ def test_intervals_hold_what_was_put_in(slow_fmu: GyroFmu, case: object) -> None
 
 def test_recorded_tumble_of_an_insensitive_gyro(recorded_campaign: Path) -> None:
     """Its truth has no sensitivity; three intervals, each twice as wide as 95 %."""
-    outcome = tumble.evaluate(campaign.read(recorded_campaign))
+    outcome = tumble.evaluate(campaign.read_campaign(recorded_campaign))
     for axis in "xyz":
         found = outcome.finding(f"g bias {axis}")
         assert abs(found.value) < found.high - found.low

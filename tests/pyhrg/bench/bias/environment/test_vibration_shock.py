@@ -8,8 +8,13 @@ import pytest
 from benchmarks.intervals import vibration_shock as coverage
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.environment import vibration_shock
-from pyhrg.bench.bias.environment.shock import found_pulses, readings_without
-from pyhrg.bench.bias.environment.vibration_shock import BEFORE, SHOCK, power_ons, shocked
+from pyhrg.bench.bias.environment.shock import find_pulses, read_quiet_changes
+from pyhrg.bench.bias.environment.vibration_shock import (
+    BEFORE,
+    SHOCK,
+    make_power_ons,
+    make_shock_programme,
+)
 from pyhrg.bench.outcome import BenchError
 from pyhrg.common.units import ARCSEC
 from pyhrg.device.ready_devices import TYPICAL
@@ -27,7 +32,7 @@ def test_intervals_hold_what_was_put_in(slow_fmu: GyroFmu) -> None:
 def test_nothing_changes_of_itself(slow_fmu: GyroFmu) -> None:
     """Negative control: same device after vibration; 2 x the 95 % interval."""
     bench = Bench(slow_fmu, replace(TYPICAL, model=coverage.FAST), seed=3, step=1.0)
-    courses = [*power_ons(bench, BEFORE, 3), *power_ons(bench, "after_vibration", 3)]
+    courses = [*make_power_ons(bench, BEFORE, 3), *make_power_ons(bench, "after_vibration", 3)]
     outcome = vibration_shock.evaluate(bench.campaign(bench.run(courses)))
     found = outcome.finding("bias change after vibration")
     assert abs(found.value) < found.high - found.low
@@ -37,12 +42,12 @@ def test_nothing_changes_of_itself(slow_fmu: GyroFmu) -> None:
 def test_pulses_are_found_and_leave_nothing(fmu: GyroFmu) -> None:
     device = replace(QUIET, pickoff_gain_per_acceleration=1e-7)
     bench = Bench(fmu, device, step=1e-3)
-    log = bench.run([PowerOn(SHOCK, SHOCK, shocked(bench))])[0].log
-    pulses = found_pulses(log, device.site)
+    log = bench.run([PowerOn(SHOCK, SHOCK, make_shock_programme(bench))])[0].log
+    pulses = find_pulses(log, device.site)
     assert [p.axis for p in pulses] == [s + a for a in "xyz" for s in "+-" for _ in range(3)]
     assert all(pulse.valid for pulse in pulses)
     assert max(abs(pulse.kept) for pulse in pulses) < 0.05 * ARCSEC
-    readings = readings_without(log, device.site)
+    readings = read_quiet_changes(log, device.site)
     assert len(readings) == 13
     assert max(map(abs, readings)) < 0.05 * ARCSEC
     assert max(p.swing for p in pulses[:6]) > 10 * max(p.swing for p in pulses[6:])

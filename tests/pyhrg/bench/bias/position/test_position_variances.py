@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pyhrg.bench.bias.position.position_runs import leakage
-from pyhrg.bench.bias.position.position_variances import between_finding, within_finding
+from pyhrg.bench.bias.position.position_runs import describe_leakage
+from pyhrg.bench.bias.position.position_variances import estimate_between, estimate_within
 from pyhrg.bench.estimation.harmonics import Fit, fit
 from pyhrg.bench.readings.segments import Segments
 
@@ -27,7 +27,10 @@ def means(runs: list[Segments]) -> list[Fit]:
 def test_variances_of_an_analysis_by_hand() -> None:
     """Means 0 and 4, variance 2 within: between 8 - 2/2; the mean alone doesn't fit."""
     runs = [run([[-1.0, 1.0], [3.0, 5.0]])]
-    within, between = within_finding("within", runs), between_finding("between", runs, means(runs))
+    within, between = (
+        estimate_within("within", runs),
+        estimate_between("between", runs, means(runs)),
+    )
     assert within.value == pytest.approx(np.sqrt(2))
     assert between.value == pytest.approx(np.sqrt(7))
     assert within.low < within.value < within.high
@@ -39,23 +42,23 @@ def test_drift_within_positions_is_not_noise() -> None:
     runs = [run([[0.0, 10.1], [5.0, 14.9], [10.0, 20.1], [15.0, 24.9]])]
     drift, step = np.tile([0.0, 1.0], 4), np.repeat(np.arange(4.0), 2)
     line = fit({"mean": np.ones(8), "drift": drift, "step": step}, runs[0].rate)
-    found = between_finding("between", runs, [line])
+    found = estimate_between("between", runs, [line])
     assert found.value == pytest.approx(5 * np.sqrt(5 / 3), rel=0.01)
     assert found.high - found.low < 0.5
 
 
-def test_positions_alike_are_zero_apart() -> None:
+def test_equal_positions_differ_by_zero() -> None:
     """Negative control: the interval holds zero."""
     runs = [run(np.random.default_rng(4).standard_normal((16, 3)).tolist())]
-    found = between_finding("between", runs, means(runs))
+    found = estimate_between("between", runs, means(runs))
     assert found.low == 0.0
     assert 0 < found.high < 2
 
 
 def test_one_point_a_position_has_no_scatter_within() -> None:
-    found = within_finding("within", [run([[0.0], [4.0]])])
+    found = estimate_within("within", [run([[0.0], [4.0]])])
     assert np.isnan(found.value)
-    assert "can't be told apart" in found.note
+    assert "can't be separated" in found.note
 
 
 @pytest.mark.parametrize(
@@ -64,5 +67,5 @@ def test_one_point_a_position_has_no_scatter_within() -> None:
 def test_leakage_of_the_fourth_harmonic_into_the_mean(step: float, share: float) -> None:
     """Sixteen steps of 60 deg of the harmonic's phase leave sin 120 / (16 sin 30) deg of it."""
     points = replace(run([[0.0]] * 16), pattern_angle=np.radians(step) * np.arange(16))
-    told = leakage(points)
+    told = describe_leakage(points)
     assert f"{share:.0%}" in told if share else not told

@@ -9,7 +9,7 @@ from benchmarks.intervals._environment import FAST
 from benchmarks.intervals.annual import truths
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.thermal import annual
-from pyhrg.bench.bias.thermal.annual import AGEING, MONTH, aged
+from pyhrg.bench.bias.thermal.annual import AGEING, MONTH, age_device
 from pyhrg.bench.outcome import BenchError
 from pyhrg.common.units import YEAR
 from pyhrg.device.ready_devices import TYPICAL
@@ -45,4 +45,4 @@ def test_three_months_are_an_error(slow_fmu: GyroFmu) -> None:
 def test_aged_gyro_keeps_the_share_of_its_decay_time() -> None:
     device = replace(QUIET, model={AGEING: 0.03 / YEAR})
     expected = device.decay_time * np.exp(-0.03)
-    assert aged(device, 12 * MONTH).decay_time == pytest.approx(expected)
+    assert age_device(device, 12 * MONTH).decay_time == pytest.approx(expected)

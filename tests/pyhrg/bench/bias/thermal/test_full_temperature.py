@@ -1,4 +1,4 @@
-"""What the temperature test reports of a gyro whose temperature coefficients are known."""
+"""The temperature test recovers the known temperature coefficients of a gyro."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -9,7 +9,7 @@ import pytest
 from benchmarks.intervals.full_temperature import SOAKS, truths, warm
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.thermal import full_temperature
-from pyhrg.bench.bias.thermal_programme import programme
+from pyhrg.bench.bias.thermal_programme import make_programme
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.device.device import Device
@@ -28,7 +28,7 @@ def device() -> Device:
 @pytest.fixture(scope="module")
 def outcome(slow_fmu: GyroFmu, device: Device) -> Outcome:
     bench = Bench(slow_fmu, device, step=1.0)
-    course = programme(bench, SOAKS)
+    course = make_programme(bench, SOAKS)
     return full_temperature.evaluate(
         bench.campaign(bench.run([PowerOn("thermal", full_temperature.KIND, course)]))
     )
@@ -67,9 +67,9 @@ def test_constant_temperature_is_an_error(slow_fmu: GyroFmu, device: Device) -> 
 
 def test_recorded_ramp(recorded_campaign: Path) -> None:
     """dev-01: lag 600 s and 85 ppm/K of 7 kHz in its page, no temperature-rate bias in truth."""
-    outcome = full_temperature.evaluate(campaign.read(recorded_campaign))
+    outcome = full_temperature.evaluate(campaign.read_campaign(recorded_campaign))
     assert outcome.finding("thermal lag").value == pytest.approx(600.0, abs=1.0)
-    assert outcome.finding("frequency per kelvin").shown == pytest.approx(0.595, abs=1e-4)
+    assert outcome.finding("frequency per kelvin").value_in_unit == pytest.approx(0.595, abs=1e-4)
     for name in ("bias per kelvin", "temperature-rate bias"):
         found = outcome.finding(name)
         assert abs(found.value) < found.high - found.low

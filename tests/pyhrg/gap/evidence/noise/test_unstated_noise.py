@@ -1,4 +1,4 @@
-"""Noise of the output angle that a campaign doesn't state."""
+"""Estimates of the noise that a campaign doesn't state."""
 
 from dataclasses import replace
 
@@ -9,11 +9,11 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_SQRT_H, HOUR
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
-from pyhrg.gap.evidence.noise.unstated_noise import with_noise
-from pyhrg.gap.replay.observations import Observed, observed
+from pyhrg.gap.evidence.noise.unstated_noise import complete_stated_noise
+from pyhrg.gap.replay.observations import ObservedTest, observe_test
 from pyhrg.gap.replay.simulation import Simulation
-from pyhrg.gap.whitening.noise_draws import drawn
-from pyhrg.gap.whitening.whitening import SlowNoise
+from pyhrg.gap.whitening.noise_draws import draw_noise
+from pyhrg.gap.whitening.whitening import NoiseModel
 from pyhrg.records.campaign import CampaignError, Test
 
 WHITE, WALK = 0.04 * ARCSEC, 4e-4 * DEG_PER_SQRT_H
@@ -26,41 +26,44 @@ def simulation(fmu: GyroFmu, slow_fmu: GyroFmu) -> Simulation:
     return Simulation(fmu, slow_fmu)
 
 
-def recorded(simulation: Simulation, kind: str, seed: int, duration: float = HOUR) -> Observed:
+def recorded(simulation: Simulation, kind: str, seed: int, duration: float = HOUR) -> ObservedTest:
     """A gyro with a gap and noise, at rest or turning."""
     bench = Bench(simulation.quasi_steady, TRUTH, step=0.1)
     course = bench.programme(1.0)
     course = course.rest(duration) if kind == "static" else course.spin(5 * DEG, duration)
     log = bench.log(PowerOn(kind, kind, course, 17 * DEG)).log
-    noise = drawn(SlowNoise(WHITE, WALK), len(log.time), 1.0, np.random.default_rng(seed))
+    noise = draw_noise(NoiseModel(WHITE, WALK), len(log.time), 1.0, np.random.default_rng(seed))
     noisy = replace(log, gyro_angle=log.gyro_angle + noise)
-    return observed(Test(kind, kind, "fit", noisy), BELIEVED)
+    return observe_test(Test(kind, kind, "fit", noisy), BELIEVED)
 
 
-def test_it_is_that_of_the_records_at_rest_whatever_the_gap(simulation: Simulation) -> None:
-    """Within a tenth, four deviations of an hour's walk, in the mean of seeds 0 to 3."""
+def test_it_is_estimated_at_rest_whatever_the_gap(simulation: Simulation) -> None:
+    """Mean of seeds 0 to 3 within a tenth, four standard errors of an hour's random walk."""
     tests = [recorded(simulation, "static", seed) for seed in range(4)]
-    gyro, (note,) = with_noise(simulation, BELIEVED, tests)
-    assert gyro.pickoff_noise == pytest.approx(WHITE, rel=0.1)
+    gyro, (note,) = complete_stated_noise(simulation, BELIEVED, tests)
+    assert gyro.angle_white_noise == pytest.approx(WHITE, rel=0.1)
     assert gyro.angle_random_walk == pytest.approx(WALK, rel=0.1)
     assert "states no noise of the output angle" in note
-    assert replace(gyro, pickoff_noise=0.0, angle_random_walk=0.0) == BELIEVED
+    assert replace(gyro, angle_white_noise=0.0, angle_random_walk=0.0) == BELIEVED
 
 
-def test_short_stretches_tell_it_without_a_bias(simulation: Simulation) -> None:
-    """20 of two minutes, to four deviations of what 20 times 117 rows tell."""
+def test_short_stretches_give_it_without_a_bias(simulation: Simulation) -> None:
+    """20 stretches of two minutes, within four standard errors of 20 times 117 rows."""
     tests = [recorded(simulation, "static", seed, 120.0) for seed in range(20)]
-    gyro, _ = with_noise(simulation, BELIEVED, tests)
-    assert gyro.pickoff_noise == pytest.approx(WHITE, rel=0.15)
+    gyro, _ = complete_stated_noise(simulation, BELIEVED, tests)
+    assert gyro.angle_white_noise == pytest.approx(WHITE, rel=0.15)
     assert gyro.angle_random_walk == pytest.approx(WALK, rel=0.25)
 
 
 def test_what_is_stated_stays(simulation: Simulation) -> None:
-    stated = replace(BELIEVED, pickoff_noise=WHITE)
-    assert with_noise(simulation, stated, [recorded(simulation, "rate", 1)]) == (stated, ())
+    stated = replace(BELIEVED, angle_white_noise=WHITE)
+    assert complete_stated_noise(simulation, stated, [recorded(simulation, "rate", 1)]) == (
+        stated,
+        (),
+    )
 
 
-def test_where_little_rests_it_has_to_be_stated(simulation: Simulation) -> None:
+def test_with_few_rows_at_rest_it_must_be_stated(simulation: Simulation) -> None:
     tests = [recorded(simulation, "rate", 1, 700.0), recorded(simulation, "static", 1, 300.0)]
     with pytest.raises(CampaignError, match=r"have 300 rows at rest; expected angle_random_walk"):
-        with_noise(simulation, BELIEVED, tests)
+        complete_stated_noise(simulation, BELIEVED, tests)

@@ -5,7 +5,7 @@ import re
 import numpy as np
 import pytest
 
-from pyhrg.gap.report.figures.strips import LEFT, TOP, Band, Labels, Size, Strip, drawing
+from pyhrg.gap.report.figures.strips import LEFT, TOP, Band, Labels, Size, Strip, draw_strips
 
 SIZE = Size(420, 112, 5)
 X = np.array([0.0, 1.0, 2.0])
@@ -27,7 +27,7 @@ def strip(high: float, label: str = "before") -> Strip:
 
 
 def test_values_lie_on_their_scale() -> None:
-    (drawn,) = strokes(drawing([strip(10.0)], BAND, SIZE, LABELS))
+    (drawn,) = strokes(draw_strips([strip(10.0)], BAND, SIZE, LABELS))
     x, low, high = np.array(drawn).T
     assert low == pytest.approx(high)
     assert np.diff(x)[0] == pytest.approx(np.diff(x)[1], abs=0.11)
@@ -37,15 +37,15 @@ def test_values_lie_on_their_scale() -> None:
 
 
 def test_strips_of_like_range_have_the_same_scale() -> None:
-    near = strokes(drawing([strip(10.0), strip(5.0)], BAND, SIZE, LABELS))
-    far = strokes(drawing([strip(10.0), strip(0.5)], BAND, SIZE, LABELS))
+    near = strokes(draw_strips([strip(10.0), strip(5.0)], BAND, SIZE, LABELS))
+    far = strokes(draw_strips([strip(10.0), strip(0.5)], BAND, SIZE, LABELS))
     rise = [[s[0][1] - s[-1][1] for s in drawn] for drawn in (near, far)]
     assert rise[0][1] == pytest.approx(rise[0][0] / 2, abs=0.2)
     assert rise[1][1] > rise[1][0] / 2
 
 
 def test_the_band_is_around_zero() -> None:
-    svg = drawing([strip(10.0)], Band(X, np.full(3, 5.0), 1.0), SIZE, LABELS)
+    svg = draw_strips([strip(10.0)], Band(X, np.full(3, 5.0), 1.0), SIZE, LABELS)
     corners = re.findall(r"M[\d.]+ ([\d.]+)H[\d.]+V([\d.]+)H", svg)
     (points,) = strokes(svg)
     ten = points[0][1] - points[2][1]
@@ -57,6 +57,6 @@ def test_the_band_is_around_zero() -> None:
 
 def test_nothing_at_all_can_be_drawn() -> None:
     flat = Strip("before", "c1", X, np.zeros(3), np.zeros(3))
-    svg = drawing([flat], Band(X, np.zeros(3), 0.0), SIZE, LABELS)
+    svg = draw_strips([flat], Band(X, np.zeros(3), 0.0), SIZE, LABELS)
     assert "nan" not in svg
     assert "inf" not in svg

@@ -6,8 +6,8 @@ from scipy.stats import binomtest
 
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H
 from pyhrg.gap.static_record.belief import Belief
-from pyhrg.gap.static_record.fit.diagnosis import ChannelDiagnosis, diagnosed
-from pyhrg.gap.static_record.record import Channel, of_increments
+from pyhrg.gap.static_record.fit.diagnosis import ChannelDiagnosis, diagnose_channel
+from pyhrg.gap.static_record.record import Channel, channel_from_increments
 from pyhrg.gap.static_record.terms import GYRO
 from tests.pyhrg.noises import Mixture, noisy_angle
 
@@ -18,7 +18,7 @@ RECORDS = 50
 
 def diagnosis(mixture: Mixture, belief: Belief = WHITE, seed: int = 0) -> ChannelDiagnosis:
     angle = noisy_angle(N, mixture, np.random.default_rng([11, seed]))
-    return diagnosed(Channel("gyro", GYRO, 1.0, angle), belief, seed=seed)
+    return diagnose_channel(Channel("gyro", GYRO, 1.0, angle), belief, seed=seed)
 
 
 @pytest.mark.parametrize("slow", [(0.0, 0.0), (0.0, 0.003)])
@@ -71,27 +71,27 @@ def test_a_line_is_no_noise() -> None:
     angle = noisy_angle(N, (1, 0.3, 0, 0, 0), np.random.default_rng(12))
     angle += 1.0 * np.sin(2 * np.pi * np.arange(N) / 7.3)
     channel = Channel("gyro", GYRO, 1.0, angle)
-    found = diagnosed(channel, WHITE)
+    found = diagnose_channel(channel, WHITE)
     assert found.verdict == "unexplained"
     assert found.causes == ()
-    assert found.judgement.share_of("periodic signal") > 0.5
+    assert found.ranking.get_unknown_probability("periodic signal") > 0.5
     known = Belief(WHITE.levels, periods=(7.3,))
-    assert diagnosed(channel, known).verdict == "no_gap"
+    assert diagnose_channel(channel, known).verdict == "no_gap"
 
 
 def test_noise_that_grows_is_no_term() -> None:
     angle = noisy_angle(N, (1, 0.3, 0, 0, 0), np.random.default_rng(13))
     angle[N // 4 :] += 2 * np.random.default_rng(14).standard_normal(N - N // 4)
-    found = diagnosed(Channel("gyro", GYRO, 1.0, angle), WHITE)
+    found = diagnose_channel(Channel("gyro", GYRO, 1.0, angle), WHITE)
     assert found.verdict == "unexplained"
-    assert found.judgement.share_of("noise that changes with time") > 0.5
+    assert found.ranking.get_unknown_probability("noise that changes with time") > 0.5
 
 
 def test_temperature_is_named() -> None:
     generator = np.random.default_rng(15)
     temperature = 300 + 5 * np.sin(np.arange(N) / 150)
     angle = noisy_angle(N, (1, 0.3, 0, 0, 0), generator) + 0.02 * np.cumsum(temperature - 300)
-    found = diagnosed(Channel("gyro", GYRO, 1.0, angle, temperature), WHITE)
+    found = diagnose_channel(Channel("gyro", GYRO, 1.0, angle, temperature), WHITE)
     assert [cause.term.effect for cause in found.causes] == ["bias_temperature"]
     assert found.causes[0].low < 0.02 / DEG_PER_H < found.causes[0].high
 
@@ -101,12 +101,12 @@ def test_a_grid_is_quantisation() -> None:
     generator = np.random.default_rng(16)
     walk = np.cumsum(0.3 * generator.standard_normal(N))
     belief = Belief(np.array([0.05, 0.3, 0.0, 0.0]))
-    counted = of_increments("gyro", GYRO, 1.0, np.diff(np.round(walk)))
-    noisy = of_increments(
+    counted = channel_from_increments("gyro", GYRO, 1.0, np.diff(np.round(walk)))
+    noisy = channel_from_increments(
         "gyro", GYRO, 1.0, np.diff(walk + generator.standard_normal(N) / np.sqrt(12))
     )
     for channel, effect in ((counted, "angle_quantisation"), (noisy, "angle_white_noise")):
-        found = diagnosed(channel, belief)
+        found = diagnose_channel(channel, belief)
         assert [cause.term.effect for cause in found.causes] == [effect]
 
 
@@ -115,6 +115,6 @@ def test_ceilings_hold_under_anything_else() -> None:
     for seed in range(5):
         angle = noisy_angle(N, (1, 0.3, 0, 0, 0), np.random.default_rng([17, seed]))
         angle += 5 * np.sin(2 * np.pi * np.arange(N) / 9.1)
-        found = diagnosed(Channel("gyro", GYRO, 1.0, angle), WHITE)
+        found = diagnose_channel(Channel("gyro", GYRO, 1.0, angle), WHITE)
         assert found.ceilings["angle_white_noise_arcsec"] > 1 / ARCSEC
         assert found.ceilings["angle_random_walk_deg_sqrt_h"] > 0.3 / DEG_PER_SQRT_H

@@ -1,0 +1,33 @@
+from .flights.align_record import AlignedRecord, align
+from .flights.fly import Flight, fly, fly_log
+from .imu.recorded import read_record
+from .imu.specification import list_imus, load_imu
+from .navigation.strapdown import navigate
+from .parking.parking import ParkingComparison, compare_parking
+from .position.front import PositionGap, compute_position_gap
+from .study.run_study import StudyResult, run_study
+from .study.study_file import load_study
+from .study.validation.validate import validate
+from .trajectories.catalogue import list_trajectories, load_trajectory
+
+__all__ = [
+    "AlignedRecord",
+    "Flight",
+    "ParkingComparison",
+    "PositionGap",
+    "StudyResult",
+    "align",
+    "compare_parking",
+    "compute_position_gap",
+    "fly",
+    "fly_log",
+    "list_imus",
+    "list_trajectories",
+    "load_imu",
+    "load_study",
+    "load_trajectory",
+    "navigate",
+    "read_record",
+    "run_study",
+    "validate",
+]

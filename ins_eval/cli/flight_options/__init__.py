@@ -1,1 +1,0 @@
-"""What the options of `hrg nav` and `hrg align` mean."""

@@ -1,0 +1,116 @@
+"""`hrg gap`: the gap between a gyro's records and its simulation, and its causes."""
+
+import argparse
+from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
+
+import ins_eval
+from pyhrg.cli import challenge
+from pyhrg.common.errors import HrgError
+
+if TYPE_CHECKING:
+    from pyhrg.gap.diagnose import CampaignDiagnosis
+    from pyhrg.gap.report.sections import Section
+
+HELP = "find the causes of the gap between a gyro's records and its simulation"
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    tasks = parser.add_subparsers(dest="task", metavar="TASK", required=True)
+    _add_diagnose(tasks.add_parser("diagnose", help="find the causes of the gap"))
+    _add_predict(tasks.add_parser("predict", help="simulate the identified gyro on a log's inputs"))
+    parser = tasks.add_parser("challenge", help=challenge.HELP, description=challenge.HELP)
+    challenge.add_options(parser)
+    parser.set_defaults(run_task=challenge.run)
+
+
+def _add_diagnose(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "source",
+        type=Path,
+        metavar="PATH",
+        help="folder of a campaign, or a file: static record of any IMU",
+    )
+    parser.add_argument(
+        "--belief",
+        type=Path,
+        metavar="FILE",
+        help="TOML file of the noise that the sensors of a static record should have",
+    )
+    parser.add_argument(
+        "--trusted",
+        action="store_true",
+        help="take units and axes of a static record as stated, though gravity or Earth's rate "
+        "in it contradict them",
+    )
+    parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="output folder")
+    parser.set_defaults(run_task=_diagnose)
+
+
+def _add_predict(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("diagnosis", type=Path, metavar="DIAGNOSIS", help="a diagnosis.json")
+    parser.add_argument("log", type=Path, metavar="LOG", help="a log, CSV")
+    parser.add_argument(
+        "--campaign", type=Path, required=True, metavar="DIR", help="campaign of the diagnosis"
+    )
+    parser.add_argument("--out", type=Path, required=True, metavar="FILE", help="CSV to write")
+    parser.set_defaults(run_task=_predict)
+
+
+def run(options: argparse.Namespace) -> None:
+    options.run_task(options)
+
+
+def _diagnose(options: argparse.Namespace) -> None:
+    if not options.source.exists():
+        raise HrgError(f"{options.source}: no such folder or file")
+    is_record = not options.source.is_dir()
+    if is_record and options.belief is None:
+        raise HrgError(f"{options.source}: found no --belief, expected one for a static record")
+    if is_record:
+        _diagnose_record(options)
+        return
+    if options.belief is not None or options.trusted:
+        given = "--trusted" if options.belief is None else "--belief"
+        raise HrgError(f"{options.source}: found {given}, which is for static records")
+    _diagnose_campaign(options)
+
+
+def _diagnose_record(options: argparse.Namespace) -> None:
+    from pyhrg.gap.static_record import diagnose_record
+
+    result = diagnose_record(
+        options.source, options.belief, trusted=options.trusted, out=options.out
+    )
+    print(result.summary)
+
+
+def _diagnose_campaign(options: argparse.Namespace) -> None:
+    from pyhrg.gap.diagnose import diagnose
+    from pyhrg.gap.report.folder import write_report
+    from pyhrg.gap.report.sections import make_section
+    from pyhrg.gap.report.summary import summarize_diagnosis
+
+    result = diagnose(options.source, progress=True)
+    position = make_section("position", partial(make_position_section, result))
+    write_report(result, options.out, [position])
+    print(summarize_diagnosis(result))
+
+
+def make_position_section(diagnosis: "CampaignDiagnosis") -> "Section":
+    """The section on the position error of a diagnosis, in the default missions.
+
+    The diagnosis goes through its files, so that `hrg position` on them gives the same bytes.
+    """
+    with TemporaryDirectory() as folder:
+        diagnosis.write(folder)
+        return ins_eval.compute_position_gap(folder, progress=True).section
+
+
+def _predict(options: argparse.Namespace) -> None:
+    from pyhrg.gap.closing.prediction import predict, write_prediction
+
+    table = predict(options.diagnosis, options.log, options.campaign, progress=True)
+    write_prediction(table, options.out)

@@ -1,5 +1,0 @@
-"""What an IMU hands over."""
-
-from pyhrg.records.imu.increments import Increments
-
-__all__ = ["Increments"]

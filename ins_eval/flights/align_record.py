@@ -1,0 +1,133 @@
+"""The front door of alignment: a standing vehicle's attitude from a log or a simulated IMU."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from ins_eval.alignment.align import MIN_DURATION
+from ins_eval.alignment.align import align as align_increments
+from ins_eval.alignment.alignment_figure import plot_alignment
+from ins_eval.alignment.result import Alignment
+from ins_eval.common.sensor_errors import SensorErrors
+from ins_eval.flights import align_report
+from ins_eval.flights.align_report import StandingRecord
+from ins_eval.flights.flight import spawn_seeds
+from ins_eval.flights.plan import LONGEST_ALIGNMENT, WARM_UP
+from ins_eval.flights.sources import Place, load_imu_at_rate, read_placed_record
+from ins_eval.imu.imu import Imu
+from ins_eval.trajectories.catalogue import load_trajectory
+from pyhrg.common.arguments import check_number, check_seed
+from pyhrg.common.errors import HrgError
+from pyhrg.common.files import stage_files
+from pyhrg.records.imu.increments import Increments
+
+
+@dataclass(frozen=True)
+class AlignedRecord:
+    """A record with the attitude found on it.
+
+    record: what was aligned on; alignment: attitude with its covariance; errors: sensor errors that
+    the covariance rests on.
+    """
+
+    record: StandingRecord
+    alignment: Alignment
+    errors: SensorErrors
+
+    @property
+    def summary(self) -> str:
+        """Heading, pitch and roll with their one-sigma, in words."""
+        return align_report.summarize(self.record, self.alignment)
+
+    def plot(self) -> Figure:
+        """How heading, pitch and roll settle, with their one-sigma."""
+        return plot_alignment(self.alignment, self.record.name)
+
+    def write(self, folder: Path | str) -> None:
+        """Write `align.json` and `align.png` into a folder, both or none.
+
+        Raises:
+            OSError: the folder can't be written.
+        """
+        with stage_files(Path(folder), align_report.FILES) as aside:
+            align_report.write(self.record, self.alignment, self.errors, aside)
+
+
+def align(
+    log: Path | str | None = None,
+    *,
+    imu: Imu | str = "simple",
+    trajectory: str = "car",
+    from_s: float = 0.0,
+    seconds: float = 300.0,
+    seed: int = 1,
+    latitude_deg: float | None = None,
+    longitude_deg: float = 0.0,
+    height_m: float = 0.0,
+) -> AlignedRecord:
+    """Attitude of a standing vehicle, with its one-sigma.
+
+    Args:
+        log: recorded log of a standing vehicle; None simulates an IMU on one.
+        imu: the IMU that is simulated, or whose errors the one-sigma of a log rests on.
+        trajectory: mission before whose start the simulated vehicle stands.
+        from_s: time in the log at which the record begins, s.
+        seconds: duration of the record, s.
+        seed: of everything random in a simulation.
+        latitude_deg, longitude_deg, height_m: place of a log that does not say it.
+
+    Raises:
+        HrgError: an argument out of range, a file that can't be used, or a failed alignment.
+    """
+    check_number("seconds", seconds, MIN_DURATION, LONGEST_ALIGNMENT)
+    loaded = load_imu_at_rate(imu, None)
+    if log is None:
+        record = simulate_record(loaded, trajectory, seconds, check_seed(seed))
+    else:
+        place = Place(latitude_deg, longitude_deg, height_m)
+        record = read_standing_record(Path(log), place, from_s, seconds)
+    alignment = align_increments(record.increments, record.position, loaded.errors)
+    return AlignedRecord(record, alignment, loaded.errors)
+
+
+def read_standing_record(path: Path, place: Place, from_s: float, seconds: float) -> StandingRecord:
+    """A stretch of a log.
+
+    Raises:
+        HrgError: a log that is shorter, or does not say where it was recorded.
+    """
+    check_number("from_s", from_s, 0, 1e6)
+    log, position = read_placed_record(path, place)
+    stretch = cut_stretch(path, log.increments, from_s, seconds)
+    return StandingRecord(path.name, stretch, position)
+
+
+def cut_stretch(path: Path, increments: Increments, from_s: float, seconds: float) -> Increments:
+    """Increments from a time since the log's beginning on.
+
+    Raises:
+        HrgError: a log that is shorter.
+    """
+    begin, count = (round(time / increments.interval) for time in (from_s, seconds))
+    if begin + count > len(increments):
+        raise HrgError(
+            f"{path}: found {increments.duration:g} s, expected {from_s + seconds:g} s at least"
+        )
+    return increments.between(begin, begin + count)
+
+
+def simulate_record(imu: Imu, trajectory: str, seconds: float, seed: int) -> StandingRecord:
+    """What a warm IMU measures before a trajectory sets off; the true attitude is known."""
+    interval = imu.interval
+    warm_up, count = round(WARM_UP / interval), round(seconds / interval)
+    still = (warm_up + count) * interval
+    truth = load_trajectory(trajectory, 60.0, still)
+    increments = truth.increments(-still, interval, warm_up + count)
+    (run_seed,) = spawn_seeds(seed, 1)
+    measured = imu.measure(increments, run_seed).increments
+    start = truth.state(0.0)
+    position = np.array([start.latitude, start.longitude, start.height])
+    name = f"{imu.name} IMU, {truth.name}"
+    return StandingRecord(name, measured.between(warm_up, warm_up + count), position, start.mat_nb)

@@ -1,0 +1,197 @@
+"""The front door of flights: an IMU along a trajectory, or a recorded log."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pandas as pd
+import xarray as xr
+from matplotlib.figure import Figure
+
+from ins_eval.flights import report
+from ins_eval.flights.beliefs import state_beliefs
+from ins_eval.flights.flight import fly_runs
+from ins_eval.flights.flown import FlightData
+from ins_eval.flights.linear import compute_error_budget, propagate_flight_covariance
+from ins_eval.flights.log_flight import navigate_log
+from ins_eval.flights.plan import HeightMode, Plan, plan_log, plan_simulation
+from ins_eval.flights.shares import list_shares
+from ins_eval.flights.sources import (
+    NO_TRUTH,
+    Place,
+    find_reference,
+    load_imu_at_rate,
+    read_placed_record,
+)
+from ins_eval.flights.truth import count_still_increments, sample_truth
+from ins_eval.imu.imu import Imu
+from ins_eval.results import flights
+from ins_eval.results.growth_figure import draw_growth
+from ins_eval.results.map_figure import draw_map
+from ins_eval.trajectories import catalogue
+from ins_eval.trajectories.errors import MovingStartError
+from ins_eval.trajectories.trajectory import Trajectory
+from pyhrg.common.errors import HrgError
+from pyhrg.common.files import stage_files
+
+
+class Flight(FlightData):
+    """Flights of a plan as a notebook meets them: dataset, summary, budget table, figures."""
+
+    @property
+    def summary(self) -> str:
+        """Alignment, errors at the end and error budget in words."""
+        return report.summarize(self)
+
+    @property
+    def budget_table(self) -> pd.DataFrame:
+        """Contributions to run 1's final position error, m, by effect and axis; empty for a log."""
+        return pd.DataFrame([share.document() for share in list_shares(self.budget)])
+
+    @property
+    def files(self) -> tuple[str, ...]:
+        """Names of the files that `write` makes."""
+        return report.list_files(self)
+
+    def plot(self) -> Figure:
+        """Path on a map, with the error at the end where a truth is known."""
+        return draw_map(self.dataset.assign_attrs(title=self.title))
+
+    def plot_growth(self) -> Figure:
+        """Position error over time with its one-sigma.
+
+        Raises:
+            HrgError: no truth is known.
+        """
+        if "radial_error" not in self.dataset:
+            raise HrgError(f"{self.title}: no truth is known; expected one")
+        return draw_growth(self.dataset.assign_attrs(title=self.title))
+
+    def write(self, folder: Path | str) -> None:
+        """Write `files` into a folder, all or none.
+
+        Raises:
+            OSError: the folder can't be written.
+        """
+        with stage_files(Path(folder), self.files) as aside:
+            report.write(self, aside)
+
+
+def fly(
+    trajectory: str = "car",
+    imu: Imu | str = "simple",
+    *,
+    hours: float = 1.0,
+    rate_hz: int | None = None,
+    samples: int = 2,
+    height: HeightMode = "clamped",
+    align_s: float | None = 300.0,
+    seed: int = 1,
+    runs: int = 1,
+    progress: Callable[[int, int], None] | None = None,
+) -> Flight:
+    """Flights of a simulated IMU, with errors, the linear model's one-sigma and an error budget.
+
+    Args:
+        trajectory: ready mission, mission file (TOML) or recorded drive.
+        imu: an IMU, a ready one's name or its file.
+        hours: duration of a flight, in whole minutes, up to 24.
+        rate_hz: rate of the increments, 10 to 2000; the IMU's own if None.
+        samples: increments a navigation step, 2 to 4.
+        height: what holds the height: "clamped" (the true one), "free", or "baro" (a loop).
+        align_s: time from power-on to time 0 with the alignment in it; None starts from the truth.
+        seed: of everything random.
+        runs: number of flights, each with an IMU of its own.
+        progress: is called with the number of flights done and the number of all.
+
+    Raises:
+        HrgError: an argument out of range, a file that can't be used, or a failed alignment.
+    """
+    loaded = load_imu_at_rate(imu, rate_hz)
+    plan = plan_simulation(
+        loaded.interval,
+        hours=hours,
+        samples=samples,
+        height=height,
+        align_s=align_s,
+        seed=seed,
+        runs=runs,
+    )
+    _, zero = count_still_increments(plan.alignment, plan.interval)
+    try:
+        path = catalogue.load_trajectory(trajectory, plan.duration, zero * plan.interval)
+    except MovingStartError as error:
+        raise HrgError(f"{error}; or start from the truth") from error
+    return fly_plan(plan, path, loaded, progress)
+
+
+def fly_plan(
+    plan: Plan,
+    trajectory: Trajectory,
+    imu: Imu,
+    progress: Callable[[int, int], None] | None = None,
+) -> Flight:
+    """Flights by a plan; as `fly`.
+
+    Args:
+        plan: how to fly.
+        trajectory: covers the plan.
+        imu: its increments have the plan's interval.
+        progress: as in `fly`.
+
+    Raises:
+        AlignmentError: what was measured can't be aligned on.
+        NavigationError: the navigator can't start or go on.
+        StartUpError: the gyros are not ready after the warm-up.
+    """
+    truth = sample_truth(plan, trajectory)
+    flown = fly_runs(plan, truth, imu, progress)
+    sigma = propagate_flight_covariance(plan, truth, state_beliefs(imu), flown.first.alignment)
+    dataset = xr.merge(
+        [
+            flights.compare_with_truth(flown.tracks, truth.track),
+            flights.tabulate_sigmas(truth.track.time, sigma),
+            flights.tabulate_own_error(flown.own, truth.track),
+        ]
+    )
+    budget = compute_error_budget(plan, truth, imu, flown.first)
+    name = f"{imu.name} IMU"
+    return Flight(plan, trajectory.name, name, truth.position, flown.alignments, dataset, budget)
+
+
+def fly_log(
+    log: Path | str,
+    *,
+    truth: str = NO_TRUTH,
+    errors_of: Imu | str = "simple",
+    hours: float | None = None,
+    samples: int = 2,
+    height: HeightMode = "clamped",
+    align_s: float = 300.0,
+    latitude_deg: float | None = None,
+    longitude_deg: float = 0.0,
+    height_m: float = 0.0,
+) -> Flight:
+    """Dead reckoning of a recorded log: align on its beginning, navigate to its end.
+
+    Args:
+        log: recorded log of an IMU; it stands until the alignment ends.
+        truth: "none", "rest" (the vehicle stood), or a recorded drive that begins with the log.
+        errors_of: IMU whose errors the alignment believes.
+        hours: duration in whole minutes; all that follows the alignment if None.
+        samples, height: as in `fly`.
+        align_s: duration of the alignment.
+        latitude_deg, longitude_deg, height_m: place, where the log does not say it.
+
+    Raises:
+        HrgError: an argument out of range, a file that can't be used, or a failed alignment.
+    """
+    path = Path(log)
+    place = Place(latitude_deg, longitude_deg, height_m)
+    record, position = read_placed_record(path, place)
+    plan = plan_log(
+        path.name, record.increments, hours=hours, samples=samples, height=height, align_s=align_s
+    )
+    reference = find_reference(truth, position, -(plan.alignment or 0.0), plan.duration)
+    errors = load_imu_at_rate(errors_of, None).errors
+    flown = navigate_log(plan, path.name, record.increments, position, errors, reference)
+    return Flight(**vars(flown))

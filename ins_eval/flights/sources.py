@@ -1,0 +1,136 @@
+"""What a user names: IMUs at a rate, recorded logs with their place, and a log's truth."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ins_eval.common.state import Track, position_error
+from ins_eval.flights.log_flight import Reference, stand_still
+from ins_eval.imu.gyros import FmuGyros
+from ins_eval.imu.imu import Imu
+from ins_eval.imu.recorded import ImuRecord, read_record
+from ins_eval.imu.specification import load_imu
+from ins_eval.trajectories.recorded_drive import Drive, read_drive
+from ins_eval.trajectories.trajectory import Knots, Trajectory
+from pyhrg.common.arguments import check_number, check_whole_number
+from pyhrg.common.errors import HrgError
+
+Array = NDArray[np.float64]
+
+NO_TRUTH, AT_REST = "none", "rest"
+"""References of a log: no truth is known, or the vehicle stood all the time."""
+MAX_START_DISTANCE = 1000.0
+"""Distance of a drive's beginning from the place that a log states, m; a drive that begins farther
+away is another one."""
+HIGHEST_LATITUDE_DEG = 89.0
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where a log was recorded; without a latitude, the log itself must say it."""
+
+    latitude_deg: float | None = None
+    longitude_deg: float = 0.0
+    height_m: float = 0.0
+
+    def check(self) -> "Place":
+        """The place itself.
+
+        Raises:
+            HrgError: a number out of range, or a longitude or height without a latitude.
+        """
+        if self.latitude_deg is None:
+            for name in ("longitude_deg", "height_m"):
+                if getattr(self, name):
+                    raise HrgError(
+                        f"{name}: found {getattr(self, name):g}, expected latitude_deg as well"
+                    )
+            return self
+        check_number("latitude_deg", self.latitude_deg, -HIGHEST_LATITUDE_DEG, HIGHEST_LATITUDE_DEG)
+        check_number("longitude_deg", self.longitude_deg, -360, 360)
+        check_number("height_m", self.height_m, -1000, 100_000)
+        return self
+
+
+def is_log(name: str) -> bool:
+    """Whether the name is that of a recorded log: any file that is no IMU's TOML."""
+    return Path(name).suffix not in ("", ".toml")
+
+
+def load_imu_at_rate(imu: Imu | str, rate_hz: int | None) -> Imu:
+    """An IMU, a ready one or one from a file, at its own rate or another.
+
+    Raises:
+        SpecificationError: neither a ready IMU nor a usable file.
+        HrgError: a rate out of range, or whole-angle gyros that can't be read at this rate.
+    """
+    name = imu.name if isinstance(imu, Imu) else imu
+    loaded = imu if isinstance(imu, Imu) else load_imu(imu)
+    if rate_hz is not None:
+        loaded = replace(loaded, interval=1 / check_whole_number("rate_hz", rate_hz, 10, 2000))
+    if isinstance(loaded.gyros, FmuGyros):
+        ticks = loaded.interval / loaded.gyros.device.control_period
+        if round(ticks) < 1 or abs(ticks - round(ticks)) > 1e-6:
+            period = f"{loaded.gyros.device.control_period:g} s"
+            raise HrgError(
+                f"{name}: found increments over {loaded.interval:g} s; "
+                f"expected a multiple of the gyros' control period, {period}"
+            )
+    return loaded
+
+
+def read_placed_record(path: Path, place: Place) -> tuple[ImuRecord, Array]:
+    """A recorded log, and (3,) latitude, longitude (rad), height (m) of the place.
+
+    Raises:
+        LogError: an unreadable file, or one with something in it that can't be.
+        HrgError: neither the log nor the caller says where it was recorded.
+    """
+    record = read_record(path)
+    place = place.check()
+    if place.latitude_deg is None:
+        if record.position is None:
+            raise HrgError(f"{path}: doesn't say where it was recorded; expected latitude_deg")
+        return record, record.position
+    position = [np.deg2rad(place.latitude_deg), np.deg2rad(place.longitude_deg), place.height_m]
+    return record, np.array(position)
+
+
+def find_reference(name: str, position: Array, first: float, last: float) -> Reference | None:
+    """The truth of a log; None where there is none.
+
+    Args:
+        name: `NO_TRUTH`, `AT_REST`, or a recorded drive whose first row is at the log's beginning.
+        position: (3,) of the log.
+        first: time of the log's beginning, s, counted from time 0: negative.
+        last: time of its end, s.
+
+    Raises:
+        TrajectoryError: an unreadable drive, or one that is wrong.
+        HrgError: a drive that is shorter than the log, or begins elsewhere.
+    """
+    if name == NO_TRUTH:
+        return None
+    if name == AT_REST:
+        return stand_still(position)
+    drive = read_drive(Path(name))
+    if drive.time[-1] < last - first - 1e-6:
+        raise HrgError(
+            f"{name}: lasts {drive.time[-1]:g} s; expected all of the log, {last - first:g} s"
+        )
+    north, east, _ = position_error(drive.position[0], position)
+    distance = float(np.hypot(north, east))
+    if distance > MAX_START_DISTANCE:
+        raise HrgError(
+            f"{name}: begins {distance / 1000:.4g} km from where the log was recorded; expected "
+            f"at most {MAX_START_DISTANCE / 1000:g} km"
+        )
+    return _interpolate(drive, first)
+
+
+def _interpolate(drive: Drive, first: float) -> Callable[[Array], Track]:
+    knots = Knots(drive.time + first, *drive.position.T, *drive.euler.T)
+    return Trajectory(drive.name, knots).track

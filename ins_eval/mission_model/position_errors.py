@@ -1,0 +1,118 @@
+"""Position errors of many triads in one mission, by the linear error model, in parts.
+
+Method: docs/methods/mission_model.md.
+"""
+
+from dataclasses import dataclass, fields
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ins_eval.mission_model.alignment_at_rest import compute_second_order_error
+from ins_eval.mission_model.mission_weights import MissionWeights
+from ins_eval.mission_model.noise_weights import KINDS, factor_covariances
+from ins_eval.mission_model.pattern_drift import compute_drift_products
+from ins_eval.mission_model.signals import ENVIRONMENT, STEADY, WARMING, slice_coefficients
+from ins_eval.mission_model.triad_block import TriadBlock
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class PositionErrors:
+    """Error north and east, m, of r triads at k times; each part is (r, k, 2), and they add up.
+
+    map: made by the gyros' maps as they are at power-on;
+    warming: made by the change of the maps while the gyros warm;
+    environment: made by the maps' sensitivity to specific force, heating of the case and fast
+    turning;
+    drift: made by the patterns' own drift (`pattern_drift`);
+    accelerometers: made by accelerometer biases;
+    noise: made by the gyros' noise;
+    alignment: second-order error of the alignment (`alignment_at_rest`).
+    """
+
+    map: Array
+    warming: Array
+    environment: Array
+    drift: Array
+    accelerometers: Array
+    noise: Array
+    alignment: Array
+
+    @property
+    def error(self) -> Array:
+        """(r, k, 2) total error, m: the sum of the parts."""
+        return np.asarray(sum(getattr(self, field.name) for field in fields(self)))
+
+    @property
+    def radial(self) -> Array:
+        """(r, k) horizontal error, m."""
+        return np.asarray(np.hypot(*np.moveaxis(self.error, -1, 0)))
+
+
+def compute_position_errors(
+    triads: TriadBlock, weights: MissionWeights, mission: int
+) -> PositionErrors:
+    """Position errors of a block of triads in a mission.
+
+    Args:
+        triads: the block.
+        weights: weights of the mission.
+        mission: number of the mission in the study; with a triad's seed it decides the noise.
+    """
+
+    def part(signals: slice) -> Array:
+        columns = slice_coefficients(signals)
+        return compute_map_errors(weights.maps[:, :, columns], triads.in_flight[:, columns])
+
+    return PositionErrors(
+        map=part(STEADY),
+        warming=part(WARMING),
+        environment=part(ENVIRONMENT),
+        drift=compute_map_errors(
+            weights.drift, compute_drift_products(triads.in_flight, triads.turning)
+        ),
+        accelerometers=compute_accelerometer_errors(weights, triads.accelerometers),
+        noise=draw_noise_errors(weights, triads.noise, triads.seeds, mission),
+        alignment=compute_alignment_errors(weights, triads),
+    )
+
+
+def compute_map_errors(weights: Array, coefficients: Array) -> Array:
+    """(r, k, 2) position error, m, of coefficients (r, c, 3) with weights (k, 2, c, 3) (Eq. 6)."""
+    k, r = len(weights), len(coefficients)
+    return (coefficients.reshape(r, -1) @ weights.reshape(2 * k, -1).T).reshape(r, k, 2)
+
+
+def compute_accelerometer_errors(weights: MissionWeights, biases: Array) -> Array:
+    """(r, k, 2) position error, m, of accelerometer biases (r, 3), m/s^2."""
+    return np.asarray(np.einsum("kia,ra->rki", weights.accelerometers, biases))
+
+
+def compute_alignment_errors(weights: MissionWeights, triads: TriadBlock) -> Array:
+    """(r, k, 2) second-order error of the alignment, m (Eq. 8). Gyro noise averages out over the
+    alignment and is left out."""
+    rate = np.einsum("ca,rca->ra", weights.alignment.rates, triads.in_flight)
+    return compute_second_order_error(weights.alignment, rate, triads.accelerometers)
+
+
+def draw_noise_errors(
+    weights: MissionWeights, strengths: Array, seeds: NDArray[np.uint64], mission: int
+) -> Array:
+    """(r, k, 2) position error, m, of one draw of the gyros' noise (Eq. 11).
+
+    Args:
+        weights: weights of the mission.
+        strengths: (r, KINDS, 3) strengths of each gyro's noise, in the units of `KINDS`.
+        seeds: (r, 2) entropy of each triad; with the mission's number it decides the draw.
+        mission: number of the mission.
+    """
+    rows = weights.noise.shape[-1]
+    normal = np.empty((len(seeds), len(KINDS), 3, rows))
+    for triad, entropy in enumerate(seeds.tolist()):
+        sequence = np.random.SeedSequence(entropy, spawn_key=(mission,))
+        normal[triad] = np.random.default_rng(sequence).standard_normal(normal.shape[1:])
+    normal *= strengths[..., None]
+    roots = np.moveaxis(factor_covariances(weights.noise), -1, -2).reshape(-1, rows)
+    return (normal.reshape(len(seeds), -1) @ roots).reshape(len(seeds), -1, 2)

@@ -1,0 +1,75 @@
+"""The front door of parking: what it is worth to start level gyros' patterns at chosen angles."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from matplotlib.figure import Figure
+
+from fmu_build.bundle import build_fmu
+from ins_eval.common.metrics import MIN_SAMPLE_FOR_MEDIAN
+from ins_eval.parking import report
+from ins_eval.parking.figure import plot_comparison
+from ins_eval.parking.mission import STILL, sample_mission
+from ins_eval.parking.study import Comparison, compare
+from ins_eval.trajectories.catalogue import load_trajectory
+from pyhrg.common.arguments import check_seed, check_whole_minutes, check_whole_number
+from pyhrg.common.files import stage_files
+
+LONGEST_HOURS = 24.0
+MAX_TRIADS = 10_000
+MARGIN = 10.0
+"""Time by which trajectories go on beyond the mission's end, s, so that no spline ends in it."""
+
+
+class ParkingComparison(Comparison):
+    """Triads flown in every case, as a notebook meets them."""
+
+    @property
+    def summary(self) -> str:
+        """Position errors by case, and what start-up costs, in words."""
+        return report.summarize(self)
+
+    def plot(self) -> Figure:
+        """Growth of the position error by case, and ratios to the first case."""
+        return plot_comparison(self)
+
+    def write(self, folder: Path | str) -> None:
+        """Write `report.FILES` into a folder, all or none.
+
+        Raises:
+            OSError: the folder can't be written.
+        """
+        with stage_files(Path(folder), report.FILES) as aside:
+            report.write(self, aside)
+
+
+def compare_parking(
+    trajectory: str = "car",
+    *,
+    hours: float = 2.0,
+    triads: int = 12,
+    seed: int = 1,
+    workers: int | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> ParkingComparison:
+    """Triads flown with their level gyros' patterns parked, and not.
+
+    Args:
+        trajectory: ready mission, mission file (TOML) or recorded drive.
+        hours: mission length, in whole minutes, up to 24.
+        triads: number of triads, at least 6.
+        seed: of everything random; the same result on any number of workers.
+        workers: threads; as many as this process has cores if None.
+        progress: is called with the gyro minutes done and those of all.
+
+    Raises:
+        HrgError: an argument out of range, or a trajectory that can't be flown.
+    """
+    check_whole_number("triads", triads, MIN_SAMPLE_FOR_MEDIAN, MAX_TRIADS)
+    minutes = check_whole_minutes("hours", hours, LONGEST_HOURS)
+    path = load_trajectory(trajectory, minutes * 60 + MARGIN, STILL)
+    mission = sample_mission(path, minutes / 60)
+    found = compare(
+        build_fmu(), mission, triads, check_seed(seed), workers=workers, progress=progress
+    )
+    return ParkingComparison(**vars(found))

@@ -1,0 +1,169 @@
+"""Triads of gyros, drawn from their seeds: built, calibrated, benched, drifted.
+
+Each triad draws from its own child of the study's seed, so that a triad is the same in whatever
+block and on whatever worker it is made.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.study.gyros.bench_plan import CALIBRATION, BenchPlan
+from ins_eval.study.gyros.drift import Drift, Flight, draw_flight
+from ins_eval.study.gyros.maker import Method, calibrate_gyro
+from ins_eval.study.gyros.measured_gyro import MeasuredGyro, measure_gyro
+from ins_eval.study.gyros.population import TRIMMED, Population
+from ins_eval.study.gyros.true_maps import compute_turning_bias, read_flight_coefficients, start_at
+from pyhrg.common.errors import HrgError
+from pyhrg.common.units import MICRO_G
+from pyhrg.device.device import Device
+from pyhrg.fmu import GyroFmu
+
+Array = NDArray[np.float64]
+
+AXES = 3
+
+
+@dataclass(frozen=True)
+class TriadDistribution:
+    """What triads are drawn from: gyros, the maker's calibration, the bench, the drift.
+
+    accelerometer_bias: standard deviation of each accelerometer's bias, m/s^2.
+
+    Raises:
+        HrgError: a bench with a single power-on.
+    """
+
+    population: Population = TRIMMED
+    method: Method = "mean"
+    calibration: BenchPlan = CALIBRATION
+    bench: BenchPlan = field(default_factory=BenchPlan)
+    drift: Drift = field(default_factory=Drift)
+    accelerometer_bias: float = 10 * MICRO_G
+
+    def __post_init__(self) -> None:
+        if self.bench.runs < 2:
+            raise HrgError(
+                f"bench: found {self.bench.runs} power-on of each test, expected 2 or more: one "
+                "shows no scatter"
+            )
+
+
+@dataclass(frozen=True)
+class DrawnTriad:
+    """Three gyros in one flight, and what the bench measured of them.
+
+    measured: the bench's results; benched: the gyros as they were on the bench; flights: the gyros
+    as they fly; accelerometers: (3,) biases, m/s^2; seed: (2,) entropy of the noise in flight.
+    """
+
+    measured: tuple[MeasuredGyro, ...]
+    benched: tuple[Device, ...]
+    flights: tuple[Flight, ...]
+    accelerometers: Array
+    seed: NDArray[np.uint64]
+
+
+def make_triad_seed(study_seed: int, number: int) -> np.random.SeedSequence:
+    """The seed of a triad of the study."""
+    return np.random.SeedSequence(study_seed, spawn_key=(number,))
+
+
+def draw_triad_block(
+    fmu: GyroFmu, distribution: TriadDistribution, study_seed: int, first: int, count: int
+) -> TriadBlock:
+    """Triads first to first + count - 1 of a study.
+
+    Args:
+        fmu: `HRGSlow`.
+        distribution: what they are drawn from.
+        study_seed: seed of the study.
+        first, count: number of the first triad, and number of triads.
+    """
+    seeds = [make_triad_seed(study_seed, n) for n in range(first, first + count)]
+    return tabulate_triads(fmu, [draw_triad(fmu, distribution, seed) for seed in seeds])
+
+
+def draw_triad(
+    fmu: GyroFmu, distribution: TriadDistribution, seed: np.random.SeedSequence
+) -> DrawnTriad:
+    """One triad; its seed decides all of it. Arguments as `draw_triad_block`."""
+    generator = np.random.default_rng(seed)
+    gyros = [_draw_gyro(fmu, distribution, generator) for _ in range(AXES)]
+    return DrawnTriad(
+        measured=tuple(measured for measured, _, _ in gyros),
+        benched=tuple(device for _, device, _ in gyros),
+        flights=tuple(flight for _, _, flight in gyros),
+        accelerometers=generator.normal(0.0, distribution.accelerometer_bias, AXES),
+        seed=generator.integers(2**63, size=2).astype(np.uint64),
+    )
+
+
+def _draw_gyro(
+    fmu: GyroFmu, distribution: TriadDistribution, generator: np.random.Generator
+) -> tuple[MeasuredGyro, Device, Flight]:
+    built = distribution.population.draw(generator)
+    maker, bench = generator.integers(2**63, size=2).tolist()
+    device: Device = calibrate_gyro(
+        fmu, built, distribution.method, maker, distribution.calibration
+    )
+    measured = measure_gyro(fmu, device, distribution.bench, bench)
+    return measured, device, draw_flight(device, distribution.drift, generator)
+
+
+def tabulate_triads(fmu: GyroFmu, triads: list[DrawnTriad]) -> TriadBlock:
+    """Triads as arrays; their true maps are measured by simulation of the FMU `HRGSlow`."""
+    flights = [[_read_flight_map(fmu, flight) for flight in each.flights] for each in triads]
+
+    def measured(name: str) -> Array:
+        return np.array([[getattr(gyro, name) for gyro in each.measured] for each in triads])
+
+    def stacked(values: list[list[Array]]) -> Array:
+        return np.moveaxis(np.array(values), 1, -1)
+
+    def rates(name: str) -> Array:
+        return stacked([[getattr(g, name).coefficients for g in each.measured] for each in triads])
+
+    return TriadBlock(
+        fixed_stability=measured("fixed_stability"),
+        circumference_stability=measured("circumference_stability"),
+        instability=measured("instability"),
+        random_walk=measured("random_walk"),
+        fitted_map=rates("fitted_map"),
+        map_per_kelvin=rates("map_per_kelvin"),
+        map_variance=stacked([[gyro.map_variance for gyro in each.measured] for each in triads]),
+        true_map=stacked([_read_bench_maps(fmu, each) for each in triads]),
+        start_angle=np.array([[f.power_on_angle for f in each.flights] for each in triads]),
+        rise=np.array([[f.rise for f in each.flights] for each in triads]),
+        in_flight=stacked([[coefficients for coefficients, _ in each] for each in flights]),
+        turning=stacked([[turning for _, turning in each] for each in flights]),
+        noise=stacked([[_list_noise(f.device) for f in each.flights] for each in triads]),
+        accelerometers=np.array([each.accelerometers for each in triads]),
+        seeds=np.array([each.seed for each in triads]),
+    )
+
+
+def _read_bench_maps(fmu: GyroFmu, drawn: DrawnTriad) -> list[Array]:
+    gyros = zip(drawn.benched, drawn.flights, strict=True)
+    return [read_flight_coefficients(fmu, device, flight.rise) for device, flight in gyros]
+
+
+def _read_flight_map(fmu: GyroFmu, flight: Flight) -> tuple[Array, Array]:
+    """Coefficients in flight, and the bias that turns the pattern, from the power-on angle."""
+    coefficients = read_flight_coefficients(fmu, flight.device, flight.rise)
+    turning = compute_turning_bias(flight.device, coefficients, flight.power_on_angle)
+    return start_at(coefficients, flight.power_on_angle), turning
+
+
+def _list_noise(device: Device) -> Array:
+    """Strengths in the order of `noise_weights.KINDS`."""
+    return np.array(
+        [
+            device.angle_white_noise,
+            device.angle_random_walk,
+            device.bias_instability,
+            device.rate_random_walk,
+        ]
+    )

@@ -1,0 +1,123 @@
+"""What the bench measures of a gyro: stabilities, maps, noise."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ins_eval.mission_model.gyro_map import TERMS, GyroMap
+from ins_eval.mission_model.pattern_drift import TURNING_TERMS
+from ins_eval.study.gyros.bench_maps import fit_bias_maps, fit_scale_maps
+from ins_eval.study.gyros.bench_plan import WARM_RISE, BenchPlan, record_campaign
+from ins_eval.study.gyros.true_maps import soak_gyro
+from pyhrg.bench.bias.bias_test import summarize_runs
+from pyhrg.bench.bias.position import fixed_position, full_circumference
+from pyhrg.bench.procedure import require_tests
+from pyhrg.bench.readings.segments import SEGMENT, WARM_UP
+from pyhrg.device.device import Device
+from pyhrg.fmu import GyroFmu
+from pyhrg.records.campaign import Campaign
+
+Array = NDArray[np.float64]
+
+SHORT_ROWS, LONG_ROWS = 1, 25
+"""Two spacings of 1 s readings that separate the noise of a reading from the random walk; both are
+short enough that flicker noise is negligible. Chosen."""
+FLICKER_FLOOR = np.sqrt(2 * np.log(2) / np.pi)
+"""Ratio of flicker noise's Allan deviation to its coefficient (IEEE Std 952)."""
+
+
+@dataclass(frozen=True)
+class MeasuredGyro:
+    """Results of the bench for one gyro, SI.
+
+    fixed_stability, circumference_stability: bias stability at one position and over all, rad/s;
+    fitted_map: mean over the power-ons; map_per_kelvin: its change per kelvin;
+    map_variance: (2 TERMS,) variance of the errors of the map's coefficients in another power-on.
+    It is the scatter over power-ons, pooled in two groups of terms for bias and scale factor each:
+    mean and fourth harmonic, which power-ons change, and the others;
+    random_walk: angle random walk, rad/sqrt(s);
+    instability: coefficient of the flicker noise at 100 s, rad/s.
+    """
+
+    fixed_stability: float
+    circumference_stability: float
+    fitted_map: GyroMap
+    map_per_kelvin: GyroMap
+    map_variance: Array
+    random_walk: float
+    instability: float
+
+
+def measure_gyro(fmu: GyroFmu, device: Device, plan: BenchPlan, seed: int) -> MeasuredGyro:
+    """The bench's results for a gyro.
+
+    Args:
+        fmu: `HRGSlow`.
+        device: the calibrated gyro.
+        plan: length of the tests; two power-ons or more.
+        seed: seed of the tests' noise, from 0.
+    """
+    warm = record_campaign(
+        fmu, soak_gyro(device, WARM_RISE), replace(plan, runs=1), seed + 1, fixed=False
+    )
+    return evaluate_campaigns(record_campaign(fmu, device, plan, seed), warm)
+
+
+def evaluate_campaigns(tests: Campaign, warm: Campaign) -> MeasuredGyro:
+    """Results from the records of the three tests, and of the two map tests at `WARM_RISE`.
+
+    Raises:
+        BenchError: a test is missing or incomplete.
+    """
+    fixed = fixed_position.read_runs(tests)
+    scale = fit_scale_maps(tests)
+    bias = fit_bias_maps(tests, scale.mean(axis=0))
+    fitted = GyroMap(bias.mean(axis=0), scale.mean(axis=0))
+    walk = _estimate_random_walk(tests)
+    return MeasuredGyro(
+        fixed_stability=summarize_runs(fixed).stability,
+        circumference_stability=full_circumference.measure_bias(tests).stability,
+        fitted_map=fitted,
+        map_per_kelvin=_estimate_warming(fitted, warm),
+        map_variance=np.concatenate([_pool_scatter(bias), _pool_scatter(scale)]),
+        random_walk=walk,
+        instability=_estimate_instability([run.rate for run in fixed], walk),
+    )
+
+
+def _estimate_warming(cool: GyroMap, warm: Campaign) -> GyroMap:
+    scale = fit_scale_maps(warm).mean(axis=0)
+    bias = fit_bias_maps(warm, scale).mean(axis=0)
+    return GyroMap((bias - cool.bias) / WARM_RISE, (scale - cool.scale) / WARM_RISE)
+
+
+def _pool_scatter(values: Array) -> Array:
+    """(TERMS,) variance of another power-on's coefficients about the mean of these (runs, TERMS),
+    pooled over groups of terms."""
+    pooled = np.empty(TERMS)
+    moved = np.isin(np.arange(TERMS), TURNING_TERMS)
+    for group in (moved, ~moved):
+        pooled[group] = np.var(values[:, group], axis=0, ddof=1).mean() * (1 + 1 / len(values))
+    return pooled
+
+
+def _estimate_random_walk(tests: Campaign) -> float:
+    """Angle random walk N, rad/sqrt(s). Second differences of the angle over a time t have the
+    variance 6 s^2 + 2 N^2 t, with s^2 the variance of a reading; t is `SHORT_ROWS` and `LONG_ROWS`
+    readings."""
+    variances = []
+    for rows in (SHORT_ROWS, LONG_ROWS):
+        logs = [test.log for test in require_tests(tests, fixed_position.KIND)]
+        angles = [log.gyro_angle[round(WARM_UP / log.interval) :: rows] for log in logs]
+        variances.append(np.mean([np.mean(np.diff(angle, 2) ** 2) for angle in angles]))
+    duration = (LONG_ROWS - SHORT_ROWS) * logs[0].interval
+    return float(np.sqrt(max(0.0, variances[1] - variances[0]) / (2 * duration)))
+
+
+def _estimate_instability(runs: Sequence[Array], walk: float) -> float:
+    """Flicker coefficient, rad/s, from the variance of 100 s means beyond that of the random
+    walk."""
+    variance = float(np.mean([np.mean(np.diff(rates) ** 2) / 2 for rates in runs]))
+    return float(np.sqrt(max(0.0, variance - walk**2 / SEGMENT)) / FLICKER_FLOOR)

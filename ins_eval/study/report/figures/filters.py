@@ -1,0 +1,39 @@
+"""Attributes by which the page's script filters, and colours by mission class."""
+
+import html
+
+from ins_eval.study.report.figures.parts import make_legend
+from ins_eval.study.study_data import StudyData
+from ins_eval.study.tables.columns import CLASS
+from ins_eval.study.tables.score import ALL
+
+CALIBRATIONS = {"map": "whole map calibrated", "mean": "mean calibrated"}
+COLOURS = 8
+"""Number of colours in the page's style."""
+
+
+def make_filter_attributes(
+    mission_class: str = ALL, calibration: str = ALL, half: str = ALL
+) -> str:
+    """Attributes of an element that shows only these."""
+    given = {"class": mission_class, "calibration": calibration, "half": half}
+    return "".join(
+        f' data-{key}="{html.escape(value)}"' for key, value in given.items() if value != ALL
+    )
+
+
+def choose_colour(data: StudyData, mission_class: str) -> str:
+    """CSS class of the colour of a mission class."""
+    return f"c{data.list_values(CLASS).index(mission_class) % COLOURS}"
+
+
+def name_calibration(key: str) -> str:
+    """A calibration in words."""
+    return CALIBRATIONS.get(key, key)
+
+
+def make_class_legend(data: StudyData) -> str:
+    """Colours of the mission classes."""
+    names = data.list_values(CLASS)
+    entries = ((make_filter_attributes(name), choose_colour(data, name), name) for name in names)
+    return make_legend(entries, "Colours of mission classes")

@@ -1,0 +1,110 @@
+"""Parts that the report's figures and tables share: panels, drawings, legends, tables of markup."""
+
+import html
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from pyhrg.common.pages import svg
+
+
+@dataclass(frozen=True)
+class Panel:
+    """A figure beside others.
+
+    title: text; body: markup below the caption; notes: markup of further lines of the caption;
+    attributes: attributes of the element, each with a blank before it.
+    """
+
+    title: str
+    body: str
+    notes: Sequence[str] = ()
+    attributes: str = ""
+
+    @property
+    def markup(self) -> str:
+        """The figure."""
+        caption = "<br>".join([f"<b>{html.escape(self.title)}</b>", *self.notes])
+        return f"<figure{self.attributes}><figcaption>{caption}</figcaption>{self.body}</figure>"
+
+
+def join_panels(panels: Iterable[Panel], attributes: str = "") -> str:
+    """Panels side by side."""
+    return f'<div class="panels"{attributes}>{"".join(panel.markup for panel in panels)}</div>'
+
+
+def draw_axes(
+    x: svg.Scale, y: svg.Scale, labels: tuple[str, str], content: str, label: str, extra: str = ""
+) -> str:
+    """A drawing with axes.
+
+    Args:
+        x, y: scales of the axes.
+        labels: labels of the axes, text.
+        content: markup of the drawing within the axes.
+        label: text that says what the drawing shows.
+        extra: further attributes, each with a blank before it.
+    """
+    return (
+        f'<svg viewBox="0 0 {svg.WIDTH} {svg.HEIGHT}" role="img" '
+        f'aria-label="{html.escape(label)}"{extra}>{svg.draw_frame(x, y, *labels)}{content}</svg>'
+    )
+
+
+def draw_equality(x: svg.Scale, y: svg.Scale) -> str:
+    """The line on which both axes have the same value."""
+    ends = np.array([x.low, x.high])
+    return f'<path class="equal" d="{svg.draw_line(x(ends), y(ends))}"/>'
+
+
+def make_legend(entries: Iterable[tuple[str, str, str]], label: str) -> str:
+    """A legend.
+
+    Args:
+        entries: for each, attributes of the item, CSS class of its colour, and text.
+        label: text that says what the colours mean.
+    """
+    listed = "".join(
+        f'<li{attributes}><svg class="{colour}" width="14" height="14" aria-hidden="true">'
+        f'<circle cx="7" cy="7" r="6"/></svg> {html.escape(text)}</li>'
+        for attributes, colour, text in entries
+    )
+    return f'<ul class="legend" aria-label="{html.escape(label)}">{listed}</ul>'
+
+
+@dataclass(frozen=True)
+class Row:
+    """A row of a table. title: text of its first cell; cells: markup of the others; attributes:
+    attributes of the row, each with a blank before it."""
+
+    title: str
+    cells: Sequence[str]
+    attributes: str = ""
+
+
+def make_table(
+    caption: str, header: Sequence[str], rows: Iterable[Row], attributes: str = ""
+) -> str:
+    """A table whose cells are markup; caption and header are text."""
+    head = "".join(f'<th scope="col">{html.escape(text)}</th>' for text in header)
+    body = "".join(
+        f'<tr{row.attributes}><th scope="row">{html.escape(row.title)}</th>'
+        f"{''.join(f'<td>{cell}</td>' for cell in row.cells)}</tr>"
+        for row in rows
+    )
+    return (
+        f'<div class="wide"{attributes}><table class="matrix"><caption>{html.escape(caption)}'
+        f"</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>"
+    )
+
+
+def format_interval(value: float, low: float, high: float) -> str:
+    """Markup of a number with its interval below."""
+    ends = f"{svg.format_number(low)} to {svg.format_number(high)}"
+    return f"<b>{svg.format_number(value)}</b><br><small>{ends}</small>"
+
+
+def make_fold(title: str, content: str) -> str:
+    """Markup that a click opens; the title is text."""
+    return f"<details><summary>{html.escape(title)}</summary>{content}</details>"

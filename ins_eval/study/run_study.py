@@ -1,0 +1,152 @@
+"""The front door of the study: run one, and read its result."""
+
+from dataclasses import asdict, dataclass, replace
+from functools import cached_property
+from pathlib import Path
+
+import pandas as pd
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from ins_eval.study import experiment
+from ins_eval.study.conclusion import FILES, write_conclusion
+from ins_eval.study.report.condition_section import summarize_conditions
+from ins_eval.study.report.figures.filters import name_calibration
+from ins_eval.study.report.verdict import count_requirements
+from ins_eval.study.run.run import Cluster, Experiment, Progress, run_experiment
+from ins_eval.study.specification import Study
+from ins_eval.study.study_data import StudyData, StudyDataError, read_study_data
+from ins_eval.study.study_file import load_study
+from ins_eval.study.summary.figure import draw_scatter
+from ins_eval.study.summary.outcome import list_outcomes
+from ins_eval.study.summary.text import summarize
+from ins_eval.study.tables.columns import COLUMNS
+from pyhrg.common.arguments import check_seed
+
+
+@dataclass(frozen=True)
+class StudyResult:
+    """A finished study.
+
+    folder: folder of its files; files: their names.
+    """
+
+    folder: Path
+    files: tuple[str, ...]
+
+    @cached_property
+    def _data(self) -> StudyData:
+        return read_study_data(self.folder)
+
+    @property
+    def table(self) -> pd.DataFrame:
+        """A row for each triad, calibration and mission, those of the conditions included; units by
+        column in `attrs["units"]`."""
+        parts = [self._data.table]
+        if self._data.conditions:
+            parts.append(self._data.conditions.table)
+        table = pd.concat(parts).sort_index()
+        table.attrs["units"] = {column.name: column.unit for column in COLUMNS}
+        return table
+
+    @property
+    def scores(self) -> pd.DataFrame:
+        """A row for each score, with its interval and requirement (`tables.score.Score`)."""
+        conditions = self._data.conditions.scores if self._data.conditions else []
+        return pd.DataFrame([asdict(score) for score in [*self._data.scores, *conditions]])
+
+    @property
+    def verdict(self) -> str:
+        """Which bench test predicts the flown error, in words; first whether all requirements are
+        met, last in which conditions this does not hold."""
+        outcomes = list_outcomes(self._data)
+        lines = [count_requirements(self._data)]
+        for outcome in outcomes:
+            if len(outcomes) > 1:
+                lines.append(f"{name_calibration(outcome.calibration).capitalize()}:")
+            lines.append(outcome.verdict)
+        return "\n".join([*lines, *filter(None, [summarize_conditions(self._data)])])
+
+    @property
+    def summary(self) -> str:
+        """Stabilities, predicted and flown errors, verdict and conditions in words."""
+        return summarize(self._data)
+
+    def plot(self, ax: Axes | None = None, calibration: str | None = None) -> Axes:
+        """Flown against predicted error of the test triads, on logarithmic axes in nmi.
+
+        Args:
+            ax: axes to draw on; new ones if None.
+            calibration: "mean" or "map"; the study's first if None.
+
+        Raises:
+            HrgError: the study has no such calibration.
+        """
+        outcomes = {outcome.calibration: outcome for outcome in list_outcomes(self._data)}
+        chosen = calibration or next(iter(outcomes))
+        if chosen not in outcomes:
+            raise StudyDataError(
+                f"calibration: found {chosen!r}, expected {' or '.join(map(repr, outcomes))}"
+            )
+        axes = ax if ax is not None else Figure(layout="constrained").subplots()
+        draw_scatter(axes, outcomes[chosen])
+        return axes
+
+
+def run_study(
+    study: Study | Path | str,
+    out: Path | str,
+    *,
+    seed: int | None = None,
+    workers: int | None = None,
+    scheduler: str | None = None,
+    progress: Progress | None = None,
+) -> StudyResult:
+    """Run a study, or the part of it that is not done, and read its result.
+
+    Finished blocks of triads are kept in `out`, so that the same call continues an interrupted
+    study. The result does not depend on the number of workers.
+
+    Args:
+        study: a study, the name of one that comes with the package, or a file (TOML).
+        out: output folder; new, empty, or of the same study.
+        seed: seed instead of the study's.
+        workers: number of processes on this machine; all cores if None.
+        scheduler: address of a Dask scheduler, instead of processes on this machine.
+        progress: is called with the number of finished triads and the number of all.
+
+    Raises:
+        HrgError: the study's file can't be used; `out` holds something else; an argument is out of
+            range; workers or scheduler are lost.
+        OSError: `out` can't be written.
+    """
+    if not isinstance(study, Study):
+        study = load_study(study, seed)
+    elif seed is not None:
+        study = replace(study, seed=check_seed(seed))
+    return run_to_result(study, Path(out), make_experiment(), Cluster(scheduler, workers), progress)
+
+
+def make_experiment() -> Experiment:
+    """The experiment of the study."""
+    return Experiment(
+        compute=experiment.compute_block,
+        conclude=write_conclusion,
+        files=FILES,
+        prepare=experiment.prepare,
+    )
+
+
+def run_to_result(
+    study: Study, out: Path, own: Experiment, cluster: Cluster, progress: Progress | None
+) -> StudyResult:
+    """The result of an experiment; arguments as `run_experiment`.
+
+    Raises:
+        KeyboardInterrupt: interrupted; the message says how to continue.
+    """
+    try:
+        run_experiment(study, out, own, cluster, progress)
+    except KeyboardInterrupt:
+        raise KeyboardInterrupt("interrupted; the same command goes on from here") from None
+    return StudyResult(out, own.files)

@@ -1,0 +1,165 @@
+"""A finished study as its files hold it: flights, scores, facts; read and checked."""
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from ins_eval.study.specification import CONDITION
+from ins_eval.study.tables import columns
+from ins_eval.study.tables import score as scored
+from ins_eval.study.tables.score import Score
+from ins_eval.study.tables.table import TABLE
+from pyhrg.common.errors import HrgError
+
+DOCUMENT = "study.json"
+INTERVAL_PERCENT = "interval_percent"
+"""Key of study.json: probability of the predicted intervals, percent."""
+CONDITIONS_KEY = "conditions"
+"""Key of study.json: what differs in each condition, by its title."""
+KINDS = {"int": "iu", "number": "f", "text": "OUT", "numbers": "O"}
+"""Kinds of numpy arrays in which each kind of column may be stored."""
+
+
+class StudyDataError(HrgError):
+    """A folder does not hold a study's results; the message names file, column or key, what was
+    found and what was expected."""
+
+
+@dataclass(frozen=True)
+class StudyData:
+    """Flights and scores of a study.
+
+    table: rows of study.parquet; scores: their scores; about: facts of study.json, such as seed and
+    triads; conditions: flights and scores of the conditions, which are in neither of the others.
+    """
+
+    table: pd.DataFrame
+    scores: Sequence[Score]
+    about: Mapping[str, Any]
+    conditions: "StudyData | None" = None
+
+    @property
+    def interval_percent(self) -> float:
+        """Probability of the predicted intervals, percent."""
+        return float(self.about[INTERVAL_PERCENT])
+
+    def list_values(self, column: str) -> list[str]:
+        """Different values of a text column, sorted."""
+        return sorted(map(str, self.table[column].unique()))
+
+    def select(self, score: str, **wanted: Any) -> list[Score]:
+        """Scores of this key with these values of their fields; without negative controls, unless
+        `shuffled` is given."""
+        wanted = {"shuffled": False, "score": score, **wanted}
+        return [s for s in self.scores if all(getattr(s, k) == v for k, v in wanted.items())]
+
+
+def check_study_data(
+    table: pd.DataFrame, document: Mapping[str, Any], source: str = ""
+) -> StudyData:
+    """A study from its table and document.
+
+    Args:
+        table: content of study.parquet.
+        document: content of study.json: `scores` and facts.
+        source: folder in messages.
+
+    Raises:
+        StudyDataError: a column or key is missing or of another kind; there are no rows.
+    """
+    if not isinstance(document, dict):
+        raise StudyDataError(f"{source}{DOCUMENT}: found {document!r}, expected an object")
+    if not len(table):
+        raise StudyDataError(
+            f"{source}{TABLE}: found no rows, expected one for each triad and mission"
+        )
+    for column in columns.COLUMNS:
+        _check_column(table, column, source)
+    about = {k: v for k, v in document.items() if k != "scores"}
+    scores = _read_scores(document, source)
+    _check_level(about.get(INTERVAL_PERCENT), source)
+    within = table[columns.HALF] == CONDITION
+    conditions = StudyData(table[within], [s for s in scores if s.half == CONDITION], about)
+    return StudyData(
+        table[~within],
+        [s for s in scores if s.half != CONDITION],
+        about,
+        conditions if within.any() else None,
+    )
+
+
+def _check_level(found: Any, source: str) -> None:
+    if not isinstance(found, int | float) or not 0 < found < 100:
+        raise StudyDataError(
+            f"{source}{DOCUMENT}: {INTERVAL_PERCENT}: found {found!r}, expected a number between "
+            "0 and 100"
+        )
+
+
+def read_study_data(folder: Path) -> StudyData:
+    """The study in a folder.
+
+    Raises:
+        StudyDataError: a file is missing or can't be read; or as `check_study_data`.
+    """
+    try:
+        table = pd.read_parquet(folder / TABLE)
+        document = json.loads((folder / DOCUMENT).read_text())
+    except (OSError, ValueError) as error:
+        raise StudyDataError(
+            f"{folder}: expected {TABLE} and {DOCUMENT} of a study: {error}"
+        ) from error
+    return check_study_data(table, document, f"{folder}/")
+
+
+def _check_column(table: pd.DataFrame, column: columns.Column, source: str) -> None:
+    if column.name not in table:
+        raise StudyDataError(
+            f"{source}{TABLE}: found no column {column.name}, expected it ({column.what})"
+        )
+    kind = table[column.name].dtype.kind
+    if kind not in KINDS[column.kind]:
+        raise StudyDataError(
+            f"{source}{TABLE}: column {column.name}: found {table[column.name].dtype}, "
+            f"expected {column.kind}"
+        )
+
+
+def _read_scores(document: Mapping[str, Any], source: str) -> list[Score]:
+    entries = document.get("scores")
+    if not isinstance(entries, list):
+        found = type(entries).__name__ if "scores" in document else "nothing"
+        raise StudyDataError(f"{source}{DOCUMENT}: scores: found {found}, expected a list")
+    return [
+        _read_score(entry, f"{source}{DOCUMENT}: scores[{i}]") for i, entry in enumerate(entries)
+    ]
+
+
+def _read_score(entry: Any, place: str) -> Score:
+    if not isinstance(entry, dict):
+        raise StudyDataError(f"{place}: found {entry!r}, expected an object")
+    known = {field.name for field in fields(Score)}
+    if unknown := sorted(set(entry) - known):
+        raise StudyDataError(
+            f"{place}: found {unknown[0]}, expected only {', '.join(sorted(known))}"
+        )
+    numbers = {k: np.nan if entry.get(k) is None else entry[k] for k in ("value", "low", "high")}
+    try:
+        score = Score(**{**entry, **numbers})
+    except TypeError as error:
+        raise StudyDataError(f"{place}: {error}") from error
+    predictors = ["", *(p.key for p in columns.PREDICTORS)]
+    _check_known("score", score.score, list(scored.SCORES), place)
+    _check_known("predictor", score.predictor, predictors, place)
+    return score
+
+
+def _check_known(key: str, found: str, expected: Sequence[str], place: str) -> None:
+    if found not in expected:
+        names = ", ".join(filter(None, expected))
+        raise StudyDataError(f"{place}: found {key} {found}, expected one of {names}")

@@ -1,0 +1,39 @@
+from .bench.session import list_tests, run_test, run_tests
+from .challenge.run import run_challenge
+from .common.errors import HrgError
+from .device.device import Device
+from .device.ready_devices import load_device
+from .gap.closing.prediction import predict
+from .gap.diagnose import CampaignDiagnosis, diagnose
+from .gap.findings.diagnosis import read_diagnosis
+from .gap.static_record import diagnose_record
+from .noise.allan import allan_deviation
+from .playback import simulate
+from .records.campaign import Campaign, read_campaign, write_campaign
+from .records.campaign_import import ImportedCampaign, import_campaign
+from .records.log import Log, read_log, write_log
+
+__all__ = [
+    "Campaign",
+    "CampaignDiagnosis",
+    "Device",
+    "HrgError",
+    "ImportedCampaign",
+    "Log",
+    "allan_deviation",
+    "diagnose",
+    "diagnose_record",
+    "import_campaign",
+    "list_tests",
+    "load_device",
+    "predict",
+    "read_campaign",
+    "read_diagnosis",
+    "read_log",
+    "run_challenge",
+    "run_test",
+    "run_tests",
+    "simulate",
+    "write_campaign",
+    "write_log",
+]

@@ -1,0 +1,273 @@
+"""What a user holds after a run: the result of a test, and the results of all tests."""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import ClassVar, cast
+
+import pandas as pd
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from pyhrg.bench.outcome import Finding, Outcome
+from pyhrg.bench.procedure import Procedure
+from pyhrg.bench.reporting import page
+from pyhrg.bench.reporting.document import format_document
+from pyhrg.bench.reporting.judgement import describe_unmatched_limits, judge_findings
+from pyhrg.bench.reporting.parameter_system import make_table_1
+from pyhrg.bench.reporting.text import format_outcome, format_section, format_table
+from pyhrg.common.errors import HrgError
+from pyhrg.common.files import replace_folder, write_whole
+from pyhrg.common.pages.markup import Table
+from pyhrg.device import device_file
+from pyhrg.device.device import Device
+from pyhrg.records import campaign as campaigns
+from pyhrg.records.campaign import Campaign
+
+RESULT, PICTURE, DEVICE, PAGE = "result.json", "figure.png", "device.toml", "report.html"
+COLUMNS = ("name", "value", "unit", "low_95", "high_95", "n", "target", "verdict", "note")
+"""Columns of the findings' table."""
+
+
+@dataclass(frozen=True, repr=False)
+class TestResult:
+    """Result of one test.
+
+    outcome: what the procedure gave, in SI.
+    records: the campaign that was evaluated.
+    seed: of the simulation; None where the records are not simulated.
+    limits: the specification's, by the findings' keys.
+    export: the device as the test makes it (a calibrated one); None where the test makes none.
+    """
+
+    __test__: ClassVar[bool] = False  # not one of pytest's
+
+    procedure: Procedure
+    outcome: Outcome
+    records: Campaign
+    seed: int | None = None
+    limits: Mapping[str, float] = field(default_factory=dict)
+    export: Device | None = None
+
+    @property
+    def name(self) -> str:
+        """Name of the test."""
+        return self.procedure.name
+
+    @property
+    def verdict(self) -> str:
+        """What the findings mean, in a sentence or two."""
+        return self.outcome.verdict
+
+    @property
+    def findings(self) -> pd.DataFrame:
+        """Findings, indexed by key, in the units of column `unit`.
+
+        `low_95` and `high_95` bound the 95 % interval; they are NaN where there is none, and `note`
+        says why. `target` is the specification's limit, NaN without one, and `verdict` is `meets`,
+        `fails`, `not decided` or `not measured`.
+        """
+        words = {j.finding.key: j.word for j in judge_findings(self.outcome, self.limits)}
+        rows = [self._row(finding, words) for finding in self.outcome.findings]
+        index = pd.Index([finding.key for finding in self.outcome.findings], name="key")
+        return pd.DataFrame(rows, columns=list(COLUMNS), index=index)
+
+    def _row(self, finding: Finding, words: Mapping[str, str]) -> tuple[object, ...]:
+        low, high = finding.interval_in_unit
+        target, word = self.limits.get(finding.key, math.nan), words.get(finding.key, "")
+        values = (finding.value_in_unit, finding.unit, low, high, finding.n)
+        return (finding.name, *values, target, word, finding.note)
+
+    @property
+    def rows(self) -> pd.DataFrame:
+        """Rows of the test's tables as they are printed, numbers as numbers; of several tables, one
+        below the other, with a column `table` that names each. Empty where there is none."""
+        frames = [_make_frame(table) for table in self.outcome.tables]
+        if len(frames) < 2:
+            return frames[0] if frames else pd.DataFrame()
+        for frame, table in zip(frames, self.outcome.tables, strict=True):
+            frame.insert(0, "table", table.title)
+        return pd.concat(frames, ignore_index=True)
+
+    def plot(self, ax: Axes | None = None) -> list[Axes]:
+        """Draw the test's figure.
+
+        Args:
+            ax: of a grid (`plt.subplots`), whose place the figure takes; a figure of its own if
+                None.
+
+        Returns:
+            The axes that were drawn; their units are in the labels.
+
+        Raises:
+            HrgError: the test has no figure, or `ax` has no place in a grid.
+        """
+        if self.outcome.draw is None:
+            raise HrgError(f"{self.name}: this test has no figure")
+        if ax is None:
+            from matplotlib import pyplot
+
+            figure = pyplot.figure(figsize=(8, 5), layout="constrained")
+            self.outcome.draw(figure)
+            return figure.axes
+        place = ax.get_subplotspec()
+        if place is None:
+            raise HrgError("ax: found axes outside a grid, expected axes of plt.subplots")
+        part = ax.figure.add_subfigure(place)
+        ax.remove()
+        self.outcome.draw(cast("Figure", part))  # a SubFigure draws as a Figure does
+        return part.axes
+
+    def write(self, folder: Path | str) -> None:
+        """Write result.json, figure.png, the logs where they are simulated and device.toml where
+        the test makes one; an earlier result in the folder is replaced as a whole.
+
+        Raises:
+            HrgError: the folder holds something else than a result.
+            OSError: the folder can't be written.
+        """
+        check_folder(Path(folder))
+        with replace_folder(Path(folder)) as aside:
+            text = format_document(self.procedure, self.outcome, self.seed, self.limits)
+            (aside / RESULT).write_text(text)
+            if self.outcome.draw:
+                figure = Figure(figsize=(8, 5), layout="constrained")
+                self.outcome.draw(figure)
+                figure.savefig(aside / PICTURE, dpi=120, metadata={"Software": None})
+            if self.seed is not None:
+                campaigns.write_campaign(self.records, aside)
+            if self.export:
+                device_file.write(self.export, aside / DEVICE)
+
+    def __str__(self) -> str:
+        return format_section(self.procedure.title, format_outcome(self.outcome, self.limits))
+
+    __repr__ = __str__
+
+
+@dataclass(frozen=True)
+class TestFailure:
+    """A test that gave no figures, and why."""
+
+    __test__: ClassVar[bool] = False  # not one of pytest's
+
+    procedure: Procedure
+    reason: str
+
+    def __str__(self) -> str:
+        return format_section(self.procedure.title, self.reason)
+
+
+@dataclass(frozen=True, repr=False)
+class BenchResults:
+    """Results of the tests of one gyro.
+
+    subject: the gyro, and where its records are from.
+    attempts: results and failures, in the order of the tests.
+    limits: the specification's, by the findings' keys.
+    """
+
+    subject: str
+    attempts: Sequence[TestResult | TestFailure]
+    limits: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def results(self) -> list[TestResult]:
+        """Results of the tests that gave figures."""
+        return [attempt for attempt in self.attempts if isinstance(attempt, TestResult)]
+
+    @property
+    def failures(self) -> dict[str, str]:
+        """By name of a test that gave no figures, the reason."""
+        failed = [attempt for attempt in self.attempts if isinstance(attempt, TestFailure)]
+        return {failure.procedure.name: failure.reason for failure in failed}
+
+    def __getitem__(self, name: str) -> TestResult:
+        """Result of a test by its name."""
+        for result in self.results:
+            if result.name == name:
+                return result
+        reason = self.failures.get(name, "it was not among the tests")
+        raise HrgError(f"{name}: no result; {reason}")
+
+    @property
+    def findings(self) -> pd.DataFrame:
+        """Findings of all tests, indexed by test and key; columns as `TestResult.findings`."""
+        parts = {result.name: result.findings for result in self.results}
+        return pd.concat(parts, names=["test"])
+
+    @property
+    def parameter_system(self) -> pd.DataFrame:
+        """The paper's Table 1, row by row: the figure and its test, or why there is none."""
+        return _make_frame(make_table_1([result.outcome for result in self.results]))
+
+    def write(self, folder: Path | str) -> None:
+        """Write report.html, and a folder for each test that gave figures.
+
+        Raises:
+            HrgError, OSError: see `TestResult.write`.
+        """
+        for result in self.results:
+            result.write(Path(folder) / result.name)
+        self.write_page(Path(folder))
+
+    def write_page(self, folder: Path) -> None:
+        """Write report.html alone; its figures are those in the tests' folders."""
+        title, notes = f"HRG bench: {self.subject}", self._list_unmatched()
+        sections = [
+            page.make_section(a.procedure, a.outcome, self.limits, f"{a.name}/{PICTURE}")
+            if isinstance(a, TestResult)
+            else page.make_failure_section(a.procedure, a.reason)
+            for a in self.attempts
+        ]
+        text = page.make_page(title, self._make_overview(), sections, notes)
+        write_whole(folder / PAGE, text.encode())
+
+    def __str__(self) -> str:
+        sections = [f"HRG bench: {self.subject}", *map(str, self.attempts)]
+        overview = self._make_overview()
+        sections += [format_table(overview)] if overview else []
+        return "\n\n".join([*sections, *self._list_unmatched()])
+
+    __repr__ = __str__
+
+    def _make_overview(self) -> Table | None:
+        """The paper's Table 1; None for a single test."""
+        if len(self.attempts) < 2:
+            return None
+        return make_table_1([result.outcome for result in self.results])
+
+    def _list_unmatched(self) -> list[str]:
+        """Sentences on limits that no finding was compared with; none for a single test, whose
+        specification may well limit the findings of other tests."""
+        if len(self.attempts) < 2:
+            return []
+        outcomes = [result.outcome for result in self.results]
+        unmatched = describe_unmatched_limits(outcomes, self.limits)
+        return [f"Specification: {sentence}" for sentence in unmatched]
+
+
+def check_folder(folder: Path) -> None:
+    """Refuse a folder that a result must not replace.
+
+    Raises:
+        HrgError: the folder holds something else than a result.
+    """
+    if not folder.exists() or (folder / RESULT).is_file():
+        return
+    if not folder.is_dir() or any(folder.iterdir()):
+        raise HrgError(
+            f"{folder}: found what is no result of a bench test, expected one or nothing"
+        )
+
+
+def _make_frame(table: Table) -> pd.DataFrame:
+    """A printed table as a DataFrame: columns of numbers as numbers, its title in `attrs`."""
+    frame = pd.DataFrame(list(table.rows), columns=list(table.header))
+    for column in frame.columns:
+        numbers = pd.to_numeric(frame[column], errors="coerce")
+        if numbers.notna().all():
+            frame[column] = numbers
+    frame.attrs["title"] = table.title
+    return frame

@@ -1,0 +1,142 @@
+"""Where the records of a run come from: a simulated gyro, or a campaign."""
+
+import difflib
+import os
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import dataclass, field
+from functools import partial
+from pathlib import Path
+
+from fmu_build.bundle import build_fmu
+from pyhrg.bench.bench import NAMELESS, Bench
+from pyhrg.bench.outcome import BenchError
+from pyhrg.bench.procedure import Procedure
+from pyhrg.bench.reporting.progress import Progress
+from pyhrg.bench.store import Store
+from pyhrg.common.errors import HrgError
+from pyhrg.device import device_file, ready_devices
+from pyhrg.device.device import Device
+from pyhrg.fmu import GyroFmu
+from pyhrg.records import campaign as campaigns
+from pyhrg.records.campaign import Campaign
+
+DEFAULT_DEVICE = "typical"
+"""Ready device that is simulated where no other is named."""
+
+
+@dataclass(frozen=True)
+class Source:
+    """Where the records of a run come from.
+
+    subject: the gyro, and how its records come about; heads the report.
+    procedures: the tests that there are records for.
+    get_records: gives the campaign that a procedure evaluates.
+    device: the simulated gyro, or the nominal device of the campaign.
+    resumption: what happens when an interrupted run is started again.
+    seed: of the simulation; None where the records are not simulated.
+    limits: the specification's, by the findings' keys.
+    store: open during the run.
+    """
+
+    subject: str
+    procedures: Sequence[Procedure]
+    get_records: Callable[[Procedure], Campaign]
+    device: Device
+    resumption: str
+    seed: int | None = None
+    limits: Mapping[str, float] = field(default_factory=dict)
+    store: AbstractContextManager[object] = field(default_factory=nullcontext)
+
+
+def prepare_simulation(
+    procedures: Sequence[Procedure],
+    device: Device | str | Path | None,
+    seed: int,
+    workers: int | None,
+    store: Store | None,
+    progress: Progress,
+    plan: Mapping[str, float],
+) -> Source:
+    """A source that simulates a gyro on the virtual bench.
+
+    Args:
+        procedures: the tests.
+        device: gyro, name of a ready device or device file; the default device if None.
+        seed: of everything random.
+        workers: power-ons that are simulated at the same time; all cores if None.
+        store: keeps logs to resume from; None keeps none.
+        progress: counts power-ons and says what is done about FMUs.
+        plan: keywords of the only procedure's `record`.
+
+    Raises:
+        HrgError: the device can't be used, or an FMU can't be built.
+    """
+    if isinstance(device, Device):
+        gyro, place = device, device.name
+    else:
+        gyro, place = ready_devices.load_device(device or DEFAULT_DEVICE), str(device)
+    fmus = _load_fmus(procedures, progress.say)
+    _check_model_names(gyro, fmus, place)
+    threads = workers or len(os.sched_getaffinity(0))
+
+    def simulate_campaign(procedure: Procedure) -> Campaign:
+        fmu = fmus[procedure.model]
+        bench = Bench(fmu, gyro, seed, procedure.step, threads, store, progress.add_power_on)
+        return bench.campaign(procedure.record(bench, **plan))
+
+    return Source(
+        subject=f"{gyro.name or NAMELESS}, simulated with seed {seed}",
+        procedures=procedures,
+        get_records=simulate_campaign,
+        device=gyro,
+        resumption="the same command goes on from here" if store else "nothing was kept",
+        seed=seed,
+        limits=gyro.specification,
+        store=store or nullcontext(),
+    )
+
+
+def open_records(campaign: Campaign | str | Path, procedures: Sequence[Procedure]) -> Source:
+    """A campaign and, of several procedures, those that it has a kind of test for.
+
+    Raises:
+        HrgError: it has none, or what it states as nominal is no device.
+    """
+    records = (
+        campaign if isinstance(campaign, Campaign) else campaigns.read_campaign(Path(campaign))
+    )
+    able = [p for p in procedures if records.of_kind(*p.kinds)]
+    if len(procedures) > 1 and not able:
+        kinds = ", ".join(sorted({test.kind for test in records.tests})) or "no tests"
+        raise BenchError(f"{records.device}: no test evaluates a campaign that has {kinds}")
+    return Source(
+        subject=f"{records.device}, recorded",
+        procedures=able if len(procedures) > 1 else procedures,
+        get_records=lambda procedure: records,
+        device=device_file.from_table(records.nominal, records.device),
+        resumption="the same command begins again",
+    )
+
+
+def _load_fmus(procedures: Sequence[Procedure], say: Callable[[str], None]) -> dict[str, GyroFmu]:
+    """The procedures' FMUs by model, built where the cache has none."""
+    models = sorted({procedure.model for procedure in procedures})
+    return {
+        model: GyroFmu(build_fmu(model, progress=partial(_say_step, say, model)))
+        for model in models
+    }
+
+
+def _say_step(say: Callable[[str], None], model: str, step: str) -> None:
+    say(f"FMU {model}: {step}")
+
+
+def _check_model_names(device: Device, fmus: Mapping[str, GyroFmu], source: str) -> None:
+    """Refuse a device whose table [model] has a name that is a variable of none of the FMUs."""
+    known = {name for fmu in fmus.values() for name in fmu.references}
+    for name in device.model:
+        if name not in known:
+            close = difflib.get_close_matches(name, known, n=1)
+            expected = f", expected model.{close[0]}" if close else ""
+            raise HrgError(f"{source}: model.{name}: found an unknown key{expected}")

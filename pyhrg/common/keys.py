@@ -1,0 +1,90 @@
+"""Keys of a file that state numbers: each with its unit, its range, and the field that it fills."""
+
+import math
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from pyhrg.common.toml_table import TomlTable, describe_range
+
+
+@dataclass(frozen=True)
+class Key:
+    """A number of a file.
+
+    Attributes:
+        name: key in the file; ends in the unit.
+        field: attribute of the dataclass that the number fills, SI.
+        factor: SI value is number * factor + offset.
+        low: smallest number allowed, in the file's unit.
+        high: largest number allowed, in the file's unit.
+        offset: SI value of the number 0.
+        whole: whether the number counts something, without unit.
+    """
+
+    name: str
+    field: str
+    factor: float
+    low: float
+    high: float
+    offset: float = 0.0
+    whole: bool = False
+
+    @property
+    def expected(self) -> str:
+        """The range, in words."""
+        return describe_range(self.low, self.high)
+
+    def to_si(self, value: float) -> float:
+        """SI value of a number in the file's unit."""
+        return value * self.factor + self.offset
+
+    def from_si(self, value: float) -> float:
+        """The shortest number in the file's unit that gives the SI value, or the nearest."""
+        plain = (value - self.offset) / self.factor
+        neighbours = (plain, math.nextafter(plain, -math.inf), math.nextafter(plain, math.inf))
+        candidates = (float(f"{plain:.14g}"), *neighbours)
+        return min(candidates, key=lambda candidate: abs(self.to_si(candidate) - value))
+
+    def read(self, table: TomlTable) -> float:
+        """The SI value that a table states.
+
+        Raises:
+            SpecificationError: the key is missing, its value is no finite number or out of range
+                (or the table's own error class).
+        """
+        value = table.finite_number(self.name)
+        if self.whole and value != int(value):
+            raise table.error(self.name, table.values[self.name], "a whole number")
+        if not self.low <= value <= self.high:
+            raise table.error(self.name, table.values[self.name], self.expected)
+        return int(value) if self.whole else self.to_si(value)
+
+
+def read_fields(
+    table: TomlTable, keys: Sequence[Key], other_keys: Collection[str] = ()
+) -> dict[str, Any]:
+    """SI values of the keys that a table states, by field; keys that it leaves out are absent.
+
+    Args:
+        table: to be read.
+        keys: numbers that it may state. Where two keys have one field, a file states one of them.
+        other_keys: keys that the table may hold besides.
+
+    Raises:
+        SpecificationError: an unknown key; a value that is no finite number or out of range; a
+            field stated twice (or the table's own error class).
+    """
+    table.check_known([*(key.name for key in keys), *other_keys])
+    values: dict[str, Any] = {}
+    stated_by: dict[str, str] = {}
+    for key in (key for key in keys if key.name in table.values):
+        value = key.read(table)
+        if key.field in values:
+            twin = stated_by[key.field]
+            raise table.error(
+                key.name, table.values[key.name], f"it or {twin}, which says the same"
+            )
+        values[key.field] = value
+        stated_by[key.field] = key.name
+    return values

@@ -1,0 +1,99 @@
+"""How a parameter of a gyro is declared: once, for files, for the FMU and for the diagnosis.
+
+A field of a dataclass is declared by `parameter`. From the declarations follow the keys of device
+files (`pyhrg.device.keys`), the names in the FMU (`pyhrg.device.fmu_parameters`), the catalogue of
+effects (`pyhrg.gap.effects.catalogue`) and the coordinates that an effect shows in
+(`pyhrg.challenge.scoring.coordinates`).
+"""
+
+import math
+from dataclasses import dataclass, field, fields
+
+
+@dataclass(frozen=True)
+class EffectDeclaration:
+    """The parameter is what may be wrong with a gyro: an effect that a diagnosis may name.
+
+    name: in the record format.
+    scale: typical size in a trimmed gyro of this class, SI.
+    coordinates: in which the greatest share of the gap may lie, as the record format calls them.
+    position: place in the catalogue, which decides the order of sums; effects without one come
+        last, in the order of the fields.
+    angle: field of the angle that goes with a magnitude; empty if the parameter stands alone.
+    periods: of the effect while that angle makes a full turn.
+    """
+
+    name: str
+    scale: float
+    coordinates: tuple[str, ...]
+    position: float = math.inf
+    angle: str = ""
+    periods: int = 0
+
+
+@dataclass(frozen=True)
+class NoiseDeclaration:
+    """The parameter is a noise that a diagnosis may find above its believed level.
+
+    name, scale, coordinates: see `EffectDeclaration`.
+    """
+
+    name: str
+    scale: float
+    coordinates: tuple[str, ...] = ("noise",)
+
+
+@dataclass(frozen=True)
+class Declaration:
+    """What a field declares; see `parameter`."""
+
+    keys: tuple[str, ...]
+    limits: tuple[float, float]
+    unit: float
+    zero: float
+    fmu: tuple[str, ...]
+    effect: EffectDeclaration | None
+    noise: NoiseDeclaration | None
+
+
+def parameter(
+    default: float = 0.0,
+    *,
+    key: str | tuple[str, ...],
+    limits: tuple[float, float],
+    unit: float = 1.0,
+    zero: float = 0.0,
+    fmu: str | tuple[str, ...] = (),
+    effect: EffectDeclaration | None = None,
+    noise: NoiseDeclaration | None = None,
+) -> float:
+    """A field of a dataclass that is a parameter of a gyro.
+
+    Args:
+        default: value of an ideal gyro, SI; the FMU's own.
+        key: name in files, with its unit; of several names the first is written.
+        limits: least and largest value in files, in the key's unit.
+        unit: the key's unit in SI.
+        zero: value in SI of 0 in the key's unit.
+        fmu: names of the FMU's parameters and inputs that take the value as it stands; none if the
+            FMU defines it otherwise (`pyhrg.device.fmu_parameters`) or does not have it.
+        effect: set if a diagnosis may name it.
+        noise: set if a diagnosis may find it as a noise.
+    """
+    declaration = Declaration(
+        keys=(key,) if isinstance(key, str) else key,
+        limits=limits,
+        unit=unit,
+        zero=zero,
+        fmu=(fmu,) if isinstance(fmu, str) else fmu,
+        effect=effect,
+        noise=noise,
+    )
+    return field(default=default, metadata={"declaration": declaration})
+
+
+def read_declarations(parameters: type) -> dict[str, Declaration]:
+    """Declarations of a dataclass by field, in the order of its fields."""
+    return {
+        f.name: f.metadata["declaration"] for f in fields(parameters) if "declaration" in f.metadata
+    }

@@ -1,0 +1,22 @@
+"""All parameters of a gyro that are one number each."""
+
+from dataclasses import dataclass
+
+from pyhrg.device.parameters.drives import DriveParameters
+from pyhrg.device.parameters.electronics import ElectronicsParameters
+from pyhrg.device.parameters.installation import InstallationParameters
+from pyhrg.device.parameters.noise import NoiseParameters
+from pyhrg.device.parameters.pickoffs import PickoffParameters
+from pyhrg.device.parameters.resonator import ResonatorParameters
+
+
+@dataclass(frozen=True)
+class ScalarParameters(
+    InstallationParameters,
+    NoiseParameters,
+    ElectronicsParameters,
+    DriveParameters,
+    PickoffParameters,
+    ResonatorParameters,
+):
+    """The parts together. A dataclass takes the fields of its last base first: the resonator's."""

@@ -1,0 +1,74 @@
+"""The archive of an FMU: extracted, its description read."""
+
+import contextlib
+import hashlib
+import shutil
+import tempfile
+from collections.abc import Iterable
+from pathlib import Path
+
+import fmpy
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.common.errors import HrgError
+
+
+class GyroError(HrgError):
+    """The FMU refused a call; the message is its own."""
+
+
+class Archive:
+    """An FMU, extracted beside its file.
+
+    Attributes:
+        description: FMPy's model description.
+        folder: the extracted archive.
+        references: value reference of each variable, by name.
+        kinds: FMI type of each variable, by name.
+    """
+
+    def __init__(self, path: Path) -> None:
+        """Read the description and extract the archive, once."""
+        self.description = fmpy.read_model_description(str(path))
+        self.folder = _extract(path)
+        self.references: dict[str, int] = {
+            v.name: v.valueReference for v in self.description.modelVariables
+        }
+        self.kinds: dict[str, str] = {v.name: v.type for v in self.description.modelVariables}
+
+    @property
+    def is_sampled(self) -> bool:
+        """Whether the control loops run once a control period; in the slow model they have settled
+        at any time."""
+        return "controller.amplitudeLoop.naturalFrequency" in self.references
+
+    def find_references(self, names: Iterable[str]) -> NDArray[np.uint32]:
+        """Value references of variables.
+
+        Raises:
+            GyroError: there is no variable of a name.
+        """
+        names = list(names)
+        for name in names:
+            if name not in self.references:
+                raise GyroError(f"the FMU has no variable {name}")
+        return np.array([self.references[name] for name in names], dtype=np.uint32)
+
+
+def _extract(path: Path) -> Path:
+    """Extract an FMU to a folder beside it that is named by its digest.
+
+    The folder is made under another name and then renamed, so that it is never half there.
+    """
+    digest = hashlib.sha256(path.read_bytes()).hexdigest()[:16]
+    folder = path.with_name(f"{path.stem}-{digest}")
+    if not folder.is_dir():
+        aside = Path(tempfile.mkdtemp(prefix=".partial-", dir=path.parent))
+        try:
+            fmpy.extract(str(path), str(aside))
+            with contextlib.suppress(OSError):  # another process was faster
+                aside.rename(folder)
+        finally:
+            shutil.rmtree(aside, ignore_errors=True)
+    return folder

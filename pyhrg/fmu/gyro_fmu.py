@@ -1,0 +1,67 @@
+"""The FMU of a gyro, ready to be switched on as often as asked."""
+
+import threading
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+
+from pyhrg.fmu.archive import Archive
+from pyhrg.fmu.gyro import Gyro
+from pyhrg.fmu.instance import Instance
+
+_LOADING = threading.Lock()
+"""FMPy changes the working directory while it loads a library."""
+
+
+class GyroFmu(Archive):
+    """An FMU of the gyro, extracted and ready to be instantiated, from any thread.
+
+    Attributes:
+        stop: set from another thread, it ends every drive under way with `GyroError`.
+    """
+
+    def __init__(self, path: Path) -> None:
+        """Read the description and extract the archive beside it, once."""
+        super().__init__(path)
+        self.stop: threading.Event | None = None
+        self._prepared = False
+        self._idle: list[Instance] = []
+
+    def power_on(self, parameters: Mapping[str, float], seed: int, start_angle: float) -> Gyro:
+        """Start a gyro.
+
+        Args:
+            parameters: values by name, SI (`Device.fmu_parameters`).
+            seed: of all its noise, 0 to 2^31 - 1.
+            start_angle: pattern angle at power-on, rad.
+
+        Raises:
+            GyroError: a value that the FMU refuses.
+        """
+        instance = self._take_instance()
+        instance.set_up({**parameters, "startAngle": start_angle, "seed": seed})
+        return Gyro(instance, self._give_back, self._is_stopped)
+
+    def prepare(self) -> None:
+        """Compile the loops now: in the main thread, so that an interruption ends it at once."""
+        if not self._prepared:
+            with self.power_on({}, seed=0, start_angle=0.0) as gyro:
+                rest, on = np.zeros((1, 1)), np.ones(1)
+                gyro.record({"angularRate": rest}, {"driveOn": on}, 0.01, ["gyroAngle"], ["valid"])
+            self._prepared = True
+
+    def _take_instance(self) -> Instance:
+        """An instance that was switched off, as new, or a new one.
+
+        Instances are kept because FMPy takes long to look up a library's functions.
+        """
+        with _LOADING:
+            return self._idle.pop() if self._idle else Instance(self)
+
+    def _give_back(self, instance: Instance) -> None:
+        with _LOADING:
+            self._idle.append(instance)
+
+    def _is_stopped(self) -> bool:
+        return self.stop is not None and self.stop.is_set()

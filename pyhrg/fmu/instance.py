@@ -1,0 +1,91 @@
+"""An instance of the FMU: its FMI 2.0 calls, with the FMU's own message when one fails."""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from fmpy.fmi2 import FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
+
+from pyhrg.fmu.archive import Archive, GyroError
+from pyhrg.fmu.loops import compile_loops
+
+
+class Instance:
+    """An instance that is not yet set up, and what it logs."""
+
+    def __init__(self, archive: Archive) -> None:
+        self.archive = archive
+        self.slave = FMU2Slave(
+            guid=archive.description.guid,
+            unzipDirectory=str(archive.folder),
+            modelIdentifier=archive.description.coSimulation.modelIdentifier,
+            instanceName="gyro",
+        )
+        self.loops = compile_loops(self.slave.dll._name)
+        self._messages: list[str] = []
+        self._callbacks = self._make_callbacks()
+        self.slave.instantiate(callbacks=self._callbacks)
+
+    def set_up(self, parameters: Mapping[str, float]) -> None:
+        """Set parameters by name, SI, and start the simulation.
+
+        Raises:
+            GyroError: a value that the FMU refuses; the instance is freed.
+        """
+        try:
+            self._call(self.slave.setupExperiment, startTime=0.0)
+            self._call(self.slave.enterInitializationMode)
+            for name, value in parameters.items():
+                self.set_value(name, value)
+            self._call(self.slave.exitInitializationMode)
+        except GyroError:
+            self.slave.freeInstance()
+            raise
+
+    def reset(self) -> None:
+        """End the simulation; the instance can be set up again.
+
+        Raises:
+            GyroError: the FMU refuses; the instance is freed.
+        """
+        try:
+            self._call(self.slave.terminate)
+            self._call(self.slave.reset)
+        except GyroError:
+            self.slave.freeInstance()
+            raise
+
+    def set_value(self, name: str, value: float) -> None:
+        """Set one variable, SI.
+
+        Raises:
+            GyroError: an unknown name, or a value that the FMU refuses.
+        """
+        references = [int(reference) for reference in self.archive.find_references([name])]
+        if self.archive.kinds[name] == "Integer":
+            if value != int(value):
+                raise GyroError(f"{name}: {value:g} is no integer")
+            self._call(self.slave.setInteger, references, [int(value)])
+        else:
+            self._call(self.slave.setReal, references, [value])
+
+    def explain(self, otherwise: str) -> str:
+        """What the FMU logged since it was last asked; another text if it logged nothing."""
+        text = "; ".join(self._messages) or otherwise
+        self._messages.clear()
+        return text
+
+    def _call(self, function: Callable[..., Any], *args: Any, **kwargs: Any) -> None:
+        try:
+            function(*args, **kwargs)
+        except Exception as error:  # FMPy raises a bare Exception for a status that is not OK
+            raise GyroError(self.explain(str(error))) from error
+
+    def _make_callbacks(self) -> fmi2CallbackFunctions:
+        messages = self._messages
+
+        def log(env: Any, name: bytes, status: int, category: bytes, message: bytes) -> None:
+            messages.append(message.decode())
+
+        callbacks = fmi2CallbackFunctions()
+        callbacks.logger = fmi2CallbackLoggerTYPE(log)
+        return callbacks

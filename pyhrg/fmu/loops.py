@@ -1,0 +1,162 @@
+"""Compiled loops (numba) over the functions of an FMU's library.
+
+A loop sets inputs, does communication steps and gets outputs without leaving compiled code, and
+without holding Python's lock.
+"""
+
+import ctypes
+from collections.abc import Callable
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numba
+import numpy as np
+from fmpy.fmi2 import fmi2OK
+
+Loop = Callable[..., int]
+
+
+class Loops(NamedTuple):
+    """Compiled loops over one library's functions; each returns how many rows succeeded."""
+
+    drive: Loop
+    record: Loop
+
+
+class _Functions(NamedTuple):
+    """FMI functions of a library, as compiled code calls them."""
+
+    set_real: Any
+    get_real: Any
+    do_step: Any
+
+
+@lru_cache(maxsize=4)
+def compile_loops(library: str) -> Loops:
+    """Loops over the functions of a library; all instances of the FMU share them."""
+    functions = _find_functions(library)
+    return Loops(_make_drive(functions), _make_record(functions))
+
+
+def _find_functions(library: str) -> _Functions:
+    dll = ctypes.CDLL(library)
+    status, handle, real = ctypes.c_int, ctypes.c_void_p, ctypes.c_double
+
+    def find(name: str, *arguments: type) -> Any:
+        pointer = ctypes.cast(getattr(dll, name), ctypes.c_void_p)
+        return ctypes.CFUNCTYPE(status, *arguments)(pointer.value or 0)
+
+    return _Functions(
+        set_real=find("fmi2SetReal", handle, handle, ctypes.c_size_t, handle),
+        get_real=find("fmi2GetReal", handle, handle, ctypes.c_size_t, handle),
+        do_step=find("fmi2DoStep", handle, real, real, status),
+    )
+
+
+def _make_drive(functions: _Functions) -> Loop:
+    set_real, get_real, do_step = functions
+    ok = fmi2OK
+
+    @numba.njit(nogil=True)
+    def drive(
+        component: Any, start: Any, step: Any, references: Any, rates: Any, angles: Any
+    ) -> int:
+        """Set the first variable and get the second, step by step."""
+        for i in range(len(rates)):
+            if (
+                set_real(component, references[0:].ctypes, 1, rates[i:].ctypes) != ok
+                or do_step(component, start + i * step, step, 1) != ok
+                or get_real(component, references[1:].ctypes, 1, angles[i:].ctypes) != ok
+            ):
+                return i
+        return len(rates)
+
+    return drive
+
+
+def _make_integrate(functions: _Functions) -> Callable[..., bool]:
+    _, get_real, do_step = functions
+    ok = fmi2OK
+
+    @numba.njit(nogil=True)
+    def integrate(
+        component: Any, time: Any, step: Any, tick: Any, mean: Any, now: Any, sums: Any
+    ) -> bool:
+        """Do a step and add the integrals of outputs over it.
+
+        A value that the electronics command at a tick holds from its start on; hence the weights
+        (step + tick)/2 of the value before and (step - tick)/2 of the value after.
+        """
+        for k in range(len(mean)):
+            sums[k] += now[k] * (step + tick) / 2
+        if (
+            do_step(component, time, step, 1) != ok
+            or get_real(component, mean.ctypes, len(mean), now.ctypes) != ok
+        ):
+            return False
+        for k in range(len(mean)):
+            sums[k] += now[k] * (step - tick) / 2
+        return True
+
+    return integrate
+
+
+def _make_record(functions: _Functions) -> Loop:
+    set_real, get_real, _ = functions
+    integrate = _make_integrate(functions)
+    ok = fmi2OK
+
+    @numba.njit(nogil=True)
+    def record(
+        component: Any,
+        start: Any,
+        step: Any,
+        tick: Any,
+        n_commands: Any,
+        moving: Any,
+        held: Any,
+        end: Any,
+        mean: Any,
+        moving_values: Any,
+        held_values: Any,
+        is_new: Any,
+        end_values: Any,
+        mean_values: Any,
+    ) -> int:
+        """Fill rows of outputs at the end and outputs averaged; see `Gyro.record`.
+
+        The first four arrays are value references, of which the first `n_commands` of `held` are
+        the electronics'. `is_new` says which rows begin with other held values than the row before.
+        """
+        rows, steps = moving_values.shape[:2]
+        now = np.empty(len(mean))
+        if get_real(component, mean.ctypes, len(mean), now.ctypes) != ok:
+            return 0
+        for i in range(rows):
+            if set_real(component, held.ctypes, len(held), held_values[i].ctypes) != ok:
+                return i
+            for j in range(steps):
+                time, rest = start + (i * steps + j) * step, step
+                if (
+                    set_real(component, moving.ctypes, len(moving), moving_values[i, j].ctypes)
+                    != ok
+                ):
+                    return i
+                last = tick > 0.0 and j == steps - 1
+                while rest > 1.5 * tick > 0.0 and (last or is_new[i]):
+                    part = tick if is_new[i] else rest - tick
+                    if not integrate(component, time, part, tick, mean, now, mean_values[i]):
+                        return i
+                    time, rest = time + part, rest - part
+                coming = held_values[i + 1]
+                if last and set_real(component, held.ctypes, n_commands, coming.ctypes) != ok:
+                    return i
+                if not integrate(component, time, rest, tick, mean, now, mean_values[i]):
+                    return i
+            for k in range(len(mean)):
+                mean_values[i, k] /= steps * step
+            if get_real(component, end.ctypes, len(end), end_values[i].ctypes) != ok:
+                return i
+        return rows
+
+    return record

@@ -1,0 +1,163 @@
+"""What a residual shows besides steady white noise: a spectral line, or a stretch of other noise.
+
+No coordinate of a test predicts either of them (docs/methods/evidence.md, Eqs. (16), (17)).
+"""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import expit, logsumexp
+
+from pyhrg.gap.effects.design import TestChannel
+from pyhrg.gap.evidence.evidence import log_evidence
+from pyhrg.gap.evidence.noise.noise_posterior import TOLERANCE
+from pyhrg.gap.evidence.prior_odds import HALF_UNNAMED_ODDS
+from pyhrg.gap.evidence.residuals import Residual
+
+Array = NDArray[np.float64]
+
+MIN_READINGS = 16
+"""Readings that a stretch must have. Chosen."""
+BLOCK_ROWS = (1, 8, 64)
+"""Numbers of rows that are summed to one reading. Over more rows, wandering noise stands out.
+Chosen."""
+MAX_LEVEL_RATIO = 10.0
+"""Largest ratio, either way, of a stretch's noise to that of its test: end of the prior. Chosen."""
+GAUSSIAN_SQUARE_VARIANCE = 2.0
+"""Variance of the square of a standard normal number."""
+MIN_CYCLES = 5
+"""Cycles of a line in the longest test; a slower one is a drift. Chosen."""
+FREQUENCIES_PER_WIDTH = 2
+"""Frequencies that are tried within the width of a line: zero padding of the transform. Chosen."""
+
+
+@dataclass(frozen=True)
+class ResidualFeature:
+    """A line or a stretch of other noise that may be there.
+
+    words: what it is and where.
+    log_odds: posterior log odds that it is there.
+    """
+
+    words: str
+    log_odds: float
+
+    @property
+    def probability(self) -> float:
+        """Posterior probability that it is there."""
+        return float(expit(self.log_odds))
+
+
+def find_residual_features(
+    residuals: Sequence[Residual], model_errors: Mapping[TestChannel, float] | None = None
+) -> tuple[ResidualFeature, ...]:
+    """The most probable line and the most probable stretch, each with the odds of any.
+
+    Args:
+        residuals: residuals of all tests and channels. Those of a few rows, and those that are zero
+            throughout, are left out.
+        model_errors: chi-square that the simulation may get wrong in a channel of a test.
+    """
+    model_errors = model_errors or {}
+    usable = [r for r in residuals if len(r.values) >= 2 * MIN_READINGS and r.values.any()]
+    kinds = [list(_lines(usable, model_errors)), list(_stretches(usable, model_errors))]
+    return tuple(_combine(alternatives) for alternatives in kinds if alternatives)
+
+
+def _combine(alternatives: Sequence[ResidualFeature]) -> ResidualFeature:
+    """Words of the most probable alternative, odds of any; all equally probable beforehand."""
+    best = max(alternatives, key=lambda feature: feature.log_odds)
+    total = float(logsumexp([feature.log_odds for feature in alternatives]))
+    log_odds = total - math.log(len(alternatives)) + math.log(HALF_UNNAMED_ODDS)
+    return ResidualFeature(best.words, log_odds)
+
+
+def _lines(
+    residuals: Sequence[Residual], model_errors: Mapping[TestChannel, float]
+) -> Iterator[ResidualFeature]:
+    """A line in each test alone, and in all tests of one row length together, by channel."""
+    order = sorted(residuals, key=lambda r: (r.channel, r.interval))
+    for (channel, interval), group in groupby(order, key=lambda r: (r.channel, r.interval)):
+        alike = list(group)
+        rows = [np.round(r.times / interval).astype(int) for r in alike]
+        spans = [int(row[-1]) + 1 for row in rows]
+        size = 1 << math.ceil(math.log2(FREQUENCIES_PER_WIDTH * max(spans)))
+        slowest = [math.ceil(MIN_CYCLES * size / span) for span in spans]
+        powers = [
+            _spectrum(r, own, first, size) / (1 + model_errors.get((r.test, channel), 0.0))
+            for r, own, first in zip(alike, rows, slowest, strict=True)
+        ]
+        sets = [([k], power) for k, power in enumerate(powers)]
+        if len(alike) > 1:
+            sets.append((list(range(len(alike))), np.sum(powers, axis=0)))
+        for tests, power in sets:
+            first = min(slowest[k] for k in tests)
+            score = log_evidence(power[first:-1], 2 * len(tests))
+            period = size * interval / (first + int(np.argmax(score)))
+            where = alike[tests[0]].test if len(tests) == 1 else f"{len(tests)} tests"
+            yield ResidualFeature(
+                f"periodic in {period:.4g} s in {where} ({channel})",
+                float(logsumexp(score)) - math.log(len(score)),
+            )
+
+
+def _spectrum(r: Residual, rows: NDArray[np.int64], slowest: int, size: int) -> Array:
+    """(size / 2 + 1,) decrease of chi-square by a line at each frequency; zero below the slowest.
+
+    Sigma is that of the residual itself where it exceeds that of the noise model.
+    """
+    series = np.zeros(size)
+    series[rows] = r.white
+    level = max(float(np.mean(r.white**2)), 1.0)
+    power = 2 * np.abs(np.fft.rfft(series)) ** 2 / (len(rows) * level)
+    power[:slowest] = 0.0
+    return np.asarray(power)
+
+
+def _stretches(
+    residuals: Sequence[Residual], model_errors: Mapping[TestChannel, float]
+) -> Iterator[ResidualFeature]:
+    """Half of a test, a quarter, and so on, each compared with the level of the whole test."""
+    for r in residuals:
+        model_error = 1 + model_errors.get((r.test, r.channel), 0.0)
+        for rows in BLOCK_ROWS:
+            count = len(r.white) // rows
+            if count < 2 * MIN_READINGS:
+                break
+            readings = r.white[: count * rows].reshape(count, rows).sum(axis=1)
+            squares = readings**2 / np.mean(readings**2)
+            variance = max(float(np.var(squares)), GAUSSIAN_SQUARE_VARIANCE)
+            information = GAUSSIAN_SQUARE_VARIANCE / variance / model_error
+            summed = np.concatenate([[0.0], np.cumsum(squares)])
+            length = count // 2
+            while length >= MIN_READINGS:
+                begins = np.arange(0, count - length + 1, length // 2)
+                level = (summed[begins + length] - summed[begins]) / length
+                score = _log_evidence_of_level(level, length, information)
+                first = r.times[begins[int(np.argmax(score))] * rows]
+                yield ResidualFeature(
+                    f"noise of its own in {r.test} from {first:.0f} s ({r.channel})",
+                    float(logsumexp(score)) - math.log(len(score)),
+                )
+                length //= 2
+
+
+def _log_evidence_of_level(level: Array, readings: int, information: float) -> Array:
+    """Log evidence that stretches have a level of their own, flat in its logarithm (Eq. (17)).
+
+    Args:
+        level: (n,) mean square of each stretch, over that of its test.
+        readings: number of readings of a stretch.
+        information: share of a Gaussian reading's information that one of these readings has; below
+            1 for heavier tails.
+    """
+    log_ratio = np.log(level) / 2
+    log_ratio = np.sign(log_ratio) * np.maximum(np.abs(log_ratio) - TOLERANCE, 0.0)
+    n = readings * information
+    gain = n / 2 * (np.exp(2 * log_ratio) - 1 - 2 * log_ratio)
+    prior = math.log(2 * math.log(MAX_LEVEL_RATIO))
+    return np.asarray(gain + math.log(math.pi / n) / 2 - prior)

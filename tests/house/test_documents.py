@@ -1,0 +1,28 @@
+"""The Python in README and docs runs as it stands there."""
+
+import re
+from pathlib import Path
+
+import matplotlib as mpl
+import pytest
+
+from fmu_build import build_fmu
+
+ROOT = Path(__file__).parents[2]
+PAGES = ("README.md", "docs/fmu.md", "docs/navigation.md")
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_python_blocks_run(
+    page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """One page's blocks run one after the other, in a folder that holds the FMU."""
+    monkeypatch.chdir(tmp_path)
+    build_fmu(out=tmp_path / "HRG.fmu")
+    mpl.use("agg")
+    blocks = re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(encoding="utf-8"), re.S)
+    assert blocks
+    names: dict[str, object] = {}
+    for block in blocks:
+        exec(compile(block, page, "exec"), names)
+    assert capsys.readouterr().out

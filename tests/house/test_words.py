@@ -1,0 +1,88 @@
+"""Plain words: a gloss is a sentence, a function is a verb, a constant says quantity and role."""
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+PACKAGES = ("fmu_build", "pyhrg", "ins_eval")
+FRAGMENT = re.compile(r"(Of|The same|To which|By which|That|Those|From which|With which)\b")
+"""Beginnings of a gloss that is no sentence about a quantity."""
+RIDDLES = {
+    "ALIKE",
+    "CLOSE",
+    "EASED",
+    "FAR",
+    "FEW",
+    "LEAST",
+    "LITTLE",
+    "LIKELY",
+    "MOST",
+    "SURE",
+    "ON",
+}
+"""Constants that say neither quantity nor role."""
+IRREGULAR = {
+    *("drawn", "flown", "found", "given", "gone", "heard", "held", "kept", "known", "left", "made"),
+    *("seen", "shown", "spent", "spoilt", "taken", "told", "thrown", "written"),
+}
+VERBS = {"embed", "exceed", "feed", "need", "proceed", "seed"}
+"""Words that end as a participle does and are none."""
+
+
+def files() -> Iterator[tuple[str, ast.Module]]:
+    for package in PACKAGES:
+        for file in sorted((ROOT / package).rglob("*.py")):
+            name = file.relative_to(ROOT).as_posix()
+            yield name, ast.parse(file.read_text(encoding="utf-8"))
+
+
+def glosses(tree: ast.Module) -> Iterator[tuple[int, str]]:
+    """Docstrings, and strings that stand below a constant or a field."""
+    for node in ast.walk(tree):
+        for statement in (
+            getattr(node, "body", ()) if not isinstance(node, ast.Lambda | ast.IfExp) else ()
+        ):
+            value = getattr(statement, "value", None)
+            is_text = isinstance(value, ast.Constant) and isinstance(value.value, str)
+            if isinstance(statement, ast.Expr) and is_text:
+                yield statement.lineno, value.value.strip()
+
+
+def test_glosses_are_sentences() -> None:
+    fragments = [
+        f"{name}:{line}: {text.splitlines()[0]}"
+        for name, tree in files()
+        for line, text in glosses(tree)
+        if FRAGMENT.match(text)
+    ]
+    assert fragments == []
+
+
+def test_constants_say_quantity_and_role() -> None:
+    riddles = [
+        f"{name}:{node.lineno}: {target.id}"
+        for name, tree in files()
+        for node in tree.body
+        if isinstance(node, ast.Assign | ast.AnnAssign)
+        for assigned in (node.targets if isinstance(node, ast.Assign) else [node.target])
+        for target in ast.walk(assigned)
+        if isinstance(target, ast.Name) and target.id.lstrip("_") in RIDDLES
+    ]
+    assert riddles == []
+
+
+def is_participle(name: str) -> bool:
+    """Whether a function's name is one word that says what was done, not what it does."""
+    return name in IRREGULAR or ("_" not in name and name.endswith("ed") and name not in VERBS)
+
+
+def test_functions_are_verbs() -> None:
+    participles = [
+        f"{name}:{node.lineno}: {node.name}"
+        for name, tree in files()
+        for node in tree.body
+        if isinstance(node, ast.FunctionDef) and is_participle(node.name)
+    ]
+    assert participles == []

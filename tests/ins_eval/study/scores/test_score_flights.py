@@ -1,0 +1,123 @@
+"""Scores of whole tables, whose truth is known."""
+
+from dataclasses import astuple
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from ins_eval.study.scores.score_flights import score_flights
+from ins_eval.study.tables import columns, score
+from ins_eval.study.tables.score import ALL, SCORES, Score
+from tests.ins_eval.study.scores.tables import CLASSES, table
+
+
+@pytest.fixture(scope="module")
+def flown() -> pd.DataFrame:
+    return table(80)
+
+
+@pytest.fixture(scope="module")
+def judged(flown: pd.DataFrame) -> list[Score]:
+    return score_flights(flown, seed=7)
+
+
+def _one(
+    judged: list[Score], name: str, key: str, mission_class: str = ALL, **other: bool
+) -> Score:
+    shuffled = other.get("shuffled", False)
+    found = [
+        s
+        for s in judged
+        if (s.score, s.predictor, s.mission_class, s.shuffled)
+        == (name, key, mission_class, shuffled)
+    ]
+    assert len(found) == 1
+    return found[0]
+
+
+def test_every_figure_has_its_interval_number_and_seed(judged: list[Score]) -> None:
+    assert {s.mission_class for s in judged} == {ALL, *CLASSES}
+    for s in judged:
+        assert s.score in SCORES
+        assert s.low <= s.high
+        assert (s.n, s.seed, s.confidence) == (80, 7, 0.95)
+
+
+def test_the_fitted_map_is_held_to_its_oracle_and_holds(judged: list[Score]) -> None:
+    fitted = _one(judged, score.R2_RADIAL, "fitted_map")
+    oracle = _one(judged, score.R2_RADIAL, "oracle")
+    bench = _one(judged, score.R2_RADIAL, "bench_oracle")
+    assert fitted.asked.startswith(f">= {bench.value - 0.03:.3f}")
+    assert 0.9 < fitted.value < bench.value < oracle.value
+    assert fitted.holds
+    assert _one(judged, score.VARIANCE_REMOVED, "fitted_map").low > 0.8
+    for key in ("fitted_map", "fitted_map_any_angle", "oracle", "oracle_any_angle"):
+        assert _one(judged, score.COVERAGE, key).holds
+    assert _one(judged, score.WIDTH, "fitted_map").low > 1
+
+
+def test_coverage_is_held_to_the_level_asked(flown: pd.DataFrame) -> None:
+    """Intervals of 90 % are no intervals of 50 %."""
+    found = _one(score_flights(flown, seed=7, inside=0.5), score.COVERAGE, "fitted_map")
+    assert (found.asked, found.holds) == ("0.5 within its interval", False)
+
+
+def test_shuffled_devices_show_nothing(judged: list[Score]) -> None:
+    for key in ("fixed_rule", "circumference_rule", "fitted_map"):
+        none = _one(judged, score.SPEARMAN, key, shuffled=True)
+        assert none.holds
+    assert _one(judged, score.SPEARMAN, "fitted_map").low > none.high
+    none = _one(judged, score.R2_COMPONENTS, "fitted_map", shuffled=True)
+    assert none.holds
+    assert none.high < 0 < _one(judged, score.R2_COMPONENTS, "fitted_map").low
+
+
+def test_a_predictable_class_is_held_to_more(flown: pd.DataFrame) -> None:
+    sure = flown.assign(**{columns.UNPREDICTABLE: 1e-3 * flown[columns.UNPREDICTABLE]})
+    assert _one(score_flights(sure, seed=7), score.R2_RADIAL, "fitted_map").asked == ">= 0.95"
+
+
+def test_where_noise_dominates_the_thesis_does_not_hold() -> None:
+    """Maps a thousand times smaller than noise and the bench's fit: what it found tells nothing."""
+    found = score_flights(table(60, spread=1e-3), seed=7)
+    removed = _one(found, score.VARIANCE_REMOVED, "fitted_map")
+    assert not removed.holds
+    assert "predicts no better" in removed.note
+    assert _one(found, score.UNPREDICTABLE_SHARE, "fitted_map").low > 1
+
+
+def test_where_both_rules_say_the_same_there_is_no_advantage(flown: pd.DataFrame) -> None:
+    same = {f"fixed_rule_{q}_m": flown[f"circumference_rule_{q}_m"] for q in ("median", "low")}
+    found = _one(score_flights(flown.assign(**same), seed=7), score.ADVANTAGE, "circumference_rule")
+    assert (found.value, found.holds) == (0.0, False)
+    assert "as well as the full" in found.note
+
+
+def test_order_of_rows_is_no_matter(flown: pd.DataFrame, judged: list[Score]) -> None:
+    mixed = flown.sample(frac=1, random_state=1)
+    for one, other in zip(score_flights(mixed, seed=7), judged, strict=True):
+        assert astuple(one) == astuple(other)
+
+
+def test_a_missing_row_is_named(flown: pd.DataFrame) -> None:
+    with pytest.raises(ValueError, match="map, all, test: 80 triads, 3 missions and 239 rows"):
+        score_flights(flown.iloc[1:], seed=7)
+    twice = pd.concat([flown.iloc[1:], flown.iloc[[1]]])
+    with pytest.raises(ValueError, match="expected one row for each triad and mission"):
+        score_flights(twice, seed=7)
+
+
+def test_a_row_that_is_there_twice(flown: pd.DataFrame) -> None:
+    one = flown[flown[columns.MISSION] == flown[columns.MISSION].iloc[0]]
+    with pytest.raises(ValueError, match="80 triads, 1 missions and 81 rows"):
+        score_flights(pd.concat([one, one.iloc[[5]]]), seed=7)
+
+
+def test_too_few_triads(flown: pd.DataFrame) -> None:
+    with pytest.raises(ValueError, match="1 triads: expected 2 or more"):
+        score_flights(flown[flown[columns.TRIAD] == 0], seed=7)
+
+
+def test_values_are_finite(judged: list[Score]) -> None:
+    assert np.all(np.isfinite([(s.value, s.low, s.high) for s in judged]))

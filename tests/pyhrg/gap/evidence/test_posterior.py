@@ -1,0 +1,162 @@
+"""Noise and responses of the angle compared: each planted one gets its own name."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR
+from pyhrg.device.device import Device
+from pyhrg.gap.effects.candidate_terms import compute_coordinates
+from pyhrg.gap.effects.catalogue import EFFECTS, NOISES, Effect, NoiseEffect
+from pyhrg.gap.effects.design import LinearTest
+from pyhrg.gap.effects.jump import Jump
+from pyhrg.gap.evidence.evidence import Fit
+from pyhrg.gap.evidence.hypothesis import rank_under_noise
+from pyhrg.gap.evidence.noise.noise_hypothesis import AddedNoise, NoiseHypothesis
+from pyhrg.gap.evidence.posterior import Posterior, compare_noises
+from pyhrg.gap.evidence.search import Ranking
+from pyhrg.gap.replay.observations import CHANNELS, observe_test
+from pyhrg.gap.whitening.channel_noise import build_angle_noise
+from pyhrg.gap.whitening.noise_draws import draw_noise
+from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel
+from pyhrg.records.campaign import Test
+from tests.pyhrg.records.made_up import made_up_log
+
+Array = NDArray[np.float64]
+BELIEVED = Device(angle_random_walk=3e-4 * DEG_PER_SQRT_H, angle_white_noise=0.036 * ARCSEC)
+SILENT = EFFECTS["g_sensitive_gain"]
+"""An effect that these tests can't see; it stands for the catalogue."""
+ROWS = 3000
+TIME = np.arange(ROWS) * 1.0
+NOTHING = np.zeros(ROWS)
+WALKING = replace(build_angle_noise(BELIEVED), rate_random_walk=0.03 * DEG_PER_H / HOUR**0.5)
+NO_FIT = Fit((), 0.0, 0.0, (), np.zeros((0, 0)))
+WHITE = 1e-6
+"""Noise of the other channels."""
+
+
+def part_of(angle: Array, seed: int) -> LinearTest:
+    test = observe_test(Test(f"test-{seed}", "static", "fit", made_up_log(ROWS)), BELIEVED)
+    generator = np.random.default_rng(seed)
+    residual = {name: generator.normal(0, WHITE, ROWS) for name in CHANNELS}
+    nothing = {name: np.zeros(ROWS) for name in CHANNELS}
+    sensitivities: dict[Effect, dict[str, Array]] = {
+        SILENT: {n: np.zeros((ROWS, 1)) for n in CHANNELS}
+    }
+    where = compute_coordinates(test, np.zeros(ROWS), np.ones(ROWS), BELIEVED)
+    left = {**residual, "gyro_angle": angle}
+    return LinearTest(test, BELIEVED, nothing, left, sensitivities, where, nothing, 0.277)
+
+
+def parts_of(noise: NoiseModel, seed: int, added: Array) -> list[LinearTest]:
+    """Posterior of two power-ons with this noise; one has something added to its angle."""
+    generator = np.random.default_rng(seed)
+    angles = [draw_noise(noise, ROWS, 1.0, generator) for _ in range(2)]
+    angles[1] = angles[1] + added
+    return [part_of(angle, 10 * seed + i) for i, angle in enumerate(angles)]
+
+
+def found(
+    noise: NoiseModel, seed: int, added: Array = NOTHING, noises: Sequence[NoiseEffect] = NOISES
+) -> Posterior:
+    parts = parts_of(noise, seed, added)
+    first = rank_under_noise(NoiseHypothesis(build_angle_noise(BELIEVED), ()), BELIEVED, parts)
+    return compare_noises(first, BELIEVED, parts, noises)
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_walking_rate_is_noise(seed: int) -> None:
+    posterior = found(WALKING, seed)
+    assert [added.effect.name for added in posterior.best.noise.added] == ["rate_random_walk"]
+    assert posterior.best.ranking.best.groups == ()
+    kinds = [one.noise.kind for one in posterior.hypotheses]
+    assert len(set(kinds)) == len(kinds)
+    assert sum(posterior.probabilities) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_bias_is_no_noise(seed: int) -> None:
+    hypothesis = found(build_angle_noise(BELIEVED), seed, 0.02 * DEG_PER_H * TIME).best
+    assert hypothesis.noise.added == ()
+    assert hypothesis.noise.unnamed is None
+    assert len(hypothesis.ranking.best.groups) == 1
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_jump_of_the_bias_is_no_walk(seed: int) -> None:
+    jump = 0.02 * DEG_PER_H * np.maximum(TIME - 1234.0, 0.0)
+    posterior = found(build_angle_noise(BELIEVED), seed, jump)
+    assert posterior.best.noise.added == ()
+    (group,) = posterior.best.ranking.best.groups
+    assert isinstance(group, Jump)
+    ((test, time),) = group.times
+    assert test == f"test-{10 * seed + 1}"
+    assert time == pytest.approx(1234.0, abs=60.0)
+    assert posterior.unknown_probability > 0.99
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_step_of_the_angle_is_no_walk(seed: int) -> None:
+    posterior = found(build_angle_noise(BELIEVED), seed, 5 * ARCSEC * (TIME > 1234.0))
+    assert posterior.best.noise.added == ()
+    (group,) = posterior.best.ranking.best.groups
+    assert isinstance(group, Jump)
+    assert group.kind in ("pattern", "output")
+    assert group.times == ((f"test-{10 * seed + 1}", 1236.0),)
+    assert posterior.unknown_probability > 0.99
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_the_stated_noise_is_enough(seed: int) -> None:
+    posterior = found(build_angle_noise(BELIEVED), seed)
+    assert posterior.best.noise.added == ()
+    assert posterior.best.ranking.best.groups == ()
+    assert posterior.unknown_probability < 0.1
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_a_walk_that_the_catalogue_lacks_is_unnamed(seed: int) -> None:
+    others = [noise for noise in NOISES if noise.name != "rate_random_walk"]
+    posterior = found(WALKING, seed, noises=others)
+    assert posterior.unknown_probability > 0.99
+
+
+def test_probabilities_are_those_of_all_hypotheses() -> None:
+    plain = rank_under_noise(
+        NoiseHypothesis(build_angle_noise(BELIEVED), ()), BELIEVED, parts_of(WALKING, 1, NOTHING)
+    )
+    walk = AddedNoise(NOISES[1], 1.0, (0.5, 2.0), math.log(9.0), 0.0)
+    named = Ranking((Fit((SILENT,), 0.0, 0.0, (np.ones(1),), np.eye(1)),), (1.0,), 0.0)
+    walks = replace(
+        plain, noise=NoiseHypothesis(WALKING, (walk,)), ranking=Ranking((NO_FIT,), (1.0,), 0.0)
+    )
+    silent = replace(plain, ranking=named)
+    posterior = Posterior((walks, silent), (0.6, 0.4))
+    assert posterior.probability("rate_random_walk") == pytest.approx(0.6)
+    assert posterior.probability(SILENT.name) == pytest.approx(0.4)
+    assert posterior.probability("rate_random_walk", SILENT.name) == pytest.approx(1.0)
+    assert posterior.equivalents("rate_random_walk") == (SILENT.name,)
+    assert Posterior((walks, silent), (0.96, 0.04)).equivalents("rate_random_walk") == ()
+    assert Posterior((silent, walks), (0.6, 0.4)).equivalents(SILENT.name) == ("rate_random_walk",)
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("correlated", [CorrelatedNoise(0.1 * ARCSEC, 30.0, of_rate=False)])
+def test_an_unnamed_noise_stays_a_noise(correlated: CorrelatedNoise, seed: int) -> None:
+    posterior = found(replace(build_angle_noise(BELIEVED), correlated=correlated), seed)
+    assert posterior.best.noise.unnamed is not None
+    assert posterior.best.ranking.best.groups == ()
+    assert posterior.unknown_probability > 0.9
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_noise_beside_a_large_bias_is_noise(seed: int) -> None:
+    """The model error of a large response does not depend on the noise hypothesis."""
+    noise = replace(build_angle_noise(BELIEVED), angle_random_walk=2 * BELIEVED.angle_random_walk)
+    posterior = found(noise, seed, 1.0 * DEG_PER_H * (TIME + 1.0))
+    assert [added.effect.name for added in posterior.best.noise.added] == ["angle_random_walk"]
+    assert len(posterior.best.ranking.best.groups) == 1

@@ -190,6 +190,10 @@ AT_POWER_ON: dict[str, tuple[Mapping[str, float], Expected]] = {
         {"demodulation_offset": 1e-4},
         ("gyroAngle", 1e-4 * np.sin(2 * ANGLES) / (2 * K)),
     ),
+    "y0 turns the modal angle by y0 cos 2th": (
+        {"demodulation_offset_y": 1e-4},
+        ("gyroAngle", -1e-4 * np.cos(2 * ANGLES) / (2 * K)),
+    ),
     "x (1 + 3/4 b x^2) turns it by -(3/16) b sin 8th": (
         {"pickoff_cubic": 1e-3},
         ("gyroAngle", 3e-3 / (32 * K) * np.sin(8 * ANGLES)),

@@ -61,6 +61,7 @@ CASES: dict[str, tuple[float, Values, Values]] = {
     "pickOff.phasePerKelvin": (1e-3, {**SPLIT, **SOAK}, WARM),
     "pickOff.differentialPhase": (0.01, SPLIT, {}),
     "pickOff.offset": (0.01, {}, {}),
+    "pickOff.offsetY": (0.01, {}, {}),
     "pickOff.feedthrough": (0.01, {**SPLIT, "resonator.material.frequencySplit": 0.02}, {}),
     "drive.frameRotation": (0.1, {}, {}),
     "drive.rotationPerAcceleration[1]": (5e-3, {}, PUSHED),

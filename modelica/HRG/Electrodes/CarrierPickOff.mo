@@ -50,7 +50,7 @@ equation
   reading = {
     digitised(received[1] + offset + noise[1], resolution, fullScale),
     digitised(received[2] + noise[2], resolution, fullScale),
-    digitised(received[3] + noise[3], resolution, fullScale),
+    digitised(received[3] + offsetY + noise[3], resolution, fullScale),
     digitised(received[4] + noise[4], resolution, fullScale)};
   annotation (Documentation(info="<html>
 <p>The demodulation is the least-squares fit of x = cx cos P + sx sin P to a control period's samples, cx and sx linear in time: exact

@@ -15,6 +15,7 @@ partial block PartialPickOff "Errors of pick-offs, demodulation and converters"
   parameter Real phasePerKelvin(unit = "rad/K", min = -0.01, max = 0.01) = 0 "Change of p with temperature, typically 1e-5 to 1e-4";
   parameter Units.Angle differentialPhase(min = -1, max = 1) = 0 "x turned by +p/2, y by -p/2, typically 1e-4 to 1e-3";
   parameter Units.Displacement offset(min = -0.1, max = 0.1) = 0 "Added to the in-phase x channel (ADC, demodulator), typically 1e-4";
+  parameter Units.Displacement offsetY(min = -0.1, max = 0.1) = 0 "Added to the in-phase y channel (ADC, demodulator), typically 1e-4";
   parameter Units.Time feedthrough(min = -0.01, max = 0.01) = 0 "Reads this time the force as well, typically 1e-6 to 1e-4";
   parameter Units.Displacement resolution(min = 0, max = 0.1) = 0 "Least significant bit of a channel, typically 2e-7 to 6e-5: 24 to 16 bits over a full scale of 2 (estimate); 0: none";
   parameter Units.Displacement fullScale(min = 0, max = 1e6) = 0 "A channel clips at this value, typically 1.2 to 2, the headroom over the nominal amplitude (estimate); 0: never";

@@ -15,7 +15,7 @@ equation
   analogue = {
     swing[1]*(phasor[1]*displacement[1] + phasor[2]*displacement[2]) + offset + feedthrough*force[1],
     swing[1]*(phasor[1]*displacement[2] - phasor[2]*displacement[1]) + feedthrough*force[2],
-    swing[2]*(phasor[3]*y[1] + phasor[4]*y[2]) + feedthrough*force[3],
+    swing[2]*(phasor[3]*y[1] + phasor[4]*y[2]) + offsetY + feedthrough*force[3],
     swing[2]*(phasor[3]*y[2] - phasor[4]*y[1]) + feedthrough*force[4]};
   reading = {
     digitised(analogue[1] + noise[1], resolution, fullScale),

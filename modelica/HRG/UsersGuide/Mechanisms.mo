@@ -18,7 +18,7 @@ those of Conventions. Each line is demonstrated by models of <code>HRG.Validatio
 <tr><td>9</td><td>split alone</td><td>as 7</td><td>B = 0</td></tr>
 <tr><td>10</td><td>differential phase</td><td><code>pickOff.differentialPhase</code></td><td>with a split: 8th harmonic, dw p/16k</td></tr>
 <tr><td>11</td><td>feedthrough</td><td><code>pickOff.feedthrough</code></td><td>with a split: B = (c dw^2/8k) s8''</td></tr>
-<tr><td>12</td><td>demodulation offset</td><td><code>pickOff.offset</code></td><td>2nd harmonic: angle x0/2k, B x0/(2k tau)</td></tr>
+<tr><td>12</td><td>demodulation offset</td><td><code>pickOff.offset</code>, <code>offsetY</code></td><td>2nd harmonic: angle (x0 sin 2 th - y0 cos 2 th)/2k, B as much over tau</td></tr>
 <tr><td>13</td><td>pick-off cubic</td><td><code>pickOff.cubic</code></td><td>angle: 8th harmonic, 0.75 b a^2/(8k)</td></tr>
 <tr><td>14</td><td>Duffing stiffness</td><td><code>resonator.material.duffing</code></td><td>P + delta a^2; with quadrature B = +delta a q/(3k) (the sign is that of this output; the wave's is opposite)</td></tr>
 <tr><td>15</td><td>loop delay and hold</td><td><code>controller.synthesis.loopDelay</code></td><td>scale factor -(Ts/2 + td)/tau</td></tr>

@@ -84,6 +84,10 @@ class PickoffParameters:
         effect=EffectDeclaration("demodulation_offset", 1e-3, ("wave_angle",), position=11),
     )
     """Added to the in-phase x channel [x0], amplitude units."""
+    demodulation_offset_y: float = parameter(
+        key="demodulation_offset_y", limits=(-0.1, 0.1), fmu="pickOff.offsetY"
+    )
+    """Added to the in-phase y channel [y0], amplitude units."""
     feedthrough: float = parameter(
         key="feedthrough_s",
         limits=(-0.01, 0.01),

@@ -26,3 +26,15 @@ def test_python_blocks_run(
     for block in blocks:
         exec(compile(block, page, "exec"), names)
     assert capsys.readouterr().out
+
+
+def test_links_and_paths_exist() -> None:
+    """Relative links of every page, and paths of the code that it names."""
+    missing = []
+    for page in (*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")):
+        text = re.sub(r"\$[^$]*\$", "", page.read_text(encoding="utf-8"))
+        links = re.findall(r"\[[^\]]*\]\((?!https?:)([^)#\s]+)", text)
+        paths = re.findall(r"`((?:pyhrg|ins_eval|fmu_build|tests|benchmarks)/[\w/.-]+)`", text)
+        missing += [f"{page.name}: {link}" for link in links if not (page.parent / link).exists()]
+        missing += [f"{page.name}: {path}" for path in paths if not (ROOT / path).exists()]
+    assert missing == []

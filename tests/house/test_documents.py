@@ -32,7 +32,7 @@ def test_links_and_paths_exist() -> None:
     """Relative links of every page, and paths of the code that it names."""
     missing = []
     for page in (*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")):
-        text = re.sub(r"\$[^$]*\$", "", page.read_text(encoding="utf-8"))
+        text = re.sub(r"\${1,2}[^$]*\${1,2}", "", page.read_text(encoding="utf-8"))
         links = re.findall(r"\[[^\]]*\]\((?!https?:)([^)#\s]+)", text)
         paths = re.findall(r"`((?:pyhrg|ins_eval|fmu_build|tests|benchmarks)/[\w/.-]+)`", text)
         missing += [f"{page.name}: {link}" for link in links if not (page.parent / link).exists()]

@@ -71,7 +71,7 @@ def align_by_kalman_filter(
     Args:
         record: a few intervals at its beginning may be left out, so that the steps are whole.
         position: (3,) latitude, longitude, rad, and height, m.
-        errors: of the sensors.
+        errors: stated errors of the sensors, from the IMU's file.
         coarse: `mat_nb` (3, 3) at the record's start, within some degrees.
         sway: standard deviation of the vehicle's level displacement on each axis, m; None
             estimates it by maximum likelihood.

@@ -47,8 +47,8 @@ def align(
     Args:
         record: all of it is used.
         position: (3,) latitude, longitude, rad, and height, m.
-        errors: stated errors of the sensors, from the IMU's file; the covariance rests on them. They
-            are not estimated here; `measured_noise` can estimate the random walks.
+        errors: stated errors of the sensors, from the IMU's file; the covariance rests on them.
+            They are not estimated here; `measured_noise` can estimate the random walks.
         sway: standard deviation of the vehicle's level displacement on each axis, m; None
             estimates it from the record.
         steady: whether to use that tilts stay constant where the record shows it; False for a

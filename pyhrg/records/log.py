@@ -107,8 +107,8 @@ def read_log(
     """Read a log from a CSV file (docs/records.md), gzipped or not.
 
     Rows without a time and rows that repeat an earlier one are dropped. Missing and saturated
-    values become NaN; their rows stay. Gaps and unknown columns are noted. `Log.exclusions` has a sentence
-    on each.
+    values become NaN; their rows stay. Gaps and unknown columns are noted. `Log.exclusions` has a
+    sentence on each.
 
     Args:
         path: of the file.

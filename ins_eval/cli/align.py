@@ -11,7 +11,6 @@ from pyhrg.common.files import check_output_folder
 HELP = "find a standing vehicle's attitude from its IMU, with one-sigma"
 OF_SIMULATIONS = ("trajectory", "seed")
 OF_LOGS = ("from_s", *PLACE)
-FILES = ("align.json", "align.png")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -40,4 +39,4 @@ def run(options: argparse.Namespace) -> None:
     aligned = ins_eval.align(options.log, imu=options.imu, **collect_given(options, names))
     aligned.write(options.out)
     print(aligned.summary)
-    print(f"\nwritten to {options.out}: {', '.join(FILES)}")
+    print(f"\nwritten to {options.out}: {', '.join(aligned.files)}")

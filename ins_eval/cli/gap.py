@@ -7,6 +7,7 @@ from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 import ins_eval
+import pyhrg
 from pyhrg.cli import challenge
 from pyhrg.common.errors import HrgError
 
@@ -79,21 +80,18 @@ def _diagnose(options: argparse.Namespace) -> None:
 
 
 def _diagnose_record(options: argparse.Namespace) -> None:
-    from pyhrg.gap.static_record import diagnose_record
-
-    result = diagnose_record(
+    result = pyhrg.diagnose_record(
         options.source, options.belief, trusted=options.trusted, out=options.out
     )
     print(result.summary)
 
 
 def _diagnose_campaign(options: argparse.Namespace) -> None:
-    from pyhrg.gap.diagnose import diagnose
     from pyhrg.gap.report.folder import write_report
     from pyhrg.gap.report.sections import make_section
     from pyhrg.gap.report.summary import summarize_diagnosis
 
-    result = diagnose(options.source, progress=True)
+    result = pyhrg.diagnose(options.source, progress=True)
     position = make_section("position", partial(make_position_section, result))
     write_report(result, options.out, [position])
     print(summarize_diagnosis(result))
@@ -110,7 +108,7 @@ def make_position_section(diagnosis: "CampaignDiagnosis") -> "Section":
 
 
 def _predict(options: argparse.Namespace) -> None:
-    from pyhrg.gap.closing.prediction import predict, write_prediction
+    from pyhrg.gap.closing.prediction import write_prediction
 
-    table = predict(options.diagnosis, options.log, options.campaign, progress=True)
+    table = pyhrg.predict(options.diagnosis, options.log, options.campaign, progress=True)
     write_prediction(table, options.out)

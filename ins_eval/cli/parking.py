@@ -8,7 +8,6 @@ from pyhrg.common.cli import collect_given, progress_bar
 from pyhrg.common.files import check_output_folder
 
 HELP = "start level gyros' patterns where their maps say the error is least, and fly the difference"
-FILES = ("parking.json", "position_error.csv", "parking.png")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -28,4 +27,4 @@ def run(options: argparse.Namespace) -> None:
         comparison = ins_eval.compare_parking(progress=progress, **arguments)
     comparison.write(options.out)
     print(comparison.summary)
-    print(f"\nwritten to {options.out}: {', '.join(FILES)}")
+    print(f"\nwritten to {options.out}: {', '.join(comparison.files)}")

@@ -41,6 +41,11 @@ class AlignedRecord:
         """Heading, pitch and roll with their one-sigma, in words."""
         return align_report.summarize(self.record, self.alignment)
 
+    @property
+    def files(self) -> tuple[str, ...]:
+        """Names of the files that `write` makes."""
+        return align_report.FILES
+
     def plot(self) -> Figure:
         """How heading, pitch and roll settle, with their one-sigma."""
         return plot_alignment(self.alignment, self.record.name)
@@ -51,7 +56,7 @@ class AlignedRecord:
         Raises:
             OSError: the folder can't be written.
         """
-        with stage_files(Path(folder), align_report.FILES) as aside:
+        with stage_files(Path(folder), self.files) as aside:
             align_report.write(self.record, self.alignment, self.errors, aside)
 
 

@@ -55,11 +55,6 @@ class Place:
         return self
 
 
-def is_log(name: str) -> bool:
-    """Whether the name is that of a recorded log: any file that is no IMU's TOML."""
-    return Path(name).suffix not in ("", ".toml")
-
-
 def load_imu_at_rate(imu: Imu | str, rate_hz: int | None) -> Imu:
     """An IMU, a ready one or one from a file, at its own rate or another.
 
@@ -72,13 +67,10 @@ def load_imu_at_rate(imu: Imu | str, rate_hz: int | None) -> Imu:
     if rate_hz is not None:
         loaded = replace(loaded, interval=1 / check_whole_number("rate_hz", rate_hz, 10, 2000))
     if isinstance(loaded.gyros, FmuGyros):
-        ticks = loaded.interval / loaded.gyros.device.control_period
-        if round(ticks) < 1 or abs(ticks - round(ticks)) > 1e-6:
-            period = f"{loaded.gyros.device.control_period:g} s"
-            raise HrgError(
-                f"{name}: found increments over {loaded.interval:g} s; "
-                f"expected a multiple of the gyros' control period, {period}"
-            )
+        try:
+            loaded.gyros.check_interval(loaded.interval)
+        except HrgError as error:
+            raise HrgError(f"{name}: {error}") from error
     return loaded
 
 

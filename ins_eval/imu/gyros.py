@@ -19,7 +19,7 @@ from pyhrg.common.errors import HrgError
 from pyhrg.device import device_file
 from pyhrg.device.device_file import DeviceError
 from pyhrg.device.keys import KEYS
-from pyhrg.device.ready_devices import TABLE2, TYPICAL, Device
+from pyhrg.device.ready_devices import READY, TYPICAL, Device, load_device
 from pyhrg.fmu import GyroError, GyroFmu
 from pyhrg.records.imu.increments import Increments
 from pyhrg.theory import closed_forms as theory
@@ -60,6 +60,19 @@ class FmuGyros:
         drawn = [self.device.another(generator) if self.own_axes else self.device for _ in "xyz"]
         return [replace(d, **own) for d, own in zip(drawn, self.differences, strict=True)]
 
+    def check_interval(self, interval: float) -> None:
+        """Refuse an interval, s, that is not a multiple of the electronics' control period.
+
+        Raises:
+            HrgError: it is not.
+        """
+        periods = interval / self.device.control_period
+        if round(periods) < 1 or abs(periods - round(periods)) > 1e-6:
+            raise HrgError(
+                f"found increments over {interval:g} s; expected a multiple of the gyros' control "
+                f"period, {self.device.control_period:g} s"
+            )
+
     def measure(
         self, truth: Increments, mounting: Mounting, generator: np.random.Generator
     ) -> GyroReading:
@@ -70,12 +83,7 @@ class FmuGyros:
             GyroError: a value that the FMU refuses.
             TranslationError, BuildError: the model can't be built.
         """
-        periods = truth.interval / self.device.control_period
-        if round(periods) < 1 or abs(periods - round(periods)) > 1e-6:
-            raise HrgError(
-                f"found an interval of {truth.interval:g} s, expected a multiple of the gyros' "
-                f"control period, {self.device.control_period:g} s"
-            )
+        self.check_interval(truth.interval)
         fmu = self.fmu or GyroFmu(build_fmu())
         devices = self.devices(generator)
         if self.start_up:
@@ -106,10 +114,9 @@ def device(name_or_path: str, folder: Path) -> Device:
         folder: to which a relative path refers.
 
     Raises:
-        DeviceError: see `device_file.read`.
+        DeviceError: see `load_device`.
     """
-    ready = {kind.name: kind for kind in (TYPICAL, TABLE2)}
-    return ready.get(name_or_path) or device_file.read(folder / name_or_path)
+    return load_device(name_or_path if name_or_path in READY else folder / name_or_path)
 
 
 def read_differences(document: Mapping[str, Any], source: str) -> dict[str, Any]:

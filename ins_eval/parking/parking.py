@@ -29,6 +29,11 @@ class ParkingComparison(Comparison):
         """Position errors by case, and what start-up costs, in words."""
         return report.summarize(self)
 
+    @property
+    def files(self) -> tuple[str, ...]:
+        """Names of the files that `write` makes."""
+        return report.FILES
+
     def plot(self) -> Figure:
         """Growth of the position error by case, and ratios to the first case."""
         return plot_comparison(self)
@@ -39,7 +44,7 @@ class ParkingComparison(Comparison):
         Raises:
             OSError: the folder can't be written.
         """
-        with stage_files(Path(folder), report.FILES) as aside:
+        with stage_files(Path(folder), self.files) as aside:
             report.write(self, aside)
 
 

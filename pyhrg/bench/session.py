@@ -21,6 +21,7 @@ from pyhrg.bench.reporting.result import (
 )
 from pyhrg.bench.source import Source, open_records, prepare_simulation
 from pyhrg.bench.store import Store
+from pyhrg.common.arguments import check_seed, choose_workers
 from pyhrg.common.errors import HrgError
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
@@ -184,10 +185,8 @@ def _choose_procedures(names: Sequence[str] | str | None) -> Sequence[Procedure]
 def _check_arguments(device: object, campaign: object, seed: int, workers: int | None) -> None:
     if device is not None and campaign is not None:
         raise HrgError("device, campaign: found both, expected one gyro: simulated or recorded")
-    if not isinstance(seed, Integral) or not 0 <= seed < 2**63:
-        raise HrgError(f"seed: found {seed!r}, expected a whole number from 0 to 2^63 - 1")
-    if workers is not None and (not isinstance(workers, Integral) or workers < 1):
-        raise HrgError(f"workers: found {workers!r}, expected a whole number from 1")
+    check_seed(seed)
+    choose_workers(workers)
 
 
 def _check_plan(plan: Mapping[str, float], procedures: Sequence[Procedure], recorded: bool) -> None:

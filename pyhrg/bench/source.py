@@ -1,7 +1,6 @@
 """Where the records of a run come from: a simulated gyro, or a campaign."""
 
 import difflib
-import os
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
@@ -14,6 +13,7 @@ from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.reporting.progress import Progress
 from pyhrg.bench.store import Store
+from pyhrg.common.arguments import choose_workers
 from pyhrg.common.errors import HrgError
 from pyhrg.device import device_file, ready_devices
 from pyhrg.device.device import Device
@@ -78,7 +78,7 @@ def prepare_simulation(
         gyro, place = ready_devices.load_device(device or DEFAULT_DEVICE), str(device)
     fmus = _load_fmus(procedures, progress.say)
     _check_model_names(gyro, fmus, place)
-    threads = workers or len(os.sched_getaffinity(0))
+    threads = choose_workers(workers)
 
     def simulate_campaign(procedure: Procedure) -> Campaign:
         fmu = fmus[procedure.model]

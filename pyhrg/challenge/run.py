@@ -1,6 +1,5 @@
 """Runs a challenge: simulate, publish hashes, diagnose, add next tests, score."""
 
-import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
@@ -14,7 +13,7 @@ from pyhrg.challenge.scoring.score import ScoredCase
 from pyhrg.challenge.truths import seal
 from pyhrg.challenge.truths.truth import DETECTION_SIGMAS
 from pyhrg.challenge.work import share_work
-from pyhrg.common.arguments import check_seed, check_whole_number
+from pyhrg.common.arguments import check_seed, check_whole_number, choose_workers
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import replace_folder
 from pyhrg.fmu import GyroError
@@ -29,7 +28,6 @@ Diagnose = Callable[[Path, Path, Sequence[str]], None]
 """Diagnoses the campaign of a folder into `diagnosis.json` of another, its catalogue without the
 effects of these names; importable by name, for other processes."""
 MAX_CASES = 1_000_000
-MAX_WORKERS = 10_000
 
 
 @dataclass(frozen=True)
@@ -135,25 +133,22 @@ def run_challenge(
         "several": several,
         "left_out": left_out,
     }
-    processes = _check_numbers(counts, strongest, workers)
+    _check_numbers(counts, strongest)
     settings = Settings(counts, check_seed(seed), strongest)
     challenge = Challenge(Folder(Path(out)), settings, diagnose or diagnose_folder, progress)
     try:
-        return challenge.run(processes, [Folder(Path(other)) for other in others])
+        return challenge.run(choose_workers(workers), [Folder(Path(other)) for other in others])
     except KeyboardInterrupt:
         raise KeyboardInterrupt("interrupted; the same command goes on from here") from None
 
 
-def _check_numbers(counts: Mapping[str, int], strongest: float, workers: int | None) -> int:
-    """Number of processes, if all numbers are in range."""
+def _check_numbers(counts: Mapping[str, int], strongest: float) -> None:
     for name, count in counts.items():
         check_whole_number("pairs" if name == "pair" else name, count, 0, MAX_CASES)
     if not strongest > DETECTION_SIGMAS:
         raise HrgError(
             f"strongest: found {strongest:g}, expected a number above {DETECTION_SIGMAS:g}"
         )
-    processes = len(os.sched_getaffinity(0)) if workers is None else workers
-    return check_whole_number("workers", processes, 1, MAX_WORKERS)
 
 
 def diagnose_folder(campaign: Path, out: Path, without: Sequence[str]) -> None:

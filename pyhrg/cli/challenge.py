@@ -3,6 +3,7 @@
 import argparse
 from pathlib import Path
 
+import pyhrg
 from pyhrg.common.cli import collect_given
 
 HELP = "score the diagnosis on campaigns whose truth is sealed"
@@ -48,9 +49,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> None:
-    from pyhrg.challenge.run import run_challenge
-
     arguments = collect_given(options, ARGUMENTS)
-    score = run_challenge(options.out, others=options.others, progress=True, **arguments)
+    score = pyhrg.run_challenge(options.out, others=options.others, progress=True, **arguments)
     print(score.summary)
     print(f"\nwritten to {options.out / 'score.json'}")

@@ -1,11 +1,10 @@
 """Checks of numeric arguments; a message names the argument, what was found and expected."""
 
 import math
+import os
+from numbers import Integral
 
 from pyhrg.common.errors import HrgError
-
-HIGHEST_SEED = 2**63 - 1
-"""Largest seed: the largest signed integer of 64 bits."""
 
 
 def check_number(name: str, value: float, low: float, high: float) -> float:
@@ -36,7 +35,22 @@ def check_seed(value: int) -> int:
     Raises:
         HrgError: it is none.
     """
-    return check_whole_number("seed", value, 0, HIGHEST_SEED)
+    if not isinstance(value, Integral) or not 0 <= value < 2**63:
+        raise HrgError(f"seed: found {value!r}, expected a whole number from 0 to 2^63 - 1")
+    return int(value)
+
+
+def choose_workers(workers: int | None) -> int:
+    """Number of workers: the given one, or as many as this process has cores.
+
+    Raises:
+        HrgError: a number below 1.
+    """
+    if workers is None:
+        return len(os.sched_getaffinity(0))
+    if not isinstance(workers, Integral) or workers < 1:
+        raise HrgError(f"workers: found {workers!r}, expected a whole number from 1")
+    return int(workers)
 
 
 def check_whole_minutes(name: str, hours: float, most_hours: float) -> int:

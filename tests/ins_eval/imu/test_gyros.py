@@ -83,7 +83,7 @@ def test_case_axes_are_right_handed_about_the_input_axis() -> None:
 
 def test_an_interval_between_control_periods_is_refused(fmu: GyroFmu) -> None:
     truth = replace(still(1), interval=0.0025)
-    with pytest.raises(HrgError, match=r"interval of 0\.0025 s, expected a multiple .* 0\.001 s"):
+    with pytest.raises(HrgError, match=r"increments over 0\.0025 s; expected .* 0\.001 s"):
         FmuGyros(fmu=fmu).measure(truth, ORTHOGONAL, np.random.default_rng(1))
 
 

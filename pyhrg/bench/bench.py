@@ -220,7 +220,8 @@ def compute_earth_rate(device: Device, axis_up: Array, table_angle: Array) -> Ar
         table_angle: rad, of a shape that broadcasts with `axis_up`.
     """
     azimuth = table_angle + device.misalignment_direction
-    return device.site.compute_earth_rate(axis_up, device.misalignment, azimuth)
+    site = replace(device.site, latitude=device.site.latitude + device.latitude_error)
+    return site.compute_earth_rate(axis_up, device.misalignment, azimuth)
 
 
 LOGGED_COMMANDS = tuple(

@@ -8,6 +8,7 @@ effects (`pyhrg.gap.effects.catalogue`) and the coordinates that an effect shows
 
 import math
 from dataclasses import dataclass, field, fields
+from typing import Literal
 
 
 @dataclass(frozen=True)
@@ -43,6 +44,31 @@ class NoiseDeclaration:
     coordinates: tuple[str, ...] = ("noise",)
 
 
+Family = Literal["gyro", "nominal", "bench", "record"]
+"""What is wrong: the gyro; a value that was told of it; the bench; or the record."""
+
+
+@dataclass(frozen=True)
+class ToleranceDeclaration:
+    """The parameter is known from elsewhere within a tolerance: a nominal value, or the bench's.
+
+    name: of the cause if it is off by more, in the record format.
+    family: see `Family`.
+    scale: typical size of a change of it, SI; a sensitivity is taken over a hundredth of it.
+    tolerance: one standard deviation of the true value about the told one, SI.
+    relative_tolerance: the same over the told value; the larger of the two holds.
+    angle, periods: see `EffectDeclaration`.
+    """
+
+    name: str
+    family: Family
+    scale: float
+    tolerance: float = 0.0
+    relative_tolerance: float = 0.0
+    angle: str = ""
+    periods: int = 0
+
+
 @dataclass(frozen=True)
 class Declaration:
     """What a field declares; see `parameter`."""
@@ -54,6 +80,7 @@ class Declaration:
     fmu: tuple[str, ...]
     effect: EffectDeclaration | None
     noise: NoiseDeclaration | None
+    known: ToleranceDeclaration | None
 
 
 def parameter(
@@ -66,6 +93,7 @@ def parameter(
     fmu: str | tuple[str, ...] = (),
     effect: EffectDeclaration | None = None,
     noise: NoiseDeclaration | None = None,
+    known: ToleranceDeclaration | None = None,
 ) -> float:
     """A field of a dataclass that is a parameter of a gyro.
 
@@ -79,6 +107,7 @@ def parameter(
             FMU defines it otherwise (`pyhrg.device.fmu_parameters`) or does not have it.
         effect: set if a diagnosis may name it.
         noise: set if a diagnosis may find it as a noise.
+        known: set if it is known within a tolerance; a diagnosis identifies it with all else.
     """
     declaration = Declaration(
         keys=(key,) if isinstance(key, str) else key,
@@ -88,6 +117,7 @@ def parameter(
         fmu=(fmu,) if isinstance(fmu, str) else fmu,
         effect=effect,
         noise=noise,
+        known=known,
     )
     return field(default=default, metadata={"declaration": declaration})
 

@@ -30,7 +30,12 @@ from pyhrg.gap.findings import diagnosis as diagnosis_file
 from pyhrg.gap.findings.diagnosis import Diagnosis, Verdict
 from pyhrg.gap.findings.localisation import locate_gap
 from pyhrg.gap.findings.quantity import measure_sizes
-from pyhrg.gap.findings.verdict import check_residuals, list_unnamed, reach_verdict
+from pyhrg.gap.findings.verdict import (
+    check_residuals,
+    list_known_values,
+    list_unnamed,
+    reach_verdict,
+)
 from pyhrg.gap.next_test.next_test import suggest_next_test
 from pyhrg.gap.next_test.rivals import find_rivals
 from pyhrg.gap.next_test.static_test import suggest_static_test
@@ -245,7 +250,7 @@ def _complete_noise(
     hypothesis also with the noises that are confounded with its own."""
     noise, nominal = hypothesis.noise, attribution.nominal
     if hypothesis is attribution.posterior.best:
-        sizes, parts = attribution.ranking.best.sizes, attribution.parts
+        sizes, parts = hypothesis.sizes, attribution.parts
         residuals = angle_residuals(parts, sizes, attribution.channel_noise, nominal)
         noise = find_noise_equivalents(noise, residuals, build_angle_noise(nominal), noises)
     return add_quantization(noise, tests, nominal.quantization_step, noises)
@@ -283,4 +288,5 @@ def _summarize(
         unnamed=list_unnamed(attribution, features),
         excluded=excluded,
         settled=attribution.settled,
+        within_tolerance=list_known_values(attribution),
     )

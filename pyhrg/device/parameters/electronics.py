@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from pyhrg.common.units import PPM
-from pyhrg.device.declarations import EffectDeclaration, parameter
+from pyhrg.device.declarations import EffectDeclaration, ToleranceDeclaration, parameter
 
 
 @dataclass(frozen=True)
@@ -26,6 +26,9 @@ class ElectronicsParameters:
         key="amplitude_loop_rad_s",
         limits=(0.01, 500),
         fmu="controller.amplitudeLoop.naturalFrequency",
+        known=ToleranceDeclaration(
+            "nominal_amplitude_loop", "nominal", 0.6, relative_tolerance=0.02
+        ),
     )
     """Natural frequency of the amplitude loop, rad/s."""
     quadrature_loop: float = parameter(
@@ -33,6 +36,9 @@ class ElectronicsParameters:
         key="quadrature_loop_rad_s",
         limits=(0.01, 500),
         fmu="controller.quadratureLoop.naturalFrequency",
+        known=ToleranceDeclaration(
+            "nominal_quadrature_loop", "nominal", 0.6, relative_tolerance=0.02
+        ),
     )
     """Natural frequency of the quadrature loop, rad/s."""
     phase_loop: float = parameter(
@@ -40,6 +46,7 @@ class ElectronicsParameters:
         key="phase_loop_rad_s",
         limits=(0.01, 500),
         fmu="controller.phaseLoop.naturalFrequency",
+        known=ToleranceDeclaration("nominal_phase_loop", "nominal", 20.0, relative_tolerance=0.02),
     )
     """Natural frequency of the phase loop, rad/s."""
     control_period: float = parameter(1e-3, key="control_period_s", limits=(1e-3, 1e-3))

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from pyhrg.common.units import DEG, HZ, PPM, ZERO_CELSIUS
-from pyhrg.device.declarations import EffectDeclaration, parameter
+from pyhrg.device.declarations import EffectDeclaration, ToleranceDeclaration, parameter
 
 
 @dataclass(frozen=True)
@@ -22,7 +22,11 @@ class ResonatorParameters:
     )
     """True over believed Bryan factor, less one."""
     decay_time: float = parameter(
-        450.0, key="decay_time_s", limits=(1, 1e5), fmu="resonator.material.decayTime"
+        450.0,
+        key="decay_time_s",
+        limits=(1, 1e5),
+        fmu="resonator.material.decayTime",
+        known=ToleranceDeclaration("nominal_decay_time", "nominal", 45.0, relative_tolerance=0.01),
     )
     """Mean amplitude decay time [tau], s."""
     decay_time_per_kelvin: float = parameter(
@@ -71,6 +75,9 @@ class ResonatorParameters:
         key="frequency_temperature_coefficient_per_K",
         limits=(-1e-3, 1e-3),
         fmu="resonator.material.frequencyPerKelvin",
+        known=ToleranceDeclaration(
+            "nominal_frequency_temperature_coefficient", "nominal", 1e-6, 1e-7, 0.01
+        ),
     )
     """Relative change of the modal frequency with temperature, 1/K."""
     frequency_split: float = parameter(
@@ -103,6 +110,7 @@ class ResonatorParameters:
         key="thermal_lag_s",
         limits=(1, 1e6),
         fmu="resonator.environment.thermalLag",
+        known=ToleranceDeclaration("nominal_thermal_lag", "nominal", 60.0, relative_tolerance=0.05),
     )
     """Time constant of the resonator's temperature behind the case's, s."""
     reference_temperature: float = parameter(

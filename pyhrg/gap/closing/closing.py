@@ -48,7 +48,7 @@ def identified_device(attribution: Attribution) -> Device:
     """The nominal device with the effects and noises of the most probable hypothesis put in."""
     nominal = attribution.nominal
     device = nominal
-    for effect, size in attribution.ranking.best.named.items():
+    for effect, size in attribution.posterior.best.effect_sizes.items():
         device = effect.put(device, effect.vector(nominal) + size)
     levels: dict[str, Any] = {added.effect.field: added.total for added in attribution.noise.added}
     return replace(device, **levels)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.common.keys import Key
-from pyhrg.device.declarations import read_declarations
+from pyhrg.device.declarations import Family, read_declarations
 from pyhrg.device.device import Device
 from pyhrg.device.keys import KEYS
 
@@ -29,12 +29,18 @@ class Effect:
     scale: typical size in a trimmed gyro of this class, SI.
     periods: m, of the effect while the angle makes a full turn. The vector is then
         magnitude (cos m angle, sin m angle).
+    family: what is wrong: the gyro, a nominal value, the bench or the record.
+    tolerance, relative_tolerance: standard deviation of a component about the told value, SI, or
+        over the told value if that is larger; 0 for an effect of the gyro.
     """
 
     name: str
     fields: tuple[str, ...]
     scale: float
     periods: int = 0
+    family: Family = "gyro"
+    tolerance: float = 0.0
+    relative_tolerance: float = 0.0
 
     @property
     def size(self) -> int:
@@ -59,6 +65,11 @@ class Effect:
             return np.array(values)
         magnitude, angle = values
         return magnitude * np.array([np.cos(self.periods * angle), np.sin(self.periods * angle)])
+
+    def tolerance_of(self, nominal: Device) -> float:
+        """Standard deviation of each component about its value in a nominal device, SI."""
+        told = 0.0 if self.periods else abs(float(getattr(nominal, self.fields[0])))
+        return max(self.tolerance, self.relative_tolerance * told)
 
     def put(self, device: Device, vector: Array) -> Device:
         """The device with its effect set to a vector, (size,), SI; beyond `bounds` the nearest
@@ -114,6 +125,23 @@ def _collect_effects() -> tuple[Effect, ...]:
     )
 
 
+def _collect_known() -> tuple[Effect, ...]:
+    """Parameters that are declared to be known within a tolerance, in the order of the fields."""
+    declared = [(field, d.known) for field, d in read_declarations(Device).items() if d.known]
+    return tuple(
+        Effect(
+            k.name,
+            (field, k.angle) if k.angle else (field,),
+            k.scale,
+            k.periods,
+            k.family,
+            k.tolerance,
+            k.relative_tolerance,
+        )
+        for field, k in declared
+    )
+
+
 def _collect_noises() -> tuple[NoiseEffect, ...]:
     declared = [(field, d.noise) for field, d in read_declarations(Device).items() if d.noise]
     return tuple(NoiseEffect(noise.name, field, noise.scale) for field, noise in declared)
@@ -121,22 +149,35 @@ def _collect_noises() -> tuple[NoiseEffect, ...]:
 
 DETERMINISTIC = _collect_effects()
 """Effects that change a simulation without noise."""
+KNOWN = _collect_known()
+"""Nominal values, and properties of bench and record, that are known within a tolerance."""
 NOISES = _collect_noises()
 """Effects that change the noise alone."""
 
 
 @dataclass(frozen=True)
 class Catalogue:
-    """Effects and noises that a diagnosis may name."""
+    """What a diagnosis may name.
+
+    effects: errors of the gyro; noises: noises above their levels; known: nominal values, and
+    properties of bench and record, that are known within a tolerance.
+    """
 
     effects: tuple[Effect, ...] = DETERMINISTIC
     noises: tuple[NoiseEffect, ...] = NOISES
+    known: tuple[Effect, ...] = KNOWN
+
+    @property
+    def parameters(self) -> tuple[Effect, ...]:
+        """All that changes a simulation: the gyro's effects, then the known parameters."""
+        return (*self.effects, *self.known)
 
     def without(self, names: Collection[str]) -> "Catalogue":
         """The catalogue less the effects and noises of these names."""
         return Catalogue(
             tuple(effect for effect in self.effects if effect.name not in names),
             tuple(noise for noise in self.noises if noise.name not in names),
+            self.known,
         )
 
 
@@ -145,5 +186,5 @@ FULL_CATALOGUE = Catalogue()
 EFFECT_NAMES = (*(effect.name for effect in DETERMINISTIC), *(noise.name for noise in NOISES))
 """Names of all effects and noises in the record format, in the order of the catalogue."""
 
-EFFECTS = {effect.name: effect for effect in DETERMINISTIC}
+EFFECTS = {effect.name: effect for effect in (*DETERMINISTIC, *KNOWN)}
 NOISE_EFFECTS = {noise.name: noise for noise in NOISES}

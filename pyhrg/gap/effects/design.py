@@ -58,6 +58,8 @@ class Design:
     norms: (p,) of the whitened columns before they were scaled, standard deviations of the noise
         per unit of the column; 0 where the tests don't see it.
     blocks: contribution of each channel of each test.
+    log_volume: logarithm of the determinant that parameters known within a tolerance add to the
+        covariance of the residual; 0 where none is integrated out.
     """
 
     gram: Array
@@ -66,12 +68,13 @@ class Design:
     columns: Mapping[Group, NDArray[np.int64]]
     norms: Array
     blocks: tuple[Block, ...]
+    log_volume: float = 0.0
 
     @property
     def log_likelihood(self) -> float:
         """Logarithm of the residual's likelihood if nothing explains it, up to a constant."""
         log_determinant = sum(b.log_determinant / (1 + b.model_error) for b in self.blocks)
-        return -(self.power + log_determinant) / 2
+        return -(self.power + log_determinant + self.log_volume) / 2
 
     @property
     def groups(self) -> list[Group]:

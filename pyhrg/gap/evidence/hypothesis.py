@@ -11,12 +11,14 @@ from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import (
     Design,
+    Group,
     LinearTest,
     TestChannel,
     build_design,
     compute_excess_power,
     discount_model_error,
 )
+from pyhrg.gap.effects.known_parameters import KnownParameters
 from pyhrg.gap.evidence.feasibility import Feasibility
 from pyhrg.gap.evidence.jump_search import find_jumps
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
@@ -38,13 +40,33 @@ class Hypothesis:
     """A noise of the output angle, and the sets of effects ranked under it.
 
     channel_noise: noise of all channels.
-    design: normal equations, whitened with it.
+    known: normal equations, whitened with it, and the parameters that are known within a tolerance.
     """
 
     noise: NoiseHypothesis
     channel_noise: CampaignNoise
-    design: Design
+    known: KnownParameters
     ranking: Ranking
+
+    @property
+    def design(self) -> Design:
+        """Normal equations of effects and candidate terms, known parameters integrated out."""
+        return self.known.marginal
+
+    @property
+    def known_sizes(self) -> dict[Effect, Array]:
+        """(d,) departure of each known parameter beside the most probable set, SI."""
+        return self.known.estimate(self.ranking.best.sizes)
+
+    @property
+    def sizes(self) -> dict[Group, Array]:
+        """Sizes of the most probable set, and departures of the known parameters beside it."""
+        return {**self.ranking.best.sizes, **dict[Group, Array](self.known_sizes.items())}
+
+    @property
+    def effect_sizes(self) -> dict[Effect, Array]:
+        """Sizes of all parameters of gyro, bench and record: `sizes` without candidate terms."""
+        return {**self.ranking.best.named, **self.known_sizes}
 
     @property
     def log_posterior(self) -> float:
@@ -114,23 +136,30 @@ def rank_under_noise(
     model_error = model_error_power(compute_excess_power(parts, nominal_noise))
     channel_noise = replace(nominal_noise, angle=noise.noise)
     exact = build_design(parts, channel_noise)
-    design = discount_model_error(exact, model_error)
+    tolerances = list_tolerances(nominal, parts)
     if linearization_error:
         error = {where: linearization_error + power for where, power in model_error.items()}
-        return Hypothesis(
-            noise, channel_noise, design, rank_sets(discount_model_error(exact, error))
-        )
+        rough = KnownParameters(discount_model_error(exact, error), tolerances)
+        return Hypothesis(noise, channel_noise, rough, rank_sets(rough.marginal))
     is_feasible = Feasibility(nominal, parts[0].sensitivities)
-    ranking = rank_sets(design, is_feasible)
-    removed = distinct_by_groups(ranking.best.sizes, ranking.best.named)
+    known = KnownParameters(discount_model_error(exact, model_error), tolerances)
+    hypothesis = Hypothesis(noise, channel_noise, known, rank_sets(known.marginal, is_feasible))
+    removed = distinct_by_groups(hypothesis.sizes, hypothesis.effect_sizes)
     residuals = [
         compute_residuals(parts, r, channel_noise, nominal, ("gyro_angle",)) for r in removed
     ]
     if jumps := {jump for r in residuals for jump in (*find_jumps(r), *find_steps(r))}:
         exact = build_design(parts, channel_noise, sorted(jumps, key=lambda jump: jump.words))
-        design = discount_model_error(exact, model_error)
-        ranking = rank_sets(design, is_feasible)
-    return Hypothesis(noise, channel_noise, design, ranking)
+        known = KnownParameters(discount_model_error(exact, model_error), tolerances)
+        ranking = rank_sets(known.marginal, is_feasible)
+        hypothesis = Hypothesis(noise, channel_noise, known, ranking)
+    return hypothesis
+
+
+def list_tolerances(nominal: Device, parts: Sequence[LinearTest]) -> dict[Effect, float]:
+    """Tolerance of each known parameter, SI."""
+    known = [effect for effect in parts[0].sensitivities if effect.family != "gyro"]
+    return {effect: effect.tolerance_of(nominal) for effect in known}
 
 
 def estimate_nominal_noise(nominal: Device, parts: Sequence[LinearTest]) -> CampaignNoise:

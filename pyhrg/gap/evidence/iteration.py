@@ -72,7 +72,7 @@ class Iteration:
         self._nominal = nominal
         self._tests = tests
         self._catalogue = catalogue
-        self._to_differentiate: Collection[Effect] = catalogue.effects
+        self._to_differentiate: Collection[Effect] = catalogue.parameters
         self._differentiated_at = nominal
         self._simulated_at: Device | None = None
         self._linearization_error = self._error_limit = math.inf
@@ -96,7 +96,7 @@ class Iteration:
             except GyroError:
                 if not self.parts:
                     raise
-                self.device = _midway(self.parts[0].device, self.device, self._catalogue.effects)
+                self.device = _midway(self.parts[0].device, self.device, self._catalogue.parameters)
         self.device = self.parts[0].device
 
     def _simulate(self) -> None:
@@ -175,7 +175,7 @@ class Iteration:
     def step_length(self, hypothesis: Hypothesis) -> float:
         """Mahalanobis distance (Eq. (11)) by which a hypothesis moves the gyro."""
         moved = _moved(self._nominal, self.device, hypothesis)
-        return _distance(self.device, moved, hypothesis.design)
+        return _distance(self.device, moved, hypothesis.known.whole)
 
     def has_converged(self, hypothesis: Hypothesis) -> bool:
         """Whether it moves neither gyro nor noise, and the sensitivities were taken nearby."""
@@ -188,20 +188,21 @@ class Iteration:
         moved = _moved(self._nominal, self.device, hypothesis)
         named = list(hypothesis.ranking.best.named)
         self._to_differentiate = [] if self._has_near_sensitivities(hypothesis) else named
-        from_sensitivities = _distance(self._differentiated_at, moved, hypothesis.design)
+        from_sensitivities = _distance(self._differentiated_at, moved, hypothesis.known.whole)
         is_step_short = self.step_length(hypothesis) < LINEAR_DISTANCE
         if from_sensitivities >= SENSITIVITY_DISTANCE and is_step_short:
-            self._differentiated_at, self._to_differentiate = moved, self._catalogue.effects
+            self._differentiated_at, self._to_differentiate = moved, self._catalogue.parameters
         if (
             self._simulated_at
-            and _distance(self._simulated_at, moved, hypothesis.design) >= RESIMULATION_DISTANCE
+            and _distance(self._simulated_at, moved, hypothesis.known.whole)
+            >= RESIMULATION_DISTANCE
         ):
             self._simulated_at = None
         self.device = moved
 
     def _has_near_sensitivities(self, hypothesis: Hypothesis) -> bool:
         return (
-            _distance(self._differentiated_at, self.device, hypothesis.design)
+            _distance(self._differentiated_at, self.device, hypothesis.known.whole)
             < SENSITIVITY_DISTANCE
         )
 
@@ -209,8 +210,9 @@ class Iteration:
 def _moved(nominal: Device, device: Device, hypothesis: Hypothesis) -> Device:
     """The nominal gyro with the named effects of the most probable set. An effect whose power is
     below the linearization error of this step (Eq. (10)) is left out."""
-    found, summed = hypothesis.ranking, hypothesis.design
-    named = [(effect, effect.vector(nominal) + size) for effect, size in found.best.named.items()]
+    summed = hypothesis.known.whole
+    sizes = hypothesis.effect_sizes.items()
+    named = [(effect, effect.vector(nominal) + size) for effect, size in sizes]
     aim = nominal
     for effect, vector in named:
         aim = effect.put(aim, vector)

@@ -121,9 +121,9 @@ def compare_noises(
 
 def _removals(hypothesis: Hypothesis) -> list[Removed]:
     """What to remove from the records before noise is fitted."""
-    best = hypothesis.ranking.best
-    nothing: list[Removed] = [{}] if best.explained < EVIDENT_CHI2 else []
-    return distinct_by_groups(best.sizes, best.named, *nothing)
+    is_evident = hypothesis.ranking.best.explained >= EVIDENT_CHI2
+    nothing: list[Removed] = [] if is_evident else [dict(hypothesis.known.estimate({}).items())]
+    return distinct_by_groups(hypothesis.sizes, hypothesis.effect_sizes, *nothing)
 
 
 def _fit(

@@ -10,6 +10,7 @@ from typing import Any, Literal, cast, get_args
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
 from pyhrg.common.toml_table import TomlTable
+from pyhrg.device.declarations import Family
 from pyhrg.gap.findings.localisation import Place
 from pyhrg.gap.findings.quantity import Size
 from pyhrg.records.campaign_index import read_index
@@ -33,12 +34,14 @@ class DiagnosisError(HrgError):
 
 @dataclass(frozen=True)
 class Cause:
-    """An effect that takes part.
+    """An effect that takes part, or a known parameter that is off by more than its tolerance.
 
-    probability: posterior probability that it, or one of its equivalents, takes part.
+    probability: posterior probability that it, or one of its equivalents, takes part; for a known
+        parameter, that it is off by more than its tolerance.
     parameters: total values by the format's names, in its units.
     interval_95: 95 % interval of each parameter, in the same units.
     equivalents: effects that are confounded with it in these tests.
+    family: what is wrong: the gyro, a nominal value, the bench or the record.
     """
 
     effect: str
@@ -46,11 +49,30 @@ class Cause:
     parameters: Mapping[str, float] = field(default_factory=dict)
     interval_95: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     equivalents: tuple[str, ...] = ()
+    family: Family = "gyro"
 
     @property
     def equivalence_class(self) -> frozenset[str]:
         """The effect and its equivalents."""
         return frozenset((self.effect, *self.equivalents))
+
+
+@dataclass(frozen=True)
+class KnownValue:
+    """A parameter known within a tolerance, as the tests show it: off, but by no more than that.
+
+    value, told: total value, and the one that was told, in the unit of the parameter's name.
+    interval_95: of the value.
+    tolerance: one standard deviation of the value about the told one.
+    """
+
+    name: str
+    family: Family
+    parameter: str
+    value: float
+    told: float
+    interval_95: tuple[float, float]
+    tolerance: float
 
 
 @dataclass(frozen=True)
@@ -114,6 +136,7 @@ class Diagnosis:
     sizes: the gap in sigma, by test, channel and time scale.
     unnamed: what takes part outside the catalogue, in words, with posterior probabilities.
     excluded: what of the campaign was missing or left out, a sentence each.
+    within_tolerance: known parameters that are off, but by no more than their tolerance.
     settled: whether the search converged; everything is uncertain where it did not.
     """
 
@@ -128,6 +151,7 @@ class Diagnosis:
     unnamed: Mapping[str, float]
     excluded: tuple[str, ...]
     settled: bool = True
+    within_tolerance: tuple[KnownValue, ...] = ()
 
     @property
     def caveats(self) -> list[str]:
@@ -210,6 +234,7 @@ def _parse(index: TomlTable) -> Diagnosis:
         _numbers(index.table("unnamed")),
         _texts(index, "excluded"),
         index.flag("settled", True),
+        tuple(map(_parse_known, index.tables("within_tolerance"))),
     )
 
 
@@ -221,6 +246,23 @@ def _parse_cause(table: TomlTable) -> Cause:
         _numbers(table.table("parameters")),
         {name: _interval(intervals, name) for name in intervals.values},
         _texts(table, "equivalents"),
+        _parse_family(table),
+    )
+
+
+def _parse_family(table: TomlTable) -> Family:
+    return cast(Family, table.text("family", "gyro", get_args(Family)))
+
+
+def _parse_known(table: TomlTable) -> KnownValue:
+    return KnownValue(
+        table.text("name", None),
+        _parse_family(table),
+        table.text("parameter", None),
+        table.finite_number("value"),
+        table.finite_number("told"),
+        _interval(table, "interval_95"),
+        table.finite_number("tolerance"),
     )
 
 

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.stats import norm
 
 from pyhrg.common.keys import Key
 from pyhrg.gap.effects.catalogue import Effect
@@ -17,7 +18,7 @@ from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise
 from pyhrg.gap.evidence.noise.quantization import is_coarsely_quantized
 from pyhrg.gap.evidence.residual_features import ResidualFeature, find_residual_features
 from pyhrg.gap.evidence.residuals import compute_residuals
-from pyhrg.gap.findings.diagnosis import Cause, Verdict
+from pyhrg.gap.findings.diagnosis import Cause, KnownValue, Verdict
 from pyhrg.gap.replay.observations import CHANNELS
 
 Array = NDArray[np.float64]
@@ -38,7 +39,7 @@ def check_residuals(attribution: Attribution) -> tuple[ResidualFeature, ...]:
     noise, nominal = attribution.channel_noise, attribution.nominal
     is_coarse = is_coarsely_quantized(attribution.noise, nominal)
     channels = CHANNELS[1:] if is_coarse else CHANNELS
-    sizes = attribution.ranking.best.sizes
+    sizes = attribution.posterior.best.sizes
     residuals = [
         r
         for r in compute_residuals(attribution.parts, sizes, noise, nominal, channels)
@@ -61,6 +62,7 @@ def reach_verdict(
     """
     causes = [
         *_effect_causes(attribution, effects),
+        *_find_known_causes(attribution),
         *(_noise_cause(attribution, added) for added in attribution.noise.added),
     ]
     known = [1 - attribution.posterior.unknown_probability, *(1 - f.probability for f in features)]
@@ -92,6 +94,63 @@ def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[
             )
         )
     return causes
+
+
+def _find_known_causes(attribution: Attribution) -> list[Cause]:
+    """Known parameters that are, more probably than not, off by more than their tolerance."""
+    causes = []
+    for effect, size, covariance in _list_departures(attribution):
+        total = effect.vector(attribution.nominal) + size
+        probability = _compute_beyond(effect.tolerance_of(attribution.nominal), size, covariance)
+        if probability > UNEXPLAINED_PROBABILITY:
+            intervals = _intervals(effect, total, covariance)
+            parameters = effect.parameters(total)
+            causes.append(Cause(effect.name, probability, parameters, intervals, (), effect.family))
+    return causes
+
+
+def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
+    """Known parameters that the tests show to be off, but by no more than their tolerance."""
+    values = []
+    nominal = attribution.nominal
+    for effect, size, covariance in _list_departures(attribution):
+        tolerance = effect.tolerance_of(nominal)
+        is_off = float(np.linalg.norm(size)) > NORMAL_95 * _sigma_along(size, covariance)
+        if is_off and _compute_beyond(tolerance, size, covariance) <= UNEXPLAINED_PROBABILITY:
+            told = effect.vector(nominal)
+            total = told + size
+            key = effect.keys[0]
+            values.append(
+                KnownValue(
+                    effect.name,
+                    effect.family,
+                    key.name,
+                    effect.parameters(total)[key.name],
+                    effect.parameters(told)[key.name],
+                    _intervals(effect, total, covariance)[key.name],
+                    tolerance / key.factor,
+                )
+            )
+    return tuple(values)
+
+
+def _list_departures(attribution: Attribution) -> list[tuple[Effect, Array, Array]]:
+    """Known parameters with their departures from the told values, and the covariances of these."""
+    hypothesis = attribution.posterior.best
+    best = hypothesis.ranking.best
+    covariances = hypothesis.known.covariances(best.groups, best.covariance)
+    return [(e, size, covariances[e]) for e, size in hypothesis.known_sizes.items()]
+
+
+def _compute_beyond(tolerance: float, size: Array, covariance: Array) -> float:
+    """Probability that the length of a departure exceeds the tolerance; normal along it."""
+    length = float(np.linalg.norm(size))
+    return float(norm.cdf((length - tolerance) / _sigma_along(size, covariance)))
+
+
+def _sigma_along(size: Array, covariance: Array) -> float:
+    along = size / (float(np.linalg.norm(size)) or 1.0)
+    return math.sqrt(float(along @ covariance @ along)) or math.ulp(0.0)
 
 
 def _intervals(effect: Effect, vector: Array, covariance: Array) -> dict[str, tuple[float, float]]:

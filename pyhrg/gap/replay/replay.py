@@ -30,6 +30,8 @@ HELD_COLUMNS = tuple(name for name in HELD_INPUTS if name not in ("vibration", "
 """Inputs that a row of a log holds constant."""
 MIN_READINGS = 10
 """Fewest temperature readings from which a thermometer's noise is estimated. Chosen."""
+ANGLES = ("gyro_angle", "wave_angle")
+"""Fields of a log that are read at the end of a row."""
 STEP_ROUNDING = 1e-9
 """Excess of a row over a whole number of steps, in steps, that is rounding. Chosen."""
 STEADY_RATIO = 2.0
@@ -133,10 +135,31 @@ def replay_inputs(
     step = inputs.log.interval / steps
     held = {name: getattr(inputs.log, name) for name in HELD_COLUMNS}
     first = {HELD_INPUTS[name]: float(values[0]) for name, values in held.items()}
+    inputs = replace(inputs, temperatures=_correct_temperatures(device, inputs))
     first["caseTemperature"] = float(inputs.temperatures[0])
     parameters = {**_compute_parameters(fmu, device, step), **first}
     with fmu.power_on(parameters, seed=0, start_angle=inputs.start_angle) as on:
-        return record_rows(on, _compute_rates(device, inputs, steps), held, step, LOOP_OUTPUTS)
+        rows = record_rows(on, _compute_rates(device, inputs, steps), held, step, LOOP_OUTPUTS)
+    return _read_rows(rows, device, inputs.log)
+
+
+def _correct_temperatures(device: Device, inputs: ReplayInputs) -> Array:
+    """(n + 1,) temperatures of the case at the rows' bounds, from the thermometer's readings, K."""
+    bounds = np.append(inputs.log.time[0] - inputs.log.interval, inputs.log.time)
+    readings = np.interp(bounds + device.thermometer_lag, bounds, inputs.temperatures)
+    reference = device.reference_temperature
+    change = readings - device.thermometer_offset - reference
+    return np.asarray(reference + change / (1 + device.thermometer_gain))
+
+
+def _read_rows(rows: dict[str, Array], device: Device, log: Log) -> dict[str, Array]:
+    """Outputs as the recorder has them: angles at its times, the frequency from the told one."""
+    late = device.clock_latency + device.clock_rate * log.time
+    if late.any():
+        for name in ANGLES:
+            rows[name] = rows[name] + late * np.gradient(rows[name], log.interval)
+    rows["frequency_offset"] = rows["frequency_offset"] + device.frequency_error
+    return rows
 
 
 def _compute_parameters(fmu: GyroFmu, device: Device, step: float) -> Mapping[str, float]:
@@ -150,8 +173,10 @@ def _compute_parameters(fmu: GyroFmu, device: Device, step: float) -> Mapping[st
 def _compute_rates(device: Device, inputs: ReplayInputs, steps: int) -> dict[str, Array]:
     """(n, steps) means over the steps of inputs that vary within rows (Eqs. 2 and 3)."""
     up = inputs.log.axis_up[:, None]
-    earth = compute_earth_rate(device, up, inputs.table_angle(steps))
+    angle = inputs.table_angle(steps)
+    eccentric = device.encoder_eccentricity * np.cos(angle + device.encoder_eccentricity_phase)
+    earth = compute_earth_rate(device, up, angle)
     return {
-        "angularRate": inputs.table.rates_in(steps) + earth,
+        "angularRate": inputs.table.rates_in(steps) * (1 + eccentric) + earth,
         "caseTemperature": interpolate_rows(inputs.temperatures, compute_step_middles(steps)),
     }

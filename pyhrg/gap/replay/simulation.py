@@ -20,13 +20,12 @@ from pyhrg.gap.replay.observations import (
     ObservedTest,
     compute_settling_time,
 )
-from pyhrg.gap.replay.replay import ReplayInputs, replay_inputs
+from pyhrg.gap.replay.replay import ANGLES, ReplayInputs, replay_inputs
 
 Array = NDArray[np.float64]
 ChannelValues = Mapping[str, Array]
 """(n,) values in SI by field of a log."""
 
-ANGLES = ("gyro_angle", "wave_angle")
 STEPS_PER_ROW = 100
 """Communication steps of the sampled gyro in a row, where the row has so many control periods.
 Chosen."""

@@ -1,0 +1,122 @@
+"""Parameters that are known within a tolerance, integrated out of the normal equations.
+
+Every nominal value is a little wrong, and so is every bench. Such a parameter has a normal prior
+about its told value, with its tolerance as the standard deviation. It takes part in every
+hypothesis (docs/methods/effects.md, Eqs. 10 to 12).
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import cho_factor, cho_solve
+
+from pyhrg.gap.effects.catalogue import Effect
+from pyhrg.gap.effects.design import Design, Group
+
+Array = NDArray[np.float64]
+Sizes = Mapping[Group, Array]
+"""Size of each group, in units of its columns."""
+
+
+@dataclass(frozen=True)
+class KnownParameters:
+    """What the tests and the tolerances say of the known parameters, beside any set of groups.
+
+    whole: normal equations with all columns.
+    tolerances: standard deviation of each component before the tests, SI.
+    """
+
+    whole: Design
+    tolerances: Mapping[Effect, float]
+
+    @cached_property
+    def effects(self) -> tuple[Effect, ...]:
+        """Known parameters that the tests see."""
+        seen = self.whole.groups
+        return tuple(effect for effect in self.tolerances if effect in seen)
+
+    @cached_property
+    def marginal(self) -> Design:
+        """Normal equations of all other groups, with the known parameters integrated out."""
+        whole, known, others = self.whole, self._known, self._others
+        cross = whole.gram[np.ix_(known, others)]
+        gain = self._solve(cross)
+        own = self._solve(whole.projection[known])
+        places = np.full(len(whole.projection), -1)
+        places[others] = np.arange(len(others))
+        return replace(
+            whole,
+            gram=whole.gram[np.ix_(others, others)] - cross.T @ gain,
+            projection=whole.projection[others] - cross.T @ own,
+            power=whole.power - float(whole.projection[known] @ own),
+            norms=whole.norms[others],
+            columns={g: places[c] for g, c in whole.columns.items() if g not in self.tolerances},
+            log_volume=self._log_volume,
+        )
+
+    def estimate(self, sizes: Sizes) -> dict[Effect, Array]:
+        """(d,) most probable departure of each known parameter beside groups of these sizes, SI."""
+        whole, projection = self.whole, self.whole.projection[self._known]
+        for group, size in sizes.items():
+            own = whole.columns[group]
+            unit = size * whole.norms[own]
+            projection = projection - whole.gram[np.ix_(self._known, own)] @ unit
+        values = self._solve(projection) / whole.norms[self._known]
+        return dict(zip(self.effects, np.split(values, self._ends[:-1]), strict=True))
+
+    def covariances(self, groups: tuple[Group, ...], covariance: Array) -> dict[Effect, Array]:
+        """(d, d) covariance of each known parameter beside fitted groups, SI.
+
+        Args:
+            groups: groups of the fit.
+            covariance: (D, D) of their sizes, group after group.
+        """
+        whole, known = self.whole, self._known
+        total = self._solve(np.eye(len(known)))
+        if groups:
+            own = np.concatenate([whole.columns[group] for group in groups])
+            carried = self._solve(whole.gram[np.ix_(known, own)])
+            scale = whole.norms[own]
+            total = total + carried @ (covariance * np.outer(scale, scale)) @ carried.T
+        total = total / np.outer(whole.norms[known], whole.norms[known])
+        begins = np.concatenate(([0], self._ends[:-1]))
+        parts = [slice(b, e) for b, e in zip(begins, self._ends, strict=True)]
+        return {e: total[part, part] for e, part in zip(self.effects, parts, strict=True)}
+
+    @cached_property
+    def _known(self) -> NDArray[np.int64]:
+        columns = [self.whole.columns[effect] for effect in self.effects]
+        return np.concatenate([np.empty(0, np.int64), *columns])
+
+    @cached_property
+    def _others(self) -> NDArray[np.int64]:
+        columns = [c for g, c in self.whole.columns.items() if g not in self.tolerances]
+        return np.concatenate([np.empty(0, np.int64), *columns])
+
+    @cached_property
+    def _ends(self) -> NDArray[np.int64]:
+        return np.cumsum([effect.size for effect in self.effects], dtype=np.int64)
+
+    @cached_property
+    def _prior_variance(self) -> Array:
+        """Variance before the tests, in units of the design's columns."""
+        sigmas = [np.full(effect.size, self.tolerances[effect]) for effect in self.effects]
+        return np.asarray((np.concatenate([[], *sigmas]) * self.whole.norms[self._known]) ** 2)
+
+    @cached_property
+    def _factor(self) -> tuple[Array, bool]:
+        gram = self.whole.gram[np.ix_(self._known, self._known)]
+        return cho_factor(gram + np.diag(1 / self._prior_variance))
+
+    @property
+    def _log_volume(self) -> float:
+        diagonal = np.diag(self._factor[0])
+        return float(2 * np.log(diagonal).sum() + np.log(self._prior_variance).sum())
+
+    def _solve(self, values: Array) -> Array:
+        if not self.effects:
+            return np.zeros_like(values)
+        return np.asarray(cho_solve(self._factor, values))

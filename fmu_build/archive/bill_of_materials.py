@@ -22,12 +22,8 @@ LIBRARIES = (
 
 
 def list_materials(name: str, content: Mapping[str, bytes]) -> str:
-    """The bill as JSON, without times or random numbers.
-
-    Args:
-        name: the FMU's.
-        content: its sources and binaries, by path in the archive.
-    """
+    """The bill of an FMU's sources and binaries (by path) as JSON, without times or random
+    numbers."""
     licence = read_licence()
     component = {
         "type": "library",

@@ -2,14 +2,16 @@
 
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from importlib.metadata import version
 
+from fmu_build.archive.licences import read_licence
 from fmu_build.archive.units import add_unit_definitions
 from fmu_build.archive.xml import format_xml
 from fmu_build.equations.dae import Dae
-from fmu_build.equations.dependencies import Graph
+from fmu_build.equations.dependencies import trace_dependencies
 from fmu_build.equations.modelica import RealType
 from fmu_build.equations.scalars import Scalar, list_scalars
+from fmu_build.roots import Root
 
 LOG_CATEGORIES = {
     "logStatusError": "Refused calls and failed steps, with the reason",
@@ -18,33 +20,13 @@ LOG_CATEGORIES = {
 """What the C shell reports, in the order of its `log_categories`."""
 
 
-@dataclass(frozen=True)
-class Identity:
-    """What an FMU calls itself; `step` is its default communication step in s, `licence` an SPDX
-    expression. An attribute that is empty is left out of the description."""
-
-    identifier: str
-    description: str
-    token: str
-    version: str
-    sources: tuple[str, ...]
-    step: str
-    licence: str = ""
-    author: str = ""
-    copyright: str = ""
-
-
-def describe_fmi2(dae: Dae, identity: Identity) -> str:
-    """modelDescription.xml of FMI 2.0, co-simulation.
-
-    Raises:
-        ValueError: a variable has a unit or display unit that `units.py` doesn't know.
-    """
-    root = _root("2.0", identity, guid=identity.token)
+def describe_fmi2(dae: Dae, model: Root, token: str, sources: Sequence[str]) -> str:
+    """modelDescription.xml of FMI 2.0, co-simulation."""
+    root = _root("2.0", model, guid=token)
     simulation = ET.SubElement(
         root,
         "CoSimulation",
-        modelIdentifier=identity.identifier,
+        modelIdentifier=model.identifier,
         canHandleVariableCommunicationStepSize="true",
         canGetAndSetFMUstate="true",
         canSerializeFMUstate="true",
@@ -52,10 +34,10 @@ def describe_fmi2(dae: Dae, identity: Identity) -> str:
         canNotUseMemoryManagementFunctions="true",
     )
     files = ET.SubElement(simulation, "SourceFiles")
-    for name in identity.sources:
+    for name in sources:
         ET.SubElement(files, "File", name=name)
     listed = list(list_scalars(dae))
-    _common(root, listed, identity.step, _add_simple_type)
+    _common(root, listed, model.step, _add_simple_type)
     variables = ET.SubElement(root, "ModelVariables")
     for scalar in listed:
         _add_scalar_variable(variables, scalar)
@@ -70,17 +52,13 @@ def describe_fmi2(dae: Dae, identity: Identity) -> str:
     return format_xml(root)
 
 
-def describe_fmi3(dae: Dae, identity: Identity) -> str:
-    """modelDescription.xml of FMI 3.0, co-simulation.
-
-    Raises:
-        ValueError: a variable has a unit or display unit that `units.py` doesn't know.
-    """
-    root = _root("3.0", identity, instantiationToken=identity.token)
+def describe_fmi3(dae: Dae, model: Root, token: str) -> str:
+    """modelDescription.xml of FMI 3.0, co-simulation."""
+    root = _root("3.0", model, instantiationToken=token)
     ET.SubElement(
         root,
         "CoSimulation",
-        modelIdentifier=identity.identifier,
+        modelIdentifier=model.identifier,
         canHandleVariableCommunicationStepSize="true",
         canGetAndSetFMUState="true",
         canSerializeFMUState="true",
@@ -90,7 +68,7 @@ def describe_fmi3(dae: Dae, identity: Identity) -> str:
         canReturnEarlyAfterIntermediateUpdate="true",
     )
     listed = list(list_scalars(dae))
-    _common(root, listed, identity.step, _add_float64_type)
+    _common(root, listed, model.step, _add_float64_type)
     variables = ET.SubElement(root, "ModelVariables")
     for scalar in listed:
         _add_typed_variable(variables, scalar)
@@ -111,24 +89,36 @@ def describe_fmi3(dae: Dae, identity: Identity) -> str:
     return format_xml(root)
 
 
-def _root(fmi_version: str, identity: Identity, **token: str) -> ET.Element:
-    root = ET.Element(
-        "fmiModelDescription",
-        {"fmiVersion": fmi_version, "modelName": identity.identifier, **token},
-        description=identity.description,
-        version=identity.version,
-        generationTool=f"hrg fmu_build {identity.version}",
-        variableNamingConvention="structured",
+def describe_build(identifier: str, sources: Sequence[str], options: Sequence[str]) -> str:
+    """sources/buildDescription.xml of FMI 3.0: how the sources of C99 beside their headers are
+    compiled, with options of the GCC family that give the same numbers everywhere."""
+    root = ET.Element("fmiBuildDescription", fmiVersion="3.0")
+    configuration = ET.SubElement(root, "BuildConfiguration", modelIdentifier=identifier)
+    files = ET.SubElement(
+        configuration,
+        "SourceFileSet",
+        language="C99",
+        compiler="clang",
+        compilerOptions=" ".join(options),
     )
-    rights = {
-        "author": identity.author,
-        "copyright": identity.copyright,
-        "license": identity.licence,
-    }
-    for name, text in rights.items():
-        if text:
-            root.set(name, text)
-    return root
+    for name in sources:
+        ET.SubElement(files, "SourceFile", name=name)
+    return format_xml(root)
+
+
+def _root(fmi_version: str, model: Root, **token: str) -> ET.Element:
+    licence = read_licence()
+    return ET.Element(
+        "fmiModelDescription",
+        {"fmiVersion": fmi_version, "modelName": model.identifier, **token},
+        description=model.description,
+        version=version("hrg"),
+        generationTool=f"hrg fmu_build {version('hrg')}",
+        variableNamingConvention="structured",
+        author=licence.author,
+        copyright=licence.copyright,
+        license=licence.expression,
+    )
 
 
 def _common(
@@ -196,9 +186,8 @@ def _typed(scalar: Scalar) -> dict[str, str]:
 
 def _unknowns(dae: Dae, listed: Sequence[Scalar]) -> Iterator[tuple[str, Scalar, tuple[int, ...]]]:
     """Kind, scalar and references of the knowns it depends on; ascending, as FMI 2.0 asks."""
-    graph = Graph(dae)
     calculated = [s for s in listed if s.causality in ("output", "calculatedParameter")]
-    depends = {index: graph.of(index) for index in {s.variable for s in calculated}}
+    depends = trace_dependencies(dae, {s.variable for s in calculated})
     for scalar in calculated:
         if scalar.causality == "output":
             yield "Output", scalar, depends[scalar.variable].stepping

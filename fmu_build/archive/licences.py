@@ -48,11 +48,7 @@ class Licence:
 
 
 def read_licence() -> Licence:
-    """The licence, from the metadata of the installed distribution.
-
-    Raises:
-        BuildError: the metadata hold no licence: they are older than these sources.
-    """
+    """The licence, from the metadata of the installed distribution."""
     installed = distribution("hrg")
     text = installed.read_text("licenses/LICENSE") or ""
     line = re.search(r"^Copyright .*$", text, re.MULTILINE)

@@ -52,13 +52,8 @@ class Reference:
 
 
 def simulate_reference(name: str, content: Mapping[str, bytes]) -> Reference:
-    """Run an FMU over its default experiment.
-
-    Args:
-        name: the model identifier.
-        content: description, sources and binaries, by path; where this machine's binary isn't
-            among them, it is compiled.
-    """
+    """Run an FMU over its default experiment: its description, sources and binaries, by path. Where
+    this machine's binary isn't among them, it is compiled."""
     with tempfile.TemporaryDirectory(prefix="hrg-reference-") as folder:
         root = Path(folder)
         for path, data in content.items():
@@ -110,22 +105,11 @@ def _manifest(name: str) -> str:
     root.set(f"{{{MANIFEST_NAMESPACE}}}fmi-ls-name", "org.fmi-standard.fmi-ls-ref")
     root.set(f"{{{MANIFEST_NAMESPACE}}}fmi-ls-version", "1.0.0-alpha.1")
     root.set(f"{{{MANIFEST_NAMESPACE}}}fmi-ls-description", "References to other files")
-    ET.SubElement(
-        root,
-        "Related",
-        type="text/csv",
-        source=f"{name}_in.csv",
-        role="input",
-        description="Inputs of the default experiment, at its communication points",
-    )
-    ET.SubElement(
-        root,
-        "Related",
-        type="text/csv",
-        source=f"{name}_out.csv",
-        role="result",
-        description=f"Outputs of the default experiment with these inputs, in {POINTS} steps",
-    )
+    inputs = "Inputs of the default experiment, at its communication points"
+    outputs = f"Outputs of the default experiment with these inputs, in {POINTS} steps"
+    for file, role, text in (("in", "input", inputs), ("out", "result", outputs)):
+        given = {"type": "text/csv", "source": f"{name}_{file}.csv", "role": role}
+        ET.SubElement(root, "Related", given, description=text)
     return format_xml(root)
 
 

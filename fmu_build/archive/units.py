@@ -45,15 +45,8 @@ def convert_to_display_unit(value: float, unit: str, display: str) -> float:
 
 
 def add_unit_definitions(root: ET.Element, used: Iterable[tuple[str, str]]) -> None:
-    """Append `UnitDefinitions`, alike in FMI 2.0 and 3.0.
-
-    Args:
-        root: the model description.
-        used: pairs of unit and display unit; the latter may be empty.
-
-    Raises:
-        ValueError: a unit or display unit that the tables above don't hold.
-    """
+    """Append `UnitDefinitions`, alike in FMI 2.0 and 3.0, for pairs of unit and display unit, which
+    may be empty."""
     pairs = set(used)
     definitions = ET.SubElement(root, "UnitDefinitions")
     for name in sorted({unit for unit, _ in pairs}):

@@ -18,11 +18,7 @@ def fetch_library(
     target: Platform,
     progress: Callable[[str], None] = lambda text: None,
 ) -> bytes:
-    """Shared library of the C sources in a folder, from the user's cache or compiled.
-
-    Raises:
-        BuildError, OSError.
-    """
+    """Shared library of the C sources in a folder, from the user's cache or compiled."""
     digest = _digest(folder, sources, identifier, target)
     path = platformdirs.user_cache_path("hrg") / "libraries" / f"{digest}{target.suffix}"
     if path.exists():

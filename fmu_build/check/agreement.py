@@ -3,8 +3,7 @@
 import math
 from collections.abc import Iterator, Mapping
 
-from fmu_build.check.experiment import Experiment
-from fmu_build.check.recording import Trace
+from fmu_build.check.experiment import Experiment, Trace
 
 
 def find_disagreements(experiment: Experiment, traces: Mapping[str, Trace]) -> Iterator[str]:

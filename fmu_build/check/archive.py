@@ -63,11 +63,7 @@ class Fmu:
             return archive.infolist()
 
     def xml(self, name: str) -> ET.Element | None:
-        """Root of a document inside; None where there is none.
-
-        Raises:
-            ET.ParseError: it is no XML.
-        """
+        """Root of a document inside; None where there is none."""
         if name not in self.names:
             return None
         with zipfile.ZipFile(self.path) as archive:
@@ -122,11 +118,7 @@ class Fmu:
 
 
 def open_fmu(path: Path) -> Fmu:
-    """Open an FMU.
-
-    Raises:
-        UnusableError: it can't be read, or is of another version than 2.0 or 3.0.
-    """
+    """Open an FMU."""
     try:
         with zipfile.ZipFile(path) as archive:
             names = tuple(archive.namelist())

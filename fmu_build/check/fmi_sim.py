@@ -9,8 +9,13 @@ import zipfile
 from collections.abc import Iterable
 from pathlib import Path
 
-from fmu_build.check.experiment import Experiment
-from fmu_build.check.recording import FailedError, Recording, Trace, read_last_line
+from fmu_build.check.experiment import (
+    Experiment,
+    FailedError,
+    Recording,
+    Trace,
+    read_last_line,
+)
 
 DESCRIPTIVE = {"A", "K", "unit", "displayUnit", "quantity", "relativeQuantity", "nominal"}
 """Attributes without which an FMU computes the same numbers."""

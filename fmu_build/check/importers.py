@@ -15,9 +15,14 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from shutil import which
 
-from fmu_build.check.experiment import Experiment
+from fmu_build.check.experiment import (
+    Experiment,
+    FailedError,
+    Recording,
+    Trace,
+    read_last_line,
+)
 from fmu_build.check.fmi_sim import run_fmi_sim
-from fmu_build.check.recording import FailedError, Recording, Trace, read_last_line
 
 TIMEOUT = 60
 """Seconds after which an importer is taken to hang."""
@@ -46,11 +51,7 @@ class Importer:
     run: Callable[[Experiment], Recording]
 
     def version(self) -> str:
-        """Installed version.
-
-        Raises:
-            MissingError: none is.
-        """
+        """Installed version."""
         try:
             return (
                 _program_version(self.package) if self.run is run_fmi_sim else version(self.package)
@@ -59,12 +60,7 @@ class Importer:
             raise MissingError(f"{self.name} is missing: {self.install}") from error
 
     def recording(self, experiment: Experiment) -> Recording:
-        """Run the experiment in another process.
-
-        Raises:
-            MissingError: the importer can't be loaded.
-            FailedError: with the importer's words.
-        """
+        """Run the experiment in another process."""
         with tempfile.TemporaryDirectory(prefix="hrg-check-") as folder:
             result = Path(folder) / "recording.json"
             command = [sys.executable, "-m", __spec__.name, self.name, str(result)]

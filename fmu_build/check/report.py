@@ -7,21 +7,24 @@ from xml.etree.ElementTree import ParseError
 
 from fmu_build.check.agreement import find_disagreements
 from fmu_build.check.archive import Fmu, open_fmu
-from fmu_build.check.binary import find_missing_binary
-from fmu_build.check.experiment import Experiment, plan_experiment
+from fmu_build.check.experiment import (
+    Experiment,
+    FailedError,
+    Trace,
+    find_missing_binary,
+    plan_experiment,
+)
 from fmu_build.check.importers import IMPORTERS, Importer, MissingError
-from fmu_build.check.recording import FailedError, Trace
 from fmu_build.check.rules import (  # noqa: F401 (modules of rules register themselves)
     archive,
     capabilities,
-    integrity,
     sources,
     structure,
     terminals,
     units,
     variables,
 )
-from fmu_build.check.rules.integrity import INTACT
+from fmu_build.check.rules.archive import INTACT
 from fmu_build.check.rules.rule import RULES, Rule
 
 

@@ -12,14 +12,8 @@ from fmu_build.equations.sorting import Assignment, Schedule, sort_equations
 
 
 def generate_source(dae: Dae, integrator: str = "runge_kutta_4") -> str:
-    """C source of a model: the functions that `model.h` declares.
-
-    Args:
-        integrator: header `c/INTEGRATOR.h` and the function in it that makes a step.
-
-    Raises:
-        ValueError: the model holds what the generator does not know.
-    """
+    """C source of a model: the functions that `model.h` declares. The integrator is the header
+    `c/INTEGRATOR.h` and the function in it that makes a step."""
     plan = sort_equations(dae)
     dae = plan.dae
     derivatives = _derivatives(dae, plan)

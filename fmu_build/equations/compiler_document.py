@@ -7,11 +7,7 @@ from fmu_build.equations.dae import Dae, Domain, Function, Json, Local, Node, Sa
 
 
 def read_document(model: str, storage: Json, source_map: Json) -> Dae:
-    """Read the compiler's document: the flat model, and the Modelica texts that it comes from.
-
-    Raises:
-        ValueError: it holds what this generator does not know.
-    """
+    """Read the compiler's document: the flat model, and the Modelica texts that it comes from."""
     _refuse_unknown(storage)
     nodes = tuple(_nodes(storage["expressions"]))
     continuous = []

@@ -50,11 +50,7 @@ class Schedule:
 
 @lru_cache(maxsize=1)
 def sort_equations(dae: Dae) -> Schedule:
-    """Order the model's equations.
-
-    Raises:
-        ValueError: an equation that defines no variable, or an algebraic loop.
-    """
+    """Order the model's equations."""
     continuous = _assign(dae, dae.continuous)
     sampled = {_explicit_target(dae, s.equation): _sampled(dae, s) for s in dae.sampled}
     dae = _without_aliases(dae, continuous)
@@ -258,11 +254,7 @@ def _starts(dae: Dae) -> Iterator[Assignment]:
 
 
 def _order(dae: Dae, assignments: dict[Target, Assignment]) -> tuple[Assignment, ...]:
-    """Topological order.
-
-    Raises:
-        ValueError: an algebraic loop; the message names its variables.
-    """
+    """Topological order."""
     ordered: list[Assignment] = []
     done: set[Target] = set()
     path: list[Target] = []

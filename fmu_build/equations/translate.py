@@ -17,17 +17,8 @@ class TranslationError(HrgError):
 
 
 def translate(library: Path, model: str, source: str = "") -> Dae:
-    """Flat equations of a model.
-
-    Args:
-        library: folder of the top-level package, with its `package.mo`.
-        model: full name of the model, e.g. `HRG.Gyroscopes.HRG`.
-        source: Modelica text of the model, where it is not the library's own.
-
-    Raises:
-        TranslationError: another compiler than the pinned one, a Modelica error, or a construct
-            that the generator does not know.
-    """
+    """Flat equations of a model of a library (the folder of `package.mo`) by its full name, e.g.
+    `HRG.Gyroscopes.HRG`; `source` is its Modelica text, where it is not the library's own."""
     if rumoca.version() != COMPILER_VERSION:
         raise TranslationError(
             f"rumoca {rumoca.version()} is installed; expected {COMPILER_VERSION}, "

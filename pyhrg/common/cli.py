@@ -97,11 +97,7 @@ def collect_given(options: argparse.Namespace, names: Sequence[str]) -> dict[str
 
 
 def refuse(options: argparse.Namespace, names: Sequence[str], reason: str) -> None:
-    """Refuse options that do not go with the others.
-
-    Raises:
-        HrgError: one of them is given; the message names it and the reason.
-    """
+    """Refuse options that do not go with the others."""
     for name in names:
         if getattr(options, name) not in (None, False):
             raise HrgError(f"--{name.replace('_', '-')}: {reason}")

@@ -44,11 +44,7 @@ class Archive:
         return "controller.amplitudeLoop.naturalFrequency" in self.references
 
     def find_references(self, names: Iterable[str]) -> NDArray[np.uint32]:
-        """Value references of variables.
-
-        Raises:
-            GyroError: there is no variable of a name.
-        """
+        """Value references of variables."""
         names = list(names)
         for name in names:
             if name not in self.references:

@@ -26,11 +26,8 @@ class Instance:
         self.slave.instantiate(callbacks=self._callbacks)
 
     def set_up(self, parameters: Mapping[str, float]) -> None:
-        """Set parameters by name, SI, and start the simulation.
-
-        Raises:
-            GyroError: a value that the FMU refuses; the instance is freed.
-        """
+        """Set parameters by name, SI, and start the simulation; where the FMU refuses one, the
+        instance is freed."""
         try:
             self._call(self.slave.setupExperiment, startTime=0.0)
             self._call(self.slave.enterInitializationMode)
@@ -42,11 +39,7 @@ class Instance:
             raise
 
     def reset(self) -> None:
-        """End the simulation; the instance can be set up again.
-
-        Raises:
-            GyroError: the FMU refuses; the instance is freed.
-        """
+        """End the simulation; the instance can be set up again, unless the FMU refuses."""
         try:
             self._call(self.slave.terminate)
             self._call(self.slave.reset)
@@ -55,11 +48,7 @@ class Instance:
             raise
 
     def set_value(self, name: str, value: float) -> None:
-        """Set one variable, SI.
-
-        Raises:
-            GyroError: an unknown name, or a value that the FMU refuses.
-        """
+        """Set one variable, SI."""
         references = [int(reference) for reference in self.archive.find_references([name])]
         if self.archive.kinds[name] == "Integer":
             if value != int(value):

@@ -8,22 +8,12 @@ from functools import cached_property
 from pathlib import Path
 from typing import ClassVar
 
+from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
 from pyhrg.common.site import Site
-from pyhrg.common.toml_table import TomlTable
+from pyhrg.common.toml_table import TomlTable, read_json_table
 from pyhrg.common.units import DEG
-from pyhrg.records.campaign_index import CampaignError, read_index
 from pyhrg.records.log import Log, read_log, write_log
-
-__all__ = [
-    "Campaign",
-    "CampaignError",
-    "Site",
-    "StoredLog",
-    "Test",
-    "read_campaign",
-    "write_campaign",
-]
 
 SCHEMA = "hrg-campaign/1"
 INDEX = "campaign.json"
@@ -33,6 +23,10 @@ GRAVITY = (9.7, 9.9)
 """Smallest and largest gravity on Earth, m/s2."""
 FILE_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9._-]*")
 """Names of files that any system takes."""
+
+
+class CampaignError(HrgError):
+    """The folder is no campaign; the message names file, key, what was found and what expected."""
 
 
 @dataclass(frozen=True)
@@ -52,11 +46,7 @@ class StoredLog:
     site: Site
 
     def read(self) -> Log:
-        """Read the log; another number of rows than the index states is an exclusion.
-
-        Raises:
-            LogError: see `read_log`.
-        """
+        """Read the log; another number of rows than the index states is an exclusion."""
         log = read_log(self.path, interval_s=self.interval, latitude_deg=self.site.latitude_deg)
         if len(log.time) == self.n:
             return log
@@ -84,11 +74,7 @@ class Test:
 
     @cached_property
     def log(self) -> Log:
-        """The log, read once.
-
-        Raises:
-            LogError: it can't be used.
-        """
+        """The log, read once."""
         return self.recording if isinstance(self.recording, Log) else self.recording.read()
 
     @property
@@ -126,15 +112,11 @@ def read_campaign(folder: Path | str) -> Campaign:
         CampaignError: there is no index, it has another schema, or a key is missing or has a wrong
             value.
     """
-    index = read_index(Path(folder) / INDEX)
+    index = read_json_table(Path(folder) / INDEX, CampaignError)
     index.text("schema", None, (SCHEMA,))
     for key, expected in (("site", "a table"), ("nominal", "a table"), ("tests", "a list")):
         index.require(key, expected)
-    place = index.table("site")
-    site = Site(
-        latitude=place.number("latitude_deg", None, -90.0, 90.0) * DEG,
-        gravity=place.number("gravity_m_s2", None, *GRAVITY),
-    )
+    site = read_site(index)
     nominal = index.table("nominal")
     tests = tuple(_read_test(Path(folder), entry, site) for entry in index.tables("tests"))
     _check_names(Path(folder) / INDEX, tests)
@@ -143,6 +125,15 @@ def read_campaign(folder: Path | str) -> Campaign:
         site=site,
         nominal={key: nominal.finite_number(key) for key in nominal.values},
         tests=tests,
+    )
+
+
+def read_site(document: TomlTable) -> Site:
+    """The site that a document's table `site` states."""
+    place = document.table("site")
+    return Site(
+        latitude=place.number("latitude_deg", None, -90.0, 90.0) * DEG,
+        gravity=place.number("gravity_m_s2", None, *GRAVITY),
     )
 
 

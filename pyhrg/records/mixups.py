@@ -30,11 +30,7 @@ MIN_EARTH_RATE = 0.2 * EARTH_RATE
 
 
 def check_units(table: Table, interval: float) -> None:
-    """Compare the gyro's angle with the table's, the pattern's with the gyro's, gravity with 1 g.
-
-    Raises:
-        LogError: a ratio is one that only another unit or sign explains.
-    """
+    """Compare the gyro's angle with the table's, the pattern's with the gyro's, force with 1 g."""
     steps = _compute_steps(table, interval)
     _check_table(table, steps, interval)
     _check_wave(table, steps)
@@ -45,15 +41,7 @@ def check_earth_rate(table: Table, interval: float, latitude: float) -> None:
     """Compare the gyro's rate with Earth's, which alone shows that every angle is in radians.
 
     At rest it is the gyro's rate that is compared; where the table turns at up to `MAX_SLOW_RATE`,
-    it is the gyro's rate less the table's.
-
-    Args:
-        table: as it was read.
-        interval: sampling interval, s.
-        latitude: of the site, rad.
-
-    Raises:
-        LogError: the gyro's rate is Earth's in another unit, or its angle never changes.
+    it is the gyro's rate less the table's. The interval is in s, the site's latitude in rad.
     """
     columns = table.columns
     earth = columns["axis_up"][1:] * EARTH_RATE * math.sin(latitude)

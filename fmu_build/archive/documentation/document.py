@@ -16,7 +16,7 @@ from fmu_build.archive.documentation.variable_tables import (
 from fmu_build.archive.reference import Reference
 from fmu_build.equations.dae import Dae
 from fmu_build.equations.scalars import Scalar, list_scalars
-from fmu_build.roots import Root
+from fmu_build.roots import METHODS, Root
 
 TEMPLATE = """<!DOCTYPE html>
 <html lang="en">
@@ -40,17 +40,7 @@ from the Modelica model {model} · <a href="licenses/license.txt">Licences</a></
 
 
 def write_documentation(dae: Dae, root: Root, version: str, run: Reference | None = None) -> str:
-    """The page; it needs no other file.
-
-    Args:
-        dae: the model.
-        root: what is exported.
-        version: of the model.
-        run: to show in a figure.
-
-    Raises:
-        ValueError: an info text that is no well-formed HTML.
-    """
+    """The page, with a figure of the run; it needs no other file."""
     present = {heading: body for heading, body in _sections(dae, root, run).items() if body}
     return TEMPLATE.format(
         name=escape(root.identifier),
@@ -89,8 +79,8 @@ def _anchor(heading: str) -> str:
 
 def _stepping(dae: Dae, root: Root) -> str:
     return (
-        f"<p>Continuous states are integrated by {escape(root.method)} from sample to sample, "
-        f"in steps of {_periods(dae)[0]} at most. Sampled equations are evaluated every "
+        f"<p>Continuous states are integrated by {escape(METHODS[root.integrator])} from sample to "
+        f"sample, in steps of {_periods(dae)[0]} at most. Sampled equations are evaluated every "
         f"{', '.join(_periods(dae))}. A sample that falls on a communication point belongs to the "
         "step that ends there. Inputs hold over a step. A value outside its range is refused with "
         "a message that names the variable.</p>"

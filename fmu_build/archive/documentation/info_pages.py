@@ -10,11 +10,7 @@ from fmu_build.equations.modelica import Page, find_library, read_page
 
 
 def read_model_pages(dae: Dae) -> str:
-    """Pages of the model, of every class that declares one of its variables, of its functions.
-
-    Raises:
-        ValueError: an info text that is no well-formed HTML.
-    """
+    """Pages of the model, of every class that declares one of its variables, of its functions."""
     classes = dict.fromkeys(Path(variable.file) for variable in dae.variables)
     own = f"{dae.model.split('.')[-1]}.mo"
     called = {function.name.split(".")[-1] for function in dae.functions}
@@ -23,11 +19,7 @@ def read_model_pages(dae: Dae) -> str:
 
 
 def read_guide_pages(dae: Dae) -> str:
-    """Pages of the users' guide, in its order; none if the library has no guide.
-
-    Raises:
-        ValueError: an info text that is no well-formed HTML.
-    """
+    """Pages of the users' guide, in its order; none if the library has no guide."""
     folder = _library(dae) / "UsersGuide"
     order = folder / "package.order"
     names = order.read_text(encoding="utf-8").split() if order.exists() else []

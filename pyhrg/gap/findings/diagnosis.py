@@ -9,10 +9,9 @@ from typing import Any, Literal, cast, get_args
 
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
-from pyhrg.common.toml_table import TomlTable
+from pyhrg.common.toml_table import TomlTable, read_json_table
 from pyhrg.gap.findings.localisation import Place
 from pyhrg.gap.findings.quantity import Size
-from pyhrg.records.campaign_index import read_index
 
 SCHEMA = "hrg-diagnosis/1"
 FILE = "diagnosis.json"
@@ -188,7 +187,7 @@ def read_diagnosis(path: Path | str) -> Diagnosis:
         DiagnosisError: an unreadable file, one that is no diagnosis, or that of a static record.
     """
     path = Path(path)
-    return _parse(read_index(path / FILE if path.is_dir() else path, DiagnosisError))
+    return _parse(read_json_table(path / FILE if path.is_dir() else path, DiagnosisError))
 
 
 def _parse(index: TomlTable) -> Diagnosis:

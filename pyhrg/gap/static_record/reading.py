@@ -6,7 +6,7 @@ from pyhrg import records
 from pyhrg.gap.static_record.record import StaticRecord, channel_from_increments, record_from_log
 from pyhrg.gap.static_record.terms import ACCELEROMETER, GYRO
 from pyhrg.records.imu import recorded
-from pyhrg.records.imu.log import read_bytes
+from pyhrg.records.table import read_bytes
 
 AXES = ("x", "y", "z")
 BENCH_COLUMN = b"gyro_angle_deg"

@@ -47,11 +47,7 @@ class ColumnMapping:
 
 
 def read_columns(table: TomlTable) -> dict[str, ColumnMapping]:
-    """Mappings of a table's columns, by field of `Log`.
-
-    Raises:
-        SpecificationError: an unknown column or key, a unit of another quantity.
-    """
+    """Mappings of a table's columns, by field of `Log`."""
     table.check_known(tuple(BY_STEM))
     return {BY_STEM[stem].field: _read_column(table, BY_STEM[stem]) for stem in table.values}
 

@@ -9,11 +9,10 @@ from pyhrg.common.errors import HrgError
 from pyhrg.common.files import replace_folder
 from pyhrg.records.campaign import Campaign, Test, write_campaign
 from pyhrg.records.campaign_import.conversion import convert_column, read_times
-from pyhrg.records.campaign_import.imported_test import ImportedTest
 from pyhrg.records.campaign_import.joining import join_rows
 from pyhrg.records.campaign_import.layout import read_cells
 from pyhrg.records.campaign_import.mapping import CampaignMapping, TestMapping, read_mapping
-from pyhrg.records.campaign_import.preview import describe_tests
+from pyhrg.records.campaign_import.preview import ImportedTest, describe_tests
 from pyhrg.records.columns import COLUMNS
 from pyhrg.records.log import Log, build_log
 from pyhrg.records.table import Array, Table, check_range

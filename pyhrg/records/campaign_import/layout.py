@@ -56,11 +56,7 @@ class Cells:
     cells: tuple[tuple[str, ...], ...]
 
     def place(self, column: str | int) -> int:
-        """Index of a column in a row, by the column's name or its number from 1.
-
-        Raises:
-            LogError: there is no such column, or more than one of that name.
-        """
+        """Index of a column in a row, by the column's name or its number from 1."""
         if isinstance(column, int):
             if not 1 <= column <= len(self.cells[0]):
                 expected = f"expected 1 to {len(self.cells[0])}"
@@ -82,11 +78,7 @@ class Cells:
         return text.lower() in self.layout.missing
 
     def numbers(self, column: str | int) -> NDArray[np.float64]:
-        """(n,) values of a column, NaN where there is none.
-
-        Raises:
-            LogError: a cell is no number.
-        """
+        """(n,) values of a column, NaN where there is none."""
         texts = self.texts(column)
         return np.array([self._number(i, column, text) for i, text in enumerate(texts)])
 
@@ -104,11 +96,7 @@ class Cells:
 
 
 def read_layout(table: TomlTable) -> Layout:
-    """The layout that a table of a mapping states.
-
-    Raises:
-        SpecificationError: an unknown key, or a value that is none of those it may have.
-    """
+    """The layout that a table of a mapping states."""
     table.check_known(
         (
             *("separator", "decimal", "comment", "encoding", "missing"),
@@ -132,12 +120,7 @@ def read_layout(table: TomlTable) -> Layout:
 
 
 def read_cells(path: Path, layout: Layout) -> Cells:
-    """The cells of a file.
-
-    Raises:
-        LogError: the file can't be read or is not in that encoding; it has no row of values, or
-            rows of unequal length.
-    """
+    """The cells of a file."""
     lines = _split_lines(read_text(path, layout.encoding), layout)
     names: tuple[str, ...] = ()
     if layout.header:

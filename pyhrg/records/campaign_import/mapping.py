@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 from pathlib import Path
 
+from pyhrg.common.site import Site
 from pyhrg.common.toml_table import TomlTable, read_table
-from pyhrg.common.units import DEG
 from pyhrg.device.device_file import from_table
-from pyhrg.records.campaign import FILE_NAME, GRAVITY, ROLES, Site
+from pyhrg.records.campaign import FILE_NAME, ROLES, read_site
 from pyhrg.records.campaign_import.column_mapping import BY_STEM, ColumnMapping, read_columns
 from pyhrg.records.campaign_import.layout import Layout, read_layout
 
@@ -55,11 +55,7 @@ class CampaignMapping:
 
 
 def read_mapping(path: Path) -> CampaignMapping:
-    """Read a mapping (docs/import.md); the files that it names are beside it.
-
-    Raises:
-        SpecificationError: the file can't be read; a key is unknown, missing or has a wrong value.
-    """
+    """Read a mapping (docs/import.md); the files that it names are beside it."""
     top = read_table(path)
     top.check_known(("device", "site", "nominal", "rows_s", "layout", "columns", "tests"))
     tests = tuple(_read_test(entry, top, path.parent) for entry in top.tables("tests"))
@@ -69,16 +65,8 @@ def read_mapping(path: Path) -> CampaignMapping:
     device = top.require("device", "the gyro's name")
     if not isinstance(device, str) or not device:
         raise top.error("device", device, "the gyro's name")
-    return CampaignMapping(str(path), device, _read_site(top), _read_nominal(top), tests)
-
-
-def _read_site(top: TomlTable) -> Site:
-    place = top.table("site")
-    place.check_known(("latitude_deg", "gravity_m_s2"))
-    return Site(
-        latitude=place.number("latitude_deg", None, -90.0, 90.0) * DEG,
-        gravity=place.number("gravity_m_s2", None, *GRAVITY),
-    )
+    top.table("site").check_known(("latitude_deg", "gravity_m_s2"))
+    return CampaignMapping(str(path), device, read_site(top), _read_nominal(top), tests)
 
 
 def _read_nominal(top: TomlTable) -> dict[str, float]:

@@ -1,18 +1,31 @@
 """What an import understood, in words, for a laboratory to check."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
 from pyhrg.device.device_file import NOMINAL
 from pyhrg.records.campaign_import.column_mapping import ColumnMapping
-from pyhrg.records.campaign_import.imported_test import ImportedTest
-from pyhrg.records.campaign_import.mapping import CampaignMapping
+from pyhrg.records.campaign_import.mapping import CampaignMapping, TestMapping
 from pyhrg.records.columns import BY_FIELD
 from pyhrg.records.log import Log
 
 ABSENT_COLUMN = "no column "
 """Beginning of a sentence on a column that a log does not have."""
+
+
+@dataclass(frozen=True)
+class ImportedTest:
+    """A test as it was logged, and as a reader of the campaign will get it.
+
+    logged: every row, or longer rows where the mapping asks for them; this is what is written;
+    read: what a reader keeps; its exclusions name rows by the lines of the laboratory's file.
+    """
+
+    mapping: TestMapping
+    logged: Log
+    read: Log
 
 
 def describe_tests(mapping: CampaignMapping, tests: Sequence[ImportedTest]) -> str:

@@ -70,11 +70,7 @@ class Readings:
 
 
 def check_plausibility(readings: Readings) -> None:
-    """Refuse a log whose readings only a mix-up explains.
-
-    Raises:
-        LogError: there is one; the message names it.
-    """
+    """Refuse a log whose readings only a mix-up explains."""
     _check_swapped(readings)
     _check_gravity(readings)
     _check_down(readings)

@@ -29,13 +29,8 @@ def average_blocks(values: Array, interval: float, length: float) -> Array:
 
 def estimate_rate_at_rest(rate: Array, force: Array, interval: float) -> float | None:
     """Median size of the mean rate in the first windows at rest, in the unit of the rate; None if
-    there is no window at rest.
-
-    Args:
-        rate: (n, 3) means over intervals, in any unit.
-        force: (n, 3) specific force, likewise, m/s^2.
-        interval: s.
-    """
+    there is no window at rest. Rate (n, 3) and specific force (n, 3), m/s^2, are means over
+    intervals, s."""
     windows = zip(_split_windows(force, interval), _split_windows(rate, interval), strict=True)
     resting = itertools.dropwhile(lambda window: not _is_at_rest(*window), windows)
     first = itertools.takewhile(lambda window: _is_at_rest(*window), resting)

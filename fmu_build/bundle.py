@@ -120,8 +120,7 @@ def write_fmu(
             platform: fetch_library(folder, sources, root.identifier, PLATFORMS[platform], progress)
             for platform in platforms
         }
-    binaries = _fmi2_binaries if fmi == 2 else _fmi3_binaries
-    content |= binaries(libraries, root.identifier)
+    content |= _place_binaries(libraries, root.identifier, fmi)
     if fmi == 3:
         build_text = describe_build(root.identifier, sources, PORTABLE_FLAGS)
         content["sources/buildDescription.xml"] = build_text.encode()
@@ -185,21 +184,15 @@ def _make_enclosures(
     return found | ({"model.png": draw_icon()} if fmi == 2 else {})
 
 
-def _fmi2_binaries(libraries: dict[str, bytes], identifier: str) -> dict[str, bytes]:
-    """FMI 2.0 has one folder for both kinds of Mac, and none for Linux on ARM."""
+def _place_binaries(libraries: dict[str, bytes], identifier: str, fmi: int) -> dict[str, bytes]:
+    """Binaries by path; FMI 2.0 has one folder for both kinds of Mac, and none for Linux on ARM."""
     folders: dict[str, list[bytes]] = {}
     for name, library in libraries.items():
         platform = PLATFORMS[name]
-        path = f"binaries/{platform.fmi2_folder}/{identifier}{platform.suffix}"
+        folder = platform.fmi2_folder if fmi == 2 else name
+        path = f"binaries/{folder}/{identifier}{platform.suffix}"
         folders.setdefault(path, []).append(library)
     return {path: x[0] if len(x) == 1 else join_universal(x) for path, x in folders.items()}
-
-
-def _fmi3_binaries(libraries: dict[str, bytes], identifier: str) -> dict[str, bytes]:
-    return {
-        f"binaries/{name}/{identifier}{PLATFORMS[name].suffix}": library
-        for name, library in libraries.items()
-    }
 
 
 def _limits(dae: Dae, token: str) -> str:

@@ -71,6 +71,7 @@ MAX_SEED = 2**31 - 1
 """Largest seed that the FMU takes."""
 MAX_STEPS = 10**9
 """Largest number of communication steps. Chosen: the inputs of more fill any machine's memory."""
+_open_fmu = lru_cache(maxsize=len(ROOTS))(GyroFmu)
 ROUNDING = 1e-6
 """Largest departure of a ratio of two durations from a whole number. Chosen."""
 
@@ -177,11 +178,6 @@ def _count(name: str, length: float, unit_name: str, unit: float) -> int:
     if abs(length / unit - count) > ROUNDING:
         raise HrgError(f"{name}: found {length:g}, expected a multiple of {unit_name}, {unit:g}")
     return count
-
-
-@lru_cache(maxsize=len(ROOTS))
-def _open_fmu(path: Path) -> GyroFmu:
-    return GyroFmu(path)
 
 
 def _read_moving(

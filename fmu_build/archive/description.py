@@ -1,15 +1,13 @@
 """Variables of the flat model to modelDescription.xml, FMI 2.0 or 3.0."""
 
 import xml.etree.ElementTree as ET
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from importlib.metadata import version
 
 from fmu_build.archive.licences import read_licence
 from fmu_build.archive.units import add_unit_definitions
-from fmu_build.archive.xml import format_xml
 from fmu_build.equations.dae import Dae
 from fmu_build.equations.dependencies import trace_dependencies
-from fmu_build.equations.modelica import RealType
 from fmu_build.equations.scalars import Scalar, list_scalars
 from fmu_build.roots import Root
 
@@ -20,27 +18,40 @@ LOG_CATEGORIES = {
 """What the C shell reports, in the order of its `log_categories`."""
 
 
+FMI2_CAPABILITIES = (
+    "canHandleVariableCommunicationStepSize",
+    "canGetAndSetFMUstate",
+    "canSerializeFMUstate",
+    "providesDirectionalDerivative",
+    "canNotUseMemoryManagementFunctions",
+)
+FMI3_CAPABILITIES = (
+    "canHandleVariableCommunicationStepSize",
+    "canGetAndSetFMUState",
+    "canSerializeFMUState",
+    "providesDirectionalDerivatives",
+    "providesAdjointDerivatives",
+    "providesIntermediateUpdate",
+    "canReturnEarlyAfterIntermediateUpdate",
+)
+
+
+def format_xml(root: ET.Element) -> str:
+    """Indented text of a document, with its declaration."""
+    ET.indent(root)
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n{ET.tostring(root, encoding="unicode")}\n'
+
+
 def describe_fmi2(dae: Dae, model: Root, token: str, sources: Sequence[str]) -> str:
     """modelDescription.xml of FMI 2.0, co-simulation."""
-    root = _root("2.0", model, guid=token)
-    simulation = ET.SubElement(
-        root,
-        "CoSimulation",
-        modelIdentifier=model.identifier,
-        canHandleVariableCommunicationStepSize="true",
-        canGetAndSetFMUstate="true",
-        canSerializeFMUstate="true",
-        providesDirectionalDerivative="true",
-        canNotUseMemoryManagementFunctions="true",
-    )
-    files = ET.SubElement(simulation, "SourceFiles")
-    for name in sources:
-        ET.SubElement(files, "File", name=name)
     listed = list(list_scalars(dae))
-    _common(root, listed, model.step, _add_simple_type)
-    variables = ET.SubElement(root, "ModelVariables")
+    root = _root("2.0", model, FMI2_CAPABILITIES, sources, guid=token)
+    variables = _common(root, listed, model.step)
     for scalar in listed:
-        _add_scalar_variable(variables, scalar)
+        typed = _typed(scalar)
+        shown = {name: typed.pop(name) for name in ("description",) if name in typed}
+        entry = ET.SubElement(variables, "ScalarVariable", _head(scalar) | shown)
+        ET.SubElement(entry, "Integer" if scalar.whole else "Real", typed)
     structure = ET.SubElement(root, "ModelStructure")
     kinds = {"Output": "Outputs", "InitialUnknown": "InitialUnknowns"}
     parents = {kind: ET.SubElement(structure, name) for kind, name in kinds.items()}
@@ -54,24 +65,12 @@ def describe_fmi2(dae: Dae, model: Root, token: str, sources: Sequence[str]) -> 
 
 def describe_fmi3(dae: Dae, model: Root, token: str) -> str:
     """modelDescription.xml of FMI 3.0, co-simulation."""
-    root = _root("3.0", model, instantiationToken=token)
-    ET.SubElement(
-        root,
-        "CoSimulation",
-        modelIdentifier=model.identifier,
-        canHandleVariableCommunicationStepSize="true",
-        canGetAndSetFMUState="true",
-        canSerializeFMUState="true",
-        providesDirectionalDerivatives="true",
-        providesAdjointDerivatives="true",
-        providesIntermediateUpdate="true",
-        canReturnEarlyAfterIntermediateUpdate="true",
-    )
     listed = list(list_scalars(dae))
-    _common(root, listed, model.step, _add_float64_type)
-    variables = ET.SubElement(root, "ModelVariables")
+    root = _root("3.0", model, FMI3_CAPABILITIES, instantiationToken=token)
+    variables = _common(root, listed, model.step)
     for scalar in listed:
-        _add_typed_variable(variables, scalar)
+        kind = "Int32" if scalar.whole else "Float64"
+        ET.SubElement(variables, kind, _head(scalar) | _typed(scalar))
     ET.SubElement(
         variables,
         "Float64",
@@ -106,9 +105,16 @@ def describe_build(identifier: str, sources: Sequence[str], options: Sequence[st
     return format_xml(root)
 
 
-def _root(fmi_version: str, model: Root, **token: str) -> ET.Element:
+def _root(
+    fmi_version: str,
+    model: Root,
+    capabilities: Sequence[str],
+    sources: Sequence[str] = (),
+    **token: str,
+) -> ET.Element:
+    """A description with its interface, which FMI 2.0 lists the sources in."""
     licence = read_licence()
-    return ET.Element(
+    root = ET.Element(
         "fmiModelDescription",
         {"fmiVersion": fmi_version, "modelName": model.identifier, **token},
         description=model.description,
@@ -119,12 +125,18 @@ def _root(fmi_version: str, model: Root, **token: str) -> ET.Element:
         copyright=licence.copyright,
         license=licence.expression,
     )
+    given = {"modelIdentifier": model.identifier, **dict.fromkeys(capabilities, "true")}
+    interface = ET.SubElement(root, "CoSimulation", given)
+    if sources:
+        files = ET.SubElement(interface, "SourceFiles")
+        for name in sources:
+            ET.SubElement(files, "File", name=name)
+    return root
 
 
-def _common(
-    root: ET.Element, listed: Sequence[Scalar], step: str, add_type: Callable[..., None]
-) -> None:
-    """Units, types, log categories and default experiment: alike in both standards."""
+def _common(root: ET.Element, listed: Sequence[Scalar], step: str) -> ET.Element:
+    """Units, types, log categories and default experiment, alike in both standards; returns the
+    parent of the variables, still empty."""
     shown = ((s.attributes.get("unit", ""), s.attributes.get("displayUnit", "")) for s in listed)
     add_unit_definitions(root, (pair for pair in shown if pair[0]))
     types = {s.declared.name: s.declared for s in listed if s.declared}
@@ -135,36 +147,17 @@ def _common(
             "unit": declared.unit,
             "displayUnit": declared.display_unit,
         }
-        add_type(definitions, declared, {k: v for k, v in attributes.items() if v})
+        attributes = {k: v for k, v in attributes.items() if v}
+        head = {"name": declared.name, "description": declared.description}
+        if root.get("fmiVersion") == "2.0":
+            ET.SubElement(ET.SubElement(definitions, "SimpleType", head), "Real", attributes)
+        else:
+            ET.SubElement(definitions, "Float64Type", head | attributes)
     categories = ET.SubElement(root, "LogCategories")
     for name, description in LOG_CATEGORIES.items():
         ET.SubElement(categories, "Category", name=name, description=description)
     ET.SubElement(root, "DefaultExperiment", startTime="0", stopTime="10", stepSize=step)
-
-
-def _add_simple_type(parent: ET.Element, declared: RealType, attributes: dict[str, str]) -> None:
-    entry = ET.SubElement(
-        parent, "SimpleType", name=declared.name, description=declared.description
-    )
-    ET.SubElement(entry, "Real", attributes)
-
-
-def _add_float64_type(parent: ET.Element, declared: RealType, attributes: dict[str, str]) -> None:
-    head = {"name": declared.name, "description": declared.description}
-    ET.SubElement(parent, "Float64Type", head | attributes)
-
-
-def _add_scalar_variable(parent: ET.Element, scalar: Scalar) -> None:
-    rest = _typed(scalar)
-    entry = ET.SubElement(parent, "ScalarVariable", _head(scalar))
-    if "description" in rest:
-        entry.set("description", rest.pop("description"))
-    ET.SubElement(entry, "Integer" if scalar.whole else "Real", rest)
-
-
-def _add_typed_variable(parent: ET.Element, scalar: Scalar) -> None:
-    kind = "Int32" if scalar.whole else "Float64"
-    ET.SubElement(parent, kind, _head(scalar) | _typed(scalar))
+    return ET.SubElement(root, "ModelVariables")
 
 
 def _head(scalar: Scalar) -> dict[str, str]:

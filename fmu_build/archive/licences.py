@@ -69,20 +69,18 @@ def list_licence_files(fmi: int) -> dict[str, bytes]:
         "fdlibm.txt": FDLIBM,
         "fmi_headers.txt": _fmi_headers(fmi),
     }
-    files = {"license.txt": _entry_point(read_licence(), sorted(notices)), **notices}
-    return {name: text.encode() for name, text in files.items()}
-
-
-def _entry_point(licence: Licence, notices: list[str]) -> str:
-    """The licence's identifier and text, then the names of the other files."""
+    licence = read_licence()
     lines = [
         f"SPDX-License-Identifier: {licence.expression}",
         "",
         licence.text.rstrip(),
         "",
         "Parts that others wrote, by their notices:",
+        *(f"  {name}" for name in sorted(notices)),
+        "",
     ]
-    return "\n".join([*lines, *(f"  {name}" for name in notices), ""])
+    files = {"license.txt": "\n".join(lines), **notices}
+    return {name: text.encode() for name, text in files.items()}
 
 
 def _fmi_headers(fmi: int) -> str:

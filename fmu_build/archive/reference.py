@@ -1,7 +1,5 @@
 """Reference results inside the archive, computed by the FMU itself: fmi-ls-ref, and a figure."""
 
-import csv
-import io
 import tempfile
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping, Sequence
@@ -13,7 +11,7 @@ import numpy as np
 from fmpy.model_description import ModelVariable
 from numpy.typing import NDArray
 
-from fmu_build.archive.xml import format_xml
+from fmu_build.archive.description import format_xml
 from fmu_build.binaries.libraries import fetch_library
 from fmu_build.binaries.platforms import PLATFORMS, find_host_platform
 
@@ -115,8 +113,5 @@ def _manifest(name: str) -> str:
 
 def _text(table: NDArray[np.void]) -> str:
     """Shortest digits that read back as the same number."""
-    buffer = io.StringIO()
-    writer = csv.writer(buffer, lineterminator="\n")
-    writer.writerow(table.dtype.names or ())
-    writer.writerows([repr(float(value)) for value in row] for row in table)
-    return buffer.getvalue()
+    rows = ([repr(float(value)) for value in row] for row in table)
+    return "".join(f"{','.join(row)}\n" for row in (table.dtype.names or (), *rows))

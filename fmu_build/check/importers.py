@@ -13,7 +13,6 @@ from dataclasses import asdict, dataclass
 from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
-from shutil import which
 
 from fmu_build.check.experiment import (
     Experiment,
@@ -53,9 +52,11 @@ class Importer:
     def version(self) -> str:
         """Installed version."""
         try:
-            return (
-                _program_version(self.package) if self.run is run_fmi_sim else version(self.package)
-            )
+            if self.run is not run_fmi_sim:
+                return version(self.package)
+            command = [self.package, "--version"]
+            run = subprocess.run(command, capture_output=True, text=True, check=False)
+            return (run.stdout + run.stderr).replace("Error:", "").split()[1]
         except (PackageNotFoundError, FileNotFoundError) as error:
             raise MissingError(f"{self.name} is missing: {self.install}") from error
 
@@ -144,13 +145,6 @@ def run_libcosimpy(experiment: Experiment) -> Recording:
         for values, value in zip(trace.values(), last, strict=True):
             values.append(value)
     return Recording(trace)
-
-
-def _program_version(name: str) -> str:
-    if which(name) is None:
-        raise FileNotFoundError(name)
-    run = subprocess.run([name, "--version"], capture_output=True, text=True, check=False)
-    return (run.stdout + run.stderr).replace("Error:", "").split()[1]
 
 
 FMI_SIM_VERSION = "0.7.0"

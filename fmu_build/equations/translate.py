@@ -25,7 +25,11 @@ def translate(library: Path, model: str, source: str = "") -> Dae:
             "for which the generator is written"
         )
     try:
-        document = _load_model(library, model, source).to_dict("dae")
+        if source:
+            loaded = rumoca.Session([str(library)]).loads(source, model=model)
+        else:
+            loaded = rumoca.Session().load(str(library / "package.mo"), model=model)
+        document = loaded.to_dict("dae")
     except rumoca.RumocaError as error:
         raise TranslationError(f"{model}: {error}") from error
     if document["schema_version"] != SCHEMA_VERSION:
@@ -36,9 +40,3 @@ def translate(library: Path, model: str, source: str = "") -> Dae:
         return read_document(model, document["storage"], document["source_map"])
     except ValueError as error:
         raise TranslationError(f"{model}: {error}") from error
-
-
-def _load_model(library: Path, model: str, source: str) -> rumoca.Model:
-    if source:
-        return rumoca.Session([str(library)]).loads(source, model=model)
-    return rumoca.Session().load(str(library / "package.mo"), model=model)

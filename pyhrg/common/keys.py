@@ -5,7 +5,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from pyhrg.common.toml_table import TomlTable, describe_range
+from pyhrg.common.toml_table import TomlTable
 
 
 @dataclass(frozen=True)
@@ -24,11 +24,6 @@ class Key:
     high: float
     offset: float = 0.0
     whole: bool = False
-
-    @property
-    def expected(self) -> str:
-        """The range, in words."""
-        return describe_range(self.low, self.high)
 
     def to_si(self, value: float) -> float:
         """SI value of a number in the file's unit."""

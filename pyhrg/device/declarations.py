@@ -12,7 +12,8 @@ from dataclasses import dataclass, field, fields
 
 @dataclass(frozen=True)
 class EffectDeclaration:
-    """The parameter is what may be wrong with a gyro: an effect that a diagnosis may name.
+    """The parameter is what may be wrong with a gyro: an effect that a diagnosis may name, or a
+    noise that it may find above its believed level.
 
     name: in the record format.
     scale: typical size in a trimmed gyro of this class, SI.
@@ -32,18 +33,6 @@ class EffectDeclaration:
 
 
 @dataclass(frozen=True)
-class NoiseDeclaration:
-    """The parameter is a noise that a diagnosis may find above its believed level.
-
-    name, scale, coordinates: see `EffectDeclaration`.
-    """
-
-    name: str
-    scale: float
-    coordinates: tuple[str, ...] = ("noise",)
-
-
-@dataclass(frozen=True)
 class Declaration:
     """What a field declares; see `parameter`."""
 
@@ -53,7 +42,7 @@ class Declaration:
     zero: float
     fmu: tuple[str, ...]
     effect: EffectDeclaration | None
-    noise: NoiseDeclaration | None
+    noise: EffectDeclaration | None
 
 
 def parameter(
@@ -65,7 +54,7 @@ def parameter(
     zero: float = 0.0,
     fmu: str | tuple[str, ...] = (),
     effect: EffectDeclaration | None = None,
-    noise: NoiseDeclaration | None = None,
+    noise: EffectDeclaration | None = None,
 ) -> float:
     """A field of a dataclass that is a parameter of a gyro.
 

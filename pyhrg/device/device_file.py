@@ -99,7 +99,10 @@ def _read_device(document: TomlTable) -> Device:
         model={key: model.finite_number(key) for key in model.values},
         turn_on_scatter=_read_positive_numbers(scatter),
     )
-    _check_damping(document, device)
+    highest = 2 / device.decay_time  # an axis can't gain energy by itself: D/2 <= 1/tau
+    if device.damping_anisotropy > highest:
+        expected = f"at most 2/decay_time_s, {highest:g}"
+        raise document.error("damping_anisotropy_per_s", device.damping_anisotropy, expected)
     return device
 
 
@@ -109,17 +112,6 @@ def _read_positive_numbers(table: TomlTable) -> dict[str, float]:
         if value <= 0:
             raise table.error(key, value, "a number above 0")
     return values
-
-
-def _check_damping(document: TomlTable, device: Device) -> None:
-    """An axis can't gain energy by itself: D/2 <= 1/tau."""
-    highest = 2 / device.decay_time
-    if device.damping_anisotropy > highest:
-        raise document.error(
-            "damping_anisotropy_per_s",
-            device.damping_anisotropy,
-            f"at most 2/decay_time_s, {highest:g}",
-        )
 
 
 def _write_keys(keys: Collection[Key], values: Any, defaults: Any) -> dict[str, float]:

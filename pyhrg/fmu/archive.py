@@ -21,11 +21,8 @@ class GyroError(HrgError):
 class Archive:
     """An FMU, extracted beside its file.
 
-    Attributes:
-        description: FMPy's model description.
-        folder: the extracted archive.
-        references: value reference of each variable, by name.
-        kinds: FMI type of each variable, by name.
+    description: FMPy's model description; folder: the extracted archive; references: value
+    reference of each variable, by name; kinds: FMI type of each variable, by name.
     """
 
     def __init__(self, path: Path) -> None:

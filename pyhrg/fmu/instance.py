@@ -22,7 +22,13 @@ class Instance:
         )
         self.loops = compile_loops(self.slave.dll._name)
         self._messages: list[str] = []
-        self._callbacks = self._make_callbacks()
+        messages = self._messages  # not self: the slave holds what it calls
+
+        def log(env: Any, name: bytes, status: int, category: bytes, message: bytes) -> None:
+            messages.append(message.decode())
+
+        self._callbacks = fmi2CallbackFunctions()
+        self._callbacks.logger = fmi2CallbackLoggerTYPE(log)
         self.slave.instantiate(callbacks=self._callbacks)
 
     def set_up(self, parameters: Mapping[str, float]) -> None:
@@ -68,13 +74,3 @@ class Instance:
             function(*args, **kwargs)
         except Exception as error:  # FMPy raises a bare Exception for a status that is not OK
             raise GyroError(self.explain(str(error))) from error
-
-    def _make_callbacks(self) -> fmi2CallbackFunctions:
-        messages = self._messages
-
-        def log(env: Any, name: bytes, status: int, category: bytes, message: bytes) -> None:
-            messages.append(message.decode())
-
-        callbacks = fmi2CallbackFunctions()
-        callbacks.logger = fmi2CallbackLoggerTYPE(log)
-        return callbacks

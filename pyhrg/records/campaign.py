@@ -2,9 +2,9 @@
 
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import ClassVar
 
@@ -30,31 +30,6 @@ class CampaignError(HrgError):
 
 
 @dataclass(frozen=True)
-class StoredLog:
-    """A log that is read when it is asked for.
-
-    Attributes:
-        path: of the file.
-        interval: sampling interval, s.
-        n: number of rows that the index states.
-        site: where the test was done.
-    """
-
-    path: Path
-    interval: float
-    n: int
-    site: Site
-
-    def read(self) -> Log:
-        """Read the log; another number of rows than the index states is an exclusion."""
-        log = read_log(self.path, interval_s=self.interval, latitude_deg=self.site.latitude_deg)
-        if len(log.time) == self.n:
-            return log
-        note = f"{len(log.time)} rows are of use; {INDEX} says {self.n}"
-        return replace(log, exclusions=(*log.exclusions, note))
-
-
-@dataclass(frozen=True)
 class Test:
     """One test of one power-on.
 
@@ -62,7 +37,7 @@ class Test:
         id: name of the test, unlike any other of the campaign; a file name.
         kind: `static`, `positions`, `rate`, `ring_down`, ... (docs/records.md).
         role: `fit` or `holdout`.
-        recording: the log, or where it is stored.
+        recording: the log, or a function that reads it.
     """
 
     __test__: ClassVar[bool] = False  # not one of pytest's
@@ -70,12 +45,12 @@ class Test:
     id: str
     kind: str
     role: str
-    recording: Log | StoredLog
+    recording: Log | Callable[[], Log]
 
     @cached_property
     def log(self) -> Log:
         """The log, read once."""
-        return self.recording if isinstance(self.recording, Log) else self.recording.read()
+        return self.recording if isinstance(self.recording, Log) else self.recording()
 
     @property
     def is_holdout(self) -> bool:
@@ -149,7 +124,7 @@ def write_campaign(campaign: Campaign, folder: Path | str) -> None:
     _check_names(folder, campaign.tests)
     folder.mkdir(parents=True, exist_ok=True)
     for test in campaign.tests:
-        write_log(test.log, folder / _name_file(test))
+        write_log(test.log, folder / f"{test.id}.csv.gz")
     index = {
         "schema": SCHEMA,
         "device": campaign.device,
@@ -171,16 +146,12 @@ def _check_names(path: Path, tests: tuple[Test, ...]) -> None:
             raise CampaignError(f"{path}: test {name!r}: expected a file name, each once")
 
 
-def _name_file(test: Test) -> str:
-    return f"{test.id}.csv.gz"
-
-
 def _describe_test(test: Test) -> dict[str, str | float]:
     return {
         "id": test.id,
         "kind": test.kind,
         "role": test.role,
-        "file": _name_file(test),
+        "file": f"{test.id}.csv.gz",
         "interval_s": test.log.interval,
         "n": len(test.log.time),
     }
@@ -190,14 +161,20 @@ def _read_test(folder: Path, entry: TomlTable, site: Site) -> Test:
     file = _read_text(entry, "file")
     if not FILE_NAME.fullmatch(file):
         raise entry.error("file", file, "the name of a file in the campaign's folder")
-    stored = StoredLog(
-        path=folder / file,
-        interval=entry.number("interval_s", None, 1e-6, 1e6),
-        n=entry.whole_number("n", None, 0, 1_000_000_000),
-        site=site,
-    )
+    interval = entry.number("interval_s", None, 1e-6, 1e6)
+    n = entry.whole_number("n", None, 0, 1_000_000_000)
+    stored = partial(_read_log, folder / file, interval, n, site)
     role = entry.text("role", None, ROLES)
     return Test(_read_text(entry, "id"), _read_text(entry, "kind"), role, stored)
+
+
+def _read_log(path: Path, interval: float, n: int, site: Site) -> Log:
+    """Read a log; another number of rows than the `n` that the index states is an exclusion."""
+    log = read_log(path, interval_s=interval, latitude_deg=site.latitude_deg)
+    if len(log.time) == n:
+        return log
+    note = f"{len(log.time)} rows are of use; {INDEX} says {n}"
+    return replace(log, exclusions=(*log.exclusions, note))
 
 
 def _read_text(table: TomlTable, key: str) -> str:

@@ -25,11 +25,9 @@ MAX_STRETCHES_NAMED = 8
 class Table:
     """Rows of a log while they are being checked.
 
-    Attributes:
-        source: name of the file, for messages.
-        rows: (n,) row in the file; the header is row 1.
-        columns: (n,) values by field, SI; NaN where there is no value.
-        notes: what was left out so far, a sentence each.
+    source: name of the file, for messages; rows: (n,) row in the file; the header is row 1;
+    columns: (n,) values by field, SI; NaN where there is no value; notes: what was left out so
+    far, a sentence each.
     """
 
     source: str
@@ -112,7 +110,7 @@ def decode(source: str, data: bytes, encoding: str = "utf-8-sig") -> str:
     try:
         return data.decode(encoding)
     except UnicodeDecodeError as error:
-        raise LogError(f"{source}: found what is no text: {error}") from error
+        raise LogError(f"{source}: found what is no text in {encoding}: {error}") from error
 
 
 def _check_header(path: Path, header: list[str]) -> None:

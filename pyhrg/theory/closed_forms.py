@@ -92,12 +92,8 @@ def beyond_the_average(
     a split it does work, which takes -(dw/2)(c/w) Im H exp(4i (th - th_w)) of the amplitude force,
     1/s, with H = (1 + 2z)/(1 + z)^2 of a critically damped loop, z = -4i k W over its natural
     frequency. The mean modal frequency is c^2/2w higher, rad/s. Where forces are held for a whole
-    number of half carrier periods, these two forces are others by a half.
-
-    Args:
-        device: the gyro.
-        rate: of the case, rad/s.
-        pattern_angle: rad, of the rate's shape.
+    number of half carrier periods, these two forces are others by a half. The case's rate, rad/s,
+    and the pattern angle, rad, are of one shape.
     """
     coupling = 2 * device.bryan_factor * np.asarray(rate)
     share = coupling / device.frequency

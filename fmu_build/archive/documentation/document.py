@@ -38,6 +38,11 @@ from the Modelica model {model} · <a href="licenses/license.txt">Licences</a></
 </html>
 """
 
+FLOW = """<figure>
+{}
+<figcaption>What each part reads from which, by the equations: arrows above lead forward, \
+arrows below back. Point at an arrow for its signals.</figcaption></figure>"""
+
 
 def write_documentation(dae: Dae, root: Root, version: str, run: Reference | None = None) -> str:
     """The page, with a figure of the run; it needs no other file."""
@@ -62,7 +67,7 @@ def _sections(dae: Dae, root: Root, run: Reference | None) -> dict[str, str]:
     """Contents by heading, in their order; some may be empty."""
     listed = list(list_scalars(dae))
     return {
-        "Signal flow": _flow(dae),
+        "Signal flow": FLOW.format(draw_signal_flow(dae)),
         "What it does": _run(run, listed) if run else "",
         "Inputs": format_variable_table(s for s in listed if s.causality == "input"),
         "Outputs": format_variable_table(s for s in listed if s.causality == "output"),
@@ -98,15 +103,6 @@ def _periods(dae: Dae) -> list[str]:
         f"{name if m == 1 else f'{m} {name}'} (default {length})"
         for m, length in zip(multiples, lengths, strict=True)
     ]
-
-
-def _flow(dae: Dae) -> str:
-    return (
-        f"<figure>\n{draw_signal_flow(dae)}\n<figcaption>"
-        "What each part reads from which, by the equations: "
-        "arrows above lead forward, arrows below back. Point at an arrow for its signals."
-        "</figcaption></figure>"
-    )
 
 
 def _run(run: Reference, listed: Sequence[Scalar]) -> str:

@@ -6,7 +6,7 @@ from html import escape
 from pathlib import Path
 
 from fmu_build.equations.dae import Dae
-from fmu_build.equations.modelica import Page, find_library, read_page
+from fmu_build.equations.modelica import find_library, read_page
 
 
 def read_model_pages(dae: Dae) -> str:
@@ -31,16 +31,15 @@ def _library(dae: Dae) -> Path:
 
 
 def _articles(files: Iterable[Path]) -> str:
-    pages = (read_page(file) for file in files)
-    return "\n".join(_article(p) for p in pages if p.info)
-
-
-def _article(described: Page) -> str:
-    try:
-        ET.fromstring(f"<div>{described.info}</div>")
-    except ET.ParseError as error:
-        raise ValueError(f"the info text of {described.name} is no HTML: {error}") from error
-    return (
-        f"<article><h3>{escape(described.description)}</h3>\n"
-        f'<p class="small"><code>{escape(described.name)}</code></p>\n{described.info}</article>'
-    )
+    articles = []
+    for page in map(read_page, files):
+        if page.info:
+            try:
+                ET.fromstring(f"<div>{page.info}</div>")
+            except ET.ParseError as error:
+                raise ValueError(f"the info text of {page.name} is no HTML: {error}") from error
+            articles.append(
+                f"<article><h3>{escape(page.description)}</h3>\n"
+                f'<p class="small"><code>{escape(page.name)}</code></p>\n{page.info}</article>'
+            )
+    return "\n".join(articles)

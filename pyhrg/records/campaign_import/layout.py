@@ -24,15 +24,14 @@ MAX_SKIPPED_LINES = 10_000
 class Layout:
     """The layout of a text file with one row an interval.
 
-    Attributes:
-        separator: between cells; None: any run of blanks.
-        decimal: decimal point or comma.
-        comment: beginning of a line to be ignored; empty: there are none.
-        encoding: of the text.
-        header: whether a row of names stands above the values.
-        lines_before_header: number of lines to pass over.
-        lines_after_header: likewise, such as a line of units.
-        missing: texts of a cell without a value, in lower case.
+    separator: between cells; None: any run of blanks.
+    decimal: decimal point or comma.
+    comment: beginning of a line to be ignored; empty: there are none.
+    encoding: of the text.
+    header: whether a row of names stands above the values.
+    lines_before_header: number of lines to pass over.
+    lines_after_header: likewise, such as a line of units.
+    missing: texts of a cell without a value, in lower case.
     """
 
     separator: str | None = ","
@@ -107,6 +106,9 @@ def read_layout(table: TomlTable) -> Layout:
     decimal = DECIMALS[table.text("decimal", "point", tuple(DECIMALS))]
     if separator == decimal:
         raise table.error("decimal", "comma", "another separator than comma beside it")
+    missing = table.values.get("missing", [])
+    if not isinstance(missing, list) or not all(isinstance(text, str) for text in missing):
+        raise table.error("missing", missing, "texts in brackets")
     return Layout(
         separator,
         decimal,
@@ -115,7 +117,7 @@ def read_layout(table: TomlTable) -> Layout:
         table.flag("header", True),
         table.whole_number("lines_before_header", 0, 0, MAX_SKIPPED_LINES),
         table.whole_number("lines_after_header", 0, 0, MAX_SKIPPED_LINES),
-        Layout.missing | _read_missing_texts(table),
+        Layout.missing | {text.lower() for text in missing},
     )
 
 
@@ -158,10 +160,3 @@ def _read_encoding(table: TomlTable) -> str:
     except LookupError:
         raise table.error("encoding", name, "a text encoding, as utf-8 or latin-1") from None
     return name
-
-
-def _read_missing_texts(table: TomlTable) -> frozenset[str]:
-    texts = table.values.get("missing", [])
-    if not isinstance(texts, list) or not all(isinstance(text, str) for text in texts):
-        raise table.error("missing", texts, "texts in brackets")
-    return frozenset(text.lower() for text in texts)

@@ -41,9 +41,11 @@ def describe_tests(mapping: CampaignMapping, tests: Sequence[ImportedTest]) -> s
 
 def _describe_test(test: ImportedTest) -> list[str]:
     log, mapping = test.logged, test.mapping
+    steps = np.diff(log.time[np.isfinite(log.time)])
     lines = [
         f"{mapping.id}: {mapping.kind}, {mapping.role}; {log.source}",
-        f"  {len(log.time)} rows every {log.interval:g} s, {_describe_steps(log)}",
+        f"  {len(log.time)} rows every {log.interval:g} s, "
+        f"steps of {np.min(steps):.6g} to {np.max(steps):.6g} s",
     ]
     if "time" not in mapping.columns:
         lines.append("  time               counted")
@@ -58,11 +60,6 @@ def _describe_exclusions(exclusions: Sequence[str]) -> list[str]:
     others = [note for note in exclusions if not note.startswith(ABSENT_COLUMN)]
     names = ", ".join(note.removeprefix(ABSENT_COLUMN) for note in absent)
     return [ABSENT_COLUMN + names, *others] if absent else others
-
-
-def _describe_steps(log: Log) -> str:
-    steps = np.diff(log.time[np.isfinite(log.time)])
-    return f"steps of {np.min(steps):.6g} to {np.max(steps):.6g} s"
 
 
 def _describe_column(mapping: ColumnMapping, log: Log) -> str:

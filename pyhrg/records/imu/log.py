@@ -22,11 +22,9 @@ LARGEST_NUMBER = 1e12
 class RecordedImu:
     """A log of an IMU.
 
-    Attributes:
-        increments: body axes forward, right, down.
-        position: (3,) latitude, longitude, rad, and height, m; None if the log states none.
-        attitude: (3,) coarse roll, pitch and yaw at the start, rad; None if the log states none.
-        source: the file.
+    increments: body axes forward, right, down; position: (3,) latitude, longitude, rad, and
+    height, m; None if the log states none; attitude: (3,) coarse roll, pitch and yaw at the
+    start, rad; None if the log states none; source: the file.
     """
 
     increments: Increments

@@ -31,6 +31,14 @@ class Platform:
     fmi2_folder: str | None
     suffix: str
 
+    @property
+    def runtime(self) -> list[str]:
+        """Arguments of the compiler for the C runtime."""
+        if self.suffix != ".dll":
+            return ["-lm"]
+        parts = [f"-lapi-ms-win-crt-{part}-l1-1-0" for part in UCRT]
+        return ["-nostdlib", "-isystem", str(WINDOWS_HEADERS), str(WINDOWS_RUNTIME), *parts]
+
 
 PLATFORMS = {
     p.name: p
@@ -82,16 +90,12 @@ def compile_library(
     headers = Path(fmpy.__file__).parent / "c-code"
     library = folder / target.name / f"{identifier}{target.suffix}"
     library.parent.mkdir()
-    link, runtime = ["-shared", "-s", "-fPIC"], ["-lm"]
-    if target.suffix == ".dll":
-        parts = [f"-lapi-ms-win-crt-{part}-l1-1-0" for part in UCRT]
-        link = ["-shared", "-s"]
-        runtime = ["-nostdlib", "-isystem", str(WINDOWS_HEADERS), str(WINDOWS_RUNTIME), *parts]
+    link = ["-shared", "-s", *(["-fPIC"] if target.suffix != ".dll" else [])]
     if target.suffix == ".dylib":
         link.append(f"-Wl,-install_name,@rpath/{library.name}")
     output = f"{target.name}/{library.name}"
     command = [*COMPILER, "-target", target.target, *flags, *link, f"-I{headers}", "-o", output]
-    command += [*sources, *runtime]
+    command += [*sources, *target.runtime]
     run = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     if run.returncode != 0:
         raise BuildError(f"the C compiler failed for {target.name}:\n{run.stderr}")

@@ -113,11 +113,7 @@ class Outcome:
             raise ValueError(f"{self.procedure}: findings of one name: {', '.join(twice)}")
 
     def finding(self, name: str) -> Finding:
-        """The finding of this name.
-
-        Raises:
-            KeyError: there is none.
-        """
+        """The finding of this name."""
         for finding in self.findings:
             if finding.name == name:
                 return finding

@@ -60,11 +60,7 @@ def select_tests(campaign: Campaign, *kinds: str) -> list[Test]:
 
 
 def require_tests(campaign: Campaign, *kinds: str) -> list[Test]:
-    """The campaign's tests of these kinds without those that are held out, at least one.
-
-    Raises:
-        BenchError: there are none.
-    """
+    """The campaign's tests of these kinds without those that are held out, at least one."""
     tests = select_tests(campaign, *kinds)
     if not tests:
         present = ", ".join(sorted({test.kind for test in campaign.tests})) or "no tests"

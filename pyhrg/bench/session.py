@@ -144,11 +144,7 @@ def _perform(source: Source, out: Path | None, progress: Progress) -> BenchResul
 def _attempt(
     source: Source, procedure: Procedure, out: Path | None, progress: Progress
 ) -> TestResult | TestFailure:
-    """Result of one of the tests, written where there is an output folder.
-
-    Raises:
-        BenchError, LogError, GyroError: the only test can't be done.
-    """
+    """Result of one of the tests, written where there is an output folder."""
     progress.begin(procedure.name)
     try:
         records = source.get_records(procedure)

@@ -60,17 +60,8 @@ def prepare_simulation(
 ) -> Source:
     """A source that simulates a gyro on the virtual bench.
 
-    Args:
-        procedures: the tests.
-        device: gyro, name of a ready device or device file; the default device if None.
-        seed: of everything random.
-        workers: power-ons that are simulated at the same time; all cores if None.
-        store: keeps logs to resume from; None keeps none.
-        progress: counts power-ons and says what is done about FMUs.
-        plan: keywords of the only procedure's `record`.
-
-    Raises:
-        HrgError: the device can't be used, or an FMU can't be built.
+    The device is a gyro, the name of a ready device or a device file; `plan` has keywords of the
+    only procedure's `record`.
     """
     if isinstance(device, Device):
         gyro, place = device, device.name
@@ -98,11 +89,7 @@ def prepare_simulation(
 
 
 def open_records(campaign: Campaign | str | Path, procedures: Sequence[Procedure]) -> Source:
-    """A campaign and, of several procedures, those that it has a kind of test for.
-
-    Raises:
-        HrgError: it has none, or what it states as nominal is no device.
-    """
+    """A campaign and, of several procedures, those that it has a kind of test for."""
     records = (
         campaign if isinstance(campaign, Campaign) else campaigns.read_campaign(Path(campaign))
     )

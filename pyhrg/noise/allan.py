@@ -53,15 +53,9 @@ def estimate_allan_deviation(angle: Array, interval: float, per_octave: int = 4)
     An interval is that of a chi-squared variance, with the degrees of freedom that the second
     differences have under the noises estimated from the record (C. Greenhall, W. Riley, Uncertainty
     of stability variances based on finite differences, PTTI 2003; there for one power law at a
-    time). It holds for the noises; a rate ramp adds to the deviation and is not random.
-
-    Args:
-        angle: (n,) rad, evenly spaced, without gaps.
-        interval: between angles, s.
-        per_octave: cluster times in a factor of two, where whole multiples of the interval allow.
-
-    Raises:
-        NoiseError: see `check_record`.
+    time). It holds for the noises; a rate ramp adds to the deviation and is not random. Angles are
+    (n,) rad, evenly spaced without gaps, `interval` seconds apart; there are `per_octave` cluster
+    times in a factor of two, where whole multiples of the interval allow.
     """
     check_record(angle, interval)
     strengths = maximize_likelihood([compute_spectrum(angle)])
@@ -141,10 +135,7 @@ def _estimate_deviation(angle: Array, m: int) -> float:
 def _compute_freedom(strengths: Array, count: int, m: int) -> float:
     """Equivalent degrees of freedom of the mean square of `count` overlapping second differences.
 
-    Args:
-        strengths: (4,) of the noises, rad^2.
-        count: of second differences.
-        m: angles in a cluster.
+    Strengths of the noises are (4,) rad^2; a cluster has m angles.
     """
     lag = np.arange(min(count, CORRELATION_CLUSTERS * m), dtype=np.float64)
     covariance = sum(

@@ -13,12 +13,7 @@ from pyhrg.bench.outcome import Finding
 def estimate_change(
     name: str, before: ArrayLike, after: ArrayLike, unit: str, note: str = ""
 ) -> Finding:
-    """Mean of `after` less mean of `before`, with Welch's interval.
-
-    Args:
-        name, unit, note: of the finding.
-        before, after: independent normal samples, SI.
-    """
+    """Mean of `after` less mean of `before`, with Welch's interval."""
     x, y = np.asarray(before, dtype=float), np.asarray(after, dtype=float)
     value, n = float(np.mean(y) - np.mean(x)), len(x) + len(y)
     if min(len(x), len(y)) < 2:

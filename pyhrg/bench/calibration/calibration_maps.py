@@ -56,11 +56,7 @@ class Calibration:
 
 
 def fit_maps(campaign: Campaign) -> Calibration:
-    """Maps from the campaign's position tests and its slow rate tests, both ways.
-
-    Raises:
-        BenchError: there are none, or not what they must hold.
-    """
+    """Maps from the campaign's position tests and its slow rate tests, both ways."""
     positions = fit_map(read_runs(campaign))
     rates = fit_scale_factor_map(read_rate_turns(campaign, slow=True), read_bryan_factor(campaign))
     logs = [test.log for test in require_tests(campaign, full_circumference.KIND)]
@@ -97,12 +93,9 @@ def add_maps(
 ) -> Device:
     """A gyro with maps added to those that its electronics have already.
 
-    Args:
-        device: as it was tested.
-        bias_map: output bias that is left, rad/s.
-        scale_factor_map: error of the detected pattern angle that is left, rad.
-        scale_factor: mean scale-factor error that is left; corrects the Bryan factor that the
-            read-out believes.
+    The bias map is the output bias that is left, rad/s; the scale-factor map the error of the
+    detected pattern angle that is left, rad; the mean scale-factor error that is left corrects the
+    Bryan factor that the read-out believes.
     """
     return replace(
         device,

@@ -51,11 +51,7 @@ def is_turning(log: Log) -> bool:
 
 def fit_turning(logs: Sequence[Log], latitude: float) -> tuple[RowFit, list[str]]:
     """Bias map of turning logs, rad/s: mean, harmonics 4 and where they can be seen 2 and 8, and
-    what goes with the rate; and a sentence on each term that can't be identified.
-
-    Raises:
-        BenchError: too few segments, or the fourth harmonic can't be seen.
-    """
+    what goes with the rate; and a sentence on each term that can't be identified."""
     rows = [stretch for log in logs for stretch in _stretches(log, latitude)]
     count = sum(map(len, rows))
     if count < 10:

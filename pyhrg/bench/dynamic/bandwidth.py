@@ -90,11 +90,7 @@ def record(bench: Bench, periods: int = PERIODS) -> list[Test]:
 
 
 def measure_response(log: Log) -> Response:
-    """Frequency response at the frequencies of the table's oscillation.
-
-    Raises:
-        BenchError: the log has fewer than 3 periods, or 3 frequencies.
-    """
+    """Frequency response at the frequencies of the table's oscillation."""
     log.require("table_angle", "gyro_angle")
     rows = round(PERIOD / log.interval)
     ratios, lines = [], np.zeros(0, dtype=np.int64)

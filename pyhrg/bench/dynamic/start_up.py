@@ -68,11 +68,7 @@ def record(bench: Bench, runs: int = RUNS, duration: float = DURATION) -> list[T
 
 
 def measure_start_up(log: Log, latitude: float) -> StartUp:
-    """Start-up of one power-on.
-
-    Raises:
-        BenchError: the log is shorter than four averages, begins late or has gaps.
-    """
+    """Start-up of one power-on."""
     log.require("gyro_angle", "amplitude", "amplitude_setpoint", "axis_up")
     rows = round(AVERAGE / log.interval)
     n = len(log.time)
@@ -145,13 +141,9 @@ def summarize_times(
     """Median and largest of times, s.
 
     Times are whole rows and may be skewed, so that Student's interval doesn't apply. The median of
-    the population lies between the smallest and the largest of n times with the probability
-    1 - 2^(1-n) for any distribution (sign test). The smallest is taken one row earlier.
-
-    Args:
-        name: of the quantity.
-        samples: n times, s; NaN where the event is not in the record.
-        interval: of a row, s.
+    the population lies between the smallest and the largest of n times with the probability 1 -
+    2^(1-n) for any distribution (sign test). The smallest is taken one row earlier. A time is NaN
+    where the event is not in the record; `interval` is that of a row, s.
     """
     n = len(samples)
     largest = Finding(f"greatest {name}", float(np.max(samples)), "s", n=n)

@@ -98,11 +98,7 @@ def _read_mean_output(log: Log, plateau: Plateau) -> float:
 
 
 def measure_responses(logs: Sequence[Log]) -> list[Response]:
-    """Responses in order of the rates; the noise variance is pooled over all rates.
-
-    Raises:
-        BenchError: there are fewer than 2 rates, or no rate is repeated.
-    """
+    """Responses in order of the rates; the noise variance is pooled over all rates."""
     pairs = [pair for log in logs for pair in read_changes(log)]
     groups: dict[float, list[float]] = {}
     for rate, change in pairs:

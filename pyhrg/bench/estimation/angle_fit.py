@@ -75,11 +75,7 @@ def compute_largest_inflation(records: Sequence[Record]) -> float:
 
 
 def fit_angles(records: Sequence[Record]) -> AngleFit:
-    """Fit of several records by common terms and common noise.
-
-    Raises:
-        ValueError: the records have fewer increments than terms plus three.
-    """
+    """Fit of several records by common terms and common noise."""
     tables = [_compute_increments(record) for record in records]
     steps = np.concatenate(
         [np.full(len(t), r.interval) for t, r in zip(tables, records, strict=True)]

@@ -17,11 +17,6 @@ def estimate_amplitude(name: str, fitted: Fit, terms: tuple[str, str], unit: str
 
     The squared estimate over its variance has a noncentral F distribution. The interval holds every
     length for which the estimate lies between the 2.5 % and 97.5 % quantiles.
-
-    Args:
-        name, unit: of the finding.
-        fitted: fit with independent normal residuals.
-        terms: names of the cosine and the sine term.
     """
     rows = [fitted.names.index(term) for term in terms]
     vector = fitted.values[rows]

@@ -26,13 +26,7 @@ def make_columns(
     """Columns of a linear model: mean, harmonics of the pattern angle and, for a tilt of the input
     axis, the first harmonic of the table angle.
 
-    Args:
-        pattern_angle, table_angle: (n,) rad.
-        harmonics: orders in the pattern angle.
-        tilt: whether the model has the harmonic of the table angle.
-
-    Returns:
-        (n,) each, by the term's name.
+    Angles are (n,) rad. Returns (n,) each, by the term's name.
     """
     columns = {MEAN: np.ones_like(pattern_angle)}
     for order in harmonics:
@@ -98,11 +92,7 @@ class Fit:
 
 
 def fit(columns: dict[str, Array], values: Array) -> Fit:
-    """Least-squares fit of values (n,) by columns (n,) each.
-
-    Raises:
-        ValueError: there are fewer values than terms plus one, or the terms are linearly dependent.
-    """
+    """Least-squares fit of values (n,) by columns (n,) each."""
     matrix = np.column_stack(list(columns.values()))
     freedom = len(values) - matrix.shape[1]
     if freedom < 1:

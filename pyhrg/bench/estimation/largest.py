@@ -12,13 +12,8 @@ def estimate_largest(samples: Array, confidence: float = 0.95) -> tuple[float, f
 
     Every mean has a Student's interval; the intervals hold simultaneously (Bonferroni) for all
     means that may be the largest. Means whose intervals show that they are not the largest are
-    dropped, and the intervals are computed again, until none can be dropped.
-
-    Args:
-        samples: (n, m) n independent samples of the m means.
-
-    Returns:
-        Value and bounds; the bounds are NaN where n is 1.
+    dropped, and the intervals are computed again, until none can be dropped. Samples are (n, m), n
+    independent ones of the m means. The bounds are NaN where n is 1.
     """
     n, count = samples.shape
     means = np.abs(np.mean(samples, axis=0))

@@ -14,15 +14,9 @@ def estimate_magnitude(
 
     The squared length of the measured vector is approximated by a scaled noncentral chi-square
     variable of the same mean and variance (exact where the covariance is a multiple of a
-    projection). The interval inverts its distribution for the noncentrality.
-
-    Args:
-        values: (n,) measured components: normal, unbiased.
-        covariance: (n, n) of the components.
-
-    Returns:
-        Estimate, from whose square the noise's expectation is subtracted (at least 0), and bounds;
-        in the unit of `values`.
+    projection). The interval inverts its distribution for the noncentrality. Components (n,) are
+    normal and unbiased, their covariance is (n, n). The noise's expectation is subtracted from the
+    estimate's square (at least 0). All is in the unit of the values.
     """
     square = float(values @ values)
     trace = float(np.trace(covariance))

@@ -14,12 +14,6 @@ def estimate_anisotropy(
 
     Where the components' 95 % confidence ellipse holds zero, the size has an upper bound only and
     the axis has no value.
-
-    Args:
-        fit: with both components as terms, SI.
-        components: names of the terms.
-        name, axis: names of the two findings.
-        unit: of the size.
     """
     index = [fit.names.index(component) for component in components]
     value = fit.values[index]

@@ -84,11 +84,7 @@ class RowFit(Fit):
 
 
 def fit_rows(parts: Sequence[Part], names: Sequence[str]) -> RowFit:
-    """Fit of common terms to all parts together.
-
-    Raises:
-        ValueError: there are fewer rows than terms plus two, or the terms are linearly dependent.
-    """
+    """Fit of common terms to all parts together."""
     values = np.concatenate([_transform(part.values) for part in parts])
     matrix = np.vstack([_transform(part.matrix(names)) for part in parts])
     scale = np.linalg.norm(matrix, axis=0)

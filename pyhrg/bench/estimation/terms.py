@@ -68,8 +68,7 @@ def choose_pattern_basis(pattern_angle: Array) -> PatternBasis:
 def select_separable(columns: Mapping[str, Array]) -> tuple[dict[str, Array], dict[str, str]]:
     """Columns (n,) that can be fitted together; each is added, in order, while all stay separable.
 
-    Returns:
-        The columns that were added, and by name a sentence on each of the others.
+    Returns those that were added, and by name a sentence on each of the others.
     """
     accepted: dict[str, Array] = {}
     refused: dict[str, str] = {}

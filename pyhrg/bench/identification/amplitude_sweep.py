@@ -58,11 +58,7 @@ def record(
 
 
 def find_stretches(campaign: Campaign) -> list[Rows]:
-    """Steady rows at each amplitude.
-
-    Raises:
-        BenchError: a single amplitude.
-    """
+    """Steady rows at each amplitude."""
     logs = [test.log for test in require_tests(campaign, KIND)]
     stretches = require_steady_rows(logs, "frequency_offset")
     found = {float(rows.values("amplitude_setpoint")[0]) for rows in stretches}

@@ -122,11 +122,7 @@ def _angle(log: Log, rows: slice, k: float) -> float:
 def fit_decays(found: Sequence[Decay], gyro: Gyro, start: Array) -> RowFit:
     """Terms `TERMS` that all ring-downs have in common, by Gauss and Newton.
 
-    Args:
-        start: (5,) terms to begin with.
-
-    Raises:
-        BenchError: the terms can't be told apart, or the fit does not settle.
+    `start` has (5,) terms to begin with.
     """
     terms = _nearby(found, gyro, start)
     for _ in range(ROUNDS):

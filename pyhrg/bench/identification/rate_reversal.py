@@ -83,11 +83,7 @@ def fit_pickoff_errors(campaign: Campaign) -> Terms:
 
 
 def select_slow_rows(campaign: Campaign) -> tuple[list[Rows], tuple[str, ...]]:
-    """Steady rows that loops follow, and a sentence on each faster stretch.
-
-    Raises:
-        BenchError: there are none.
-    """
+    """Steady rows that loops follow, and a sentence on each faster stretch."""
     stretches = require_steady_rows([test.log for test in require_tests(campaign, KIND)])
     fast = [rows for rows in stretches if abs(_rate(rows)) > FASTEST]
     left_out = tuple(
@@ -114,11 +110,7 @@ def find_eighth_harmonic(terms: Terms) -> tuple[Finding, ...]:
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Pick-off errors, the scale factor and the bias map that they are told from.
-
-    Raises:
-        BenchError: one way only.
-    """
+    """Pick-off errors, the scale factor and the bias map that they are told from."""
     terms = fit_pickoff_errors(campaign)
     if SCALE in terms.refused:
         names = ", ".join(test.log.source for test in require_tests(campaign, KIND))

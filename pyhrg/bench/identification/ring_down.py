@@ -67,9 +67,6 @@ def fit_ring_downs(campaign: Campaign) -> tuple[Fit, list[Decay], Gyro]:
     """Fit of all ring-downs of the campaign, the pick-offs' errors taken from its rate tests.
 
     Angle and amplitude alone don't separate a split from its negative; the quadrature force does.
-
-    Raises:
-        BenchError: the drive is never switched off for long enough.
     """
     logs = [test.log for test in require_tests(campaign, KIND)]
     k, site = read_bryan_factor(campaign), campaign.site

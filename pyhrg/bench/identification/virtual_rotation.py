@@ -74,11 +74,7 @@ def fit_rotation_error(campaign: Campaign) -> Terms:
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Gain error, sums of mismatches, and the bias map that they are told from.
-
-    Raises:
-        BenchError: one way only.
-    """
+    """Gain error, sums of mismatches, and the bias map that they are told from."""
     terms = fit_rotation_error(campaign)
     if GAIN in terms.refused:
         names = ", ".join(test.log.source for test in require_tests(campaign, KIND))

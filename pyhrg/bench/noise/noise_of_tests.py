@@ -35,13 +35,7 @@ class Noise:
 def fit_noise_of_tests(campaign: Campaign, kind: str, turning: bool) -> Noise | None:
     """Coefficients of the tests of one kind together; None where there are none.
 
-    Args:
-        campaign: that may hold such tests; those held out are left alone.
-        kind: of the tests.
-        turning: whether of the stretches with virtual rotation or of those without.
-
-    Raises:
-        BenchError: no test has a stretch that is long enough, or one has no noise.
+    `turning` chooses the stretches with virtual rotation, else those without.
     """
     tests = select_tests(campaign, kind)
     found = [record for test in tests for record in find_noise_records(test.log)]

@@ -69,16 +69,8 @@ def read_points(
 ) -> Points:
     """Data points of a log: each dwell is divided into equal parts, as many as `length` allows.
 
-    Args:
-        log: one power-on.
-        latitude: of the site, rad.
-        settle: time at the beginning of each dwell that is not used, s.
-        length: shortest duration of a part, s.
-        warm_up: time after power-on that is not used, s.
-        held: columns whose jumps end a dwell.
-
-    Raises:
-        BenchError: no dwell is long enough.
+    `settle` seconds at the beginning of each dwell and `warm_up` seconds after power-on are not
+    used; jumps of the columns `held` end a dwell.
     """
     log.require("axis_up", "gyro_angle", "wave_angle", "table_angle", *FORCES)
     rows_of_points, longest = [], 0.0

@@ -47,12 +47,7 @@ class NoiseRecord:
 
 
 def find_noise_records(log: Log) -> list[NoiseRecord]:
-    """Stretches of a log without its first 30 s and the 10 s after each change of a command.
-
-    Raises:
-        BenchError: no stretch is long enough, or one has no noise.
-        LogError: a column that is needed is missing.
-    """
+    """Stretches of a log without its first 30 s and the 10 s after each change of a command."""
     stretches = list(_find_steady(log))
     long = [part for part in stretches if part.stop - part.start >= MIN_SAMPLES]
     if not long:
@@ -104,13 +99,7 @@ def select_comparable(records: Sequence[NoiseRecord]) -> tuple[list[NoiseRecord]
     """Records that have the same virtual rotation and interval, and why others are not used.
 
     The fastest virtual rotation is taken, either direction, and of its intervals the one that has
-    most rows.
-
-    Args:
-        records: at least one.
-
-    Returns:
-        The records, and a sentence on each other one.
+    most rows. Returns the records, and a sentence on each other one.
     """
     fastest = max(abs(record.rotation) for record in records)
     fast = [r for r in records if np.isclose(abs(r.rotation), fastest, rtol=1e-6)]

@@ -76,16 +76,8 @@ def read_segments(
 ) -> Segments:
     """Data points of a log: means over whole segments within its rests.
 
-    Args:
-        log: one power-on.
-        latitude: of the site, rad.
-        settle: time at the beginning of each rest that is not used, s.
-        length: of a segment, s.
-        warm_up: time after power-on that is not used, s.
-
-    Raises:
-        BenchError: no rest is as long as a segment.
-        LogError: a column that it needs has no value.
+    `settle` seconds at the beginning of each rest and `warm_up` seconds after power-on are not
+    used; a segment has `length` seconds.
     """
     rows = round(length / log.interval)
     points: list[tuple[float, ...]] = []

@@ -87,12 +87,7 @@ class Sweep:
 
 
 def find_sweeps(log: Log, latitude: float) -> list[Sweep]:
-    """Sweeps of a log in order of time, from a settling time after each change.
-
-    Args:
-        log: one power-on.
-        latitude: of the site, rad.
-    """
+    """Sweeps of a log in order of time, from a settling time after each change."""
     log.require("table_angle", "axis_up", "virtual_rotation", "gyro_angle", "wave_angle")
     settle = math.ceil(SETTLE / log.interval)
     stretches = []

@@ -64,8 +64,7 @@ class Turn:
     def whole_periods(self, each: int = 0) -> tuple[Array, Array, Array]:
         """Time, input angle and excess (m,) at the bounds of whole periods, interpolated linearly.
 
-        Args:
-            each: periods between two bounds; 0 gives two bounds, as far apart as possible.
+        Bounds are `each` periods apart; 0 gives two bounds, as far apart as possible.
         """
         moved = np.abs(self.pattern_angle - self.pattern_angle[0])
         whole = math.floor(self.periods + 1e-6)
@@ -76,15 +75,7 @@ class Turn:
 
 
 def find_turns(log: Log, latitude: float) -> list[Turn]:
-    """Steady stretches of at least one period, in order of time.
-
-    Args:
-        log: one power-on.
-        latitude: of the site, rad.
-
-    Raises:
-        BenchError: there is none.
-    """
+    """Steady stretches of at least one period, in order of time."""
     stretches = _find_all(log, latitude)
     whole = [turn for turn in stretches if turn.periods >= WHOLE_PERIOD]
     if not whole:

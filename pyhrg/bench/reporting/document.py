@@ -20,11 +20,7 @@ def format_document(
 ) -> str:
     """JSON text of a test's result; each finding is in the unit that its key names.
 
-    Args:
-        procedure: the test.
-        outcome: what the test gave.
-        seed: of the simulation; None where the records are not simulated.
-        limits: of the specification, by the findings' keys.
+    The limits are the specification's, by the findings' keys.
     """
     content = {
         "schema": SCHEMA,

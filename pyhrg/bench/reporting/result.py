@@ -249,11 +249,7 @@ class BenchResults:
 
 
 def check_folder(folder: Path) -> None:
-    """Refuse a folder that a result must not replace.
-
-    Raises:
-        HrgError: the folder holds something else than a result.
-    """
+    """Refuse a folder that a result must not replace."""
     if not folder.exists() or (folder / RESULT).is_file():
         return
     if not folder.is_dir() or any(folder.iterdir()):

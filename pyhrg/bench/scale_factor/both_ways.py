@@ -17,10 +17,7 @@ def draw_both_ways(
 ) -> None:
     """Draw the points of turns on axes, with one label for each direction.
 
-    Args:
-        axes: to draw on.
-        turns: in both directions.
-        points: for each turn, pattern angles (m,), rad, and values (m,).
+    `points` has pattern angles (m,), rad, and values (m,) of each turn.
     """
     for positive, mark, colour in ((True, ".", "C0"), (False, "x", "C1")):
         chosen = [i for i, turn in enumerate(turns) if (turn.table_rate > 0) == positive]

@@ -65,11 +65,7 @@ def record(bench: Bench, runs: int = RUNS, rates: Sequence[float] = RATES) -> li
 
 
 def read_line(turns: Sequence[Turn]) -> Line:
-    """Input and output rates of one power-on, means over whole periods, in order of the rates.
-
-    Raises:
-        BenchError: there are fewer than 11 rates in a direction.
-    """
+    """Input and output rates of one power-on, means over whole periods, in order of the rates."""
     points = []
     for turn in turns:
         time, angle, excess = turn.whole_periods()
@@ -92,11 +88,7 @@ def _count_rates(rates: Array) -> int:
 
 
 def read_lines(campaign: Campaign) -> list[Line]:
-    """Input and output rates of each power-on.
-
-    Raises:
-        BenchError: the power-ons are not at the same rates.
-    """
+    """Input and output rates of each power-on."""
     tests = require_tests(campaign, KIND)
     lines = [read_line(read_turns(campaign, test)) for test in tests]
     for test, line in zip(tests, lines, strict=True):

@@ -21,11 +21,7 @@ INTERVAL = 0.1
 
 
 def read_rate_turns(campaign: Campaign, slow: bool) -> list[Turn]:
-    """Turns of the campaign's rate tests at rates up to `FASTEST_RATE_A` (`slow`), or above.
-
-    Raises:
-        BenchError: there are none.
-    """
+    """Turns of the campaign's rate tests at rates up to `FASTEST_RATE_A` (`slow`), or above."""
     turns = [turn for test in require_tests(campaign, KIND) for turn in read_turns(campaign, test)]
     chosen = [turn for turn in turns if (abs(turn.table_rate) <= FASTEST_RATE_A) == slow]
     if not chosen:

@@ -82,13 +82,7 @@ class ScaleFactorMap:
     def finding(
         self, term: str, name: str, unit: str, sign: float = 1.0, note: str = ""
     ) -> Finding:
-        """Finding of a term of the fit.
-
-        Args:
-            term: of the fit.
-            name, unit, note: of the finding.
-            sign: finding over term.
-        """
+        """Finding of a term of the fit."""
         low, high = sorted(sign * bound for bound in self.fit.interval(term))
         n = len(self.fit.residual)
         return Finding(name, sign * self.fit.value(term), unit, low, high, n, note)
@@ -119,15 +113,7 @@ class ScaleFactorMap:
 
 
 def fit_scale_factor_map(turns: Sequence[Turn], bryan_factor: float) -> ScaleFactorMap:
-    """Fit of the terms that the turns can separate.
-
-    Args:
-        turns: at one or several rates, in both directions.
-        bryan_factor: nominal angular gain.
-
-    Raises:
-        BenchError: all turns are in one direction.
-    """
+    """Fit of the terms that the turns can separate."""
     ways = {np.sign(turn.table_rate) for turn in turns}
     if len(ways) < 2:
         rates = ", ".join(sorted({f"{turn.table_rate / DEG:.3g}" for turn in turns}))

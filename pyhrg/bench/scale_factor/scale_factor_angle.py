@@ -48,12 +48,7 @@ def record(
 
 def compute_residual(turn: Turn, k: float) -> Array:
     """(n,) error of the pattern angle, rad, within whole periods: residual of a line against the
-    encoder.
-
-    Args:
-        turn: at one table rate.
-        k: angular gain.
-    """
+    encoder."""
     rows = np.abs(turn.pattern_angle - turn.pattern_angle[0]) <= _measure_whole_periods(turn)
     excess, table = turn.excess[rows], turn.table_angle[rows]
     # over both directions, a line through whole periods has the slope of the mean scale factor

@@ -53,11 +53,7 @@ def record(
 
 
 def compute_rate_error(turn: Turn) -> tuple[Array, Array]:
-    """Pattern angle, rad, and relative rate error of averages, (m,) each, over whole periods.
-
-    Raises:
-        BenchError: a row is longer than the longest average.
-    """
+    """Pattern angle, rad, and relative rate error of averages, (m,) each, over whole periods."""
     rows = round(SMOOTHING / turn.interval)
     if rows < 1:
         raise BenchError(

@@ -43,10 +43,7 @@ TURN = 200.0
 def make_programme(bench: Bench, rotation: float, count: int = CYCLES) -> Programme:
     """One power-on, axis level: cycles at rest, then the table turns both ways.
 
-    Args:
-        bench: the virtual bench.
-        rotation: rad/s; 0 for the same without virtual rotation.
-        count: cycles at rest.
+    The rotation is in rad/s; 0 gives the same without virtual rotation.
     """
     sweep = float(np.ceil(180 * DEG / (bench.device.bryan_factor * ROTATION))) + MARGIN
     course = bench.programme().attitude(0.0).rest(WARM_UP)

@@ -96,11 +96,8 @@ def make_power_ons(bench: Bench, kind: str, runs: int) -> list[PowerOn]:
 def record(bench: Bench, changed: Device | None = None, runs: int = RUNS) -> list[Test]:
     """Tests of all kinds.
 
-    Args:
-        bench: with the gyro before vibration.
-        changed: the gyro after vibration and shock (a mounting that has lost its torque has a
-            larger `resonator.material.mountingDamping`); the same gyro if None.
-        runs: power-ons of each kind.
+    `changed` is the gyro after vibration and shock (a mounting that has lost its torque has a
+    larger `resonator.material.mountingDamping`); the same gyro if None.
     """
     after = replace(bench, device=changed or bench.device)
     tests = bench.run(
@@ -113,11 +110,7 @@ def record(bench: Bench, changed: Device | None = None, runs: int = RUNS) -> lis
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Changes of bias and bias map from before, and the response to pulses.
-
-    Raises:
-        BenchError: there is no power-on before vibration, or none to compare with it.
-    """
+    """Changes of bias and bias map from before, and the response to pulses."""
     groups = {
         kind: [fit_circumference(test, campaign.site) for test in select_tests(campaign, kind)]
         for kind in (BEFORE, *STATES)

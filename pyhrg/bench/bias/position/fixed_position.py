@@ -45,11 +45,7 @@ def measure_bias(campaign: Campaign) -> BiasTest:
 
 
 def read_runs(campaign: Campaign) -> list[Segments]:
-    """Data points of each power-on.
-
-    Raises:
-        BenchError: there is no static test, or one has fewer than two data points.
-    """
+    """Data points of each power-on."""
     latitude = campaign.site.latitude
     logs = [test.log for test in require_tests(campaign, KIND)]
     runs = [read_segments(log, latitude, 0.0, warm_up=WARM_UP) for log in logs]

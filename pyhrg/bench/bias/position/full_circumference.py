@@ -109,15 +109,8 @@ def record(
 ) -> list[Test]:
     """Tests of the power-ons of a plan.
 
-    Args:
-        bench: with the gyro.
-        positions: 8N.
-        spacing_deg: pattern angle between positions; chosen to separate most terms if None.
-        dwell_s: duration of the data points at each position, a multiple of 100 s.
-        runs: power-ons.
-
-    Raises:
-        BenchError: the plan is impossible.
+    `spacing_deg` is the pattern angle between positions, chosen to separate most terms if None;
+    `dwell_s` is a multiple of 100 s.
     """
     segments = round(dwell_s / SEGMENT)
     if segments < 1 or abs(segments * SEGMENT - dwell_s) > 1e-6:
@@ -147,11 +140,7 @@ def measure_mean_bias(campaign: Campaign) -> float:
 
 
 def read_runs(campaign: Campaign) -> list[Segments]:
-    """Data points of each power-on, equally many at each position.
-
-    Raises:
-        BenchError: no power-on has 8N evenly spaced positions.
-    """
+    """Data points of each power-on, equally many at each position."""
     return read_complete_runs(require_tests(campaign, KIND), campaign.site.latitude, SETTLE)[0]
 
 
@@ -160,10 +149,7 @@ def fit_map(
 ) -> BiasMap:
     """Bias map of the terms that the positions can separate, fitted to each run.
 
-    Args:
-        runs: data points, at the same positions in each.
-        wanted: harmonics to be fitted.
-        tilt: whether the tilt of the input axis is to be fitted.
+    The data points of all runs lie at the same positions.
     """
     pattern, table = (
         np.array(

@@ -26,16 +26,8 @@ def read_complete_runs(
 ) -> tuple[list[Segments], list[str]]:
     """Data points of each complete power-on, equally many at each position.
 
-    Args:
-        tests: position tests.
-        latitude: of the site, rad.
-        settle: time at the beginning of each rest that is not used, s.
-
-    Returns:
-        The runs, and a sentence on each power-on or data point that is not used.
-
-    Raises:
-        BenchError: no power-on is complete.
+    `settle` seconds at the beginning of each rest are not used. Returns the runs, and a sentence on
+    each power-on or data point that is not used.
     """
     candidates = [read_segments(test.log, latitude, settle, warm_up=WARM_UP) for test in tests]
     expected = max(points.dwells for points in candidates)

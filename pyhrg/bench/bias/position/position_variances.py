@@ -34,12 +34,8 @@ def estimate_between(name: str, runs: Sequence[Segments], fits: Sequence[Fit]) -
 
     The noise is estimated from the residual of the bias map, or from the scatter within positions
     where that is smaller. The drift of the pattern within a position adds to the scatter, and a map
-    that doesn't fit adds to the residual.
-
-    Args:
-        name: of the finding.
-        runs: with equally many data points at each position.
-        fits: of the bias map, one for each run.
+    that doesn't fit adds to the residual. The runs have equally many data points at each position;
+    `fits` has the bias map of each.
     """
     groups = [group_by_position(run) for run in runs]
     square = float(np.mean([np.var([np.mean(g) for g in run], ddof=1) for run in groups]))

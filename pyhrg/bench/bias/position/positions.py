@@ -74,15 +74,9 @@ def select_visible(
     The fourth harmonic is tried first, then the tilt, then the other harmonics. A term is accepted
     if all variance inflation factors stay within `LARGEST_INFLATION` and the positions outnumber
     the terms by two. Without the fourth harmonic, the largest of a whole-angle gyro, no term is
-    accepted, for it would alias into them.
-
-    Args:
-        pattern_angle, table_angle: (n,) positions, rad, of all power-ons together.
-        wanted: harmonics to be fitted.
-        tilt: whether the tilt of the input axis is to be fitted.
-
-    Returns:
-        Accepted harmonics, whether the tilt is accepted, and a sentence on each term that is not.
+    accepted, for it would alias into them. Positions are (n,) rad, of all power-ons together.
+    Returns accepted harmonics, whether the tilt is accepted, and a sentence on each term that is
+    not.
     """
     distinct = _count_distinct(pattern_angle, table_angle)
     accepted: list[int] = []
@@ -136,13 +130,6 @@ def choose_plan(
 
     Only plans are considered whose positions fill whole periods of the fourth harmonic, so that
     their mean holds none of it.
-
-    Args:
-        positions: 8N.
-        bryan_factor: angular gain of the gyro.
-        harmonics: to be separated; 8 positions separate the fourth alone.
-        tilt: whether the tilt of the input axis is to be separated from them.
-        largest_turns: table turns in all, at most.
     """
     wanted = tuple(harmonics)
     share = 90.0 / positions

@@ -94,9 +94,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     """Standard deviation, range and drift of the monthly bias and scale factor.
 
     The campaign's tests are taken as a month apart, in their order.
-
-    Raises:
-        BenchError: there are fewer than four tests.
     """
     tests = require_tests(campaign, KIND)
     if len(tests) < FEWEST_MONTHS:

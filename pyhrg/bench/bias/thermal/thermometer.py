@@ -36,9 +36,7 @@ class Thermometer:
 def estimate_temperature(log: Log, nominal_lag: float | None = None) -> Thermometer:
     """Temperature of the resonator: first-order lag, equal to the case's at power-on.
 
-    Args:
-        log: one power-on in which the case's temperature changes.
-        nominal_lag: used where the loop frequency does not follow the temperature, s.
+    The nominal lag, s, is used where the loop frequency does not follow the temperature.
     """
     log.require("temperature", "frequency_offset")
 

@@ -8,18 +8,16 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.store import Store, compute_key
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.device.device_file import nominal
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.fmu import CONTROL_PERIOD, Gyro, GyroFmu
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign, Test
-
-Array = NDArray[np.float64]
 
 HELD_INPUTS = {
     "acceleration_x": "accelerationX",

@@ -3,9 +3,8 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 COMMANDS = (
     "axis_up",

@@ -10,10 +10,11 @@ from numpy.typing import ArrayLike
 from scipy.stats import chi2
 
 from pyhrg.common.arguments import check_number, check_whole_number
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.noise.coefficients import CONFIDENCE
 from pyhrg.noise.fitting import check_record, maximize_likelihood
-from pyhrg.noise.likelihood import Array, compute_spectrum
+from pyhrg.noise.likelihood import compute_spectrum
 
 CORRELATION_CLUSTERS = 16
 """Lag, in cluster times, beyond which second differences of flicker noise count as independent.

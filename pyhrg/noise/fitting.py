@@ -7,10 +7,10 @@ import numpy as np
 from scipy.optimize import brentq, nnls
 from scipy.stats import norm
 
+from pyhrg.common.arrays import Array
 from pyhrg.noise.coefficients import CONFIDENCE, Coefficient, NoiseCoefficients, NoiseError
 from pyhrg.noise.likelihood import (
     POWERS,
-    Array,
     Misfit,
     Spectrum,
     compute_misfit,

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from scipy.fft import dct
 from scipy.special import zeta
 
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 POWERS = (0, 2, 3, 4)
 """Exponents p of the angle's spectral densities f^-p: angle white noise, N, B, K."""

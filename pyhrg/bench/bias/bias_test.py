@@ -4,10 +4,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import Finding, estimate_deviation, estimate_mean
 from pyhrg.bench.readings.segments import Segments
+from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG_PER_H
 
@@ -22,7 +22,7 @@ class BiasRun:
     points: (n,) means over 100 s, rad/s, without Earth's rate.
     """
 
-    points: NDArray[np.float64]
+    points: Array
 
     @property
     def mean(self) -> float:

@@ -10,7 +10,7 @@ position test takes for bias; the bias map is its map less W_e times theirs.
 """
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 from scipy import stats
@@ -108,11 +108,6 @@ def add_maps(
 
 def _sum(one: AngleMap, other: AngleMap) -> AngleMap:
     return AngleMap(**{f.name: getattr(one, f.name) + getattr(other, f.name) for f in fields(one)})
-
-
-def list_coefficients(coefficients: AngleMap) -> dict[str, float]:
-    """By name, SI."""
-    return asdict(coefficients)
 
 
 def _bias(name: str, positions: BiasMap, rates: ScaleFactorMap, earth: float, n: int) -> Finding:

@@ -8,18 +8,16 @@ error goes with the rate, the bias does not: both directions separate them.
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, MEAN, name_terms
 from pyhrg.bench.estimation.row_fit import Part, RowFit, compute_inflations, fit_rows
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.plateaus import find_plateaus
 from pyhrg.bench.readings.segments import SEGMENT
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 FOURTH = name_terms(4)
 ARC = 15 * DEG

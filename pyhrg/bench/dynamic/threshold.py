@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 from scipy import stats
 
 from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
@@ -167,7 +168,6 @@ def evaluate(campaign: Campaign) -> Outcome:
         for p in find_plateaus(log, 10 * log.interval)
     )
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(replace(worst, name="threshold"), *findings, *map(_make_finding, responses)),
         verdict=_describe_verdict(worst),
         tables=(_make_table(responses),),
@@ -201,7 +201,7 @@ def _make_table(responses: Sequence[Response]) -> Table:
 
 def draw(figure: Figure, responses: Sequence[Response]) -> None:
     """Draw the response against the rate, both directions."""
-    axes = figure.add_subplot()
+    axes = figure.add_subplot(title="Threshold, 95 % intervals", xscale="log")
     for sign, name, mark in ((1, "positive", "+"), (-1, "negative", "s")):
         side = [r for r in responses if sign * r.rate > 0]
         rate = [abs(r.rate) / DEG for r in side]
@@ -210,12 +210,7 @@ def draw(figure: Figure, responses: Sequence[Response]) -> None:
             fmt=mark, mfc="none", ms=7, capsize=3, label=name,
         )  # fmt: skip
     axes.axhline(SENSED_RESPONSE, color="k", ls="--", lw=1, label="half of what is expected")
-    axes.set_xscale("log")
-    axes.set_xlabel("rate of the table, deg/s")
-    axes.set_ylabel("change of the output over change of the input")
-    axes.set_title("Threshold, 95 % intervals")
-    axes.grid(alpha=0.3)
-    axes.legend()
+    finish_axes(axes, "rate of the table, deg/s", "change of the output over change of the input")
 
 
 PROCEDURE: Procedure = Procedure(

@@ -4,10 +4,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import stats
 
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 MEAN = "mean"
 TILT = ("tilt_cos", "tilt_sin")

@@ -16,13 +16,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import stats
 from scipy.fft import dst
 
 from pyhrg.bench.estimation.harmonics import Fit
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 ITERATION_LIMIT = 12
 """Iterations for the densities after which they are taken as they are."""

@@ -1,12 +1,11 @@
 """Standard deviation of values that differ by more than their noise, with a 95 % interval."""
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy import optimize, special, stats
 
 from pyhrg.bench.outcome import Finding
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 NORMAL_SQUARE = 1e4
 """Sum of squares over the noise variance beyond which its root is taken as normal."""

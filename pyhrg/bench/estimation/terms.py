@@ -4,7 +4,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.estimation.harmonics import (
     LARGEST_INFLATION,
@@ -12,9 +11,8 @@ from pyhrg.bench.estimation.harmonics import (
     compute_inflations,
     make_columns,
 )
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
-
-Array = NDArray[np.float64]
 
 SCATTER_POINTS = 2
 """Data points that a fit must have beyond the number of its terms, so that the scatter shows."""

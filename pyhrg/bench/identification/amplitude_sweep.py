@@ -116,7 +116,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     warnings = [output.refused[CUBIC]] if CUBIC in output.refused else []
     warnings += [frequency.refused[name] for name in (DUFFING, DRIFT) if name in frequency.refused]
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(
             frequency.finding(DUFFING, "mHz"),
             output.finding(CUBIC, "ppm"),
@@ -143,7 +142,6 @@ PROCEDURE: Procedure = Procedure(
     name="amplitude-sweep",
     group="identification",
     title="Amplitude sweep: Duffing stiffness, cubic of the pick-offs",
-    rows=(),
     source="envelope X (1 + 3/4 b |X|^2) and gamma |Z|^2 Z to first order; campaign format",
     kinds=(KIND,),
     record=record,

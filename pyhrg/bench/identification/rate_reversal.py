@@ -18,7 +18,6 @@ from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.readings.output_rows import (
     BIAS_TERMS,
-    Array,
     Rows,
     Terms,
     compute_output_error,
@@ -27,6 +26,7 @@ from pyhrg.bench.readings.output_rows import (
     read_bryan_factor,
     require_steady_rows,
 )
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
 
@@ -116,7 +116,6 @@ def evaluate(campaign: Campaign) -> Outcome:
         names = ", ".join(test.log.source for test in require_tests(campaign, KIND))
         raise BenchError(f"{names}: {terms.refused[SCALE]}; else it is taken for a bias")
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(
             terms.finding(GAIN, "ppm"),
             terms.finding(SKEW, "ppm"),
@@ -149,7 +148,6 @@ PROCEDURE: Procedure = Procedure(
     name="rate-reversal",
     group="identification",
     title="Table rate both ways: errors of the pick-offs",
-    rows=(),
     source="paper Eq. (2)-(3), with harmonics and signs as derived in output_rows",
     kinds=(KIND,),
     record=record,

@@ -16,7 +16,6 @@ from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.output_rows import (
     BIAS_TERMS,
-    Array,
     Rows,
     Terms,
     compute_output_error,
@@ -24,6 +23,7 @@ from pyhrg.bench.readings.output_rows import (
     make_bias_columns,
     require_steady_rows,
 )
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
 
@@ -80,7 +80,6 @@ def evaluate(campaign: Campaign) -> Outcome:
         names = ", ".join(test.log.source for test in require_tests(campaign, KIND))
         raise BenchError(f"{names}: {terms.refused[GAIN]}; else it is taken for a bias")
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(
             terms.finding(GAIN, "ppm", "virtual rotation gain error", -1.0),
             terms.finding(COSINE, "ppm", "gain mismatch of pick-offs and drives", 2.0),
@@ -110,7 +109,6 @@ PROCEDURE: Procedure = Procedure(
     name="virtual-rotation",
     group="identification",
     title="Virtual rotation both ways: gain error, mismatch of the drives",
-    rows=(),
     source="campaign format, virtual rotation; output to first order: output_rows",
     kinds=(KIND,),
     record=record,

@@ -13,10 +13,9 @@ from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.segments import SEGMENT, find_rests
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 FORCES = ("acceleration_x", "acceleration_y", "acceleration_z")
 """Columns of the specific force."""

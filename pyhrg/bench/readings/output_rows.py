@@ -10,17 +10,15 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, Fit
 from pyhrg.bench.estimation.row_fit import Part, compute_inflations, fit_rows
 from pyhrg.bench.outcome import BenchError, Finding
 from pyhrg.bench.readings.segments import AT_REST
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import Site
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign
-
-Array = NDArray[np.float64]
 
 TRANSIENT = 3.0
 """Time after power-on and after each command that is not used, s; loops of 6 rad/s have settled to

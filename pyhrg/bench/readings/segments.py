@@ -9,11 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 SEGMENT = 100.0
 """Averaging time of one data point, s (paper 4.1, item 3)."""

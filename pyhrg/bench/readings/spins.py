@@ -9,12 +9,9 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 SLOWEST = math.radians(1.0)
 """Smallest table rate of a spin, rad/s."""

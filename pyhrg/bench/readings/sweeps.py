@@ -16,11 +16,10 @@ from numpy.typing import NDArray
 from pyhrg.bench.estimation.angle_fit import Record, compute_largest_inflation
 from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, name_terms
 from pyhrg.bench.readings.turns import ENCODER_NOISE, RATE_TOLERANCE, SETTLE
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 BIAS, GAIN, SCALE = "bias", "virtual rotation", "scale factor"
 """Kinds of terms: independent of the rates, proportional to V, proportional to W."""

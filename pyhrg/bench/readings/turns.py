@@ -4,15 +4,13 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.segments import COLUMNS
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 SETTLE = 2.0
 """Time after the table has reached its rate that is not used, s."""

@@ -1,11 +1,15 @@
 """Tests at constant table rates in both directions: their programmes and their turns."""
 
+from collections.abc import Sequence
+
 import numpy as np
+from matplotlib.axes import Axes
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import list_exclusions, require_tests
 from pyhrg.bench.readings.turns import PERIOD, Turn, find_turns, list_short_turns
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
 
@@ -63,3 +67,21 @@ def make_turn_power_ons(bench: Bench, rate: float, periods: int, runs: int = RUN
         name = f"rate_{rate / DEG:g}dps_{way}"
         tasks += [PowerOn(f"{name}_{run + 1}", KIND, course) for run in range(runs)]
     return tasks
+
+
+def draw_both_ways(
+    axes: Axes, turns: Sequence[Turn], points: Sequence[tuple[Array, Array]]
+) -> None:
+    """Draw the points of turns on axes, with one label for each direction.
+
+    `points` has pattern angles (m,), rad, and values (m,) of each turn.
+    """
+    for positive, mark, colour in ((True, ".", "C0"), (False, "x", "C1")):
+        chosen = [i for i, turn in enumerate(turns) if (turn.table_rate > 0) == positive]
+        angle = np.concatenate([points[i][0] for i in chosen]) % np.pi / DEG
+        values = np.concatenate([points[i][1] for i in chosen])
+        rate = np.mean([turns[i].table_rate for i in chosen]) / DEG
+        label = f"{rate:+.3g} deg/s"
+        axes.plot(angle, values, mark, color=colour, ms=2.5, label=label, alpha=0.5)
+    axes.set(xlabel="pattern angle, deg", xlim=(0, 180))
+    axes.grid(alpha=0.3)

@@ -14,17 +14,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.estimation.angle_fit import AngleFit, Record, compute_largest_inflation, fit_angles
 from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, TILT, name_terms
-from pyhrg.bench.estimation.magnitude import estimate_magnitude
+from pyhrg.bench.estimation.sizes import estimate_magnitude
 from pyhrg.bench.outcome import BenchError, Finding
 from pyhrg.bench.readings.turns import Turn
+from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG, PPM
-
-Array = NDArray[np.float64]
 
 SCALE = "scale factor"
 BIAS = "bias"

@@ -7,17 +7,16 @@ harmonic of r is one of the scale factor that is four times as large: 4 std(r).
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.readings.output_rows import read_bryan_factor
 from pyhrg.bench.readings.turns import Turn
-from pyhrg.bench.scale_factor.both_ways import draw_both_ways
 from pyhrg.bench.scale_factor.rate_tests import (
     KIND,
     RUNS,
+    draw_both_ways,
     list_turn_exclusions,
     read_rate_turns,
     record_turns,
@@ -28,10 +27,9 @@ from pyhrg.bench.scale_factor.scale_factor import (
     fit_scale_factor_map,
     make_period_table,
 )
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.records.campaign import Campaign, Test
-
-Array = NDArray[np.float64]
 
 RATE = 5 * DEG
 """Table rate, rad/s."""
@@ -69,7 +67,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     fitted = fit_scale_factor_map(read_rate_turns(campaign, slow=True), k)
     residuals = [compute_residual(turn, k) for turn in fitted.turns]
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(*fitted.findings(), *_summarize_residuals(residuals)),
         verdict=_describe_verdict(fitted),
         tables=(make_period_table(fitted.turns),),
@@ -106,14 +103,13 @@ def _describe_verdict(fitted: ScaleFactorMap) -> str:
 
 def draw(figure: Figure, fitted: ScaleFactorMap, residuals: list[Array]) -> None:
     """Draw the angle errors of both directions against the pattern angle."""
-    axes = figure.add_subplot()
+    axes = figure.add_subplot(title="Angle residual; where both ways differ, the bias shows")
     points = [
         (turn.pattern_angle[: len(values)], values / ARCSEC)
         for turn, values in zip(fitted.turns, residuals, strict=True)
     ]
     draw_both_ways(axes, fitted.turns, points)
     axes.set_ylabel("error of the pattern angle, arcsec")
-    axes.set_title("Angle residual; where both ways differ, the bias shows")
     axes.legend(markerscale=3)
 
 

@@ -6,12 +6,22 @@ the rotation, which changes its sign. Off, the bias is that of the angle at whic
 left. The noise of the rotation is the price: an angle random walk of V sqrt(S).
 """
 
+from collections.abc import Sequence
+
 import numpy as np
+from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS
-from pyhrg.bench.estimation.angle_fit import AngleFit, Record, fit_angles
-from pyhrg.bench.estimation.fitted_walk import estimate_walk, estimate_walk_ratio, make_walk_finding
+from pyhrg.bench.estimation.angle_fit import (
+    AngleFit,
+    Record,
+    estimate_walk,
+    estimate_walk_ratio,
+    fit_angles,
+    make_walk_finding,
+)
+from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_deviation, estimate_mean
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
@@ -21,7 +31,6 @@ from pyhrg.bench.scale_factor.rate_tests import read_turns
 from pyhrg.bench.scale_factor.scale_factor import fit_scale_factor_map
 from pyhrg.bench.self_calibration import cycles
 from pyhrg.bench.self_calibration.cycles import Cycle, find_averaging_time, find_pooled_deviation
-from pyhrg.bench.self_calibration.self_calibration_figure import draw
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.campaign import Campaign, Test
 
@@ -99,7 +108,6 @@ def evaluate(campaign: Campaign) -> Outcome:
         ratio,
     )
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=findings,
         verdict=_verdict({finding.name: finding for finding in findings}),
         warnings=(*cycles.list_warnings(on), *_crept(resting)),
@@ -189,6 +197,19 @@ def _verdict(found: dict[str, Finding]) -> str:
         return f"{text}; one power-on can't show what it gains in repeatability."
     gained = f"{off.value / DEG_PER_H:.2g} to {on.value / DEG_PER_H:.2g} deg/h"
     return f"{text}; repeatability over the power-on angles goes from {gained}."
+
+
+def draw(figure: Figure, on: Sequence[Sequence[Cycle]], off: Sequence[Sequence[Cycle]]) -> None:
+    """Means over a cycle, with virtual rotation and at rest."""
+    axes = figure.add_subplot(title="Self-calibration by virtual rotation", xlim=(0, 180))
+    for runs, mark, colour, label in (
+        (off, "s", "#D55E00", "off: pattern left where it is"),
+        (on, "o", "#0072B2", "on: one way and back"),
+    ):
+        points = [(c.pattern_angle, c.rate) for run in runs for c in run]
+        angle, rate = np.array(points).T
+        axes.plot(angle % np.pi / DEG, rate / DEG_PER_H, mark, color=colour, label=label)
+    finish_axes(axes, "pattern angle at the beginning, deg", "mean output at rest, deg/h")
 
 
 PROCEDURE: Procedure = Procedure(

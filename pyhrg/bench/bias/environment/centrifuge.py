@@ -63,7 +63,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     share = sum(result.fitted.value(n) * c for n, c in columns.items())
     worst = float(np.max(np.abs(share)) / DEG_PER_H) if columns else np.nan
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=result.findings(),
         verdict=f"Specific force of up to {size:.3g} g moves the bias by up to {worst:.2g} deg/h.",
         warnings=g_sensitivity.list_warnings(result),

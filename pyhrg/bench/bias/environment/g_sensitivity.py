@@ -9,17 +9,15 @@ from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
 from pyhrg.bench.estimation.terms import PatternBasis, choose_pattern_basis, select_separable
 from pyhrg.bench.outcome import BenchError, Finding
 from pyhrg.bench.procedure import require_tests
 from pyhrg.bench.readings.dwells import Points, join_points, read_points
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG_PER_H, STANDARD_GRAVITY
 from pyhrg.records.campaign import Campaign
-
-Array = NDArray[np.float64]
 
 AXES = "xyz"
 SETTLE = 20.0

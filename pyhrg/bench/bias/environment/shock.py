@@ -8,11 +8,10 @@ from numpy.typing import NDArray
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.dwells import FORCES
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import Site
 from pyhrg.common.units import STANDARD_GRAVITY
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 PEAK = 100 * STANDARD_GRAVITY
 """Largest specific force of a pulse, m/s2."""

@@ -69,7 +69,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     result = g_sensitivity.fit_sensitivity(campaign, KIND)
     earth = campaign.site.vertical_rate
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=result.findings(),
         verdict=_describe_verdict(result),
         warnings=(

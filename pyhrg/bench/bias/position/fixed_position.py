@@ -64,7 +64,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     logs = [test.log for test in require_tests(campaign, KIND)]
     swept = max(float(np.nanmax(log.wave_angle) - np.nanmin(log.wave_angle)) for log in logs)
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=test.findings(),
         verdict=(
             f"Bias stability {test.stability / DEG_PER_H:.2g} deg/h at a fixed position: the "
@@ -79,12 +78,10 @@ def evaluate(campaign: Campaign) -> Outcome:
 
 def draw(figure: Figure, runs: Sequence[Segments]) -> None:
     """Draw the data points against time, one line for each power-on."""
-    axes = figure.add_subplot()
+    axes = figure.add_subplot(title=f"Fixed position, {SEGMENT:g} s means")
     for number, run in enumerate(runs, 1):
         axes.plot(run.time / MINUTE, run.rate / DEG_PER_H, ".-", lw=0.6, label=f"run {number}")
-    axes.set_xlabel("time since power-on, min")
-    axes.set_ylabel("bias, deg/h")
-    axes.set_title(f"Fixed position, {SEGMENT:g} s means")
+    axes.set(xlabel="time since power-on, min", ylabel="bias, deg/h")
     axes.grid(alpha=0.3)
     axes.legend(ncols=2)
 

@@ -12,16 +12,14 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.estimation.harmonics import (
     LARGEST_INFLATION,
     compute_inflations,
     make_columns,
 )
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
-
-Array = NDArray[np.float64]
 
 HARMONICS = (2, 4, 8)
 """Orders of the bias map in the pattern angle."""

@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.circumference import fit_circumference
@@ -23,12 +22,11 @@ from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import WARM_UP
 from pyhrg.bench.readings.spins import compute_scale_factor_error, find_spins, pair_spins
+from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG_PER_H, PPM, YEAR
 from pyhrg.device.device import Device
 from pyhrg.records.campaign import Campaign, Test
-
-Array = NDArray[np.float64]
 
 KIND = "annual"
 MONTHS = 12
@@ -103,7 +101,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     bias = _measure_bias(campaign, tests)
     scale = _measure_scale_factor(campaign, tests)
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(
             *_make_findings("bias", bias, "deg/h"),
             *_make_findings("scale factor", scale, "ppm"),

@@ -13,11 +13,10 @@ from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import require_tests
 from pyhrg.bench.readings.dwells import Points, join_points, read_points
 from pyhrg.bench.readings.segments import WARM_UP
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import MINUTE, ZERO_CELSIUS
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign
-
-Array = NDArray[np.float64]
 
 KIND = "thermal"
 SOAK_RATE = 0.05 / MINUTE

@@ -3,18 +3,16 @@
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.bias.thermal.thermometer import Thermometer
 from pyhrg.bench.estimation.harmonics import MEAN, fit
 from pyhrg.bench.estimation.spread import estimate_spread
 from pyhrg.bench.outcome import BenchError, Finding, estimate_pooled_deviation
 from pyhrg.bench.readings.spins import compute_scale_factor_error, find_spins, pair_spins
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ZERO_CELSIUS
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign
-
-Array = NDArray[np.float64]
 
 SAME = 3.0
 """Smallest difference between the temperatures of two groups of pairs, K."""

@@ -3,12 +3,10 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import optimize, signal
 
+from pyhrg.common.arrays import Array
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 LAG_BOUNDS = (20.0, 7200.0)
 """Range in which the thermal lag is searched, s."""

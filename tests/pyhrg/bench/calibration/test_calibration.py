@@ -16,9 +16,10 @@ from pyhrg.bench.calibration.calibration import (
     apply_maps,
     evaluate,
     record,
+    select_stage,
+    stage_bench,
 )
 from pyhrg.bench.calibration.calibration_maps import add_maps, fit_maps, turn_map
-from pyhrg.bench.calibration.stages import select_stage, stage_bench
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.scale_factor.rate_tests import record_turns
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H

@@ -3,6 +3,7 @@
 import difflib
 import shutil
 from collections.abc import Mapping, Sequence
+from contextlib import closing
 from numbers import Integral, Real
 from pathlib import Path
 
@@ -116,7 +117,7 @@ def run_tests(
     folder = None if out is None else Path(out)
     if folder is not None:
         _check_places(folder, procedures)
-    with Progress(progress) as counter:
+    with closing(Progress(progress)) as counter:
         if campaign is not None:
             source = open_records(campaign, procedures)
         else:

@@ -4,7 +4,6 @@ import difflib
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
-from functools import partial
 from pathlib import Path
 
 from fmu_build.bundle import build_fmu
@@ -108,15 +107,11 @@ def open_records(campaign: Campaign | str | Path, procedures: Sequence[Procedure
 
 def _load_fmus(procedures: Sequence[Procedure], say: Callable[[str], None]) -> dict[str, GyroFmu]:
     """The procedures' FMUs by model, built where the cache has none."""
-    models = sorted({procedure.model for procedure in procedures})
-    return {
-        model: GyroFmu(build_fmu(model, progress=partial(_say_step, say, model)))
-        for model in models
-    }
 
+    def load(model: str) -> GyroFmu:
+        return GyroFmu(build_fmu(model, progress=lambda step: say(f"FMU {model}: {step}")))
 
-def _say_step(say: Callable[[str], None], model: str, step: str) -> None:
-    say(f"FMU {model}: {step}")
+    return {model: load(model) for model in sorted({p.model for p in procedures})}
 
 
 def _check_model_names(device: Device, fmus: Mapping[str, GyroFmu], source: str) -> None:

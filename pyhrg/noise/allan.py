@@ -110,15 +110,10 @@ def allan_deviation(
     if kind == "rate":
         series = interval_s * np.append(0.0, np.cumsum(series))
     estimate = estimate_allan_deviation(series, interval_s, per_octave)
-    columns = {
-        "cluster_time_s": (estimate.tau, "s"),
-        "deviation": (estimate.deviation, "rate"),
-        "low_95": (estimate.low, "rate"),
-        "high_95": (estimate.high, "rate"),
-        "degrees_of_freedom": (estimate.freedom, "1"),
-    }
-    frame = pd.DataFrame({name: column for name, (column, _) in columns.items()})
-    frame.attrs["units"] = {name: unit for name, (_, unit) in columns.items()}
+    names = ("cluster_time_s", "deviation", "low_95", "high_95", "degrees_of_freedom")
+    columns = (estimate.tau, estimate.deviation, estimate.low, estimate.high, estimate.freedom)
+    frame = pd.DataFrame(dict(zip(names, columns, strict=True)))
+    frame.attrs["units"] = dict(zip(names, ("s", "rate", "rate", "rate", "1"), strict=True))
     return frame
 
 

@@ -55,10 +55,9 @@ def fit_coefficients(records: Sequence[Spectrum], interval: float) -> NoiseCoeff
     """
     best = maximize_likelihood(records)
     units = [interval ** ((1 - max(power, 1)) / 2) for power in POWERS]
-    noises = [
-        _scale_interval(_estimate_strength(records, best, i), unit) for i, unit in enumerate(units)
-    ]
-    return NoiseCoefficients(*noises)
+    roots = [_estimate_strength(records, best, i) for i in range(len(POWERS))]
+    scaled = [[unit * x for x in root] for root, unit in zip(roots, units, strict=True)]
+    return NoiseCoefficients(*(Coefficient(*values) for values in scaled))
 
 
 def check_record(angle: Array, interval: float) -> None:
@@ -178,7 +177,3 @@ def _find_outside(excess: Callable[[float], float], inside: float, step: float) 
 
 def _find_crossing(excess: Callable[[float], float], first: float, last: float) -> float:
     return float(brentq(excess, first, last, xtol=1e-3 * abs(last - first), rtol=1e-3))
-
-
-def _scale_interval(interval: tuple[float, float, float], unit: float) -> Coefficient:
-    return Coefficient(*(unit * x for x in interval))

@@ -52,19 +52,14 @@ def record(
     bench: Bench, plan: Plan | None = None, runs: int = RUNS, segments: int = SEGMENTS
 ) -> list[Test]:
     """The gyro as it is, with its maps, and with wrong ones: positions and turns both ways."""
-    before = measure(bench, plan, runs, segments)
+    before = bench.run(plan_power_ons(bench, plan, runs, segments))
     found = fit_maps(bench.campaign(before))
     tests = list(before)
     for stage, angle in ((AFTER, 0.0), (CONTROL, AWAY)):
         device = apply_maps(bench.device, found, angle)
-        after = measure(stage_bench(bench, device, stage), plan, runs, segments)
-        tests += label_stage(after, stage)
+        after = stage_bench(bench, device, stage)
+        tests += label_stage(after.run(plan_power_ons(after, plan, runs, segments)), stage)
     return tests
-
-
-def measure(bench: Bench, plan: Plan | None, runs: int, segments: int) -> list[Test]:
-    """Make the power-ons of `measurements`."""
-    return bench.run(plan_power_ons(bench, plan, runs, segments))
 
 
 def plan_power_ons(bench: Bench, plan: Plan | None, runs: int, segments: int) -> list[PowerOn]:
@@ -99,7 +94,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         findings=(
             *found.bias_map.values(),
             *found.scale_factor_map.values(),
-            found.rates.finding(SCALE, "scale factor error", "ppm"),
+            found.rates.fit.finding(SCALE, "scale factor error", "ppm"),
             *(finding for group in findings for finding in group),
         ),
         verdict=_verdict({f.name: f for group in findings for f in group}),

@@ -154,5 +154,5 @@ def _angle_errors(rates: ScaleFactorMap) -> list[tuple[str, Finding]]:
         cosine, sine = name_terms(order)
         for name, source, factor in ((cosine, sine, -1 / order), (sine, cosine, 1 / order)):
             label = f"scale factor map {name}"
-            found.append((name, rates.finding(f"{SCALE} {source}", label, "arcsec", factor)))
+            found.append((name, rates.fit.finding(f"{SCALE} {source}", label, "arcsec", factor)))
     return found

@@ -9,8 +9,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, MEAN, name_terms
-from pyhrg.bench.estimation.row_fit import Part, RowFit, compute_inflations, fit_rows
+from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, MEAN, Fit, name_terms
+from pyhrg.bench.estimation.row_fit import Part, compute_inflations, fit_rows
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.plateaus import find_plateaus
 from pyhrg.bench.readings.segments import SEGMENT
@@ -47,7 +47,7 @@ def is_turning(log: Log) -> bool:
     return bool(still and 0.0 < rate < FASTEST and np.ptp(log.wave_angle) >= SWEPT)
 
 
-def fit_turning(logs: Sequence[Log], latitude: float) -> tuple[RowFit, list[str]]:
+def fit_turning(logs: Sequence[Log], latitude: float) -> tuple[Fit, list[str]]:
     """Bias map of turning logs, rad/s: mean, harmonics 4 and where they can be seen 2 and 8, and
     what goes with the rate; and a sentence on each term that can't be identified."""
     rows = [stretch for log in logs for stretch in _stretches(log, latitude)]

@@ -42,22 +42,14 @@ class Record:
 
 @dataclass(frozen=True)
 class AngleFit(Fit):
-    """Fitted terms and both noises; the residual is that of the transformed increments, whitened.
+    """Fitted terms and both noises; the residual is that of the transformed increments.
 
-    freedoms: (terms,) degrees of freedom of the terms' standard errors.
     rate_noise: power spectral density N^2 of the white rate noise, (rad/s)^2/Hz = rad^2/s.
     angle_noise: variance of a sample's white angle noise, rad^2.
     """
 
-    freedoms: Array
     rate_noise: float
     angle_noise: float
-
-    def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
-        """Student's interval of a term, SI."""
-        freedom = self.freedoms[self.names.index(name)]
-        reach = float(stats.t.ppf((1 + confidence) / 2, freedom)) * self.deviation(name)
-        return self.value(name) - reach, self.value(name) + reach
 
 
 def compute_largest_inflation(records: Sequence[Record]) -> float:

@@ -61,28 +61,8 @@ class Part:
         return np.full(n, self.interval), unit_angle
 
 
-@dataclass(frozen=True)
-class RowFit(Fit):
-    """Result of the fit; its residual is whitened.
-
-    freedoms: (m,) degrees of freedom of the terms (Satterthwaite); `freedom` is the smallest.
-    """
-
-    freedoms: Array
-
-    def freedom_of(self, *names: str) -> float:
-        """Smallest of the terms' degrees of freedom."""
-        return float(min(self.freedoms[self.names.index(name)] for name in names))
-
-    def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
-        """Student's interval of a term, SI."""
-        reach = float(stats.t.ppf((1 + confidence) / 2, self.freedom_of(name)))
-        reach *= self.deviation(name)
-        return self.value(name) - reach, self.value(name) + reach
-
-
-def fit_rows(parts: Sequence[Part], names: Sequence[str]) -> RowFit:
-    """Fit of common terms to all parts together."""
+def fit_rows(parts: Sequence[Part], names: Sequence[str]) -> Fit:
+    """Fit of common terms to all parts together; their degrees of freedom are Satterthwaite's."""
     values = np.concatenate([_transform(part.values) for part in parts])
     matrix = np.vstack([_transform(part.matrix(names)) for part in parts])
     scale = np.linalg.norm(matrix, axis=0)
@@ -95,7 +75,7 @@ def fit_rows(parts: Sequence[Part], names: Sequence[str]) -> RowFit:
     solution, covariance, residual = problem.solve(densities)
     freedoms = problem.compute_freedoms(densities, spread)
     covariance = problem.widen(covariance, densities, spread)
-    return RowFit(
+    return Fit(
         tuple(names),
         solution / scale,
         covariance / np.outer(scale, scale),

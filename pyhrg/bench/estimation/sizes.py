@@ -158,8 +158,7 @@ def make_component_findings(
     fit: Fit, components: tuple[str, str], name: str, unit: str
 ) -> tuple[Finding, ...]:
     """Findings of the two components m cos 4th and m sin 4th."""
-    n = len(fit.residual)
     return tuple(
-        Finding(f"{name} {trig}4", fit.value(term), unit, *fit.interval(term), n)
+        fit.finding(term, f"{name} {trig}4", unit)
         for term, trig in zip(components, ("cos", "sin"), strict=True)
     )

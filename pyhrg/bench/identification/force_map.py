@@ -14,8 +14,7 @@ from matplotlib.figure import Figure
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.row_fit import Part
 from pyhrg.bench.estimation.sizes import estimate_anisotropy, make_component_findings
-from pyhrg.bench.figures import finish_axes
-from pyhrg.bench.identification.identification_figure import COLOURS
+from pyhrg.bench.figures import COLOURS, finish_axes
 from pyhrg.bench.identification.virtual_rotation import make_programme
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests

@@ -9,7 +9,6 @@ the bias map, the same at either rate.
 from collections.abc import Sequence
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.row_fit import Part
@@ -112,6 +111,9 @@ def find_eighth_harmonic(terms: Terms) -> tuple[Finding, ...]:
 def evaluate(campaign: Campaign) -> Outcome:
     """Pick-off errors, the scale factor and the bias map that they are told from."""
     terms = fit_pickoff_errors(campaign)
+    stretches, left_out = select_slow_rows(campaign)
+    labels = [f"{_rate(rows) / DEG:+.3g} deg/s" for rows in stretches]
+    title = "Output less table and Earth's rate"
     if SCALE in terms.refused:
         names = ", ".join(test.log.source for test in require_tests(campaign, KIND))
         raise BenchError(f"{names}: {terms.refused[SCALE]}; else it is taken for a bias")
@@ -128,20 +130,10 @@ def evaluate(campaign: Campaign) -> Outcome:
             "which this test can't say whether damping, drives or pick-offs make it."
         ),
         warnings=tuple(terms.refused.values()),
-        exclusions=(
-            *list_exclusions(require_tests(campaign, KIND)),
-            *select_slow_rows(campaign)[1],
-        ),
-        draw=lambda figure: draw(figure, campaign, terms),
+        exclusions=(*list_exclusions(require_tests(campaign, KIND)), *left_out),
+        draw=lambda figure: draw_terms(figure, title, stretches, terms, labels),
         values={"terms": {name: terms.fit.value(name) for name in terms.fit.names}},
     )
-
-
-def draw(figure: Figure, campaign: Campaign, terms: Terms) -> None:
-    """Output rate error over the pattern angle at each rate, with the fit."""
-    stretches, _ = select_slow_rows(campaign)
-    draw_terms(figure, stretches, terms, [f"{_rate(rows) / DEG:+.3g} deg/s" for rows in stretches])
-    figure.axes[0].set_title("Output less table and Earth's rate")
 
 
 PROCEDURE: Procedure = Procedure(

@@ -18,6 +18,7 @@ from matplotlib.figure import Figure
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.harmonics import Fit
 from pyhrg.bench.estimation.sizes import estimate_anisotropy, make_component_findings
+from pyhrg.bench.figures import COLOURS
 from pyhrg.bench.identification import rate_reversal
 from pyhrg.bench.identification.free_decay import (
     TERMS,
@@ -27,7 +28,6 @@ from pyhrg.bench.identification.free_decay import (
     find_decays,
     fit_decays,
 )
-from pyhrg.bench.identification.identification_figure import COLOURS
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme

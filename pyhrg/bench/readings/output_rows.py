@@ -152,9 +152,7 @@ class Terms:
         label = label or name
         if name in self.refused:
             return Finding(label, np.nan, unit, note=self.refused[name])
-        low, high = sorted(factor * bound for bound in self.fit.interval(name))
-        count = len(self.fit.residual)
-        return Finding(label, factor * self.fit.value(name), unit, low, high, count)
+        return self.fit.finding(name, label, unit, factor)
 
 
 def fit_terms(parts: Sequence[Part], names: Sequence[str], reason: str) -> Terms:

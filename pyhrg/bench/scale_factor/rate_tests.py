@@ -51,11 +51,6 @@ def list_turn_exclusions(campaign: Campaign, *kinds: str) -> tuple[str, ...]:
     return (*list_exclusions(tests), *short)
 
 
-def record_turns(bench: Bench, rate: float, periods: int, runs: int = RUNS) -> list[Test]:
-    """Tests of the power-ons of `make_turn_power_ons`."""
-    return bench.run(make_turn_power_ons(bench, rate, periods, runs))
-
-
 def make_turn_power_ons(bench: Bench, rate: float, periods: int, runs: int = RUNS) -> list[PowerOn]:
     """Power-ons, `runs` in each direction, in which the table turns at a rate, rad/s, until the
     pattern has turned by a number of periods of the scale-factor map."""

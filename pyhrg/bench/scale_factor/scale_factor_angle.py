@@ -18,8 +18,8 @@ from pyhrg.bench.scale_factor.rate_tests import (
     RUNS,
     draw_both_ways,
     list_turn_exclusions,
+    make_turn_power_ons,
     read_rate_turns,
-    record_turns,
 )
 from pyhrg.bench.scale_factor.scale_factor import (
     BIAS,
@@ -41,7 +41,7 @@ def record(
     bench: Bench, runs: int = RUNS, periods: int = PERIODS, rate: float = RATE
 ) -> list[Test]:
     """Tests of `runs` power-ons in each direction at a table rate, rad/s."""
-    return record_turns(bench, rate, periods, runs)
+    return bench.run(make_turn_power_ons(bench, rate, periods, runs))
 
 
 def compute_residual(turn: Turn, k: float) -> Array:

@@ -130,12 +130,10 @@ def _crept(resting: list[list[Sweep]]) -> tuple[str, ...]:
 def _scatter(name: str, runs: list[list[Cycle]]) -> tuple[Finding, ...]:
     """Stability and repeatability of means over a cycle."""
     rates = [[cycle.rate for cycle in run] for run in runs]
-    length = float(np.mean([cycle.length for run in runs for cycle in run]))
     means = [float(np.mean(run)) for run in rates]
+    note = f"means of {find_averaging_time(runs):.0f} s within a power-on"
     return (
-        find_pooled_deviation(
-            f"bias stability {name}", rates, f"means of {length:.0f} s within a power-on"
-        ),
+        find_pooled_deviation(f"bias stability {name}", rates, note),
         estimate_deviation(f"bias repeatability {name}", means, "deg/h", "between power-ons"),
     )
 
@@ -172,16 +170,14 @@ def _scale_factors(campaign: Campaign, turning: AngleFit) -> tuple[Finding, ...]
     if SCALE not in turning.names:
         note = "no record with the table turning under virtual rotation"
         return (Finding("scale factor error on", np.nan, "ppm", note=note),)
-    low, high = turning.interval(SCALE)
-    n = len(turning.residual)
     logs = [t for t in require_tests(campaign, KIND) if not np.any(t.log.virtual_rotation)]
     off = fit_scale_factor_map(
         [turn for test in logs for turn in read_turns(campaign, test)],
         read_bryan_factor(campaign),
     )
     return (
-        Finding("scale factor error on", turning.value(SCALE), "ppm", low, high, n),
-        off.finding(SCALE, "scale factor error off", "ppm"),
+        turning.finding(SCALE, "scale factor error on", "ppm"),
+        off.fit.finding(SCALE, "scale factor error off", "ppm"),
     )
 
 

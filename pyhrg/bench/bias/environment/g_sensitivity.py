@@ -5,6 +5,7 @@ force a changes the gaps and the axes of the shell, so that each coefficient has
 a fourth harmonic of the pattern angle th. Records at one pattern angle give their sum only.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,8 +13,8 @@ from matplotlib.figure import Figure
 
 from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
 from pyhrg.bench.estimation.terms import PatternBasis, choose_pattern_basis, select_separable
-from pyhrg.bench.outcome import BenchError, Finding
-from pyhrg.bench.procedure import require_tests
+from pyhrg.bench.outcome import BenchError, Finding, Outcome
+from pyhrg.bench.procedure import list_exclusions, require_tests
 from pyhrg.bench.readings.dwells import Points, join_points, read_points
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG_PER_H, STANDARD_GRAVITY
@@ -51,20 +52,13 @@ class Sensitivity:
             for name, text in self.refused.items()
             if name.startswith("g ") and "cos4" not in name and "sin4" not in name
         ]
-        mean = Finding(
-            "bias",
-            self.fitted.value(MEAN),
-            "deg/h",
-            *self.fitted.interval(MEAN),
-            n=len(self.points),
-            note=f"without specific force, {self.basis.place}",
-        )
+        note = f"without specific force, {self.basis.place}"
+        mean = self.fitted.finding(MEAN, "bias", "deg/h", note=note)
         return (mean, *fitted, *missing)
 
     def _make_finding(self, name: str) -> Finding:
-        low, high = self.fitted.interval(name)
-        n, note = len(self.points), "" if "4" in name else self.basis.place
-        return Finding(name, self.fitted.value(name), _choose_unit(name), low, high, n, note)
+        note = "" if "4" in name else self.basis.place
+        return self.fitted.finding(name, name, _choose_unit(name), note=note)
 
 
 def fit_sensitivity(campaign: Campaign, kind: str) -> Sensitivity:
@@ -101,6 +95,21 @@ def make_force_columns(acceleration: Array) -> dict[str, Array]:
         squares = {"g squared xx": x**2, "g squared yy": y**2, "g squared zz": z**2}
     products = {"g squared xy": x * y, "g squared xz": x * z, "g squared yz": y * z}
     return linear | squares | products
+
+
+def make_outcome(
+    campaign: Campaign, kind: str, title: str, describe_verdict: Callable[[Sensitivity], str]
+) -> Outcome:
+    """Bias and its sensitivity to specific force, of all tests of a kind."""
+    result = fit_sensitivity(campaign, kind)
+    return Outcome(
+        findings=result.findings(),
+        verdict=describe_verdict(result),
+        warnings=list_warnings(result),
+        exclusions=list_exclusions(require_tests(campaign, kind)),
+        draw=lambda figure: draw(figure, result, title),
+        values={"terms": dict(zip(result.fitted.names, result.fitted.values, strict=True))},
+    )
 
 
 def list_warnings(result: Sensitivity) -> tuple[str, ...]:

@@ -61,7 +61,8 @@ def evaluate(campaign: Campaign) -> Outcome:
     """Bias, stability and repeatability, and the range of pattern angle that they are taken at."""
     runs = read_runs(campaign)
     test = summarize_runs(runs)
-    logs = [test.log for test in require_tests(campaign, KIND)]
+    tests = require_tests(campaign, KIND)
+    logs = [test.log for test in tests]
     swept = max(float(np.nanmax(log.wave_angle) - np.nanmin(log.wave_angle)) for log in logs)
     return Outcome(
         findings=test.findings(),
@@ -71,7 +72,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             "the figure holds for that part alone."
         ),
         tables=(test.table(),),
-        exclusions=list_exclusions(require_tests(campaign, KIND)),
+        exclusions=list_exclusions(tests),
         draw=lambda figure: draw(figure, runs),
     )
 

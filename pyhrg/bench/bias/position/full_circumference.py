@@ -69,10 +69,7 @@ class BiasMap:
         label = "mean of the map" if name == MEAN else f"bias {name.replace('_', ' ')}"
         if len(self.fits) > 2:
             return estimate_mean(label, [fitted.value(name) for fitted in self.fits], "deg/h")
-        fitted = self.fits[0]
-        low, high = fitted.interval(name)
-        n = len(fitted.residual)
-        return Finding(label, fitted.value(name), "deg/h", low, high, n, "of the first run")
+        return self.fits[0].finding(name, label, "deg/h", note="of the first run")
 
     def remove_tilt(self, run: Segments) -> Array:
         """(n,) rates of a run without the tilt of the input axis, rad/s."""

@@ -140,15 +140,12 @@ def _measure_scale_factor(campaign: Campaign, tests: Sequence[Test]) -> Months:
 
 
 def _make_findings(name: str, months: Months, unit: str) -> tuple[Finding, ...]:
-    values, line, n = months.values, months.drift, len(months.values)
-    stability, (low, high) = f"{name} annual stability", line.interval("drift")
-    note = "standard deviation of the months"
+    values, stability = months.values, f"{name} annual stability"
+    note, whole = "standard deviation of the months", "of these, no interval"
     return (
         estimate_spread(stability, values, months.noise, months.freedom, unit, note),
-        Finding(
-            f"{name} annual range", float(np.ptp(values)), unit, n=n, note="of these, no interval"
-        ),
-        Finding(f"{name} drift", line.value("drift"), f"{unit}/year", low, high, n, DRIFT_NOTE),
+        Finding(f"{name} annual range", float(np.ptp(values)), unit, n=len(values), note=whole),
+        months.drift.finding("drift", f"{name} drift", f"{unit}/year", note=DRIFT_NOTE),
     )
 
 

@@ -106,10 +106,8 @@ def _make_slopes(result: Thermal) -> tuple[Finding, ...]:
     findings = []
     for name, unit in units.items():
         if name in result.fitted.names:
-            low, high = result.fitted.interval(name)
             note = result.basis.place if name in (PER_KELVIN, PER_RATE) else ""
-            value, n = result.fitted.value(name), len(result.points)
-            findings.append(Finding(name, value, unit, low, high, n, note))
+            findings.append(result.fitted.finding(name, name, unit, note=note))
         else:
             findings.append(Finding(name, np.nan, unit, note=result.refused[name]))
     return tuple(findings)

@@ -64,6 +64,4 @@ def _estimate_slope(warm: Array, errors: Array) -> Finding:
     columns = {MEAN: np.ones_like(warm), PER_KELVIN: warm}
     if len(np.unique(np.round(warm))) < 2 or len(warm) < 3:
         return Finding(PER_KELVIN, np.nan, "ppm/K", note="one temperature, or two pairs of spins")
-    line = fit(columns, errors)
-    value, (low, high) = line.value(PER_KELVIN), line.interval(PER_KELVIN)
-    return Finding(PER_KELVIN, value, "ppm/K", low, high, len(warm), "straight line")
+    return fit(columns, errors).finding(PER_KELVIN, PER_KELVIN, "ppm/K", note="straight line")

@@ -13,13 +13,7 @@ from pyhrg.bench import catalogue
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.reporting.progress import Progress, Show
-from pyhrg.bench.reporting.result import (
-    PAGE,
-    BenchResults,
-    TestFailure,
-    TestResult,
-    check_folder,
-)
+from pyhrg.bench.reporting.result import PAGE, BenchResults, TestFailure, TestResult, check_folder
 from pyhrg.bench.source import Source, open_records, prepare_simulation
 from pyhrg.bench.store import Store
 from pyhrg.common.arguments import check_seed, choose_workers

@@ -73,10 +73,7 @@ def make_programme(bench: Bench, rates: Sequence[float], repeats: int, dwell: fl
 
 
 def record(
-    bench: Bench,
-    rates: Sequence[float] = RATES,
-    repeats: int = REPEATS,
-    dwell: float = DWELL,
+    bench: Bench, rates: Sequence[float] = RATES, repeats: int = REPEATS, dwell: float = DWELL
 ) -> list[Test]:
     """Test of one power-on through all rates in both directions, several times."""
     return bench.run([PowerOn("threshold", KIND, make_programme(bench, rates, repeats, dwell))])

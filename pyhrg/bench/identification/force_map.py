@@ -30,10 +30,7 @@ KINDS = (KIND, "positions", "virtual_rotation")
 MEAN = "mean"
 VECTOR = ("cosine", "sine")
 SQUARED = "by rotation squared"
-DISTURBING = (
-    *("by rotation", "by rotation cos4", "by rotation sin4", "cos8", "sin8"),
-    SQUARED,
-)
+DISTURBING = (*("by rotation", "by rotation cos4", "by rotation sin4", "cos8", "sin8"), SQUARED)
 """What errors of the electrodes add, odd in a virtual rotation or of second order; and what forces
 held over a control period Ts do to the amplitude by moving on a tangent: (2 k V)^2 Ts/2."""
 REASON = "the pattern must come to angles over most of 90 deg"

@@ -172,8 +172,7 @@ def _scale_factors(campaign: Campaign, turning: AngleFit) -> tuple[Finding, ...]
         return (Finding("scale factor error on", np.nan, "ppm", note=note),)
     logs = [t for t in require_tests(campaign, KIND) if not np.any(t.log.virtual_rotation)]
     off = fit_scale_factor_map(
-        [turn for test in logs for turn in read_turns(campaign, test)],
-        read_bryan_factor(campaign),
+        [turn for test in logs for turn in read_turns(campaign, test)], read_bryan_factor(campaign)
     )
     return (
         turning.finding(SCALE, "scale factor error on", "ppm"),

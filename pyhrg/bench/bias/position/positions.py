@@ -13,11 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pyhrg.bench.estimation.harmonics import (
-    LARGEST_INFLATION,
-    compute_inflations,
-    make_columns,
-)
+from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, compute_inflations, make_columns
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 
@@ -63,10 +59,7 @@ class Plan:
 
 
 def select_visible(
-    pattern_angle: Array,
-    table_angle: Array,
-    wanted: Sequence[int] = HARMONICS,
-    tilt: bool = True,
+    pattern_angle: Array, table_angle: Array, wanted: Sequence[int] = HARMONICS, tilt: bool = True
 ) -> tuple[list[int], bool, list[str]]:
     """Terms of the bias map that positions can separate.
 

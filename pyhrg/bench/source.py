@@ -83,7 +83,7 @@ def prepare_simulation(
         resumption="the same command goes on from here" if store else "nothing was kept",
         seed=seed,
         limits=gyro.specification,
-        store=store or nullcontext(),
+        store=store.open() if store else nullcontext(),
     )
 
 

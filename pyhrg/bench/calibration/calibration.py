@@ -119,7 +119,7 @@ def find_residual_variation(
     stage: str, found: Calibration, runs: Sequence[Segments]
 ) -> tuple[Finding, ...]:
     """What varies over the circumference."""
-    deviations = [run.deviation for run in summarize_runs(runs).runs]
+    deviations = summarize_runs(runs).deviations
     note = "with the tilt of the input axis, which is none of the map's"
     return (
         estimate_mean(f"bias stability {stage}", deviations, "deg/h", note),

@@ -19,13 +19,12 @@ from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_deviation, estimate_mean
 from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.turns import PERIOD, SETTLE, Turn
+from pyhrg.bench.readings.turns import PERIOD, SETTLE, Turn, find_turns
 from pyhrg.bench.scale_factor.rate_tests import (
     INTERVAL,
     RUNS,
     WARM_UP,
     list_turn_exclusions,
-    read_turns,
 )
 from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
@@ -123,7 +122,7 @@ def _count_rates(rates: Array) -> int:
 def read_lines(campaign: Campaign) -> list[Line]:
     """Input and output rates of each power-on."""
     tests = require_tests(campaign, KIND)
-    lines = [read_line(read_turns(campaign, test)) for test in tests]
+    lines = [read_line(find_turns(test.log, campaign.site.latitude)) for test in tests]
     for test, line in zip(tests, lines, strict=True):
         same = len(line.input) == len(lines[0].input)
         if not same or np.any(np.abs(line.input / lines[0].input - 1) > RATE_TOLERANCE):

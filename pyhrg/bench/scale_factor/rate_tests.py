@@ -11,7 +11,7 @@ from pyhrg.bench.procedure import list_exclusions, require_tests
 from pyhrg.bench.readings.turns import PERIOD, Turn, find_turns, list_short_turns
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
-from pyhrg.records.campaign import Campaign, Test
+from pyhrg.records.campaign import Campaign
 
 KIND = "rate"
 RUNS = 7
@@ -26,7 +26,8 @@ INTERVAL = 0.1
 
 def read_rate_turns(campaign: Campaign, slow: bool) -> list[Turn]:
     """Turns of the campaign's rate tests at rates up to `FASTEST_RATE_A` (`slow`), or above."""
-    turns = [turn for test in require_tests(campaign, KIND) for turn in read_turns(campaign, test)]
+    tests, latitude = require_tests(campaign, KIND), campaign.site.latitude
+    turns = [turn for test in tests for turn in find_turns(test.log, latitude)]
     chosen = [turn for turn in turns if (abs(turn.table_rate) <= FASTEST_RATE_A) == slow]
     if not chosen:
         rates = ", ".join(f"{turn.table_rate / DEG:.3g}" for turn in turns)
@@ -36,11 +37,6 @@ def read_rate_turns(campaign: Campaign, slow: bool) -> list[Turn]:
             f"there are {rates} deg/s"
         )
     return chosen
-
-
-def read_turns(campaign: Campaign, test: Test) -> list[Turn]:
-    """Turns of one power-on."""
-    return find_turns(test.log, campaign.site.latitude)
 
 
 def list_turn_exclusions(campaign: Campaign, *kinds: str) -> tuple[str, ...]:

@@ -47,18 +47,14 @@ def record(
 def compute_residual(turn: Turn, k: float) -> Array:
     """(n,) error of the pattern angle, rad, within whole periods: residual of a line against the
     encoder."""
-    rows = np.abs(turn.pattern_angle - turn.pattern_angle[0]) <= _measure_whole_periods(turn)
+    whole = float(np.floor(turn.periods + 1e-6)) * np.pi / 2
+    rows = np.abs(turn.pattern_angle - turn.pattern_angle[0]) <= whole
     excess, table = turn.excess[rows], turn.table_angle[rows]
     # over both directions, a line through whole periods has the slope of the mean scale factor
     _, angle, error = turn.whole_periods()
     slope = (error[-1] - error[0]) / (angle[-1] - angle[0])
     residual = excess - slope * (table - table[0])
     return np.asarray(-k * (residual - residual.mean()))
-
-
-def _measure_whole_periods(turn: Turn) -> float:
-    """Pattern angle, rad, of the whole periods of a turn."""
-    return float(np.floor(turn.periods + 1e-6)) * np.pi / 2
 
 
 def evaluate(campaign: Campaign) -> Outcome:

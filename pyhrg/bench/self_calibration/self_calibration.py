@@ -27,7 +27,7 @@ from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.output_rows import read_bryan_factor
 from pyhrg.bench.readings.sweeps import BIAS, GAIN, SCALE, Sweep, find_sweeps, select_orders
-from pyhrg.bench.scale_factor.rate_tests import read_turns
+from pyhrg.bench.readings.turns import find_turns
 from pyhrg.bench.scale_factor.scale_factor import fit_scale_factor_map
 from pyhrg.bench.self_calibration import cycles
 from pyhrg.bench.self_calibration.cycles import Cycle, find_averaging_time, find_pooled_deviation
@@ -172,7 +172,8 @@ def _scale_factors(campaign: Campaign, turning: AngleFit) -> tuple[Finding, ...]
         return (Finding("scale factor error on", np.nan, "ppm", note=note),)
     logs = [t for t in require_tests(campaign, KIND) if not np.any(t.log.virtual_rotation)]
     off = fit_scale_factor_map(
-        [turn for test in logs for turn in read_turns(campaign, test)], read_bryan_factor(campaign)
+        [turn for test in logs for turn in find_turns(test.log, campaign.site.latitude)],
+        read_bryan_factor(campaign),
     )
     return (
         turning.finding(SCALE, "scale factor error on", "ppm"),

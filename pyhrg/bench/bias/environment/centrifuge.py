@@ -37,16 +37,11 @@ def make_programme(
             turn_pattern(course, bench.device.bryan_factor)
         for axis in AXES:
             for level in levels:
-                course.command(
-                    **_make_forces(axis, level * STANDARD_GRAVITY, bench.device.site.gravity)
-                )
+                forces = dict.fromkeys(AXES, 0.0)
+                forces |= {UPRIGHT[axis]: bench.device.site.gravity, axis: level * STANDARD_GRAVITY}
+                course.command(**{f"acceleration_{name}": a for name, a in forces.items()})
                 course.rest(SETTLE + segments * (SEGMENT + course.interval))
     return course
-
-
-def _make_forces(axis: str, along: float, gravity: float) -> dict[str, float]:
-    forces = {f"acceleration_{name}": 0.0 for name in AXES}
-    return forces | {f"acceleration_{UPRIGHT[axis]}": gravity, f"acceleration_{axis}": along}
 
 
 def record(bench: Bench) -> list[Test]:

@@ -131,7 +131,7 @@ def draw(figure: Figure, result: Sensitivity, title: str) -> None:
     for axis, force, colour, panel in zip(
         AXES, result.points.acceleration.T, ("#0072B2", "#D55E00", "#009E73"), panels, strict=True
     ):
-        own = [name for name in result.columns if _is_of_axis(name, axis)]
+        own = [n for n in (f"g bias {axis}", f"g squared {axis}{axis}") if n in result.columns]
         part = sum((result.fitted.value(n) * result.columns[n] for n in own), np.zeros(len(force)))
         panel.plot(
             force / STANDARD_GRAVITY,
@@ -146,11 +146,6 @@ def draw(figure: Figure, result: Sensitivity, title: str) -> None:
         panel.grid(alpha=0.3)
     panels[0].set_ylabel("bias by this axis, deg/h (line: fit)")
     figure.suptitle(title)
-
-
-def _is_of_axis(name: str, axis: str) -> bool:
-    """Whether a term is this axis's alone and constant over the pattern angle."""
-    return name in (f"g bias {axis}", f"g squared {axis}{axis}")
 
 
 def _choose_unit(name: str) -> str:

@@ -14,6 +14,7 @@ import numpy as np
 from scipy import fft, optimize, stats
 
 from pyhrg.bench.estimation.harmonics import Fit
+from pyhrg.bench.estimation.row_fit import compute_matrix_inflations
 from pyhrg.bench.outcome import Finding
 from pyhrg.common.arrays import Array
 
@@ -53,16 +54,9 @@ class AngleFit(Fit):
 
 
 def compute_largest_inflation(records: Sequence[Record]) -> float:
-    """Largest variance inflation factor of the terms; infinite where a term is zero or lies in the
-    span of the others."""
-    matrix = np.concatenate([_compute_increments(record) for record in records])[:, :-1]
-    norms = np.linalg.norm(matrix, axis=0)
-    if np.any(norms == 0.0):
-        return np.inf
-    r = np.linalg.qr(matrix / norms, mode="r")
-    if np.min(np.abs(np.diag(r))) < 1e-6:
-        return np.inf
-    return float(np.max(np.sum(np.linalg.inv(r) ** 2, axis=1)))
+    """Largest variance inflation factor of the terms, see `compute_matrix_inflations`."""
+    increments = np.concatenate([_compute_increments(record) for record in records])
+    return max(compute_matrix_inflations(increments[:, :-1]))
 
 
 def fit_angles(records: Sequence[Record]) -> AngleFit:

@@ -209,19 +209,24 @@ def _transform(values: Array) -> Array:
 
 
 def compute_inflations(parts: Sequence[Part], names: Sequence[str]) -> dict[str, float]:
-    """Variance inflation factor (uncentred) of each term; infinite where a term is zero or lies in
-    the span of the others."""
+    """Variance inflation factor (uncentred) of each term, see `compute_matrix_inflations`."""
     matrix = np.vstack([part.matrix(names) for part in parts])
+    return dict(zip(names, compute_matrix_inflations(matrix), strict=True))
+
+
+def compute_matrix_inflations(matrix: Array) -> list[float]:
+    """Variance inflation factor (uncentred) of each of m columns (n, m); infinite where a column is
+    zero or lies in the span of the others."""
     norms = np.linalg.norm(matrix, axis=0)
     matrix = np.asarray(np.linalg.qr(matrix, mode="r"))
-    result = {}
-    for i, name in enumerate(names):
-        if norms[i] == 0.0:
-            result[name] = np.inf
+    result = []
+    for i, norm in enumerate(norms):
+        if norm == 0.0:
+            result.append(np.inf)
             continue
         others = np.delete(matrix / np.where(norms, norms, 1.0), i, axis=1)
-        own = matrix[:, i] / norms[i]
+        own = matrix[:, i] / norm
         fitted = others @ np.linalg.lstsq(others, own, rcond=1e-10)[0]
         square = float(np.sum((own - fitted) ** 2))
-        result[name] = 1 / square if square > 1e-9 else np.inf
+        result.append(1 / square if square > 1e-9 else np.inf)
     return result

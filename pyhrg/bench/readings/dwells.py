@@ -12,9 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.readings.segments import SEGMENT, find_rests
+from pyhrg.bench.readings.segments import SEGMENT, find_rests, read_mean_rate
 from pyhrg.common.arrays import Array
-from pyhrg.common.site import EARTH_RATE
 from pyhrg.records import Log
 
 FORCES = ("acceleration_x", "acceleration_y", "acceleration_z")
@@ -111,15 +110,13 @@ def find_dwells(log: Log, settle: float, warm_up: float, held: Sequence[str]) ->
 
 
 def _read_point(log: Log, latitude: float, first: int, last: int, dwell: int) -> tuple[object, ...]:
-    span = log.time[last] - log.time[first]
     part = slice(first + 1, last + 1)
-    earth = EARTH_RATE * math.sin(latitude) * np.mean(log.axis_up[part])
     return (
-        (log.gyro_angle[last] - log.gyro_angle[first]) / span - earth,
+        read_mean_rate(log, latitude, first, last),
         np.mean(log.wave_angle[first : last + 1]),
         [np.mean(getattr(log, name)[part]) for name in FORCES],
         (log.time[first] + log.time[last]) / 2,
-        span,
+        log.time[last] - log.time[first],
         first,
         last,
         dwell,

@@ -107,11 +107,15 @@ def _number(rests: list[slice], wave_angle: Array) -> Iterator[tuple[int, slice]
 
 def _read_segment(log: Log, latitude: float, begin: int, end: int) -> tuple[float, ...]:
     """Rate, pattern angle, table angle and time of the rows after `begin` up to `end`."""
-    span = log.time[end] - log.time[begin]
-    earth = EARTH_RATE * math.sin(latitude) * np.mean(log.axis_up[begin + 1 : end + 1])
-    rate = (log.gyro_angle[end] - log.gyro_angle[begin]) / span - earth
     part = slice(begin, end + 1)
     pattern, table, time = (
         float(np.mean(values[part])) for values in (log.wave_angle, log.table_angle, log.time)
     )
-    return float(rate), pattern, table, time
+    return read_mean_rate(log, latitude, begin, end), pattern, table, time
+
+
+def read_mean_rate(log: Log, latitude: float, begin: int, end: int) -> float:
+    """Mean output rate less Earth's rate on the input axis, rad/s, between two angle readings."""
+    earth = EARTH_RATE * math.sin(latitude) * np.mean(log.axis_up[begin + 1 : end + 1])
+    swept, span = log.gyro_angle[end] - log.gyro_angle[begin], log.time[end] - log.time[begin]
+    return float(swept / span - earth)

@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias.bias_test import RUNS, BiasTest, summarize_runs
+from pyhrg.bench.bias.bias_test import RUNS, summarize_runs
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
@@ -37,11 +37,6 @@ def make_power_ons(bench: Bench, runs: int = RUNS, segments: int = SEGMENTS) -> 
 def record(bench: Bench) -> list[Test]:
     """Tests of the power-ons."""
     return bench.run(make_power_ons(bench))
-
-
-def measure_bias(campaign: Campaign) -> BiasTest:
-    """Bias, stability and repeatability of the campaign's static tests."""
-    return summarize_runs(read_runs(campaign))
 
 
 def read_runs(campaign: Campaign) -> list[Segments]:

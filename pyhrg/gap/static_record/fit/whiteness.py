@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from scipy.special import polygamma
 from scipy.stats import chi2
 
-from pyhrg.gap.static_record.fit.unknowns import split_octaves
+from pyhrg.gap.static_record.fit.unknowns import sum_octaves
 
 Array = NDArray[np.float64]
 
@@ -33,16 +33,13 @@ class Whiteness:
 
 def measure_whiteness(white: Array) -> Whiteness:
     """Statistics of (m,) whitened coefficients."""
-    bands = split_octaves(len(white))
-    count = np.array([band.stop - band.start for band in bands])
-    power = np.array([np.sum(white[band] ** 2) for band in bands])
+    power, count = sum_octaves(white)
     tail = 2 * np.minimum(chi2.cdf(power, count), chi2.sf(power, count))
-    p_value = min(1.0, float(len(bands) * np.min(tail)))
     mean = power / count
     return Whiteness(
         rms=float(np.sqrt(np.mean(white**2))),
         octaves=mean,
         log_rms=float(np.sqrt(np.mean(np.log(mean) ** 2))),
         log_floor=float(np.sqrt(np.mean(polygamma(1, count / 2)))),
-        p_value=p_value,
+        p_value=min(1.0, float(len(power) * np.min(tail))),
     )

@@ -7,7 +7,7 @@ import tomli_w
 
 from pyhrg.common.files import stage_files
 from pyhrg.gap.static_record.belief import PERIODS, TOLERANCE_PERCENT
-from pyhrg.gap.static_record.document import build_document
+from pyhrg.gap.static_record.document import build_document, round_digits
 from pyhrg.gap.static_record.fit.diagnosis import ChannelDiagnosis
 from pyhrg.gap.static_record.report.page import build_page
 from pyhrg.gap.static_record.result import RecordDiagnosis
@@ -36,10 +36,10 @@ def write_record_report(result: RecordDiagnosis, out: Path) -> None:
 def _state_closed_noise(d: ChannelDiagnosis) -> dict[str, object]:
     """The closed noise model under the keys of a belief."""
     terms = zip(d.channel.kind.terms, d.closed.tolist(), strict=True)
-    levels = {t.parameter: float(f"{x / t.factor:.6g}") for t, x in terms if x}
+    levels = {t.parameter: round_digits(x / t.factor) for t, x in terms if x}
     ramp = d.channel.kind.ramp
     ramps = [c.value for c in d.causes if c.term is ramp] or [d.belief.ramp / ramp.factor]
     if ramps[0]:
-        levels[ramp.parameter] = float(f"{ramps[0]:.6g}")
-    tolerance = float(f"{100 * d.belief.tolerance:.6g}")
+        levels[ramp.parameter] = round_digits(ramps[0])
+    tolerance = round_digits(100 * d.belief.tolerance)
     return {**levels, PERIODS: list(d.belief.periods), TOLERANCE_PERCENT: tolerance}

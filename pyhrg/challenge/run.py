@@ -1,16 +1,16 @@
 """Runs a challenge: simulate, publish hashes, diagnose, add next tests, score."""
 
-from collections.abc import Callable, Mapping, Sequence
+import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
 from pathlib import Path
 
 from pyhrg.challenge.case import Case, Fmus, add_next_test, generate_case
-from pyhrg.challenge.roster import STRONG, ChallengeError, Folder, Settings
-from pyhrg.challenge.scoring.diagnosis import read_scored
+from pyhrg.challenge.roster import STRONGEST_SIGMAS, Folder, Settings
 from pyhrg.challenge.scoring.report import Finished, Score, write
 from pyhrg.challenge.scoring.score import ScoredCase
-from pyhrg.challenge.truths import seal
+from pyhrg.challenge.truths.seal import ChallengeError, hash_truth, open_truth, seal_truth
 from pyhrg.challenge.truths.truth import DETECTION_SIGMAS
 from pyhrg.challenge.work import share_work
 from pyhrg.common.arguments import check_seed, check_whole_number, choose_workers
@@ -19,7 +19,7 @@ from pyhrg.common.files import replace_folder
 from pyhrg.fmu import GyroError
 from pyhrg.gap.diagnose import diagnose as diagnose_campaign
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE
-from pyhrg.gap.findings.diagnosis import FILE
+from pyhrg.gap.findings.diagnosis import FILE, read_diagnosis
 from pyhrg.gap.replay.models import load_model, load_simulation
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records import campaign as campaigns
@@ -32,11 +32,8 @@ MAX_CASES = 1_000_000
 
 @dataclass(frozen=True)
 class Challenge:
-    """One challenge.
-
-    folder: where it is kept; settings: what decides it; diagnose: diagnosis under challenge;
-    progress: whether a bar is shown on standard error.
-    """
+    """One challenge: its folder, its settings, the diagnosis under challenge, and whether a bar is
+    shown on standard error."""
 
     folder: Folder
     settings: Settings
@@ -56,7 +53,7 @@ class Challenge:
                 or has a seed that is there already.
             OSError: it can't be written.
         """
-        known = self._others(others)
+        known = self._read_others(others)
         cases = self.settings.cases()
         self.folder.begin(self.settings)
         with share_work(workers, self.progress, _fmus) as share:
@@ -69,7 +66,7 @@ class Challenge:
         write(score, self.folder.score)
         return score
 
-    def _others(self, folders: Sequence[Folder]) -> list[Finished]:
+    def _read_others(self, folders: Sequence[Folder]) -> list[Finished]:
         others = [read_finished(folder) for folder in folders]
         seeds = {self.settings.seed}
         for folder, other in zip(folders, others, strict=True):
@@ -80,8 +77,8 @@ class Challenge:
 
     def _is_to_be_settled(self, case: Case) -> bool:
         """Whether a next test is proposed for one or two effects of the catalogue."""
-        said = read_scored(self.folder.diagnosis(case.name))
-        return case.kind in ("single", "pair") and said.next_test is not None
+        diagnosis = read_diagnosis(self.folder.diagnosis(case.name))
+        return case.kind in ("single", "pair") and diagnosis.next_test is not None
 
 
 def run_challenge(
@@ -94,7 +91,7 @@ def run_challenge(
     weak: int = 0,
     several: int = 0,
     left_out: int = 0,
-    strongest: float = STRONG[1],
+    strongest: float = STRONGEST_SIGMAS,
     seed: int = 1,
     others: Sequence[Path | str] = (),
     workers: int | None = None,
@@ -133,7 +130,12 @@ def run_challenge(
         "several": several,
         "left_out": left_out,
     }
-    _check_numbers(counts, strongest)
+    for name, count in counts.items():
+        check_whole_number("pairs" if name == "pair" else name, count, 0, MAX_CASES)
+    if not DETECTION_SIGMAS < strongest < math.inf:
+        raise HrgError(
+            f"strongest: found {strongest:g}, expected a number above {DETECTION_SIGMAS:g}"
+        )
     settings = Settings(counts, check_seed(seed), strongest)
     challenge = Challenge(Folder(Path(out)), settings, diagnose or diagnose_folder, progress)
     try:
@@ -142,28 +144,11 @@ def run_challenge(
         raise KeyboardInterrupt("interrupted; the same command goes on from here") from None
 
 
-def _check_numbers(counts: Mapping[str, int], strongest: float) -> None:
-    for name, count in counts.items():
-        check_whole_number("pairs" if name == "pair" else name, count, 0, MAX_CASES)
-    if not strongest > DETECTION_SIGMAS:
-        raise HrgError(
-            f"strongest: found {strongest:g}, expected a number above {DETECTION_SIGMAS:g}"
-        )
-
-
 def diagnose_folder(campaign: Path, out: Path, without: Sequence[str]) -> None:
-    """Write the diagnosis of a campaign with some effects removed from the catalogue.
-
-    Args:
-        campaign: folder of the campaign.
-        out: folder that exists.
-        without: names of the effects.
-    """
-    simulation = _load_simulation_once()
-    result = diagnose_campaign(
-        campaign, catalogue=FULL_CATALOGUE.without(without), simulation=simulation
-    )
-    result.write_files(out)
+    """Write the diagnosis of a campaign's folder into a folder that exists, the effects of these
+    names removed from the catalogue."""
+    catalogue, simulation = FULL_CATALOGUE.without(without), _load_simulation_once()
+    diagnose_campaign(campaign, catalogue=catalogue, simulation=simulation).write_files(out)
 
 
 @cache
@@ -184,30 +169,23 @@ def read_finished(folder: Folder) -> Finished:
 
 
 def _read_case(folder: Folder, name: str, published: str) -> ScoredCase:
-    try:
-        truth = seal.open_truth(folder.truth(name), published)
-    except seal.SealError as error:
-        raise ChallengeError(str(error)) from error
-    again = folder.next_diagnosis(name)
-    then = read_scored(again) if (again / FILE).exists() else None
-    return ScoredCase(name, truth, read_scored(folder.diagnosis(name)), then)
+    truth, again = open_truth(folder.truth(name), published), folder.next_diagnosis(name)
+    then = read_diagnosis(again) if (again / FILE).exists() else None
+    return ScoredCase(name, truth, read_diagnosis(folder.diagnosis(name)), then)
 
 
 def _generate(challenge: Challenge, case: Case) -> str:
     """Simulate a case and seal its truth unless its files exist; return the truth's hash."""
     truth, campaign = challenge.folder.truth(case.name), challenge.folder.campaign(case.name)
     if truth.exists() and (campaign / campaigns.INDEX).exists():
-        try:
-            return seal.hash_truth(truth)
-        except seal.SealError as error:
-            raise ChallengeError(str(error)) from error
+        return hash_truth(truth)
     try:
         made, answer = generate_case(case, _fmus())
     except (ValueError, GyroError) as error:
         raise ChallengeError(f"{case.name}: {error}") from error
     with replace_folder(campaign) as aside:
         campaigns.write_campaign(made, aside)
-    return seal.seal_truth(answer, truth)
+    return seal_truth(answer, truth)
 
 
 def _diagnose(challenge: Challenge, case: Case) -> None:
@@ -218,13 +196,13 @@ def _diagnose(challenge: Challenge, case: Case) -> None:
 def _diagnose_next(challenge: Challenge, case: Case) -> None:
     """Simulate the proposed next test and diagnose the extended campaign."""
     folder = challenge.folder
-    said = read_scored(folder.diagnosis(case.name))
-    kind, hours = str(said.next_test), said.next_hours
     extended = folder.next_campaign(case.name)
+    test = read_diagnosis(folder.diagnosis(case.name)).next_test
+    assert test is not None, "only cases with a next test are tested again"
     if not (extended / campaigns.INDEX).exists():
         before = campaigns.read_campaign(folder.campaign(case.name))
         try:
-            made = add_next_test(case, before, kind, hours, _fmus())
+            made = add_next_test(case, before, test.kind, test.hours, _fmus())
         except (ValueError, GyroError) as error:
             raise ChallengeError(f"{case.name}: next_test: {error}") from error
         with replace_folder(extended) as aside:

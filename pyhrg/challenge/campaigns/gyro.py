@@ -30,11 +30,11 @@ class Disturbance:
     """A disturbance of gyro or bench that is no parameter of the device; none by default.
 
     model: parameters of the FMU, by its names, SI.
-    rate: (n, m) or (1, 1) input rate to be added in each step of a course, rad/s, given the true
-        start angle.
-    inputs: (n,) what holds over a row and differs from the bench's command, by its name in a
-        programme, SI.
-    shown: the log as the bench writes it, given what was.
+    rate: function of the course and the true start angle that returns an added input rate, (n, m)
+        or (1, 1), rad/s.
+    inputs: function of the same that returns inputs (n,) that hold over a row and differ from the
+        bench's command, by their names in a programme, SI.
+    shown: function of the true log that returns the log as the bench writes it.
     """
 
     model: Mapping[str, float] = field(default_factory=dict)
@@ -55,19 +55,11 @@ class TrueGyro:
     def log(
         self, source: str, course: Course, start_angle: float, generator: np.random.Generator
     ) -> tuple[Log, Array]:
-        """Run a test.
+        """Log of a test that starts at a true pattern angle, rad, and (n,) the part of noise in its
+        output angle, rad.
 
         Noise turns the pattern as an input rate. The noise of the FMU is off, so the spectrum may
         differ from the FMU's, and the other channels have only the noise of their readings.
-
-        Args:
-            source: what the log is called in messages.
-            course: of the test.
-            start_angle: true pattern angle at power-on, rad.
-            generator: of all noise.
-
-        Returns:
-            The log, and (n,) the part of noise in its output angle, rad.
         """
         drawn = draw_rate_noise(self.device, len(course) * course.steps, course.step, generator)
         noise = drawn.reshape(len(course), course.steps)
@@ -77,14 +69,8 @@ class TrueGyro:
         return log, log.gyro_angle - shown.gyro_angle + turned
 
     def exact(self, source: str, course: Course, start_angle: float, noise: Array) -> Log:
-        """The log of bench and gyro without reading noise.
-
-        Args:
-            source: what the log is called in messages.
-            course: of the test.
-            start_angle: true pattern angle at power-on, rad.
-            noise: (n, m) or (1, 1) input rate beside the bench's and Earth's, rad/s.
-        """
+        """The log of bench and gyro without reading noise; `noise` is an input rate, (n, m) or
+        (1, 1), rad/s, that is added to the bench's and Earth's."""
         held = {**course.held, **self.disturbance.inputs(course, start_angle)}
         commands = {name: held[name] for name in HELD_INPUTS}
         bench = Bench(self.fmu, self._quiet(commands, course.step), step=course.step)

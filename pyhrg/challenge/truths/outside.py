@@ -14,18 +14,18 @@ from scipy.signal import lfilter
 
 from pyhrg.challenge.campaigns.course import Course
 from pyhrg.challenge.campaigns.gyro import Disturbance
-from pyhrg.challenge.truths.form import Form
-from pyhrg.challenge.truths.form_parts import (
+from pyhrg.challenge.truths.form import (
     Array,
+    Form,
     Shape,
     apply_play,
-    decay,
     draw_sign,
     find_ideal_pattern_angle,
     find_resonator_warmth,
-    make_display_form,
+    make_instrument_form,
     make_parameter_form,
     make_rate_form,
+    make_signed_rate_form,
 )
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, HZ, PPM
 from pyhrg.device.device import Device
@@ -72,16 +72,10 @@ def encoder(order: int) -> Form:
 
         return lambda log: replace(log, table_angle=log.table_angle + error(log.table_angle))
 
-    return make_display_form(f"encoder_harmonic_{order}", "table_angle", 5 * ARCSEC, changed)
+    return make_instrument_form(f"encoder_harmonic_{order}", "table_angle", 5 * ARCSEC, changed)
 
 
 # Temperature
-
-
-def quadratic_temperature(device: Device, generator: np.random.Generator) -> Shape:
-    """A bias proportional to the square of the temperature."""
-    way = draw_sign(generator)
-    return lambda course, start: way * (find_resonator_warmth(device, course) / 30) ** 2
 
 
 def hysteresis(device: Device, generator: np.random.Generator) -> Shape:
@@ -108,55 +102,12 @@ def sensor_lag(device: Device, size: float, generator: np.random.Generator) -> C
     return late
 
 
-# Rate
-
-
-def asymmetry(device: Device, generator: np.random.Generator) -> Shape:
-    """A scale factor that differs between the two directions of rotation."""
-    way = draw_sign(generator)
-    return lambda course, start: way * np.abs(course.rate)
-
-
-def quadratic_rate(device: Device, generator: np.random.Generator) -> Shape:
-    """A scale-factor error proportional to the rate; of unit size at 100 deg/s."""
-    way = draw_sign(generator)
-    return lambda course, start: way * course.rate * np.abs(course.rate / (100 * DEG))
-
-
-def cubic_rate(device: Device, generator: np.random.Generator) -> Shape:
-    """A scale-factor error proportional to the square of the rate; of unit size at 100 deg/s."""
-    way = draw_sign(generator)
-    return lambda course, start: way * course.rate * (course.rate / (100 * DEG)) ** 2
-
-
 # Acceleration
 
 
-def quadratic_acceleration(generator: np.random.Generator) -> dict[str, float]:
-    """A pick-off gain proportional to the square of a specific force across the axis."""
-    axis = generator.choice((1, 2))
-    return {f"pickOff.gainPerAccelerationSquared[{axis}]": draw_sign(generator)}
-
-
-def cross_axis(generator: np.random.Generator) -> dict[str, float]:
-    """A force frame that a specific force across the axis turns."""
-    axis = generator.choice((1, 2))
-    return {f"drive.rotationPerAcceleration[{axis}]": draw_sign(generator)}
-
-
-def split_by_acceleration(generator: np.random.Generator) -> dict[str, float]:
-    """A frequency split that a specific force across the axis makes."""
-    axis = generator.choice((1, 2))
-    return {f"resonator.material.splitPerAcceleration[{axis}]": draw_sign(generator)}
-
-
-# Amplitude
-
-
-def quadratic_amplitude(device: Device, generator: np.random.Generator) -> Shape:
-    """A bias proportional to the square of the amplitude; zero at the nominal one."""
-    way = draw_sign(generator)
-    return lambda course, start: way * (course.each("amplitude_setpoint") ** 2 - 1)
+def across(parameter: str) -> Callable[[np.random.Generator], dict[str, float]]:
+    """An effect of the specific force along x or y, the axes across the input axis, with a sign."""
+    return lambda generator: {f"{parameter}[{generator.choice((1, 2))}]": draw_sign(generator)}
 
 
 # Time
@@ -165,7 +116,7 @@ def quadratic_amplitude(device: Device, generator: np.random.Generator) -> Shape
 def warm_up(device: Device, generator: np.random.Generator) -> Shape:
     """A bias that decays after power-on."""
     way, lag = draw_sign(generator), generator.uniform(300, 1500)
-    return lambda course, start: way * decay(course.time, lag)
+    return lambda course, start: way * np.exp(-course.time / lag)
 
 
 def jump(device: Device, generator: np.random.Generator) -> Shape:
@@ -223,19 +174,58 @@ FORMS = (
     harmonic(2),
     harmonic(6),
     harmonic(12),
-    make_display_form("frequency_pulling", "wave_angle", 1e-4 * HZ, frequency_pulling),
+    make_instrument_form("frequency_pulling", "wave_angle", 1e-4 * HZ, frequency_pulling),
     encoder(1),
     encoder(2),
-    make_rate_form("temperature_squared", "temperature", 0.01 * DEG_PER_H, quadratic_temperature),
+    # a bias proportional to the square of the temperature
+    make_signed_rate_form(
+        "temperature_squared",
+        "temperature",
+        0.01 * DEG_PER_H,
+        lambda device, course: (find_resonator_warmth(device, course) / 30) ** 2,
+    ),
     make_rate_form("temperature_hysteresis", "temperature", 0.01 * DEG_PER_H, hysteresis),
-    make_display_form("temperature_sensor_lag", "temperature", 10.0, sensor_lag),
-    make_rate_form("scale_factor_asymmetry", "rate", 10 * PPM, asymmetry),
-    make_rate_form("rate_squared", "rate", 10 * PPM, quadratic_rate),
-    make_rate_form("rate_cubed", "rate", 10 * PPM, cubic_rate),
-    make_parameter_form("gain_acceleration_squared", "acceleration", 5e-7, quadratic_acceleration),
-    make_parameter_form("cross_axis_acceleration", "acceleration", 1e-6, cross_axis),
-    make_parameter_form("split_acceleration", "acceleration", 1e-5, split_by_acceleration),
-    make_rate_form("amplitude_squared", "amplitude", 0.1 * DEG_PER_H, quadratic_amplitude),
+    make_instrument_form("temperature_sensor_lag", "temperature", 10.0, sensor_lag),
+    # a scale factor that differs between the two directions of rotation
+    make_signed_rate_form(
+        "scale_factor_asymmetry", "rate", 10 * PPM, lambda device, course: np.abs(course.rate)
+    ),
+    # scale-factor errors proportional to the rate and to its square, of unit size at 100 deg/s
+    make_signed_rate_form(
+        "rate_squared",
+        "rate",
+        10 * PPM,
+        lambda device, course: course.rate * np.abs(course.rate / (100 * DEG)),
+    ),
+    make_signed_rate_form(
+        "rate_cubed",
+        "rate",
+        10 * PPM,
+        lambda device, course: course.rate * (course.rate / (100 * DEG)) ** 2,
+    ),
+    # pick-off gain by the square of the force; direction of the force frame; frequency split
+    make_parameter_form(
+        "gain_acceleration_squared",
+        "acceleration",
+        5e-7,
+        across("pickOff.gainPerAccelerationSquared"),
+    ),
+    make_parameter_form(
+        "cross_axis_acceleration", "acceleration", 1e-6, across("drive.rotationPerAcceleration")
+    ),
+    make_parameter_form(
+        "split_acceleration",
+        "acceleration",
+        1e-5,
+        across("resonator.material.splitPerAcceleration"),
+    ),
+    # a bias proportional to the square of the amplitude, zero at the nominal one
+    make_signed_rate_form(
+        "amplitude_squared",
+        "amplitude",
+        0.1 * DEG_PER_H,
+        lambda device, course: course.each("amplitude_setpoint") ** 2 - 1,
+    ),
     make_rate_form("warm_up", "time", 0.05 * DEG_PER_H, warm_up),
     make_rate_form("bias_jump", "time", 0.05 * DEG_PER_H, jump),
     make_rate_form("periodic", "time", 0.05 * DEG_PER_H, periodic),
@@ -245,6 +235,6 @@ FORMS = (
         1e-9,
         lambda generator: {"resonator.material.decayTimeAgeing": 1.0},
     ),
-    Form("charge", "time", CHARGE, charge),
+    Form("charge", "time", charge),
     make_rate_form("noise_bursts", "noise", 3e-7, bursts),
 )

@@ -29,12 +29,8 @@ errors at once."""
 
 @dataclass(frozen=True)
 class Settings:
-    """The settings that determine a challenge.
-
-    counts: cases by kind.
-    seed: of everything.
-    strongest: sigmas that effects are drawn up to.
-    """
+    """The settings that determine a challenge: number of cases by kind, seed of everything, and
+    strength that effects are drawn up to, sigmas."""
 
     counts: Mapping[str, int]
     seed: int
@@ -106,12 +102,8 @@ class Folder:
         return self.root / "next" / "diagnoses" / name
 
     def begin(self, settings: Settings) -> None:
-        """Begin a challenge, or continue the same one.
-
-        Raises:
-            ChallengeError: the folder is another challenge's, or other code has begun it.
-            OSError: it can't be written.
-        """
+        """Begin a challenge, or continue the same one; a folder that another challenge or other
+        code has begun is refused."""
         for folder in (self.root / "campaigns", self.root / "truths", self.root / "diagnoses"):
             folder.mkdir(parents=True, exist_ok=True)
         asked = {"seed": settings.seed, "counts": dict(settings.counts), "to": settings.strongest}
@@ -131,20 +123,12 @@ class Folder:
         write_whole(self.settings, text)
 
     def begun(self) -> Settings:
-        """The settings that the folder was begun with.
-
-        Raises:
-            ChallengeError: it holds no challenge.
-        """
+        """The settings that the folder was begun with."""
         values = _read(self.settings, "seed", "counts", "to")
         return Settings(values["counts"], values["seed"], values["to"])
 
     def published(self) -> dict[str, str]:
-        """The published hash of each truth, by case.
-
-        Raises:
-            ChallengeError: nothing is published here yet.
-        """
+        """The published hash of each truth, by case."""
         cases = _read(self.index, "cases")["cases"]
         try:
             return {case["name"]: case["sha256"] for case in cases}
@@ -153,11 +137,7 @@ class Folder:
             raise ChallengeError(f"{self.index}: cases: {expected}") from error
 
     def publish(self, cases: Sequence[Case], hashes: Sequence[str]) -> None:
-        """Write the index, or check it against the one that exists.
-
-        Raises:
-            ChallengeError: a truth isn't the one that was published.
-        """
+        """Write the index; refuse truths that are not those of an index that exists."""
         listed = [
             {"name": case.name, "sha256": digest, "without": list(case.without)}
             for case, digest in zip(cases, hashes, strict=True)

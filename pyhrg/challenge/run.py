@@ -41,18 +41,8 @@ class Challenge:
     progress: bool = False
 
     def run(self, workers: int, others: Sequence[Folder] = ()) -> Score:
-        """Do the remaining work and score; the same bytes on any number of workers.
-
-        Args:
-            workers: processes.
-            others: challenges that are finished, to be scored together with this one.
-
-        Raises:
-            ChallengeError: the folder is another challenge's or other code's, a truth or a
-                diagnosis can't be used, a worker was killed, or another challenge is not finished
-                or has a seed that is there already.
-            OSError: it can't be written.
-        """
+        """Do the remaining work and score it, together with others that are finished; the same
+        bytes on any number of workers."""
         known = self._read_others(others)
         cases = self.settings.cases()
         self.folder.begin(self.settings)
@@ -157,11 +147,7 @@ def _load_simulation_once() -> Simulation:
 
 
 def read_finished(folder: Folder) -> Finished:
-    """A finished challenge, read from its folder.
-
-    Raises:
-        ChallengeError: it isn't, or a truth is not the one that was published.
-    """
+    """A finished challenge, read from its folder; its truths are checked by their hashes."""
     settings, published = folder.begun(), folder.published()
     names = [case.name for case in settings.cases()]
     cases = [_read_case(folder, name, published.get(name, "nothing")) for name in names]
@@ -189,8 +175,8 @@ def _generate(challenge: Challenge, case: Case) -> str:
 
 
 def _diagnose(challenge: Challenge, case: Case) -> None:
-    folder = challenge.folder
-    _diagnose_once(challenge, case, folder.campaign(case.name), folder.diagnosis(case.name))
+    folder, name = challenge.folder, case.name
+    _diagnose_once(challenge, case, folder.campaign(name), folder.diagnosis(name))
 
 
 def _diagnose_next(challenge: Challenge, case: Case) -> None:

@@ -14,18 +14,10 @@ Array = NDArray[np.float64]
 def draw_rate_noise(
     device: Device, count: int, step: float, generator: np.random.Generator
 ) -> Array:
-    """Rate noise of a device, each value the mean over a step.
+    """(count,) input-referred rate noise of a device, rad/s, each value the mean over a step, s.
 
-    Densities are those of IEEE Std 952, annex C: N^2, B^2/(2 pi f), K^2/(2 pi f)^2.
-
-    Args:
-        device: its N, B and K.
-        count: of steps.
-        step: s.
-        generator: of the noise; the same is drawn from it whatever the coefficients are.
-
-    Returns:
-        (count,) input-referred rate, rad/s.
+    Densities are those of IEEE Std 952, annex C: N^2, B^2/(2 pi f), K^2/(2 pi f)^2. The same
+    numbers are drawn whatever the coefficients are.
     """
     white, coloured, steps = generator.standard_normal((3, 2 * count))
     rate = device.angle_random_walk / math.sqrt(step) * white[:count]

@@ -29,10 +29,7 @@ class Finished:
 
 @dataclass(frozen=True)
 class Score:
-    """The score of challenges, taken together.
-
-    challenges: one at least.
-    """
+    """The score of one or more challenges, taken together."""
 
     challenges: Sequence[Finished]
 
@@ -66,11 +63,7 @@ class Score:
 
 
 def write(result: Score, path: Path) -> None:
-    """Write `score.json`, whole or not at all.
-
-    Raises:
-        OSError: the folder can't be written.
-    """
+    """Write `score.json`, whole or not at all."""
     document = {
         "schema": SCHEMA,
         "figures": [{**_drop_infinite(asdict(f)), "passed": f.passed} for f in result.figures],

@@ -50,12 +50,7 @@ class CurvePoint:
 
 
 def score_figures(cases: Sequence[ScoredCase], seed: int) -> list[Figure]:
-    """All figures with their targets (docs/methods/challenge.md).
-
-    Args:
-        cases: of any kinds.
-        seed: of the resampling.
-    """
+    """All figures with their targets (docs/methods/challenge.md); seed: of the resampling."""
     by_kind: dict[str, list[ScoredCase]] = {}
     for case in cases:
         by_kind.setdefault(case.truth.kind, []).append(case)

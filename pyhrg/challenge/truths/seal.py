@@ -25,20 +25,12 @@ def seal_truth(truth: Truth, path: Path) -> str:
 
 
 def hash_truth(path: Path) -> str:
-    """The hash of a truth that was sealed.
-
-    Raises:
-        ChallengeError: the file can't be read.
-    """
+    """The hash of a truth that was sealed."""
     return hashlib.sha256(_read(path)).hexdigest()
 
 
 def open_truth(path: Path, published: str) -> Truth:
-    """A truth, if it is the one that was sealed.
-
-    Raises:
-        ChallengeError: it isn't, or the file can't be read.
-    """
+    """A truth; refused if it is not the one whose hash was published."""
     found = hash_truth(path)
     if found != published:
         raise ChallengeError(
@@ -54,11 +46,7 @@ def open_truth(path: Path, published: str) -> Truth:
 
 
 def encode_json(values: Mapping[str, Any]) -> bytes:
-    """Bytes of a JSON file: the same for the same values.
-
-    Raises:
-        ValueError: a number is not finite.
-    """
+    """Bytes of a JSON file: the same for the same values, which are finite."""
     return (json.dumps(values, indent=1, sort_keys=True, allow_nan=False) + "\n").encode()
 
 

@@ -23,14 +23,20 @@ TITLE = "Gap between simulation and gyro"
 
 
 def build_page(result: CampaignDiagnosis, sections: Sequence[Section] = ()) -> str:
-    """The whole page as HTML; the same diagnosis gives the same bytes.
-
-    Args:
-        result: diagnosis of a campaign.
-        sections: added before the next test.
-    """
-    added = [PageSection(section.name, section.title, section.html) for section in sections]
-    shown = [*_build_findings(result), *added, *_build_ending(result)]
+    """The whole page as HTML; the same diagnosis gives the same bytes. Added sections stand before
+    the next test."""
+    closing = build_closing(result) + build_scales(result)
+    shown = [
+        PageSection("causes", "Causes of the gap", build_causes(result)),
+        PageSection("ranking", "Hypotheses by posterior probability", build_ranking(result)),
+        PageSection("where", "Where the gap is", build_places(result)),
+        PageSection("residuals", "Residuals by coordinate", build_residuals(result)),
+        PageSection("held-out", "Residuals on held-out tests", build_held_out(result)),
+        PageSection("closing", "Residuals and noise floor", closing),
+        *(PageSection(section.name, section.title, section.html) for section in sections),
+        PageSection("next", "The next test", _build_next_test(result)),
+        PageSection("data", "Tests used, and what was left out", _build_data(result)),
+    ]
     listed = "".join(f"<li>{html.escape(text)}</li>" for text in describe_diagnosis(result))
     device = result.diagnosis.device
     header = (
@@ -45,26 +51,6 @@ def build_page(result: CampaignDiagnosis, sections: Sequence[Section] = ()) -> s
         f"{header}{make_contents(shown)}<main>{main}</main>",
         read_asset(files("pyhrg.gap.report"), "page.js"),
     )
-
-
-def _build_findings(result: CampaignDiagnosis) -> list[PageSection]:
-    return [
-        PageSection("causes", "Causes of the gap", build_causes(result)),
-        PageSection("ranking", "Hypotheses by posterior probability", build_ranking(result)),
-        PageSection("where", "Where the gap is", build_places(result)),
-        PageSection("residuals", "Residuals by coordinate", build_residuals(result)),
-        PageSection("held-out", "Residuals on held-out tests", build_held_out(result)),
-        PageSection(
-            "closing", "Residuals and noise floor", build_closing(result) + build_scales(result)
-        ),
-    ]
-
-
-def _build_ending(result: CampaignDiagnosis) -> list[PageSection]:
-    return [
-        PageSection("next", "The next test", _build_next_test(result)),
-        PageSection("data", "Tests used, and what was left out", _build_data(result)),
-    ]
 
 
 def _build_next_test(result: CampaignDiagnosis) -> str:

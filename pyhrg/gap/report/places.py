@@ -1,12 +1,16 @@
 """Where the gap is: a heat map of tests by channels, and bars by coordinate."""
 
 import html
-from collections.abc import Sequence
+from collections import defaultdict
+from collections.abc import Callable, Hashable, Sequence
+from typing import TypeVar
 
 from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.findings.localisation import Place
-from pyhrg.gap.report.words import CHANNELS, COORDINATES, build_table, draw_bar, format_percent
+from pyhrg.gap.report.words import CHANNELS, COORDINATES, build_table, format_percent, show_share
+
+Key = TypeVar("Key", bound=Hashable)
 
 LISTED_BARS = 14
 """Bars that are shown; the others are summed up in one row."""
@@ -55,23 +59,25 @@ def _format_total(share: float) -> str:
 
 
 def _build_bars(where: Sequence[Place]) -> str:
-    shares: dict[tuple[str, str, int | None], float] = {}
-    for w in where:
-        key = (w.channel, w.coordinate, w.harmonic)
-        shares[key] = shares.get(key, 0.0) + w.share
+    shares = sum_shares(where, lambda place: (place.channel, place.coordinate, place.harmonic))
     order = sorted(shares.items(), key=lambda pair: -pair[1])
-    rows = [
-        (_format_place(*key), format_percent(share), draw_bar(share))
-        for key, share in order[:LISTED_BARS]
-    ]
+    rows = [(_format_place(*key), *show_share(share)) for key, share in order[:LISTED_BARS]]
     others = sum(share for _, share in order[LISTED_BARS:])
     if others:
         count = f"{len(order) - LISTED_BARS} others"
-        rows.append((count, format_percent(others), draw_bar(others)))
+        rows.append((count, *show_share(others)))
     title = (
         "The same power by coordinate; while the pattern stands still, its harmonics are confounded"
     )
     return build_table(title, ("Channel and coordinate", "Share", ""), rows)
+
+
+def sum_shares(where: Sequence[Place], key: Callable[[Place], Key]) -> dict[Key, float]:
+    """Shares of the gap by a key of the places; 0 for others."""
+    shares: dict[Key, float] = defaultdict(float)
+    for place in where:
+        shares[key(place)] += place.share
+    return shares
 
 
 def _format_place(channel: str, coordinate: str, harmonic: int | None) -> str:

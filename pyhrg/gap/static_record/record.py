@@ -94,8 +94,7 @@ def channel_from_increments(
 ) -> Channel:
     """A channel from readings (n,) that are increments of angle or velocity, SI.
 
-    Raises:
-        RecordError: there are too few readings, one is not finite, or all are equal.
+    Too few readings, one that is not finite, or readings that are all equal are refused.
     """
     increments = np.asarray(increments, dtype=np.float64)
     if len(increments) < MIN_READINGS:

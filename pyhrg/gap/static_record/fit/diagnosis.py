@@ -105,14 +105,8 @@ def transform_channel(channel: Channel, belief: Belief) -> Transform:
 def diagnose_channel(
     channel: Channel, belief: Belief, false_alarms: float = FALSE_ALARMS, seed: int = 0
 ) -> ChannelDiagnosis:
-    """Diagnose a channel on its first half and verify the noise model on its second half.
-
-    Args:
-        channel: readings of a sensor at rest.
-        belief: of this sensor.
-        false_alarms: largest share of records as believed that are called a gap.
-        seed: of the importance samples.
-    """
+    """Diagnose a channel on its first half and verify the noise model on its second half. At most
+    the share `false_alarms` of records as believed is called a gap; seed: of the samples."""
     fit = channel.part(0, channel.half)
     problem = build_problem(transform_channel(fit, belief), belief, channel.interval)
     ranking = rank_explanations(problem, seed, false_alarms)

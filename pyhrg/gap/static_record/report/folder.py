@@ -17,11 +17,7 @@ RESULT, PAGE, CLOSED = "diagnosis.json", "report.html", "closed.toml"
 
 def write_record_report(result: RecordDiagnosis, out: Path) -> None:
     """Write `diagnosis.json`, `report.html` and `closed.toml`: a belief with the noise that was
-    found, by channel.
-
-    Raises:
-        OSError: the folder can't be written.
-    """
+    found, by channel."""
     closed = {d.channel.name: _state_closed_noise(d) for d in result.channel_diagnoses}
     texts = {
         PAGE: build_page(result),

@@ -87,7 +87,7 @@ def _diagnose_record(options: argparse.Namespace) -> None:
 
 
 def _diagnose_campaign(options: argparse.Namespace) -> None:
-    from pyhrg.gap.report.folder import write_report
+    from pyhrg.gap.report.page import write_report
     from pyhrg.gap.report.sections import make_section
     from pyhrg.gap.report.verdict import summarize_diagnosis
 

@@ -93,13 +93,10 @@ class Folder:
         """Folder of a case's diagnosis."""
         return self.root / "diagnoses" / name
 
-    def next_campaign(self, name: str) -> Path:
-        """Folder of a case's campaign with the suggested next test."""
-        return self.root / "next" / "campaigns" / name
-
-    def next_diagnosis(self, name: str) -> Path:
-        """Folder of the diagnosis of a case with the suggested next test."""
-        return self.root / "next" / "diagnoses" / name
+    @property
+    def next(self) -> "Folder":
+        """Folder of the campaigns with the suggested next test, and of their diagnoses."""
+        return Folder(self.root / "next")
 
     def begin(self, settings: Settings) -> None:
         """Begin a challenge, or continue the same one; a folder that another challenge or other

@@ -150,14 +150,13 @@ def read_finished(folder: Folder) -> Finished:
     """A finished challenge, read from its folder; its truths are checked by their hashes."""
     settings, published = folder.begun(), folder.published()
     names = [case.name for case in settings.cases()]
-    cases = [_read_case(folder, name, published.get(name, "nothing")) for name in names]
+    cases = []
+    for name in names:
+        truth = open_truth(folder.truth(name), published.get(name, "nothing"))
+        diagnosis, again = read_diagnosis(folder.diagnosis(name)), folder.next.diagnosis(name)
+        then = read_diagnosis(again) if (again / FILE).exists() else None
+        cases.append(ScoredCase(name, truth, diagnosis, then))
     return Finished(settings, cases)
-
-
-def _read_case(folder: Folder, name: str, published: str) -> ScoredCase:
-    truth, again = open_truth(folder.truth(name), published), folder.next_diagnosis(name)
-    then = read_diagnosis(again) if (again / FILE).exists() else None
-    return ScoredCase(name, truth, read_diagnosis(folder.diagnosis(name)), then)
 
 
 def _generate(challenge: Challenge, case: Case) -> str:
@@ -182,7 +181,7 @@ def _diagnose(challenge: Challenge, case: Case) -> None:
 def _diagnose_next(challenge: Challenge, case: Case) -> None:
     """Simulate the proposed next test and diagnose the extended campaign."""
     folder = challenge.folder
-    extended = folder.next_campaign(case.name)
+    extended = folder.next.campaign(case.name)
     test = read_diagnosis(folder.diagnosis(case.name)).next_test
     assert test is not None, "only cases with a next test are tested again"
     if not (extended / campaigns.INDEX).exists():
@@ -193,7 +192,7 @@ def _diagnose_next(challenge: Challenge, case: Case) -> None:
             raise ChallengeError(f"{case.name}: next_test: {error}") from error
         with replace_folder(extended) as aside:
             campaigns.write_campaign(made, aside)
-    _diagnose_once(challenge, case, extended, folder.next_diagnosis(case.name))
+    _diagnose_once(challenge, case, extended, folder.next.diagnosis(case.name))
 
 
 def _diagnose_once(challenge: Challenge, case: Case, campaign: Path, out: Path) -> None:

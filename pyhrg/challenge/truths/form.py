@@ -12,27 +12,25 @@ from scipy.signal import lfilter
 from pyhrg.challenge.campaigns.course import Course
 from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.device.device import Device
-from pyhrg.records import Log
 
 Array = NDArray[np.float64]
 Shape = Callable[[Course, float], Array]
 """Added input rate at unit size, (n, m), rad/s, by course and start angle."""
+Disturb = Callable[[Device, float, np.random.Generator], Disturbance]
+"""Disturbance of the nominal device at a size (1 is a typical one), by a generator that draws all
+else; the same generator gives the same form at any size."""
 FORMS_MODULE = "pyhrg.challenge.truths.outside"
 """Loaded by this name when a challenge is generated; no module imports it."""
 
 
 @dataclass(frozen=True)
 class Form:
-    """A form of error that the catalogue lacks.
-
-    coordinate: in which it shows, by the name of the record format.
-    disturbance: of the nominal device, at a size (1 is a typical one), by a generator that draws
-        all else; the same generator gives the same form at any size.
-    """
+    """A form of error that the catalogue lacks; coordinate: in which it shows, by the name of the
+    record format."""
 
     name: str
     coordinate: str
-    disturbance: Callable[[Device, float, np.random.Generator], Disturbance]
+    disturbance: Disturb
 
 
 def load_forms() -> tuple[Form, ...]:
@@ -66,34 +64,6 @@ def make_signed_rate_form(
         return lambda course, start: sign * shape(device, course)
 
     return make_rate_form(name, coordinate, scale, draw_shape)
-
-
-def make_parameter_form(
-    name: str,
-    coordinate: str,
-    scale: float,
-    draw: Callable[[np.random.Generator], dict[str, float]],
-) -> Form:
-    """A form that changes parameters of the FMU, by drawn values times the scale."""
-
-    def disturbance(device: Device, size: float, generator: np.random.Generator) -> Disturbance:
-        return Disturbance(model={n: size * scale * value for n, value in draw(generator).items()})
-
-    return Form(name, coordinate, disturbance)
-
-
-def make_instrument_form(
-    name: str,
-    coordinate: str,
-    scale: float,
-    draw_change: Callable[[Device, float, np.random.Generator], Callable[[Log], Log]],
-) -> Form:
-    """A form of the bench's own instruments, which changes the log that they show."""
-
-    def disturbance(device: Device, size: float, generator: np.random.Generator) -> Disturbance:
-        return Disturbance(shown=draw_change(device, size * scale, generator))
-
-    return Form(name, coordinate, disturbance)
 
 
 def find_ideal_pattern_angle(device: Device, course: Course, start: float) -> Array:

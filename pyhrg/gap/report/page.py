@@ -1,18 +1,19 @@
-"""The report as one HTML page. It reads without network and without script; its script adds
-pickers."""
+"""The report as one HTML page, and the folder of a diagnosis with it. The page reads without network
+and without script; its script adds pickers."""
 
 import html
 from collections.abc import Sequence
 from importlib.resources import files
+from pathlib import Path
 
+from pyhrg.common.files import stage_files
 from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.common.pages.shell import PageSection, make_contents, make_document, read_asset
-from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.diagnose import FILES, CampaignDiagnosis
 from pyhrg.gap.report.causes import build_causes, build_ranking
 from pyhrg.gap.report.closing import build_closing
-from pyhrg.gap.report.figures.scales import build_scales
 from pyhrg.gap.report.held_out import build_held_out
-from pyhrg.gap.report.places import build_places
+from pyhrg.gap.report.places import build_places, build_scales
 from pyhrg.gap.report.residuals import build_residuals
 from pyhrg.gap.report.sections import Section
 from pyhrg.gap.report.verdict import describe_diagnosis, write_headline
@@ -20,6 +21,29 @@ from pyhrg.gap.report.words import build_table, format_name
 
 PAGE = "report.html"
 TITLE = "Gap between simulation and gyro"
+
+
+def write_report(
+    diagnosis: CampaignDiagnosis, out: Path | str, sections: Sequence[Section] = ()
+) -> None:
+    """Write a diagnosis with its page: `diagnosis.json`, `before.toml`, `after.toml`,
+    `report.html`, and the document of each added section.
+
+    Args:
+        diagnosis: of a campaign.
+        out: folder; made if it is missing.
+        sections: added to the page before the next test.
+
+    Raises:
+        OSError: the folder can't be written.
+        ValueError: a section's document has a number that is not finite.
+    """
+    documents = {section.file: section.to_json() for section in sections}
+    with stage_files(Path(out), (*FILES, *documents, PAGE)) as aside:
+        diagnosis.write_files(aside)
+        for file, content in documents.items():
+            (aside / file).write_bytes(content)
+        (aside / PAGE).write_text(build_page(diagnosis, sections), encoding="utf-8")
 
 
 def build_page(result: CampaignDiagnosis, sections: Sequence[Section] = ()) -> str:

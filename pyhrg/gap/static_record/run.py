@@ -41,7 +41,7 @@ def diagnose_record(
     result = _compare_with_beliefs(record, beliefs, seed)
     if out is not None:
         # the figures of the page load matplotlib
-        from pyhrg.gap.static_record.report.folder import write_record_report
+        from pyhrg.gap.static_record.report.page import write_record_report
 
         write_record_report(result, Path(out))
     return result

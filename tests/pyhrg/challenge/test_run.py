@@ -144,7 +144,7 @@ def test_a_suggested_test_is_made_and_diagnosed(tmp_path: Path) -> None:
     settings = Settings({"single": 1}, seed=3)
     score = Challenge(folder, settings, asks_for_a_test).run(1)
     (case,) = score.cases
-    extended = campaign.read_campaign(folder.next_campaign(case.name))
+    extended = campaign.read_campaign(folder.next.campaign(case.name))
     assert [test.kind for test in extended.tests] == ["rate", "manoeuvre", "tumble"]
     settled = next(f for f in score.figures if f.name.startswith("next test"))
     assert (settled.n, settled.value) == (1, 0.0)

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.special import polygamma
 from scipy.stats import chi2
 
 from pyhrg.gap.static_record.belief import Belief
@@ -16,7 +17,6 @@ from pyhrg.gap.static_record.fit.likelihood import (
     whiten_coefficients,
 )
 from pyhrg.gap.static_record.fit.unknowns import split_octaves, sum_octaves
-from pyhrg.gap.static_record.fit.whiteness import Whiteness, measure_whiteness
 from pyhrg.gap.static_record.record import Channel
 from pyhrg.gap.static_record.terms import Kind, Term
 
@@ -50,6 +50,25 @@ class Cause:
     low: float
     high: float
     equivalents: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Whiteness:
+    """Statistics of whitened coefficients.
+
+    rms: root mean square; 1 where the model is right.
+    octaves: (k,) mean square in each octave, from the highest frequencies down.
+    log_rms: root mean square of the octaves' logarithms.
+    log_floor: expectation of `log_rms` for white noise.
+    p_value: probability that white noise deviates as far in its most deviating octave (two-sided
+        chi-square test with the Bonferroni correction).
+    """
+
+    rms: float
+    octaves: Array
+    log_rms: float
+    log_floor: float
+    p_value: float
 
 
 @dataclass(frozen=True)
@@ -216,11 +235,25 @@ def _compute_ceilings(kind: Kind, problem: Problem) -> dict[str, float]:
 def _compare_whiteness(problem: Problem, chosen: Posterior) -> HalfComparison:
     """Whiteness under the belief, and under the closed noise model if a term was found."""
     strengths, variances = problem.unpack((), np.zeros((1, len(problem.believed))))
-    before = measure_whiteness(whiten_coefficients(problem.data, strengths[0], variances[0]))
+    before = _measure_whiteness(whiten_coefficients(problem.data, strengths[0], variances[0]))
     if not chosen.extra:
         return HalfComparison(before, before)
     strengths, variances = chosen.best
     column_variances = np.resize(variances, len(problem.data.names))
     return HalfComparison(
-        before, measure_whiteness(whiten_coefficients(problem.data, strengths, column_variances))
+        before, _measure_whiteness(whiten_coefficients(problem.data, strengths, column_variances))
+    )
+
+
+def _measure_whiteness(white: Array) -> Whiteness:
+    """Statistics of (m,) whitened coefficients."""
+    power, count = sum_octaves(white)
+    tail = 2 * np.minimum(chi2.cdf(power, count), chi2.sf(power, count))
+    mean = power / count
+    return Whiteness(
+        rms=float(np.sqrt(np.mean(white**2))),
+        octaves=mean,
+        log_rms=float(np.sqrt(np.mean(np.log(mean) ** 2))),
+        log_floor=float(np.sqrt(np.mean(polygamma(1, count / 2)))),
+        p_value=min(1.0, float(len(power) * np.min(tail))),
     )

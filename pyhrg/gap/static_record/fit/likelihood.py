@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.fft import dct
 
-from pyhrg.noise.likelihood import MIN_TREND_SHARE, compute_spectrum
+from pyhrg.noise.likelihood import MIN_TREND_SHARE, compute_spectrum, orthonormalize
 
 Array = NDArray[np.float64]
 
@@ -62,7 +62,7 @@ def transform_record(angle: Array, free: list[Array], random: dict[str, Array]) 
     """
     n = len(angle)
     time = np.linspace(-1.0, 1.0, n)
-    basis = _build_basis([np.ones(n), time, *free])
+    basis = orthonormalize([np.ones(n), time, *free])
 
     def project(values: Array) -> Array:
         return np.asarray(values - basis @ (basis.T @ values))
@@ -96,14 +96,6 @@ def transform_record(angle: Array, free: list[Array], random: dict[str, Array]) 
         products=summed(columns * record),
         squares=summed(columns[:, np.newaxis] * columns),
     )
-
-
-def _build_basis(columns: list[Array]) -> Array:
-    """(n, m) orthonormal basis of the space that the columns span."""
-    matrix = np.column_stack(columns)
-    matrix = matrix / np.linalg.norm(matrix, axis=0).clip(np.finfo(float).tiny)
-    basis, share = np.linalg.qr(matrix)
-    return np.asarray(basis[:, np.abs(np.diag(share)) > MIN_TREND_SHARE])
 
 
 def compute_log_likelihoods(data: Transform, strengths: Array, variances: Array) -> Array:

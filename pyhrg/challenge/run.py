@@ -111,15 +111,8 @@ def run_challenge(
             that can't be used.
         OSError: the folder can't be written.
     """
-    counts = {
-        "none": none,
-        "single": single,
-        "pair": pairs,
-        "outside": outside,
-        "weak": weak,
-        "several": several,
-        "left_out": left_out,
-    }
+    counts = {"none": none, "single": single, "pair": pairs, "outside": outside}
+    counts |= {"weak": weak, "several": several, "left_out": left_out}
     for name, count in counts.items():
         check_whole_number("pairs" if name == "pair" else name, count, 0, MAX_CASES)
     if not DETECTION_SIGMAS < strongest < math.inf:

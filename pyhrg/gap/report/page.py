@@ -1,5 +1,5 @@
-"""The report as one HTML page, and the folder of a diagnosis with it. The page reads without network
-and without script; its script adds pickers."""
+"""The report as one HTML page, and the folder of a diagnosis with it. The page reads without
+network and without script; its script adds pickers."""
 
 import html
 from collections.abc import Sequence

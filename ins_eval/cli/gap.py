@@ -87,9 +87,9 @@ def _diagnose_record(options: argparse.Namespace) -> None:
 
 
 def _diagnose_campaign(options: argparse.Namespace) -> None:
-    from pyhrg.gap.report.folder import write_report
+    from pyhrg.gap.report.page import write_report
     from pyhrg.gap.report.sections import make_section
-    from pyhrg.gap.report.summary import summarize_diagnosis
+    from pyhrg.gap.report.verdict import summarize_diagnosis
 
     result = pyhrg.diagnose(options.source, progress=True)
     position = make_section("position", partial(make_position_section, result))

@@ -3,7 +3,7 @@
 A field of a dataclass is declared by `parameter`. From the declarations follow the keys of device
 files (`pyhrg.device.keys`), the names in the FMU (`pyhrg.device.fmu_parameters`), the catalogue of
 effects (`pyhrg.gap.effects.catalogue`) and the coordinates that an effect shows in
-(`pyhrg.challenge.scoring.coordinates`).
+(`pyhrg.challenge.scoring.score`).
 """
 
 import math

@@ -61,7 +61,8 @@ def compute_spectrum(angle: Array, trends: Sequence[Array] = ()) -> Spectrum:
     rate and a rate ramp.
     """
     n = len(angle)
-    basis = _orthonormalize(n, trends)
+    time = np.linspace(-1.0, 1.0, n)
+    basis = orthonormalize([np.ones(n), time, time**2, *trends])
     rest = angle - basis @ (basis.T @ angle)
     record, columns = (dct(x, norm="ortho")[..., 1:] for x in (rest, basis.T[1:]))
     edges = _place_band_edges(n - 1)
@@ -81,12 +82,12 @@ def compute_spectrum(angle: Array, trends: Sequence[Array] = ()) -> Spectrum:
     )
 
 
-def _orthonormalize(n: int, trends: Sequence[Array]) -> Array:
-    """(n, 1 + m) orthonormal constant, line, parabola, and the others without those before them."""
-    time = np.linspace(-1.0, 1.0, n)
-    columns = np.column_stack([np.ones(n), time, time**2, *trends])
-    columns = columns / np.linalg.norm(columns, axis=0).clip(np.finfo(float).tiny)
-    basis, share = np.linalg.qr(columns)
+def orthonormalize(columns: Sequence[Array]) -> Array:
+    """(n, m) orthonormal basis of the space that columns (n,) span, in their order; a column that
+    depends on those before it is left out."""
+    matrix = np.column_stack(columns)
+    matrix = matrix / np.linalg.norm(matrix, axis=0).clip(np.finfo(float).tiny)
+    basis, share = np.linalg.qr(matrix)
     return np.asarray(basis[:, np.abs(np.diag(share)) > MIN_TREND_SHARE])
 
 

@@ -1,7 +1,6 @@
 """Alignment of a standing vehicle: checks of the record, then coarse and fine alignment."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.alignment.corruption import check_explained, check_samples
 from ins_eval.alignment.inertial.inertial_frame import (
@@ -13,10 +12,9 @@ from ins_eval.alignment.kalman.fine import align_by_kalman_filter
 from ins_eval.alignment.result import Alignment, AlignmentError
 from ins_eval.alignment.shown_latitude import check_latitude
 from ins_eval.common import earth
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 MIN_DURATION = 30.0
 """Shortest record that is aligned on, s. Chosen: gyrocompassing takes minutes."""

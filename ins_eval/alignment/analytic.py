@@ -1,17 +1,15 @@
 """Static alignment by means: pitch and roll from gravity, heading by gyrocompassing."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.alignment.bias_instability import mean_variance
 from ins_eval.alignment.gyrocompass import bias_sensitivity
 from ins_eval.alignment.result import Alignment, AlignmentError
 from ins_eval.common import earth
+from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import mat_from_euler
 from ins_eval.common.sensor_errors import SensorErrors
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 
 def level_and_gyrocompass(record: Increments, latitude: float) -> Array:

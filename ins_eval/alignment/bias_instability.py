@@ -4,10 +4,9 @@ Its variation before the record counts as the stated bias (docs/methods/alignmen
 """
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.special import xlogy
 
-Array = NDArray[np.float64]
+from ins_eval.common.arrays import Array
 
 PROCESSES = 3
 """Number of Gauss-Markov processes that approximate flicker noise. Chosen."""

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from ins_eval.alignment.kalman.dead_reckoning import MIN_STEPS
 from ins_eval.alignment.result import Alignment, AlignmentError
+from ins_eval.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
-Array = NDArray[np.float64]
 Rows = NDArray[np.int64]
 
 MAX_REPEAT_DURATION = 5.0

@@ -5,11 +5,10 @@ in docs/methods/alignment.md.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ins_eval.common import earth
-
-Array = NDArray[np.float64]
+from ins_eval.common.arrays import Array
 
 
 def bias_sensitivity(latitude: ArrayLike, gravity: ArrayLike) -> Array:

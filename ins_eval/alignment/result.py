@@ -3,13 +3,11 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import euler_from_mat
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG
-
-Array = NDArray[np.float64]
 
 MIN_ANGLE_FROM_VERTICAL = np.deg2rad(1.0)
 """Smallest angle of the nose from the vertical, rad, at which heading and roll are given. Chosen:

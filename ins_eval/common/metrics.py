@@ -3,10 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.stats import binom, ttest_1samp
-
-Array = NDArray[np.float64]
 
 MIN_SAMPLE_FOR_MEDIAN = 6
 """Smallest sample whose range contains the median with 95 % confidence: 1 - 2 / 2^6 = 96.9 %."""

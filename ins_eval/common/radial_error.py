@@ -8,11 +8,11 @@ within +-sqrt(r^2 - u^2) (Gilliland 1962, J. Am. Stat. Assoc. 57, 758). All func
 import itertools
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.optimize import elementwise
 from scipy.special import ndtr
 
-Array = NDArray[np.float64]
+from ins_eval.common.arrays import Array
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(48)
 _SLOPE = np.pi / 2 * _NODES

@@ -3,11 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.common import earth
-
-Array = NDArray[np.float64]
+from ins_eval.common.arrays import Array
 
 
 @dataclass(frozen=True)

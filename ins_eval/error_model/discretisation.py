@@ -4,9 +4,8 @@ from collections.abc import Iterator
 from math import factorial
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ins_eval.common.arrays import Array
 
 
 def discretize(f: Array, density: Array, step: float) -> tuple[Array, Array]:

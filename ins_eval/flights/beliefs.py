@@ -5,8 +5,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.error_model.effects import (
     Effect,
@@ -22,8 +22,6 @@ from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.sensor_error_model import IDEAL_SENSORS
 from ins_eval.imu.stated_gyros import StatedGyros
-
-Array = NDArray[np.float64]
 
 AXES = 3
 HARMONIC = 4
@@ -100,8 +98,8 @@ def model_misalignment(sensor: Sensor) -> tuple[Effect, Effect]:
 
     family = f"{sensor} misalignment"
     return (
-        Effect(f"{family}, next axis", sensor, "rad", felt(1), family=family),
-        Effect(f"{family}, axis after", sensor, "rad", felt(2), family=family),
+        Effect(f"{family}, next axis", sensor, felt(1), family=family),
+        Effect(f"{family}, axis after", sensor, felt(2), family=family),
     )
 
 

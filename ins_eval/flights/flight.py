@@ -4,10 +4,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.alignment.align import align
 from ins_eval.alignment.result import Alignment
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.common.state import Track
 from ins_eval.flights.plan import WARM_UP, Plan
@@ -16,8 +16,6 @@ from ins_eval.imu.imu import Imu, ImuReading, StartUpError
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
 from ins_eval.navigation.strapdown import navigate
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

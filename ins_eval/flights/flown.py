@@ -3,15 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
 from ins_eval.alignment.result import Alignment
+from ins_eval.common.arrays import Array
 from ins_eval.error_model.budget.adjoint import Weights
 from ins_eval.flights.plan import Plan
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

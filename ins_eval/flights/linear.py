@@ -4,10 +4,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from ins_eval.alignment.result import Alignment
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.error_model.aligning import model_alignment
 from ins_eval.error_model.budget.adjoint import compute_weights
@@ -34,8 +34,6 @@ from ins_eval.flights.plan import Plan
 from ins_eval.flights.truth import Truth
 from ins_eval.imu.imu import Imu, ImuReading
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 STEP = 0.5
 """Step of the linear model that is aimed at, s. Tuned on city traffic recorded at 1 Hz: steps of

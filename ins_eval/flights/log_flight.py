@@ -4,9 +4,9 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.alignment.align import align
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.common.state import State, Track
 from ins_eval.flights.flight import hold_height
@@ -16,8 +16,6 @@ from ins_eval.flights.truth import count_still_increments
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.results import flights
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 Reference = Callable[[Array], Track]
 """True states at times (m,), s; attitudes that nobody knows are NaN."""

@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.state import Track, position_error
 from ins_eval.flights.log_flight import Reference, stand_still
 from ins_eval.imu.gyros import FmuGyros
@@ -17,8 +17,6 @@ from ins_eval.trajectories.recorded_drive import Drive, read_drive
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 from pyhrg.common.arguments import check_number, check_whole_number
 from pyhrg.common.errors import HrgError
-
-Array = NDArray[np.float64]
 
 NO_TRUTH, AT_REST = "none", "rest"
 """References of a log: no truth is known, or the vehicle stood all the time."""

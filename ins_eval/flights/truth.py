@@ -3,14 +3,12 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.state import State, Track
 from ins_eval.flights.plan import WARM_UP, Plan
 from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fmu_build.bundle import build_fmu
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.mounting import Mounting
 from ins_eval.imu.stated_gyros import GyroReading
@@ -23,8 +24,6 @@ from pyhrg.device.ready_devices import READY, TYPICAL, Device, load_device
 from pyhrg.fmu import GyroError, GyroFmu
 from pyhrg.records.imu.increments import Increments
 from pyhrg.theory import closed_forms as theory
-
-Array = NDArray[np.float64]
 
 __all__ = ["DeviceError", "FmuGyros", "GyroError", "device", "read_differences", "simulate_gyros"]
 

@@ -3,11 +3,10 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from ins_eval.common.arrays import Array
 from pyhrg.common.errors import HrgError
-
-Array = NDArray[np.float64]
 
 MAX_CONDITION_NUMBER = 20.0
 """Largest condition number of the input axes. Chosen: decoding amplifies errors by up to it."""

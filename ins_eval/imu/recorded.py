@@ -3,9 +3,7 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
-
+from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import mat_from_euler
 from pyhrg.records.columns import LogError
 from pyhrg.records.imu import recorded
@@ -13,8 +11,6 @@ from pyhrg.records.imu.increments import Increments
 from pyhrg.records.imu.table_log import write_imu_log
 
 __all__ = ["ImuRecord", "LogError", "read_record", "write_imu_log"]
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

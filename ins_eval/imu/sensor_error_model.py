@@ -4,11 +4,9 @@ FMU."""
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.imu.flicker import draw_flicker
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

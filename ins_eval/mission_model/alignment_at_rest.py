@@ -9,14 +9,12 @@ use the attitude error that the alignment makes without linearisation.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from ins_eval.alignment.analytic import attitude_at_rest
 from ins_eval.alignment.gyrocompass import bias_sensitivity
 from ins_eval.common import earth
-
-Array = NDArray[np.float64]
+from ins_eval.common.arrays import Array
 
 
 @dataclass(frozen=True)

@@ -9,13 +9,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.error_model.effects import ANGULAR_GAIN
 from pyhrg.common.units import DEG
 from pyhrg.fmu import GyroFmu
-
-Array = NDArray[np.float64]
 
 HARMONICS = (2, 4, 6, 8)
 TERMS = 1 + 2 * len(HARMONICS)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.signal import lfilter
 
-Array = NDArray[np.float64]
+from ins_eval.common.arrays import Array
 
 KINDS = ("angle white noise", "angle random walk", "bias instability", "rate random walk")
 """Kinds of noise; their strengths are in rad (of one sample of the output), rad/sqrt(s), rad/s and

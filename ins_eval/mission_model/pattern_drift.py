@@ -11,15 +11,13 @@ harmonic are modelled; b is the residual map of the warm gyro.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.error_model.effects import ANGULAR_GAIN, Effect, pattern_angle
 from ins_eval.error_model.motion import PARTS, Motion
 from ins_eval.mission_model.gyro_map import HARMONICS, TERMS
 from ins_eval.mission_model.signals import STEADY, WARMING, slice_coefficients
 from ins_eval.trajectories.trajectory import Trajectory
-
-Array = NDArray[np.float64]
 
 FOURTH_HARMONIC = 1 + 2 * HARMONICS.index(4)
 TURNING_TERMS = (0, FOURTH_HARMONIC, FOURTH_HARMONIC + 1)
@@ -81,7 +79,7 @@ def list_drift_effects(integrals: TurningIntegrals) -> list[Effect]:
                 + wave(harmonic * angle) * _evaluate_turning_terms(angle)[turning]
             )
 
-        return Effect(f"pattern drift {place} {turning}", "gyro", "", regressor)
+        return Effect(f"pattern drift {place} {turning}", "gyro", regressor)
 
     return [
         effect(place, turning, scale)

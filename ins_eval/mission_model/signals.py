@@ -11,8 +11,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.error_model.effects import (
     ANGULAR_GAIN,
     Effect,
@@ -32,7 +32,6 @@ from ins_eval.mission_model.warming import (
     compute_resonator_warmth,
 )
 
-Array = NDArray[np.float64]
 Regressor = Callable[[Motion], Array]
 
 AXES = 3

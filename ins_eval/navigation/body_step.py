@@ -4,8 +4,8 @@ The equations are in docs/methods/navigation.md.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.compiled import compile_loop
 from ins_eval.navigation.algebra import (
     SMALL_ANGLE_SQUARED,
@@ -17,8 +17,6 @@ from ins_eval.navigation.algebra import (
     subtract,
 )
 from ins_eval.navigation.coefficients import StepCoefficients
-
-Array = NDArray[np.float64]
 
 
 @compile_loop

@@ -11,11 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial import Polynomial
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from pyhrg.common.errors import HrgError
-
-Array = NDArray[np.float64]
 
 SAMPLES_PER_STEP = (2, 3, 4)
 """Numbers of increments that a navigation step may have."""

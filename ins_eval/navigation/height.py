@@ -4,12 +4,10 @@ from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.common import earth
+from ins_eval.common.arrays import Array
 from pyhrg.common.errors import HrgError
-
-Array = NDArray[np.float64]
 
 Gains = tuple[float, float, float]
 

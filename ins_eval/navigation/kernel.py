@@ -8,9 +8,9 @@ own increments. The equations are in docs/methods/navigation.md.
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.common import earth
+from ins_eval.common.arrays import Array
 from ins_eval.common.compiled import compile_loop
 from ins_eval.navigation.algebra import (
     Quaternion,
@@ -31,8 +31,6 @@ from ins_eval.navigation.algebra import (
 from ins_eval.navigation.body_step import integrate_body_step
 from ins_eval.navigation.coefficients import StepCoefficients
 from ins_eval.navigation.height import VerticalChannel
-
-Array = NDArray[np.float64]
 
 MAX_LATITUDE = np.deg2rad(89.5)
 """Largest latitude, rad. Chosen: nearer to a pole the navigation axes turn too fast."""

@@ -8,11 +8,10 @@ sides, for the heading is not known at power-on.
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from pyhrg.common.units import DEG
 
-Array = NDArray[np.float64]
 BiasMap = Callable[[Array], Array]
 """Bias, rad/s, at pattern angles (...), rad; of period pi."""
 

@@ -3,8 +3,8 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.imu.gyros import GyroOutput, resolve_force_in_case, simulate_gyro, with_start_up
 from ins_eval.parking.angle import find_flattest_extreme, find_flattest_zero
 from ins_eval.parking.case import Known, Start
@@ -15,8 +15,6 @@ from pyhrg.bench.calibration.calibration_maps import fit_maps, make_angle_map
 from pyhrg.bench.estimation.harmonics import make_columns
 from pyhrg.device.device import AngleMap, Device
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 ANGLES = {Start.ZERO: find_flattest_zero, Start.FLAT: find_flattest_extreme}
 

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.alignment.analytic import level_and_gyrocompass
+from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import euler_from_mat
 from ins_eval.common.state import State, position_error
 from ins_eval.imu.imu import StartUpError
@@ -17,8 +18,6 @@ from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 INTERVAL = 0.01
 """Duration of the IMU's increments, s."""

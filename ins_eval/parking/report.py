@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.metrics import median_interval
 from ins_eval.parking.case import CASES
 from ins_eval.parking.figure import plot_comparison
@@ -16,8 +16,6 @@ from ins_eval.parking.study import Comparison, compare_with_first_case
 from ins_eval.parking.triad import RECORDS
 from ins_eval.results.png import save_png
 from pyhrg.common.units import DEG, NAUTICAL_MILE
-
-Array = NDArray[np.float64]
 
 SCHEMA = "hrg-parking/1"
 FILES = ("parking.json", "position_error.csv", "parking.png")

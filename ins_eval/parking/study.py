@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.metrics import PairedRatio, paired_ratio
 from ins_eval.common.parallel import map_in_threads
 from ins_eval.imu.accelerometers import TYPICAL_ACCELEROMETERS
@@ -19,8 +19,6 @@ from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.device.ready_devices import TYPICAL, Device
 from pyhrg.fmu import GyroFmu
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -5,15 +5,13 @@ from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.imu.gyros import GyroOutput
 from ins_eval.parking.case import CASES, LIMIT, Case, Known, Start
 from ins_eval.parking.gyro import MappedGyro
 from ins_eval.parking.mission import INTERVAL, STILL, Mission, find_ready_time
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 VERTICAL = 2
 """Axis of the gyro that is not parked: turns of the vehicle take its pattern all round."""

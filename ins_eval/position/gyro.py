@@ -3,14 +3,12 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.study.gyros.drift import Flight
 from ins_eval.study.gyros.true_maps import compute_turning_bias, read_flight_coefficients, start_at
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
-
-Array = NDArray[np.float64]
 
 CASE_RISE = 10.0
 """Final rise of the case's temperature above the reference temperature after power-on, K; the

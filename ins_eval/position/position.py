@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import StudyMission, find_mission_file, plan_mission
 from ins_eval.mission_model.weights_cache import load_mission_weights
@@ -24,8 +24,6 @@ from ins_eval.study.scores.resampling import Estimate, bootstrap
 from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.errors import TrajectoryError
 from pyhrg.fmu import GyroFmu
-
-Array = NDArray[np.float64]
 
 COSIMULATED_TRIADS = 2
 """Number of triads that are co-simulated, in the first mission. Chosen."""

@@ -4,9 +4,8 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ins_eval.common.arrays import Array
 
 KILOMETRES_FROM = 5000.0
 """Errors beyond this are drawn in km, m."""

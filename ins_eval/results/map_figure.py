@@ -7,11 +7,9 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Ellipse
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.results.map_grid import lay_out_map, unwrap_deg
-
-Array = NDArray[np.float64]
 
 TRUE_COLOR, NAVIGATED_COLOR = "black", "tab:blue"
 

@@ -7,12 +7,10 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 from matplotlib.transforms import blended_transform_factory
-from numpy.typing import NDArray
 
 from ins_eval.common import earth
+from ins_eval.common.arrays import Array
 from ins_eval.results.flights import wrap_deg
-
-Array = NDArray[np.float64]
 
 MARGIN = 0.08
 """Margin around what is drawn, as a share of the map's larger side."""

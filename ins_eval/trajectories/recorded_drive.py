@@ -9,13 +9,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.common import earth
+from ins_eval.common.arrays import Array
 from ins_eval.trajectories.errors import TrajectoryError, check_durations
 from ins_eval.trajectories.trajectory import Knots, Trajectory
-
-Array = NDArray[np.float64]
 
 COLUMNS = (
     "time_s",

@@ -9,19 +9,17 @@ docs/methods/alignment.md, Eqs. 5 and 6.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from ins_eval.alignment.bias_instability import integral_covariance
 from ins_eval.alignment.inertial import inertial_kernel
 from ins_eval.alignment.result import Alignment, AlignmentError
 from ins_eval.common import earth
+from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import skew
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.navigation.coefficients import derive_coefficients
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 SPANS = 20
 """Number of spans of a record. Chosen."""

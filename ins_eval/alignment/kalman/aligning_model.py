@@ -7,13 +7,11 @@ docs/methods/alignment.md, Eq. 8.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.alignment.bias_instability import PROCESSES, correlation_times, process_variance
 from ins_eval.alignment.kalman import standing
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
-
-Array = NDArray[np.float64]
 
 CORE = slice(0, standing.STATES)
 TURNED = slice(CORE.stop, CORE.stop + 2)

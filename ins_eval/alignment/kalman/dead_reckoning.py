@@ -3,19 +3,17 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from ins_eval.alignment.kalman import aligning_model, standing
 from ins_eval.alignment.result import AlignmentError
 from ins_eval.common import earth
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.common.state import State, Track, position_error
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 STEP = 2.0
 """Time between measurements, s. Chosen."""

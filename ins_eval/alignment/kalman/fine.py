@@ -10,7 +10,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from filterpy.kalman import KalmanFilter
-from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
 from ins_eval.alignment.kalman import aligning_model, standing
@@ -23,10 +22,9 @@ from ins_eval.alignment.kalman.dead_reckoning import (
 )
 from ins_eval.alignment.kalman.tilting import Tilting, estimate_tilting
 from ins_eval.alignment.result import Alignment, AlignmentError, Biases, History
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 MAX_LINEAR_ERROR = 1e-4
 """Correction of the start attitude below which the linear model is valid, rad. Chosen."""

@@ -8,12 +8,10 @@ heading. docs/methods/alignment.md, Eq. 9.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import minimize
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
-
-Array = NDArray[np.float64]
 
 BOUNDS = ((1e-7, 1.0), (1e-10, 1.0))
 """Search ranges of `Tilting`. Chosen: below the lower ends the heading does not change."""

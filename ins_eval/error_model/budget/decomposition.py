@@ -4,15 +4,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.error_model.effects import Effect, Sensor
 from ins_eval.error_model.linear_model import AXES
 from ins_eval.error_model.motion import Motion, step_mean
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 UNEXPLAINED = "noise and rest"
 """Name of the residual that no effect explains."""
@@ -91,18 +89,14 @@ class Prior:
 
 
 def decompose_errors(
-    error: Increments, motion: Motion, effects: Sequence[Effect], prior: Prior | None = None
+    error: Increments, motion: Motion, effects: Sequence[Effect], prior: Prior
 ) -> dict[str, Increments]:
     """Decompose the sensors' error into families of effects, in the motion's steps.
 
-    For each axis, coefficients of the effects' signals along the motion are estimated
-    (docs/methods/error_model.md, Eq. 15). Without a prior this is ordinary least squares, in which
-    large parts may cancel if signals are nearly collinear: a gyro whose pattern moves by one degree
-    does not separate its bias from its map. With a prior it is the maximum a posteriori estimate.
-    The parts, with the residual `UNEXPLAINED`, sum to the error.
-
-    Raises:
-        ValueError: an error that does not cover the motion.
+    For each axis, coefficients of the effects' signals along the motion are the maximum a
+    posteriori estimate (docs/methods/error_model.md, Eq. 14). Without a prior, large parts would
+    cancel where signals are nearly collinear: a gyro whose pattern moves by one degree does not
+    separate its bias from its map. The parts, with the residual `UNEXPLAINED`, sum to the error.
     """
     total = sum_over_steps(error, motion.start, motion.step, len(motion))
     parts = {effect.family: np.zeros((len(motion), 2, AXES)) for effect in effects}
@@ -114,15 +108,11 @@ def decompose_errors(
             continue
         own = [effects[i] for i in places]
         signals = np.stack([motion.step * step_mean(e.regressor(motion)) for e in own], axis=-1)
+        noise = prior.noise_of(sensor, motion.step)
         for axis in range(AXES):
-            problem = signals[:, axis], residual[:, place, axis]
-            if prior:
-                noise = prior.noise_of(sensor, motion.step)
-                fitted = signals[:, axis] * _estimate_with_prior(
-                    *problem, prior.deviations[places, axis], noise
-                )
-            else:
-                fitted = signals[:, axis] * _fit_least_squares(*problem)
+            fitted = signals[:, axis] * _estimate_with_prior(
+                signals[:, axis], residual[:, place, axis], prior.deviations[places, axis], noise
+            )
             for effect, part in zip(own, fitted.T, strict=True):
                 parts[effect.family][:, place, axis] += part
             residual[:, place, axis] -= fitted.sum(axis=1)
@@ -131,12 +121,6 @@ def decompose_errors(
         name: Increments(motion.step, part[:, 0], part[:, 1], motion.start)
         for name, part in parts.items()
     }
-
-
-def _fit_least_squares(signals: Array, values: Array) -> Array:
-    size = np.linalg.norm(signals, axis=0)
-    size = np.where(size > 0, size, 1.0)
-    return np.asarray(np.linalg.lstsq(signals / size, values, rcond=1e-9)[0] / size)
 
 
 def _estimate_with_prior(signals: Array, values: Array, deviations: Array, noise: float) -> Array:

@@ -47,9 +47,9 @@ def test_each_effect_is_found_again(truth: Increments) -> None:
         rotation=2e-7 * INTERVAL + scale + bias_map_4 + noise,
         velocity=np.full_like(truth.velocity, 1e-4 * INTERVAL),
     )
-    parts = decompose_errors(
-        error, sample_motion(load_trajectory("car", 1810.0, 20.0), 0.0, 1.0, 1800), EFFECTS
-    )
+    motion = sample_motion(load_trajectory("car", 1810.0, 20.0), 0.0, 1.0, 1800)
+    prior = Prior(np.ones((len(EFFECTS), 3)), SensorErrors(angle_random_walk=5e-9 * 0.3))
+    parts = decompose_errors(error, motion, EFFECTS, prior)
     assert parts["gyro bias"].rotation[:, 2] == pytest.approx(2e-7, rel=1e-2)
     expected = bias_map_4.reshape(1800, 10, 3).sum(axis=1)
     result = parts["bias map, harmonic 4"].rotation
@@ -82,7 +82,8 @@ def test_difference_needs_the_same_times(truth: Increments) -> None:
 
 
 def test_prior_keeps_like_signals_from_cancelling(truth: Increments) -> None:
-    """On a level gyro whose pattern moves by a degree. Ordinary least squares is the control."""
+    """On a level gyro whose pattern moves by a degree. A prior that states almost nothing is the
+    control."""
     noise = SensorErrors(angle_random_walk=1e-6)
     white = noise.angle_random_walk * np.sqrt(INTERVAL)
     generator = np.random.default_rng(3)
@@ -90,6 +91,7 @@ def test_prior_keeps_like_signals_from_cancelling(truth: Increments) -> None:
     error = replace(truth, rotation=drift, velocity=np.zeros_like(truth.velocity))
     motion = sample_motion(load_trajectory("car", 1810.0, 20.0), 0.0, 1.0, 1800)
     prior = Prior(np.full((len(EFFECTS), 3), 1e-7), noise)
+    wide = np.ones((len(EFFECTS), 3))
 
     def largest(parts: dict[str, Increments]) -> float:
         sums = [np.abs(part.rotation[:, 0].sum()) for n, part in parts.items() if n != UNEXPLAINED]
@@ -97,7 +99,7 @@ def test_prior_keeps_like_signals_from_cancelling(truth: Increments) -> None:
 
     likeliest = decompose_errors(error, motion, EFFECTS, prior)
     assert largest(likeliest) < 2
-    assert largest(decompose_errors(error, motion, EFFECTS)) > 20
+    assert largest(decompose_errors(error, motion, EFFECTS, replace(prior, deviations=wide))) > 20
     whole = sum_over_steps(error, 0.0, 1.0, 1800).rotation
     assert sum(part.rotation for part in likeliest.values()) == pytest.approx(whole, abs=1e-18)
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ins_eval.alignment.corruption import check_explained, check_samples
-from ins_eval.alignment.inertial.inertial_frame import (
+from ins_eval.alignment.inertial_frame import (
     InertialFrameFit,
     estimate_sway_velocity,
     fit_inertial_frame,
@@ -30,7 +30,6 @@ def align(
     record: Increments,
     position: Array,
     errors: SensorErrors,
-    sway: float | None = None,
     steady: bool = True,
 ) -> Alignment:
     """Find the attitude at the end of a record of a vehicle that stands or sways.
@@ -46,9 +45,6 @@ def align(
         record: all of it is used.
         position: (3,) latitude, longitude, rad, and height, m.
         errors: stated errors of the sensors, from the IMU's file; the covariance rests on them.
-            They are not estimated here; `measured_noise` can estimate the random walks.
-        sway: standard deviation of the vehicle's level displacement on each axis, m; None
-            estimates it from the record.
         steady: whether to use that tilts stay constant where the record shows it; False for a
             vehicle whose tilt may creep by less than its accelerometers show.
 
@@ -60,7 +56,7 @@ def align(
     check_latitude(record, float(position[0]), errors)
     fit = fit_inertial_frame(record, position)
     _check_standing(fit, float(earth.gravity(position[0], position[2])))
-    alignment = align_by_kalman_filter(record, position, errors, fit.mat_ib, sway, steady)
+    alignment = align_by_kalman_filter(record, position, errors, fit.mat_ib, steady=steady)
     check_explained(alignment)
     return alignment
 

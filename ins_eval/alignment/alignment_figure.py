@@ -14,13 +14,7 @@ UNSCALED_PART = 0.1
 
 
 def plot_alignment(result: Alignment, name: str = "") -> Figure:
-    """Plot heading, pitch and roll over the record, with their one-sigma.
-
-    Raises:
-        ValueError: the method keeps no history.
-    """
-    if result.history is None:
-        raise ValueError(f"alignment by {result.method} keeps no history to draw")
+    """Plot heading, pitch and roll over the record, with their one-sigma."""
     time, euler, sigma = result.history.time, *euler_history_deg(result.history)
     figure = Figure(figsize=(8, 7), layout="constrained")
     rows = figure.subplots(3, 1, sharex=True)
@@ -36,7 +30,7 @@ def plot_alignment(result: Alignment, name: str = "") -> Figure:
         axes.grid(alpha=0.25)
         last = f"{angle} {value[-1]:.4f} ± {band[-1]:.4f} deg (one sigma, band)"
         axes.set_title(last, loc="left", fontsize="medium")
-    figure.suptitle(f"Alignment, {result.method}{f': {name}' if name else ''}")
+    figure.suptitle(f"Alignment, fine{f': {name}' if name else ''}")
     rows[-1].set_xlabel("time, s")
     rows[-1].set_xlim(time[0], time[-1])
     return figure

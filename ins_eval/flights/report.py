@@ -105,7 +105,7 @@ def describe_alignment(alignment: Alignment) -> dict[str, Any]:
     """An alignment as numbers with units."""
     roll, pitch, heading = map(float, alignment.euler_sigma_deg)
     return {
-        "method": alignment.method,
+        "method": "fine",
         "time_s": alignment.time,
         "heading_deg": alignment.heading_deg,
         "heading_sigma_deg": heading,

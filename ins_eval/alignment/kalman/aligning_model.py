@@ -3,7 +3,7 @@
 These are the rotation since the record's start (2), about north and east, rad, and the Gauss-Markov
 processes of bias instability: of the gyros (9), rad/s, and of the level accelerometers (6), m/s^2,
 in navigation axes. Equal processes of equal sensors are the same in any axes.
-docs/methods/alignment.md, Eq. 8.
+docs/methods/alignment.md, Eq. 6.
 """
 
 import numpy as np

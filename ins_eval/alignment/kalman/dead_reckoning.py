@@ -61,11 +61,7 @@ class Reckoning:
 
 
 def split_into_steps(record: Increments) -> tuple[Increments, int]:
-    """Cut a record to whole steps, at its end; return it and the intervals a step.
-
-    Raises:
-        AlignmentError: the record is too short.
-    """
+    """Cut a record to whole steps, at its end; return it and the intervals a step."""
     wanted = max(STEP, record.duration / MAX_STEPS) / record.interval
     each = 2 * max(1, round(wanted / 2))
     count = len(record) // each
@@ -78,11 +74,7 @@ def split_into_steps(record: Increments) -> tuple[Increments, int]:
 
 
 def reckon(record: Increments, position: Array, mat_nb: Array, each: int) -> Reckoning:
-    """Navigate from attitude `mat_nb` (3, 3); states are kept after every `each` intervals.
-
-    Raises:
-        NavigationError: as `navigate`.
-    """
+    """Navigate from attitude `mat_nb` (3, 3); states are kept after every `each` intervals."""
     latitude, longitude, height = map(float, position)
     start = State(latitude, longitude, height, np.zeros(3), mat_nb)
     track = navigate(start, record, Clamped(np.full(len(record) + 1, height)), each)

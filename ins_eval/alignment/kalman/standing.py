@@ -51,10 +51,7 @@ def noise(errors: SensorErrors, interval: float, gravity: float) -> Array:
     Quantization is white noise of angle and velocity. That of the angle drives velocity through
     gravity, that of velocity drives displacement.
 
-    Args:
-        errors: of the sensors.
-        interval: of the increments, s.
-        gravity: m/s^2.
+    interval: of the increments, s; gravity: m/s^2.
     """
     remainder = interval / 12
     force = np.hypot(

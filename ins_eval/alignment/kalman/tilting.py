@@ -2,7 +2,7 @@
 
 Rotation about level axes in excess of the gyros' own noise is that of the vehicle. Its model is
 white noise from step to step plus a random walk. A steady rate is left out: it contains the
-heading. docs/methods/alignment.md, Eq. 9.
+heading. docs/methods/alignment.md, Eq. 7.
 """
 
 from dataclasses import dataclass
@@ -34,10 +34,8 @@ def estimate_tilting(turned: Array, step: float, errors: SensorErrors) -> Tiltin
 
     Whittle's likelihood of the periodogram of the mean rates, without frequency 0 (Whittle 1953).
 
-    Args:
-        turned: (m, 2) rotation about north and east since the start, rad, at the end of each step.
-        step: s.
-        errors: of the sensors.
+    turned: (m, 2) rotation about north and east since the start, rad, at the end of each step;
+    step: s.
     """
     rate = np.diff(turned, axis=0, prepend=0.0) / step
     frequency = np.fft.rfftfreq(len(rate), step)[1:]

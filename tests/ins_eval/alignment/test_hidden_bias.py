@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from ins_eval.alignment.analytic import level_and_gyrocompass
-from ins_eval.alignment.gyrocompass import bias_sensitivity
+from ins_eval.alignment.analytic import bias_sensitivity, level_and_gyrocompass
 from ins_eval.common import earth
 from ins_eval.common.rotation import mat_from_euler
 from ins_eval.common.state import State, position_error

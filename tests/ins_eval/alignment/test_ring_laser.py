@@ -11,8 +11,7 @@ from scipy.stats import chi2
 from ins_eval.alignment.align import align
 from ins_eval.alignment.alignment_figure import plot_alignment
 from ins_eval.alignment.analytic import AlignmentError, level_and_gyrocompass
-from ins_eval.alignment.inertial.inertial_frame import fit_inertial_frame
-from ins_eval.alignment.measured_noise import MeasuredNoise, measure_noise
+from ins_eval.alignment.inertial_frame import fit_inertial_frame
 from ins_eval.common.rotation import euler_from_mat
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.common.state import State
@@ -23,6 +22,7 @@ from ins_eval.navigation.strapdown import navigate
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
 from pyhrg.records.imu.increments import Increments
 from tests.ins_eval.alignment.cases import make_still_record
+from tests.ins_eval.alignment.measured_noise import MeasuredNoise, measure_noise
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 STATED = SensorErrors(

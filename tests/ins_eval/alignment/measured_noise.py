@@ -2,7 +2,7 @@
 
 The Allan deviation of a gyro there is that of the vehicle's motion. The innovations of the fine
 alignment are differences of gyros and accelerometers, which only their own noise causes.
-docs/methods/alignment.md, Eq. 12.
+docs/methods/alignment.md, Eq. 10.
 """
 
 from collections.abc import Callable
@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.optimize import minimize
 
-from ins_eval.alignment.inertial.inertial_frame import fit_inertial_frame
+from ins_eval.alignment.inertial_frame import fit_inertial_frame
 from ins_eval.alignment.kalman.dead_reckoning import Reckoning
 from ins_eval.alignment.kalman.fine import reckon_until_linear, run_filter
 from ins_eval.alignment.result import AlignmentError

@@ -34,11 +34,7 @@ def probability_within(radius: ArrayLike, mean: Array, covariance: Array) -> Arr
 
 
 def radius_quantile(probability: float, mean: Array, covariance: Array) -> Array:
-    """Radius (...) that is not exceeded with a probability; shapes as `probability_within`.
-
-    Raises:
-        ValueError: a probability that is not between 0 and 1.
-    """
+    """Radius (...) that is not exceeded with a probability; shapes as `probability_within`."""
     if not 0 < probability < 1:
         raise ValueError(f"probability {probability}: expected more than 0 and less than 1")
     along, across, major, minor = _principal_axes(mean, covariance)

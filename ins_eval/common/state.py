@@ -56,11 +56,7 @@ class TrackError:
 
 
 def track_error(track: Track, truth: Track) -> TrackError:
-    """Return the errors of a track against the truth at the same times.
-
-    Raises:
-        ValueError: the times differ by more than 1 microsecond.
-    """
+    """Return the errors of a track against the truth at the same times."""
     if len(track) != len(truth) or not np.allclose(track.time, truth.time, rtol=0, atol=1e-6):
         raise ValueError("track and truth: expected the same times")
     turned = track.mat_nb @ np.swapaxes(truth.mat_nb, -1, -2)

@@ -14,9 +14,8 @@ def discretize(f: Array, density: Array, step: float) -> tuple[Array, Array]:
 
     docs/methods/error_model.md, Eq. 7 (Van Loan 1978, Theorem 1).
 
-    Args:
-        f: (n, k, k) dynamics, 1/s; density: (n, k, k) of the white noise that drives the states;
-        step: duration of a step, s.
+    f: (n, k, k) dynamics, 1/s; density: (n, k, k) of the white noise that drives the states;; step:
+    duration of a step, s.
     """
     k = f.shape[-1]
     block = np.zeros((len(f), 2 * k, 2 * k))

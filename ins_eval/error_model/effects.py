@@ -74,9 +74,8 @@ def accelerometer_scale_factor() -> Effect:
 def bias_map(harmonic: int, first_angle: Array) -> tuple[Effect, Effect]:
     """Bias map: cosine and sine of a multiple of the pattern angle.
 
-    Args:
-        harmonic: multiple of the physical pattern angle: 2, 4 or 8.
-        first_angle: (3,) pattern angles at the motion's start, rad.
+    harmonic: multiple of the physical pattern angle: 2, 4 or 8; first_angle: (3,) pattern angles at
+    the motion's start, rad.
     """
 
     def effect(name: str, wave: Callable[[Array], Array]) -> Effect:

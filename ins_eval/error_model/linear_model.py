@@ -57,11 +57,8 @@ def linearize(
 ) -> LinearModel:
     """Linearize the navigator along a motion (docs/methods/error_model.md, Eqs. 2 to 8).
 
-    Args:
-        motion: the truth, or the motion of a navigator's track.
-        height: height aiding of the navigator.
-        effects: sensor errors that have coefficients.
-        noise: its angle and velocity random walks drive the model; None is no noise.
+    motion: the truth, or the motion of a navigator's track; noise: its angle and velocity random
+    walks drive the model; None is no noise.
     """
     model = assemble_model(
         motion, dynamics(motion, height), sensor_inputs(motion, height), effects, noise
@@ -96,11 +93,7 @@ def assemble_model(
 
 
 def join_models(first: LinearModel, then: LinearModel) -> LinearModel:
-    """Join two models with the same effects into one, first one and then the other.
-
-    Raises:
-        ValueError: the second does not begin where the first ends, or steps or effects differ.
-    """
+    """Join two models with the same effects into one, first one and then the other."""
     gap = then.time[0] - first.time[-1]
     if abs(gap) > 1e-6 or abs(first.step - then.step) > 1e-9 * then.step:
         raise ValueError(

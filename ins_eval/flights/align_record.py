@@ -98,11 +98,7 @@ def align(
 
 
 def read_standing_record(path: Path, place: Place, from_s: float, seconds: float) -> StandingRecord:
-    """A stretch of a log.
-
-    Raises:
-        HrgError: a log that is shorter, or does not say where it was recorded.
-    """
+    """A stretch of a log."""
     check_number("from_s", from_s, 0, 1e6)
     log, position = read_placed_record(path, place)
     stretch = cut_stretch(path, log.increments, from_s, seconds)
@@ -110,11 +106,7 @@ def read_standing_record(path: Path, place: Place, from_s: float, seconds: float
 
 
 def cut_stretch(path: Path, increments: Increments, from_s: float, seconds: float) -> Increments:
-    """Increments from a time since the log's beginning on.
-
-    Raises:
-        HrgError: a log that is shorter.
-    """
+    """Increments from a time since the log's beginning on."""
     begin, count = (round(time / increments.interval) for time in (from_s, seconds))
     if begin + count > len(increments):
         raise HrgError(

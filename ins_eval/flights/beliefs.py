@@ -52,9 +52,7 @@ def state_beliefs(imu: Imu, first_angle: Array | None = None) -> Beliefs:
     A calibrated whole-angle gyro's bias is cosine and sine of four times its pattern angle, of
     equal deviation: the same at every angle.
 
-    Args:
-        imu: any.
-        first_angle: (3,) pattern angles at the motion's start, rad; variances don't depend on them.
+    first_angle: (3,) pattern angles at the motion's start, rad; variances don't depend on them.
     """
     errors, force = imu.errors, imu.accelerometers
     triad = imu.gyros.error_model if isinstance(imu.gyros, StatedGyros) else IDEAL_SENSORS

@@ -49,16 +49,7 @@ def fly_runs(
 ) -> Runs:
     """All flights of a plan: on ideal increments first, then each run's.
 
-    Args:
-        plan: how to fly.
-        truth: sampled for the plan.
-        imu: that measures.
-        progress: is called with the number of flights done and the number of all.
-
-    Raises:
-        AlignmentError: what was measured can't be aligned on.
-        NavigationError: the navigator can't start or go on.
-        StartUpError: gyros that aren't ready after the warm-up, or fail in flight.
+    progress: is called with the number of flights done and the number of all.
     """
     if plan.alignment is not None:
         imu = imu.from_power_on()

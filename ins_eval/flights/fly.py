@@ -132,16 +132,7 @@ def fly_plan(
 ) -> Flight:
     """Flights by a plan; as `fly`.
 
-    Args:
-        plan: how to fly.
-        trajectory: covers the plan.
-        imu: its increments have the plan's interval.
-        progress: as in `fly`.
-
-    Raises:
-        AlignmentError: what was measured can't be aligned on.
-        NavigationError: the navigator can't start or go on.
-        StartUpError: the gyros are not ready after the warm-up.
+    imu: its increments have the plan's interval; progress: as in `fly`.
     """
     truth = sample_truth(plan, trajectory)
     flown = fly_runs(plan, truth, imu, progress)

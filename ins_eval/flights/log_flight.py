@@ -42,17 +42,8 @@ def navigate_log(
 ) -> FlightData:
     """Align on a log's beginning, and navigate.
 
-    Args:
-        plan: with an alignment.
-        name: of the log.
-        log: at rest until alignment ends.
-        position: (3,) at its beginning: latitude, longitude, rad, height, m.
-        errors: of its sensors, as alignment believes them.
-        reference: the truth, if there is one; it holds the height too.
-
-    Raises:
-        AlignmentError: its beginning can't be aligned on.
-        NavigationError: the navigator can't start or go on.
+    position: (3,) at its beginning: latitude, longitude, rad, height, m; errors: of its sensors, as
+    alignment believes them; reference: the truth, if there is one; it holds the height too.
     """
     _, zero = count_still_increments(plan.alignment, plan.interval, warm_up=0.0)
     log = replace(log, start=-zero * log.interval)

@@ -69,18 +69,9 @@ def plan_simulation(
 ) -> Plan:
     """Plan of flights of a simulated IMU.
 
-    Args:
-        interval: duration of one increment, s.
-        hours: duration of a flight, in whole minutes.
-        samples: increments a navigation step, 2 to 4.
-        height: what holds the height.
-        align_s: time from power-on to time 0, warm-up and alignment in it; None starts from the
-            true attitude.
-        seed: of everything random.
-        runs: number of flights.
-
-    Raises:
-        HrgError: a number out of range.
+    interval: duration of one increment, s; hours: duration of a flight, in whole minutes; samples:
+    increments a navigation step, 2 to 4; align_s: time from power-on to time 0, warm-up and
+    alignment in it; None starts from the true attitude.
     """
     spacing = count_row_increments(interval, check_whole_number("samples", samples, 2, 4))
     wanted = check_whole_minutes("hours", hours, LONGEST_HOURS) * 60 / interval
@@ -113,15 +104,8 @@ def plan_log(
 ) -> Plan:
     """Plan of the dead reckoning of a recorded log.
 
-    Args:
-        name: of the log, for messages.
-        increments: what the log holds.
-        hours: duration of the flight in whole minutes; all that follows the alignment if None.
-        samples, height: as in `plan_simulation`.
-        align_s: duration of the alignment at the log's beginning.
-
-    Raises:
-        HrgError: a number out of range, or a log that is too short.
+    hours: duration of the flight in whole minutes; all that follows the alignment if None; samples,
+    height: as in `plan_simulation`; align_s: duration of the alignment at the log's beginning.
     """
     interval, alignment = increments.interval, _check_alignment(align_s)
     spacing = count_row_increments(interval, check_whole_number("samples", samples, 2, 4))

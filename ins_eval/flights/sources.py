@@ -35,11 +35,7 @@ class Place:
     height_m: float = 0.0
 
     def check(self) -> "Place":
-        """The place itself.
-
-        Raises:
-            HrgError: a number out of range, or a longitude or height without a latitude.
-        """
+        """The place itself."""
         if self.latitude_deg is None:
             for name in ("longitude_deg", "height_m"):
                 if getattr(self, name):
@@ -54,12 +50,7 @@ class Place:
 
 
 def load_imu_at_rate(imu: Imu | str, rate_hz: int | None) -> Imu:
-    """An IMU, a ready one or one from a file, at its own rate or another.
-
-    Raises:
-        SpecificationError: neither a ready IMU nor a usable file.
-        HrgError: a rate out of range, or whole-angle gyros that can't be read at this rate.
-    """
+    """An IMU, a ready one or one from a file, at its own rate or another."""
     name = imu.name if isinstance(imu, Imu) else imu
     loaded = imu if isinstance(imu, Imu) else load_imu(imu)
     if rate_hz is not None:
@@ -73,12 +64,7 @@ def load_imu_at_rate(imu: Imu | str, rate_hz: int | None) -> Imu:
 
 
 def read_placed_record(path: Path, place: Place) -> tuple[ImuRecord, Array]:
-    """A recorded log, and (3,) latitude, longitude (rad), height (m) of the place.
-
-    Raises:
-        LogError: an unreadable file, or one with something in it that can't be.
-        HrgError: neither the log nor the caller says where it was recorded.
-    """
+    """A recorded log, and (3,) latitude, longitude (rad), height (m) of the place."""
     record = read_record(path)
     place = place.check()
     if place.latitude_deg is None:
@@ -92,15 +78,9 @@ def read_placed_record(path: Path, place: Place) -> tuple[ImuRecord, Array]:
 def find_reference(name: str, position: Array, first: float, last: float) -> Reference | None:
     """The truth of a log; None where there is none.
 
-    Args:
-        name: `NO_TRUTH`, `AT_REST`, or a recorded drive whose first row is at the log's beginning.
-        position: (3,) of the log.
-        first: time of the log's beginning, s, counted from time 0: negative.
-        last: time of its end, s.
-
-    Raises:
-        TrajectoryError: an unreadable drive, or one that is wrong.
-        HrgError: a drive that is shorter than the log, or begins elsewhere.
+    name: `NO_TRUTH`, `AT_REST`, or a recorded drive whose first row is at the log's beginning;
+    position: (3,) of the log; first: time of the log's beginning, s, counted from time 0: negative;
+    last: time of its end, s.
     """
     if name == NO_TRUTH:
         return None

@@ -60,11 +60,7 @@ class FmuGyros:
         return [replace(d, **own) for d, own in zip(drawn, self.differences, strict=True)]
 
     def check_interval(self, interval: float) -> None:
-        """Refuse an interval, s, that is not a multiple of the electronics' control period.
-
-        Raises:
-            HrgError: it is not.
-        """
+        """Refuse an interval, s, that is not a multiple of the electronics' control period."""
         periods = interval / self.device.control_period
         if round(periods) < 1 or abs(periods - round(periods)) > 1e-6:
             raise HrgError(
@@ -75,13 +71,7 @@ class FmuGyros:
     def measure(
         self, truth: Increments, mounting: Mounting, generator: np.random.Generator
     ) -> GyroReading:
-        """See `Gyros`.
-
-        Raises:
-            HrgError: the interval is not a multiple of the electronics' control period.
-            GyroError: a value that the FMU refuses.
-            TranslationError, BuildError: the model can't be built.
-        """
+        """See `Gyros`."""
         self.check_interval(truth.interval)
         fmu = self.fmu or GyroFmu(build_fmu())
         devices = self.devices(generator)
@@ -108,22 +98,13 @@ class FmuGyros:
 def device(name_or_path: str, folder: Path) -> Device:
     """Load a device that comes with the package, by its name, or one from a file.
 
-    Args:
-        name_or_path: name of a ready device, or a file.
-        folder: to which a relative path refers.
-
-    Raises:
-        DeviceError: see `load_device`.
+    name_or_path: name of a ready device, or a file.
     """
     return load_device(name_or_path if name_or_path in READY else folder / name_or_path)
 
 
 def read_differences(document: Mapping[str, Any], source: str) -> dict[str, Any]:
-    """Read the fields of `Device` that a table with keys of a device file states.
-
-    Raises:
-        DeviceError: see `device_file.from_table`.
-    """
+    """Read the fields of `Device` that a table with keys of a device file states."""
     stated = device_file.from_table(document, source)
     fields_by_key = {key.name: key.field for key in KEYS}
     return {
@@ -141,13 +122,7 @@ def simulate_gyros(
 ) -> GyroReading:
     """Simulate three given gyros on the true motion.
 
-    Args:
-        fmu: model of the gyros.
-        devices: parameters of each gyro.
-        truth: true increments.
-        mounting: of the input axes.
-        generator: of the noise seeds.
-        calibrated: whether each gyro's mean bias is measured on the bench and subtracted.
+    calibrated: whether each gyro's mean bias is measured on the bench and subtracted.
     """
     benches = [Bench(fmu, device, seed=int(generator.integers(2**63))) for device in devices]
     components = mounting.project(truth.rotation)
@@ -200,12 +175,8 @@ class GyroOutput:
 def simulate_gyro(bench: Bench, rotation: Array, force: Array, interval: float) -> GyroOutput:
     """Switch a gyro on and simulate it on a motion; the same bench gives the same noise.
 
-    Args:
-        bench: of the gyro.
-        rotation: (n,) true rotation about the input axis in each interval, rad.
-        force: (n, 3) mean specific force along the axes of the case, m/s^2; the third axis is the
-            input axis.
-        interval: s.
+    rotation: (n,) true rotation about the input axis in each interval, rad; force: (n, 3) mean
+    specific force along the axes of the case, m/s^2; the third axis is the input axis; interval: s.
     """
     inputs = {"angularRate": rotation / interval}
     inputs |= {f"acceleration{axis}": force[:, i] for i, axis in enumerate("XYZ")}

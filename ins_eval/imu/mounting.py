@@ -42,12 +42,7 @@ class Mounting:
 
 
 def make_mounting(directions: ArrayLike) -> Mounting:
-    """Make a mounting that is known exactly, from directions (3, 3) of any length, one a row.
-
-    Raises:
-        MountingError: a direction of length 0, or axes so nearly in a plane that their condition
-            number exceeds `MAX_CONDITION_NUMBER`.
-    """
+    """Make a mounting that is known exactly, from directions (3, 3) of any length, one a row."""
     axes = normalize_rows(np.asarray(directions, dtype=np.float64))
     condition = float(np.linalg.cond(axes))
     if not condition <= MAX_CONDITION_NUMBER:
@@ -59,11 +54,7 @@ def make_mounting(directions: ArrayLike) -> Mounting:
 
 
 def normalize_rows(directions: Array) -> Array:
-    """Return rows (3, 3) of length one.
-
-    Raises:
-        MountingError: a row that is zero or not finite, or another shape than (3, 3).
-    """
+    """Return rows (3, 3) of length one."""
     if directions.shape != (3, 3):
         raise MountingError(f"found axes of shape {directions.shape}, expected (3, 3)")
     length = np.linalg.norm(directions, axis=1, keepdims=True)

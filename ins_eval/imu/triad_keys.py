@@ -52,11 +52,7 @@ def error_keys(keys: tuple[ErrorKey, ...]) -> list[str]:
 
 
 def read_error_model(table: TomlTable, keys: tuple[ErrorKey, ...]) -> SensorErrorModel:
-    """The triad of a table.
-
-    Raises:
-        SpecificationError: a value that is no number or out of range.
-    """
+    """The triad of a table."""
     values: dict[str, Any] = {key.field: _value(table, key) for key in keys}
     return SensorErrorModel(**values)
 

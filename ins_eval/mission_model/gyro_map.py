@@ -100,11 +100,8 @@ def measure_gyro_map(
 
     Half a turn is a period of the second harmonic.
 
-    Args:
-        fmu: `HRGSlow`.
-        parameters: parameters of the FMU, SI; every noise is zero.
-        inputs: further inputs of the FMU during the sweep, (sweep.rows,) each, SI.
-        sweep: the turntable's motion.
+    fmu: `HRGSlow`; parameters: parameters of the FMU, SI; every noise is zero; inputs: further
+    inputs of the FMU during the sweep, (sweep.rows,) each, SI; sweep: the turntable's motion.
     """
     others = {name: values[:, None] for name, values in (inputs or {}).items()}
     rows, errors = [], []

@@ -122,10 +122,9 @@ def _propagate(
 ) -> tuple[Array, Array, Array]:
     """Position errors by coefficient, and the matrices of all steps.
 
-    Returns:
-        (k, 2, 3 effects + 3) error north and east after the kept steps, m, per coefficient and per
-        attitude error after the alignment; transition matrices and errors per rate error of all
-        steps, as `compute_error_weights` takes them.
+    Returns (k, 2, 3 effects + 3) error north and east after the kept steps, m, per coefficient and
+    per attitude error after the alignment; transition matrices and errors per rate error of all
+    steps, as `compute_error_weights` takes them.
     """
     kept_steps = set(kept.tolist())
     carried, position, steps = np.zeros((COUNT, AXES * (effects + 1))), [], 0

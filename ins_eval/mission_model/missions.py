@@ -47,12 +47,8 @@ class StudyMission:
 def plan_mission(source: str | Path, hours: float) -> StudyMission:
     """A mission of the hours asked for, or of its own duration where that is shorter.
 
-    Args:
-        source: name of a ready mission, or a file, as `catalogue.load_trajectory` takes it.
-        hours: duration of the navigation, up to `LONGEST_HOURS`.
-
-    Raises:
-        TrajectoryError: hours out of range; no such mission or file.
+    source: name of a ready mission, or a file, as `catalogue.load_trajectory` takes it; hours:
+    duration of the navigation, up to `LONGEST_HOURS`.
     """
     if not 0 < hours <= LONGEST_HOURS:
         raise TrajectoryError(

@@ -92,9 +92,8 @@ def list_drift_effects(integrals: TurningIntegrals) -> list[Effect]:
 def compute_drift_products(in_flight: Array, turning: Array) -> Array:
     """(r, COUNT, 3) products of coefficients: (rad/s)^2 for the bias, rad/s for the scale factor.
 
-    Args:
-        in_flight: (r, signals.COUNT, 3) coefficients in flight.
-        turning: (r, TURNING_TERMS, 3) bias that turns the pattern, rad/s.
+    in_flight: (r, signals.COUNT, 3) coefficients in flight; turning: (r, TURNING_TERMS, 3) bias
+    that turns the pattern, rad/s.
     """
     warm = in_flight[:, slice_coefficients(STEADY)] + sum(
         np.split(in_flight[:, slice_coefficients(WARMING)], 2, axis=1)

@@ -55,10 +55,7 @@ def compute_position_errors(
 ) -> PositionErrors:
     """Position errors of a block of triads in a mission.
 
-    Args:
-        triads: the block.
-        weights: weights of the mission.
-        mission: number of the mission in the study; with a triad's seed it decides the noise.
+    mission: number of the mission in the study; with a triad's seed it decides the noise.
     """
 
     def part(signals: slice) -> Array:
@@ -101,11 +98,8 @@ def draw_noise_errors(
 ) -> Array:
     """(r, k, 2) position error, m, of one draw of the gyros' noise (Eq. 11).
 
-    Args:
-        weights: weights of the mission.
-        strengths: (r, KINDS, 3) strengths of each gyro's noise, in the units of `KINDS`.
-        seeds: (r, 2) entropy of each triad; with the mission's number it decides the draw.
-        mission: number of the mission.
+    strengths: (r, KINDS, 3) strengths of each gyro's noise, in the units of `KINDS`; seeds: (r, 2)
+    entropy of each triad; with the mission's number it decides the draw.
     """
     rows = weights.noise.shape[-1]
     normal = np.empty((len(seeds), len(KINDS), 3, rows))

@@ -115,11 +115,8 @@ def list_signal_effects() -> list[Effect]:
 def follow_signal(effect: Effect, signal: Signal, angle_error: Regressor | None = None) -> Effect:
     """The effect whose coefficient follows a signal (Eq. 4).
 
-    Args:
-        effect: the effect of a constant coefficient.
-        signal: the signal.
-        angle_error: (m, 3) error of the detected angle, rad per unit of the coefficient, where the
-            effect is the rate of such an error.
+    angle_error: (m, 3) error of the detected angle, rad per unit of the coefficient, where the
+    effect is the rate of such an error.
     """
 
     def regressor(motion: Motion) -> Array:
@@ -136,8 +133,7 @@ def list_angle_errors(first_angle: Array) -> list[Regressor]:
 
     Cosine and sine of each harmonic in turn.
 
-    Args:
-        first_angle: (3,) pattern angles at the motion's start, rad.
+    first_angle: (3,) pattern angles at the motion's start, rad.
     """
 
     def error(harmonic: int, sign: float, wave: Callable[[Array], Array]) -> Regressor:

@@ -22,9 +22,7 @@ DIGESTED_PACKAGES = ("alignment", "common", "error_model", "mission_model", "tra
 def load_mission_weights(mission: StudyMission, folder: Path | None = None) -> MissionWeights:
     """Weights of a mission, from the cache, or computed and put there.
 
-    Args:
-        mission: the mission.
-        folder: folder of the cache; the user's own if None.
+    folder: folder of the cache; the user's own if None.
     """
     folder = folder or platformdirs.user_cache_path("hrg") / "weights"
     path = folder / f"{mission.name}-{compute_weights_digest(mission)[:16]}.npz"

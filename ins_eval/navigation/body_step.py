@@ -25,15 +25,13 @@ def integrate_body_step(
 ) -> tuple[Vector, Vector, Vector]:
     """Integrate the increments of one step (docs/methods/navigation.md, Eqs. 1 to 4).
 
-    Args:
-        rotation, velocity: (n, 3) increments, rad and m/s; the step begins with row `first`.
-        coefficients: of as many increments as the step has.
+    rotation, velocity: (n, 3) increments, rad and m/s; the step begins with row `first`;
+    coefficients: of as many increments as the step has.
 
-    Returns:
-        In the body axes at the step's start: rotation vector, rad; velocity change by specific
-        force, m/s; mean of the velocity change over the step, m/s. All are exact for constant rate
-        and force at any angle; coning, sculling and scrolling terms are added (Savage 1998, Part I
-        Eq. 23, Part II Eqs. 19 and 82).
+    Returns in the body axes at the step's start: rotation vector, rad; velocity change by specific
+    force, m/s; mean of the velocity change over the step, m/s. All are exact for constant rate and
+    force at any angle; coning, sculling and scrolling terms are added (Savage 1998, Part I Eq. 23,
+    Part II Eqs. 19 and 82).
     """
     turning, scrolling, mean = coefficients
     n = len(mean)

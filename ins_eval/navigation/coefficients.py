@@ -36,11 +36,7 @@ class StepCoefficients(NamedTuple):
 
 @lru_cache
 def derive_coefficients(samples: int) -> StepCoefficients:
-    """Derive the coefficients for steps of 2, 3 or 4 increments.
-
-    Raises:
-        HrgError: another number of increments.
-    """
+    """Derive the coefficients for steps of 2, 3 or 4 increments."""
     if samples not in SAMPLES_PER_STEP:
         raise HrgError(f"samples: found {samples} increments a step, expected 2, 3 or 4")
     rates = _unit_integrals(samples)

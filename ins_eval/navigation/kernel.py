@@ -84,13 +84,12 @@ def turn_navigation_axes(
 
     Two passes of docs/methods/navigation.md, Eqs. 10 and 11 (Groves 2013, Eq. 5.54).
 
-    Args:
-        average: mean velocity over the step as it would be in axes that do not turn, m/s.
-        change: velocity change by specific force, m/s.
-        clamped: whether the mean vertical velocity is given by the height reference.
+    average: mean velocity over the step as it would be in axes that do not turn, m/s; change:
+    velocity change by specific force, m/s; clamped: whether the mean vertical velocity is given by
+    the height reference.
 
-    Returns:
-        Rotation vector of the navigation axes against inertial space, rad; velocity change, m/s.
+    Returns rotation vector of the navigation axes against inertial space, rad; velocity change,
+    m/s.
     """
     omega_ie = (earth.RATE * place.cos, 0.0, -earth.RATE * place.sin)
     turn, coriolis, mean = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), average
@@ -142,10 +141,8 @@ def advance_vertical_channel(
 
     docs/methods/navigation.md, Eqs. 13 and 14.
 
-    Args:
-        now: the same three before the step.
-        pushed: velocity change down without gravity, m/s, its mean over the step, m/s, and the
-            predicted height at the step's middle, m.
+    pushed: velocity change down without gravity, m/s, its mean over the step, m/s, and the
+    predicted height at the step's middle, m.
     """
     if channel.clamped:
         return (channel.height[k + 1], -channel.climb[k + 1], 0.0)
@@ -189,9 +186,8 @@ def resolve_step(
 ) -> tuple[Midpoint, Vector, Vector, Vector]:
     """Resolve the result of `integrate_body_step` in navigation axes.
 
-    Returns:
-        Middle of the step; rotation vector of the navigation axes, rad; velocity change without
-        gravity, m/s; its mean over the step, m/s.
+    Returns middle of the step; rotation vector of the navigation axes, rad; velocity change without
+    gravity, m/s; its mean over the step, m/s.
     """
     change, moving = rotate(q, body[1]), rotate(q, body[2])
     gravity = earth.gravity(latitude, height)
@@ -218,14 +214,12 @@ def run_steps(
 ) -> tuple[int, float, float]:
     """Navigate through all increments, and store every `keep`-th step's state in `out`.
 
-    Args:
-        position: latitude, longitude, rad, height, m; vel: velocity, m/s; q: body to navigation.
-        interval: of the increments, s; rotation, velocity: (n, 3) increments, rad and m/s.
-        out: (m, STATE_SIZE).
+    position: latitude, longitude, rad, height, m; vel: velocity, m/s; q: body to navigation;
+    interval: of the increments, s; rotation, velocity: (n, 3) increments, rad and m/s; out: (m,
+    STATE_SIZE).
 
-    Returns:
-        Number of steps made, latitude and height. It stops early where a limit is exceeded or the
-        state is not finite.
+    Returns number of steps made, latitude and height. It stops early where a limit is exceeded or
+    the state is not finite.
     """
     samples = len(coefficients.mean)
     step = samples * interval

@@ -47,11 +47,8 @@ class MappedGyro:
     def flight(self, truth: Increments, axis: int, start: Start, with_maps: bool) -> GyroOutput:
         """Output from power-on, with the same noise each time.
 
-        Args:
-            truth: true increments.
-            axis: of the body, along which the gyro is mounted.
-            start: where the pattern starts, as well as power-on angles repeat.
-            with_maps: whether the electronics have the maps.
+        axis: of the body, along which the gyro is mounted; start: where the pattern starts, as well
+        as power-on angles repeat.
         """
         device = self.calibrated if with_maps else self.bench.device
         if start in ANGLES:
@@ -64,9 +61,7 @@ class MappedGyro:
 def measure_maps(bench: Bench, plan: Plan | None = None) -> MappedGyro:
     """The maker's calibration, power-ons apart: positions, 100 s each, and turns both ways.
 
-    Args:
-        bench: with the gyro on it.
-        plan: of the positions; the 24 of the bench's full-circumference test, if None.
+    plan: of the positions; the 24 of the bench's full-circumference test, if None.
     """
     power_ons = plan_power_ons(bench, plan, runs=1, segments=1)
     found = fit_maps(bench.campaign([bench.log(task) for task in power_ons]))

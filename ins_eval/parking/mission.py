@@ -51,9 +51,8 @@ class Mission:
     def align(self, measured: Increments, ready: float = -STILL) -> Array:
         """`mat_nb` (3, 3) at time 0.
 
-        Args:
-            measured: over the same intervals as `truth`; none after time 0 is looked at.
-            ready: time from which on all gyros are ready, s.
+        measured: over the same intervals as `truth`; none after time 0 is looked at; ready: time
+        from which on all gyros are ready, s.
         """
         first, zero = int(np.ceil((ready + STILL) / INTERVAL - 1e-6)), round(STILL / INTERVAL)
         return level_and_gyrocompass(measured.between(first, zero), float(self.start[0]))
@@ -68,8 +67,7 @@ class Mission:
     def fly(self, measured: Increments, ready: float = -STILL) -> Array:
         """Align and navigate on measured increments; arguments as for `align`.
 
-        Returns:
-            (m, 2) north and east position error at the times `time`, m.
+        Returns (m, 2) north and east position error at the times `time`, m.
         """
         latitude, longitude, height = map(float, self.start)
         mat_nb = self.align(measured, ready)
@@ -81,11 +79,7 @@ class Mission:
 
 def find_ready_time(good: NDArray[np.bool_] | None) -> float:
     """Time from which on, until time 0, every interval of a record from power-on is good, s; None
-    are good throughout.
-
-    Raises:
-        StartUpError: the last one before time 0 isn't.
-    """
+    are good throughout."""
     if good is None:
         return -STILL
     rest = round(STILL / INTERVAL)

@@ -79,16 +79,10 @@ def compare(
 ) -> Comparison:
     """Fly every triad in every case.
 
-    Args:
-        fmu_path: the gyro's model.
-        mission: what is flown.
-        triads: how many.
-        seed: of everything random; the same seed gives the same result on any number of workers.
-        device: the triads are of its kind (`Device.another`).
-        accelerometers: of every triad.
-        plan: of the positions at which maps are measured (`mapped`).
-        workers: threads; as many as this process has cores, if not given.
-        progress: is called with the gyro minutes done and those of all.
+    fmu_path: the gyro's model; seed: of everything random; the same seed gives the same result on
+    any number of workers; device: the triads are of its kind (`Device.another`); plan: of the
+    positions at which maps are measured (`mapped`); workers: threads; as many as this process has
+    cores, if not given; progress: is called with the gyro minutes done and those of all.
     """
     fmu = GyroFmu(fmu_path)
     fmu.prepare()

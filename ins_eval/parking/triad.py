@@ -43,10 +43,7 @@ class TriadFlights:
 def fly_triad(gyros: Sequence[MappedGyro], velocity: Array, mission: Mission) -> TriadFlights:
     """All cases, with the same noise and the same accelerometers.
 
-    Args:
-        gyros: along the body axes.
-        velocity: (n, 3) increments of the accelerometers, m/s.
-        mission: what is flown.
+    velocity: (n, 3) increments of the accelerometers, m/s.
     """
 
     @cache

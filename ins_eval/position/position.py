@@ -88,15 +88,7 @@ def compute_mission_gaps(
 ) -> MissionGaps:
     """Position errors of the nominal and the identified device, compared in each mission.
 
-    Args:
-        fmu: `HRGSlow`.
-        diagnosis: of one gyro.
-        request: missions and numbers.
-        report: is called with a line of text at each step.
-
-    Raises:
-        TrajectoryError: no such mission, or hours out of range.
-        GyroError: values that the FMU refuses.
+    fmu: `HRGSlow`; report: is called with a line of text at each step.
     """
     missions = [_plan_mission(source, request.hours) for source in request.missions]
     gyros = measure_gyro(fmu, diagnosis.nominal), measure_gyro(fmu, diagnosis.identified)

@@ -36,10 +36,8 @@ def compute_error_parts(
 ) -> dict[str, Array]:
     """Position error north and east without noise, by part: (r, k, 2) m each.
 
-    Args:
-        weights: of the mission, with k instants.
-        in_flight: coefficients of r triads, as `Gyro.compute_flight_coefficients` returns them;
-            the gyros lie along forward, right and down.
+    in_flight: coefficients of r triads, as `Gyro.compute_flight_coefficients` returns them; the
+    gyros lie along forward, right and down.
     """
     maps, turning = in_flight
     rate = np.einsum("ca,rca->ra", weights.alignment.rates, maps)

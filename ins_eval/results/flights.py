@@ -23,12 +23,7 @@ def tabulate_navigated(tracks: Sequence[Track]) -> xr.Dataset:
 def compare_with_truth(tracks: Sequence[Track], truth: Track) -> xr.Dataset:
     """Navigated and true states, and the errors between them.
 
-    Args:
-        tracks: of the runs, all at the truth's times.
-        truth: at the same times.
-
-    Raises:
-        ValueError: the times differ.
+    tracks: of the runs, all at the truth's times.
     """
     errors = np.stack([error_columns(track_error(track, truth)) for track in tracks], axis=1)
     radial = np.hypot(errors[0], errors[1])[None]
@@ -51,10 +46,8 @@ def tabulate_own_error(track: Track, truth: Track) -> xr.Dataset:
 def tabulate_sigmas(time: Array, covariance: Array) -> xr.Dataset:
     """1-sigma of position, velocity and attitude.
 
-    Args:
-        time: (m,) s.
-        covariance: (m, k, k), k >= 9, of position (m), velocity (m/s), attitude (rad) north, east,
-            down in this order.
+    time: (m,) s; covariance: (m, k, k), k >= 9, of position (m), velocity (m/s), attitude (rad)
+    north, east, down in this order.
     """
     deviations = np.sqrt(np.diagonal(covariance, axis1=-2, axis2=-1)[:, :9]).T
     deviations[ATTITUDE] = np.rad2deg(deviations[ATTITUDE])

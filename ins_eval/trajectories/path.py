@@ -103,15 +103,8 @@ def compute_knots(
 ) -> Knots:
     """Compute equally spaced knots: at rest before time 0, then along the legs.
 
-    Args:
-        origin: beginning of the path.
-        legs: one after another from time 0; the last one is continued as it ends.
-        motions: of the overlays.
-        still: time at rest before time 0, s.
-        until: time of the end, s; the knots end up to one spacing later.
-
-    Raises:
-        TrajectoryError: the path passes 89 deg of latitude.
+    legs: one after another from time 0; the last one is continued as it ends; still: time at rest
+    before time 0, s; until: time of the end, s; the knots end up to one spacing later.
     """
     spacing = _choose_spacing(legs, motions)
     grid = spacing * np.arange(max(math.ceil(until / spacing - 1e-9), MIN_KNOTS) + 1.0)

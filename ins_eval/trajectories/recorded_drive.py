@@ -110,14 +110,7 @@ def repeat_drive(drive: Drive, duration: float, still: float = 0.0) -> Trajector
 
     Each repetition begins where the one before ended. Joints change velocity and attitude smoothly.
 
-    Args:
-        drive: what is repeated.
-        duration: time after time 0, s.
-        still: time at rest before time 0, s.
-
-    Raises:
-        TrajectoryError: times below 0.
-        DriveError: the repeated drive leaves the latitudes that are allowed.
+    duration: time after time 0, s; still: time at rest before time 0, s.
     """
     check_durations(drive.name, duration, still)
     standing = np.arange(-still, 0.5, 1.0)

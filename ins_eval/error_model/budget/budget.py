@@ -19,16 +19,11 @@ def compute_budget(
 
     docs/methods/error_model.md, Eq. 12.
 
-    Args:
-        weights: of the model, which may include the alignment.
-        signals: sensor errors (measured less true) by effect; whole intervals fill a model's step.
-        initial: (10,) errors at the model's start.
+    weights: of the model, which may include the alignment; signals: sensor errors (measured less
+    true) by effect; whole intervals fill a model's step; initial: (10,) errors at the model's
+    start.
 
-    Returns:
-        `contribution` (effect, axis, time, component) and `initial` (state, component), m.
-
-    Raises:
-        ValueError: signals that do not cover the model's steps.
+    Returns `contribution` (effect, axis, time, component) and `initial` (state, component), m.
     """
     model = weights.model
     steps = {

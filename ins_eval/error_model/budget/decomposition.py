@@ -17,11 +17,7 @@ UNEXPLAINED = "noise and rest"
 
 
 def sensor_error(measured: Increments, truth: Increments) -> Increments:
-    """Return measured less true increments.
-
-    Raises:
-        ValueError: increments of different times.
-    """
+    """Return measured less true increments."""
     same = len(measured) == len(truth) and np.isclose(measured.interval, truth.interval)
     if not same or abs(measured.start - truth.start) > 1e-6:
         raise ValueError(
@@ -37,12 +33,7 @@ def sensor_error(measured: Increments, truth: Increments) -> Increments:
 
 
 def sum_over_steps(increments: Increments, start: float, step: float, count: int) -> Increments:
-    """Sum increments over `count` steps of `step` seconds from time `start`.
-
-    Raises:
-        ValueError: a step that is not a whole number of intervals, or increments that do not cover
-            the steps.
-    """
+    """Sum increments over `count` steps of `step` seconds from time `start`."""
     each = round(step / increments.interval)
     first = round((start - increments.start) / increments.interval)
     off = start - increments.start - first * increments.interval

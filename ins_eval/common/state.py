@@ -22,6 +22,17 @@ class State:
     velocity: Array
     mat_nb: Array
 
+    @staticmethod
+    def at_rest(position: Array, mat_nb: Array) -> "State":
+        """The state of a vehicle at rest at a position (3,), with attitude (3, 3)."""
+        latitude, longitude, height = map(float, position)
+        return State(latitude, longitude, height, np.zeros(3), mat_nb)
+
+    @property
+    def position(self) -> Array:
+        """(3,) latitude, longitude, rad, height, m."""
+        return np.array([self.latitude, self.longitude, self.height])
+
 
 @dataclass(frozen=True)
 class Track:

@@ -67,7 +67,7 @@ def make_document(
         "duration_s": increments.duration,
         "rate_hz": 1 / increments.interval,
         "latitude_deg": float(np.rad2deg(record.position[0])),
-        "believed": list_believed_errors(errors),
+        "believed": list_assumed_errors(errors),
         "alignment": describe_alignment(alignment),
     }
     if record.mat_nb is not None:
@@ -82,7 +82,7 @@ def write(record: StandingRecord, alignment: Alignment, errors: SensorErrors, fo
     save_png(plot_alignment(alignment, record.name), folder / "align.png")
 
 
-def list_believed_errors(errors: SensorErrors) -> dict[str, float]:
+def list_assumed_errors(errors: SensorErrors) -> dict[str, float]:
     """Sensor errors that the covariance rests on."""
     return {
         "gyro_bias_deg_per_h": errors.gyro_bias / DEG_PER_H,

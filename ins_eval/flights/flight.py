@@ -10,9 +10,10 @@ from ins_eval.alignment.result import Alignment
 from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.common.state import Track
-from ins_eval.flights.plan import WARM_UP, Plan
+from ins_eval.flights.plan import Plan
 from ins_eval.flights.truth import Truth
 from ins_eval.imu.imu import Imu, ImuReading, StartUpError
+from ins_eval.mission_model.missions import SETTLING
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
 from ins_eval.navigation.strapdown import navigate
 from pyhrg.records.imu.increments import Increments
@@ -85,7 +86,7 @@ def _run(plan: Plan, truth: Truth, imu: Imu, seed: int) -> Run:
     measured = imu.measure(truth.increments, seed)
     if measured.ready is not None and not np.all(measured.ready[truth.warm :]):
         raise StartUpError(
-            f"{imu.name}: gyros are not ready throughout; expected them to be {WARM_UP:g} s after "
+            f"{imu.name}: gyros are not ready throughout; expected them to be {SETTLING:g} s after "
             "power-on, when alignment begins, and from then on"
         )
     alignment = _align(plan, truth, measured.increments, imu.errors)

@@ -13,7 +13,6 @@ from ins_eval.error_model.aligning import model_alignment
 from ins_eval.error_model.budget.adjoint import compute_weights
 from ins_eval.error_model.budget.budget import compute_budget
 from ins_eval.error_model.budget.decomposition import (
-    Prior,
     decompose_errors,
     sensor_error,
     sum_over_steps,
@@ -27,7 +26,7 @@ from ins_eval.error_model.linear_model import (
 )
 from ins_eval.error_model.motion import Motion, sample_motion
 from ins_eval.error_model.states import ATTITUDE, COUNT
-from ins_eval.flights.beliefs import Beliefs, state_beliefs
+from ins_eval.flights.assumed_errors import AssumedErrors, assume_errors
 from ins_eval.flights.flight import Run, hold_height
 from ins_eval.flights.flown import Budget
 from ins_eval.flights.plan import Plan
@@ -67,18 +66,18 @@ def choose_steps(plan: Plan) -> Steps:
 
 
 def propagate_flight_covariance(
-    plan: Plan, truth: Truth, believed: Beliefs, alignment: Alignment | None
+    plan: Plan, truth: Truth, assumed: AssumedErrors, alignment: Alignment | None
 ) -> Array:
     """Covariance of the flight's errors at the kept times, (m, 10, 10).
 
     What an alignment's covariance holds beyond its sensors' constant errors counts as an error of
     its own.
     """
-    grid, deviations = choose_steps(plan), believed.deviations
+    grid, deviations = choose_steps(plan), assumed.deviations
     initial = np.zeros((COUNT, COUNT))
-    model = _flight(plan, truth, believed.effects, believed.noise)
+    model = _flight(plan, truth, assumed.effects, assumed.noise)
     if alignment:
-        before = _alignment(plan, truth, believed.effects)
+        before = _alignment(plan, truth, assumed.effects)
         explained = propagate_covariance(before, initial, deviations)[-1][ATTITUDE, ATTITUDE]
         initial[ATTITUDE, ATTITUDE] = clip_negative_eigenvalues(alignment.covariance - explained)
         model = join_models(before, model)
@@ -102,13 +101,10 @@ def compute_error_budget(plan: Plan, truth: Truth, imu: Imu, run: Run) -> Budget
         initial[ATTITUDE] -= _explained(before, error)
         model = join_models(before, model)
     motion = _motion(plan, truth, -grid.alignment, grid.alignment + grid.flight)
-    believed = state_beliefs(imu, _first_angle(imu, run.measured, motion.start)).constant
-    prior = Prior(believed.deviations, believed.noise)
+    assumed = assume_errors(imu, _first_angle(imu, run.measured, motion.start)).constant
     found = compute_weights(model)
-    return Budget(
-        compute_budget(found, decompose_errors(error, motion, believed.effects, prior), initial),
-        found,
-    )
+    signals = decompose_errors(error, motion, assumed.effects, assumed.deviations, assumed.noise)
+    return Budget(compute_budget(found, signals, initial), found)
 
 
 def _first_angle(imu: Imu, measured: ImuReading, start: float) -> Array | None:

@@ -43,15 +43,14 @@ def navigate_log(
     """Align on a log's beginning, and navigate.
 
     position: (3,) at its beginning: latitude, longitude, rad, height, m; errors: of its sensors, as
-    alignment believes them; reference: the truth, if there is one; it holds the height too.
+    alignment assumes them; reference: the truth, if there is one; it holds the height too.
     """
     _, zero = count_still_increments(plan.alignment, plan.interval, warm_up=0.0)
     log = replace(log, start=-zero * log.interval)
     alignment = align(log.between(0, zero), position, errors)
     measured = log.between(zero, zero + plan.count)
-    latitude, longitude, height = map(float, position)
-    start = State(latitude, longitude, height, np.zeros(3), alignment.mat_nb)
-    heights = np.full(plan.count + 1, height)
+    start = State.at_rest(position, alignment.mat_nb)
+    heights = np.full(plan.count + 1, start.height)
     if reference:
         heights = reference(measured.bounds).position[:, 2]
     track = navigate(start, measured, hold_height(plan, heights), plan.keep_every, plan.samples)

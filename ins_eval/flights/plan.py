@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from ins_eval.alignment.align import MIN_DURATION
+from ins_eval.mission_model.missions import SETTLING
 from pyhrg.common.arguments import (
     check_number,
     check_seed,
@@ -16,8 +17,6 @@ from pyhrg.records.imu.increments import Increments
 HeightMode = Literal["clamped", "free", "baro"]
 """What holds the height: the true one, nothing, or a loop with the true one."""
 
-WARM_UP = 20.0
-"""Time from a simulated IMU's power-on to the beginning of alignment, s."""
 ROW_SPACING = 10.0
 """Time between rows of the result that is aimed at, s; a whole number of steps must fit into it."""
 LONGEST_HOURS = 24.0
@@ -81,7 +80,7 @@ def plan_simulation(
         keep_every=spacing,
         samples=samples,
         height=_check_height(height),
-        alignment=None if align_s is None else _check_alignment(align_s, WARM_UP) - WARM_UP,
+        alignment=None if align_s is None else _check_alignment(align_s, SETTLING) - SETTLING,
         seed=check_seed(seed),
         runs=check_whole_number("runs", runs, 1, MAX_RUNS),
     )

@@ -11,12 +11,13 @@ from ins_eval.common.state import Track, position_error
 from ins_eval.flights.log_flight import Reference, stand_still
 from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
-from ins_eval.imu.recorded import ImuRecord, read_record
+from ins_eval.imu.recorded import read_record
 from ins_eval.imu.specification import load_imu
 from ins_eval.trajectories.recorded_drive import Drive, read_drive
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 from pyhrg.common.arguments import check_number, check_whole_number
 from pyhrg.common.errors import HrgError
+from pyhrg.records.imu.log import RecordedImu
 
 NO_TRUTH, AT_REST = "none", "rest"
 """References of a log: no truth is known, or the vehicle stood all the time."""
@@ -63,7 +64,7 @@ def load_imu_at_rate(imu: Imu | str, rate_hz: int | None) -> Imu:
     return loaded
 
 
-def read_placed_record(path: Path, place: Place) -> tuple[ImuRecord, Array]:
+def read_placed_record(path: Path, place: Place) -> tuple[RecordedImu, Array]:
     """A recorded log, and (3,) latitude, longitude (rad), height (m) of the place."""
     record = read_record(path)
     place = place.check()

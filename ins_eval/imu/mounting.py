@@ -1,4 +1,4 @@
-"""Mounting of three gyros: their true input axes, and those that the navigator believes."""
+"""Mounting of three gyros: their true input axes, and those that the navigator assumes."""
 
 from dataclasses import dataclass
 
@@ -20,11 +20,11 @@ class MountingError(HrgError):
 class Mounting:
     """Input axes of three gyros, unit vectors in body axes, one a row.
 
-    axes: (3, 3) true ones; believed: (3, 3) those that the navigator uses.
+    axes: (3, 3) true ones; assumed: (3, 3) those that the navigator uses.
     """
 
     axes: Array
-    believed: Array
+    assumed: Array
 
     def project(self, vectors: Array) -> Array:
         """Project vectors (n, 3) in body axes onto the true input axes (n, 3)."""
@@ -32,13 +32,13 @@ class Mounting:
 
     def decode(self, components: Array) -> Array:
         """Return vectors (n, 3) in body axes that the navigator computes from components (n, 3)."""
-        return components @ np.linalg.inv(self.believed).T
+        return components @ np.linalg.inv(self.assumed).T
 
     def disturb(self, deviation: float, generator: np.random.Generator) -> "Mounting":
         """Draw a mounting error: tilt each true axis by `deviation`, rad, in two directions."""
         tilt = generator.normal(0.0, deviation, size=(3, 3))
         across = tilt - np.sum(tilt * self.axes, axis=1, keepdims=True) * self.axes
-        return Mounting(normalize_rows(self.axes + across), self.believed)
+        return Mounting(normalize_rows(self.axes + across), self.assumed)
 
 
 def make_mounting(directions: ArrayLike) -> Mounting:

@@ -14,6 +14,7 @@ from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import euler_from_mat
 from ins_eval.common.state import State, position_error
 from ins_eval.imu.imu import StartUpError
+from ins_eval.mission_model.missions import STILL
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories.trajectory import Trajectory
@@ -21,8 +22,6 @@ from pyhrg.records.imu.increments import Increments
 
 INTERVAL = 0.01
 """Duration of the IMU's increments, s."""
-STILL = 300.0
-"""Time at rest from power-on to time 0, s. Alignment ends and navigation begins at time 0."""
 KEPT = 60.0
 """Time between kept positions, s."""
 
@@ -69,9 +68,7 @@ class Mission:
 
         Returns (m, 2) north and east position error at the times `time`, m.
         """
-        latitude, longitude, height = map(float, self.start)
-        mat_nb = self.align(measured, ready)
-        state = State(latitude, longitude, height, np.zeros(3), mat_nb)
+        state = State.at_rest(self.start, self.align(measured, ready))
         flight = measured.between(round(STILL / INTERVAL), len(measured))
         track = navigate(state, flight, Clamped(self.height), round(KEPT / INTERVAL))
         return position_error(track.position, self.position)[:, :2]

@@ -10,8 +10,7 @@ import numpy as np
 from ins_eval.common.arrays import Array
 from ins_eval.common.metrics import PairedRatio, paired_ratio
 from ins_eval.common.parallel import map_in_threads
-from ins_eval.imu.accelerometers import TYPICAL_ACCELEROMETERS
-from ins_eval.imu.sensor_error_model import SensorErrorModel
+from ins_eval.imu.sensor_error_model import TYPICAL_ACCELEROMETERS
 from ins_eval.parking.gyro import measure_maps
 from ins_eval.parking.mission import Mission
 from ins_eval.parking.triad import DRIVES, TriadFlights, fly_triad
@@ -60,11 +59,6 @@ def compare_with_first_case(radial: Array) -> list[PairedRatio]:
     return [paired_ratio(errors, radial[0]) for errors in radial]
 
 
-def count_gyro_minutes(triads: int, mission: Mission) -> int:
-    """Gyro time that flying these triads takes, minutes."""
-    return triads * DRIVES * len(mission.time)
-
-
 def compare(
     fmu_path: Path,
     mission: Mission,
@@ -72,7 +66,6 @@ def compare(
     seed: int,
     *,
     device: Device = TYPICAL,
-    accelerometers: SensorErrorModel = TYPICAL_ACCELEROMETERS,
     plan: Plan | None = None,
     workers: int | None = None,
     progress: Callable[[int, int], None] | None = None,
@@ -92,7 +85,7 @@ def compare(
     def fly(seeds: np.random.SeedSequence) -> TriadFlights:
         generator = np.random.default_rng(seeds)
         devices = [device.another(generator) for _ in range(3)]
-        velocity = accelerometers.measure(truth.velocity, truth.interval, generator)
+        velocity = TYPICAL_ACCELEROMETERS.measure(truth.velocity, truth.interval, generator)
         benches = [Bench(fmu, each, seed=int(generator.integers(2**63))) for each in devices]
         gyros = [measure_maps(bench, plan) for bench in benches]
         return fly_triad(gyros, velocity, mission)
@@ -120,7 +113,8 @@ def _count_progress(
     mission: Mission, triads: int, progress: Callable[[int, int], None] | None
 ) -> Callable[[TriadFlights], None]:
     """A function that reports one triad more at each call."""
-    total, one_triad = count_gyro_minutes(triads, mission), count_gyro_minutes(1, mission)
+    one_triad = DRIVES * len(mission.time)
+    total = triads * one_triad
     minutes = iter(range(one_triad, total + 1, one_triad))
 
     def report(_: TriadFlights) -> None:

@@ -84,18 +84,14 @@ def wrap_deg(longitude: Array) -> Array:
 def _dataset(time: Array, names: Sequence[Quantity], columns: Array) -> xr.Dataset:
     """Columns (k, [run,] m) under their names."""
     dims = ("time",) if columns.ndim == 2 else ("run", "time")
-    coordinates = {"time": ("time", time, _attributes(quantities.TIME))}
+    coordinates = {"time": ("time", time, quantities.TIME.attributes)}
     if columns.ndim == 3:
         runs = np.arange(1, columns.shape[1] + 1)
-        coordinates["run"] = ("run", runs, _attributes(quantities.RUN))
+        coordinates["run"] = ("run", runs, quantities.RUN.attributes)
     return xr.Dataset(
         {
-            quantity.name: (dims, column, _attributes(quantity))
+            quantity.name: (dims, column, quantity.attributes)
             for quantity, column in zip(names, columns, strict=True)
         },
         coordinates,
     )
-
-
-def _attributes(quantity: Quantity) -> dict[str, str]:
-    return {"units": quantity.unit, "long_name": quantity.meaning}

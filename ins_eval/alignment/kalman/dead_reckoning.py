@@ -75,12 +75,11 @@ def split_into_steps(record: Increments) -> tuple[Increments, int]:
 
 def reckon(record: Increments, position: Array, mat_nb: Array, each: int) -> Reckoning:
     """Navigate from attitude `mat_nb` (3, 3); states are kept after every `each` intervals."""
-    latitude, longitude, height = map(float, position)
-    start = State(latitude, longitude, height, np.zeros(3), mat_nb)
-    track = navigate(start, record, Clamped(np.full(len(record) + 1, height)), each)
+    start = State.at_rest(position, mat_nb)
+    track = navigate(start, record, Clamped(np.full(len(record) + 1, start.height)), each)
     before = np.concatenate([mat_nb[None], track.mat_nb[:-1]])
     step = each * record.interval
-    dynamics = aligning_model.dynamics(latitude, height, step * len(before))
+    dynamics = aligning_model.dynamics(start.latitude, start.height, step * len(before))
     transition, _ = standing.discretize(dynamics, np.zeros((len(dynamics), 1)), step)
     return Reckoning(
         track=track,

@@ -1,7 +1,6 @@
 """Decomposition of known sensor errors into effects."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -53,41 +52,31 @@ def sum_over_steps(increments: Increments, start: float, step: float, count: int
     return Increments(step, rotation, velocity, start)
 
 
-@dataclass(frozen=True)
-class Prior:
-    """Prior knowledge of the sensors.
-
-    deviations: (e, 3) standard deviations of the effects' coefficients, SI; noise: the noise that
-    is superposed.
-    """
-
-    deviations: Array
-    noise: SensorErrors
-
-    def noise_of(self, sensor: Sensor, step: float) -> float:
-        """Return the noise's standard deviation of a step's increment, rad or m/s."""
-        n = self.noise
-        walk, instability, count = (
-            (n.angle_random_walk, n.gyro_bias_instability, n.angle_quantization_step)
-            if sensor == "gyro"
-            else (
-                n.velocity_random_walk,
-                n.accelerometer_bias_instability,
-                n.velocity_quantization_step,
-            )
-        )
-        return float(np.sqrt(walk**2 * step + (instability * step) ** 2 + count**2 / 6))
+def size_step_noise(noise: SensorErrors, sensor: Sensor, step: float) -> float:
+    """Return the noise's standard deviation of a step's increment, rad or m/s."""
+    if sensor == "gyro":
+        walk, instability = noise.angle_random_walk, noise.gyro_bias_instability
+        count = noise.angle_quantization_step
+    else:
+        walk, instability = noise.velocity_random_walk, noise.accelerometer_bias_instability
+        count = noise.velocity_quantization_step
+    return float(np.sqrt(walk**2 * step + (instability * step) ** 2 + count**2 / 6))
 
 
 def decompose_errors(
-    error: Increments, motion: Motion, effects: Sequence[Effect], prior: Prior
+    error: Increments,
+    motion: Motion,
+    effects: Sequence[Effect],
+    deviations: Array,
+    noise: SensorErrors,
 ) -> dict[str, Increments]:
     """Decompose the sensors' error into families of effects, in the motion's steps.
 
     For each axis, coefficients of the effects' signals along the motion are the maximum a
-    posteriori estimate (docs/methods/error_model.md, Eq. 14). Without a prior, large parts would
-    cancel where signals are nearly collinear: a gyro whose pattern moves by one degree does not
-    separate its bias from its map. The parts, with the residual `UNEXPLAINED`, sum to the error.
+    posteriori estimate (docs/methods/error_model.md, Eq. 14) under their standard deviations (e,
+    3), SI, and the superposed noise. Without a prior, large parts would cancel where signals are
+    nearly collinear: a gyro whose pattern moves by one degree does not separate its bias from its
+    map. The parts, with the residual `UNEXPLAINED`, sum to the error.
     """
     total = sum_over_steps(error, motion.start, motion.step, len(motion))
     parts = {effect.family: np.zeros((len(motion), 2, AXES)) for effect in effects}
@@ -99,10 +88,10 @@ def decompose_errors(
             continue
         own = [effects[i] for i in places]
         signals = np.stack([motion.step * step_mean(e.regressor(motion)) for e in own], axis=-1)
-        noise = prior.noise_of(sensor, motion.step)
+        size = size_step_noise(noise, sensor, motion.step)
         for axis in range(AXES):
             fitted = signals[:, axis] * _estimate_with_prior(
-                signals[:, axis], residual[:, place, axis], prior.deviations[places, axis], noise
+                signals[:, axis], residual[:, place, axis], deviations[places, axis], size
             )
             for effect, part in zip(own, fitted.T, strict=True):
                 parts[effect.family][:, place, axis] += part

@@ -1,4 +1,4 @@
-"""What the linear model believes of an IMU: effects, and the standard deviations of each."""
+"""What the linear model assumes of an IMU: effects, and the standard deviations of each."""
 
 import math
 from collections.abc import Callable
@@ -32,7 +32,7 @@ to 5 % for times from 100 s to 30 000 s."""
 
 
 @dataclass(frozen=True)
-class Beliefs:
+class AssumedErrors:
     """effects: of sensors; deviations: (e, 3) of their coefficients, SI; noise: random walks."""
 
     effects: tuple[Effect, ...]
@@ -40,13 +40,15 @@ class Beliefs:
     noise: SensorErrors
 
     @property
-    def constant(self) -> "Beliefs":
-        """The beliefs without effects that wander."""
+    def constant(self) -> "AssumedErrors":
+        """The assumed errors without effects that wander."""
         stays = [i for i, effect in enumerate(self.effects) if math.isinf(effect.correlation_time)]
-        return Beliefs(tuple(self.effects[i] for i in stays), self.deviations[stays], self.noise)
+        return AssumedErrors(
+            tuple(self.effects[i] for i in stays), self.deviations[stays], self.noise
+        )
 
 
-def state_beliefs(imu: Imu, first_angle: Array | None = None) -> Beliefs:
+def assume_errors(imu: Imu, first_angle: Array | None = None) -> AssumedErrors:
     """Effects of an IMU whose constants nobody knows.
 
     A calibrated whole-angle gyro's bias is cosine and sine of four times its pattern angle, of
@@ -72,7 +74,7 @@ def state_beliefs(imu: Imu, first_angle: Array | None = None) -> Beliefs:
     ]
     effects = tuple(effect for effect, size in sized if size > 0)
     sizes = np.array([size for _, size in sized if size > 0])
-    return Beliefs(effects, np.tile(sizes[:, None], (1, AXES)), errors)
+    return AssumedErrors(effects, np.tile(sizes[:, None], (1, AXES)), errors)
 
 
 def size_gauss_markov(coefficient: float) -> float:

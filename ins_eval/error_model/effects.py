@@ -77,16 +77,7 @@ def bias_map(harmonic: int, first_angle: Array) -> tuple[Effect, Effect]:
     harmonic: multiple of the physical pattern angle: 2, 4 or 8; first_angle: (3,) pattern angles at
     the motion's start, rad.
     """
-
-    def effect(name: str, wave: Callable[[Array], Array]) -> Effect:
-        return Effect(
-            f"bias map {name} {harmonic}",
-            "gyro",
-            lambda motion: wave(harmonic * pattern_angle(motion, first_angle)),
-            family=f"bias map, harmonic {harmonic}",
-        )
-
-    return effect("cos", np.cos), effect("sin", np.sin)
+    return _follow_pattern("bias map", harmonic, first_angle, _ones)
 
 
 def pick_off_map(harmonic: int, first_angle: Array) -> tuple[Effect, Effect]:
@@ -94,13 +85,18 @@ def pick_off_map(harmonic: int, first_angle: Array) -> tuple[Effect, Effect]:
 
     Pick-offs of unequal gain, or that are not orthogonal, cause it. Arguments as of `bias_map`.
     """
+    return _follow_pattern("pick-off map", harmonic, first_angle, lambda motion: motion.rate)
 
-    def effect(name: str, wave: Callable[[Array], Array]) -> Effect:
+
+def _follow_pattern(
+    name: str, harmonic: int, first_angle: Array, factor: Callable[[Motion], Array]
+) -> tuple[Effect, Effect]:
+    def effect(wave_name: str, wave: Callable[[Array], Array]) -> Effect:
         return Effect(
-            f"pick-off map {name} {harmonic}",
+            f"{name} {wave_name} {harmonic}",
             "gyro",
-            lambda motion: motion.rate * wave(harmonic * pattern_angle(motion, first_angle)),
-            family=f"pick-off map, harmonic {harmonic}",
+            lambda motion: factor(motion) * wave(harmonic * pattern_angle(motion, first_angle)),
+            family=f"{name}, harmonic {harmonic}",
         )
 
     return effect("cos", np.cos), effect("sin", np.sin)

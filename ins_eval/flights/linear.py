@@ -97,8 +97,8 @@ def compute_error_budget(plan: Plan, truth: Truth, imu: Imu, run: Run) -> Budget
     initial = np.zeros(COUNT)
     if run.alignment:
         before = _alignment(plan, truth, ())
-        initial[ATTITUDE] = find_attitude_error(run.alignment.mat_nb, truth.start.mat_nb)
-        initial[ATTITUDE] -= _explained(before, error)
+        turned = Rotation.from_matrix(run.alignment.mat_nb @ truth.start.mat_nb.T)
+        initial[ATTITUDE] = turned.as_rotvec() - _explained(before, error)
         model = join_models(before, model)
     motion = _motion(plan, truth, -grid.alignment, grid.alignment + grid.flight)
     assumed = assume_errors(imu, _first_angle(imu, run.measured, motion.start)).constant
@@ -113,11 +113,6 @@ def _first_angle(imu: Imu, measured: ImuReading, start: float) -> Array | None:
         return None
     before = round((start - measured.increments.start) / measured.increments.interval) - 1
     return np.asarray(measured.pattern_angle[max(before, 0)])
-
-
-def find_attitude_error(mat_nb: Array, true: Array) -> Array:
-    """(3,) rotation vector about north, east, down from the true attitude to another, rad."""
-    return np.asarray(Rotation.from_matrix(mat_nb @ true.T).as_rotvec())
 
 
 def _explained(model: LinearModel, error: Increments) -> Array:

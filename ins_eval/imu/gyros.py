@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -18,14 +17,11 @@ from pyhrg.bench.bias.position import full_circumference
 from pyhrg.bench.dynamic.start_up import START
 from pyhrg.common.errors import HrgError
 from pyhrg.device import device_file
-from pyhrg.device.device_file import DeviceError
 from pyhrg.device.keys import KEYS
-from pyhrg.device.ready_devices import READY, TYPICAL, Device, load_device
-from pyhrg.fmu import GyroError, GyroFmu
+from pyhrg.device.ready_devices import TYPICAL, Device
+from pyhrg.fmu import GyroFmu
 from pyhrg.records.imu.increments import Increments
 from pyhrg.theory import closed_forms as theory
-
-__all__ = ["DeviceError", "FmuGyros", "GyroError", "device", "read_differences", "simulate_gyros"]
 
 AMPLITUDE_TOLERANCE = 1e-3
 """Largest relative difference of the amplitude from its set point for a gyro to be ready. Chosen:
@@ -93,14 +89,6 @@ class FmuGyros:
             gyro_bias_instability=_rms([device.bias_instability for device in devices]),
             angle_quantization_step=_rms([_quantization_step(device) for device in devices]),
         )
-
-
-def device(name_or_path: str, folder: Path) -> Device:
-    """Load a device that comes with the package, by its name, or one from a file.
-
-    name_or_path: name of a ready device, or a file.
-    """
-    return load_device(name_or_path if name_or_path in READY else folder / name_or_path)
 
 
 def read_differences(document: Mapping[str, Any], source: str) -> dict[str, Any]:

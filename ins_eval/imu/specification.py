@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from ins_eval.imu.gyros import DeviceError, FmuGyros, device, read_differences
+from ins_eval.imu.gyros import FmuGyros, read_differences
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.mounting import ORTHOGONAL, Mounting, MountingError, make_mounting
 from ins_eval.imu.sensor_error_model import SensorErrorModel
@@ -10,8 +10,8 @@ from ins_eval.imu.stated_gyros import Gyros, StatedGyros
 from ins_eval.imu.triad_keys import ACCELEROMETERS, GYROS, error_keys, read_error_model
 from pyhrg.common.toml_table import SpecificationError, TomlTable, read_table
 from pyhrg.common.units import ARCSEC
-
-__all__ = ["SpecificationError", "list_imus", "load_imu", "read_imu"]
+from pyhrg.device.device_file import DeviceError
+from pyhrg.device.ready_devices import READY, load_device
 
 READY_FOLDER = Path(__file__).with_name("ready")
 """Folder of the IMUs that come with the package, one TOML file each."""
@@ -95,9 +95,10 @@ def _gyros(table: TomlTable, folder: Path) -> Gyros:
 
 def _fmu_gyros(table: TomlTable, folder: Path) -> FmuGyros:
     table.check_known(("device", "own_axes", "calibrated", "mounting", *GYRO_KEYS))
+    name = table.text("device", "typical")
     try:
         return FmuGyros(
-            device(table.text("device", "typical"), folder),
+            load_device(name if name in READY else folder / name),
             own_axes=table.flag("own_axes", True),
             calibrated=table.flag("calibrated", True),
             differences=tuple(

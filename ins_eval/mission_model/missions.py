@@ -64,16 +64,7 @@ def plan_mission(source: str | Path, hours: float) -> StudyMission:
 
 def compute_duration(source: str | Path) -> float:
     """Longest duration of a mission, s; infinite where it repeats, as recorded drives do."""
-    path = find_mission_file(source)
+    path = catalogue.find_mission_file(source)
     if path.suffix != ".toml":
         return float("inf")
     return mission.compute_duration(mission_file.read_mission(path))
-
-
-def find_mission_file(source: str | Path) -> Path:
-    """The file of a mission that is named, or is a file itself."""
-    return (
-        catalogue.READY_FOLDER / f"{source}.toml"
-        if source in catalogue.list_trajectories()
-        else Path(source)
-    )

@@ -12,7 +12,8 @@ import platformdirs
 import ins_eval
 from ins_eval.mission_model.alignment_at_rest import AlignmentAtRest
 from ins_eval.mission_model.mission_weights import MissionWeights, compute_mission_weights
-from ins_eval.mission_model.missions import StudyMission, find_mission_file
+from ins_eval.mission_model.missions import StudyMission
+from ins_eval.trajectories.catalogue import find_mission_file
 from pyhrg.common.files import write_whole
 
 DIGESTED_PACKAGES = ("alignment", "common", "error_model", "mission_model", "trajectories")

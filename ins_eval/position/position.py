@@ -8,7 +8,7 @@ import numpy as np
 
 from ins_eval.common.arrays import Array
 from ins_eval.mission_model.mission_weights import MissionWeights
-from ins_eval.mission_model.missions import StudyMission, find_mission_file, plan_mission
+from ins_eval.mission_model.missions import StudyMission, plan_mission
 from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.position.diagnosis import DiagnosedGyro
 from ins_eval.position.gyro import Gyro, measure_gyro
@@ -108,7 +108,7 @@ def compute_mission_gaps(
 
 
 def _plan_mission(source: str | Path, hours: float) -> StudyMission:
-    if not find_mission_file(source).is_file():
+    if not catalogue.find_mission_file(source).is_file():
         names = ", ".join(catalogue.list_trajectories())
         raise TrajectoryError(f"{source}: found no such mission, expected {names}, or a file")
     return plan_mission(source, hours)

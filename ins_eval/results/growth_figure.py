@@ -61,15 +61,9 @@ def _draw_sigma(
 
 
 def _draw_runs(axes: Axes, hours: Array, errors: Array) -> None:
+    runs = len(errors)
+    label = "flown" if runs == 1 else f"flown, {runs} runs"
+    width = 1.2 if runs == 1 else 0.7
     for number, error in enumerate(errors):
-        label = (
-            ("flown" if len(errors) == 1 else f"flown, {len(errors)} runs") if not number else None
-        )
-        axes.plot(
-            hours,
-            error,
-            color="tab:blue",
-            linewidth=1.2 if len(errors) == 1 else 0.7,
-            alpha=0.9,
-            label=label,
-        )
+        shown = None if number else label
+        axes.plot(hours, error, color="tab:blue", linewidth=width, alpha=0.9, label=shown)

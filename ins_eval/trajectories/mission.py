@@ -82,8 +82,10 @@ def build_trajectory(mission: Mission, duration: float, still: float = 0.0) -> T
         )
     motions = [overlay.motion() for overlay in mission.overlays]
     until = min(total, duration + END_MARGIN)
+    start = mission.start
+    origin = np.array([start.latitude, start.longitude, start.height, start.heading])
     try:
-        knots = path.compute_knots(_origin(mission.start), legs, motions, still, until)
+        knots = path.compute_knots(origin, legs, motions, still, until)
     except TrajectoryError as error:
         raise TrajectoryError(f"{mission.name}: {error}") from None
     trajectory = Trajectory(mission.name, knots)
@@ -127,10 +129,6 @@ def compute_duration(mission: Mission) -> float:
 
 def _sum_durations(legs: Sequence[Leg]) -> float:
     return math.fsum(leg.duration for leg in legs)
-
-
-def _origin(start: Start) -> path.Origin:
-    return path.Origin(start.latitude, start.longitude, start.height, start.heading)
 
 
 def _build_legs(mission: Mission, until: float) -> list[Leg]:

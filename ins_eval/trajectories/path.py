@@ -29,16 +29,6 @@ MIN_KNOTS = 8
 
 
 @dataclass(frozen=True)
-class Origin:
-    """Beginning of a path: latitude, longitude and heading, rad, and height, m."""
-
-    latitude: float
-    longitude: float
-    height: float
-    heading: float
-
-
-@dataclass(frozen=True)
 class _LegInTime:
     """A leg that begins at mission time `start`, s, with the overlays' motions."""
 
@@ -95,7 +85,7 @@ class _LegInTime:
 
 
 def compute_knots(
-    origin: Origin,
+    state: Array,
     legs: Sequence[Leg],
     motions: Sequence[OverlayMotion],
     still: float,
@@ -103,13 +93,13 @@ def compute_knots(
 ) -> Knots:
     """Compute equally spaced knots: at rest before time 0, then along the legs.
 
-    legs: one after another from time 0; the last one is continued as it ends; still: time at rest
-    before time 0, s; until: time of the end, s; the knots end up to one spacing later.
+    state: (4,) latitude, longitude, rad, height, m, and heading, rad, at time 0; legs: one after
+    another from time 0; the last one is continued as it ends; still: time at rest before time 0, s;
+    until: time of the end, s; the knots end up to one spacing later.
     """
     spacing = _choose_spacing(legs, motions)
     grid = spacing * np.arange(max(math.ceil(until / spacing - 1e-9), MIN_KNOTS) + 1.0)
     before = -spacing * np.arange(math.ceil(still / spacing - 1e-9), 0.0, -1.0)
-    state = np.array([origin.latitude, origin.longitude, origin.height, origin.heading])
     rows = []
     for leg, end in _place_legs(legs, motions, float(grid[-1])):
         for piece in leg.split_at_breaks(end):

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from filterpy.common import van_loan_discretization
 from scipy.spatial.transform import Rotation
 
 from ins_eval.alignment.kalman import aligning_model, standing
@@ -44,7 +45,7 @@ class Reckoning:
         """Return the covariance (30, 30) that noise adds in each step."""
         latitude, height = float(self.position[0]), float(self.position[2])
         gravity, duration = float(earth.gravity(latitude, height)), self.step * len(self.turned)
-        return standing.discretize(
+        return van_loan_discretization(
             aligning_model.dynamics(latitude, height, duration),
             aligning_model.noise(errors, self.interval, gravity, duration),
             self.step,
@@ -80,7 +81,7 @@ def reckon(record: Increments, position: Array, mat_nb: Array, each: int) -> Rec
     before = np.concatenate([mat_nb[None], track.mat_nb[:-1]])
     step = each * record.interval
     dynamics = aligning_model.dynamics(start.latitude, start.height, step * len(before))
-    transition, _ = standing.discretize(dynamics, np.zeros((len(dynamics), 1)), step)
+    transition, _ = van_loan_discretization(dynamics, np.zeros((len(dynamics), 1)), step)
     return Reckoning(
         track=track,
         displacement=position_error(track.position, np.asarray(position, dtype=float))[:, :2],

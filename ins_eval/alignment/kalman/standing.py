@@ -6,7 +6,6 @@ height is clamped, so that an uncertain gravity is not taken for a tilt.
 """
 
 import numpy as np
-from filterpy.common import van_loan_discretization
 
 from ins_eval.common import earth
 from ins_eval.common.arrays import Array
@@ -65,12 +64,6 @@ def noise(errors: SensorErrors, interval: float, gravity: float) -> Array:
     g = np.zeros((STATES, len(roots)))
     g[: len(roots)] = np.diag(roots)
     return g
-
-
-def discretize(f: Array, g: Array, step: float) -> tuple[Array, Array]:
-    """Return transition (n, n) and noise covariance (n, n) of a step, s, exact (Van Loan 1978)."""
-    transition, covariance = van_loan_discretization(f, g, step)
-    return np.asarray(transition), np.asarray(covariance)
 
 
 def put_biases_in_body_axes(transition: Array, mat_nb: Array) -> Array:

@@ -37,10 +37,8 @@ def plot_alignment(result: Alignment, name: str = "") -> Figure:
 
 
 def euler_history_deg(history: History) -> tuple[Array, Array]:
-    """Return roll, pitch, heading (m, 3), deg, and their one-sigma (m, 3).
-
-    The heading is from 0 to 360 at the end and has no jumps before.
-    """
+    """Return roll, pitch, heading (m, 3), deg, and their one-sigma (m, 3); the heading has no jumps
+    and ends between 0 and 360."""
     euler = np.array([euler_from_mat(mat_nb) for mat_nb in history.mat_nb])
     turns = np.array([euler_from_rotation_vector(mat_nb) for mat_nb in history.mat_nb])
     variance = np.einsum("mij,mjk,mik->mi", turns, history.covariance, turns)

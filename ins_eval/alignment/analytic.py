@@ -31,10 +31,8 @@ def level_and_gyrocompass(record: Increments, latitude: float) -> Array:
 
 
 def attitude_at_rest(rate: Array, force: Array) -> Array:
-    """Return `mat_nb` (..., 3, 3) of a vehicle at rest (Groves 2013, section 5.6.2).
-
-    rate, force: (..., 3) mean rates, rad/s, and mean specific forces, m/s^2, in body axes.
-    """
+    """Return `mat_nb` (..., 3, 3) of a vehicle at rest from mean rates, rad/s, and specific forces,
+    m/s^2, (..., 3) in body axes (Groves 2013, section 5.6.2)."""
     roll = np.arctan2(-force[..., 1], -force[..., 2])
     pitch = np.arctan2(force[..., 0], np.hypot(force[..., 1], force[..., 2]))
     levelled = mat_from_euler(roll, pitch, np.zeros_like(roll))

@@ -96,10 +96,8 @@ def gravity_in_inertial_frame(latitude: float, span: float) -> Array:
 def integrate_in_inertial_frame(
     rotation: Array, velocity: Array, coefficients: StepCoefficients, keep: int, out: Array
 ) -> None:
-    """Integrate the specific force in the first body axes, which stay fixed in inertial space.
-
-    `out` (SPANS, 3) takes the velocity change of each span of `keep` steps.
-    """
+    """Integrate the specific force in the first body axes, which stay fixed in inertial space;
+    `out` (SPANS, 3) takes the velocity change of each span of `keep` steps."""
     n = len(coefficients.mean)
     q = (1.0, 0.0, 0.0, 0.0)
     gained = (0.0, 0.0, 0.0)

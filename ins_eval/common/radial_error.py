@@ -25,10 +25,8 @@ effect on the result."""
 
 
 def probability_within(radius: ArrayLike, mean: Array, covariance: Array) -> Array:
-    """Probability (...) of a radius below `radius` (...).
-
-    The pairs have mean (..., 2) and covariance (..., 2, 2), in the same unit as the radius.
-    """
+    """Probability (...) of a radius below `radius` (...), of pairs with mean (..., 2) and
+    covariance (..., 2, 2) in its unit."""
     along, across, major, minor = _principal_axes(mean, covariance)
     return _integrate_probability(np.asarray(radius, dtype=float), along, across, major, minor)
 

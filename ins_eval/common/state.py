@@ -86,10 +86,8 @@ def track_error(track: Track, truth: Track) -> TrackError:
 
 
 def position_error(position: Array, truth: Array) -> Array:
-    """Return north, east and down errors (..., 3), m, of positions (..., 3) against true ones.
-
-    Both are latitude, longitude (rad) and height (m).
-    """
+    """Return north, east and down errors (..., 3), m, of positions (..., 3) against true ones; both
+    are latitude, longitude (rad) and height (m)."""
     latitude, height = truth[..., 0], truth[..., 2]
     around = np.remainder(position[..., 1] - truth[..., 1] + np.pi, 2 * np.pi) - np.pi
     east_radius = (earth.transverse_radius(latitude) + height) * np.cos(latitude)

@@ -72,19 +72,14 @@ def accelerometer_scale_factor() -> Effect:
 
 
 def bias_map(harmonic: int, first_angle: Array) -> tuple[Effect, Effect]:
-    """Bias map: cosine and sine of a multiple of the pattern angle.
-
-    harmonic: multiple of the physical pattern angle: 2, 4 or 8; first_angle: (3,) pattern angles at
-    the motion's start, rad.
-    """
+    """Bias map: cosine and sine of `harmonic` times the physical pattern angle, which is
+    `first_angle` (3,), rad, at the start."""
     return _follow_pattern("bias map", harmonic, first_angle, _ones)
 
 
 def pick_off_map(harmonic: int, first_angle: Array) -> tuple[Effect, Effect]:
-    """Scale-factor map: true rate times the cosine and sine of a multiple of the pattern angle.
-
-    Pick-offs of unequal gain, or that are not orthogonal, cause it. Arguments as of `bias_map`.
-    """
+    """Scale-factor map: true rate times the cosine and sine of a multiple of the pattern angle, by
+    pick-offs of unequal gain or that are not orthogonal. Arguments as of `bias_map`."""
     return _follow_pattern("pick-off map", harmonic, first_angle, lambda motion: motion.rate)
 
 

@@ -55,11 +55,8 @@ def linearize(
     effects: Sequence[Effect] = BIASES,
     noise: SensorErrors | None = None,
 ) -> LinearModel:
-    """Linearize the navigator along a motion (docs/methods/error_model.md, Eqs. 2 to 8).
-
-    motion: the truth, or the motion of a navigator's track; noise: its angle and velocity random
-    walks drive the model; None is no noise.
-    """
+    """Linearize the navigator along a motion; the angle and velocity random walks of `noise` drive
+    the model (docs/methods/error_model.md, Eqs. 2 to 8)."""
     model = assemble_model(
         motion, dynamics(motion, height), sensor_inputs(motion, height), effects, noise
     )

@@ -21,7 +21,6 @@ from ins_eval.trajectories.catalogue import load_trajectory
 from pyhrg.common.arguments import check_number, check_seed
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import stage_files
-from pyhrg.records.imu.increments import Increments
 
 
 @dataclass(frozen=True)
@@ -98,21 +97,16 @@ def align(
 
 
 def read_standing_record(path: Path, place: Place, from_s: float, seconds: float) -> StandingRecord:
-    """A stretch of a log."""
+    """A stretch of a log, from a time since its beginning on."""
     check_number("from_s", from_s, 0, 1e6)
     log, position = read_placed_record(path, place)
-    stretch = cut_stretch(path, log.increments, from_s, seconds)
-    return StandingRecord(path.name, stretch, position)
-
-
-def cut_stretch(path: Path, increments: Increments, from_s: float, seconds: float) -> Increments:
-    """Increments from a time since the log's beginning on."""
+    increments = log.increments
     begin, count = (round(time / increments.interval) for time in (from_s, seconds))
     if begin + count > len(increments):
         raise HrgError(
             f"{path}: found {increments.duration:g} s, expected {from_s + seconds:g} s at least"
         )
-    return increments.between(begin, begin + count)
+    return StandingRecord(path.name, increments.between(begin, begin + count), position)
 
 
 def simulate_record(imu: Imu, trajectory: str, seconds: float, seed: int) -> StandingRecord:

@@ -49,12 +49,10 @@ class AssumedErrors:
 
 
 def assume_errors(imu: Imu, first_angle: Array | None = None) -> AssumedErrors:
-    """Effects of an IMU whose constants nobody knows.
+    """Effects of an IMU whose constants nobody knows; variances do not depend on the first angle.
 
     A calibrated whole-angle gyro's bias is cosine and sine of four times its pattern angle, of
     equal deviation: the same at every angle.
-
-    first_angle: (3,) pattern angles at the motion's start, rad; variances don't depend on them.
     """
     errors, force = imu.errors, imu.accelerometers
     triad = imu.gyros.error_model if isinstance(imu.gyros, StatedGyros) else IDEAL_SENSORS

@@ -48,10 +48,7 @@ def fly_runs(
     imu: Imu,
     progress: Callable[[int, int], None] | None = None,
 ) -> Runs:
-    """All flights of a plan: on ideal increments first, then each run's.
-
-    progress: is called with the number of flights done and the number of all.
-    """
+    """All flights of a plan: on ideal increments first, then each run's."""
     if plan.alignment is not None:
         imu = imu.from_power_on()
     report = progress or (lambda done, total: None)

@@ -68,11 +68,8 @@ def choose_steps(plan: Plan) -> Steps:
 def propagate_flight_covariance(
     plan: Plan, truth: Truth, assumed: AssumedErrors, alignment: Alignment | None
 ) -> Array:
-    """Covariance of the flight's errors at the kept times, (m, 10, 10).
-
-    What an alignment's covariance holds beyond its sensors' constant errors counts as an error of
-    its own.
-    """
+    """Covariance of the flight's errors at the kept times, (m, 10, 10); what an alignment's holds
+    beyond its sensors' constant errors counts as an error of its own."""
     grid, deviations = choose_steps(plan), assumed.deviations
     initial = np.zeros((COUNT, COUNT))
     model = _flight(plan, truth, assumed.effects, assumed.noise)
@@ -86,11 +83,8 @@ def propagate_flight_covariance(
 
 
 def compute_error_budget(plan: Plan, truth: Truth, imu: Imu, run: Run) -> Budget:
-    """Contributions to the final error of a flight whose sensors' errors are known.
-
-    What the alignment's attitude error holds beyond the mean of the sensors' errors counts as
-    initial error.
-    """
+    """Contributions to the final error of a flight whose sensors' errors are known; what the
+    alignment's error holds beyond their mean counts as initial error."""
     grid = choose_steps(plan)
     error = sensor_error(run.measured.increments, truth.increments)
     model = _flight(plan, truth, (), SensorErrors())

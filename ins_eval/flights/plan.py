@@ -66,17 +66,12 @@ def plan_simulation(
     seed: int = 1,
     runs: int = 1,
 ) -> Plan:
-    """Plan of flights of a simulated IMU.
-
-    interval: duration of one increment, s; hours: duration of a flight, in whole minutes; samples:
-    increments a navigation step, 2 to 4; align_s: time from power-on to time 0, warm-up and
-    alignment in it; None starts from the true attitude.
-    """
+    """Plan of flights of a simulated IMU, whose increments last `interval` s; options as of
+    `ins_eval.fly`."""
     spacing = count_row_increments(interval, check_whole_number("samples", samples, 2, 4))
-    wanted = check_whole_minutes("hours", hours, LONGEST_HOURS) * 60 / interval
     plan = Plan(
         interval,
-        count=max(1, round(wanted / spacing)) * spacing,
+        count=_count_increments(hours, interval, spacing),
         keep_every=spacing,
         samples=samples,
         height=_check_height(height),
@@ -101,18 +96,11 @@ def plan_log(
     height: HeightMode = "clamped",
     align_s: float = 300.0,
 ) -> Plan:
-    """Plan of the dead reckoning of a recorded log.
-
-    hours: duration of the flight in whole minutes; all that follows the alignment if None; samples,
-    height: as in `plan_simulation`; align_s: duration of the alignment at the log's beginning.
-    """
+    """Plan of the dead reckoning of a recorded log; options as of `ins_eval.fly_log`."""
     interval, alignment = increments.interval, _check_alignment(align_s)
     spacing = count_row_increments(interval, check_whole_number("samples", samples, 2, 4))
     count = (len(increments) - round(alignment / interval)) // spacing * spacing
-    needed = spacing
-    if hours is not None:
-        wanted = check_whole_minutes("hours", hours, LONGEST_HOURS) * 60 / interval
-        needed = max(1, round(wanted / spacing)) * spacing
+    needed = spacing if hours is None else _count_increments(hours, interval, spacing)
     if count < needed:
         raise HrgError(
             f"{name}: lasts {increments.duration:g} s; expected {alignment:g} s of alignment "
@@ -137,6 +125,11 @@ def count_row_increments(interval: float, samples: int) -> int:
     if abs(minute * interval - 60) > 1e-6 or not fitting:
         fitting = [samples * max(1, round(wanted / samples))]
     return min(fitting, key=lambda n: abs(n - wanted))
+
+
+def _count_increments(hours: float, interval: float, spacing: int) -> int:
+    wanted = check_whole_minutes("hours", hours, LONGEST_HOURS) * 60 / interval
+    return max(1, round(wanted / spacing)) * spacing
 
 
 def _check_alignment(align_s: float, warm_up: float = 0.0) -> float:

@@ -77,11 +77,9 @@ def read_placed_record(path: Path, place: Place) -> tuple[RecordedImu, Array]:
 
 
 def find_reference(name: str, position: Array, first: float, last: float) -> Reference | None:
-    """The truth of a log; None where there is none.
+    """The truth of a log from time `first` to `last`, s; None where there is none.
 
-    name: `NO_TRUTH`, `AT_REST`, or a recorded drive whose first row is at the log's beginning;
-    position: (3,) of the log; first: time of the log's beginning, s, counted from time 0: negative;
-    last: time of its end, s.
+    name: `NO_TRUTH`, `AT_REST`, or a recorded drive whose first row is at the beginning of the log.
     """
     if name == NO_TRUTH:
         return None

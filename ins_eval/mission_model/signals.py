@@ -129,12 +129,8 @@ def follow_signal(effect: Effect, signal: Signal, angle_error: Regressor | None 
 
 
 def list_angle_errors(first_angle: Array) -> list[Regressor]:
-    """Errors of the detected angle whose rates are the harmonics of the scale factor (Eq. 4).
-
-    Cosine and sine of each harmonic in turn.
-
-    first_angle: (3,) pattern angles at the motion's start, rad.
-    """
+    """Errors of the detected angle whose rates are the harmonics of the scale factor, cosine and
+    sine in turn (Eq. 4); `first_angle` (3,) is in rad."""
 
     def error(harmonic: int, sign: float, wave: Callable[[Array], Array]) -> Regressor:
         factor = sign / (harmonic * ANGULAR_GAIN)

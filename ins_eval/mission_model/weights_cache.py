@@ -21,10 +21,8 @@ DIGESTED_PACKAGES = ("alignment", "common", "error_model", "mission_model", "tra
 
 
 def load_mission_weights(mission: StudyMission, folder: Path | None = None) -> MissionWeights:
-    """Weights of a mission, from the cache, or computed and put there.
-
-    folder: folder of the cache; the user's own if None.
-    """
+    """Weights of a mission, from the cache (the user's own by default), or computed and put
+    there."""
     folder = folder or platformdirs.user_cache_path("hrg") / "weights"
     path = folder / f"{mission.name}-{compute_weights_digest(mission)[:16]}.npz"
     if not path.exists():

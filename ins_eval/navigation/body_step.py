@@ -23,10 +23,8 @@ from ins_eval.navigation.coefficients import StepCoefficients
 def integrate_body_step(
     rotation: Array, velocity: Array, first: int, coefficients: StepCoefficients
 ) -> tuple[Vector, Vector, Vector]:
-    """Integrate the increments of one step (docs/methods/navigation.md, Eqs. 1 to 4).
-
-    rotation, velocity: (n, 3) increments, rad and m/s; the step begins with row `first`;
-    coefficients: of as many increments as the step has.
+    """Integrate the (n, 3) increments, rad and m/s, of the step that begins with row `first`
+    (docs/methods/navigation.md, Eqs. 1 to 4).
 
     Returns in the body axes at the step's start: rotation vector, rad; velocity change by specific
     force, m/s; mean of the velocity change over the step, m/s. All are exact for constant rate and

@@ -59,10 +59,8 @@ class MappedGyro:
 
 
 def measure_maps(bench: Bench, plan: Plan | None = None) -> MappedGyro:
-    """The maker's calibration, power-ons apart: positions, 100 s each, and turns both ways.
-
-    plan: of the positions; the 24 of the bench's full-circumference test, if None.
-    """
+    """The maker's calibration, power-ons apart: positions (the 24 of the bench's full-circumference
+    test by default), 100 s each, and turns both ways."""
     power_ons = plan_power_ons(bench, plan, runs=1, segments=1)
     found = fit_maps(bench.campaign([bench.log(task) for task in power_ons]))
     return MappedGyro(bench, make_angle_map(found.bias_map), apply_maps(bench.device, found))

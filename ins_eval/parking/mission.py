@@ -48,11 +48,8 @@ class Mission:
         return float(self.time[-1]) / 3600
 
     def align(self, measured: Increments, ready: float = -STILL) -> Array:
-        """`mat_nb` (3, 3) at time 0.
-
-        measured: over the same intervals as `truth`; none after time 0 is looked at; ready: time
-        from which on all gyros are ready, s.
-        """
+        """`mat_nb` (3, 3) at time 0, from increments over the intervals of `truth`; all gyros are
+        ready from time `ready`, s, on."""
         first, zero = int(np.ceil((ready + STILL) / INTERVAL - 1e-6)), round(STILL / INTERVAL)
         return level_and_gyrocompass(measured.between(first, zero), float(self.start[0]))
 

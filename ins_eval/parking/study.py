@@ -70,12 +70,10 @@ def compare(
     workers: int | None = None,
     progress: Callable[[int, int], None] | None = None,
 ) -> Comparison:
-    """Fly every triad in every case.
+    """Fly every triad in every case; the same seed gives the same result on any number of workers.
 
-    fmu_path: the gyro's model; seed: of everything random; the same seed gives the same result on
-    any number of workers; device: the triads are of its kind (`Device.another`); plan: of the
-    positions at which maps are measured (`mapped`); workers: threads; as many as this process has
-    cores, if not given; progress: is called with the gyro minutes done and those of all.
+    The triads are of the device's kind (`Device.another`); maps are measured at the positions of
+    `plan` (`measure_maps`); `progress` is called with the gyro minutes done and those of all.
     """
     fmu = GyroFmu(fmu_path)
     fmu.prepare()

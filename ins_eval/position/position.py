@@ -86,10 +86,8 @@ def compute_mission_gaps(
     request: PositionRequest,
     report: Callable[[str], None] = lambda text: None,
 ) -> MissionGaps:
-    """Position errors of the nominal and the identified device, compared in each mission.
-
-    fmu: `HRGSlow`; report: is called with a line of text at each step.
-    """
+    """Position errors of the nominal and the identified device by the FMU `HRGSlow`, compared in
+    each mission."""
     missions = [_plan_mission(source, request.hours) for source in request.missions]
     gyros = measure_gyro(fmu, diagnosis.nominal), measure_gyro(fmu, diagnosis.identified)
     angles = draw_power_on_angles(request.triads, request.seed)

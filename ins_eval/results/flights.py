@@ -21,10 +21,7 @@ def tabulate_navigated(tracks: Sequence[Track]) -> xr.Dataset:
 
 
 def compare_with_truth(tracks: Sequence[Track], truth: Track) -> xr.Dataset:
-    """Navigated and true states, and the errors between them.
-
-    tracks: of the runs, all at the truth's times.
-    """
+    """Navigated and true states at the same times, and the errors between them."""
     errors = np.stack([error_columns(track_error(track, truth)) for track in tracks], axis=1)
     radial = np.hypot(errors[0], errors[1])[None]
     return xr.merge(

@@ -12,7 +12,7 @@ KILOMETRES_FROM = 5000.0
 
 
 def draw_growth(flights: xr.Dataset) -> Figure:
-    """North, east and radial error over time of a Dataset as `flights.against` gives it."""
+    """North, east and radial error over time of a Dataset as `compare_with_truth` gives it."""
     figure = Figure(figsize=(8, 8), layout="constrained")
     panels = figure.subplots(3, 1, sharex=True)
     hours = flights["time"].values / 3600

@@ -15,11 +15,8 @@ TRUE_COLOR, NAVIGATED_COLOR = "black", "tab:blue"
 
 
 def draw_map(flights: xr.Dataset) -> Figure:
-    """Path of a Dataset as `flights.against` or `flights.navigated` gives it.
-
-    With a truth, a second map in metres shows the runs' errors at the end and their 1-sigma
-    ellipse where there is one.
-    """
+    """Path of a Dataset of `results.flights`; with a truth, a second map in metres shows the errors
+    at the end, and their 1-sigma ellipse where there is one."""
     known = "true_latitude" in flights
     figure = Figure(figsize=(11, 5.5) if known else (6.5, 5.5), layout="constrained")
     if known:

@@ -137,12 +137,8 @@ class Checked:
 
 
 def build_from_table(kind: type[T], table: TomlTable, **others: Any) -> T:
-    """Build a dataclass from the keys that a table of a file states.
-
-    kind: the dataclass; its fields made by `quantity`, `whole` and `choice` are the keys; table: of
-    a file; a field with a default may be left out; others: values of fields that the file does not
-    state.
-    """
+    """Build a dataclass, whose fields of `quantity`, `whole` and `choice` are the keys, from a
+    table of a file; `others` are fields that the file does not state."""
     known = {key: (field, unit) for key, field, unit in keys(kind)}
     table.check_known(known)
     for key, (f, unit) in known.items():

@@ -63,11 +63,8 @@ class Mission:
 
 
 def build_trajectory(mission: Mission, duration: float, still: float = 0.0) -> Trajectory:
-    """Build the trajectory of a mission, which stands still until time 0.
-
-    duration: time after time 0, s; still: time at rest before time 0, s; 0 for a mission that
-    starts in motion.
-    """
+    """Build the trajectory of a mission, which stands still for `still` s and moves from time 0 for
+    `duration` s."""
     check_durations(mission.name, duration, still)
     if still > 0 and mission.start.speed > 0:
         raise MovingStartError(

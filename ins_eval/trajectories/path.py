@@ -91,11 +91,11 @@ def compute_knots(
     still: float,
     until: float,
 ) -> Knots:
-    """Compute equally spaced knots: at rest before time 0, then along the legs.
+    """Compute equally spaced knots: at rest for `still` s, then along the legs from time 0 until up
+    to one spacing after `until`, s.
 
-    state: (4,) latitude, longitude, rad, height, m, and heading, rad, at time 0; legs: one after
-    another from time 0; the last one is continued as it ends; still: time at rest before time 0, s;
-    until: time of the end, s; the knots end up to one spacing later.
+    state: (4,) latitude, longitude, rad, height, m, and heading, rad, at time 0. The last leg is
+    continued as it ends.
     """
     spacing = _choose_spacing(legs, motions)
     grid = spacing * np.arange(max(math.ceil(until / spacing - 1e-9), MIN_KNOTS) + 1.0)

@@ -106,11 +106,10 @@ def read_drive(path: Path) -> Drive:
 
 
 def repeat_drive(drive: Drive, duration: float, still: float = 0.0) -> Trajectory:
-    """Build a trajectory that stands still until time 0 and then repeats the drive.
+    """Build a trajectory that stands still for `still` s and then repeats the drive for `duration`
+    s.
 
     Each repetition begins where the one before ended. Joints change velocity and attitude smoothly.
-
-    duration: time after time 0, s; still: time at rest before time 0, s.
     """
     check_durations(drive.name, duration, still)
     standing = np.arange(-still, 0.5, 1.0)

@@ -64,14 +64,9 @@ def align_by_kalman_filter(
 ) -> Alignment:
     """Find the attitude at the end of a record of a vehicle that stands or sways.
 
-    The prior of the attitude is so wide that the coarse attitude is not used as information.
-
-    record: a few intervals at its beginning may be left out, so that the steps are whole; position:
-    (3,) latitude, longitude, rad, and height, m; errors: stated errors of the sensors, from the
-    IMU's file; coarse: `mat_nb` (3, 3) at the record's start, within some degrees; sway: standard
-    deviation of the vehicle's level displacement on each axis, m; None estimates it by maximum
-    likelihood; steady: whether to use that the vehicle's tilt stays constant, as far as the record
-    shows it; otherwise nothing is assumed about its tilt.
+    The prior of the attitude is so wide that the coarse attitude (3, 3) at the start, within some
+    degrees, is not used as information. A sway of None, m, is estimated by maximum likelihood;
+    `steady` uses that the tilt stays constant, as far as the record shows it.
     """
     run, result, sway = reckon_until_linear(record, position, errors, coarse, sway)
     if steady:
@@ -91,10 +86,8 @@ def align_by_kalman_filter(
 def reckon_until_linear(
     record: Increments, position: Array, errors: SensorErrors, coarse: Array, sway: float | None
 ) -> tuple[Reckoning, FilterResult, float]:
-    """Reckon and filter until the start attitude is accurate enough for the linear model.
-
-    Returns the last dead reckoning, the filter's estimates on it, and the sway, m.
-    """
+    """Reckon and filter until the start attitude is accurate enough for the linear model; return
+    both results and the sway, m."""
     record, each = split_into_steps(record)
     mat_nb = coarse
     for _ in range(MAX_PASSES):

@@ -30,12 +30,11 @@ class Tilting:
 
 
 def estimate_tilting(turned: Array, step: float, errors: SensorErrors) -> Tilting:
-    """Estimate the tilting by maximum likelihood.
+    """Estimate the tilting from the rotation `turned` (m, 2) about north and east since the start,
+    rad, at the end of each step, s.
 
-    Whittle's likelihood of the periodogram of the mean rates, without frequency 0 (Whittle 1953).
-
-    turned: (m, 2) rotation about north and east since the start, rad, at the end of each step;
-    step: s.
+    It maximizes Whittle's likelihood of the periodogram of the mean rates, without frequency 0
+    (Whittle 1953).
     """
     rate = np.diff(turned, axis=0, prepend=0.0) / step
     frequency = np.fft.rfftfreq(len(rate), step)[1:]

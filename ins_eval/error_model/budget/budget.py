@@ -15,15 +15,11 @@ from pyhrg.records.imu.increments import Increments
 def compute_budget(
     weights: Weights, signals: Mapping[str, Increments], initial: Array
 ) -> xr.Dataset:
-    """Compute the contributions to the final position error, whose sum is the linear model's error.
+    """Compute the contributions to the final position error, whose sum is the linear model's error
+    (docs/methods/error_model.md, Eq. 12).
 
-    docs/methods/error_model.md, Eq. 12.
-
-    weights: of the model, which may include the alignment; signals: sensor errors (measured less
-    true) by effect; whole intervals fill a model's step; initial: (10,) errors at the model's
-    start.
-
-    Returns `contribution` (effect, axis, time, component) and `initial` (state, component), m.
+    From sensor errors (measured less true) by effect and the errors `initial` (10,) at the model's
+    start to `contribution` (effect, axis, time, component) and `initial` (state, component), m.
     """
     model = weights.model
     steps = {

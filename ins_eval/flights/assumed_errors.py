@@ -17,13 +17,13 @@ from ins_eval.error_model.effects import (
     gyro_bias,
     gyro_scale_factor,
 )
+from ins_eval.error_model.linear_model import AXES
 from ins_eval.error_model.motion import Motion
 from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.sensor_error_model import IDEAL_SENSORS
 from ins_eval.imu.stated_gyros import StatedGyros
 
-AXES = 3
 HARMONIC = 4
 """Harmonic of the pattern angle that a calibrated whole-angle gyro's bias mainly follows."""
 DECADES = (1e1, 1e2, 1e3, 1e4, 1e5)

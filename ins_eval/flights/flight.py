@@ -8,7 +8,6 @@ import numpy as np
 from ins_eval.alignment.align import align
 from ins_eval.alignment.result import Alignment
 from ins_eval.common.arrays import Array
-from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.common.state import Track
 from ins_eval.flights.plan import Plan
 from ins_eval.flights.truth import Truth
@@ -86,17 +85,12 @@ def _run(plan: Plan, truth: Truth, imu: Imu, seed: int) -> Run:
             f"{imu.name}: gyros are not ready throughout; expected them to be {SETTLING:g} s after "
             "power-on, when alignment begins, and from then on"
         )
-    alignment = _align(plan, truth, measured.increments, imu.errors)
+    alignment = None
+    if plan.alignment is not None:
+        standing = truth.alignment(measured.increments)
+        alignment = align(standing, truth.position, imu.errors)
     track = _navigate(plan, truth, measured.increments, alignment)
     return Run(measured, alignment, track)
-
-
-def _align(
-    plan: Plan, truth: Truth, measured: Increments, errors: SensorErrors
-) -> Alignment | None:
-    if plan.alignment is None:
-        return None
-    return align(truth.alignment(measured), truth.position, errors)
 
 
 def _navigate(plan: Plan, truth: Truth, measured: Increments, alignment: Alignment | None) -> Track:

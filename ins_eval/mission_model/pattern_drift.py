@@ -14,6 +14,7 @@ import numpy as np
 
 from ins_eval.common.arrays import Array
 from ins_eval.error_model.effects import ANGULAR_GAIN, Effect, pattern_angle
+from ins_eval.error_model.linear_model import AXES
 from ins_eval.error_model.motion import PARTS, Motion
 from ins_eval.mission_model.gyro_map import HARMONICS, TERMS
 from ins_eval.mission_model.signals import STEADY, WARMING, slice_coefficients
@@ -22,7 +23,6 @@ from ins_eval.trajectories.trajectory import Trajectory
 FOURTH_HARMONIC = 1 + 2 * HARMONICS.index(4)
 TURNING_TERMS = (0, FOURTH_HARMONIC, FOURTH_HARMONIC + 1)
 """Terms of the bias that turns the pattern: its mean and fourth harmonic."""
-AXES = 3
 COUNT = 2 * 2 * len(HARMONICS) * len(TURNING_TERMS)
 """Number of products of a harmonic, of the bias and then of the scale factor, with one of
 `TURNING_TERMS`."""

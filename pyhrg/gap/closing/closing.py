@@ -8,15 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
-from pyhrg.device.device_file import from_table
-from pyhrg.device.keys import KEYS
 from pyhrg.fmu import GyroError
 from pyhrg.gap.effects.catalogue import EFFECT_NAMES, EFFECTS
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.findings.diagnosis import Cause, DiagnosisError
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels
-from pyhrg.records.campaign import Campaign
 
 Array = NDArray[np.float64]
 Residuals = Mapping[str, Array]
@@ -32,18 +29,6 @@ class Closing:
     after: tuple[Residuals, ...]
 
 
-def nominal_device(campaign: Campaign) -> Device:
-    """The device that a campaign's nominal values state, without values that are no device key.
-
-    Raises:
-        DeviceError: the values are no device's.
-    """
-    names = {key.name for key in KEYS}
-    nominal = {name: value for name, value in campaign.nominal.items() if name in names}
-    stated = from_table(nominal, f"{campaign.device}: nominal")
-    return replace(stated, site=campaign.site)
-
-
 def identified_device(attribution: Attribution) -> Device:
     """The nominal device with the effects and noises of the most probable hypothesis put in."""
     nominal = attribution.nominal
@@ -56,10 +41,7 @@ def identified_device(attribution: Attribution) -> Device:
 
 def device_with_causes(nominal: Device, causes: Iterable[Cause]) -> Device:
     """The nominal device with the causes of a diagnosis put in; causes that are noise are left out.
-
-    Raises:
-        DiagnosisError: the catalogue has no such effect, or a parameter is missing.
-    """
+    A `DiagnosisError` where the catalogue has no such effect, or a parameter is missing."""
     device = nominal
     for cause in causes:
         name, parameters = cause.effect, cause.parameters
@@ -78,16 +60,9 @@ def close_gap(
 ) -> Closing:
     """Simulate the identified device and compare both devices with the records.
 
-    A search that did not converge may end at a device that the FMU refuses. The last device that
-    could be simulated is then taken for the identified one.
-
-    Args:
-        simulation: both fidelities.
-        attribution: result of the search.
-        tests: those that were fitted to, in the search's order, then the held-out ones.
-
-    Raises:
-        GyroError: the search converged to a device that the FMU refuses.
+    Tests are those that were fitted to, in the search's order, then the held-out ones. A search
+    that did not converge may end at a device that the FMU refuses. The last device that could be
+    simulated is then taken for the identified one.
     """
     identified = identified_device(attribution)
     try:

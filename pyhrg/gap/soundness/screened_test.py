@@ -4,23 +4,23 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from pyhrg.device.device import Device
 from pyhrg.gap.soundness.angles import check_angles, estimate_bryan_factor, find_column_orders
 from pyhrg.gap.soundness.attitude import check_attitude, check_temperature, estimate_frequency
 from pyhrg.gap.soundness.exclusion import (
     Exclusion,
     NominalEstimate,
-    NominalSetup,
     apply_exclusions,
     has_values,
 )
 from pyhrg.gap.soundness.glitches import check_glitches, mend_inputs
-from pyhrg.gap.soundness.inputs import InputError, complete_inputs
+from pyhrg.gap.soundness.inputs import complete_inputs
 from pyhrg.gap.soundness.resonator import (
     check_amplitude,
     check_swapped_forces,
     estimate_decay_time,
 )
-from pyhrg.records import Log, LogError
+from pyhrg.records import LogError
 from pyhrg.records.campaign import Test
 
 
@@ -63,11 +63,14 @@ class ScreenedTest:
         return has_values(log, "gyro_angle") or has_values(log, "wave_angle")
 
 
-def screen_test(test: Test, nominal: NominalSetup) -> ScreenedTest | str:
+def screen_test(test: Test, nominal: Device) -> ScreenedTest | str:
     """The test without what contradicts itself, or a sentence why it can't be used."""
     try:
         log = test.log
-        _check_time(log)
+        if len(log.time) < 2 or not np.all(np.diff(log.time) > 0):
+            raise LogError(
+                f"{log.source}: time_s: expected two rows at least, and time to increase"
+            )
     except LogError as error:
         return f"{test.id}: not used: {error}"
     notes = [f"{log.source}: {note}" for note in log.exclusions]
@@ -76,7 +79,7 @@ def screen_test(test: Test, nominal: NominalSetup) -> ScreenedTest | str:
     notes += [*mended, *(exclusion.sentence for exclusion in wrong_inputs)]
     try:
         log, filled = complete_inputs(apply_exclusions(log, wrong_inputs), nominal)
-    except InputError as error:
+    except LogError as error:
         return "; ".join([f"{test.id}: not used: {error}", *notes])
     angles = check_angles(log, nominal)
     others = check_amplitude(log) + check_swapped_forces(log, nominal)
@@ -94,8 +97,3 @@ def screen_test(test: Test, nominal: NominalSetup) -> ScreenedTest | str:
         ),
         (*notes, *filled, *(exclusion.sentence for exclusion in (*angles, *others, *glitches))),
     )
-
-
-def _check_time(log: Log) -> None:
-    if len(log.time) < 2 or not np.all(np.diff(log.time) > 0):
-        raise LogError(f"{log.source}: time_s: expected two rows at least, and time to increase")

@@ -6,9 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from pyhrg.device.device import Device
 from pyhrg.device.device_file import from_table
 from pyhrg.device.keys import KEYS
-from pyhrg.gap.soundness.exclusion import NominalEstimate, NominalSetup
+from pyhrg.gap.soundness.exclusion import NominalEstimate
 from pyhrg.gap.soundness.screened_test import ScreenedTest, screen_test
 from pyhrg.records.campaign import INDEX, Campaign, CampaignError, Test
 
@@ -24,16 +25,12 @@ def screen_campaign(campaign: Campaign) -> tuple[Campaign, tuple[str, ...]]:
 
     Every test has inputs that can be replayed row by row. Outputs are NaN where they are missing or
     contradict what the campaign format fixes. Limits are wide: no real error of a gyro exceeds
-    them, only mixed-up columns, units, signs or files do. `truth.json` is not read.
-
-    Raises:
-        DeviceError: a nominal value is impossible.
-        CampaignError: a nominal value is missing; most logs contradict the nominal values (another
-            gyro's logs) or themselves; no test that may be fitted remains.
+    them, only mixed-up columns, units, signs or files do. A `CampaignError` where a nominal value
+    is missing, most logs contradict the nominal values or themselves, or no test can be fitted.
     """
-    nominal, notes = _select_nominal(campaign)
-    setup = NominalSetup(from_table(nominal, f"{INDEX}: nominal"), campaign.site)
-    results = [screen_test(test, setup) for test in campaign.tests]
+    notes = _check_nominal(campaign)
+    nominal = nominal_device(campaign)
+    results = [screen_test(test, nominal) for test in campaign.tests]
     screened = [result for result in results if isinstance(result, ScreenedTest)]
     _check_column_order(screened)
     _check_gyro([estimate for each in screened for estimate in each.estimates])
@@ -47,7 +44,7 @@ def screen_campaign(campaign: Campaign) -> tuple[Campaign, tuple[str, ...]]:
         raise CampaignError(f"no test that may be fitted can be used: {reasons}")
     if not any(test.is_holdout for test in tests):
         notes.append("no test is held out: a diagnosis can't be verified")
-    return replace(campaign, nominal=nominal, tests=tuple(tests)), tuple(notes)
+    return replace(campaign, tests=tuple(tests)), tuple(notes)
 
 
 def describe_screening(campaign: Campaign) -> str:
@@ -62,15 +59,22 @@ def describe_screening(campaign: Campaign) -> str:
     return f"a diagnosis would leave out, or take for granted:\n{sentences}"
 
 
-def _select_nominal(campaign: Campaign) -> tuple[dict[str, float], list[str]]:
-    """Nominal values whose keys are known, and a sentence for each that is not."""
+def nominal_device(campaign: Campaign) -> Device:
+    """The device that a campaign's nominal values state, without values that are no device key;
+    a `DeviceError` where they are no device's."""
+    names = {key.name for key in KEYS}
+    nominal = {name: value for name, value in campaign.nominal.items() if name in names}
+    return replace(from_table(nominal, f"{INDEX}: nominal"), site=campaign.site)
+
+
+def _check_nominal(campaign: Campaign) -> list[str]:
+    """A sentence on each nominal value whose key is not known."""
     missing = [key for key in REQUIRED_KEYS if key not in campaign.nominal]
     if missing:
         raise CampaignError(f"{INDEX}: nominal.{missing[0]}: missing; expected a number")
     names = [key.name for key in KEYS]
     unknown = [key for key in campaign.nominal if key not in names]
-    notes = [f"{INDEX}: nominal.{key}: not known, ignored" for key in unknown]
-    return {k: v for k, v in campaign.nominal.items() if k in names}, notes
+    return [f"{INDEX}: nominal.{key}: not known, ignored" for key in unknown]
 
 
 def _check_column_order(screened: Sequence[ScreenedTest]) -> None:
@@ -113,17 +117,13 @@ def _check_gyro(estimates: Sequence[NominalEstimate]) -> None:
         value = float(np.median([estimate.found for estimate in own]))
         others = [e for (k, f), es in by_field.items() if k == key and f != field for e in es]
         if not others or np.mean([e.fits(value) for e in others]) > MAX_CONTRADICTING_SHARE:
-            raise _describe_another_gyro(key, own)
-
-
-def _describe_another_gyro(key: str, estimates: Sequence[NominalEstimate]) -> CampaignError:
-    contradicting = [estimate for estimate in estimates if estimate.contradicts]
-    logs = {estimate.source for estimate in contradicting}
-    return CampaignError(
-        f"{INDEX}: nominal.{key}: contradicted by {len(logs)} logs, as "
-        f"{contradicting[0].sentence}: are they another gyro's, or is the column in another unit "
-        "or sign?"
-    )
+            contradicting = [estimate for estimate in own if estimate.contradicts]
+            raise CampaignError(
+                f"{INDEX}: nominal.{key}: contradicted by "
+                f"{len({estimate.source for estimate in contradicting})} logs, as "
+                f"{contradicting[0].sentence}: are they another gyro's, or is the column in "
+                "another unit or sign?"
+            )
 
 
 def _drop_known_holdouts(tests: Sequence[Test]) -> tuple[list[Test], list[str]]:

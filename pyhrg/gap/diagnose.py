@@ -16,8 +16,8 @@ from pyhrg.common.progress import Progress, make_progress_reporter
 from pyhrg.common.units import ARCSEC
 from pyhrg.device import device_file
 from pyhrg.device.device import Device
-from pyhrg.gap.closing.closing import Closing, Residuals, close_gap, nominal_device
-from pyhrg.gap.closing.gap_figures import compute_gap_figures
+from pyhrg.gap.closing.closing import Closing, Residuals, close_gap
+from pyhrg.gap.closing.verification import compute_gap_figures
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue, NoiseEffect
 from pyhrg.gap.effects.design import build_design
 from pyhrg.gap.evidence.attribution import Attribution, attribute_gap
@@ -40,7 +40,7 @@ from pyhrg.gap.replay.models import load_simulation as build_simulation
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest, observe_test
 from pyhrg.gap.replay.replay import has_start_angle
 from pyhrg.gap.replay.simulation import Simulation
-from pyhrg.gap.soundness import screen_campaign
+from pyhrg.gap.soundness import nominal_device, screen_campaign
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
 from pyhrg.records import campaign as campaigns
 from pyhrg.records.campaign import Campaign, CampaignError
@@ -275,7 +275,7 @@ def _summarize(
         sizes=measure_sizes(
             attribution.parts, closing.before[:count], closing.after[:count], stated_noise
         ),
-        gap=compute_gap_figures(tests, before, after, attribution),
+        gap=compute_gap_figures(tests, before, after, attribution.noise.noise),
         next_test=suggest_next_test(
             simulation, attribution, find_rivals(attribution, catalogue.effects)
         )

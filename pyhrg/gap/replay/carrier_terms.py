@@ -11,16 +11,9 @@ from pyhrg.theory.closed_forms import beyond_the_average
 def compute_carrier_terms(
     device: Device, test: ObservedTest, wave_angle: NDArray[np.float64]
 ) -> dict[str, NDArray[np.float64]]:
-    """(n,) row means by channel, SI, of the next order of the average (docs/methods/replay.md,
-    Eq. 8).
-
-    A record may contain them or not, so the whitening counts them as noise of this shape.
-
-    Args:
-        device: the simulated gyro.
-        test: gives the table's rate.
-        wave_angle: (n,) pattern angle at the rows' ends, rad.
-    """
+    """(n,) row means by channel, SI, of the next order of the average (docs/methods/replay.md, Eq.
+    8), for the (n,) pattern angle at the rows' ends, rad. A record may contain them or not, so the
+    whitening counts them as noise of this shape."""
     rate = test.inputs.table.means
     to_middle = device.bryan_factor * rate * test.log.interval / 2
     terms = beyond_the_average(device, rate, wave_angle + to_middle)

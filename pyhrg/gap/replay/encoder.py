@@ -32,11 +32,8 @@ def estimate_encoder_noise(table_angle: Array, gyro_angle: Array) -> float:
     """Standard deviation of the encoder's white noise, rad; 0 where it is not significant.
 
     Motion appears in encoder and gyro alike. The noise variance is therefore the covariance of the
-    encoder's differences with encoder less gyro (docs/methods/replay.md, Eq. 4).
-
-    Args:
-        table_angle: (n,) rad.
-        gyro_angle: (n,) rad; NaN where it is missing.
+    differences of (n,) encoder angles, rad, with those of encoder less gyro
+    (docs/methods/replay.md, Eq. 4).
     """
     table, gyro = np.diff(table_angle, DIFFERENCE_ORDER), np.diff(gyro_angle, DIFFERENCE_ORDER)
     table, gyro = (series[np.isfinite(gyro)] for series in (table, gyro))
@@ -55,10 +52,6 @@ def _is_inlier(series: Array) -> NDArray[np.bool_]:
 
 
 def describe_encoder_noise(noises: Mapping[str, float]) -> tuple[str, ...]:
-    """One sentence for the report if any encoder is noisy, else none.
-
-    Args:
-        noises: standard deviation by test, rad.
-    """
+    """One sentence for the report if any encoder is noisy, else none; noise by test, rad."""
     noisy = {name: noise for name, noise in noises.items() if noise}
     return (NOTE.format(max(noisy.values()) / ARCSEC, ", ".join(noisy)),) if noisy else ()

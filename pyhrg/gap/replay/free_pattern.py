@@ -22,14 +22,6 @@ def truncate_free_pattern(
 
     With a frequency split, a ring-down of minutes multiplies such a turn. It can end in circular
     motion, whose pattern angle is undefined (docs/methods/replay.md, Eq. 7).
-
-    Args:
-        simulation: both fidelities.
-        nominal: device whose frequency split and damping anisotropy move the free pattern.
-        test: whose drive may be off in some rows.
-
-    Raises:
-        GyroError: the FMU refuses the device.
     """
     if test.log.drive_on.all():
         return test

@@ -12,31 +12,16 @@ TransferFunction = tuple[tuple[float, ...], tuple[float, ...]]
 
 
 def compute_loop_force(force: Array, natural_frequency: float, interval: float) -> Array:
-    """(n,) force of a critically damped loop where a quasi-steady loop would apply `force`.
-
-    The closed loop is (2 w s + w^2)/(s + w)^2 (docs/methods/replay.md, Eq. 5). The input is linear
-    between rows.
-
-    Args:
-        force: (n,) force of the quasi-steady loop, any unit.
-        natural_frequency: w, rad/s.
-        interval: of the rows, s.
-    """
+    """(n,) force of a critically damped loop of natural frequency w, rad/s, where a quasi-steady
+    loop would apply (n,) `force`: (2 w s + w^2)/(s + w)^2 (docs/methods/replay.md, Eq. 5). The
+    input is linear between rows."""
     w = natural_frequency
     return _filter(((2 * w, w * w), (1.0, 2 * w, w * w)), force, interval)
 
 
 def compute_loop_error(force: Array, natural_frequency: float, interval: float) -> Array:
-    """(n,) departure of the controlled quantity from its set point while the needed force changes.
-
-    The closed loop is s/(s + w)^2 (docs/methods/replay.md, Eq. 6). The input is linear between
-    rows.
-
-    Args:
-        force: (n,) force of the quasi-steady loop, 1/s.
-        natural_frequency: w, rad/s.
-        interval: of the rows, s.
-    """
+    """(n,) departure of the controlled quantity from its set point while the needed force, 1/s,
+    changes: s/(s + w)^2 (docs/methods/replay.md, Eq. 6). The input is linear between rows."""
     w = natural_frequency
     return _filter(((1.0, 0.0), (1.0, 2 * w, w * w)), force, interval)
 

@@ -8,20 +8,13 @@ from pyhrg.gap.replay.simulation import Simulation
 
 
 def load_model(name: str, progress: Callable[[str], None] = lambda text: None) -> GyroFmu:
-    """An FMU ready to be run, built first if there is no current build.
-
-    Args:
-        name: "HRG", "HRGSlow" or "HRGCarrier".
-        progress: called with a sentence on each step of a build.
-
-    Raises:
-        TranslationError, BuildError, OSError.
-    """
+    """The FMU "HRG", "HRGSlow" or "HRGCarrier", ready to be run; it is built first if there is no
+    current build. `progress` is called with a sentence on each step of a build."""
     fmu = GyroFmu(build_fmu(name, progress=progress))
     fmu.prepare()
     return fmu
 
 
 def load_simulation(progress: Callable[[str], None] = lambda text: None) -> Simulation:
-    """Both fidelities that a replay needs; arguments and errors as of `load_model`."""
+    """Both fidelities that a replay needs."""
     return Simulation(load_model("HRG", progress), load_model("HRGSlow", progress))

@@ -85,12 +85,8 @@ def compute_settling_time(device: Device) -> float:
 
 
 def observe_test(test: Test, nominal: Device) -> ObservedTest:
-    """Select what a test has to compare (docs/methods/replay.md, "Rows that are compared").
-
-    Args:
-        test: with a log of complete inputs.
-        nominal: gives the start angle, and the loops' settling time.
-    """
+    """Select what a test has to compare (docs/methods/replay.md, "Rows that are compared"). Its log
+    has complete inputs; the nominal device gives the start angle, and the loops' settling time."""
     log = test.log
     inputs = prepare_inputs(log, nominal)
     transient = _find_transient_rows(log, inputs, compute_settling_time(nominal))

@@ -75,12 +75,7 @@ class ReplayInputs:
 
 
 def prepare_inputs(log: Log, nominal: Device) -> ReplayInputs:
-    """Inputs of a log whose rows are complete.
-
-    Args:
-        log: of one power-on, from its start.
-        nominal: its angular gain (Bryan factor) is used.
-    """
+    """Inputs of a log of one power-on, from its start, whose rows are complete."""
     return ReplayInputs(
         log,
         estimate_start_angle(log, nominal.bryan_factor),
@@ -115,19 +110,12 @@ def estimate_start_angle(log: Log, bryan_factor: float) -> float:
 def replay_inputs(
     fmu: GyroFmu, device: Device, inputs: ReplayInputs, step: float
 ) -> dict[str, Array]:
-    """Noise-free outputs of the simulated gyro for a log's inputs.
+    """Noise-free outputs of the simulated gyro for a log's inputs, (n,) SI by field of a log:
+    angles, amplitude, forces and frequency.
 
-    Args:
-        fmu: `HRG`, or `HRGSlow` for quasi-steady loops.
-        device: the gyro, its mounting and its site.
-        inputs: of one log.
-        step: longest communication step, s; it is shortened to a whole fraction of a row.
-
-    Returns:
-        (n,) SI by field of a log: angles, amplitude, forces and frequency.
-
-    Raises:
-        GyroError: the FMU refuses parameters or inputs.
+    The FMU is `HRG`, or `HRGSlow` for quasi-steady loops. The longest communication step, s, is
+    shortened to a whole fraction of a row. A `GyroError` where the FMU refuses parameters or
+    inputs.
     """
     steps = max(1, math.ceil(inputs.log.interval / step - STEP_ROUNDING))
     step = inputs.log.interval / steps
@@ -135,8 +123,13 @@ def replay_inputs(
     first = {HELD_INPUTS[name]: float(values[0]) for name, values in held.items()}
     first["caseTemperature"] = float(inputs.temperatures[0])
     parameters = {**_compute_parameters(fmu, device, step), **first}
+    earth = compute_earth_rate(device, inputs.log.axis_up[:, None], inputs.table_angle(steps))
+    varying = {
+        "angularRate": inputs.table.rates_in(steps) + earth,
+        "caseTemperature": interpolate_rows(inputs.temperatures, compute_step_middles(steps)),
+    }
     with fmu.power_on(parameters, seed=0, start_angle=inputs.start_angle) as on:
-        return record_rows(on, _compute_rates(device, inputs, steps), held, step, LOOP_OUTPUTS)
+        return record_rows(on, varying, held, step, LOOP_OUTPUTS)
 
 
 def _compute_parameters(fmu: GyroFmu, device: Device, step: float) -> Mapping[str, float]:
@@ -145,13 +138,3 @@ def _compute_parameters(fmu: GyroFmu, device: Device, step: float) -> Mapping[st
         return values
     without_loops = {name: value for name, value in values.items() if name not in LOOP_FREQUENCIES}
     return {**without_loops, "samplePeriod": step}
-
-
-def _compute_rates(device: Device, inputs: ReplayInputs, steps: int) -> dict[str, Array]:
-    """(n, steps) means over the steps of inputs that vary within rows (Eqs. 2 and 3)."""
-    up = inputs.log.axis_up[:, None]
-    earth = compute_earth_rate(device, up, inputs.table_angle(steps))
-    return {
-        "angularRate": inputs.table.rates_in(steps) + earth,
-        "caseTemperature": interpolate_rows(inputs.temperatures, compute_step_middles(steps)),
-    }

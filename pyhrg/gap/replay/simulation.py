@@ -92,10 +92,8 @@ class Simulation:
 
         Sampled loops run throughout if most rows are transient. Else quasi-steady loops run, with
         the loops' linear response, and sampled loops add what they change in the angles in
-        transient rows (docs/methods/replay.md, "Fidelity").
-
-        Raises:
-            GyroError: the FMU refuses parameters or inputs.
+        transient rows (docs/methods/replay.md, "Fidelity"). A `GyroError` where the FMU refuses
+        parameters or inputs; so do the methods below.
         """
         if np.mean(test.transient) > MAX_TRANSIENT_SHARE:
             return self._run_sampled(device, test.inputs)
@@ -151,32 +149,21 @@ class Simulation:
         return add_channels(settled, corrections)
 
     def compute_difference(self, low: Device, high: Device, test: ObservedTest) -> dict[str, Array]:
-        """(n,) by channel, SI: output of `high` less that of `low`, for devices that differ little.
-
-        Raises:
-            GyroError: as `simulate`.
-        """
+        """(n,) by channel, SI: output of `high` less that of `low`, for devices that differ
+        little."""
         first, last = (self._run_cached(device, test.inputs) for device in (low, high))
         return _subtract(first, last, high, test)
 
     def make_difference_from(
         self, device: Device, test: ObservedTest
     ) -> Callable[[Device], dict[str, Array]]:
-        """`compute_difference` from one device on, which is simulated once.
-
-        Raises:
-            GyroError: as `simulate`, here and from the returned function.
-        """
+        """`compute_difference` from one device on, which is simulated once."""
         first = self._run_cached(device, test.inputs)
         return lambda other: _subtract(first, self._run_coarse(other, test.inputs), other, test)
 
     def differentiate_by_angle(self, device: Device, test: ObservedTest) -> AngleDerivatives:
         """Derivatives of a replay by the pattern angle, by central differences of the start angle
-        (docs/methods/replay.md, Eq. 7).
-
-        Raises:
-            GyroError: as `simulate`.
-        """
+        (docs/methods/replay.md, Eq. 7)."""
         shifts = (-ANGLE_SHIFT, 0.0, ANGLE_SHIFT)
         low, middle, high = (self._run_cached(device, test.inputs, s) for s in shifts)
         below, above = (_subtract(*ends, device, test) for ends in ((low, middle), (middle, high)))

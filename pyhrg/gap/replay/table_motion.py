@@ -67,15 +67,12 @@ def _integrate_parabola(share: Array) -> Array:
 
 
 def estimate_table_motion(table_angle: Array, interval: float) -> TableMotion:
-    """The motion that reproduces the encoder's readings exactly.
+    """The motion that reproduces exactly the encoder's readings at the rows' ends, (n,) rad, from 0
+    at the start.
 
     The piecewise linear rate is taken unless it alternates from bound to bound. It does after
     rounding of the encoder, and after a move that ends within a row. Then the motion with the
     fewest rows with a bend or a parabola is taken (docs/methods/replay.md, Eqs. 2 and 3).
-
-    Args:
-        table_angle: (n,) encoder at the rows' ends, rad; 0 at the start.
-        interval: of the rows, s.
     """
     means = np.diff(table_angle, prepend=0.0) / interval
     linear = _build_motion(means, interval, _fit_linear(means))

@@ -21,12 +21,8 @@ SINGLE_STEP_RATIO = 1.5
 
 
 def estimate_reading_steps(logs: Mapping[str, Array]) -> dict[str, float]:
-    """Quantization step of each log, K; a log that never changes gets the finest step of the
-    others. 0 means that the step is finer than the noise.
-
-    Args:
-        logs: (n,) temperature by test, K.
-    """
+    """Quantization step of each (n,) temperature log, K; a log that never changes gets the finest
+    step of the others. 0 means that the step is finer than the noise."""
     changes = {name: _compute_changes(log) for name, log in logs.items()}
     steps = {name: _estimate_step(own) for name, own in changes.items()}
     finest = min((step for step in steps.values() if step), default=0.0)
@@ -34,11 +30,7 @@ def estimate_reading_steps(logs: Mapping[str, Array]) -> dict[str, float]:
 
 
 def estimate_toggling_step(log: Array) -> float:
-    """Step between which a thermometer's readings go to and fro, K; 0 where they don't.
-
-    Args:
-        log: (n,) temperature, K.
-    """
+    """Step between which a thermometer's readings, (n,) K, go to and fro, K; 0 where they don't."""
     changes = _compute_changes(log)
     goes_both_ways = changes.min(initial=0.0) < 0 < changes.max(initial=0.0)
     return _estimate_step(changes) if goes_both_ways else 0.0

@@ -63,7 +63,8 @@ class CampaignNoise:
         if channel == "gyro_angle":
             return self.angle.add_white(test.encoder_noise)
         interval = test.log.interval
-        white = _look_up_nearest(self.white[channel], interval)
+        nearest = min(self.white[channel], key=lambda known: abs(math.log(known / interval)))
+        white = self.white[channel][nearest]
         if channel in self.per_kelvin:
             kelvin = self.temperature.get(test.test.id, max(self.temperature.values()))
             lagged = self.per_kelvin[channel] * kelvin * np.sqrt(interval)
@@ -88,15 +89,11 @@ class CampaignNoise:
 def estimate_campaign_noise(
     nominal: Device, tests: Sequence[ObservedTest], residuals: Sequence[Mapping[str, Array]]
 ) -> CampaignNoise:
-    """Noise of all channels: the nominal device's own on its angle, the others' from residuals.
+    """Noise of all channels: the nominal device's own on its angle, the others' from residuals,
+    (n,) by channel for each test, record less simulation, SI.
 
     The others are estimated from second differences of residuals, to which a slow signal
     contributes almost nothing (docs/methods/whitening.md, Eq. 14).
-
-    Args:
-        nominal: the device before the diagnosis.
-        tests: all tests that are compared.
-        residuals: (n,) by channel, record less simulation, SI, for each test.
     """
     white = {name: _estimate_white(name, tests, residuals) for name in REPLAY_RESOLUTION}
     steps = estimate_reading_steps({t.test.id: t.log.temperature for t in tests})
@@ -116,7 +113,7 @@ def estimate_campaign_noise(
             kelvins = [temperature[t.test.id] for t in tests if t.log.interval == interval]
             change = slope * float(np.median(kelvins)) * interval / nominal.thermal_lag
             least = REPLAY_RESOLUTION[channel]
-            white[channel][interval] = _subtract_thermometer(deviation, change, least)
+            white[channel][interval] = math.sqrt(max(deviation**2 - change**2 / 12, least**2))
     return CampaignNoise(
         build_angle_noise(nominal),
         white,
@@ -144,17 +141,6 @@ def _estimate_white(
         )
         for interval, own in parts.items()
     }
-
-
-def _look_up_nearest(by_interval: Mapping[float, float], interval: float) -> float:
-    """Value of the rows whose length has the ratio nearest to one."""
-    return by_interval[min(by_interval, key=lambda known: abs(math.log(known / interval)))]
-
-
-def _subtract_thermometer(deviation: float, change: float, least: float) -> float:
-    """Standard deviation without the share of a thermometer's noise, by which the channel changes
-    from row to row."""
-    return float(np.sqrt(max(deviation**2 - change**2 / 12, least**2)))
 
 
 def build_angle_noise(device: Device) -> NoiseModel:

@@ -23,20 +23,14 @@ def compute_innovations(
     densities: Array,
     innovations: Array,
 ) -> float:
-    """Log determinant of the covariance; fills in the normalised innovations (Eqs. 6 to 10).
+    """Log determinant of the covariance of (n, p) readings; fills in the normalised innovations
+    (Eqs. 6 to 10).
 
-    A covariance that repeats to the bit is not computed again: with equal steps the filter becomes
-    stationary.
-
-    Args:
-        series: (n, p) readings.
-        steps: (n,) time since the reading before, s.
-        white: variance of the white noise of a reading.
-        walks: (2,) spectral densities that drive angle and rate.
-        lags: (m,) time constants, s.
-        rates: (m,) 1 where a lag adds to the rate, 0 where it adds to the reading.
-        densities: (m,) spectral densities that drive the lags.
-        innovations: (n, p), overwritten.
+    `steps` are (n,) times since the reading before, s; `white` is the variance of a reading's white
+    noise, `walks` are the (2,) spectral densities that drive angle and rate. Each of m lags has a
+    time constant, s, a spectral density that drives it, and a rate: 1 where it adds to the rate, 0
+    where it adds to the reading. A covariance that repeats to the bit is not computed again: with
+    equal steps the filter becomes stationary.
     """
     m = len(lags) + 2
     state = np.zeros((m, series.shape[1]))
@@ -91,13 +85,8 @@ def _fill_transition(
     integrated: Array,
     added: Array,
 ) -> None:
-    """Transition over a step and covariance of its process noise (Eqs. 4 and 5).
-
-    Args:
-        kept: (m,) part of each state that remains, overwritten.
-        integrated: (m,) what each state adds to the angle, overwritten.
-        added: (m, m) process-noise covariance, overwritten.
-    """
+    """Transition over a step and covariance of its process noise (Eqs. 4 and 5). Overwrites the
+    (m,) part of each state that remains, what each adds to the angle, and the (m, m) covariance."""
     h = step
     integrated[1] = h
     added[0, 0] = walks[0] * h + walks[1] * h**3 / 3

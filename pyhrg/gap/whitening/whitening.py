@@ -89,13 +89,8 @@ class NoiseModel:
     @property
     def is_white(self) -> bool:
         """Whether successive readings are independent."""
-        return not (
-            self.angle_random_walk
-            or self.rate_random_walk
-            or self.bias_instability
-            or self.lagged
-            or self.correlated
-        )
+        walks = self.angle_random_walk, self.rate_random_walk, self.bias_instability
+        return not (any(walks) or self.lagged or self.correlated)
 
 
 @dataclass(frozen=True)
@@ -130,18 +125,12 @@ class WhitenedSeries:
 def whiten(
     series: Array, steps: Array, noise: NoiseModel, unmodelled: Array | None = None
 ) -> WhitenedSeries:
-    """Normalised innovations of each column under one noise model.
+    """Normalised innovations of each column of (n, p) series under one noise model.
 
-    All slow terms start at zero with the first step, except that flicker and correlated noise of
-    the rate start in their stationary state.
-
-    Args:
-        series: (n, p) residual and columns, any units.
-        steps: (n,) time since the reading before, s; the first since the start.
-        noise: in the residual's unit.
-        unmodelled: (n,) shape, in the residual's unit, of a term that the simulation lacks. A
-            multiple of it with standard deviation 1 counts as noise (docs/methods/whitening.md,
-            Eqs. 11 and 12).
+    All slow terms start at zero with the first of the (n,) steps, s, except that flicker and
+    correlated noise of the rate start in their stationary state. `unmodelled` is the (n,) shape of
+    a term that the simulation lacks: a multiple of it with standard deviation 1 counts as noise
+    (docs/methods/whitening.md, Eqs. 11 and 12).
     """
     if unmodelled is None or not unmodelled.any():
         return _whiten_by_filter(series, steps, noise)

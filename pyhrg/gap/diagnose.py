@@ -21,11 +21,12 @@ from pyhrg.gap.closing.verification import compute_gap_figures
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue, NoiseEffect
 from pyhrg.gap.effects.design import build_design
 from pyhrg.gap.evidence.attribution import Attribution, attribute_gap
-from pyhrg.gap.evidence.hypothesis import Hypothesis, angle_residuals
+from pyhrg.gap.evidence.hypothesis import Hypothesis
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_search import find_noise_equivalents
 from pyhrg.gap.evidence.noise.quantization import add_quantization
 from pyhrg.gap.evidence.noise.unstated_noise import complete_stated_noise
+from pyhrg.gap.evidence.residuals import compute_residuals
 from pyhrg.gap.findings import diagnosis as diagnosis_file
 from pyhrg.gap.findings.diagnosis import Diagnosis, Verdict
 from pyhrg.gap.findings.localisation import locate_gap
@@ -35,11 +36,10 @@ from pyhrg.gap.next_test.next_test import suggest_next_test
 from pyhrg.gap.next_test.rivals import find_rivals
 from pyhrg.gap.next_test.static_test import suggest_static_test
 from pyhrg.gap.replay.encoder import describe_encoder_noise
-from pyhrg.gap.replay.free_pattern import truncate_free_pattern
 from pyhrg.gap.replay.models import load_simulation as build_simulation
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest, observe_test
 from pyhrg.gap.replay.replay import has_start_angle
-from pyhrg.gap.replay.simulation import Simulation
+from pyhrg.gap.replay.simulation import Simulation, truncate_free_pattern
 from pyhrg.gap.soundness import nominal_device, screen_campaign
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
 from pyhrg.records import campaign as campaigns
@@ -112,7 +112,10 @@ class CampaignDiagnosis:
         Raises:
             HrgError: no such test was used.
         """
-        index = self._index(test_id)
+        ids = [test.test.id for test in self.tests]
+        if test_id not in ids:
+            raise HrgError(f"test_id: found {test_id!r}, expected one of {', '.join(ids)}")
+        index = ids.index(test_id)
         columns, units = {"time_s": self.tests[index].log.time}, {"time_s": "s"}
         for channel in CHANNELS:
             unit, factor = BY_FIELD[channel].unit, BY_FIELD[channel].factor
@@ -162,12 +165,6 @@ class CampaignDiagnosis:
         device_file.write(self.identified, folder / AFTER_FILE)
         diagnosis_file.write(self.diagnosis, folder)
 
-    def _index(self, test_id: str) -> int:
-        ids = [test.test.id for test in self.tests]
-        if test_id not in ids:
-            raise HrgError(f"test_id: found {test_id!r}, expected one of {', '.join(ids)}")
-        return ids.index(test_id)
-
 
 def diagnose(
     campaign: Campaign | Path | str,
@@ -199,9 +196,8 @@ def diagnose(
     nominal, tests, excluded = _prepare(campaign, simulation)
     fitted = [test for test in tests if not test.test.is_holdout]
     attribution = attribute_gap(simulation, nominal, fitted, catalogue, report)
-    attribution = attribution.replace_noises(
-        partial(_complete_noise, attribution, fitted, catalogue.noises)
-    )
+    complete = partial(_complete_noise, attribution, fitted, catalogue.noises)
+    attribution = replace(attribution, posterior=attribution.posterior.replace_noises(complete))
     report("closing")
     closing = close_gap(simulation, attribution, tests)
     report("verifying, and looking for the next test")
@@ -245,8 +241,13 @@ def _complete_noise(
     hypothesis also with the noises that are confounded with its own."""
     noise, nominal = hypothesis.noise, attribution.nominal
     if hypothesis is attribution.posterior.best:
-        sizes, parts = attribution.ranking.best.sizes, attribution.parts
-        residuals = angle_residuals(parts, sizes, attribution.channel_noise, nominal)
+        residuals = compute_residuals(
+            attribution.parts,
+            attribution.ranking.best.sizes,
+            attribution.channel_noise,
+            nominal,
+            ("gyro_angle",),
+        )
         noise = find_noise_equivalents(noise, residuals, build_angle_noise(nominal), noises)
     return add_quantization(noise, tests, nominal.quantization_step, noises)
 

@@ -29,16 +29,6 @@ class Closing:
     after: tuple[Residuals, ...]
 
 
-def identified_device(attribution: Attribution) -> Device:
-    """The nominal device with the effects and noises of the most probable hypothesis put in."""
-    nominal = attribution.nominal
-    device = nominal
-    for effect, size in attribution.ranking.best.named.items():
-        device = effect.put(device, effect.vector(nominal) + size)
-    levels: dict[str, Any] = {added.effect.field: added.total for added in attribution.noise.added}
-    return replace(device, **levels)
-
-
 def device_with_causes(nominal: Device, causes: Iterable[Cause]) -> Device:
     """The nominal device with the causes of a diagnosis put in; causes that are noise are left out.
     A `DiagnosisError` where the catalogue has no such effect, or a parameter is missing."""
@@ -64,7 +54,8 @@ def close_gap(
     that did not converge may end at a device that the FMU refuses. The last device that could be
     simulated is then taken for the identified one.
     """
-    identified = identified_device(attribution)
+    levels: dict[str, Any] = {added.effect.field: added.total for added in attribution.noise.added}
+    identified = replace(attribution.ranking.best.put_effects(attribution.nominal), **levels)
     try:
         return _compare(simulation, attribution, identified, tests)
     except GyroError:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from scipy.linalg import LinAlgError, cho_factor, cho_solve
 from scipy.special import gammaln
 
+from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Design, Group
@@ -30,6 +31,25 @@ TERM_MIN_VARIANCE = 1e-3
 """A candidate term is collinear with others when these leave less than this share of its columns'
 power. Terms are approximate shapes: a small difference between two large terms has no meaning.
 Chosen."""
+
+
+EQUIVALENCE_LOG_ODDS = math.log(20.0)
+"""Two hypotheses are confounded when their log Bayes factor is below this. Chosen: 20 is the
+boundary of "strong" evidence in Kass and Raftery (1995), Sect. 3.2."""
+
+# Prior odds of all that may take part (Eqs. (6), (12), (14), (15)): how often a campaign is
+# expected to show each kind of gap. All are chosen. A factor of two changes log odds by 0.7; an
+# effect of 6 sigma has a log evidence of about 15.
+EFFECT_ODDS = 0.25
+"""Some effect of the catalogue takes part, shared equally among the effects."""
+NOISE_ODDS = 0.05
+"""A given noise of the catalogue exceeds its stated level."""
+UNNAMED_ODDS = 0.05
+"""Something outside the catalogue takes part: a candidate term, shared equally among these; the
+same odds for an unnamed noise, shared among its correlation times."""
+HALF_UNNAMED_ODDS = UNNAMED_ODDS / 2
+"""Pairs of events that no coordinate predicts have the odds of one candidate term: a jump of the
+bias and a step of an angle; a line in the residual and a stretch of other noise."""
 
 
 @dataclass(frozen=True)
@@ -65,6 +85,13 @@ class Fit:
     def named(self) -> dict[Effect, Array]:
         """(d,) size of each effect of the catalogue."""
         return {group: size for group, size in self.sizes.items() if isinstance(group, Effect)}
+
+    def put_effects(self, nominal: Device) -> Device:
+        """The nominal gyro with the effects of the catalogue in their sizes."""
+        device = nominal
+        for effect, size in self.named.items():
+            device = effect.put(device, effect.vector(nominal) + size)
+        return device
 
 
 def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
@@ -104,12 +131,8 @@ def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
 
 
 def log_evidence(power: Array, size: int) -> Array:
-    """Log evidence of a single group of orthonormal columns over the empty set (Eq. (5)).
-
-    Args:
-        power: (n,) decrease of chi-square by each of n such groups.
-        size: number of columns of each group.
-    """
+    """Log evidence of a single group of `size` orthonormal columns over the empty set (Eq. (5)),
+    for each of the (n,) decreases of chi-square by it."""
     length = np.sqrt(np.maximum(power, size))
     prior = -_log_sphere_area(size) - size * np.log(length) - math.log(math.log(MAX_SIGMA))
     return np.asarray(power / 2 + size / 2 * math.log(2 * math.pi) + prior)
@@ -121,12 +144,8 @@ def min_free_variance(group: Group) -> float:
 
 
 def _log_prior(information: Array, values: Array) -> float:
-    """Log prior density of a group's size (Eq. (4)).
-
-    Args:
-        information: (d, d) Fisher information of the group alone.
-        values: (d,) size.
-    """
+    """Log prior density of a group's (d,) size, given the (d, d) Fisher information of the group
+    alone (Eq. (4))."""
     d = len(values)
     length = math.sqrt(max(float(values @ information @ values), d))
     volume = float(np.linalg.slogdet(information)[1]) / 2
@@ -136,3 +155,20 @@ def _log_prior(information: Array, values: Array) -> float:
 def _log_sphere_area(d: int) -> float:
     """Log area of the unit sphere in d dimensions."""
     return math.log(2) + d / 2 * math.log(math.pi) - float(gammaln(d / 2))
+
+
+def find_equivalents(
+    design: Design, best: Fit, effect: Effect, effects: Sequence[Effect]
+) -> dict[Effect, Fit]:
+    """Effects that explain about as much in the place of one of the most probable set, each with
+    the set that it makes there (docs/methods/verdict.md, Eq. (2)). The normal equations are those
+    around the gyro that this set makes."""
+    others: list[Group] = [g for g in best.groups if g != effect]
+    equivalents = {}
+    for other in effects:
+        if other in best.groups or not (design.norms[design.columns[other]] > 0).all():
+            continue
+        swapped = fit(design, [*others, other])
+        if swapped is not None and swapped.log_evidence > best.log_evidence - EQUIVALENCE_LOG_ODDS:
+            equivalents[other] = swapped
+    return equivalents

@@ -46,14 +46,12 @@ class Place:
 
 
 def locate_gap(design: Design) -> tuple[Place, ...]:
-    """Places where the residual has more power than its noise, the largest share first.
+    """Places where the residual has more power than its noise, the largest share first. The design
+    is whitened by the stated noise.
 
     Within a channel, candidate terms are fitted and removed one by one: first with the same size in
     all tests, then in each test that has power left. Power that no term explains has the coordinate
     `noise`.
-
-    Args:
-        design: normal equations, whitened by the stated noise.
     """
     terms = [g for g in design.columns if isinstance(g, CandidateTerm)]
     powers: dict[tuple[str, str, str, int | None], float] = {}

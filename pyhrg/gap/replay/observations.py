@@ -91,7 +91,10 @@ def observe_test(test: Test, nominal: Device) -> ObservedTest:
     inputs = prepare_inputs(log, nominal)
     transient = _find_transient_rows(log, inputs, compute_settling_time(nominal))
     coarse = COARSE_SETTLING_STEPS * min(COARSE_STEP, log.interval)
-    settled = _find_settled_rows(log, inputs, max(compute_settling_time(nominal), coarse))
+    changed = find_command_changes(log)
+    if log.interval >= FINE_ROW:
+        changed |= find_table_acceleration(inputs) | _find_rotation(inputs, FORCE_RATE_LIMIT)
+    settled = find_undisturbed_rows(log, changed, max(compute_settling_time(nominal), coarse))
     rows = {}
     for name in CHANNELS:
         compared = np.isfinite(getattr(log, name)) & np.isfinite(log.gyro_angle)
@@ -118,14 +121,6 @@ def _find_transient_rows(log: Log, inputs: ReplayInputs, settling_time: float) -
     changed = find_table_acceleration(inputs) | _find_rotation(inputs, ANGLE_RATE_LIMIT)
     changed |= _find_changes(log, LOOP_COMMANDS)
     return ~find_undisturbed_rows(log, changed, settling_time + log.interval)
-
-
-def _find_settled_rows(log: Log, inputs: ReplayInputs, settling_time: float) -> Mask:
-    """(n,) rows whose amplitude, forces and frequency quasi-steady loops give."""
-    changed = find_command_changes(log)
-    if log.interval >= FINE_ROW:
-        changed |= find_table_acceleration(inputs) | _find_rotation(inputs, FORCE_RATE_LIMIT)
-    return find_undisturbed_rows(log, changed, settling_time)
 
 
 def _find_rotation(inputs: ReplayInputs, limit: float) -> Mask:

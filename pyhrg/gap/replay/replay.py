@@ -1,7 +1,6 @@
 """A test's inputs, as its log has them, put to the simulated gyro."""
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -69,10 +68,6 @@ class ReplayInputs:
             float(self.log.table_angle[rows.start - 1]) if rows.start else self.start_table_angle,
         )
 
-    def first(self, rows: int) -> "ReplayInputs":
-        """The inputs of the first rows."""
-        return self.section(slice(0, rows), self.start_angle)
-
 
 def prepare_inputs(log: Log, nominal: Device) -> ReplayInputs:
     """Inputs of a log of one power-on, from its start, whose rows are complete."""
@@ -120,9 +115,13 @@ def replay_inputs(
     steps = max(1, math.ceil(inputs.log.interval / step - STEP_ROUNDING))
     step = inputs.log.interval / steps
     held = {name: getattr(inputs.log, name) for name in HELD_COLUMNS}
-    first = {HELD_INPUTS[name]: float(values[0]) for name, values in held.items()}
-    first["caseTemperature"] = float(inputs.temperatures[0])
-    parameters = {**_compute_parameters(fmu, device, step), **first}
+    silent = replace(device.without_noise(), quantization_step=0.0)
+    parameters = dict(silent.fmu_parameters())
+    if not fmu.is_sampled:
+        without_loops = {k: v for k, v in parameters.items() if k not in LOOP_FREQUENCIES}
+        parameters = {**without_loops, "samplePeriod": step}
+    parameters |= {HELD_INPUTS[name]: float(values[0]) for name, values in held.items()}
+    parameters["caseTemperature"] = float(inputs.temperatures[0])
     earth = compute_earth_rate(device, inputs.log.axis_up[:, None], inputs.table_angle(steps))
     varying = {
         "angularRate": inputs.table.rates_in(steps) + earth,
@@ -130,11 +129,3 @@ def replay_inputs(
     }
     with fmu.power_on(parameters, seed=0, start_angle=inputs.start_angle) as on:
         return record_rows(on, varying, held, step, LOOP_OUTPUTS)
-
-
-def _compute_parameters(fmu: GyroFmu, device: Device, step: float) -> Mapping[str, float]:
-    values = replace(device.without_noise(), quantization_step=0.0).fmu_parameters()
-    if fmu.is_sampled:
-        return values
-    without_loops = {name: value for name, value in values.items() if name not in LOOP_FREQUENCIES}
-    return {**without_loops, "samplePeriod": step}

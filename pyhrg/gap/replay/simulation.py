@@ -21,6 +21,7 @@ from pyhrg.gap.replay.observations import (
     compute_settling_time,
 )
 from pyhrg.gap.replay.replay import ReplayInputs, replay_inputs
+from pyhrg.theory.closed_forms import beyond_the_average
 
 Array = NDArray[np.float64]
 ChannelValues = Mapping[str, Array]
@@ -46,6 +47,11 @@ MAX_TRANSIENT_SHARE = 0.5
 """Share of transient rows above which the whole test runs with sampled loops. Chosen."""
 MAX_CACHED_ROWS = 1_000_000
 """Rows of simulations kept for repeated requests. Chosen: memory."""
+NOISE_GROWTH_LIMIT = 0.2
+"""Relative growth of an earlier turn of a free pattern above which its rows are not compared.
+Chosen."""
+MIN_ROWS = 10
+"""Fewest rows of a test with a free pattern that are simulated, compared or not. Chosen."""
 
 
 @dataclass(frozen=True)
@@ -112,18 +118,16 @@ class Simulation:
         each = next(n for n in range(max(periods // steps, 1), 0, -1) if periods % n == 0)
         return replay_inputs(self.sampled, device, inputs, each * CONTROL_PERIOD)
 
-    def _run_quasi_steady(self, device: Device, inputs: ReplayInputs) -> dict[str, Array]:
-        return replay_inputs(self.quasi_steady, device, inputs, QUASI_STEADY_STEP)
-
     def _run_with_phase_lag(self, device: Device, inputs: ReplayInputs) -> dict[str, Array]:
         """With quasi-steady loops, and the phase loop's lag behind a frequency that drifts."""
-        without_lag = self._run_quasi_steady(device, inputs)
+        without_lag = replay_inputs(self.quasi_steady, device, inputs, QUASI_STEADY_STEP)
         drift = np.gradient(without_lag["frequency_offset"], inputs.log.interval)
         lag = drift / device.phase_loop**2
         if np.abs(lag).max() < MIN_PHASE_LAG:
             return without_lag
         log = replace(inputs.log, phase_offset=inputs.log.phase_offset - lag)
-        return self._run_quasi_steady(device, replace(inputs, log=log))
+        with_lag = replace(inputs, log=log)
+        return replay_inputs(self.quasi_steady, device, with_lag, QUASI_STEADY_STEP)
 
     def _correct_angles(
         self, settled: dict[str, Array], device: Device, test: ObservedTest
@@ -239,3 +243,35 @@ def _apply_loop_response(
     for name, frequency in zip(FORCES, loops, strict=True):
         values[name] = compute_loop_force(values[name], frequency, test.log.interval)
     return values
+
+
+def truncate_free_pattern(
+    simulation: Simulation, nominal: Device, test: ObservedTest
+) -> ObservedTest:
+    """The test up to the row in which a small turn of the free pattern has grown or shrunk too far.
+
+    With a frequency split, a ring-down of minutes multiplies such a turn. It can end in circular
+    motion, whose pattern angle is undefined (docs/methods/replay.md, Eq. 7).
+    """
+    if test.log.drive_on.all():
+        return test
+    slope = simulation.differentiate_by_angle(nominal, test).slopes["gyro_angle"]
+    growth = np.abs(nominal.bryan_factor * slope)
+    has_grown = (test.log.drive_on <= 0) & (growth > NOISE_GROWTH_LIMIT)
+    kept = ~np.logical_or.accumulate(has_grown)
+    count = max(int(kept.sum()), MIN_ROWS)
+    rows = {name: (compared & kept)[:count] for name, compared in test.rows.items()}
+    inputs = test.inputs.section(slice(0, count), test.inputs.start_angle)
+    return replace(test, inputs=inputs, rows=rows, transient=test.transient[:count])
+
+
+def compute_carrier_terms(
+    device: Device, test: ObservedTest, wave_angle: Array
+) -> dict[str, Array]:
+    """(n,) row means by channel, SI, of the next order of the average (docs/methods/replay.md, Eq.
+    8), for the (n,) pattern angle at the rows' ends, rad. A record may contain them or not, so the
+    whitening counts them as noise of this shape."""
+    rate = test.inputs.table.means
+    to_middle = device.bryan_factor * rate * test.log.interval / 2
+    terms = beyond_the_average(device, rate, wave_angle + to_middle)
+    return {name: terms.get(name, np.zeros(len(rate))) for name in CHANNELS}

@@ -75,7 +75,8 @@ def estimate_table_motion(table_angle: Array, interval: float) -> TableMotion:
     fewest rows with a bend or a parabola is taken (docs/methods/replay.md, Eqs. 2 and 3).
     """
     means = np.diff(table_angle, prepend=0.0) / interval
-    linear = _build_motion(means, interval, _fit_linear(means))
+    signs = (-1.0) ** np.arange(len(means))
+    linear = _build_motion(means, interval, np.asarray(2 * signs * np.cumsum(signs * means)))
     if _median_bend(linear) <= ALTERNATION_RATIO * ENCODER_RESOLUTION / interval:
         return linear
     few = _build_motion(means, interval, _fit_sparse(means, interval))
@@ -92,12 +93,6 @@ def _median_bend(motion: TableMotion) -> float:
     """Median second difference of the rates, plus that of the encoder's resolution, rad/s."""
     bends = np.abs(np.diff(motion.rates, 2))
     return ENCODER_RESOLUTION / motion.interval + float(np.median(bends))
-
-
-def _fit_linear(means: Array) -> Array:
-    """(n,) rates at the rows' ends of a motion whose rate is linear in every row."""
-    signs = (-1.0) ** np.arange(len(means))
-    return np.asarray(2 * signs * np.cumsum(signs * means))
 
 
 def _fit_sparse(means: Array, interval: float) -> Array:

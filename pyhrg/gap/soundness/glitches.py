@@ -130,19 +130,14 @@ def find_glitches(series: Array, rows: Mask) -> Mask:
         if not glitches.any():
             return glitches
     unaffected = rows & ~binary_dilation(glitches, iterations=REACH)
-    elsewhere = np.sort(_compute_departures(series, unaffected))
+    steps = _window_steps(series, unaffected, 0)
+    median, _, usable = _summarize_context(steps, 0)
+    departures = np.abs(steps[:, CONTEXT] - median)  # of single steps from those around
+    elsewhere = np.sort(departures[usable & np.isfinite(departures)])
     excepted = 2 * MAX_GLITCHES
     largest = elsewhere[-1 - excepted] if len(elsewhere) > excepted else 0.0
     glitches &= sizes > MIN_SIZE_ELSEWHERE * largest
     return glitches & (np.sum(glitches) <= max(MAX_GLITCHES, MAX_GLITCH_SHARE * np.sum(rows)))
-
-
-def _compute_departures(series: Array, rows: Mask) -> Array:
-    """Magnitudes of single steps less the median of those around."""
-    steps = _window_steps(series, rows, 0)
-    median, _, usable = _summarize_context(steps, 0)
-    departures = np.abs(steps[:, CONTEXT] - median)
-    return np.asarray(departures[usable & np.isfinite(departures)])
 
 
 def _window_steps(series: Array, rows: Mask, length: int) -> Array:

@@ -106,7 +106,9 @@ def _find_cut(log: Log, missing: NDArray[np.bool_]) -> tuple[int, str]:
             return first, f"{log.source}: inputs missing from time_s {log.time[first]:g} to the end"
         if first == 0 and end > MAX_MISSING_AT_START * len(missing):
             raise LogError(f"{log.source}: {end} rows are missing before the first one")
-        if not (_keeps_rate(log, first, end) and _keeps_commands(log, first, end)):
+        commands = [getattr(log, field) for field in COMMANDS]
+        is_kept = first == 0 or all(c[first - 1] == c[end] for c in commands)
+        if not (is_kept and _keeps_rate(log, first, end)):
             time = log.time[first]
             if first == 0:
                 raise LogError(f"{log.source}: the start is missing, to time_s {log.time[end]:g}")
@@ -125,12 +127,6 @@ def _keeps_rate(log: Log, first: int, end: int) -> bool:
     after = (angle[end + 1] - angle[end]) / interval if end + 1 < len(angle) else across
     allowed = RATE_TOLERANCE * abs(across) + REST_TOLERANCE / interval
     return bool(max(abs(before - across), abs(after - across)) <= allowed)
-
-
-def _keeps_commands(log: Log, first: int, end: int) -> bool:
-    return first == 0 or all(
-        getattr(log, field)[first - 1] == getattr(log, field)[end] for field in COMMANDS
-    )
 
 
 def _fill_inputs(log: Log, known: NDArray[np.int64]) -> Log:

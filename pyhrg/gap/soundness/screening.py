@@ -2,15 +2,29 @@
 
 from collections import defaultdict
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from pyhrg.device.device import Device
 from pyhrg.device.device_file import from_table
 from pyhrg.device.keys import KEYS
-from pyhrg.gap.soundness.exclusion import NominalEstimate
-from pyhrg.gap.soundness.screened_test import ScreenedTest, screen_test
+from pyhrg.gap.soundness.angles import check_angles, estimate_bryan_factor, find_column_orders
+from pyhrg.gap.soundness.attitude import check_attitude, check_temperature, estimate_frequency
+from pyhrg.gap.soundness.exclusion import (
+    Exclusion,
+    NominalEstimate,
+    apply_exclusions,
+    has_values,
+)
+from pyhrg.gap.soundness.glitches import check_glitches, mend_inputs
+from pyhrg.gap.soundness.inputs import complete_inputs
+from pyhrg.gap.soundness.resonator import (
+    check_amplitude,
+    check_swapped_forces,
+    estimate_decay_time,
+)
+from pyhrg.records import LogError
 from pyhrg.records.campaign import INDEX, Campaign, CampaignError, Test
 
 REQUIRED_KEYS = ("coriolis_factor", "decay_time_s", "frequency_Hz")
@@ -18,6 +32,45 @@ REQUIRED_KEYS = ("coriolis_factor", "decay_time_s", "frequency_Hz")
 MAX_CONTRADICTING_SHARE = 0.5
 """Share of contradicting logs above which the campaign is refused, since the nominal values or all
 logs must then be wrong. Chosen."""
+
+
+@dataclass(frozen=True)
+class ScreenedTest:
+    """A test with complete inputs, and what was found in its log.
+
+    orders: orders of the three angle columns that fit, see `find_column_orders`.
+    angles: exclusions of whole angle columns, which no gyro explains.
+    estimates: of nominal values.
+    notes: what was left out of the log or assumed.
+    """
+
+    test: Test
+    orders: frozenset[str]
+    angles: tuple[Exclusion, ...]
+    estimates: tuple[NominalEstimate, ...]
+    notes: tuple[str, ...]
+
+    @property
+    def usable(self) -> Test:
+        """The test without the columns that contradict nominal values."""
+        fields = tuple(estimate.field for estimate in self.estimates if estimate.contradicts)
+        log = apply_exclusions(self.test.log, [Exclusion(fields, "")])
+        return replace(self.test, recording=log)
+
+    @property
+    def sentences(self) -> list[str]:
+        """A sentence for everything that was left out or assumed."""
+        contradictions = [e.sentence for e in self.estimates if e.contradicts]
+        unused = (
+            [] if self.is_usable else [f"{self.test.id}: not used: no angle of the gyro is left"]
+        )
+        return [*self.notes, *contradictions, *unused]
+
+    @property
+    def is_usable(self) -> bool:
+        """Whether an angle of the gyro is left."""
+        log = self.usable.log
+        return has_values(log, "gyro_angle") or has_values(log, "wave_angle")
 
 
 def screen_campaign(campaign: Campaign) -> tuple[Campaign, tuple[str, ...]]:
@@ -28,9 +81,15 @@ def screen_campaign(campaign: Campaign) -> tuple[Campaign, tuple[str, ...]]:
     them, only mixed-up columns, units, signs or files do. A `CampaignError` where a nominal value
     is missing, most logs contradict the nominal values or themselves, or no test can be fitted.
     """
-    notes = _check_nominal(campaign)
+    missing = [key for key in REQUIRED_KEYS if key not in campaign.nominal]
+    if missing:
+        raise CampaignError(f"{INDEX}: nominal.{missing[0]}: missing; expected a number")
+    unknown = set(campaign.nominal) - {key.name for key in KEYS}
+    notes = [
+        f"{INDEX}: nominal.{key}: not known, ignored" for key in campaign.nominal if key in unknown
+    ]
     nominal = nominal_device(campaign)
-    results = [screen_test(test, nominal) for test in campaign.tests]
+    results = [_screen_test(test, nominal) for test in campaign.tests]
     screened = [result for result in results if isinstance(result, ScreenedTest)]
     _check_column_order(screened)
     _check_gyro([estimate for each in screened for estimate in each.estimates])
@@ -65,16 +124,6 @@ def nominal_device(campaign: Campaign) -> Device:
     names = {key.name for key in KEYS}
     nominal = {name: value for name, value in campaign.nominal.items() if name in names}
     return replace(from_table(nominal, f"{INDEX}: nominal"), site=campaign.site)
-
-
-def _check_nominal(campaign: Campaign) -> list[str]:
-    """A sentence on each nominal value whose key is not known."""
-    missing = [key for key in REQUIRED_KEYS if key not in campaign.nominal]
-    if missing:
-        raise CampaignError(f"{INDEX}: nominal.{missing[0]}: missing; expected a number")
-    names = [key.name for key in KEYS]
-    unknown = [key for key in campaign.nominal if key not in names]
-    return [f"{INDEX}: nominal.{key}: not known, ignored" for key in unknown]
 
 
 def _check_column_order(screened: Sequence[ScreenedTest]) -> None:
@@ -140,3 +189,39 @@ def _drop_known_holdouts(tests: Sequence[Test]) -> tuple[list[Test], list[str]]:
 
 def _read_angles(test: Test) -> bytes:
     return test.log.gyro_angle.tobytes() + test.log.wave_angle.tobytes()
+
+
+def _screen_test(test: Test, nominal: Device) -> ScreenedTest | str:
+    """The test without what contradicts itself, or a sentence why it can't be used."""
+    try:
+        log = test.log
+        if len(log.time) < 2 or not np.all(np.diff(log.time) > 0):
+            raise LogError(
+                f"{log.source}: time_s: expected two rows at least, and time to increase"
+            )
+    except LogError as error:
+        return f"{test.id}: not used: {error}"
+    notes = [f"{log.source}: {note}" for note in log.exclusions]
+    log, mended = mend_inputs(log)
+    wrong_inputs = check_attitude(log, test.kind, nominal) + check_temperature(log, nominal)
+    notes += [*mended, *(exclusion.sentence for exclusion in wrong_inputs)]
+    try:
+        log, filled = complete_inputs(apply_exclusions(log, wrong_inputs), nominal)
+    except LogError as error:
+        return "; ".join([f"{test.id}: not used: {error}", *notes])
+    angles = check_angles(log, nominal)
+    others = check_amplitude(log) + check_swapped_forces(log, nominal)
+    remaining = apply_exclusions(log, [*angles, *others])
+    glitches = check_glitches(remaining, nominal)
+    remaining = apply_exclusions(remaining, glitches)
+    return ScreenedTest(
+        replace(test, recording=remaining),
+        frozenset(find_column_orders(log, nominal)),
+        tuple(exclusion for exclusion in angles if exclusion.rows is None),
+        (
+            *estimate_bryan_factor(log, nominal),
+            *estimate_decay_time(remaining, nominal),
+            *estimate_frequency(remaining, nominal),
+        ),
+        (*notes, *filled, *(exclusion.sentence for exclusion in (*angles, *others, *glitches))),
+    )

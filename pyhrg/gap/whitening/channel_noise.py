@@ -68,22 +68,19 @@ class CampaignNoise:
         if channel in self.per_kelvin:
             kelvin = self.temperature.get(test.test.id, max(self.temperature.values()))
             lagged = self.per_kelvin[channel] * kelvin * np.sqrt(interval)
-            rounding = self._thermometer_rounding(self.per_kelvin[channel], test)
-            return NoiseModel(white, lagged=lagged, lag=self.thermal_lag, correlated=rounding)
+            step = self.reading_steps.get(test.test.id, 0.0)
+            rounding = CorrelatedNoise(
+                self.per_kelvin[channel] * step / 2,
+                THERMOMETER_CORRELATION * self.thermal_lag,
+                of_rate=False,
+            )
+            return NoiseModel(
+                white, lagged=lagged, lag=self.thermal_lag, correlated=rounding if step else None
+            )
         if channel == "amplitude" and not test.log.drive_on.all():
             walk = 2 * self.bryan_factor * self.angle.angle_random_walk
             return NoiseModel(white, angle_random_walk=walk)
         return NoiseModel(white)
-
-    def _thermometer_rounding(
-        self, per_kelvin: float, test: ObservedTest
-    ) -> CorrelatedNoise | None:
-        """Effect on a channel of half a quantization step of the temperature log (Eq. 16)."""
-        step = self.reading_steps.get(test.test.id, 0.0)
-        if not step:
-            return None
-        level = per_kelvin * step / 2
-        return CorrelatedNoise(level, THERMOMETER_CORRELATION * self.thermal_lag, of_rate=False)
 
 
 def estimate_campaign_noise(

@@ -55,10 +55,16 @@ def compute_innovations(
         _predict_state(state, kept, integrated)
         for k in range(len(innovation)):
             innovation[k] = series[i, k] - state[0, k]
-        _subtract_lags(innovation, state, reading)
+        for a in range(2, m):
+            if reading[a] != 0.0:
+                for k in range(len(innovation)):
+                    innovation[k] -= reading[a] * state[a, k]
         for k in range(len(innovation)):
             innovations[i, k] = innovation[k] / deviation
-        _update_state(state, gain, innovation)
+        for a in range(m):
+            if gain[a] != 0.0:
+                for k in range(len(innovation)):
+                    state[a, k] += gain[a] * innovation[k]
     return log_determinant
 
 
@@ -162,21 +168,3 @@ def _predict_state(state: Array, kept: Array, integrated: Array) -> None:
         if kept[a] != 1.0:
             for k in range(state.shape[1]):
                 state[a, k] *= kept[a]
-
-
-@numba.njit(cache=True, inline="always")
-def _subtract_lags(innovation: Array, state: Array, reading: Array) -> None:
-    """Subtract from (p,) innovations the lags that are part of a reading, in place (Eq. 9)."""
-    for a in range(2, len(state)):
-        if reading[a] != 0.0:
-            for k in range(len(innovation)):
-                innovation[k] -= reading[a] * state[a, k]
-
-
-@numba.njit(cache=True, inline="always")
-def _update_state(state: Array, gain: Array, innovation: Array) -> None:
-    """Correct the (m, p) states by the innovation, in place (Eq. 8)."""
-    for a in range(len(state)):
-        if gain[a] != 0.0:
-            for k in range(len(innovation)):
-                state[a, k] += gain[a] * innovation[k]

@@ -86,12 +86,6 @@ class NoiseModel:
         walks = np.array([self.angle_random_walk**2, self.rate_random_walk**2])
         return MarkovStates(np.array(lags), rates, np.array(densities), walks)
 
-    @property
-    def is_white(self) -> bool:
-        """Whether successive readings are independent."""
-        walks = self.angle_random_walk, self.rate_random_walk, self.bias_instability
-        return not (any(walks) or self.lagged or self.correlated)
-
 
 @dataclass(frozen=True)
 class MarkovStates:
@@ -143,7 +137,8 @@ def whiten(
 
 
 def _whiten_by_filter(series: Array, steps: Array, noise: NoiseModel) -> WhitenedSeries:
-    if noise.is_white:
+    walks = noise.angle_random_walk, noise.rate_random_walk, noise.bias_instability
+    if not (any(walks) or noise.lagged or noise.correlated):
         return WhitenedSeries(series / noise.white, 2 * len(series) * float(np.log(noise.white)))
     s = noise.states
     innovations = np.empty_like(series)

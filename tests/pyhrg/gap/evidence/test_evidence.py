@@ -7,8 +7,7 @@ from scipy.integrate import quad
 
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import EFFECTS
-from pyhrg.gap.evidence.equivalents import find_equivalents
-from pyhrg.gap.evidence.evidence import MAX_SIGMA, fit
+from pyhrg.gap.evidence.evidence import MAX_SIGMA, find_equivalents, fit
 from tests.pyhrg.gap.made_up import design_of
 
 Array = NDArray[np.float64]

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -35,11 +34,10 @@ from pyhrg.gap.findings.verdict import check_residuals, list_unnamed, reach_verd
 from pyhrg.gap.next_test.next_test import suggest_next_test
 from pyhrg.gap.next_test.rivals import find_rivals
 from pyhrg.gap.next_test.static_test import suggest_static_test
-from pyhrg.gap.replay.encoder import describe_encoder_noise
-from pyhrg.gap.replay.models import load_simulation as build_simulation
+from pyhrg.gap.replay.instruments import describe_encoder_noise
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest, observe_test
 from pyhrg.gap.replay.replay import has_start_angle
-from pyhrg.gap.replay.simulation import Simulation, truncate_free_pattern
+from pyhrg.gap.replay.simulation import Simulation, load_simulation, truncate_free_pattern
 from pyhrg.gap.soundness import nominal_device, screen_campaign
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
 from pyhrg.records import campaign as campaigns
@@ -192,12 +190,16 @@ def diagnose(
     campaign = (
         campaign if isinstance(campaign, Campaign) else campaigns.read_campaign(Path(campaign))
     )
-    simulation = simulation or build_simulation(report)
+    simulation = simulation or load_simulation(report)
     nominal, tests, excluded = _prepare(campaign, simulation)
     fitted = [test for test in tests if not test.test.is_holdout]
     attribution = attribute_gap(simulation, nominal, fitted, catalogue, report)
-    complete = partial(_complete_noise, attribution, fitted, catalogue.noises)
-    attribution = replace(attribution, posterior=attribution.posterior.replace_noises(complete))
+    hypotheses = tuple(
+        replace(h, noise=_complete_noise(attribution, fitted, catalogue.noises, h))
+        for h in attribution.posterior.hypotheses
+    )
+    posterior = replace(attribution.posterior, hypotheses=hypotheses)
+    attribution = replace(attribution, posterior=posterior)
     report("closing")
     closing = close_gap(simulation, attribution, tests)
     report("verifying, and looking for the next test")

@@ -97,5 +97,5 @@ def _residuals(
     turned = device.bryan_factor * residuals["gyro_angle"]
     for name in CHANNELS[1:]:
         at_angle = residuals[name] + over_angle.slopes[name] * turned
-        residuals[name] = at_angle - over_angle.second_order(name, turned)
+        residuals[name] = at_angle - over_angle.curvatures[name] * turned**2 / 2
     return {name: np.where(test.rows[name], residuals[name], np.nan) for name in CHANNELS}

@@ -12,10 +12,9 @@ from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
 from pyhrg.gap.closing.closing import device_with_causes
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, DiagnosisError, read_diagnosis
-from pyhrg.gap.replay.models import load_simulation as build_simulation
 from pyhrg.gap.replay.observations import observe_test
 from pyhrg.gap.replay.replay import has_start_angle
-from pyhrg.gap.replay.simulation import Simulation
+from pyhrg.gap.replay.simulation import Simulation, load_simulation
 from pyhrg.gap.soundness import nominal_device
 from pyhrg.gap.soundness.glitches import mend_inputs
 from pyhrg.gap.soundness.inputs import complete_inputs
@@ -74,7 +73,7 @@ def predict(
     for note in notes:
         report(note)
     test = observe_test(Test("prediction", "manoeuvre", "holdout", log), nominal)
-    answers = (simulation or build_simulation(report)).simulate(identified, test)
+    answers = (simulation or load_simulation(report)).simulate(identified, test)
     table = pd.DataFrame({"time_s": log.time, "gyro_angle_deg": answers["gyro_angle"] / DEG})
     table.attrs = {"units": {"time_s": "s", "gyro_angle_deg": "deg"}, "notes": notes}
     return table

@@ -10,8 +10,7 @@ from scipy.stats import chi2
 from pyhrg.common.units import ARCSEC, DEG_PER_H
 from pyhrg.gap.findings.diagnosis import Gap, GapFigure
 from pyhrg.gap.replay.observations import ObservedTest
-from pyhrg.gap.whitening.noise_draws import draw_noise
-from pyhrg.gap.whitening.whitening import NoiseModel, whiten
+from pyhrg.gap.whitening.whitening import NoiseModel, draw_noise, whiten
 
 Array = NDArray[np.float64]
 
@@ -52,15 +51,10 @@ def compute_gap_figures(
     angle, rate = figures(True)
     residuals = [after[i] for i in held_out]
     whiteness = compute_whiteness([tests[i] for i in held_out], residuals, noise)
-    return Gap(*figures(False), angle, rate, _shrink_percent(angle), whiteness)
-
-
-def _shrink_percent(figure: GapFigure) -> float | None:
-    """Share of the excess over the floor that closing removes (docs/methods/verdict.md, Eq. (5));
-    None where there is no excess."""
-    if figure.before <= figure.floor_95[1]:
-        return None
-    return 100 * (figure.before - figure.after) / (figure.before - figure.floor)
+    shrink = None  # docs/methods/verdict.md, Eq. (5); None where there is no excess over the floor
+    if angle.before > angle.floor_95[1]:
+        shrink = 100 * (angle.before - angle.after) / (angle.before - angle.floor)
+    return Gap(*figures(False), angle, rate, shrink, whiteness)
 
 
 def measure_distance(tests: Sequence[ObservedTest], residuals: Sequence[Array]) -> Array:

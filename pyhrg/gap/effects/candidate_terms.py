@@ -58,11 +58,6 @@ class CandidateTerm:
     is_of_each_power_on: bool = field(default=False, kw_only=True)
 
     @property
-    def is_predictive(self) -> bool:
-        """Whether its size in these tests says anything about a test that is yet to be made."""
-        return not self.is_of_each_power_on
-
-    @property
     def words(self) -> str:
         """Description for reports."""
         return f"{self.function} ({self.channel})"

@@ -111,14 +111,13 @@ def _collect_effects() -> tuple[Effect, ...]:
     )
 
 
-def _collect_noises() -> tuple[NoiseEffect, ...]:
-    declared = [(field, d.noise) for field, d in read_declarations(Device).items() if d.noise]
-    return tuple(NoiseEffect(noise.name, field, noise.scale) for field, noise in declared)
-
-
 DETERMINISTIC = _collect_effects()
 """Effects that change a simulation without noise."""
-NOISES = _collect_noises()
+NOISES = tuple(
+    NoiseEffect(declared.noise.name, field, declared.noise.scale)
+    for field, declared in read_declarations(Device).items()
+    if declared.noise
+)
 """Effects that change the noise alone."""
 
 

@@ -30,11 +30,6 @@ class Jump(CandidateTerm):
     log_odds: float = 0.0
     kind: Kind = "bias"
 
-    @property
-    def is_predictive(self) -> bool:
-        """False: it says nothing about a test that is yet to be made."""
-        return False
-
     def columns(self, where: Coordinates) -> Array:
         """(n, k) output angle of a test per unit of each of the k changes."""
         test = where.test

@@ -42,7 +42,7 @@ def linearize_test(
     by_angle, factor = simulation.differentiate_by_angle(device, test), nominal.bryan_factor
     turned = factor * (test.log.gyro_angle - simulated["gyro_angle"])
     for name in CHANNELS[1:]:
-        residual[name] = residual[name] - by_angle.second_order(name, turned)
+        residual[name] = residual[name] - by_angle.curvatures[name] * turned**2 / 2
     return LinearTest(
         test, device, simulated, residual, sensitivities, where, by_angle.slopes, factor
     )

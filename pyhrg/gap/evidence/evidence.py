@@ -59,27 +59,19 @@ class Fit:
     log_evidence: logarithm of the Bayes factor of this set over the empty set.
     explained: decrease of chi-square by the fit.
     values: (d,) size of each group, in units of its columns (SI for an effect).
-    covariance: (D, D) of all sizes, group after group.
+    covariances: (d, d) of each group's own size.
     """
 
     groups: tuple[Group, ...]
     log_evidence: float
     explained: float
     values: tuple[Array, ...]
-    covariance: Array
+    covariances: tuple[Array, ...]
 
     @property
     def sizes(self) -> dict[Group, Array]:
         """(d,) size of each group."""
         return dict(zip(self.groups, self.values, strict=True))
-
-    @property
-    def covariances(self) -> dict[Group, Array]:
-        """(d, d) covariance of each group's own size."""
-        ends = np.cumsum([len(values) for values in self.values]).tolist()
-        parts = [slice(e - len(v), e) for e, v in zip(ends, self.values, strict=True)]
-        own = [self.covariance[part, part] for part in parts]
-        return dict(zip(self.groups, own, strict=True))
 
     @property
     def named(self) -> dict[Effect, Array]:
@@ -97,7 +89,7 @@ class Fit:
 def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
     """Fit a set of groups (Eq. (3)); None where some of them are collinear in these tests."""
     if not groups:
-        return Fit((), 0.0, 0.0, (), np.zeros((0, 0)))
+        return Fit((), 0.0, 0.0, (), ())
     groups = sorted(groups, key=lambda group: isinstance(group, CandidateTerm))
     where = np.concatenate([design.columns[g] for g in groups])
     gram = design.gram[where[:, None], where]
@@ -116,18 +108,17 @@ def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
     scale = 1 / design.norms[where]
     inverse = cho_solve(factor, np.eye(len(where)))
     log_evidence = explained / 2 - float(np.log(diagonal).sum())
-    values, begin = [], 0
+    covariance = inverse * np.outer(scale, scale)
+    values, covariances, begin = [], [], 0
     for group in groups:
         part = slice(begin, begin + len(design.columns[group]))
         own = gram[part, part]
-        log_evidence += _log_prior(own, unit[part]) + (part.stop - begin) / 2 * math.log(
-            2 * math.pi
-        )
+        constant = (part.stop - begin) / 2 * math.log(2 * math.pi)
+        log_evidence += _log_prior(own, unit[part]) + constant
         values.append(unit[part] * scale[part])
+        covariances.append(covariance[part, part])
         begin = part.stop
-    return Fit(
-        tuple(groups), log_evidence, explained, tuple(values), inverse * np.outer(scale, scale)
-    )
+    return Fit(tuple(groups), log_evidence, explained, tuple(values), tuple(covariances))
 
 
 def log_evidence(power: Array, size: int) -> Array:

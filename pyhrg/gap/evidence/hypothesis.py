@@ -131,7 +131,7 @@ def make_feasibility_check(nominal: Device, effects: Collection[Effect]) -> Call
     bounds of its parameters, or outside by less than its 95 % interval."""
     bounds = {e: (e.vector(nominal), *e.bounds) for e in effects}
 
-    def is_possible(fit: Fit, effect: Effect, size: Array) -> bool:
+    def is_possible(effect: Effect, size: Array, covariance: Array) -> bool:
         vector, low, high = bounds[effect]
         total = vector + size
         if effect.periods:
@@ -141,10 +141,13 @@ def make_feasibility_check(nominal: Device, effects: Collection[Effect]) -> Call
         if excess <= 0:
             return True
         along = size / (math.hypot(*size) or 1.0)
-        variance = float(along @ fit.covariances[effect] @ along)
-        return excess <= NORMAL_95 * math.sqrt(variance)
+        return excess <= NORMAL_95 * math.sqrt(float(along @ covariance @ along))
 
-    return lambda fit: all(is_possible(fit, *own) for own in fit.named.items())
+    def is_feasible(fit: Fit) -> bool:
+        groups = zip(fit.groups, fit.values, fit.covariances, strict=True)
+        return all(is_possible(g, v, c) for g, v, c in groups if isinstance(g, Effect))
+
+    return is_feasible
 
 
 def estimate_nominal_noise(nominal: Device, parts: Sequence[LinearTest]) -> CampaignNoise:

@@ -5,8 +5,8 @@ compared together with the sets of effects that go with it (docs/methods/evidenc
 """
 
 import math
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from operator import attrgetter
 
 from scipy.special import softmax
@@ -39,10 +39,6 @@ class Posterior:
     def best(self) -> Hypothesis:
         """The most probable hypothesis."""
         return self.hypotheses[0]
-
-    def replace_noises(self, change: Callable[[Hypothesis], NoiseHypothesis]) -> "Posterior":
-        """A copy in which each hypothesis has the noise that `change` gives for it."""
-        return replace(self, hypotheses=tuple(replace(h, noise=change(h)) for h in self.hypotheses))
 
     def probability(self, *names: str) -> float:
         """Probability that one of the effects and noises of these names takes part."""

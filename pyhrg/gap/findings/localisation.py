@@ -113,8 +113,8 @@ def _choose_term(
     def explained(term: CandidateTerm) -> float:
         return sum(_power(gram, candidates[term]) for gram in equations(term))
 
-    for is_predictive in (True, False):
-        powers = {t: explained(t) for t in candidates if t.is_predictive == is_predictive}
+    for has_own_sizes in (False, True):
+        powers = {t: explained(t) for t in candidates if t.is_of_each_power_on == has_own_sizes}
         excess = {t: p - len(equations(t)) * len(candidates[t]) for t, p in powers.items()}
         highest = max(excess.values(), default=0.0)
         if highest >= threshold:

@@ -72,7 +72,7 @@ def reach_verdict(
 def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[Cause]:
     causes = []
     best, posterior = attribution.ranking.best, attribution.posterior
-    covariances = best.covariances
+    covariances = dict(zip(best.groups, best.covariances, strict=True))
     for effect, size in best.named.items():
         total = effect.vector(attribution.nominal) + size
         others = [e.name for e in find_equivalents(attribution.design, best, effect, effects)]

@@ -28,6 +28,7 @@ from pyhrg.gap.effects.design import (
     compute_excess_power,
     discount_model_error,
 )
+from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.sensitivities import compute_sensitivities
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.hypothesis import model_error_power
@@ -121,10 +122,7 @@ def compute_separations(
     """What each kind of test would separate in this much time, s, in the order of
     `list_candidates`."""
     unit = attribution.design
-    sizes = [
-        {g: v for g, v in h.fit.sizes.items() if isinstance(g, Effect) or g.is_predictive}
-        for h in hypotheses
-    ]
+    sizes = [{g: v for g, v in h.fit.sizes.items() if _is_predictive(g)} for h in hypotheses]
     groups = list(dict.fromkeys(group for own in sizes for group in own))
     bench = Bench(simulation.quasi_steady, attribution.device.without_noise())
     start_angle = attribution.parts[0].test.inputs.start_angle
@@ -157,6 +155,11 @@ def compute_separations(
         }
         separations.append(Separation(kind, sigmas))
     return separations
+
+
+def _is_predictive(group: Group) -> bool:
+    """Whether its size in these tests says anything about a test that is yet to be made."""
+    return isinstance(group, Effect) or not (isinstance(group, Jump) or group.is_of_each_power_on)
 
 
 def _linearize(

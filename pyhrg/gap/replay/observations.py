@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
-from pyhrg.gap.replay.encoder import estimate_encoder_noise
+from pyhrg.gap.replay.instruments import estimate_encoder_noise
 from pyhrg.gap.replay.replay import HELD_COLUMNS, ReplayInputs, prepare_inputs
 from pyhrg.records import Log
 from pyhrg.records.campaign import Test

@@ -19,8 +19,8 @@ from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.fmu import GyroFmu
+from pyhrg.gap.replay.instruments import estimate_toggling_step
 from pyhrg.gap.replay.table_motion import TableMotion, estimate_table_motion
-from pyhrg.gap.replay.thermometer import estimate_toggling_step
 from pyhrg.records import COLUMNS, Log
 
 Array = NDArray[np.float64]

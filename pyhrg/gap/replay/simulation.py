@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from fmu_build.bundle import build_fmu
 from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
 from pyhrg.gap.replay.loop_response import compute_loop_error, compute_loop_force
@@ -67,11 +68,6 @@ class AngleDerivatives:
 
     slopes: Mapping[str, Array]
     curvatures: Mapping[str, Array]
-
-    def second_order(self, channel: str, angle: Array) -> Array:
-        """(n,) second-order term of a channel's change when the pattern turns by (n,) angles,
-        rad."""
-        return np.asarray(self.curvatures[channel] * angle**2 / 2)
 
 
 @dataclass(frozen=True)
@@ -275,3 +271,16 @@ def compute_carrier_terms(
     to_middle = device.bryan_factor * rate * test.log.interval / 2
     terms = beyond_the_average(device, rate, wave_angle + to_middle)
     return {name: terms.get(name, np.zeros(len(rate))) for name in CHANNELS}
+
+
+def load_model(name: str, progress: Callable[[str], None] = lambda text: None) -> GyroFmu:
+    """The FMU "HRG", "HRGSlow" or "HRGCarrier", ready to be run; it is built first if there is no
+    current build. `progress` is called with a sentence on each step of a build."""
+    fmu = GyroFmu(build_fmu(name, progress=progress))
+    fmu.prepare()
+    return fmu
+
+
+def load_simulation(progress: Callable[[str], None] = lambda text: None) -> Simulation:
+    """Both fidelities that a replay needs."""
+    return Simulation(load_model("HRG", progress), load_model("HRGSlow", progress))

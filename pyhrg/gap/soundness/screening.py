@@ -93,7 +93,10 @@ def screen_campaign(campaign: Campaign) -> tuple[Campaign, tuple[str, ...]]:
     screened = [result for result in results if isinstance(result, ScreenedTest)]
     _check_column_order(screened)
     _check_gyro([estimate for each in screened for estimate in each.estimates])
-    _check_angles(screened)
+    wrong = [each for each in screened if each.angles and not each.is_usable]
+    if len(wrong) > MAX_CONTRADICTING_SHARE * len(screened):
+        sentence = wrong[0].angles[0].sentence
+        raise CampaignError(f"{len(wrong)} of {len(screened)} logs, as {sentence}")
     for result in results:
         notes += result.sentences if isinstance(result, ScreenedTest) else [result]
     tests, duplicates = _drop_known_holdouts([each.usable for each in screened if each.is_usable])
@@ -144,14 +147,6 @@ def _check_column_order(screened: Sequence[ScreenedTest]) -> None:
             f"{misnamed[0].test.log.source} and others: columns {names}: all logs fit with "
             "these names exchanged, these not as they are: are they swapped?"
         )
-
-
-def _check_angles(screened: Sequence[ScreenedTest]) -> None:
-    """Refuse a campaign with mixed-up angles in most logs."""
-    wrong = [each for each in screened if each.angles and not each.is_usable]
-    if len(wrong) > MAX_CONTRADICTING_SHARE * len(screened):
-        sentence = wrong[0].angles[0].sentence
-        raise CampaignError(f"{len(wrong)} of {len(screened)} logs, as {sentence}")
 
 
 def _check_gyro(estimates: Sequence[NominalEstimate]) -> None:

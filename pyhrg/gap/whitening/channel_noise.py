@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
+from pyhrg.gap.replay.instruments import estimate_reading_steps
 from pyhrg.gap.replay.observations import ObservedTest
-from pyhrg.gap.replay.thermometer import estimate_reading_steps
 from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel
 
 Array = NDArray[np.float64]

@@ -35,7 +35,11 @@ def compute_innovations(
     m = len(lags) + 2
     state = np.zeros((m, series.shape[1]))
     innovation = np.zeros(series.shape[1])
-    reading, covariance = _initialize(lags, rates, densities)
+    reading, covariance = np.zeros(m), np.zeros((m, m))
+    reading[0] = 1.0
+    for j in range(m - 2):
+        reading[j + 2] = 1.0 - rates[j]
+        covariance[j + 2, j + 2] = rates[j] * densities[j] * lags[j] / 2
     kept, integrated, added = np.ones(m), np.zeros(m), np.zeros((m, m))
     integrated[0] = 1.0
     before, angle_row = covariance.copy(), np.zeros(m)
@@ -66,18 +70,6 @@ def compute_innovations(
                 for k in range(len(innovation)):
                     state[a, k] += gain[a] * innovation[k]
     return log_determinant
-
-
-@numba.njit(cache=True, inline="always")
-def _initialize(lags: Array, rates: Array, densities: Array) -> tuple[Array, Array]:
-    """(m,) weights of the states in a reading, and (m, m) their covariance at the start."""
-    m = len(lags) + 2
-    reading, covariance = np.zeros(m), np.zeros((m, m))
-    reading[0] = 1.0
-    for j in range(m - 2):
-        reading[j + 2] = 1.0 - rates[j]
-        covariance[j + 2, j + 2] = rates[j] * densities[j] * lags[j] / 2
-    return reading, covariance
 
 
 @numba.njit(cache=True)

@@ -8,8 +8,7 @@ import pytest
 from pyhrg.device.device import Device
 from pyhrg.gap.closing.verification import compute_whiteness, estimate_noise_floor, measure_distance
 from pyhrg.gap.replay.observations import ObservedTest, observe_test
-from pyhrg.gap.whitening.noise_draws import draw_noise
-from pyhrg.gap.whitening.whitening import NoiseModel
+from pyhrg.gap.whitening.whitening import NoiseModel, draw_noise
 from pyhrg.records.campaign import Test
 from tests.pyhrg.records.made_up import made_up_log
 

@@ -12,8 +12,7 @@ from pyhrg.gap.evidence.noise.noise_search import find_noise_equivalents, fit_no
 from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.next_test.candidate_tests import LONG_ROWS
 from pyhrg.gap.next_test.static_test import suggest_static_test
-from pyhrg.gap.whitening.noise_draws import draw_noise
-from pyhrg.gap.whitening.whitening import NoiseModel
+from pyhrg.gap.whitening.whitening import NoiseModel, draw_noise
 
 BELIEVED = NoiseModel(0.036 * ARCSEC, 3e-4 * DEG_PER_SQRT_H)
 WALKING = replace(BELIEVED, rate_random_walk=0.0008 * DEG_PER_H / HOUR**0.5)

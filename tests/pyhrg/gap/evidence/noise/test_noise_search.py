@@ -10,8 +10,7 @@ from pyhrg.gap.effects.catalogue import NOISES
 from pyhrg.gap.evidence.noise.noise_levels import are_equal
 from pyhrg.gap.evidence.noise.noise_search import find_noise_equivalents, fit_noise
 from pyhrg.gap.evidence.residuals import Residual
-from pyhrg.gap.whitening.noise_draws import draw_noise
-from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel
+from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel, draw_noise
 
 BELIEVED = NoiseModel(0.036 * ARCSEC, angle_random_walk=3e-4 * DEG_PER_SQRT_H)
 ROWS = (3000, 2000)

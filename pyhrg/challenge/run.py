@@ -20,8 +20,7 @@ from pyhrg.fmu import GyroError
 from pyhrg.gap.diagnose import diagnose as diagnose_campaign
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE
 from pyhrg.gap.findings.diagnosis import FILE, read_diagnosis
-from pyhrg.gap.replay.models import load_model, load_simulation
-from pyhrg.gap.replay.simulation import Simulation
+from pyhrg.gap.replay.simulation import Simulation, load_model, load_simulation
 from pyhrg.records import campaign as campaigns
 
 Diagnose = Callable[[Path, Path, Sequence[str]], None]

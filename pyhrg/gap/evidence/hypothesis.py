@@ -1,6 +1,7 @@
 """A hypothesis: a noise of the output angle, and the sets of effects ranked under it."""
 
-from collections.abc import Iterable, Mapping, Sequence
+import math
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,13 +18,11 @@ from pyhrg.gap.effects.design import (
     compute_excess_power,
     discount_model_error,
 )
-from pyhrg.gap.evidence.feasibility import Feasibility
-from pyhrg.gap.evidence.jump_search import find_jumps
-from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
-from pyhrg.gap.evidence.noise.noise_levels import AngleResidual
-from pyhrg.gap.evidence.residuals import Removed, compute_residuals, distinct_by_groups
+from pyhrg.gap.evidence.evidence import Fit
+from pyhrg.gap.evidence.jump_search import find_jumps, find_steps
+from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis
+from pyhrg.gap.evidence.residuals import compute_residuals, distinct_by_groups
 from pyhrg.gap.evidence.search import Ranking, rank_sets
-from pyhrg.gap.evidence.step_search import find_steps
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, estimate_campaign_noise
 
 Array = NDArray[np.float64]
@@ -100,15 +99,9 @@ def rank_under_noise(
 ) -> Hypothesis:
     """Rank sets of effects and candidate terms under one noise of the output angle.
 
-    Jumps and steps that stand out of the residual are ranked too, and infeasible sizes are refused:
-    both only where the linearization error is negligible.
-
-    Args:
-        noise: noise of the output angle.
-        nominal: the gyro before the diagnosis.
-        parts: linear model of each test.
-        linearization_error: chi-square that the linear model may get wrong in each channel of each
-            test (Eq. (10)).
+    The linearization error is the chi-square that the linear model may get wrong in each channel of
+    each test (Eq. (10)). Only where it is negligible, jumps and steps that stand out of the
+    residual are ranked too, and infeasible sizes are refused.
     """
     nominal_noise = estimate_nominal_noise(nominal, parts)
     model_error = model_error_power(compute_excess_power(parts, nominal_noise))
@@ -120,7 +113,7 @@ def rank_under_noise(
         return Hypothesis(
             noise, channel_noise, design, rank_sets(discount_model_error(exact, error))
         )
-    is_feasible = Feasibility(nominal, parts[0].sensitivities)
+    is_feasible = make_feasibility_check(nominal, parts[0].sensitivities)
     ranking = rank_sets(design, is_feasible)
     removed = distinct_by_groups(ranking.best.sizes, ranking.best.named)
     residuals = [
@@ -133,6 +126,30 @@ def rank_under_noise(
     return Hypothesis(noise, channel_noise, design, ranking)
 
 
+def make_feasibility_check(nominal: Device, effects: Collection[Effect]) -> Callable[[Fit], bool]:
+    """A check whether every effect of a fit, whose sizes count from the nominal gyro, is within the
+    bounds of its parameters, or outside by less than its 95 % interval."""
+    bounds = {e: (e.vector(nominal), *e.bounds) for e in effects}
+
+    def is_possible(effect: Effect, size: Array, covariance: Array) -> bool:
+        vector, low, high = bounds[effect]
+        total = vector + size
+        if effect.periods:
+            excess = math.hypot(*total) - high
+        else:
+            excess = max(low - float(total[0]), float(total[0]) - high)
+        if excess <= 0:
+            return True
+        along = size / (math.hypot(*size) or 1.0)
+        return excess <= NORMAL_95 * math.sqrt(float(along @ covariance @ along))
+
+    def is_feasible(fit: Fit) -> bool:
+        groups = zip(fit.groups, fit.values, fit.covariances, strict=True)
+        return all(is_possible(g, v, c) for g, v, c in groups if isinstance(g, Effect))
+
+    return is_feasible
+
+
 def estimate_nominal_noise(nominal: Device, parts: Sequence[LinearTest]) -> CampaignNoise:
     """Noise of all channels, that of the output angle as the nominal gyro states it."""
     return estimate_campaign_noise(nominal, [p.test for p in parts], [p.residual for p in parts])
@@ -141,14 +158,3 @@ def estimate_nominal_noise(nominal: Device, parts: Sequence[LinearTest]) -> Camp
 def model_error_power(response: Mapping[TestChannel, float]) -> dict[TestChannel, float]:
     """Chi-square that the simulation may get wrong of responses with these powers (Eq. (9))."""
     return {where: MODEL_ERROR_POWER * power for where, power in response.items()}
-
-
-def angle_residuals(
-    parts: Sequence[LinearTest], removed: Removed, noise: CampaignNoise, nominal: Device
-) -> list[AngleResidual]:
-    """Residual of the output angle in each test, with these groups removed."""
-    residuals = compute_residuals(parts, removed, noise, nominal, ("gyro_angle",))
-    return [
-        AngleResidual(r.values, r.steps, part.test.encoder_noise)
-        for r, part in zip(residuals, parts, strict=True)
-    ]

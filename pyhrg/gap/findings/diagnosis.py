@@ -168,11 +168,7 @@ def _gap_table(gap: dict[str, Any]) -> dict[str, Any]:
 
 
 def write(diagnosis: Diagnosis, folder: Path) -> None:
-    """Write `diagnosis.json`, whole or not at all.
-
-    Raises:
-        OSError: the folder can't be written.
-    """
+    """Write `diagnosis.json`, whole or not at all."""
     text = json.dumps(diagnosis.document(), indent=1, allow_nan=False) + "\n"
     write_whole(folder / FILE, text.encode())
 
@@ -240,17 +236,13 @@ def _parse_size(table: TomlTable) -> Size:
 
 
 def _parse_gap(table: TomlTable) -> Gap:
-    fit_angle = _parse_figure(table, "fit", "angle_arcsec")
+    fit_angle, fit_rate, holdout_angle, holdout_rate = (
+        _parse_figure(table, role, unit) for role in ROLES for unit in FIGURE_UNITS
+    )
     if fit_angle is None:
         raise table.table("before").table("fit").missing("angle_arcsec", "a number")
-    return Gap(
-        fit_angle,
-        _parse_figure(table, "fit", "rate_deg_h"),
-        _parse_figure(table, "holdout", "angle_arcsec"),
-        _parse_figure(table, "holdout", "rate_deg_h"),
-        _optional_number(table, "shrink_percent"),
-        _optional_number(table, "whiteness"),
-    )
+    ends = (_optional_number(table, key) for key in ("shrink_percent", "whiteness"))
+    return Gap(fit_angle, fit_rate, holdout_angle, holdout_rate, *ends)
 
 
 def _parse_figure(gap: TomlTable, role: str, unit: str) -> GapFigure | None:

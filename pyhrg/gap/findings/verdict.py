@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pyhrg.common.keys import Key
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.evidence.attribution import Attribution
-from pyhrg.gap.evidence.equivalents import find_equivalents
+from pyhrg.gap.evidence.evidence import find_equivalents
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise
 from pyhrg.gap.evidence.noise.quantization import is_coarsely_quantized
 from pyhrg.gap.evidence.residual_features import ResidualFeature, find_residual_features
@@ -51,14 +51,9 @@ def check_residuals(attribution: Attribution) -> tuple[ResidualFeature, ...]:
 def reach_verdict(
     attribution: Attribution, effects: Sequence[Effect], features: Sequence[ResidualFeature]
 ) -> tuple[Verdict, tuple[Cause, ...], float]:
-    """Verdict, causes, and the probability that something outside the catalogue takes part (Eq.
-    (1)).
-
-    Args:
-        attribution: result of the search.
-        effects: effects of the catalogue.
-        features: what the residuals may show besides steady noise.
-    """
+    """Verdict, causes among the effects of the catalogue and the noises, and the probability that
+    something outside the catalogue takes part (Eq. (1)). Features are what the residuals may show
+    besides steady noise."""
     causes = [
         *_effect_causes(attribution, effects),
         *(_noise_cause(attribution, added) for added in attribution.noise.added),
@@ -77,7 +72,7 @@ def reach_verdict(
 def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[Cause]:
     causes = []
     best, posterior = attribution.ranking.best, attribution.posterior
-    covariances = best.covariances
+    covariances = dict(zip(best.groups, best.covariances, strict=True))
     for effect, size in best.named.items():
         total = effect.vector(attribution.nominal) + size
         others = [e.name for e in find_equivalents(attribution.design, best, effect, effects)]

@@ -20,7 +20,7 @@ from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import compute_coordinates
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
-from pyhrg.gap.whitening.noise_draws import draw_noise
+from pyhrg.gap.whitening.whitening import draw_noise
 
 Array = NDArray[np.float64]
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 
 from pyhrg.gap.diagnose import CampaignDiagnosis
-from pyhrg.gap.evidence.noise.unnamed_noise import UnnamedNoise
+from pyhrg.gap.evidence.noise.noise_hypothesis import UnnamedNoise
 from pyhrg.gap.evidence.posterior import Posterior
 from pyhrg.gap.findings.diagnosis import UNSETTLED, WORSE, Cause, NextTest
 from pyhrg.gap.report.page import build_page

@@ -20,7 +20,7 @@ from tqdm import tqdm
 from pyhrg.device.device import Device
 from pyhrg.gap.diagnose import diagnose
 from pyhrg.gap.findings.diagnosis import Diagnosis
-from pyhrg.gap.replay.models import load_simulation
+from pyhrg.gap.replay.simulation import load_simulation
 from pyhrg.records.campaign import Campaign
 from tests.pyhrg.gap.bench import recorded
 from tests.pyhrg.gap.soundness.conftest import NOMINAL

@@ -4,17 +4,20 @@ import hashlib
 import io
 import tempfile
 import zipfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from importlib import resources
 from importlib.metadata import version
 from pathlib import Path
 
 import platformdirs
 
-from fmu_build.archive.build_description import describe_build
-from fmu_build.archive.description import Identity, describe_fmi2, describe_fmi3
-from fmu_build.archive.enclosures import make_enclosures
-from fmu_build.archive.licences import read_licence
+from fmu_build.archive.bill_of_materials import list_materials
+from fmu_build.archive.description import describe_build, describe_fmi2, describe_fmi3
+from fmu_build.archive.documentation.document import write_documentation
+from fmu_build.archive.icon import draw_icon
+from fmu_build.archive.licences import list_licence_files, read_licence
+from fmu_build.archive.reference import simulate_reference
+from fmu_build.archive.terminals import describe_terminals
 from fmu_build.binaries.libraries import fetch_library
 from fmu_build.binaries.platforms import (
     FLAGS,
@@ -102,11 +105,7 @@ def write_fmu(
     platforms: Sequence[str] = (),
     progress: Progress = lambda text: None,
 ) -> None:
-    """Translate, compile and pack a model; `path` appears only when all is done.
-
-    Raises:
-        TranslationError, BuildError, OSError.
-    """
+    """Translate, compile and pack a model; `path` appears only when all is done."""
     platforms = choose_platforms(platforms, fmi)
     progress(f"translating {root.model}")
     dae = translate(find_modelica_library(), root.model)
@@ -115,17 +114,17 @@ def write_fmu(
         folder = Path(name)
         description = write_sources(dae, folder, fmi, root)
         content = {"modelDescription.xml": description.encode()}
-        content |= {f"sources/{f.name}": f.read_bytes() for f in _packed(folder, sources)}
+        packed = [*(folder / name for name in sources), *folder.glob("*.h")]
+        content |= {f"sources/{f.name}": f.read_bytes() for f in packed}
         libraries = {
             platform: fetch_library(folder, sources, root.identifier, PLATFORMS[platform], progress)
             for platform in platforms
         }
-    binaries = _fmi2_binaries if fmi == 2 else _fmi3_binaries
-    content |= binaries(libraries, root.identifier)
+    content |= _place_binaries(libraries, root.identifier, fmi)
     if fmi == 3:
         build_text = describe_build(root.identifier, sources, PORTABLE_FLAGS)
         content["sources/buildDescription.xml"] = build_text.encode()
-    content |= make_enclosures(dae, root, fmi, content)
+    content |= _make_enclosures(dae, root, fmi, content)
     path.parent.mkdir(parents=True, exist_ok=True)
     write_whole(path, _zipped(content))
     progress(f"built {path}")
@@ -163,42 +162,37 @@ def write_sources(dae: Dae, folder: Path, fmi: int, root: Root = ROOTS["HRG"]) -
     (folder / "model.c").write_text(equations)
     (folder / "model_constants.h").write_text(generate_header(dae))
     (folder / "limits.c").write_text(_limits(dae, token))
-    sources = (*SOURCES, SHELLS[fmi])
-    licence = read_licence()
-    identity = Identity(
-        root.identifier,
-        root.description,
-        token,
-        version("hrg"),
-        sources,
-        root.step,
-        licence.expression,
-        licence.author,
-        licence.copyright,
-    )
-    return {2: describe_fmi2, 3: describe_fmi3}[fmi](dae, identity)
+    if fmi == 3:
+        return describe_fmi3(dae, root, token)
+    return describe_fmi2(dae, root, token, [*SOURCES, SHELLS[fmi]])
 
 
-def _packed(folder: Path, sources: Sequence[str]) -> list[Path]:
-    """Sources of one shell and all headers."""
-    return [*(folder / name for name in sources), *folder.glob("*.h")]
+def _make_enclosures(
+    dae: Dae, root: Root, fmi: int, content: Mapping[str, bytes]
+) -> dict[str, bytes]:
+    """What an archive holds beside its description, sources and binaries (`content`), by path."""
+    run = simulate_reference(root.identifier, content)
+    page = write_documentation(dae, root, version("hrg"), run)
+    found = {
+        "documentation/index.html": page.encode(),
+        "terminalsAndIcons/terminalsAndIcons.xml": describe_terminals(dae).encode(),
+        "terminalsAndIcons/icon.png": draw_icon(),
+        "extra/org.cyclonedx/bom.json": list_materials(root.identifier, content).encode(),
+    }
+    found |= run.files(root.identifier)
+    found |= {f"documentation/licenses/{n}": text for n, text in list_licence_files(fmi).items()}
+    return found | ({"model.png": draw_icon()} if fmi == 2 else {})
 
 
-def _fmi2_binaries(libraries: dict[str, bytes], identifier: str) -> dict[str, bytes]:
-    """FMI 2.0 has one folder for both kinds of Mac, and none for Linux on ARM."""
+def _place_binaries(libraries: dict[str, bytes], identifier: str, fmi: int) -> dict[str, bytes]:
+    """Binaries by path; FMI 2.0 has one folder for both kinds of Mac, and none for Linux on ARM."""
     folders: dict[str, list[bytes]] = {}
     for name, library in libraries.items():
         platform = PLATFORMS[name]
-        path = f"binaries/{platform.fmi2_folder}/{identifier}{platform.suffix}"
+        folder = platform.fmi2_folder if fmi == 2 else name
+        path = f"binaries/{folder}/{identifier}{platform.suffix}"
         folders.setdefault(path, []).append(library)
     return {path: x[0] if len(x) == 1 else join_universal(x) for path, x in folders.items()}
-
-
-def _fmi3_binaries(libraries: dict[str, bytes], identifier: str) -> dict[str, bytes]:
-    return {
-        f"binaries/{name}/{identifier}{PLATFORMS[name].suffix}": library
-        for name, library in libraries.items()
-    }
 
 
 def _limits(dae: Dae, token: str) -> str:

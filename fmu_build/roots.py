@@ -25,11 +25,6 @@ class Root:
     integrator: str
     step: str
 
-    @property
-    def method(self) -> str:
-        """The integrator, in words."""
-        return METHODS[self.integrator]
-
 
 ROOTS = {
     root.identifier: root

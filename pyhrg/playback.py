@@ -71,6 +71,7 @@ MAX_SEED = 2**31 - 1
 """Largest seed that the FMU takes."""
 MAX_STEPS = 10**9
 """Largest number of communication steps. Chosen: the inputs of more fill any machine's memory."""
+_open_fmu = lru_cache(maxsize=len(ROOTS))(GyroFmu)
 ROUNDING = 1e-6
 """Largest departure of a ratio of two durations from a whole number. Chosen."""
 
@@ -172,20 +173,11 @@ def _make_rows(duration_s: float, interval_s: float, step_s: float | None, model
 
 
 def _count(name: str, length: float, unit_name: str, unit: float) -> int:
-    """How many units a length has.
-
-    Raises:
-        HrgError: it is no multiple of the unit.
-    """
+    """How many units a length has."""
     count = round(length / unit)
     if abs(length / unit - count) > ROUNDING:
         raise HrgError(f"{name}: found {length:g}, expected a multiple of {unit_name}, {unit:g}")
     return count
-
-
-@lru_cache(maxsize=len(ROOTS))
-def _open_fmu(path: Path) -> GyroFmu:
-    return GyroFmu(path)
 
 
 def _read_moving(
@@ -237,11 +229,7 @@ def _read_held(
 
 
 def _read_input(fmu: GyroFmu, name: str, place: Input, signal: Signal, times: Array) -> Array:
-    """SI values of an input at times (n,) of rows or (n, m) of their steps.
-
-    Raises:
-        HrgError: no numbers, another number of them than of rows, or one out of the FMU's range.
-    """
+    """SI values of an input at times (n,) of rows or (n, m) of their steps."""
     try:
         values = np.asarray(signal(times) if callable(signal) else signal, dtype=np.float64)
     except (TypeError, ValueError) as error:

@@ -9,7 +9,7 @@ from pyhrg.bench.bias.position.full_circumference import make_power_ons
 from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.calibration.calibration import PERIODS
 from pyhrg.bench.calibration.calibration_maps import fit_maps
-from pyhrg.bench.scale_factor.rate_tests import record_turns
+from pyhrg.bench.scale_factor.rate_tests import make_turn_power_ons
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
 from pyhrg.device.ready_devices import TYPICAL
@@ -62,10 +62,8 @@ def repeat(fmu: GyroFmu, seed: int) -> dict[str, tuple[float, float, float]]:
     generator = np.random.default_rng(seed)
     device = drawn(generator)
     bench = Bench(fmu, device, seed, step=0.1)
-    tests = [
-        *bench.run(make_power_ons(bench, PLAN, RUNS, 1)),
-        *record_turns(bench, RATE, PERIODS, 1),
-    ]
+    turns = make_turn_power_ons(bench, RATE, PERIODS, 1)
+    tests = bench.run([*make_power_ons(bench, PLAN, RUNS, 1), *turns])
     found = fit_maps(bench.campaign(tests))
     findings = [*found.bias_map.values(), *found.scale_factor_map.values()]
     expected = truth(device)

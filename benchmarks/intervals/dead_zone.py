@@ -5,8 +5,8 @@ import numpy as np
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.dead_zone import dead_zone
 from pyhrg.bench.dead_zone.turning import FOURTH, fit_turning
-from pyhrg.bench.estimation.harmonic_amplitude import estimate_amplitude
 from pyhrg.bench.estimation.harmonics import MEAN
+from pyhrg.bench.estimation.sizes import estimate_amplitude
 from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
 from pyhrg.theory import closed_forms as theory

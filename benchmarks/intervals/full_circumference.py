@@ -17,7 +17,7 @@ from benchmarks.intervals._environment import (
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position import full_circumference
 from pyhrg.bench.bias.position.full_circumference import read_runs
-from pyhrg.bench.bias.position.position_variances import estimate_within, group_by_position
+from pyhrg.bench.bias.position.position_runs import estimate_within, group_by_position
 from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.readings.segments import SEGMENT, Segments
 from pyhrg.common.units import ARCSEC, DEG

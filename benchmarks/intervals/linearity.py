@@ -12,9 +12,9 @@ import numpy as np
 
 from benchmarks.intervals._scale_factor import Intervals, gyro, noiseless
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.estimation.line import Line
 from pyhrg.bench.readings.turns import PERIOD
 from pyhrg.bench.scale_factor import linearity
+from pyhrg.bench.scale_factor.linearity import Line
 from pyhrg.common.units import DEG
 from pyhrg.device.ready_devices import Device
 from pyhrg.fmu import GyroFmu

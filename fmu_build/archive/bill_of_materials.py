@@ -22,12 +22,8 @@ LIBRARIES = (
 
 
 def list_materials(name: str, content: Mapping[str, bytes]) -> str:
-    """The bill as JSON, without times or random numbers.
-
-    Args:
-        name: the FMU's.
-        content: its sources and binaries, by path in the archive.
-    """
+    """The bill of an FMU's sources and binaries (by path) as JSON, without times or random
+    numbers."""
     licence = read_licence()
     component = {
         "type": "library",
@@ -37,25 +33,11 @@ def list_materials(name: str, content: Mapping[str, bytes]) -> str:
         "licenses": [{"expression": licence.expression}],
         "copyright": licence.copyright,
     }
-    document = {
-        "bomFormat": "CycloneDX",
-        "specVersion": "1.5",
-        "version": 1,
-        "metadata": {"component": component, "tools": {"components": [*_tools()]}},
-        "components": [*_libraries(), *(_file(path, content[path]) for path in sorted(content))],
-    }
-    return json.dumps(document, indent=1) + "\n"
-
-
-def _tools() -> list[dict[str, str]]:
-    return [
+    tools = [
         {"type": "application", "name": name, "version": version(name), "description": purpose}
         for name, purpose in TOOLS.items()
     ]
-
-
-def _libraries() -> list[dict[str, Any]]:
-    return [
+    libraries = [
         {
             "type": "library",
             "name": name,
@@ -64,6 +46,14 @@ def _libraries() -> list[dict[str, Any]]:
         }
         for name, part, notice in LIBRARIES
     ]
+    document = {
+        "bomFormat": "CycloneDX",
+        "specVersion": "1.5",
+        "version": 1,
+        "metadata": {"component": component, "tools": {"components": tools}},
+        "components": [*libraries, *(_file(path, content[path]) for path in sorted(content))],
+    }
+    return json.dumps(document, indent=1) + "\n"
 
 
 def _file(path: str, data: bytes) -> dict[str, Any]:

@@ -1,15 +1,15 @@
 """Variables of the flat model to modelDescription.xml, FMI 2.0 or 3.0."""
 
 import xml.etree.ElementTree as ET
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from importlib.metadata import version
 
+from fmu_build.archive.licences import read_licence
 from fmu_build.archive.units import add_unit_definitions
-from fmu_build.archive.xml import format_xml
 from fmu_build.equations.dae import Dae
-from fmu_build.equations.dependencies import Graph
-from fmu_build.equations.modelica import RealType
+from fmu_build.equations.dependencies import trace_dependencies
 from fmu_build.equations.scalars import Scalar, list_scalars
+from fmu_build.roots import Root
 
 LOG_CATEGORIES = {
     "logStatusError": "Refused calls and failed steps, with the reason",
@@ -18,47 +18,40 @@ LOG_CATEGORIES = {
 """What the C shell reports, in the order of its `log_categories`."""
 
 
-@dataclass(frozen=True)
-class Identity:
-    """What an FMU calls itself; `step` is its default communication step in s, `licence` an SPDX
-    expression. An attribute that is empty is left out of the description."""
+FMI2_CAPABILITIES = (
+    "canHandleVariableCommunicationStepSize",
+    "canGetAndSetFMUstate",
+    "canSerializeFMUstate",
+    "providesDirectionalDerivative",
+    "canNotUseMemoryManagementFunctions",
+)
+FMI3_CAPABILITIES = (
+    "canHandleVariableCommunicationStepSize",
+    "canGetAndSetFMUState",
+    "canSerializeFMUState",
+    "providesDirectionalDerivatives",
+    "providesAdjointDerivatives",
+    "providesIntermediateUpdate",
+    "canReturnEarlyAfterIntermediateUpdate",
+)
 
-    identifier: str
-    description: str
-    token: str
-    version: str
-    sources: tuple[str, ...]
-    step: str
-    licence: str = ""
-    author: str = ""
-    copyright: str = ""
+
+def format_xml(root: ET.Element) -> str:
+    """Indented text of a document, with its declaration."""
+    ET.indent(root)
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n{ET.tostring(root, encoding="unicode")}\n'
 
 
-def describe_fmi2(dae: Dae, identity: Identity) -> str:
-    """modelDescription.xml of FMI 2.0, co-simulation.
-
-    Raises:
-        ValueError: a variable has a unit or display unit that `units.py` doesn't know.
-    """
-    root = _root("2.0", identity, guid=identity.token)
-    simulation = ET.SubElement(
-        root,
-        "CoSimulation",
-        modelIdentifier=identity.identifier,
-        canHandleVariableCommunicationStepSize="true",
-        canGetAndSetFMUstate="true",
-        canSerializeFMUstate="true",
-        providesDirectionalDerivative="true",
-        canNotUseMemoryManagementFunctions="true",
-    )
-    files = ET.SubElement(simulation, "SourceFiles")
-    for name in identity.sources:
-        ET.SubElement(files, "File", name=name)
+def describe_fmi2(dae: Dae, model: Root, token: str, sources: Sequence[str]) -> str:
+    """modelDescription.xml of FMI 2.0, co-simulation."""
     listed = list(list_scalars(dae))
-    _common(root, listed, identity.step, _add_simple_type)
-    variables = ET.SubElement(root, "ModelVariables")
+    root = _root("2.0", model, FMI2_CAPABILITIES, sources, guid=token)
+    variables = _common(root, listed, model.step)
     for scalar in listed:
-        _add_scalar_variable(variables, scalar)
+        typed = _typed(scalar)
+        shown = {name: typed.pop(name) for name in ("description",) if name in typed}
+        entry = ET.SubElement(variables, "ScalarVariable", _head(scalar) | shown)
+        ET.SubElement(entry, "Integer" if scalar.whole else "Real", typed)
     structure = ET.SubElement(root, "ModelStructure")
     kinds = {"Output": "Outputs", "InitialUnknown": "InitialUnknowns"}
     parents = {kind: ET.SubElement(structure, name) for kind, name in kinds.items()}
@@ -70,30 +63,14 @@ def describe_fmi2(dae: Dae, identity: Identity) -> str:
     return format_xml(root)
 
 
-def describe_fmi3(dae: Dae, identity: Identity) -> str:
-    """modelDescription.xml of FMI 3.0, co-simulation.
-
-    Raises:
-        ValueError: a variable has a unit or display unit that `units.py` doesn't know.
-    """
-    root = _root("3.0", identity, instantiationToken=identity.token)
-    ET.SubElement(
-        root,
-        "CoSimulation",
-        modelIdentifier=identity.identifier,
-        canHandleVariableCommunicationStepSize="true",
-        canGetAndSetFMUState="true",
-        canSerializeFMUState="true",
-        providesDirectionalDerivatives="true",
-        providesAdjointDerivatives="true",
-        providesIntermediateUpdate="true",
-        canReturnEarlyAfterIntermediateUpdate="true",
-    )
+def describe_fmi3(dae: Dae, model: Root, token: str) -> str:
+    """modelDescription.xml of FMI 3.0, co-simulation."""
     listed = list(list_scalars(dae))
-    _common(root, listed, identity.step, _add_float64_type)
-    variables = ET.SubElement(root, "ModelVariables")
+    root = _root("3.0", model, FMI3_CAPABILITIES, instantiationToken=token)
+    variables = _common(root, listed, model.step)
     for scalar in listed:
-        _add_typed_variable(variables, scalar)
+        kind = "Int32" if scalar.whole else "Float64"
+        ET.SubElement(variables, kind, _head(scalar) | _typed(scalar))
     ET.SubElement(
         variables,
         "Float64",
@@ -111,30 +88,55 @@ def describe_fmi3(dae: Dae, identity: Identity) -> str:
     return format_xml(root)
 
 
-def _root(fmi_version: str, identity: Identity, **token: str) -> ET.Element:
+def describe_build(identifier: str, sources: Sequence[str], options: Sequence[str]) -> str:
+    """sources/buildDescription.xml of FMI 3.0: how the sources of C99 beside their headers are
+    compiled, with options of the GCC family that give the same numbers everywhere."""
+    root = ET.Element("fmiBuildDescription", fmiVersion="3.0")
+    configuration = ET.SubElement(root, "BuildConfiguration", modelIdentifier=identifier)
+    files = ET.SubElement(
+        configuration,
+        "SourceFileSet",
+        language="C99",
+        compiler="clang",
+        compilerOptions=" ".join(options),
+    )
+    for name in sources:
+        ET.SubElement(files, "SourceFile", name=name)
+    return format_xml(root)
+
+
+def _root(
+    fmi_version: str,
+    model: Root,
+    capabilities: Sequence[str],
+    sources: Sequence[str] = (),
+    **token: str,
+) -> ET.Element:
+    """A description with its interface, which FMI 2.0 lists the sources in."""
+    licence = read_licence()
     root = ET.Element(
         "fmiModelDescription",
-        {"fmiVersion": fmi_version, "modelName": identity.identifier, **token},
-        description=identity.description,
-        version=identity.version,
-        generationTool=f"hrg fmu_build {identity.version}",
+        {"fmiVersion": fmi_version, "modelName": model.identifier, **token},
+        description=model.description,
+        version=version("hrg"),
+        generationTool=f"hrg fmu_build {version('hrg')}",
         variableNamingConvention="structured",
+        author=licence.author,
+        copyright=licence.copyright,
+        license=licence.expression,
     )
-    rights = {
-        "author": identity.author,
-        "copyright": identity.copyright,
-        "license": identity.licence,
-    }
-    for name, text in rights.items():
-        if text:
-            root.set(name, text)
+    given = {"modelIdentifier": model.identifier, **dict.fromkeys(capabilities, "true")}
+    interface = ET.SubElement(root, "CoSimulation", given)
+    if sources:
+        files = ET.SubElement(interface, "SourceFiles")
+        for name in sources:
+            ET.SubElement(files, "File", name=name)
     return root
 
 
-def _common(
-    root: ET.Element, listed: Sequence[Scalar], step: str, add_type: Callable[..., None]
-) -> None:
-    """Units, types, log categories and default experiment: alike in both standards."""
+def _common(root: ET.Element, listed: Sequence[Scalar], step: str) -> ET.Element:
+    """Units, types, log categories and default experiment, alike in both standards; returns the
+    parent of the variables, still empty."""
     shown = ((s.attributes.get("unit", ""), s.attributes.get("displayUnit", "")) for s in listed)
     add_unit_definitions(root, (pair for pair in shown if pair[0]))
     types = {s.declared.name: s.declared for s in listed if s.declared}
@@ -145,36 +147,17 @@ def _common(
             "unit": declared.unit,
             "displayUnit": declared.display_unit,
         }
-        add_type(definitions, declared, {k: v for k, v in attributes.items() if v})
+        attributes = {k: v for k, v in attributes.items() if v}
+        head = {"name": declared.name, "description": declared.description}
+        if root.get("fmiVersion") == "2.0":
+            ET.SubElement(ET.SubElement(definitions, "SimpleType", head), "Real", attributes)
+        else:
+            ET.SubElement(definitions, "Float64Type", head | attributes)
     categories = ET.SubElement(root, "LogCategories")
     for name, description in LOG_CATEGORIES.items():
         ET.SubElement(categories, "Category", name=name, description=description)
     ET.SubElement(root, "DefaultExperiment", startTime="0", stopTime="10", stepSize=step)
-
-
-def _add_simple_type(parent: ET.Element, declared: RealType, attributes: dict[str, str]) -> None:
-    entry = ET.SubElement(
-        parent, "SimpleType", name=declared.name, description=declared.description
-    )
-    ET.SubElement(entry, "Real", attributes)
-
-
-def _add_float64_type(parent: ET.Element, declared: RealType, attributes: dict[str, str]) -> None:
-    head = {"name": declared.name, "description": declared.description}
-    ET.SubElement(parent, "Float64Type", head | attributes)
-
-
-def _add_scalar_variable(parent: ET.Element, scalar: Scalar) -> None:
-    rest = _typed(scalar)
-    entry = ET.SubElement(parent, "ScalarVariable", _head(scalar))
-    if "description" in rest:
-        entry.set("description", rest.pop("description"))
-    ET.SubElement(entry, "Integer" if scalar.whole else "Real", rest)
-
-
-def _add_typed_variable(parent: ET.Element, scalar: Scalar) -> None:
-    kind = "Int32" if scalar.whole else "Float64"
-    ET.SubElement(parent, kind, _head(scalar) | _typed(scalar))
+    return ET.SubElement(root, "ModelVariables")
 
 
 def _head(scalar: Scalar) -> dict[str, str]:
@@ -196,9 +179,8 @@ def _typed(scalar: Scalar) -> dict[str, str]:
 
 def _unknowns(dae: Dae, listed: Sequence[Scalar]) -> Iterator[tuple[str, Scalar, tuple[int, ...]]]:
     """Kind, scalar and references of the knowns it depends on; ascending, as FMI 2.0 asks."""
-    graph = Graph(dae)
     calculated = [s for s in listed if s.causality in ("output", "calculatedParameter")]
-    depends = {index: graph.of(index) for index in {s.variable for s in calculated}}
+    depends = trace_dependencies(dae, {s.variable for s in calculated})
     for scalar in calculated:
         if scalar.causality == "output":
             yield "Output", scalar, depends[scalar.variable].stepping

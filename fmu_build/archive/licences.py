@@ -48,11 +48,7 @@ class Licence:
 
 
 def read_licence() -> Licence:
-    """The licence, from the metadata of the installed distribution.
-
-    Raises:
-        BuildError: the metadata hold no licence: they are older than these sources.
-    """
+    """The licence, from the metadata of the installed distribution."""
     installed = distribution("hrg")
     text = installed.read_text("licenses/LICENSE") or ""
     line = re.search(r"^Copyright .*$", text, re.MULTILINE)
@@ -73,20 +69,18 @@ def list_licence_files(fmi: int) -> dict[str, bytes]:
         "fdlibm.txt": FDLIBM,
         "fmi_headers.txt": _fmi_headers(fmi),
     }
-    files = {"license.txt": _entry_point(read_licence(), sorted(notices)), **notices}
-    return {name: text.encode() for name, text in files.items()}
-
-
-def _entry_point(licence: Licence, notices: list[str]) -> str:
-    """The licence's identifier and text, then the names of the other files."""
+    licence = read_licence()
     lines = [
         f"SPDX-License-Identifier: {licence.expression}",
         "",
         licence.text.rstrip(),
         "",
         "Parts that others wrote, by their notices:",
+        *(f"  {name}" for name in sorted(notices)),
+        "",
     ]
-    return "\n".join([*lines, *(f"  {name}" for name in notices), ""])
+    files = {"license.txt": "\n".join(lines), **notices}
+    return {name: text.encode() for name, text in files.items()}
 
 
 def _fmi_headers(fmi: int) -> str:

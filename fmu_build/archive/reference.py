@@ -1,7 +1,5 @@
 """Reference results inside the archive, computed by the FMU itself: fmi-ls-ref, and a figure."""
 
-import csv
-import io
 import tempfile
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping, Sequence
@@ -13,7 +11,7 @@ import numpy as np
 from fmpy.model_description import ModelVariable
 from numpy.typing import NDArray
 
-from fmu_build.archive.xml import format_xml
+from fmu_build.archive.description import format_xml
 from fmu_build.binaries.libraries import fetch_library
 from fmu_build.binaries.platforms import PLATFORMS, find_host_platform
 
@@ -52,13 +50,8 @@ class Reference:
 
 
 def simulate_reference(name: str, content: Mapping[str, bytes]) -> Reference:
-    """Run an FMU over its default experiment.
-
-    Args:
-        name: the model identifier.
-        content: description, sources and binaries, by path; where this machine's binary isn't
-            among them, it is compiled.
-    """
+    """Run an FMU over its default experiment: its description, sources and binaries, by path. Where
+    this machine's binary isn't among them, it is compiled."""
     with tempfile.TemporaryDirectory(prefix="hrg-reference-") as folder:
         root = Path(folder)
         for path, data in content.items():
@@ -110,29 +103,15 @@ def _manifest(name: str) -> str:
     root.set(f"{{{MANIFEST_NAMESPACE}}}fmi-ls-name", "org.fmi-standard.fmi-ls-ref")
     root.set(f"{{{MANIFEST_NAMESPACE}}}fmi-ls-version", "1.0.0-alpha.1")
     root.set(f"{{{MANIFEST_NAMESPACE}}}fmi-ls-description", "References to other files")
-    ET.SubElement(
-        root,
-        "Related",
-        type="text/csv",
-        source=f"{name}_in.csv",
-        role="input",
-        description="Inputs of the default experiment, at its communication points",
-    )
-    ET.SubElement(
-        root,
-        "Related",
-        type="text/csv",
-        source=f"{name}_out.csv",
-        role="result",
-        description=f"Outputs of the default experiment with these inputs, in {POINTS} steps",
-    )
+    inputs = "Inputs of the default experiment, at its communication points"
+    outputs = f"Outputs of the default experiment with these inputs, in {POINTS} steps"
+    for file, role, text in (("in", "input", inputs), ("out", "result", outputs)):
+        given = {"type": "text/csv", "source": f"{name}_{file}.csv", "role": role}
+        ET.SubElement(root, "Related", given, description=text)
     return format_xml(root)
 
 
 def _text(table: NDArray[np.void]) -> str:
     """Shortest digits that read back as the same number."""
-    buffer = io.StringIO()
-    writer = csv.writer(buffer, lineterminator="\n")
-    writer.writerow(table.dtype.names or ())
-    writer.writerows([repr(float(value)) for value in row] for row in table)
-    return buffer.getvalue()
+    rows = ([repr(float(value)) for value in row] for row in table)
+    return "".join(f"{','.join(row)}\n" for row in (table.dtype.names or (), *rows))

@@ -1,36 +1,25 @@
 """terminalsAndIcons.xml: inputs and outputs in the groups that a system is wired by."""
 
 import xml.etree.ElementTree as ET
-from dataclasses import dataclass
 
-from fmu_build.archive.xml import format_xml
+from fmu_build.archive.description import format_xml
 from fmu_build.equations.dae import Dae
 from fmu_build.equations.scalars import list_scalars
 
-
-@dataclass(frozen=True)
-class Terminal:
-    """A plug: members are matched by name."""
-
-    name: str
-    description: str
-    members: tuple[str, ...]
-
-
 TERMINALS = (
-    Terminal(
+    (
         "caseMotion",
         "Motion of the case: from a trajectory, a rate table or a vehicle",
         ("angularRate", "accelerationX", "accelerationY", "accelerationZ", "vibration"),
     ),
-    Terminal("environment", "Temperature of the case", ("caseTemperature",)),
-    Terminal(
+    ("environment", "Temperature of the case", ("caseTemperature",)),
+    (
         "commands",
         "Commands to the electronics",
         ("virtualRotation", "amplitudeSetpoint", "biasVoltage", "phaseOffset", "driveOn"),
     ),
-    Terminal("measurement", "What the gyro reports", ("gyroAngle", "gyroRate", "valid")),
-    Terminal(
+    ("measurement", "What the gyro reports", ("gyroAngle", "gyroRate", "valid")),
+    (
         "telemetry",
         "What the loops know of the vibration",
         (
@@ -43,6 +32,7 @@ TERMINALS = (
         ),
     ),
 )
+"""Name, description and members of each plug; members are matched by name."""
 
 
 def describe_terminals(dae: Dae) -> str:
@@ -54,26 +44,12 @@ def describe_terminals(dae: Dae) -> str:
     ET.SubElement(graphics, "CoordinateSystem", extent, suggestedScalingFactorTo_mm="0.1")
     ET.SubElement(graphics, "Icon", extent)
     parent = ET.SubElement(root, "Terminals")
-    for terminal in TERMINALS:
-        members = [name for name in terminal.members if name in known]
+    for terminal, description, names in TERMINALS:
+        members = [name for name in names if name in known]
         if members:
-            _add_terminal(parent, terminal, members)
+            given = {"name": terminal, "matchingRule": "plug", "description": description}
+            entry = ET.SubElement(parent, "Terminal", given)
+            for name in members:
+                given = {"variableName": name, "memberName": name, "variableKind": "signal"}
+                ET.SubElement(entry, "TerminalMemberVariable", given)
     return format_xml(root)
-
-
-def _add_terminal(parent: ET.Element, terminal: Terminal, members: list[str]) -> None:
-    entry = ET.SubElement(
-        parent,
-        "Terminal",
-        name=terminal.name,
-        matchingRule="plug",
-        description=terminal.description,
-    )
-    for name in members:
-        ET.SubElement(
-            entry,
-            "TerminalMemberVariable",
-            variableName=name,
-            memberName=name,
-            variableKind="signal",
-        )

@@ -1,33 +1,9 @@
 """Units that an FMU declares, by base units, and the display units that they are shown in."""
 
 import math
+import re
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable
-
-BASE_UNITS: dict[str, dict[str, str]] = {
-    "1": {},
-    "K": {"K": "1"},
-    "K/s": {"K": "1", "s": "-1"},
-    "1/K": {"K": "-1"},
-    "m/s2": {"m": "1", "s": "-2"},
-    "s": {"s": "1"},
-    "s/m": {"s": "1", "m": "-1"},
-    "s2/m": {"s": "2", "m": "-1"},
-    "s4/m2": {"s": "4", "m": "-2"},
-    "1/s": {"s": "-1"},
-    "1/s2": {"s": "-2"},
-    "rad": {"rad": "1"},
-    "rad/K": {"rad": "1", "K": "-1"},
-    "rad.s": {"rad": "1", "s": "1"},
-    "rad.s/K": {"rad": "1", "s": "1", "K": "-1"},
-    "rad.s/m": {"rad": "1", "s": "1", "m": "-1"},
-    "rad.s2/m": {"rad": "1", "s": "2", "m": "-1"},
-    "rad/s": {"rad": "1", "s": "-1"},
-    "rad2/s": {"rad": "2", "s": "-1"},
-    "rad2/s2": {"rad": "2", "s": "-2"},
-    "rad2/s3": {"rad": "2", "s": "-3"},
-}
-"""Exponents of the SI base units of every unit that the library uses."""
 
 DISPLAY_UNITS: dict[tuple[str, str], tuple[float, float]] = {
     ("rad", "deg"): (180 / math.pi, 0.0),
@@ -38,29 +14,28 @@ DISPLAY_UNITS: dict[tuple[str, str], tuple[float, float]] = {
 """Factor and offset of a unit's display unit: display value = factor * value + offset."""
 
 
-def convert_to_display_unit(value: float, unit: str, display: str) -> float:
-    """A value in its display unit."""
-    factor, offset = DISPLAY_UNITS[unit, display]
-    return factor * value + offset
+def read_base_units(name: str) -> dict[str, str]:
+    """Exponents of the SI base units, by the unit's name in Modelica's notation: `rad.s/K`."""
+    above, _, below = name.partition("/")
+    exponents = {}
+    for factors, sign in ((above, ""), (below, "-")):
+        for factor in factors.split("."):
+            power = re.fullmatch(r"(K|m|rad|s)(\d*)", factor)
+            if power:
+                exponents[power[1]] = f"{sign}{power[2] or 1}"
+            elif factor not in ("", "1"):
+                raise ValueError(f"unit {name} is not among products of K, m, rad and s")
+    return exponents
 
 
 def add_unit_definitions(root: ET.Element, used: Iterable[tuple[str, str]]) -> None:
-    """Append `UnitDefinitions`, alike in FMI 2.0 and 3.0.
-
-    Args:
-        root: the model description.
-        used: pairs of unit and display unit; the latter may be empty.
-
-    Raises:
-        ValueError: a unit or display unit that the tables above don't hold.
-    """
+    """Append `UnitDefinitions`, alike in FMI 2.0 and 3.0, for pairs of unit and display unit, which
+    may be empty."""
     pairs = set(used)
     definitions = ET.SubElement(root, "UnitDefinitions")
     for name in sorted({unit for unit, _ in pairs}):
-        if name not in BASE_UNITS:
-            raise ValueError(f"unit {name} is not among {', '.join(BASE_UNITS)}")
         unit = ET.SubElement(definitions, "Unit", name=name)
-        ET.SubElement(unit, "BaseUnit", BASE_UNITS[name])
+        ET.SubElement(unit, "BaseUnit", read_base_units(name))
         for display in sorted({d for u, d in pairs if u == name and d}):
             _add_display_unit(unit, name, display)
 

@@ -18,13 +18,13 @@ def fetch_library(
     target: Platform,
     progress: Callable[[str], None] = lambda text: None,
 ) -> bytes:
-    """Shared library of the C sources in a folder, from the user's cache or compiled.
-
-    Raises:
-        BuildError, OSError.
-    """
-    digest = _digest(folder, sources, identifier, target)
-    path = platformdirs.user_cache_path("hrg") / "libraries" / f"{digest}{target.suffix}"
+    """Shared library of the C sources in a folder, from the user's cache or compiled."""
+    digest = hashlib.sha256(f"{version('ziglang')} {FLAGS} {UCRT} {target} {identifier}".encode())
+    digest.update(WINDOWS_RUNTIME.read_bytes())
+    for name in (*sources, *sorted(file.name for file in folder.glob("*.h"))):
+        digest.update(f"{name}\0".encode() + (folder / name).read_bytes())
+    library_name = f"{digest.hexdigest()}{target.suffix}"
+    path = platformdirs.user_cache_path("hrg") / "libraries" / library_name
     if path.exists():
         progress(f"unchanged for {target.name}")
         return path.read_bytes()
@@ -33,12 +33,3 @@ def fetch_library(
     path.parent.mkdir(parents=True, exist_ok=True)
     write_whole(path, library)
     return library
-
-
-def _digest(folder: Path, sources: Sequence[str], identifier: str, target: Platform) -> str:
-    digest = hashlib.sha256(f"{version('ziglang')} {FLAGS} {UCRT} {target} {identifier}".encode())
-    digest.update(WINDOWS_RUNTIME.read_bytes())
-    headers = sorted(f.name for f in folder.glob("*.h"))
-    for name in (*sources, *headers):
-        digest.update(f"{name}\0".encode() + (folder / name).read_bytes())
-    return digest.hexdigest()

@@ -30,7 +30,6 @@ class Platform:
     target: str
     fmi2_folder: str | None
     suffix: str
-    link: tuple[str, ...] = ("-shared", "-s")
 
     @property
     def runtime(self) -> list[str]:
@@ -58,11 +57,7 @@ class BuildError(HrgError):
 
 
 def find_host_platform() -> str:
-    """Name of the platform that this process runs on.
-
-    Raises:
-        BuildError: none of the known ones.
-    """
+    """Name of the platform that this process runs on."""
     machine = {"AMD64": "x86_64", "arm64": "aarch64"}.get(platform.machine(), platform.machine())
     name = f"{machine}-{platform.system().lower()}"
     if name not in PLATFORMS:
@@ -76,11 +71,7 @@ def list_platforms(fmi: int) -> list[str]:
 
 
 def choose_platforms(names: Sequence[str], fmi: int) -> list[str]:
-    """Platforms to build for: this machine's if none is named.
-
-    Raises:
-        BuildError: the standard's archive has no folder for one.
-    """
+    """Platforms to build for: this machine's if none is named."""
     platforms = sorted(set(names)) or [find_host_platform()]
     for name in platforms:
         if name not in list_platforms(fmi):
@@ -95,15 +86,11 @@ def compile_library(
     target: Platform,
     flags: Sequence[str] = FLAGS,
 ) -> bytes:
-    """Shared library of the C sources in a folder.
-
-    Raises:
-        BuildError: with the compiler's words.
-    """
+    """Shared library of the C sources in a folder."""
     headers = Path(fmpy.__file__).parent / "c-code"
     library = folder / target.name / f"{identifier}{target.suffix}"
     library.parent.mkdir()
-    link = [*target.link, "-fPIC"] if target.suffix != ".dll" else list(target.link)
+    link = ["-shared", "-s", *(["-fPIC"] if target.suffix != ".dll" else [])]
     if target.suffix == ".dylib":
         link.append(f"-Wl,-install_name,@rpath/{library.name}")
     output = f"{target.name}/{library.name}"

@@ -62,14 +62,10 @@ class Fmu:
         with zipfile.ZipFile(self.path) as archive:
             return archive.infolist()
 
-    def xml(self, name: str) -> ET.Element | None:
-        """Root of a document inside; None where there is none.
-
-        Raises:
-            ET.ParseError: it is no XML.
-        """
+    def xml(self, name: str) -> ET.Element:
+        """Root of a document inside; an empty element where there is none."""
         if name not in self.names:
-            return None
+            return ET.Element("none")
         with zipfile.ZipFile(self.path) as archive:
             return ET.fromstring(archive.read(name))
 
@@ -109,9 +105,8 @@ class Fmu:
         """Attributes of the declared types, by name."""
         found = {}
         for element in self.description.findall("TypeDefinitions/*"):
-            inside = element.attrib if self.major == 3 else (e.attrib for e in list(element)[:1])
-            given = inside if isinstance(inside, dict) else next(inside, {})
-            found[element.get("name", "")] = dict(given)
+            inside = element if self.major == 3 else next(iter(element), ET.Element("none"))
+            found[element.get("name", "")] = dict(inside.attrib)
         return found
 
     def attribute(self, variable: Variable, name: str) -> str | None:
@@ -122,11 +117,7 @@ class Fmu:
 
 
 def open_fmu(path: Path) -> Fmu:
-    """Open an FMU.
-
-    Raises:
-        UnusableError: it can't be read, or is of another version than 2.0 or 3.0.
-    """
+    """Open an FMU."""
     try:
         with zipfile.ZipFile(path) as archive:
             names = tuple(archive.namelist())

@@ -1,8 +1,10 @@
-"""The short run that every importer makes, alike to the last bit."""
+"""The short run that every importer makes, alike to the last bit, and what it records."""
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 
+from fmu_build.binaries.platforms import PLATFORMS, BuildError, find_host_platform
 from fmu_build.check.archive import Fmu, Variable
 from fmu_build.check.rules.capabilities import is_true
 
@@ -12,6 +14,9 @@ NUDGE = 1e-3
 """Inputs are moved off their start values by this much, so that something happens."""
 
 FLOAT = ("Real", "Float64")
+
+Trace = dict[str, list[float]]
+"""Recorded outputs by name, one value a communication point after the start."""
 
 
 @dataclass(frozen=True)
@@ -33,6 +38,24 @@ class Experiment:
     references: dict[str, int]
 
 
+@dataclass(frozen=True)
+class Recording:
+    """What an importer recorded; `remark` says what had to be done for it."""
+
+    trace: Trace
+    remark: str = ""
+
+
+class FailedError(Exception):
+    """The importer refused the FMU, failed or crashed."""
+
+
+def read_last_line(text: str) -> str:
+    """What a program said last: where it failed, the reason."""
+    lines = [line for line in text.splitlines() if line.strip()]
+    return lines[-1] if lines else "it ended without a word"
+
+
 def plan_experiment(fmu: Fmu) -> Experiment | None:
     """The run for an FMU; None where it offers no co-simulation."""
     interface = fmu.description.find("CoSimulation")
@@ -46,7 +69,7 @@ def plan_experiment(fmu: Fmu) -> Experiment | None:
         path=str(fmu.path.resolve()),
         identifier=interface.get("modelIdentifier", ""),
         fmi=fmu.major,
-        start=_start(fmu),
+        start=_default(fmu, "startTime", 0.0),
         step=_step(fmu, variable_step),
         steps=STEPS,
         inputs={v.name: _nudged(fmu, v) for v in inputs},
@@ -55,19 +78,28 @@ def plan_experiment(fmu: Fmu) -> Experiment | None:
     )
 
 
+def find_missing_binary(fmu: Fmu, planned: Experiment) -> Iterator[str]:
+    """Says so where there is none; nothing on a machine whose folder we don't know."""
+    try:
+        platform = PLATFORMS[find_host_platform()]
+    except BuildError:
+        return
+    folder = (platform.fmi2_folder if fmu.major == 2 else None) or platform.name
+    library = f"binaries/{folder}/{planned.identifier}{platform.suffix}"
+    if library not in fmu.names:
+        yield f"no binary for this machine: {library} is missing"
+
+
 def _default(fmu: Fmu, name: str, otherwise: float) -> float:
     element = fmu.description.find("DefaultExperiment")
     return float((element.attrib if element is not None else {}).get(name, otherwise))
 
 
-def _start(fmu: Fmu) -> float:
-    return _default(fmu, "startTime", 0.0)
-
-
 def _step(fmu: Fmu, variable: bool) -> float:
     """The default step, or a hundredth of the experiment. Where the FMU takes any step it is
     rounded down to a power of two, so that importers that add up steps get the same times."""
-    span = _default(fmu, "stopTime", _start(fmu) + 1.0) - _start(fmu)
+    start = _default(fmu, "startTime", 0.0)
+    span = _default(fmu, "stopTime", start + 1.0) - start
     step = _default(fmu, "stepSize", span / 100)
     return float(2.0 ** math.floor(math.log2(step))) if variable else step
 

@@ -9,8 +9,13 @@ import zipfile
 from collections.abc import Iterable
 from pathlib import Path
 
-from fmu_build.check.experiment import Experiment
-from fmu_build.check.recording import FailedError, Recording, Trace, read_last_line
+from fmu_build.check.experiment import (
+    Experiment,
+    FailedError,
+    Recording,
+    Trace,
+    read_last_line,
+)
 
 DESCRIPTIVE = {"A", "K", "unit", "displayUnit", "quantity", "relativeQuantity", "nominal"}
 """Attributes without which an FMU computes the same numbers."""
@@ -53,16 +58,12 @@ def _fmi_sim(experiment: Experiment, path: Path) -> Trace:
             command += ["--init-values", f"{name}={value!r}"]
         run = subprocess.run(command, capture_output=True, text=True, check=False)
         if run.returncode:
-            raise FailedError(_reason(run.stderr))
+            # the error with its causes, without the trace of the stack
+            head = run.stderr.partition("Stack backtrace")[0].rpartition("Error: ")[2]
+            raise FailedError(" ".join(head.split()) or read_last_line(run.stderr))
         with output.open(newline="") as file:
             rows = list(csv.DictReader(file))[1:]
     return {name: [float(row[name]) for row in rows] for name in experiment.outputs}
-
-
-def _reason(text: str) -> str:
-    """The error with its causes, without the trace of the stack."""
-    head = text.partition("Stack backtrace")[0].rpartition("Error: ")[2]
-    return " ".join(head.split()) or read_last_line(text)
 
 
 def _copy_without(attributes: Iterable[tuple[str, str]], path: Path, copy: Path) -> None:

@@ -13,11 +13,15 @@ from dataclasses import asdict, dataclass
 from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
-from shutil import which
 
-from fmu_build.check.experiment import Experiment
+from fmu_build.check.experiment import (
+    Experiment,
+    FailedError,
+    Recording,
+    Trace,
+    read_last_line,
+)
 from fmu_build.check.fmi_sim import run_fmi_sim
-from fmu_build.check.recording import FailedError, Recording, Trace, read_last_line
 
 TIMEOUT = 60
 """Seconds after which an importer is taken to hang."""
@@ -46,25 +50,18 @@ class Importer:
     run: Callable[[Experiment], Recording]
 
     def version(self) -> str:
-        """Installed version.
-
-        Raises:
-            MissingError: none is.
-        """
+        """Installed version."""
         try:
-            return (
-                _program_version(self.package) if self.run is run_fmi_sim else version(self.package)
-            )
+            if self.run is not run_fmi_sim:
+                return version(self.package)
+            command = [self.package, "--version"]
+            run = subprocess.run(command, capture_output=True, text=True, check=False)
+            return (run.stdout + run.stderr).replace("Error:", "").split()[1]
         except (PackageNotFoundError, FileNotFoundError) as error:
             raise MissingError(f"{self.name} is missing: {self.install}") from error
 
     def recording(self, experiment: Experiment) -> Recording:
-        """Run the experiment in another process.
-
-        Raises:
-            MissingError: the importer can't be loaded.
-            FailedError: with the importer's words.
-        """
+        """Run the experiment in another process."""
         with tempfile.TemporaryDirectory(prefix="hrg-check-") as folder:
             result = Path(folder) / "recording.json"
             command = [sys.executable, "-m", __spec__.name, self.name, str(result)]
@@ -148,13 +145,6 @@ def run_libcosimpy(experiment: Experiment) -> Recording:
         for values, value in zip(trace.values(), last, strict=True):
             values.append(value)
     return Recording(trace)
-
-
-def _program_version(name: str) -> str:
-    if which(name) is None:
-        raise FileNotFoundError(name)
-    run = subprocess.run([name, "--version"], capture_output=True, text=True, check=False)
-    return (run.stdout + run.stderr).replace("Error:", "").split()[1]
 
 
 FMI_SIM_VERSION = "0.7.0"

@@ -1,27 +1,30 @@
 """All checks of an FMU, one after the other."""
 
-from collections.abc import Callable, Iterator
+import math
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from xml.etree.ElementTree import ParseError
 
-from fmu_build.check.agreement import find_disagreements
 from fmu_build.check.archive import Fmu, open_fmu
-from fmu_build.check.binary import find_missing_binary
-from fmu_build.check.experiment import Experiment, plan_experiment
+from fmu_build.check.experiment import (
+    Experiment,
+    FailedError,
+    Trace,
+    find_missing_binary,
+    plan_experiment,
+)
 from fmu_build.check.importers import IMPORTERS, Importer, MissingError
-from fmu_build.check.recording import FailedError, Trace
 from fmu_build.check.rules import (  # noqa: F401 (modules of rules register themselves)
     archive,
     capabilities,
-    integrity,
     sources,
     structure,
     terminals,
     units,
     variables,
 )
-from fmu_build.check.rules.integrity import INTACT
+from fmu_build.check.rules.archive import INTACT
 from fmu_build.check.rules.rule import RULES, Rule
 
 
@@ -153,3 +156,27 @@ def _agreement(planned: Experiment, traces: dict[str, Trace], skipped: list[str]
     count = len(planned.outputs) * planned.steps
     remark = f"{count} numbers of {', '.join(traces)}"
     return Check(name, list(find_disagreements(planned, traces)), remark)
+
+
+def find_disagreements(experiment: Experiment, traces: Mapping[str, Trace]) -> Iterator[str]:
+    """Every output whose numbers aren't finite, too few, or not the first importer's, bit by bit.
+
+    All formats hold every bit: two importers give doubles in memory, libcosimpy and Ecos too, and
+    fmi-sim the shortest decimal digits that read back as the same double.
+    """
+    for name in experiment.outputs:
+        for importer, trace in traces.items():
+            values = trace[name]
+            if len(values) != experiment.steps:
+                yield f"{importer}: {len(values)} values of {name}, expected {experiment.steps}"
+            elif not all(map(math.isfinite, values)):
+                yield f"{importer}: {name} is not finite"
+        (first, reference), *others = (
+            (importer, trace[name]) for importer, trace in traces.items()
+        )
+        for importer, values in others:
+            for step, (one, other) in enumerate(zip(reference, values, strict=False), 1):
+                if one != other and not (math.isnan(one) and math.isnan(other)):
+                    time = experiment.start + step * experiment.step
+                    yield f"{name} at {time:g} s: {one!r} in {first}, {other!r} in {importer}"
+                    break

@@ -75,9 +75,13 @@ class Emitter:
         if n.kind == "negate":
             return f"(-{self.scalar(n.args[0], element)})"
         if n.kind == "power":
-            return self._power(n, element)
+            if self.dae.constant(n.args[1]) != 2:
+                raise ValueError("only squares are supported as powers")
+            return f"m_square({self.scalar(n.args[0], element)})"
         if n.kind == "literal":
-            return _number(n.value)
+            if not math.isfinite(n.value):
+                raise ValueError(f"a literal is not finite: {n.value}")
+            return repr(float(n.value))
         if n.kind in ("variable", "pre", "derivative", "argument", "function_value"):
             return self._reference(n, element)
         if n.kind == "binder":
@@ -103,12 +107,6 @@ class Emitter:
         """C expressions of all scalars of an expression."""
         size = self.size(node)
         return [self.scalar(node)] if size is None else [self.scalar(node, e) for e in range(size)]
-
-    def _power(self, n: Node, element: int | None) -> str:
-        base, exponent = n.args
-        if self.dae.constant(exponent) != 2:
-            raise ValueError("only squares are supported as powers")
-        return f"m_square({self.scalar(base, element)})"
 
     def _reference(self, n: Node, element: int | None) -> str:
         if n.kind == "argument":
@@ -197,10 +195,3 @@ class Emitter:
 def name_function(function: Function) -> str:
     """C name of a Modelica function."""
     return "f_" + function.name.replace(".", "_")
-
-
-def _number(value: float | int | bool) -> str:
-    number = float(value)
-    if not math.isfinite(number):
-        raise ValueError(f"a literal is not finite: {value}")
-    return repr(number)

@@ -113,13 +113,8 @@ def _vector(dae: Dae, name: str, expression: int, indent: str) -> list[str]:
 def write_alternatives(
     dae: Dae, conditional: int, assigned: Callable[[int], list[str]]
 ) -> list[str]:
-    """A vector that is one of several expressions: only the one that holds is computed.
-
-    Args:
-        dae: the model.
-        conditional: expression.
-        assigned: lines that assign a branch, given its expression.
-    """
+    """A vector that is one of several expressions: only the one that holds is computed. `assigned`
+    gives the lines that assign a branch, given its expression."""
     *pairs, fallback = dae.nodes[conditional].args
     lines: list[str] = []
     for condition, branch in zip(pairs[::2], pairs[1::2], strict=True):

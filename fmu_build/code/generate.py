@@ -12,17 +12,13 @@ from fmu_build.equations.sorting import Assignment, Schedule, sort_equations
 
 
 def generate_source(dae: Dae, integrator: str = "runge_kutta_4") -> str:
-    """C source of a model: the functions that `model.h` declares.
-
-    Args:
-        integrator: header `c/INTEGRATOR.h` and the function in it that makes a step.
-
-    Raises:
-        ValueError: the model holds what the generator does not know.
-    """
+    """C source of a model: the functions that `model.h` declares. The integrator is the header
+    `c/INTEGRATOR.h` and the function in it that makes a step."""
     plan = sort_equations(dae)
     dae = plan.dae
     derivatives = _derivatives(dae, plan)
+    stores = _stores(dae, plan.outputs)
+    outputs = ["model_held(v);", *_states(dae, stores), *stores]
     parts = [
         f"/* {dae.model}: generated from its Modelica source. */",
         '#include "arithmetic.h"',
@@ -36,26 +32,17 @@ def generate_source(dae: Dae, integrator: str = "runge_kutta_4") -> str:
         *_step(dae, integrator),
         *_procedure("void model_tick(double *v, long long index)", _tick(dae, plan)),
         *_procedure("int model_is_finite(const double *v)", _finite(dae, plan)),
-        *_procedure("void model_outputs(double *v)", _outputs(dae, plan)),
+        *_procedure("void model_outputs(double *v)", outputs),
     ]
     return "\n".join(parts) + "\n"
 
 
 def generate_header(dae: Dae) -> str:
     """The model's constants, included by `model.h`."""
-    return "\n".join(
-        [
-            f"#define MODEL_VARIABLES {dae.scalar_count}",
-            f"#define MODEL_PERIOD(v) ({_period(dae)})",
-            "",
-        ]
-    )
-
-
-def _period(dae: Dae) -> str:
+    period = f"{dae.sample_period.numerator}.0 / {dae.sample_period.denominator}.0"
     if dae.settable_period is not None:
-        return f"(v)[{dae.settable_period.offset}]"
-    return f"{dae.sample_period.numerator}.0 / {dae.sample_period.denominator}.0"
+        period = f"(v)[{dae.settable_period.offset}]"
+    return f"#define MODEL_VARIABLES {dae.scalar_count}\n#define MODEL_PERIOD(v) ({period})\n"
 
 
 def _functions(dae: Dae, derivatives: str) -> list[str]:
@@ -162,11 +149,6 @@ def _step(dae: Dae, integrator: str) -> list[str]:
     lines = ["double x[STATES];", *load, f"{integrator}(v, x, h);", *store]
     step = _procedure("void model_step(double *v, double h)", lines)
     return [f'#include "{integrator}.h"', *step]
-
-
-def _outputs(dae: Dae, plan: Schedule) -> list[str]:
-    stores = _stores(dae, plan.outputs)
-    return ["model_held(v);", *_states(dae, stores), *stores]
 
 
 def _finite(dae: Dae, plan: Schedule) -> list[str]:

@@ -7,11 +7,7 @@ from fmu_build.equations.dae import Dae, Domain, Function, Json, Local, Node, Sa
 
 
 def read_document(model: str, storage: Json, source_map: Json) -> Dae:
-    """Read the compiler's document: the flat model, and the Modelica texts that it comes from.
-
-    Raises:
-        ValueError: it holds what this generator does not know.
-    """
+    """Read the compiler's document: the flat model, and the Modelica texts that it comes from."""
     _refuse_unknown(storage)
     nodes = tuple(_nodes(storage["expressions"]))
     continuous = []
@@ -24,6 +20,10 @@ def read_document(model: str, storage: Json, source_map: Json) -> Dae:
         else:
             raise ValueError(f"an equation of kind {kind} is not supported")
     period, multiples = _periods(storage["clocks"])
+    sampled = []
+    for equation in storage["discrete_real_equations"]:
+        guard = storage["conditions"][equation["activation"]["when"]["guard"]]
+        sampled.append(Sample(equation["residual"], multiples[int(guard["node"]["clock"])]))
     return Dae(
         model=model,
         variables=tuple(_variables(storage, source_map)),
@@ -31,10 +31,7 @@ def read_document(model: str, storage: Json, source_map: Json) -> Dae:
         functions=tuple(_function(f, storage["value_types"]) for f in storage["functions"]),
         domains=tuple(_domain(d) for d in storage["domains"]),
         continuous=tuple(continuous),
-        sampled=tuple(
-            Sample(e["residual"], multiples[_clock(e, storage)])
-            for e in storage["discrete_real_equations"]
-        ),
+        sampled=tuple(sampled),
         sample_period=period,
     )
 
@@ -69,23 +66,17 @@ def _refuse_unknown(storage: Json) -> None:
 
 def _periods(clocks: list[Json]) -> tuple[Fraction, list[int]]:
     """The shortest period, and each clock's period as a multiple of it."""
-    periods = [_period(clock) for clock in clocks]
+    periods = []
+    for clock in clocks:
+        lattice = clock["kind"]["periodic"]["lattice"]
+        if lattice["phase"]["num"] != 0:
+            raise ValueError("the sample clock does not start at time 0")
+        periods.append(Fraction(lattice["period"]["num"], lattice["period"]["den"]))
     base = min(periods)
     for period in periods:
         if (period / base).denominator != 1:
             raise ValueError(f"the sample period {period} s is no multiple of {base} s")
     return base, [int(period / base) for period in periods]
-
-
-def _period(clock: Json) -> Fraction:
-    lattice = clock["kind"]["periodic"]["lattice"]
-    if lattice["phase"]["num"] != 0:
-        raise ValueError("the sample clock does not start at time 0")
-    return Fraction(lattice["period"]["num"], lattice["period"]["den"])
-
-
-def _clock(equation: Json, storage: Json) -> int:
-    return int(storage["conditions"][equation["activation"]["when"]["guard"]]["node"]["clock"])
 
 
 def _nodes(expressions: Json) -> Iterator[Node]:

@@ -27,41 +27,36 @@ class Dependencies:
     initial: tuple[int, ...]
 
 
-class Graph:
-    """Assignments of a model, to be followed back to what can be set."""
-
-    def __init__(self, dae: Dae) -> None:
-        plan = sort_equations(dae)
-        self._dae = plan.dae
-        self._continuous = _by_target((*plan.held, *plan.derivatives, *plan.outputs))
-        ticked = _by_target(plan.tick)
-        before = {("pre", t[1]): a for t, a in _by_target(plan.starts).items() if t in ticked}
-        at_start = _by_target((*plan.parameters, *plan.starts)) | self._continuous | ticked
-        self._initial = at_start | before
-
-    def of(self, variable: int) -> Dependencies:
-        """Dependencies of the variable with this index."""
-        return Dependencies(
-            self._knowns(variable, self._continuous, {"input"}),
-            self._knowns(variable, self._initial, {"input", "parameter"}),
+def trace_dependencies(dae: Dae, variables: Iterable[int]) -> dict[int, Dependencies]:
+    """Dependencies of variables, by their index in the model."""
+    plan = sort_equations(dae)
+    continuous = _by_target((*plan.held, *plan.derivatives, *plan.outputs))
+    ticked = _by_target(plan.tick)
+    before = {("pre", t[1]): a for t, a in _by_target(plan.starts).items() if t in ticked}
+    at_start = _by_target((*plan.parameters, *plan.starts)) | continuous | ticked | before
+    return {
+        variable: Dependencies(
+            _find_knowns(plan.dae, variable, continuous, {"input"}),
+            _find_knowns(plan.dae, variable, at_start, {"input", "parameter"}),
         )
+        for variable in variables
+    }
 
-    def _knowns(
-        self, variable: int, assignments: dict[Target, Assignment], roles: set[str]
-    ) -> tuple[int, ...]:
-        """Scalars at which the way back ends: of these roles, and computed from nothing."""
-        on_the_way = trace_references(
-            self._dae, assignments, [("variable", variable)], (*CURRENT, "pre")
+
+def _find_knowns(
+    dae: Dae, variable: int, assignments: dict[Target, Assignment], roles: set[str]
+) -> tuple[int, ...]:
+    """Scalars at which the way back ends: of these roles, and computed from nothing."""
+    on_the_way = trace_references(dae, assignments, [("variable", variable)], (*CURRENT, "pre"))
+    ends = (dae.variables[i] for kind, i in on_the_way if (kind, i) not in assignments)
+    return tuple(
+        sorted(
+            v.offset + e
+            for v in ends
+            if v.role in roles and (v.role == "input" or v.tunable)
+            for e in range(v.count)
         )
-        ends = (self._dae.variables[i] for kind, i in on_the_way if (kind, i) not in assignments)
-        return tuple(
-            sorted(
-                v.offset + e
-                for v in ends
-                if v.role in roles and (v.role == "input" or v.tunable)
-                for e in range(v.count)
-            )
-        )
+    )
 
 
 def _by_target(assignments: Iterable[Assignment]) -> dict[Target, Assignment]:

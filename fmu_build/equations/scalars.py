@@ -28,17 +28,22 @@ def list_scalars(dae: Dae) -> Iterator[Scalar]:
     for index, variable in enumerate(dae.variables):
         causality = find_causality(dae, variable)
         declared = _declared(variable, types)
+        variability = "discrete" if variable.role == "discrete_real" else "continuous"
+        variability = "fixed" if variable.role == "parameter" else variability
+        texts = {"description": variable.description, "unit": variable.unit}
+        if declared is not None:
+            texts |= {"quantity": declared.quantity, "displayUnit": declared.display_unit}
+        texts = {name: text for name, text in texts.items() if text}
         for element in range(variable.count):
             yield Scalar(
                 name=variable.element_name(element),
                 reference=variable.offset + element,
                 variable=index,
                 causality=causality,
-                variability=_variability(variable),
+                variability=variability,
                 whole=variable.scalar == "integer",
                 declared=declared,
-                attributes=_description(variable, declared)
-                | _numbers(dae, variable, element, causality),
+                attributes=texts | _numbers(dae, variable, element, causality),
             )
 
 
@@ -56,19 +61,6 @@ def _declared(variable: Variable, types: Mapping[str, RealType]) -> RealType | N
         if name.endswith(f".{variable.type_name}") or name == variable.type_name:
             return declared if declared.unit == variable.unit else None
     return None
-
-
-def _variability(variable: Variable) -> str:
-    if variable.role == "parameter":
-        return "fixed"
-    return "discrete" if variable.role == "discrete_real" else "continuous"
-
-
-def _description(variable: Variable, declared: RealType | None) -> dict[str, str]:
-    given = {"description": variable.description, "unit": variable.unit}
-    if declared is not None:
-        given |= {"quantity": declared.quantity, "displayUnit": declared.display_unit}
-    return {name: text for name, text in given.items() if text}
 
 
 def _numbers(dae: Dae, variable: Variable, element: int, causality: str) -> dict[str, str]:

@@ -4,7 +4,7 @@ from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
-from fmu_build.equations.dae import Dae, Sample
+from fmu_build.equations.dae import Dae
 
 Target = tuple[str, int]
 """What an equation defines: ("variable" or "derivative", index of the variable)."""
@@ -50,13 +50,12 @@ class Schedule:
 
 @lru_cache(maxsize=1)
 def sort_equations(dae: Dae) -> Schedule:
-    """Order the model's equations.
-
-    Raises:
-        ValueError: an equation that defines no variable, or an algebraic loop.
-    """
+    """Order the model's equations."""
     continuous = _assign(dae, dae.continuous)
-    sampled = {_explicit_target(dae, s.equation): _sampled(dae, s) for s in dae.sampled}
+    sampled = {}
+    for sample in dae.sampled:
+        target = _explicit_target(dae, sample.equation)
+        sampled[target] = Assignment(target, _sides(dae, sample.equation)[1], sample.every)
     dae = _without_aliases(dae, continuous)
     state_free = _state_free(dae, continuous)
     derivatives = [t for t in continuous if t[0] == "derivative"]
@@ -152,11 +151,6 @@ def _explicit_target(dae: Dae, residual: int) -> Target:
     if node.kind not in ("variable", "derivative"):
         raise ValueError(f"an equation's left side is no variable: {node.kind}")
     return (node.kind, node.value)
-
-
-def _sampled(dae: Dae, sample: Sample) -> Assignment:
-    target = _explicit_target(dae, sample.equation)
-    return Assignment(target, _sides(dae, sample.equation)[1], sample.every)
 
 
 def _sampling(
@@ -258,11 +252,7 @@ def _starts(dae: Dae) -> Iterator[Assignment]:
 
 
 def _order(dae: Dae, assignments: dict[Target, Assignment]) -> tuple[Assignment, ...]:
-    """Topological order.
-
-    Raises:
-        ValueError: an algebraic loop; the message names its variables.
-    """
+    """Topological order."""
     ordered: list[Assignment] = []
     done: set[Target] = set()
     path: list[Target] = []

@@ -17,24 +17,19 @@ class TranslationError(HrgError):
 
 
 def translate(library: Path, model: str, source: str = "") -> Dae:
-    """Flat equations of a model.
-
-    Args:
-        library: folder of the top-level package, with its `package.mo`.
-        model: full name of the model, e.g. `HRG.Gyroscopes.HRG`.
-        source: Modelica text of the model, where it is not the library's own.
-
-    Raises:
-        TranslationError: another compiler than the pinned one, a Modelica error, or a construct
-            that the generator does not know.
-    """
+    """Flat equations of a model of a library (the folder of `package.mo`) by its full name, e.g.
+    `HRG.Gyroscopes.HRG`; `source` is its Modelica text, where it is not the library's own."""
     if rumoca.version() != COMPILER_VERSION:
         raise TranslationError(
             f"rumoca {rumoca.version()} is installed; expected {COMPILER_VERSION}, "
             "for which the generator is written"
         )
     try:
-        document = _load_model(library, model, source).to_dict("dae")
+        if source:
+            loaded = rumoca.Session([str(library)]).loads(source, model=model)
+        else:
+            loaded = rumoca.Session().load(str(library / "package.mo"), model=model)
+        document = loaded.to_dict("dae")
     except rumoca.RumocaError as error:
         raise TranslationError(f"{model}: {error}") from error
     if document["schema_version"] != SCHEMA_VERSION:
@@ -45,9 +40,3 @@ def translate(library: Path, model: str, source: str = "") -> Dae:
         return read_document(model, document["storage"], document["source_map"])
     except ValueError as error:
         raise TranslationError(f"{model}: {error}") from error
-
-
-def _load_model(library: Path, model: str, source: str) -> rumoca.Model:
-    if source:
-        return rumoca.Session([str(library)]).loads(source, model=model)
-    return rumoca.Session().load(str(library / "package.mo"), model=model)

@@ -1,10 +1,9 @@
 """Alignment of a standing vehicle: checks of the record, then coarse and fine alignment."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.alignment.corruption import check_explained, check_samples
-from ins_eval.alignment.inertial.inertial_frame import (
+from ins_eval.alignment.inertial_frame import (
     InertialFrameFit,
     estimate_sway_velocity,
     fit_inertial_frame,
@@ -13,10 +12,9 @@ from ins_eval.alignment.kalman.fine import align_by_kalman_filter
 from ins_eval.alignment.result import Alignment, AlignmentError
 from ins_eval.alignment.shown_latitude import check_latitude
 from ins_eval.common import earth
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 MIN_DURATION = 30.0
 """Shortest record that is aligned on, s. Chosen: gyrocompassing takes minutes."""
@@ -32,7 +30,6 @@ def align(
     record: Increments,
     position: Array,
     errors: SensorErrors,
-    sway: float | None = None,
     steady: bool = True,
 ) -> Alignment:
     """Find the attitude at the end of a record of a vehicle that stands or sways.
@@ -48,9 +45,6 @@ def align(
         record: all of it is used.
         position: (3,) latitude, longitude, rad, and height, m.
         errors: stated errors of the sensors, from the IMU's file; the covariance rests on them.
-            They are not estimated here; `measured_noise` can estimate the random walks.
-        sway: standard deviation of the vehicle's level displacement on each axis, m; None
-            estimates it from the record.
         steady: whether to use that tilts stay constant where the record shows it; False for a
             vehicle whose tilt may creep by less than its accelerometers show.
 
@@ -62,7 +56,7 @@ def align(
     check_latitude(record, float(position[0]), errors)
     fit = fit_inertial_frame(record, position)
     _check_standing(fit, float(earth.gravity(position[0], position[2])))
-    alignment = align_by_kalman_filter(record, position, errors, fit.mat_ib, sway, steady)
+    alignment = align_by_kalman_filter(record, position, errors, fit.mat_ib, steady=steady)
     check_explained(alignment)
     return alignment
 

@@ -2,13 +2,11 @@
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from ins_eval.alignment.result import Alignment, History, euler_from_rotation_vector
+from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import euler_from_mat
 from pyhrg.common.units import DEG
-
-Array = NDArray[np.float64]
 
 ANGLES = (("heading", 2, "tab:blue"), ("pitch", 1, "tab:orange"), ("roll", 0, "tab:green"))
 UNSCALED_PART = 0.1
@@ -16,13 +14,7 @@ UNSCALED_PART = 0.1
 
 
 def plot_alignment(result: Alignment, name: str = "") -> Figure:
-    """Plot heading, pitch and roll over the record, with their one-sigma.
-
-    Raises:
-        ValueError: the method keeps no history.
-    """
-    if result.history is None:
-        raise ValueError(f"alignment by {result.method} keeps no history to draw")
+    """Plot heading, pitch and roll over the record, with their one-sigma."""
     time, euler, sigma = result.history.time, *euler_history_deg(result.history)
     figure = Figure(figsize=(8, 7), layout="constrained")
     rows = figure.subplots(3, 1, sharex=True)
@@ -38,17 +30,15 @@ def plot_alignment(result: Alignment, name: str = "") -> Figure:
         axes.grid(alpha=0.25)
         last = f"{angle} {value[-1]:.4f} ± {band[-1]:.4f} deg (one sigma, band)"
         axes.set_title(last, loc="left", fontsize="medium")
-    figure.suptitle(f"Alignment, {result.method}{f': {name}' if name else ''}")
+    figure.suptitle(f"Alignment, fine{f': {name}' if name else ''}")
     rows[-1].set_xlabel("time, s")
     rows[-1].set_xlim(time[0], time[-1])
     return figure
 
 
 def euler_history_deg(history: History) -> tuple[Array, Array]:
-    """Return roll, pitch, heading (m, 3), deg, and their one-sigma (m, 3).
-
-    The heading is from 0 to 360 at the end and has no jumps before.
-    """
+    """Return roll, pitch, heading (m, 3), deg, and their one-sigma (m, 3); the heading has no jumps
+    and ends between 0 and 360."""
     euler = np.array([euler_from_mat(mat_nb) for mat_nb in history.mat_nb])
     turns = np.array([euler_from_rotation_vector(mat_nb) for mat_nb in history.mat_nb])
     variance = np.einsum("mij,mjk,mik->mi", turns, history.covariance, turns)

@@ -1,27 +1,22 @@
 """Static alignment by means: pitch and roll from gravity, heading by gyrocompassing."""
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike
 
 from ins_eval.alignment.bias_instability import mean_variance
-from ins_eval.alignment.gyrocompass import bias_sensitivity
-from ins_eval.alignment.result import Alignment, AlignmentError
+from ins_eval.alignment.result import AlignmentError
 from ins_eval.common import earth
+from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import mat_from_euler
 from ins_eval.common.sensor_errors import SensorErrors
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 
 def level_and_gyrocompass(record: Increments, latitude: float) -> Array:
     """Return `mat_nb` (3, 3) of a vehicle at rest (Groves 2013, section 5.6.2).
 
     Pitch and roll follow from the mean specific force, yaw from the level components of the mean
-    rate. The effect of sensor biases is `gyrocompass.bias_sensitivity`.
-
-    Raises:
-        AlignmentError: the mean rate is not Earth's, so the vehicle was moving.
+    rate. The effect of sensor biases is `bias_sensitivity`.
     """
     duration = record.interval * len(record.rotation)
     force = record.velocity.sum(axis=0) / duration
@@ -36,11 +31,8 @@ def level_and_gyrocompass(record: Increments, latitude: float) -> Array:
 
 
 def attitude_at_rest(rate: Array, force: Array) -> Array:
-    """Return `mat_nb` (..., 3, 3) of a vehicle at rest (Groves 2013, section 5.6.2).
-
-    Args:
-        rate, force: (..., 3) mean rates, rad/s, and mean specific forces, m/s^2, in body axes.
-    """
+    """Return `mat_nb` (..., 3, 3) of a vehicle at rest from mean rates, rad/s, and specific forces,
+    m/s^2, (..., 3) in body axes (Groves 2013, section 5.6.2)."""
     roll = np.arctan2(-force[..., 1], -force[..., 2])
     pitch = np.arctan2(force[..., 0], np.hypot(force[..., 1], force[..., 2]))
     levelled = mat_from_euler(roll, pitch, np.zeros_like(roll))
@@ -48,30 +40,20 @@ def attitude_at_rest(rate: Array, force: Array) -> Array:
     return mat_from_euler(roll, pitch, np.arctan2(-level[..., 1], level[..., 0]))
 
 
-def align_by_means(record: Increments, position: Array, errors: SensorErrors) -> Alignment:
-    """Find the attitude of a vehicle at rest; the covariance is that of the sensors' errors alone.
+def bias_sensitivity(latitude: ArrayLike, gravity: ArrayLike) -> Array:
+    """Return the attitude error (..., 3, 6) per bias of gyros and accelerometers.
 
-    Args:
-        record: of the vehicle at rest.
-        position: (3,) latitude, longitude, rad, and height, m.
-        errors: of the sensors.
-
-    Raises:
-        AlignmentError: the mean rate is not Earth's, so the vehicle was moving.
+    docs/methods/alignment.md, Eq. 1 (Groves 2013, section 5.6.2). Attitude errors are about north,
+    east, down, rad; biases are about and along the same axes, rad/s and m/s^2. A navigator that
+    does not turn afterwards is affected neither by these biases nor by the attitude errors: they
+    cancel.
     """
-    latitude, height = float(position[0]), float(position[2])
-    mat_nb = level_and_gyrocompass(record, latitude)
-    covariance = analytic_covariance(errors, latitude, height, record.duration)
-    return Alignment("analytic", float(record.bounds[-1]), mat_nb, covariance)
-
-
-def analytic_covariance(
-    errors: SensorErrors, latitude: float, height: float, duration: float
-) -> Array:
-    """Return the covariance (3, 3), about north, east, down, rad^2, of `level_and_gyrocompass`."""
-    rate, force = mean_error_variances(errors, duration)
-    turns = bias_sensitivity(latitude, earth.gravity(latitude, height))
-    return np.asarray(turns @ np.diag([rate] * 3 + [force] * 3) @ turns.T)
+    sensitivity = np.zeros((*np.shape(latitude), 3, 6))
+    sensitivity[..., 0, 4] = -1 / np.asarray(gravity)
+    sensitivity[..., 1, 3] = 1 / np.asarray(gravity)
+    sensitivity[..., 2, 1] = -1 / (earth.RATE * np.cos(latitude))
+    sensitivity[..., 2, 4] = np.tan(latitude) / gravity
+    return sensitivity
 
 
 def mean_error_variances(errors: SensorErrors, duration: float) -> tuple[float, float]:

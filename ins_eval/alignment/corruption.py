@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from ins_eval.alignment.kalman.dead_reckoning import MIN_STEPS
 from ins_eval.alignment.result import Alignment, AlignmentError
+from ins_eval.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
-Array = NDArray[np.float64]
 Rows = NDArray[np.int64]
 
 MAX_REPEAT_DURATION = 5.0
@@ -47,9 +47,6 @@ def check_samples(record: Increments) -> None:
 
     Records of ideal sensors pass: they repeat one sample throughout, or change smoothly before and
     after a repetition, as around a turn.
-
-    Raises:
-        AlignmentError: a spike or a stuck sensor; the message names the time.
     """
     for sensor, samples in (("rotation", record.rotation), ("velocity", record.velocity)):
         _check_spikes(record, sensor, samples)
@@ -61,11 +58,7 @@ def check_explained(alignment: Alignment) -> None:
 
     The normalized innovations of a filter whose model holds are white with sigma 1. A large one is
     a jump. A large mean of several is a drift, which the filter would take for a wide sway.
-
-    Raises:
-        AlignmentError: a jump or a drift; the message names the time.
     """
-    assert alignment.history is not None
     settled = slice(SETTLING_STEPS, None)
     time, innovation = alignment.history.time[settled], alignment.history.innovation[settled]
     _check_normalised(time, innovation, "jumps", MAX_INNOVATION_SIGMA)

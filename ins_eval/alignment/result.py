@@ -1,15 +1,13 @@
-"""The result of an alignment: attitude with covariance, biases and history."""
+"""The result of an alignment: attitude with covariance and history."""
 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import euler_from_mat
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG
-
-Array = NDArray[np.float64]
 
 MIN_ANGLE_FROM_VERTICAL = np.deg2rad(1.0)
 """Smallest angle of the nose from the vertical, rad, at which heading and roll are given. Chosen:
@@ -18,18 +16,6 @@ closer, they are one rotation."""
 
 class AlignmentError(HrgError):
     """The record can't be aligned on; the message says why."""
-
-
-@dataclass(frozen=True)
-class Biases:
-    """Estimated biases, constant over the record, in body axes.
-
-    gyro: (3,) rad/s; accelerometer: (3,) m/s^2; covariance: (6, 6) of the estimates, gyros first.
-    """
-
-    gyro: Array
-    accelerometer: Array
-    covariance: Array
 
 
 @dataclass(frozen=True)
@@ -50,19 +36,16 @@ class History:
 class Alignment:
     """Attitude at one time, with its covariance.
 
-    method: its name; time: of the attitude, s; mat_nb: (3, 3) attitude; covariance: (3, 3) of the
-    attitude error, the rotation vector about north, east, down of `TrackError`, rad^2; biases,
-    history, sway (standard deviation of the vehicle's level displacement, m): None where the method
-    does not give them.
+    time: of the attitude, s; mat_nb: (3, 3) attitude; covariance: (3, 3) of the attitude error, the
+    rotation vector about north, east, down of `TrackError`, rad^2; history: over the record; sway:
+    standard deviation of the vehicle's level displacement, m.
     """
 
-    method: str
     time: float
     mat_nb: Array
     covariance: Array
-    biases: Biases | None = None
-    history: History | None = None
-    sway: float | None = None
+    history: History
+    sway: float
 
     @property
     def heading_deg(self) -> float:
@@ -98,7 +81,7 @@ class Alignment:
             f"heading {self.heading_deg:.4f} +- {heading:.4f} deg, "
             f"pitch {self.pitch_deg:.4f} +- {pitch:.4f} deg, "
             f"roll {self.roll_deg:.4f} +- {roll:.4f} deg "
-            f"(one sigma; {self.method}, at {self.time:.2f} s)"
+            f"(one sigma; fine, at {self.time:.2f} s)"
         )
 
     def _check_readable(self) -> None:

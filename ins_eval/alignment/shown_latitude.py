@@ -32,9 +32,6 @@ def check_latitude(record: Increments, latitude: float, errors: SensorErrors) ->
     stated errors and of the scatter between `PARTS` parts of the record. A vehicle that swings in
     heading has a large scatter and so hides a wrong latitude. On the equator reversed gyros are not
     detected.
-
-    Raises:
-        AlignmentError: they contradict it; the message names a likely reason.
     """
     force = record.velocity.sum(axis=0)
     up = force / np.linalg.norm(force)
@@ -48,14 +45,12 @@ def check_latitude(record: Increments, latitude: float, errors: SensorErrors) ->
     measured, expected = float(mean @ up), earth.RATE * np.sin(latitude)
     if abs(measured - expected) > bound:
         shown = np.rad2deg(np.arcsin(np.clip(measured / earth.RATE, -1, 1)))
+        reason = ": latitude, or gyros?"
+        if measured * expected < 0:
+            reason = ": latitude's sign, or gyros reversed?"
         raise AlignmentError(
             f"gyros show latitude {shown:.2f} deg: expected the stated "
             f"{np.rad2deg(latitude):.2f} deg; rate about the vertical {measured:.3g} rad/s: "
             f"expected {expected:.3g} rad/s within {bound:.2g} rad/s"
-            f"{_guess_reason(measured, expected)}"
+            f"{reason}"
         )
-
-
-def _guess_reason(measured: float, expected: float) -> str:
-    reversed_sign = measured * expected < 0
-    return ": latitude's sign, or gyros reversed?" if reversed_sign else ": latitude, or gyros?"

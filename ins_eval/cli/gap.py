@@ -20,44 +20,26 @@ HELP = "find the causes of the gap between a gyro's records and its simulation"
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     tasks = parser.add_subparsers(dest="task", metavar="TASK", required=True)
-    _add_diagnose(tasks.add_parser("diagnose", help="find the causes of the gap"))
-    _add_predict(tasks.add_parser("predict", help="simulate the identified gyro on a log's inputs"))
+    parser = tasks.add_parser("diagnose", help="find the causes of the gap")
+    add = parser.add_argument
+    add("source", type=Path, metavar="PATH", help="folder of a campaign, or a file: static record "
+        "of any IMU")  # fmt: skip
+    add("--belief", type=Path, metavar="FILE", help="TOML file of the noise that the sensors of a "
+        "static record should have")  # fmt: skip
+    add("--trusted", action="store_true", help="take units and axes of a static record as stated, "
+        "though gravity or Earth's rate in it contradict them")  # fmt: skip
+    add("--out", type=Path, required=True, metavar="DIR", help="output folder")
+    parser.set_defaults(run_task=_diagnose)
+    parser = tasks.add_parser("predict", help="simulate the identified gyro on a log's inputs")
+    add = parser.add_argument
+    add("diagnosis", type=Path, metavar="DIAGNOSIS", help="a diagnosis.json")
+    add("log", type=Path, metavar="LOG", help="a log, CSV")
+    add("--campaign", type=Path, required=True, metavar="DIR", help="campaign of the diagnosis")
+    add("--out", type=Path, required=True, metavar="FILE", help="CSV to write")
+    parser.set_defaults(run_task=_predict)
     parser = tasks.add_parser("challenge", help=challenge.HELP, description=challenge.HELP)
     challenge.add_options(parser)
     parser.set_defaults(run_task=challenge.run)
-
-
-def _add_diagnose(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "source",
-        type=Path,
-        metavar="PATH",
-        help="folder of a campaign, or a file: static record of any IMU",
-    )
-    parser.add_argument(
-        "--belief",
-        type=Path,
-        metavar="FILE",
-        help="TOML file of the noise that the sensors of a static record should have",
-    )
-    parser.add_argument(
-        "--trusted",
-        action="store_true",
-        help="take units and axes of a static record as stated, though gravity or Earth's rate "
-        "in it contradict them",
-    )
-    parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="output folder")
-    parser.set_defaults(run_task=_diagnose)
-
-
-def _add_predict(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("diagnosis", type=Path, metavar="DIAGNOSIS", help="a diagnosis.json")
-    parser.add_argument("log", type=Path, metavar="LOG", help="a log, CSV")
-    parser.add_argument(
-        "--campaign", type=Path, required=True, metavar="DIR", help="campaign of the diagnosis"
-    )
-    parser.add_argument("--out", type=Path, required=True, metavar="FILE", help="CSV to write")
-    parser.set_defaults(run_task=_predict)
 
 
 def run(options: argparse.Namespace) -> None:
@@ -71,7 +53,9 @@ def _diagnose(options: argparse.Namespace) -> None:
     if is_record and options.belief is None:
         raise HrgError(f"{options.source}: found no --belief, expected one for a static record")
     if is_record:
-        _diagnose_record(options)
+        record, belief = options.source, options.belief
+        found = pyhrg.diagnose_record(record, belief, trusted=options.trusted, out=options.out)
+        print(found.summary)
         return
     if options.belief is not None or options.trusted:
         given = "--trusted" if options.belief is None else "--belief"
@@ -79,17 +63,10 @@ def _diagnose(options: argparse.Namespace) -> None:
     _diagnose_campaign(options)
 
 
-def _diagnose_record(options: argparse.Namespace) -> None:
-    result = pyhrg.diagnose_record(
-        options.source, options.belief, trusted=options.trusted, out=options.out
-    )
-    print(result.summary)
-
-
 def _diagnose_campaign(options: argparse.Namespace) -> None:
-    from pyhrg.gap.report.folder import write_report
+    from pyhrg.gap.report.page import write_report
     from pyhrg.gap.report.sections import make_section
-    from pyhrg.gap.report.summary import summarize_diagnosis
+    from pyhrg.gap.report.verdict import summarize_diagnosis
 
     result = pyhrg.diagnose(options.source, progress=True)
     position = make_section("position", partial(make_position_section, result))

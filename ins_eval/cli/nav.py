@@ -24,7 +24,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add("--imu", default="simple", metavar="NAME|FILE", help="ready IMU, IMU TOML, or recorded log "
         "(default simple)")  # fmt: skip
     add("--errors-of", metavar="NAME|FILE", help="ready IMU or IMU TOML: the errors that alignment "
-        "believes of a log (default simple)")  # fmt: skip
+        "assumes of a log (default simple)")  # fmt: skip
     add("--out", type=Path, default=Path("hrg-nav"), metavar="DIR", help="output folder "
         "(default hrg-nav)")  # fmt: skip
     add("--hours", type=float, metavar="H", help="flight, in whole minutes (default 1; of a log, "

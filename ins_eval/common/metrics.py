@@ -3,10 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.stats import binom, ttest_1samp
-
-Array = NDArray[np.float64]
 
 MIN_SAMPLE_FOR_MEDIAN = 6
 """Smallest sample whose range contains the median with 95 % confidence: 1 - 2 / 2^6 = 96.9 %."""
@@ -17,9 +15,6 @@ def median_interval(sample: ArrayLike, confidence: float = 0.95) -> tuple[float,
 
     The interval reaches from the k-th smallest to the k-th largest value. k is the largest number
     with a binomial probability P(fewer than k values below the median) <= (1 - confidence)/2.
-
-    Raises:
-        ValueError: too few values for the confidence; 95 % needs `MIN_SAMPLE_FOR_MEDIAN`.
     """
     ordered = np.sort(np.asarray(sample, dtype=float))
     n = len(ordered)

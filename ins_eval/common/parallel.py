@@ -17,14 +17,10 @@ def map_in_threads(
     workers: int | None = None,
     done: Callable[[Result], None] = lambda result: None,
 ) -> list[Result]:
-    """Apply `work` to all items on several threads, and return the results in the items' order.
+    """Apply `work` to all items on several threads, and return the results in their order.
 
-    Args:
-        work: called once for each item; it should release the interpreter lock while it computes.
-        items: arguments of `work`.
-        stop: set when a call fails or is interrupted, so that running calls can end early.
-        workers: number of threads; by default the number of cores of this process.
-        done: called with each result, in order.
+    `work` should release the interpreter lock; `stop` is set when a call fails, so that running
+    calls can end early; `done` is called with each result, in order.
     """
     results = []
     with ThreadPoolExecutor(workers or len(os.sched_getaffinity(0))) as pool:

@@ -8,11 +8,11 @@ within +-sqrt(r^2 - u^2) (Gilliland 1962, J. Am. Stat. Assoc. 57, 758). All func
 import itertools
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.optimize import elementwise
 from scipy.special import ndtr
 
-Array = NDArray[np.float64]
+from ins_eval.common.arrays import Array
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(48)
 _SLOPE = np.pi / 2 * _NODES
@@ -25,20 +25,14 @@ effect on the result."""
 
 
 def probability_within(radius: ArrayLike, mean: Array, covariance: Array) -> Array:
-    """Probability (...) of a radius below `radius` (...).
-
-    The pairs have mean (..., 2) and covariance (..., 2, 2), in the same unit as the radius.
-    """
+    """Probability (...) of a radius below `radius` (...), of pairs with mean (..., 2) and
+    covariance (..., 2, 2) in its unit."""
     along, across, major, minor = _principal_axes(mean, covariance)
     return _integrate_probability(np.asarray(radius, dtype=float), along, across, major, minor)
 
 
 def radius_quantile(probability: float, mean: Array, covariance: Array) -> Array:
-    """Radius (...) that is not exceeded with a probability; shapes as `probability_within`.
-
-    Raises:
-        ValueError: a probability that is not between 0 and 1.
-    """
+    """Radius (...) that is not exceeded with a probability; shapes as `probability_within`."""
     if not 0 < probability < 1:
         raise ValueError(f"probability {probability}: expected more than 0 and less than 1")
     along, across, major, minor = _principal_axes(mean, covariance)

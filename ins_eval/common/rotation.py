@@ -5,9 +5,8 @@ roll (Groves 2013, Eqs. 2.22 to 2.25).
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ins_eval.common.arrays import Array
 
 
 def mat_from_euler(roll: Array, pitch: Array, yaw: Array) -> Array:

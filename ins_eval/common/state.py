@@ -3,11 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.common import earth
-
-Array = NDArray[np.float64]
+from ins_eval.common.arrays import Array
 
 
 @dataclass(frozen=True)
@@ -23,6 +21,17 @@ class State:
     height: float
     velocity: Array
     mat_nb: Array
+
+    @staticmethod
+    def at_rest(position: Array, mat_nb: Array) -> "State":
+        """The state of a vehicle at rest at a position (3,), with attitude (3, 3)."""
+        latitude, longitude, height = map(float, position)
+        return State(latitude, longitude, height, np.zeros(3), mat_nb)
+
+    @property
+    def position(self) -> Array:
+        """(3,) latitude, longitude, rad, height, m."""
+        return np.array([self.latitude, self.longitude, self.height])
 
 
 @dataclass(frozen=True)
@@ -58,11 +67,7 @@ class TrackError:
 
 
 def track_error(track: Track, truth: Track) -> TrackError:
-    """Return the errors of a track against the truth at the same times.
-
-    Raises:
-        ValueError: the times differ by more than 1 microsecond.
-    """
+    """Return the errors of a track against the truth at the same times."""
     if len(track) != len(truth) or not np.allclose(track.time, truth.time, rtol=0, atol=1e-6):
         raise ValueError("track and truth: expected the same times")
     turned = track.mat_nb @ np.swapaxes(truth.mat_nb, -1, -2)
@@ -81,10 +86,8 @@ def track_error(track: Track, truth: Track) -> TrackError:
 
 
 def position_error(position: Array, truth: Array) -> Array:
-    """Return north, east and down errors (..., 3), m, of positions (..., 3) against true ones.
-
-    Both are latitude, longitude (rad) and height (m).
-    """
+    """Return north, east and down errors (..., 3), m, of positions (..., 3) against true ones; both
+    are latitude, longitude (rad) and height (m)."""
     latitude, height = truth[..., 0], truth[..., 2]
     around = np.remainder(position[..., 1] - truth[..., 1] + np.pi, 2 * np.pi) - np.pi
     east_radius = (earth.transverse_radius(latitude) + height) * np.cos(latitude)

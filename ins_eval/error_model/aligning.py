@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ins_eval.alignment.gyrocompass import bias_sensitivity
+from ins_eval.alignment.analytic import bias_sensitivity
 from ins_eval.common import earth
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.error_model.effects import BIASES, Effect

@@ -4,20 +4,15 @@ from collections.abc import Iterator
 from math import factorial
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ins_eval.common.arrays import Array
 
 
 def discretize(f: Array, density: Array, step: float) -> tuple[Array, Array]:
-    """Return transition Phi and noise covariance Q, each (n, k, k), of steps with constant
-    dynamics.
+    """Return transition Phi and noise covariance Q, each (n, k, k), of steps, s, with constant
+    dynamics f (n, k, k) and white noise of this density (n, k, k).
 
     docs/methods/error_model.md, Eq. 7 (Van Loan 1978, Theorem 1).
-
-    Args:
-        f: (n, k, k) dynamics, 1/s; density: (n, k, k) of the white noise that drives the states;
-        step: duration of a step, s.
     """
     k = f.shape[-1]
     block = np.zeros((len(f), 2 * k, 2 * k))

@@ -10,11 +10,9 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.error_model.motion import Motion
-
-Array = NDArray[np.float64]
 
 ANGULAR_GAIN = 0.277
 """Angular gain (Bryan factor) k of a hemispherical gyro: the pattern lags the case by k times its
@@ -27,7 +25,7 @@ Sensor = Literal["gyro", "accelerometer"]
 class Effect:
     """One kind of sensor error.
 
-    unit: of its coefficients, SI; regressor: signal (m, 3) at the nodes of a motion;
+    regressor: signal (m, 3) at the nodes of a motion, per SI unit of the coefficient;
     correlation_time: of the coefficients, s; infinite for constants, otherwise they are first-order
     Gauss-Markov processes, constant during a step, which must be much shorter; family: name under
     which a budget sums several effects; by default the effect's own name.
@@ -35,7 +33,6 @@ class Effect:
 
     name: str
     sensor: Sensor
-    unit: str
     regressor: Callable[[Motion], Array]
     correlation_time: float = np.inf
     family: str = ""
@@ -51,13 +48,13 @@ def _ones(motion: Motion) -> Array:
 def gyro_bias(correlation_time: float = np.inf) -> Effect:
     """Gyro bias: constant, or a Gauss-Markov process that is part of the bias instability."""
     name = "gyro bias" if np.isinf(correlation_time) else "gyro bias instability"
-    return Effect(name, "gyro", "rad/s", _ones, correlation_time)
+    return Effect(name, "gyro", _ones, correlation_time)
 
 
 def accelerometer_bias(correlation_time: float = np.inf) -> Effect:
     """Accelerometer bias: constant, or a Gauss-Markov process, part of the bias instability."""
     wanders = "" if np.isinf(correlation_time) else " instability"
-    return Effect(f"accelerometer bias{wanders}", "accelerometer", "m/s^2", _ones, correlation_time)
+    return Effect(f"accelerometer bias{wanders}", "accelerometer", _ones, correlation_time)
 
 
 BIASES = (gyro_bias(), accelerometer_bias())
@@ -66,47 +63,35 @@ BIASES = (gyro_bias(), accelerometer_bias())
 
 def gyro_scale_factor() -> Effect:
     """Relative scale-factor error of the gyros."""
-    return Effect("gyro scale factor", "gyro", "1", lambda motion: motion.rate)
+    return Effect("gyro scale factor", "gyro", lambda motion: motion.rate)
 
 
 def accelerometer_scale_factor() -> Effect:
     """Relative scale-factor error of the accelerometers."""
-    return Effect("accelerometer scale factor", "accelerometer", "1", lambda motion: motion.force)
+    return Effect("accelerometer scale factor", "accelerometer", lambda motion: motion.force)
 
 
 def bias_map(harmonic: int, first_angle: Array) -> tuple[Effect, Effect]:
-    """Bias map: cosine and sine of a multiple of the pattern angle.
-
-    Args:
-        harmonic: multiple of the physical pattern angle: 2, 4 or 8.
-        first_angle: (3,) pattern angles at the motion's start, rad.
-    """
-
-    def effect(name: str, wave: Callable[[Array], Array]) -> Effect:
-        return Effect(
-            f"bias map {name} {harmonic}",
-            "gyro",
-            "rad/s",
-            lambda motion: wave(harmonic * pattern_angle(motion, first_angle)),
-            family=f"bias map, harmonic {harmonic}",
-        )
-
-    return effect("cos", np.cos), effect("sin", np.sin)
+    """Bias map: cosine and sine of `harmonic` times the physical pattern angle, which is
+    `first_angle` (3,), rad, at the start."""
+    return _follow_pattern("bias map", harmonic, first_angle, _ones)
 
 
 def pick_off_map(harmonic: int, first_angle: Array) -> tuple[Effect, Effect]:
-    """Scale-factor map: true rate times the cosine and sine of a multiple of the pattern angle.
+    """Scale-factor map: true rate times the cosine and sine of a multiple of the pattern angle, by
+    pick-offs of unequal gain or that are not orthogonal. Arguments as of `bias_map`."""
+    return _follow_pattern("pick-off map", harmonic, first_angle, lambda motion: motion.rate)
 
-    Pick-offs of unequal gain, or that are not orthogonal, cause it. Arguments as of `bias_map`.
-    """
 
-    def effect(name: str, wave: Callable[[Array], Array]) -> Effect:
+def _follow_pattern(
+    name: str, harmonic: int, first_angle: Array, factor: Callable[[Motion], Array]
+) -> tuple[Effect, Effect]:
+    def effect(wave_name: str, wave: Callable[[Array], Array]) -> Effect:
         return Effect(
-            f"pick-off map {name} {harmonic}",
+            f"{name} {wave_name} {harmonic}",
             "gyro",
-            "1",
-            lambda motion: motion.rate * wave(harmonic * pattern_angle(motion, first_angle)),
-            family=f"pick-off map, harmonic {harmonic}",
+            lambda motion: factor(motion) * wave(harmonic * pattern_angle(motion, first_angle)),
+            family=f"{name}, harmonic {harmonic}",
         )
 
     return effect("cos", np.cos), effect("sin", np.sin)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.error_model.discretisation import discretize, transitions_to_step_end
 from ins_eval.error_model.dynamics import dynamics, free_states, sensor_inputs
@@ -13,8 +14,6 @@ from ins_eval.error_model.effects import BIASES, Effect
 from ins_eval.error_model.motion import BOOLE, PARTS, Motion, step_mean
 from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import Height
-
-Array = NDArray[np.float64]
 
 AXES = 3
 
@@ -56,14 +55,8 @@ def linearize(
     effects: Sequence[Effect] = BIASES,
     noise: SensorErrors | None = None,
 ) -> LinearModel:
-    """Linearize the navigator along a motion (docs/methods/error_model.md, Eqs. 2 to 8).
-
-    Args:
-        motion: the truth, or the motion of a navigator's track.
-        height: height aiding of the navigator.
-        effects: sensor errors that have coefficients.
-        noise: its angle and velocity random walks drive the model; None is no noise.
-    """
+    """Linearize the navigator along a motion; the angle and velocity random walks of `noise` drive
+    the model (docs/methods/error_model.md, Eqs. 2 to 8)."""
     model = assemble_model(
         motion, dynamics(motion, height), sensor_inputs(motion, height), effects, noise
     )
@@ -97,11 +90,7 @@ def assemble_model(
 
 
 def join_models(first: LinearModel, then: LinearModel) -> LinearModel:
-    """Join two models with the same effects into one, first one and then the other.
-
-    Raises:
-        ValueError: the second does not begin where the first ends, or steps or effects differ.
-    """
+    """Join two models with the same effects into one, first one and then the other."""
     gap = then.time[0] - first.time[-1]
     if abs(gap) > 1e-6 or abs(first.step - then.step) > 1e-9 * then.step:
         raise ValueError(
@@ -121,44 +110,25 @@ def join_models(first: LinearModel, then: LinearModel) -> LinearModel:
     )
 
 
-def propagate(model: LinearModel, initial: Array, coefficients: Array) -> Array:
-    """Return the errors (n + 1, 10) that constant coefficients (e, 3) and initial errors (10,)
-    cause."""
-    drive = np.tensordot(model.inputs, coefficients, axes=2)
-    x = np.empty((len(model) + 1, COUNT))
-    x[0] = initial
-    for k, phi in enumerate(model.transition):
-        x[k + 1] = phi @ x[k] + drive[k]
-    return x
+def propagate_covariance(model: LinearModel, initial: Array, sigmas: Array) -> Array:
+    """Return the covariance of the errors over time, (n + 1, 10, 10).
 
-
-def propagate_covariance(
-    model: LinearModel, initial: Array, sigmas: Array, keep_every: int = 1
-) -> Array:
-    """Return the covariance of the errors over time, (n / keep_every + 1, 10, 10).
-
-    docs/methods/error_model.md, Eq. 9.
-
-    Args:
-        model: with its noise.
-        initial: (10, 10) covariance at the start.
-        sigmas: (e, 3) standard deviations of the coefficients, the same at all times.
-        keep_every: steps between the rows that are kept.
+    docs/methods/error_model.md, Eq. 9, from the `initial` one (10, 10) and the standard deviations
+    `sigmas` (e, 3) of the coefficients, which are the same at all times.
     """
     variance = np.ravel(sigmas) ** 2
     persistence = np.repeat(model.persistence, AXES)
     p, cross = np.array(initial, dtype=float), np.zeros((COUNT, len(variance)))
     inputs = model.inputs.reshape(len(model), COUNT, -1)
-    kept = [p]
+    every = [p]
     for k, phi in enumerate(model.transition):
         carried = phi @ cross
         both = carried @ inputs[k].T
         p = phi @ p @ phi.T + both + both.T + (inputs[k] * variance) @ inputs[k].T
         p = p + model.noise_covariance[k]
         cross = (carried + inputs[k] * variance) * persistence
-        if (k + 1) % keep_every == 0:
-            kept.append(p)
-    return np.stack(kept)
+        every.append(p)
+    return np.stack(every)
 
 
 def _signals(effects: Sequence[Effect], motion: Motion) -> tuple[Array, NDArray[np.intp]]:

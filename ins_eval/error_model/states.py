@@ -17,7 +17,6 @@ NAMES = (
     "attitude down",
     "height integral",
 )
-UNITS = ("m",) * 3 + ("m/s",) * 3 + ("rad",) * 3 + ("m s",)
 POSITION, VELOCITY, ATTITUDE = slice(0, 3), slice(3, 6), slice(6, 9)
 HEIGHT_INTEGRAL = 9
 COUNT = len(NAMES)

@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
 from matplotlib.figure import Figure
 
 from ins_eval.alignment.align import MIN_DURATION
@@ -14,14 +13,14 @@ from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.flights import align_report
 from ins_eval.flights.align_report import StandingRecord
 from ins_eval.flights.flight import spawn_seeds
-from ins_eval.flights.plan import LONGEST_ALIGNMENT, WARM_UP
+from ins_eval.flights.plan import LONGEST_ALIGNMENT
 from ins_eval.flights.sources import Place, load_imu_at_rate, read_placed_record
 from ins_eval.imu.imu import Imu
+from ins_eval.mission_model.missions import SETTLING
 from ins_eval.trajectories.catalogue import load_trajectory
 from pyhrg.common.arguments import check_number, check_seed
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import stage_files
-from pyhrg.records.imu.increments import Increments
 
 
 @dataclass(frozen=True)
@@ -98,41 +97,29 @@ def align(
 
 
 def read_standing_record(path: Path, place: Place, from_s: float, seconds: float) -> StandingRecord:
-    """A stretch of a log.
-
-    Raises:
-        HrgError: a log that is shorter, or does not say where it was recorded.
-    """
+    """A stretch of a log, from a time since its beginning on."""
     check_number("from_s", from_s, 0, 1e6)
     log, position = read_placed_record(path, place)
-    stretch = cut_stretch(path, log.increments, from_s, seconds)
-    return StandingRecord(path.name, stretch, position)
-
-
-def cut_stretch(path: Path, increments: Increments, from_s: float, seconds: float) -> Increments:
-    """Increments from a time since the log's beginning on.
-
-    Raises:
-        HrgError: a log that is shorter.
-    """
+    increments = log.increments
     begin, count = (round(time / increments.interval) for time in (from_s, seconds))
     if begin + count > len(increments):
         raise HrgError(
             f"{path}: found {increments.duration:g} s, expected {from_s + seconds:g} s at least"
         )
-    return increments.between(begin, begin + count)
+    return StandingRecord(path.name, increments.between(begin, begin + count), position)
 
 
 def simulate_record(imu: Imu, trajectory: str, seconds: float, seed: int) -> StandingRecord:
     """What a warm IMU measures before a trajectory sets off; the true attitude is known."""
     interval = imu.interval
-    warm_up, count = round(WARM_UP / interval), round(seconds / interval)
+    warm_up, count = round(SETTLING / interval), round(seconds / interval)
     still = (warm_up + count) * interval
     truth = load_trajectory(trajectory, 60.0, still)
     increments = truth.increments(-still, interval, warm_up + count)
     (run_seed,) = spawn_seeds(seed, 1)
     measured = imu.measure(increments, run_seed).increments
     start = truth.state(0.0)
-    position = np.array([start.latitude, start.longitude, start.height])
     name = f"{imu.name} IMU, {truth.name}"
-    return StandingRecord(name, measured.between(warm_up, warm_up + count), position, start.mat_nb)
+    return StandingRecord(
+        name, measured.between(warm_up, warm_up + count), start.position, start.mat_nb
+    )

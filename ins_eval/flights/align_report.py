@@ -50,7 +50,8 @@ def summarize(record: StandingRecord, alignment: Alignment) -> str:
     for name in ANGLES:
         line = f"{name:<10}{numbers[f'{name}_deg']:>12.4f}{numbers[f'{name}_sigma_deg']:>12.4f}"
         lines.append(line + (f"{error[name]:>12.4f}" if error else ""))
-    return "\n".join([*lines, "", *_describe_method(alignment)])
+    sway = f"the vehicle sways by {1000 * alignment.sway:.3g} mm (1-sigma, each level axis)"
+    return "\n".join([*lines, "", "method: fine", sway])
 
 
 def make_document(
@@ -66,7 +67,7 @@ def make_document(
         "duration_s": increments.duration,
         "rate_hz": 1 / increments.interval,
         "latitude_deg": float(np.rad2deg(record.position[0])),
-        "believed": list_believed_errors(errors),
+        "believed": list_assumed_errors(errors),
         "alignment": describe_alignment(alignment),
     }
     if record.mat_nb is not None:
@@ -81,7 +82,7 @@ def write(record: StandingRecord, alignment: Alignment, errors: SensorErrors, fo
     save_png(plot_alignment(alignment, record.name), folder / "align.png")
 
 
-def list_believed_errors(errors: SensorErrors) -> dict[str, float]:
+def list_assumed_errors(errors: SensorErrors) -> dict[str, float]:
     """Sensor errors that the covariance rests on."""
     return {
         "gyro_bias_deg_per_h": errors.gyro_bias / DEG_PER_H,
@@ -100,13 +101,3 @@ def find_angle_errors_deg(alignment: Alignment, mat_nb: np.ndarray) -> dict[str,
     )
     wrapped = (np.array([heading, pitch, roll]) + 180) % 360 - 180
     return dict(zip(ANGLES, map(float, wrapped), strict=True))
-
-
-def _describe_method(alignment: Alignment) -> list[str]:
-    """Method of the alignment, and what disturbed it."""
-    lines = [f"method: {alignment.method}"]
-    if alignment.sway is not None:
-        lines.append(
-            f"the vehicle sways by {1000 * alignment.sway:.3g} mm (1-sigma, each level axis)"
-        )
-    return lines

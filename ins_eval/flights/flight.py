@@ -4,20 +4,18 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.alignment.align import align
 from ins_eval.alignment.result import Alignment
-from ins_eval.common.sensor_errors import SensorErrors
+from ins_eval.common.arrays import Array
 from ins_eval.common.state import Track
-from ins_eval.flights.plan import WARM_UP, Plan
+from ins_eval.flights.plan import Plan
 from ins_eval.flights.truth import Truth
 from ins_eval.imu.imu import Imu, ImuReading, StartUpError
+from ins_eval.mission_model.missions import SETTLING
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
 from ins_eval.navigation.strapdown import navigate
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -49,19 +47,7 @@ def fly_runs(
     imu: Imu,
     progress: Callable[[int, int], None] | None = None,
 ) -> Runs:
-    """All flights of a plan: on ideal increments first, then each run's.
-
-    Args:
-        plan: how to fly.
-        truth: sampled for the plan.
-        imu: that measures.
-        progress: is called with the number of flights done and the number of all.
-
-    Raises:
-        AlignmentError: what was measured can't be aligned on.
-        NavigationError: the navigator can't start or go on.
-        StartUpError: gyros that aren't ready after the warm-up, or fail in flight.
-    """
+    """All flights of a plan: on ideal increments first, then each run's."""
     if plan.alignment is not None:
         imu = imu.from_power_on()
     report = progress or (lambda done, total: None)
@@ -96,20 +82,15 @@ def _run(plan: Plan, truth: Truth, imu: Imu, seed: int) -> Run:
     measured = imu.measure(truth.increments, seed)
     if measured.ready is not None and not np.all(measured.ready[truth.warm :]):
         raise StartUpError(
-            f"{imu.name}: gyros are not ready throughout; expected them to be {WARM_UP:g} s after "
+            f"{imu.name}: gyros are not ready throughout; expected them to be {SETTLING:g} s after "
             "power-on, when alignment begins, and from then on"
         )
-    alignment = _align(plan, truth, measured.increments, imu.errors)
+    alignment = None
+    if plan.alignment is not None:
+        standing = truth.alignment(measured.increments)
+        alignment = align(standing, truth.position, imu.errors)
     track = _navigate(plan, truth, measured.increments, alignment)
     return Run(measured, alignment, track)
-
-
-def _align(
-    plan: Plan, truth: Truth, measured: Increments, errors: SensorErrors
-) -> Alignment | None:
-    if plan.alignment is None:
-        return None
-    return align(truth.alignment(measured), truth.position, errors)
 
 
 def _navigate(plan: Plan, truth: Truth, measured: Increments, alignment: Alignment | None) -> Track:

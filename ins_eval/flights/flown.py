@@ -3,15 +3,16 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
+import pandas as pd
 import xarray as xr
-from numpy.typing import NDArray
 
 from ins_eval.alignment.result import Alignment
+from ins_eval.common.arrays import Array
 from ins_eval.error_model.budget.adjoint import Weights
 from ins_eval.flights.plan import Plan
 
-Array = NDArray[np.float64]
+ALIGNMENT = "alignment beyond its sensors' means"
+COLUMNS = ("effect", "axis", "north_contribution_m", "east_contribution_m")
 
 
 @dataclass(frozen=True)
@@ -24,6 +25,19 @@ class Budget:
 
     shares: xr.Dataset
     weights: Weights
+
+    @property
+    def table(self) -> pd.DataFrame:
+        """Contributions by effect and axis, which sum to the linear model's error; zeros left
+        out."""
+        contribution = self.shares["contribution"].sum("time")
+        rows = [
+            (str(effect), str(axis), *map(float, contribution.sel(effect=effect, axis=axis)))
+            for effect in contribution["effect"].values
+            for axis in contribution["axis"].values
+        ]
+        rows.append((ALIGNMENT, "", *map(float, self.shares["initial"].sum("state").values)))
+        return pd.DataFrame([row for row in rows if any(row[2:])], columns=list(COLUMNS))
 
 
 @dataclass(frozen=True)

@@ -8,13 +8,12 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from ins_eval.flights import report
-from ins_eval.flights.beliefs import state_beliefs
+from ins_eval.flights.assumed_errors import assume_errors
 from ins_eval.flights.flight import fly_runs
 from ins_eval.flights.flown import FlightData
 from ins_eval.flights.linear import compute_error_budget, propagate_flight_covariance
 from ins_eval.flights.log_flight import navigate_log
 from ins_eval.flights.plan import HeightMode, Plan, plan_log, plan_simulation
-from ins_eval.flights.shares import list_shares
 from ins_eval.flights.sources import (
     NO_TRUTH,
     Place,
@@ -45,12 +44,12 @@ class Flight(FlightData):
     @property
     def budget_table(self) -> pd.DataFrame:
         """Contributions to run 1's final position error, m, by effect and axis; empty for a log."""
-        return pd.DataFrame([share.document() for share in list_shares(self.budget)])
+        return self.budget.table if self.budget else pd.DataFrame()
 
     @property
     def files(self) -> tuple[str, ...]:
         """Names of the files that `write` makes."""
-        return report.list_files(self)
+        return tuple(report.list_writers(self))
 
     def plot(self) -> Figure:
         """Path on a map, with the error at the end where a truth is known."""
@@ -132,20 +131,11 @@ def fly_plan(
 ) -> Flight:
     """Flights by a plan; as `fly`.
 
-    Args:
-        plan: how to fly.
-        trajectory: covers the plan.
-        imu: its increments have the plan's interval.
-        progress: as in `fly`.
-
-    Raises:
-        AlignmentError: what was measured can't be aligned on.
-        NavigationError: the navigator can't start or go on.
-        StartUpError: the gyros are not ready after the warm-up.
+    imu: its increments have the plan's interval; progress: as in `fly`.
     """
     truth = sample_truth(plan, trajectory)
     flown = fly_runs(plan, truth, imu, progress)
-    sigma = propagate_flight_covariance(plan, truth, state_beliefs(imu), flown.first.alignment)
+    sigma = propagate_flight_covariance(plan, truth, assume_errors(imu), flown.first.alignment)
     dataset = xr.merge(
         [
             flights.compare_with_truth(flown.tracks, truth.track),
@@ -176,7 +166,7 @@ def fly_log(
     Args:
         log: recorded log of an IMU; it stands until the alignment ends.
         truth: "none", "rest" (the vehicle stood), or a recorded drive that begins with the log.
-        errors_of: IMU whose errors the alignment believes.
+        errors_of: IMU whose errors the alignment assumes.
         hours: duration in whole minutes; all that follows the alignment if None.
         samples, height: as in `fly`.
         align_s: duration of the alignment.

@@ -4,16 +4,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from ins_eval.alignment.result import Alignment
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.error_model.aligning import model_alignment
 from ins_eval.error_model.budget.adjoint import compute_weights
 from ins_eval.error_model.budget.budget import compute_budget
 from ins_eval.error_model.budget.decomposition import (
-    Prior,
     decompose_errors,
     sensor_error,
     sum_over_steps,
@@ -27,15 +26,13 @@ from ins_eval.error_model.linear_model import (
 )
 from ins_eval.error_model.motion import Motion, sample_motion
 from ins_eval.error_model.states import ATTITUDE, COUNT
-from ins_eval.flights.beliefs import Beliefs, state_beliefs
+from ins_eval.flights.assumed_errors import AssumedErrors, assume_errors
 from ins_eval.flights.flight import Run, hold_height
 from ins_eval.flights.flown import Budget
 from ins_eval.flights.plan import Plan
 from ins_eval.flights.truth import Truth
 from ins_eval.imu.imu import Imu, ImuReading
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 STEP = 0.5
 """Step of the linear model that is aimed at, s. Tuned on city traffic recorded at 1 Hz: steps of
@@ -69,18 +66,15 @@ def choose_steps(plan: Plan) -> Steps:
 
 
 def propagate_flight_covariance(
-    plan: Plan, truth: Truth, believed: Beliefs, alignment: Alignment | None
+    plan: Plan, truth: Truth, assumed: AssumedErrors, alignment: Alignment | None
 ) -> Array:
-    """Covariance of the flight's errors at the kept times, (m, 10, 10).
-
-    What an alignment's covariance holds beyond its sensors' constant errors counts as an error of
-    its own.
-    """
-    grid, deviations = choose_steps(plan), believed.deviations
+    """Covariance of the flight's errors at the kept times, (m, 10, 10); what an alignment's holds
+    beyond its sensors' constant errors counts as an error of its own."""
+    grid, deviations = choose_steps(plan), assumed.deviations
     initial = np.zeros((COUNT, COUNT))
-    model = _flight(plan, truth, believed.effects, believed.noise)
+    model = _flight(plan, truth, assumed.effects, assumed.noise)
     if alignment:
-        before = _alignment(plan, truth, believed.effects)
+        before = _alignment(plan, truth, assumed.effects)
         explained = propagate_covariance(before, initial, deviations)[-1][ATTITUDE, ATTITUDE]
         initial[ATTITUDE, ATTITUDE] = clip_negative_eigenvalues(alignment.covariance - explained)
         model = join_models(before, model)
@@ -89,28 +83,22 @@ def propagate_flight_covariance(
 
 
 def compute_error_budget(plan: Plan, truth: Truth, imu: Imu, run: Run) -> Budget:
-    """Contributions to the final error of a flight whose sensors' errors are known.
-
-    What the alignment's attitude error holds beyond the mean of the sensors' errors counts as
-    initial error.
-    """
+    """Contributions to the final error of a flight whose sensors' errors are known; what the
+    alignment's error holds beyond their mean counts as initial error."""
     grid = choose_steps(plan)
     error = sensor_error(run.measured.increments, truth.increments)
     model = _flight(plan, truth, (), SensorErrors())
     initial = np.zeros(COUNT)
     if run.alignment:
         before = _alignment(plan, truth, ())
-        initial[ATTITUDE] = find_attitude_error(run.alignment.mat_nb, truth.start.mat_nb)
-        initial[ATTITUDE] -= _explained(before, error)
+        turned = Rotation.from_matrix(run.alignment.mat_nb @ truth.start.mat_nb.T)
+        initial[ATTITUDE] = turned.as_rotvec() - _explained(before, error)
         model = join_models(before, model)
     motion = _motion(plan, truth, -grid.alignment, grid.alignment + grid.flight)
-    believed = state_beliefs(imu, _first_angle(imu, run.measured, motion.start)).constant
-    prior = Prior(believed.deviations, believed.noise)
+    assumed = assume_errors(imu, _first_angle(imu, run.measured, motion.start)).constant
     found = compute_weights(model)
-    return Budget(
-        compute_budget(found, decompose_errors(error, motion, believed.effects, prior), initial),
-        found,
-    )
+    signals = decompose_errors(error, motion, assumed.effects, assumed.deviations, assumed.noise)
+    return Budget(compute_budget(found, signals, initial), found)
 
 
 def _first_angle(imu: Imu, measured: ImuReading, start: float) -> Array | None:
@@ -119,11 +107,6 @@ def _first_angle(imu: Imu, measured: ImuReading, start: float) -> Array | None:
         return None
     before = round((start - measured.increments.start) / measured.increments.interval) - 1
     return np.asarray(measured.pattern_angle[max(before, 0)])
-
-
-def find_attitude_error(mat_nb: Array, true: Array) -> Array:
-    """(3,) rotation vector about north, east, down from the true attitude to another, rad."""
-    return np.asarray(Rotation.from_matrix(mat_nb @ true.T).as_rotvec())
 
 
 def _explained(model: LinearModel, error: Increments) -> Array:

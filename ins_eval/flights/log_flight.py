@@ -4,9 +4,9 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.alignment.align import align
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.common.state import State, Track
 from ins_eval.flights.flight import hold_height
@@ -16,8 +16,6 @@ from ins_eval.flights.truth import count_still_increments
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.results import flights
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 Reference = Callable[[Array], Track]
 """True states at times (m,), s; attitudes that nobody knows are NaN."""
@@ -44,25 +42,15 @@ def navigate_log(
 ) -> FlightData:
     """Align on a log's beginning, and navigate.
 
-    Args:
-        plan: with an alignment.
-        name: of the log.
-        log: at rest until alignment ends.
-        position: (3,) at its beginning: latitude, longitude, rad, height, m.
-        errors: of its sensors, as alignment believes them.
-        reference: the truth, if there is one; it holds the height too.
-
-    Raises:
-        AlignmentError: its beginning can't be aligned on.
-        NavigationError: the navigator can't start or go on.
+    position: (3,) at its beginning: latitude, longitude, rad, height, m; errors: of its sensors, as
+    alignment assumes them; reference: the truth, if there is one; it holds the height too.
     """
     _, zero = count_still_increments(plan.alignment, plan.interval, warm_up=0.0)
     log = replace(log, start=-zero * log.interval)
     alignment = align(log.between(0, zero), position, errors)
     measured = log.between(zero, zero + plan.count)
-    latitude, longitude, height = map(float, position)
-    start = State(latitude, longitude, height, np.zeros(3), alignment.mat_nb)
-    heights = np.full(plan.count + 1, height)
+    start = State.at_rest(position, alignment.mat_nb)
+    heights = np.full(plan.count + 1, start.height)
     if reference:
         heights = reference(measured.bounds).position[:, 2]
     track = navigate(start, measured, hold_height(plan, heights), plan.keep_every, plan.samples)

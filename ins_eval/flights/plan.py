@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from ins_eval.alignment.align import MIN_DURATION
+from ins_eval.mission_model.missions import SETTLING
 from pyhrg.common.arguments import (
     check_number,
     check_seed,
@@ -16,8 +17,6 @@ from pyhrg.records.imu.increments import Increments
 HeightMode = Literal["clamped", "free", "baro"]
 """What holds the height: the true one, nothing, or a loop with the true one."""
 
-WARM_UP = 20.0
-"""Time from a simulated IMU's power-on to the beginning of alignment, s."""
 ROW_SPACING = 10.0
 """Time between rows of the result that is aimed at, s; a whole number of steps must fit into it."""
 LONGEST_HOURS = 24.0
@@ -67,30 +66,16 @@ def plan_simulation(
     seed: int = 1,
     runs: int = 1,
 ) -> Plan:
-    """Plan of flights of a simulated IMU.
-
-    Args:
-        interval: duration of one increment, s.
-        hours: duration of a flight, in whole minutes.
-        samples: increments a navigation step, 2 to 4.
-        height: what holds the height.
-        align_s: time from power-on to time 0, warm-up and alignment in it; None starts from the
-            true attitude.
-        seed: of everything random.
-        runs: number of flights.
-
-    Raises:
-        HrgError: a number out of range.
-    """
+    """Plan of flights of a simulated IMU, whose increments last `interval` s; options as of
+    `ins_eval.fly`."""
     spacing = count_row_increments(interval, check_whole_number("samples", samples, 2, 4))
-    wanted = check_whole_minutes("hours", hours, LONGEST_HOURS) * 60 / interval
     plan = Plan(
         interval,
-        count=max(1, round(wanted / spacing)) * spacing,
+        count=_count_increments(hours, interval, spacing),
         keep_every=spacing,
         samples=samples,
         height=_check_height(height),
-        alignment=None if align_s is None else _check_alignment(align_s, WARM_UP) - WARM_UP,
+        alignment=None if align_s is None else _check_alignment(align_s, SETTLING) - SETTLING,
         seed=check_seed(seed),
         runs=check_whole_number("runs", runs, 1, MAX_RUNS),
     )
@@ -111,25 +96,11 @@ def plan_log(
     height: HeightMode = "clamped",
     align_s: float = 300.0,
 ) -> Plan:
-    """Plan of the dead reckoning of a recorded log.
-
-    Args:
-        name: of the log, for messages.
-        increments: what the log holds.
-        hours: duration of the flight in whole minutes; all that follows the alignment if None.
-        samples, height: as in `plan_simulation`.
-        align_s: duration of the alignment at the log's beginning.
-
-    Raises:
-        HrgError: a number out of range, or a log that is too short.
-    """
+    """Plan of the dead reckoning of a recorded log; options as of `ins_eval.fly_log`."""
     interval, alignment = increments.interval, _check_alignment(align_s)
     spacing = count_row_increments(interval, check_whole_number("samples", samples, 2, 4))
     count = (len(increments) - round(alignment / interval)) // spacing * spacing
-    needed = spacing
-    if hours is not None:
-        wanted = check_whole_minutes("hours", hours, LONGEST_HOURS) * 60 / interval
-        needed = max(1, round(wanted / spacing)) * spacing
+    needed = spacing if hours is None else _count_increments(hours, interval, spacing)
     if count < needed:
         raise HrgError(
             f"{name}: lasts {increments.duration:g} s; expected {alignment:g} s of alignment "
@@ -154,6 +125,11 @@ def count_row_increments(interval: float, samples: int) -> int:
     if abs(minute * interval - 60) > 1e-6 or not fitting:
         fitting = [samples * max(1, round(wanted / samples))]
     return min(fitting, key=lambda n: abs(n - wanted))
+
+
+def _count_increments(hours: float, interval: float, spacing: int) -> int:
+    wanted = check_whole_minutes("hours", hours, LONGEST_HOURS) * 60 / interval
+    return max(1, round(wanted / spacing)) * spacing
 
 
 def _check_alignment(align_s: float, warm_up: float = 0.0) -> float:

@@ -3,7 +3,7 @@
 import json
 import math
 import platform
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -14,8 +14,7 @@ import xarray as xr
 from ins_eval.alignment.result import Alignment
 from ins_eval.common.state import position_error
 from ins_eval.error_model.budget.budget_figure import plot_budget
-from ins_eval.flights.flown import FlightData
-from ins_eval.flights.shares import Share, list_shares, write_shares
+from ins_eval.flights.flown import COLUMNS, FlightData
 from ins_eval.results import tables
 from ins_eval.results.growth_figure import draw_growth
 from ins_eval.results.map_figure import draw_map
@@ -27,31 +26,32 @@ LABEL, NUMBER = 42, 12
 """Widths of the printed table's first column and of the others, characters."""
 
 
-def list_files(flight: FlightData) -> tuple[str, ...]:
-    """Names of the files of flights: more with a truth, and more of a simulated IMU."""
-    names = ["nav.json", "flights.csv", "flights.parquet", "flights.nc", "map.png"]
-    return (
-        *names,
-        *(("growth.png",) if "radial_error" in flight.dataset else ()),
-        *(("budget.csv", "budget.png") if flight.budget else ()),
-    )
-
-
-def write(flight: FlightData, folder: Path) -> None:
-    """Write `list_files` into an existing folder."""
+def list_writers(flight: FlightData) -> dict[str, Callable[[Path], Any]]:
+    """Functions that write the files of flights, by name: more with a truth or a budget."""
     dataset = flight.dataset.assign_attrs(title=flight.title)
-    writers: Mapping[str, Callable[[Path], None]] = {
-        "nav.json": lambda path: _write_json(make_document(flight), path),
+    writers: dict[str, Callable[[Path], Any]] = {
+        "nav.json": lambda path: path.write_text(
+            json.dumps(make_document(flight), indent=2) + "\n"
+        ),
         "flights.csv": lambda path: tables.write_csv(dataset, path),
         "flights.parquet": lambda path: tables.write_parquet(dataset, path),
         "flights.nc": lambda path: tables.write_netcdf(dataset, path),
         "map.png": lambda path: save_png(draw_map(dataset), path),
-        "growth.png": lambda path: save_png(draw_growth(dataset), path),
-        "budget.csv": lambda path: write_shares(list_shares(flight.budget), path),
-        "budget.png": lambda path: _draw_budget(flight, path),
     }
-    for name in list_files(flight):
-        writers[name](folder / name)
+    if "radial_error" in flight.dataset:
+        writers["growth.png"] = lambda path: save_png(draw_growth(dataset), path)
+    if budget := flight.budget:
+        writers["budget.csv"] = lambda path: tables.write_table(budget.table, path)
+        writers["budget.png"] = lambda path: save_png(
+            plot_budget(budget.weights, budget.shares, flight.title), path
+        )
+    return writers
+
+
+def write(flight: FlightData, folder: Path) -> None:
+    """Write all files into an existing folder."""
+    for name, writer in list_writers(flight).items():
+        writer(folder / name)
 
 
 def summarize(flight: FlightData) -> str:
@@ -86,7 +86,7 @@ def make_document(flight: FlightData) -> dict[str, Any]:
     if "own_north_error" in flight.dataset:
         result["largest_own_error_mm"] = find_largest_own_error_mm(flight.dataset)
     if flight.budget:
-        result["budget_of_run_1"] = [share.document() for share in list_shares(flight.budget)]
+        result["budget_of_run_1"] = flight.budget.table.to_dict("records")
     return result
 
 
@@ -105,7 +105,7 @@ def describe_alignment(alignment: Alignment) -> dict[str, Any]:
     """An alignment as numbers with units."""
     roll, pitch, heading = map(float, alignment.euler_sigma_deg)
     return {
-        "method": alignment.method,
+        "method": "fine",
         "time_s": alignment.time,
         "heading_deg": alignment.heading_deg,
         "heading_sigma_deg": heading,
@@ -169,12 +169,10 @@ def _alignment_lines(flight: FlightData) -> list[str]:
 def _budget_lines(flight: FlightData) -> list[str]:
     if not flight.budget:
         return []
-    by_effect: dict[str, list[Share]] = {}
-    for share in list_shares(flight.budget):
-        by_effect.setdefault(share.effect, []).append(share)
+    table = flight.budget.table
     sums = {
-        effect: [sum(s.north for s in found), sum(s.east for s in found)]
-        for effect, found in by_effect.items()
+        str(effect): [sum(rows[name]) for name in COLUMNS[2:]]
+        for effect, rows in table.groupby("effect", sort=False)
     }
     which = "" if flight.plan.runs == 1 else " of run 1"
     lines = ["", f"budget{which}, m"]
@@ -185,12 +183,3 @@ def _budget_lines(flight: FlightData) -> list[str]:
 
 def _line(label: str, row: list[float]) -> str:
     return f"{label:<{LABEL}}" + "".join(f"{x:>{NUMBER}.4g}" for x in row)
-
-
-def _draw_budget(flight: FlightData, path: Path) -> None:
-    assert flight.budget
-    save_png(plot_budget(flight.budget.weights, flight.budget.shares, flight.title), path)
-
-
-def _write_json(document: dict[str, Any], path: Path) -> None:
-    path.write_text(json.dumps(document, indent=2) + "\n")

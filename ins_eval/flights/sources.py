@@ -5,20 +5,19 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.state import Track, position_error
 from ins_eval.flights.log_flight import Reference, stand_still
 from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
-from ins_eval.imu.recorded import ImuRecord, read_record
+from ins_eval.imu.recorded import read_record
 from ins_eval.imu.specification import load_imu
 from ins_eval.trajectories.recorded_drive import Drive, read_drive
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 from pyhrg.common.arguments import check_number, check_whole_number
 from pyhrg.common.errors import HrgError
-
-Array = NDArray[np.float64]
+from pyhrg.records.imu.log import RecordedImu
 
 NO_TRUTH, AT_REST = "none", "rest"
 """References of a log: no truth is known, or the vehicle stood all the time."""
@@ -37,11 +36,7 @@ class Place:
     height_m: float = 0.0
 
     def check(self) -> "Place":
-        """The place itself.
-
-        Raises:
-            HrgError: a number out of range, or a longitude or height without a latitude.
-        """
+        """The place itself."""
         if self.latitude_deg is None:
             for name in ("longitude_deg", "height_m"):
                 if getattr(self, name):
@@ -56,12 +51,7 @@ class Place:
 
 
 def load_imu_at_rate(imu: Imu | str, rate_hz: int | None) -> Imu:
-    """An IMU, a ready one or one from a file, at its own rate or another.
-
-    Raises:
-        SpecificationError: neither a ready IMU nor a usable file.
-        HrgError: a rate out of range, or whole-angle gyros that can't be read at this rate.
-    """
+    """An IMU, a ready one or one from a file, at its own rate or another."""
     name = imu.name if isinstance(imu, Imu) else imu
     loaded = imu if isinstance(imu, Imu) else load_imu(imu)
     if rate_hz is not None:
@@ -74,13 +64,8 @@ def load_imu_at_rate(imu: Imu | str, rate_hz: int | None) -> Imu:
     return loaded
 
 
-def read_placed_record(path: Path, place: Place) -> tuple[ImuRecord, Array]:
-    """A recorded log, and (3,) latitude, longitude (rad), height (m) of the place.
-
-    Raises:
-        LogError: an unreadable file, or one with something in it that can't be.
-        HrgError: neither the log nor the caller says where it was recorded.
-    """
+def read_placed_record(path: Path, place: Place) -> tuple[RecordedImu, Array]:
+    """A recorded log, and (3,) latitude, longitude (rad), height (m) of the place."""
     record = read_record(path)
     place = place.check()
     if place.latitude_deg is None:
@@ -92,17 +77,9 @@ def read_placed_record(path: Path, place: Place) -> tuple[ImuRecord, Array]:
 
 
 def find_reference(name: str, position: Array, first: float, last: float) -> Reference | None:
-    """The truth of a log; None where there is none.
+    """The truth of a log from time `first` to `last`, s; None where there is none.
 
-    Args:
-        name: `NO_TRUTH`, `AT_REST`, or a recorded drive whose first row is at the log's beginning.
-        position: (3,) of the log.
-        first: time of the log's beginning, s, counted from time 0: negative.
-        last: time of its end, s.
-
-    Raises:
-        TrajectoryError: an unreadable drive, or one that is wrong.
-        HrgError: a drive that is shorter than the log, or begins elsewhere.
+    name: `NO_TRUTH`, `AT_REST`, or a recorded drive whose first row is at the beginning of the log.
     """
     if name == NO_TRUTH:
         return None

@@ -3,14 +3,13 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.state import State, Track
-from ins_eval.flights.plan import WARM_UP, Plan
+from ins_eval.flights.plan import Plan
+from ins_eval.mission_model.missions import SETTLING
 from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -33,7 +32,7 @@ class Truth:
     @property
     def position(self) -> Array:
         """(3,) at time 0: latitude, longitude, rad, height, m."""
-        return np.array([self.start.latitude, self.start.longitude, self.start.height])
+        return self.start.position
 
     def alignment(self, increments: Increments) -> Increments:
         """Increments after the warm-up, until time 0."""
@@ -45,7 +44,7 @@ class Truth:
 
 
 def count_still_increments(
-    alignment: float | None, interval: float, warm_up: float = WARM_UP
+    alignment: float | None, interval: float, warm_up: float = SETTLING
 ) -> tuple[int, int]:
     """Numbers of increments of the warm-up, and of warm-up and alignment together."""
     if alignment is None:

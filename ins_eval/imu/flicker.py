@@ -15,10 +15,7 @@ def draw_flicker(
     Allan deviation is sqrt(2 ln 2/pi) B = 0.664 B at any interval T (N. Kasdin, Discrete simulation
     of colored noise and stochastic processes, Proc. IEEE 83 (1995), section V).
 
-    Args:
-        coefficient: B, in the unit of the result.
-        shape: numbers of intervals and channels.
-        generator: of the white noise.
+    coefficient: B, in the unit of the result.
     """
     white = generator.normal(0.0, coefficient, size=shape[::-1])
     noise = oaconvolve(white, half_integral_response(shape[0])[None], axes=1)

@@ -2,13 +2,13 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from fmu_build.bundle import build_fmu
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.mounting import Mounting
 from ins_eval.imu.stated_gyros import GyroReading
@@ -17,16 +17,11 @@ from pyhrg.bench.bias.position import full_circumference
 from pyhrg.bench.dynamic.start_up import START
 from pyhrg.common.errors import HrgError
 from pyhrg.device import device_file
-from pyhrg.device.device_file import DeviceError
 from pyhrg.device.keys import KEYS
-from pyhrg.device.ready_devices import READY, TYPICAL, Device, load_device
-from pyhrg.fmu import GyroError, GyroFmu
+from pyhrg.device.ready_devices import TYPICAL, Device
+from pyhrg.fmu import GyroFmu
 from pyhrg.records.imu.increments import Increments
 from pyhrg.theory import closed_forms as theory
-
-Array = NDArray[np.float64]
-
-__all__ = ["DeviceError", "FmuGyros", "GyroError", "device", "read_differences", "simulate_gyros"]
 
 AMPLITUDE_TOLERANCE = 1e-3
 """Largest relative difference of the amplitude from its set point for a gyro to be ready. Chosen:
@@ -61,11 +56,7 @@ class FmuGyros:
         return [replace(d, **own) for d, own in zip(drawn, self.differences, strict=True)]
 
     def check_interval(self, interval: float) -> None:
-        """Refuse an interval, s, that is not a multiple of the electronics' control period.
-
-        Raises:
-            HrgError: it is not.
-        """
+        """Refuse an interval, s, that is not a multiple of the electronics' control period."""
         periods = interval / self.device.control_period
         if round(periods) < 1 or abs(periods - round(periods)) > 1e-6:
             raise HrgError(
@@ -76,13 +67,7 @@ class FmuGyros:
     def measure(
         self, truth: Increments, mounting: Mounting, generator: np.random.Generator
     ) -> GyroReading:
-        """See `Gyros`.
-
-        Raises:
-            HrgError: the interval is not a multiple of the electronics' control period.
-            GyroError: a value that the FMU refuses.
-            TranslationError, BuildError: the model can't be built.
-        """
+        """See `Gyros`."""
         self.check_interval(truth.interval)
         fmu = self.fmu or GyroFmu(build_fmu())
         devices = self.devices(generator)
@@ -106,25 +91,8 @@ class FmuGyros:
         )
 
 
-def device(name_or_path: str, folder: Path) -> Device:
-    """Load a device that comes with the package, by its name, or one from a file.
-
-    Args:
-        name_or_path: name of a ready device, or a file.
-        folder: to which a relative path refers.
-
-    Raises:
-        DeviceError: see `load_device`.
-    """
-    return load_device(name_or_path if name_or_path in READY else folder / name_or_path)
-
-
 def read_differences(document: Mapping[str, Any], source: str) -> dict[str, Any]:
-    """Read the fields of `Device` that a table with keys of a device file states.
-
-    Raises:
-        DeviceError: see `device_file.from_table`.
-    """
+    """Read the fields of `Device` that a table with keys of a device file states."""
     stated = device_file.from_table(document, source)
     fields_by_key = {key.name: key.field for key in KEYS}
     return {
@@ -142,13 +110,7 @@ def simulate_gyros(
 ) -> GyroReading:
     """Simulate three given gyros on the true motion.
 
-    Args:
-        fmu: model of the gyros.
-        devices: parameters of each gyro.
-        truth: true increments.
-        mounting: of the input axes.
-        generator: of the noise seeds.
-        calibrated: whether each gyro's mean bias is measured on the bench and subtracted.
+    calibrated: whether each gyro's mean bias is measured on the bench and subtracted.
     """
     benches = [Bench(fmu, device, seed=int(generator.integers(2**63))) for device in devices]
     components = mounting.project(truth.rotation)
@@ -165,11 +127,8 @@ def simulate_gyros(
 
 
 def calibrate_mean_bias(bench: Bench) -> float:
-    """Measure a gyro's mean bias, rad/s, as its maker does.
-
-    It is the mean of the map that is fitted to eight positions of the circumference, 100 s each, in
-    a power-on of its own.
-    """
+    """Measure a gyro's mean bias, rad/s, as its maker does: the mean of the map fitted to eight
+    positions of the circumference, 100 s each, in a power-on of its own."""
     power_ons = full_circumference.make_power_ons(bench, full_circumference.SHORTEST, 1, segments=1)
     calibration = bench.campaign([bench.log(power_on) for power_on in power_ons])
     return full_circumference.measure_mean_bias(calibration)
@@ -201,12 +160,8 @@ class GyroOutput:
 def simulate_gyro(bench: Bench, rotation: Array, force: Array, interval: float) -> GyroOutput:
     """Switch a gyro on and simulate it on a motion; the same bench gives the same noise.
 
-    Args:
-        bench: of the gyro.
-        rotation: (n,) true rotation about the input axis in each interval, rad.
-        force: (n, 3) mean specific force along the axes of the case, m/s^2; the third axis is the
-            input axis.
-        interval: s.
+    rotation: (n,) true rotation about the input axis in each interval, rad; force: (n, 3) mean
+    specific force along the axes of the case, m/s^2; the third axis is the input axis; interval: s.
     """
     inputs = {"angularRate": rotation / interval}
     inputs |= {f"acceleration{axis}": force[:, i] for i, axis in enumerate("XYZ")}

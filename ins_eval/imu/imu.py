@@ -38,7 +38,7 @@ class Imu:
 
     gyros, accelerometers: the sensors;
     interval: of the increments, s;
-    mounting: of the gyros' input axes, as the navigator believes it;
+    mounting: of the gyros' input axes, as the navigator assumes it;
     mounting_deviation: standard deviation of each input axis' error, in each of two directions,
     rad;
     name: for reports.

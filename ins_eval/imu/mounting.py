@@ -1,13 +1,12 @@
-"""Mounting of three gyros: their true input axes, and those that the navigator believes."""
+"""Mounting of three gyros: their true input axes, and those that the navigator assumes."""
 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from ins_eval.common.arrays import Array
 from pyhrg.common.errors import HrgError
-
-Array = NDArray[np.float64]
 
 MAX_CONDITION_NUMBER = 20.0
 """Largest condition number of the input axes. Chosen: decoding amplifies errors by up to it."""
@@ -21,11 +20,11 @@ class MountingError(HrgError):
 class Mounting:
     """Input axes of three gyros, unit vectors in body axes, one a row.
 
-    axes: (3, 3) true ones; believed: (3, 3) those that the navigator uses.
+    axes: (3, 3) true ones; assumed: (3, 3) those that the navigator uses.
     """
 
     axes: Array
-    believed: Array
+    assumed: Array
 
     def project(self, vectors: Array) -> Array:
         """Project vectors (n, 3) in body axes onto the true input axes (n, 3)."""
@@ -33,22 +32,17 @@ class Mounting:
 
     def decode(self, components: Array) -> Array:
         """Return vectors (n, 3) in body axes that the navigator computes from components (n, 3)."""
-        return components @ np.linalg.inv(self.believed).T
+        return components @ np.linalg.inv(self.assumed).T
 
     def disturb(self, deviation: float, generator: np.random.Generator) -> "Mounting":
         """Draw a mounting error: tilt each true axis by `deviation`, rad, in two directions."""
         tilt = generator.normal(0.0, deviation, size=(3, 3))
         across = tilt - np.sum(tilt * self.axes, axis=1, keepdims=True) * self.axes
-        return Mounting(normalize_rows(self.axes + across), self.believed)
+        return Mounting(normalize_rows(self.axes + across), self.assumed)
 
 
 def make_mounting(directions: ArrayLike) -> Mounting:
-    """Make a mounting that is known exactly, from directions (3, 3) of any length, one a row.
-
-    Raises:
-        MountingError: a direction of length 0, or axes so nearly in a plane that their condition
-            number exceeds `MAX_CONDITION_NUMBER`.
-    """
+    """Make a mounting that is known exactly, from directions (3, 3) of any length, one a row."""
     axes = normalize_rows(np.asarray(directions, dtype=np.float64))
     condition = float(np.linalg.cond(axes))
     if not condition <= MAX_CONDITION_NUMBER:
@@ -60,11 +54,7 @@ def make_mounting(directions: ArrayLike) -> Mounting:
 
 
 def normalize_rows(directions: Array) -> Array:
-    """Return rows (3, 3) of length one.
-
-    Raises:
-        MountingError: a row that is zero or not finite, or another shape than (3, 3).
-    """
+    """Return rows (3, 3) of length one."""
     if directions.shape != (3, 3):
         raise MountingError(f"found axes of shape {directions.shape}, expected (3, 3)")
     length = np.linalg.norm(directions, axis=1, keepdims=True)

@@ -1,38 +1,12 @@
-"""Recorded IMU logs, with the place and the attitude that they state."""
+"""The front door of recorded IMU logs."""
 
-from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
-
-from ins_eval.common.rotation import mat_from_euler
-from pyhrg.records.columns import LogError
-from pyhrg.records.imu import recorded
-from pyhrg.records.imu.increments import Increments
-from pyhrg.records.imu.table_log import write_imu_log
-
-__all__ = ["ImuRecord", "LogError", "read_record", "write_imu_log"]
-
-Array = NDArray[np.float64]
+from pyhrg.records.imu.log import RecordedImu
+from pyhrg.records.imu.recorded import read_imu_log
 
 
-@dataclass(frozen=True)
-class ImuRecord:
-    """A recorded log of an IMU.
-
-    increments: body axes forward, right, down; position: (3,) latitude, longitude, rad, height, m,
-    None if the log does not state it; mat_nb: (3, 3) attitude at the start as the log states it,
-    which is coarse, or None; source: the file.
-    """
-
-    increments: Increments
-    position: Array | None
-    mat_nb: Array | None
-    source: str
-
-
-def read_record(path: str | Path, trusted: bool = False) -> ImuRecord:
+def read_record(path: str | Path, trusted: bool = False) -> RecordedImu:
     """Read a recorded IMU log: PSINS text, CSV or Parquet, gzipped or not.
 
     Args:
@@ -43,6 +17,4 @@ def read_record(path: str | Path, trusted: bool = False) -> ImuRecord:
     Raises:
         LogError: an unreadable file, or one with wrong or contradictory content.
     """
-    log = recorded.read_imu_log(Path(path), trusted)
-    mat_nb = None if log.attitude is None else mat_from_euler(*log.attitude)
-    return ImuRecord(log.increments, log.position, mat_nb, log.source)
+    return read_imu_log(Path(path), trusted)

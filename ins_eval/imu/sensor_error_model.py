@@ -4,11 +4,10 @@ FMU."""
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.imu.flicker import draw_flicker
-
-Array = NDArray[np.float64]
+from pyhrg.common.units import MICRO_G
 
 
 @dataclass(frozen=True)
@@ -83,6 +82,11 @@ class SensorErrorModel:
 
 
 IDEAL_SENSORS = SensorErrorModel()
+TYPICAL_ACCELEROMETERS = SensorErrorModel(
+    bias=AxisConstants(deviation=5 * MICRO_G), white=5 * MICRO_G
+)
+"""Bias 5 micro-g, noise 5 micro-g/sqrt(Hz). Chosen so that a gyro bias of 0.001 deg/h still shows
+in the position error."""
 
 
 def quantize(increments: Array, quantization_step: float) -> Array:

@@ -9,14 +9,11 @@ use the attitude error that the alignment makes without linearisation.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from ins_eval.alignment.analytic import attitude_at_rest
-from ins_eval.alignment.gyrocompass import bias_sensitivity
+from ins_eval.alignment.analytic import attitude_at_rest, bias_sensitivity
 from ins_eval.common import earth
-
-Array = NDArray[np.float64]
+from ins_eval.common.arrays import Array
 
 
 @dataclass(frozen=True)
@@ -38,10 +35,8 @@ class AlignmentAtRest:
 def compute_second_order_error(alignment: AlignmentAtRest, rate: Array, force: Array) -> Array:
     """(r, k, 2) position error, m, that the linear model of the alignment misses (Eq. 8).
 
-    Args:
-        alignment: the alignment.
-        rate: (r, 3) mean rate error over the alignment, rad/s, body axes.
-        force: (r, 3) mean specific-force error, m/s^2, body axes.
+    rate: (r, 3) mean rate error over the alignment, rad/s, body axes; force: (r, 3) mean
+    specific-force error, m/s^2, body axes.
     """
     gravity = earth.gravity(alignment.latitude, alignment.height)
     by_rate, by_force = np.hsplit(bias_sensitivity(alignment.latitude, gravity), 2)

@@ -9,13 +9,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.error_model.effects import ANGULAR_GAIN
 from pyhrg.common.units import DEG
 from pyhrg.fmu import GyroFmu
-
-Array = NDArray[np.float64]
 
 HARMONICS = (2, 4, 6, 8)
 TERMS = 1 + 2 * len(HARMONICS)
@@ -102,11 +100,8 @@ def measure_gyro_map(
 
     Half a turn is a period of the second harmonic.
 
-    Args:
-        fmu: `HRGSlow`.
-        parameters: parameters of the FMU, SI; every noise is zero.
-        inputs: further inputs of the FMU during the sweep, (sweep.rows,) each, SI.
-        sweep: the turntable's motion.
+    fmu: `HRGSlow`; parameters: parameters of the FMU, SI; every noise is zero; inputs: further
+    inputs of the FMU during the sweep, (sweep.rows,) each, SI; sweep: the turntable's motion.
     """
     others = {name: values[:, None] for name, values in (inputs or {}).items()}
     rows, errors = [], []

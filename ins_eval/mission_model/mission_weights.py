@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.error_model.aligning import model_alignment
 from ins_eval.error_model.effects import Effect, accelerometer_bias
 from ins_eval.error_model.linear_model import AXES, LinearModel, linearize
@@ -24,8 +25,6 @@ from ins_eval.mission_model.missions import SETTLING, STILL, StudyMission
 from ins_eval.mission_model.noise_weights import compute_error_weights, compute_noise_covariances
 from ins_eval.navigation.height import Clamped
 from ins_eval.trajectories.trajectory import Trajectory
-
-Array = NDArray[np.float64]
 
 STEP = 1.0
 """Step of the linear model, s. Chosen."""
@@ -123,10 +122,9 @@ def _propagate(
 ) -> tuple[Array, Array, Array]:
     """Position errors by coefficient, and the matrices of all steps.
 
-    Returns:
-        (k, 2, 3 effects + 3) error north and east after the kept steps, m, per coefficient and per
-        attitude error after the alignment; transition matrices and errors per rate error of all
-        steps, as `compute_error_weights` takes them.
+    Returns (k, 2, 3 effects + 3) error north and east after the kept steps, m, per coefficient and
+    per attitude error after the alignment; transition matrices and errors per rate error of all
+    steps, as `compute_error_weights` takes them.
     """
     kept_steps = set(kept.tolist())
     carried, position, steps = np.zeros((COUNT, AXES * (effects + 1))), [], 0

@@ -47,12 +47,8 @@ class StudyMission:
 def plan_mission(source: str | Path, hours: float) -> StudyMission:
     """A mission of the hours asked for, or of its own duration where that is shorter.
 
-    Args:
-        source: name of a ready mission, or a file, as `catalogue.load_trajectory` takes it.
-        hours: duration of the navigation, up to `LONGEST_HOURS`.
-
-    Raises:
-        TrajectoryError: hours out of range; no such mission or file.
+    source: name of a ready mission, or a file, as `catalogue.load_trajectory` takes it; hours:
+    duration of the navigation, up to `LONGEST_HOURS`.
     """
     if not 0 < hours <= LONGEST_HOURS:
         raise TrajectoryError(
@@ -68,16 +64,7 @@ def plan_mission(source: str | Path, hours: float) -> StudyMission:
 
 def compute_duration(source: str | Path) -> float:
     """Longest duration of a mission, s; infinite where it repeats, as recorded drives do."""
-    path = find_mission_file(source)
+    path = catalogue.find_mission_file(source)
     if path.suffix != ".toml":
         return float("inf")
     return mission.compute_duration(mission_file.read_mission(path))
-
-
-def find_mission_file(source: str | Path) -> Path:
-    """The file of a mission that is named, or is a file itself."""
-    return (
-        catalogue.READY_FOLDER / f"{source}.toml"
-        if source in catalogue.list_trajectories()
-        else Path(source)
-    )

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.signal import lfilter
 
-Array = NDArray[np.float64]
+from ins_eval.common.arrays import Array
 
 KINDS = ("angle white noise", "angle random walk", "bias instability", "rate random walk")
 """Kinds of noise; their strengths are in rad (of one sample of the output), rad/sqrt(s), rad/s and
@@ -24,10 +24,9 @@ FLICKER_SCALE = np.log(8) / np.pi
 def compute_error_weights(transition: Array, per_rate: Array, kept: NDArray[np.int64]) -> Array:
     """(2 k, n, 3) error north and east at the kept times per rate error in each step (Eq. 9).
 
-    Args:
-        transition: (n, 10, 10) transition matrices of the linear model.
-        per_rate: (n, 10, 3) state error per mean rate error of each gyro over a step.
-        kept: (k,) numbers of the steps after which errors are kept.
+    transition: (n, 10, 10) transition matrices of the linear model; per_rate: (n, 10, 3) state
+    error per mean rate error of each gyro over a step; kept: (k,) numbers of the steps after which
+    errors are kept.
     """
     places = {step: i for i, step in enumerate(kept.tolist())}
     back = np.zeros((2 * len(kept), transition.shape[1]))
@@ -44,10 +43,8 @@ def compute_error_weights(transition: Array, per_rate: Array, kept: NDArray[np.i
 def compute_noise_covariances(weights: Array, step: float, before: int) -> Array:
     """(KINDS, 3, 2 k, 2 k) covariance, m^2, per squared unit of each kind of each gyro's noise.
 
-    Args:
-        weights: result of `compute_error_weights`.
-        step: step of the linear model, s.
-        before: number of steps from power-on, where slow noise starts at zero, to the first step.
+    weights: result of `compute_error_weights`; step: step of the linear model, s; before: number of
+    steps from power-on, where slow noise starts at zero, to the first step.
     """
     rows, _, axes = weights.shape
     covariances = np.empty((len(KINDS), axes, rows, rows))

@@ -11,20 +11,18 @@ harmonic are modelled; b is the residual map of the warm gyro.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.error_model.effects import ANGULAR_GAIN, Effect, pattern_angle
+from ins_eval.error_model.linear_model import AXES
 from ins_eval.error_model.motion import PARTS, Motion
 from ins_eval.mission_model.gyro_map import HARMONICS, TERMS
 from ins_eval.mission_model.signals import STEADY, WARMING, slice_coefficients
 from ins_eval.trajectories.trajectory import Trajectory
 
-Array = NDArray[np.float64]
-
 FOURTH_HARMONIC = 1 + 2 * HARMONICS.index(4)
 TURNING_TERMS = (0, FOURTH_HARMONIC, FOURTH_HARMONIC + 1)
 """Terms of the bias that turns the pattern: its mean and fourth harmonic."""
-AXES = 3
 COUNT = 2 * 2 * len(HARMONICS) * len(TURNING_TERMS)
 """Number of products of a harmonic, of the bias and then of the scale factor, with one of
 `TURNING_TERMS`."""
@@ -81,7 +79,7 @@ def list_drift_effects(integrals: TurningIntegrals) -> list[Effect]:
                 + wave(harmonic * angle) * _evaluate_turning_terms(angle)[turning]
             )
 
-        return Effect(f"pattern drift {place} {turning}", "gyro", "", regressor)
+        return Effect(f"pattern drift {place} {turning}", "gyro", regressor)
 
     return [
         effect(place, turning, scale)
@@ -94,9 +92,8 @@ def list_drift_effects(integrals: TurningIntegrals) -> list[Effect]:
 def compute_drift_products(in_flight: Array, turning: Array) -> Array:
     """(r, COUNT, 3) products of coefficients: (rad/s)^2 for the bias, rad/s for the scale factor.
 
-    Args:
-        in_flight: (r, signals.COUNT, 3) coefficients in flight.
-        turning: (r, TURNING_TERMS, 3) bias that turns the pattern, rad/s.
+    in_flight: (r, signals.COUNT, 3) coefficients in flight; turning: (r, TURNING_TERMS, 3) bias
+    that turns the pattern, rad/s.
     """
     warm = in_flight[:, slice_coefficients(STEADY)] + sum(
         np.split(in_flight[:, slice_coefficients(WARMING)], 2, axis=1)

@@ -8,14 +8,13 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.mission_model.alignment_at_rest import compute_second_order_error
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.noise_weights import KINDS, factor_covariances
 from ins_eval.mission_model.pattern_drift import compute_drift_products
 from ins_eval.mission_model.signals import ENVIRONMENT, STEADY, WARMING, slice_coefficients
 from ins_eval.mission_model.triad_block import TriadBlock
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -56,10 +55,7 @@ def compute_position_errors(
 ) -> PositionErrors:
     """Position errors of a block of triads in a mission.
 
-    Args:
-        triads: the block.
-        weights: weights of the mission.
-        mission: number of the mission in the study; with a triad's seed it decides the noise.
+    mission: number of the mission in the study; with a triad's seed it decides the noise.
     """
 
     def part(signals: slice) -> Array:
@@ -102,11 +98,8 @@ def draw_noise_errors(
 ) -> Array:
     """(r, k, 2) position error, m, of one draw of the gyros' noise (Eq. 11).
 
-    Args:
-        weights: weights of the mission.
-        strengths: (r, KINDS, 3) strengths of each gyro's noise, in the units of `KINDS`.
-        seeds: (r, 2) entropy of each triad; with the mission's number it decides the draw.
-        mission: number of the mission.
+    strengths: (r, KINDS, 3) strengths of each gyro's noise, in the units of `KINDS`; seeds: (r, 2)
+    entropy of each triad; with the mission's number it decides the draw.
     """
     rows = weights.noise.shape[-1]
     normal = np.empty((len(seeds), len(KINDS), 3, rows))

@@ -11,8 +11,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.error_model.effects import (
     ANGULAR_GAIN,
     Effect,
@@ -32,7 +32,6 @@ from ins_eval.mission_model.warming import (
     compute_resonator_warmth,
 )
 
-Array = NDArray[np.float64]
 Regressor = Callable[[Motion], Array]
 
 AXES = 3
@@ -116,11 +115,8 @@ def list_signal_effects() -> list[Effect]:
 def follow_signal(effect: Effect, signal: Signal, angle_error: Regressor | None = None) -> Effect:
     """The effect whose coefficient follows a signal (Eq. 4).
 
-    Args:
-        effect: the effect of a constant coefficient.
-        signal: the signal.
-        angle_error: (m, 3) error of the detected angle, rad per unit of the coefficient, where the
-            effect is the rate of such an error.
+    angle_error: (m, 3) error of the detected angle, rad per unit of the coefficient, where the
+    effect is the rate of such an error.
     """
 
     def regressor(motion: Motion) -> Array:
@@ -133,13 +129,8 @@ def follow_signal(effect: Effect, signal: Signal, angle_error: Regressor | None 
 
 
 def list_angle_errors(first_angle: Array) -> list[Regressor]:
-    """Errors of the detected angle whose rates are the harmonics of the scale factor (Eq. 4).
-
-    Cosine and sine of each harmonic in turn.
-
-    Args:
-        first_angle: (3,) pattern angles at the motion's start, rad.
-    """
+    """Errors of the detected angle whose rates are the harmonics of the scale factor, cosine and
+    sine in turn (Eq. 4); `first_angle` (3,) is in rad."""
 
     def error(harmonic: int, sign: float, wave: Callable[[Array], Array]) -> Regressor:
         factor = sign / (harmonic * ANGULAR_GAIN)

@@ -6,11 +6,9 @@ share, 0 to 1, of the final rise of temperature. Times are seconds since the ali
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.mission_model.missions import CASE_WARM_UP, STILL, WARM_UP
-
-Array = NDArray[np.float64]
 
 
 def compute_case_warmth(time: Array) -> Array:

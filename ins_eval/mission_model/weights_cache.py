@@ -12,7 +12,8 @@ import platformdirs
 import ins_eval
 from ins_eval.mission_model.alignment_at_rest import AlignmentAtRest
 from ins_eval.mission_model.mission_weights import MissionWeights, compute_mission_weights
-from ins_eval.mission_model.missions import StudyMission, find_mission_file
+from ins_eval.mission_model.missions import StudyMission
+from ins_eval.trajectories.catalogue import find_mission_file
 from pyhrg.common.files import write_whole
 
 DIGESTED_PACKAGES = ("alignment", "common", "error_model", "mission_model", "trajectories")
@@ -20,12 +21,8 @@ DIGESTED_PACKAGES = ("alignment", "common", "error_model", "mission_model", "tra
 
 
 def load_mission_weights(mission: StudyMission, folder: Path | None = None) -> MissionWeights:
-    """Weights of a mission, from the cache, or computed and put there.
-
-    Args:
-        mission: the mission.
-        folder: folder of the cache; the user's own if None.
-    """
+    """Weights of a mission, from the cache (the user's own by default), or computed and put
+    there."""
     folder = folder or platformdirs.user_cache_path("hrg") / "weights"
     path = folder / f"{mission.name}-{compute_weights_digest(mission)[:16]}.npz"
     if not path.exists():

@@ -86,11 +86,8 @@ def normalization_correction(q: Quaternion) -> Quaternion:
 
 @compile_loop
 def add_compensated(total: float, error: float, change: float) -> tuple[float, float]:
-    """Add a change; return the sum and the rounding error in it (Kahan 1965).
-
-    Millions of equal small changes all round the same way, so that a plain sum would drift.
-    docs/methods/navigation.md, Eq. 15.
-    """
+    """Add a change; return the sum and its rounding error (Kahan 1965; docs/methods/navigation.md,
+    Eq. 15): millions of equal small changes all round the same way."""
     change -= error
     together = total + change
     return together, (together - total) - change

@@ -4,8 +4,8 @@ The equations are in docs/methods/navigation.md.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.compiled import compile_loop
 from ins_eval.navigation.algebra import (
     SMALL_ANGLE_SQUARED,
@@ -18,24 +18,18 @@ from ins_eval.navigation.algebra import (
 )
 from ins_eval.navigation.coefficients import StepCoefficients
 
-Array = NDArray[np.float64]
-
 
 @compile_loop
 def integrate_body_step(
     rotation: Array, velocity: Array, first: int, coefficients: StepCoefficients
 ) -> tuple[Vector, Vector, Vector]:
-    """Integrate the increments of one step (docs/methods/navigation.md, Eqs. 1 to 4).
+    """Integrate the (n, 3) increments, rad and m/s, of the step that begins with row `first`
+    (docs/methods/navigation.md, Eqs. 1 to 4).
 
-    Args:
-        rotation, velocity: (n, 3) increments, rad and m/s; the step begins with row `first`.
-        coefficients: of as many increments as the step has.
-
-    Returns:
-        In the body axes at the step's start: rotation vector, rad; velocity change by specific
-        force, m/s; mean of the velocity change over the step, m/s. All are exact for constant rate
-        and force at any angle; coning, sculling and scrolling terms are added (Savage 1998, Part I
-        Eq. 23, Part II Eqs. 19 and 82).
+    Returns in the body axes at the step's start: rotation vector, rad; velocity change by specific
+    force, m/s; mean of the velocity change over the step, m/s. All are exact for constant rate and
+    force at any angle; coning, sculling and scrolling terms are added (Savage 1998, Part I Eq. 23,
+    Part II Eqs. 19 and 82).
     """
     turning, scrolling, mean = coefficients
     n = len(mean)

@@ -11,11 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial import Polynomial
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from pyhrg.common.errors import HrgError
-
-Array = NDArray[np.float64]
 
 SAMPLES_PER_STEP = (2, 3, 4)
 """Numbers of increments that a navigation step may have."""
@@ -38,11 +36,7 @@ class StepCoefficients(NamedTuple):
 
 @lru_cache
 def derive_coefficients(samples: int) -> StepCoefficients:
-    """Derive the coefficients for steps of 2, 3 or 4 increments.
-
-    Raises:
-        HrgError: another number of increments.
-    """
+    """Derive the coefficients for steps of 2, 3 or 4 increments."""
     if samples not in SAMPLES_PER_STEP:
         raise HrgError(f"samples: found {samples} increments a step, expected 2, 3 or 4")
     rates = _unit_integrals(samples)

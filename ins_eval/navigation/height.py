@@ -4,12 +4,10 @@ from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.common import earth
+from ins_eval.common.arrays import Array
 from pyhrg.common.errors import HrgError
-
-Array = NDArray[np.float64]
 
 Gains = tuple[float, float, float]
 
@@ -46,11 +44,7 @@ class Clamped:
     heights: Array
 
     def make_channel(self, count: int, samples: int, interval: float) -> VerticalChannel:
-        """Make the channel for `count` intervals, `samples` of them a step.
-
-        Raises:
-            HrgError: the number of heights is not `count` + 1, or one of them is not finite.
-        """
+        """Make the channel for `count` intervals, `samples` of them a step."""
         height = _pick_steps(self.heights, count, samples)
         order: Literal[1, 2] = 2 if len(height) > 2 else 1
         climb = np.gradient(height, samples * interval, edge_order=order)
@@ -76,12 +70,7 @@ class BaroDamped:
         return 3 * rate, 3 * rate**2 + 2 * earth.GRAVITY_EQUATOR / earth.SEMI_MAJOR, rate**3
 
     def make_channel(self, count: int, samples: int, interval: float) -> VerticalChannel:
-        """Make the channel for `count` intervals, `samples` of them a step.
-
-        Raises:
-            HrgError: the number of heights is not `count` + 1, one of them is not finite, or the
-                time constant is not longer than a step.
-        """
+        """Make the channel for `count` intervals, `samples` of them a step."""
         if not samples * interval < self.time_constant < np.inf:
             raise HrgError(
                 f"time constant of {self.time_constant:g} s: "

@@ -8,9 +8,9 @@ own increments. The equations are in docs/methods/navigation.md.
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.common import earth
+from ins_eval.common.arrays import Array
 from ins_eval.common.compiled import compile_loop
 from ins_eval.navigation.algebra import (
     Quaternion,
@@ -31,8 +31,6 @@ from ins_eval.navigation.algebra import (
 from ins_eval.navigation.body_step import integrate_body_step
 from ins_eval.navigation.coefficients import StepCoefficients
 from ins_eval.navigation.height import VerticalChannel
-
-Array = NDArray[np.float64]
 
 MAX_LATITUDE = np.deg2rad(89.5)
 """Largest latitude, rad. Chosen: nearer to a pole the navigation axes turn too fast."""
@@ -82,17 +80,12 @@ def transport_rate(average: Vector, place: Midpoint) -> Vector:
 def turn_navigation_axes(
     average: Vector, change: Vector, place: Midpoint, step: float, clamped: bool
 ) -> tuple[Vector, Vector]:
-    """Return the rotation of the navigation axes over a step, and the Coriolis velocity change.
+    """Return the rotation of the navigation axes over a step, rad, and the Coriolis velocity
+    change, m/s.
 
-    Two passes of docs/methods/navigation.md, Eqs. 10 and 11 (Groves 2013, Eq. 5.54).
-
-    Args:
-        average: mean velocity over the step as it would be in axes that do not turn, m/s.
-        change: velocity change by specific force, m/s.
-        clamped: whether the mean vertical velocity is given by the height reference.
-
-    Returns:
-        Rotation vector of the navigation axes against inertial space, rad; velocity change, m/s.
+    Two passes of docs/methods/navigation.md, Eqs. 10 and 11 (Groves 2013, Eq. 5.54). `average` is
+    the mean velocity in axes that do not turn, `change` that by specific force, m/s; `clamped` says
+    that the height reference gives the mean vertical velocity.
     """
     omega_ie = (earth.RATE * place.cos, 0.0, -earth.RATE * place.sin)
     turn, coriolis, mean = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), average
@@ -110,10 +103,8 @@ def turn_navigation_axes(
 def transform_to_turning_axes(
     change: Vector, moving: Vector, turn: Vector
 ) -> tuple[Vector, Vector]:
-    """Transform velocity change and its mean from the axes at the step's start to turning axes.
-
-    docs/methods/navigation.md, Eq. 12 (Savage 1998, Part II Eq. 10, to second order).
-    """
+    """Transform velocity change and its mean from the axes at the step's start to turning axes
+    (docs/methods/navigation.md, Eq. 12; Savage 1998, Part II Eq. 10, to second order)."""
     crossed = cross(turn, change)
     lag = cross(turn, subtract(change, moving))
     transformed = add(subtract(change, lag), scale(1 / 6, cross(turn, crossed)))
@@ -140,14 +131,11 @@ def advance_vertical_channel(
     pushed: Vector,
     gravity: float,
 ) -> Vector:
-    """Return height, m, velocity down, m/s, and the height integral, m s, after step k.
+    """Return height, m, velocity down, m/s, and the height integral, m s, after step k, from those
+    `now`.
 
-    docs/methods/navigation.md, Eqs. 13 and 14.
-
-    Args:
-        now: the same three before the step.
-        pushed: velocity change down without gravity, m/s, its mean over the step, m/s, and the
-            predicted height at the step's middle, m.
+    docs/methods/navigation.md, Eqs. 13 and 14. `pushed`: velocity change down without gravity and
+    its mean over the step, m/s, and the predicted height at its middle, m.
     """
     if channel.clamped:
         return (channel.height[k + 1], -channel.climb[k + 1], 0.0)
@@ -165,10 +153,8 @@ def advance_vertical_channel(
 
 @compile_loop
 def attitude_change(q: Quaternion, turned: Vector, turn: Vector) -> Quaternion:
-    """Return the quaternion's change by the rotation vectors of body and navigation axes, rad.
-
-    docs/methods/navigation.md, Eq. 16.
-    """
+    """Return the quaternion's change by the rotation vectors of body and navigation axes, rad
+    (docs/methods/navigation.md, Eq. 16)."""
     by_body = add_quaternions(
         multiply(q, quaternion_minus_identity(turned)), normalization_correction(q)
     )
@@ -189,12 +175,9 @@ def resolve_step(
     body: tuple[Vector, Vector, Vector],
     channel: VerticalChannel,
 ) -> tuple[Midpoint, Vector, Vector, Vector]:
-    """Resolve the result of `integrate_body_step` in navigation axes.
-
-    Returns:
-        Middle of the step; rotation vector of the navigation axes, rad; velocity change without
-        gravity, m/s; its mean over the step, m/s.
-    """
+    """Resolve the result of `integrate_body_step` in navigation axes: middle of the step, rotation
+    vector of the axes, rad, velocity change without gravity, m/s, and its mean over the step,
+    m/s."""
     change, moving = rotate(q, body[1]), rotate(q, body[2])
     gravity = earth.gravity(latitude, height)
     down = mean_down_velocity(channel, k, step, vel[2] + moving[2], gravity)
@@ -218,16 +201,11 @@ def run_steps(
     keep: int,
     out: Array,
 ) -> tuple[int, float, float]:
-    """Navigate through all increments, and store every `keep`-th step's state in `out`.
+    """Navigate through increments (n, 3), rad and m/s, and store every `keep`-th step's state in
+    `out` (m, STATE_SIZE).
 
-    Args:
-        position: latitude, longitude, rad, height, m; vel: velocity, m/s; q: body to navigation.
-        interval: of the increments, s; rotation, velocity: (n, 3) increments, rad and m/s.
-        out: (m, STATE_SIZE).
-
-    Returns:
-        Number of steps made, latitude and height. It stops early where a limit is exceeded or the
-        state is not finite.
+    Returns the number of steps made, latitude and height: it stops early where a limit is exceeded
+    or the state is not finite.
     """
     samples = len(coefficients.mean)
     step = samples * interval

@@ -5,17 +5,15 @@ The equations are in docs/methods/navigation.md.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.state import State, Track
 from ins_eval.navigation import kernel
 from ins_eval.navigation.coefficients import derive_coefficients
 from ins_eval.navigation.height import Height
 from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 
 class NavigationError(HrgError):
@@ -73,12 +71,7 @@ def navigate(
 
 
 def check_start(start: State) -> None:
-    """Check that the navigator can start from a state.
-
-    Raises:
-        NavigationError: latitude too near a pole, a number that is not finite, or an attitude that
-            is not a rotation matrix.
-    """
+    """Check that the navigator can start from a state."""
     latitude = np.rad2deg(start.latitude)
     if not abs(start.latitude) < kernel.MAX_LATITUDE:
         hint = "; is it in degrees where radians are meant?" if abs(latitude) > 90 else ""
@@ -97,11 +90,7 @@ def check_start(start: State) -> None:
 
 
 def check_rotation(matrix: Array) -> None:
-    """Check that a matrix is a finite rotation matrix (3, 3).
-
-    Raises:
-        NavigationError: it is not; the message says by how much.
-    """
+    """Check that a matrix is a finite rotation matrix (3, 3)."""
     matrix = np.asarray(matrix)
     if np.shape(matrix) != (3, 3) or not np.all(np.isfinite(matrix)):
         raise NavigationError(f"attitude of shape {np.shape(matrix)}: expected a finite 3 x 3")
@@ -115,11 +104,7 @@ def check_rotation(matrix: Array) -> None:
 
 
 def check_increments(increments: Increments) -> None:
-    """Check shapes and interval of increments; the compiled loop checks that values are finite.
-
-    Raises:
-        NavigationError: another shape than (n, 3), or an interval that is not above 0.
-    """
+    """Check shapes and interval of increments; the compiled loop checks that values are finite."""
     shapes = np.shape(increments.rotation), np.shape(increments.velocity)
     if shapes != ((len(increments), 3),) * 2:
         raise NavigationError(

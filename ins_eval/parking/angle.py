@@ -8,11 +8,10 @@ sides, for the heading is not known at power-on.
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from pyhrg.common.units import DEG
 
-Array = NDArray[np.float64]
 BiasMap = Callable[[Array], Array]
 """Bias, rad/s, at pattern angles (...), rad; of period pi."""
 
@@ -25,19 +24,15 @@ _WITHIN = np.linspace(-REACH, REACH, 25)
 
 
 def find_flattest_zero(bias: BiasMap) -> float:
-    """Angle, rad, about which the bias differs least from its mean: the map's flattest zero.
-
-    For a gyro whose mean bias is calibrated.
-    """
+    """Angle, rad, about which the bias differs least from its mean, for a gyro whose mean bias is
+    calibrated: the map's flattest zero."""
     mean = float(np.mean(bias(_CANDIDATES)))
     return _find_least(bias(_within_reach()) - mean)
 
 
 def find_flattest_extreme(bias: BiasMap) -> float:
-    """Angle, rad, about which the bias varies least from its own value: the map's flattest extreme.
-
-    For a gyro whose bias at that angle is calibrated.
-    """
+    """Angle, rad, about which the bias varies least from its own value, for a gyro whose bias there
+    is calibrated: the map's flattest extreme."""
     return _find_least(bias(_within_reach()) - bias(_CANDIDATES)[:, None])
 
 

@@ -3,8 +3,8 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.imu.gyros import GyroOutput, resolve_force_in_case, simulate_gyro, with_start_up
 from ins_eval.parking.angle import find_flattest_extreme, find_flattest_zero
 from ins_eval.parking.case import Known, Start
@@ -15,8 +15,6 @@ from pyhrg.bench.calibration.calibration_maps import fit_maps, make_angle_map
 from pyhrg.bench.estimation.harmonics import make_columns
 from pyhrg.device.device import AngleMap, Device
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 ANGLES = {Start.ZERO: find_flattest_zero, Start.FLAT: find_flattest_extreme}
 
@@ -49,11 +47,8 @@ class MappedGyro:
     def flight(self, truth: Increments, axis: int, start: Start, with_maps: bool) -> GyroOutput:
         """Output from power-on, with the same noise each time.
 
-        Args:
-            truth: true increments.
-            axis: of the body, along which the gyro is mounted.
-            start: where the pattern starts, as well as power-on angles repeat.
-            with_maps: whether the electronics have the maps.
+        axis: of the body, along which the gyro is mounted; start: where the pattern starts, as well
+        as power-on angles repeat.
         """
         device = self.calibrated if with_maps else self.bench.device
         if start in ANGLES:
@@ -64,12 +59,8 @@ class MappedGyro:
 
 
 def measure_maps(bench: Bench, plan: Plan | None = None) -> MappedGyro:
-    """The maker's calibration, power-ons apart: positions, 100 s each, and turns both ways.
-
-    Args:
-        bench: with the gyro on it.
-        plan: of the positions; the 24 of the bench's full-circumference test, if None.
-    """
+    """The maker's calibration, power-ons apart: positions (the 24 of the bench's full-circumference
+    test by default), 100 s each, and turns both ways."""
     power_ons = plan_power_ons(bench, plan, runs=1, segments=1)
     found = fit_maps(bench.campaign([bench.log(task) for task in power_ons]))
     return MappedGyro(bench, make_angle_map(found.bias_map), apply_maps(bench.device, found))

@@ -10,20 +10,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.alignment.analytic import level_and_gyrocompass
+from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import euler_from_mat
 from ins_eval.common.state import State, position_error
 from ins_eval.imu.imu import StartUpError
+from ins_eval.mission_model.missions import STILL
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.records.imu.increments import Increments
 
-Array = NDArray[np.float64]
-
 INTERVAL = 0.01
 """Duration of the IMU's increments, s."""
-STILL = 300.0
-"""Time at rest from power-on to time 0, s. Alignment ends and navigation begins at time 0."""
 KEPT = 60.0
 """Time between kept positions, s."""
 
@@ -50,12 +48,8 @@ class Mission:
         return float(self.time[-1]) / 3600
 
     def align(self, measured: Increments, ready: float = -STILL) -> Array:
-        """`mat_nb` (3, 3) at time 0.
-
-        Args:
-            measured: over the same intervals as `truth`; none after time 0 is looked at.
-            ready: time from which on all gyros are ready, s.
-        """
+        """`mat_nb` (3, 3) at time 0, from increments over the intervals of `truth`; all gyros are
+        ready from time `ready`, s, on."""
         first, zero = int(np.ceil((ready + STILL) / INTERVAL - 1e-6)), round(STILL / INTERVAL)
         return level_and_gyrocompass(measured.between(first, zero), float(self.start[0]))
 
@@ -69,12 +63,9 @@ class Mission:
     def fly(self, measured: Increments, ready: float = -STILL) -> Array:
         """Align and navigate on measured increments; arguments as for `align`.
 
-        Returns:
-            (m, 2) north and east position error at the times `time`, m.
+        Returns (m, 2) north and east position error at the times `time`, m.
         """
-        latitude, longitude, height = map(float, self.start)
-        mat_nb = self.align(measured, ready)
-        state = State(latitude, longitude, height, np.zeros(3), mat_nb)
+        state = State.at_rest(self.start, self.align(measured, ready))
         flight = measured.between(round(STILL / INTERVAL), len(measured))
         track = navigate(state, flight, Clamped(self.height), round(KEPT / INTERVAL))
         return position_error(track.position, self.position)[:, :2]
@@ -82,11 +73,7 @@ class Mission:
 
 def find_ready_time(good: NDArray[np.bool_] | None) -> float:
     """Time from which on, until time 0, every interval of a record from power-on is good, s; None
-    are good throughout.
-
-    Raises:
-        StartUpError: the last one before time 0 isn't.
-    """
+    are good throughout."""
     if good is None:
         return -STILL
     rest = round(STILL / INTERVAL)

@@ -1,14 +1,13 @@
 """A comparison in words and as files."""
 
-import csv
 import json
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.metrics import median_interval
 from ins_eval.parking.case import CASES
 from ins_eval.parking.figure import plot_comparison
@@ -16,8 +15,6 @@ from ins_eval.parking.study import Comparison, compare_with_first_case
 from ins_eval.parking.triad import RECORDS
 from ins_eval.results.png import save_png
 from pyhrg.common.units import DEG, NAUTICAL_MILE
-
-Array = NDArray[np.float64]
 
 SCHEMA = "hrg-parking/1"
 FILES = ("parking.json", "position_error.csv", "parking.png")
@@ -81,7 +78,12 @@ def find_rms_arcmin(angle: Array) -> float:
 def write(result: Comparison, folder: Path) -> None:
     """Write parking.json, position_error.csv and parking.png into an existing folder."""
     (folder / "parking.json").write_text(json.dumps(make_document(result), indent=2) + "\n")
-    _write_errors(result, folder / "position_error.csv")
+    n = result.radial.shape[1]
+    names = ["time_s", *(f"{case.name}_triad_{i + 1:03}_m" for case in CASES for i in range(n))]
+    columns = np.column_stack([result.time, *result.radial.reshape(-1, len(result.time))])
+    header = {"header": ",".join(names), "comments": ""}
+    path = folder / "position_error.csv"
+    np.savetxt(path, columns, fmt="%.6g", delimiter=",", newline="\r\n", **header)
     save_png(plot_comparison(result), folder / "parking.png")
 
 
@@ -128,13 +130,3 @@ def _errors(radial: Array, number: int) -> dict[str, Any]:
         "ratio_interval_95": [ratio.low, ratio.high],
         "triads_nmi": own.tolist(),
     }
-
-
-def _write_errors(result: Comparison, path: Path) -> None:
-    _, n, _ = result.radial.shape
-    names = [f"{case.name}_triad_{i + 1:03}_m" for case in CASES for i in range(n)]
-    columns = np.column_stack([result.time, *result.radial.reshape(-1, len(result.time))])
-    with path.open("w", newline="") as file:
-        writer = csv.writer(file)
-        writer.writerow(["time_s", *names])
-        writer.writerows([f"{value:.6g}" for value in row] for row in columns)

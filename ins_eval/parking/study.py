@@ -6,12 +6,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.metrics import PairedRatio, paired_ratio
 from ins_eval.common.parallel import map_in_threads
-from ins_eval.imu.accelerometers import TYPICAL_ACCELEROMETERS
-from ins_eval.imu.sensor_error_model import SensorErrorModel
+from ins_eval.imu.sensor_error_model import TYPICAL_ACCELEROMETERS
 from ins_eval.parking.gyro import measure_maps
 from ins_eval.parking.mission import Mission
 from ins_eval.parking.triad import DRIVES, TriadFlights, fly_triad
@@ -19,8 +18,6 @@ from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.device.ready_devices import TYPICAL, Device
 from pyhrg.fmu import GyroFmu
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -62,11 +59,6 @@ def compare_with_first_case(radial: Array) -> list[PairedRatio]:
     return [paired_ratio(errors, radial[0]) for errors in radial]
 
 
-def count_gyro_minutes(triads: int, mission: Mission) -> int:
-    """Gyro time that flying these triads takes, minutes."""
-    return triads * DRIVES * len(mission.time)
-
-
 def compare(
     fmu_path: Path,
     mission: Mission,
@@ -74,23 +66,14 @@ def compare(
     seed: int,
     *,
     device: Device = TYPICAL,
-    accelerometers: SensorErrorModel = TYPICAL_ACCELEROMETERS,
     plan: Plan | None = None,
     workers: int | None = None,
     progress: Callable[[int, int], None] | None = None,
 ) -> Comparison:
-    """Fly every triad in every case.
+    """Fly every triad in every case; the same seed gives the same result on any number of workers.
 
-    Args:
-        fmu_path: the gyro's model.
-        mission: what is flown.
-        triads: how many.
-        seed: of everything random; the same seed gives the same result on any number of workers.
-        device: the triads are of its kind (`Device.another`).
-        accelerometers: of every triad.
-        plan: of the positions at which maps are measured (`mapped`).
-        workers: threads; as many as this process has cores, if not given.
-        progress: is called with the gyro minutes done and those of all.
+    The triads are of the device's kind (`Device.another`); maps are measured at the positions of
+    `plan` (`measure_maps`); `progress` is called with the gyro minutes done and those of all.
     """
     fmu = GyroFmu(fmu_path)
     fmu.prepare()
@@ -100,7 +83,7 @@ def compare(
     def fly(seeds: np.random.SeedSequence) -> TriadFlights:
         generator = np.random.default_rng(seeds)
         devices = [device.another(generator) for _ in range(3)]
-        velocity = accelerometers.measure(truth.velocity, truth.interval, generator)
+        velocity = TYPICAL_ACCELEROMETERS.measure(truth.velocity, truth.interval, generator)
         benches = [Bench(fmu, each, seed=int(generator.integers(2**63))) for each in devices]
         gyros = [measure_maps(bench, plan) for bench in benches]
         return fly_triad(gyros, velocity, mission)
@@ -128,7 +111,8 @@ def _count_progress(
     mission: Mission, triads: int, progress: Callable[[int, int], None] | None
 ) -> Callable[[TriadFlights], None]:
     """A function that reports one triad more at each call."""
-    total, one_triad = count_gyro_minutes(triads, mission), count_gyro_minutes(1, mission)
+    one_triad = DRIVES * len(mission.time)
+    total = triads * one_triad
     minutes = iter(range(one_triad, total + 1, one_triad))
 
     def report(_: TriadFlights) -> None:

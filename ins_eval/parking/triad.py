@@ -5,15 +5,14 @@ from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.imu.gyros import GyroOutput
+from ins_eval.mission_model.missions import STILL
 from ins_eval.parking.case import CASES, LIMIT, Case, Known, Start
 from ins_eval.parking.gyro import MappedGyro
-from ins_eval.parking.mission import INTERVAL, STILL, Mission, find_ready_time
+from ins_eval.parking.mission import INTERVAL, Mission, find_ready_time
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 VERTICAL = 2
 """Axis of the gyro that is not parked: turns of the vehicle take its pattern all round."""
@@ -45,10 +44,7 @@ class TriadFlights:
 def fly_triad(gyros: Sequence[MappedGyro], velocity: Array, mission: Mission) -> TriadFlights:
     """All cases, with the same noise and the same accelerometers.
 
-    Args:
-        gyros: along the body axes.
-        velocity: (n, 3) increments of the accelerometers, m/s.
-        mission: what is flown.
+    velocity: (n, 3) increments of the accelerometers, m/s.
     """
 
     @cache

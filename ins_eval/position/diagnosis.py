@@ -52,12 +52,7 @@ class DiagnosedGyro:
 
 
 def read_diagnosed_gyro(folder: Path) -> DiagnosedGyro:
-    """Read a folder that `hrg gap diagnose` wrote.
-
-    Raises:
-        DiagnosisError: `diagnosis.json` is missing or no diagnosis of a campaign.
-        DeviceError: `before.toml` or `after.toml` is missing or wrong.
-    """
+    """Read a folder that `hrg gap diagnose` wrote."""
     diagnosis = read_diagnosis(folder / "diagnosis.json")
     return DiagnosedGyro(
         diagnosis.device,

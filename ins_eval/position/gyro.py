@@ -3,14 +3,12 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.study.gyros.drift import Flight
 from ins_eval.study.gyros.true_maps import compute_turning_bias, read_flight_coefficients, start_at
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
-
-Array = NDArray[np.float64]
 
 CASE_RISE = 10.0
 """Final rise of the case's temperature above the reference temperature after power-on, K; the
@@ -34,12 +32,10 @@ class Gyro:
     def compute_flight_coefficients(self, angles: Array) -> tuple[Array, Array]:
         """Coefficients of r triads of such gyros over the turn since power-on.
 
-        Args:
-            angles: (r, 3) power-on angles, rad.
+        angles: (r, 3) power-on angles, rad.
 
-        Returns:
-            (r, signals.COUNT, 3) coefficients of the maps, and (r, pattern_drift.TURNING_TERMS, 3)
-            bias that turns the pattern, rad/s.
+        Returns (r, signals.COUNT, 3) coefficients of the maps, and (r, pattern_drift.TURNING_TERMS,
+        3) bias that turns the pattern, rad/s.
         """
         triads = angles.tolist()
         maps = [[start_at(self.coefficients, angle) for angle in triad] for triad in triads]
@@ -55,10 +51,6 @@ class Gyro:
 
 
 def measure_gyro(fmu: GyroFmu, device: Device) -> Gyro:
-    """Measure a device's maps on the FMU `HRGSlow`.
-
-    Raises:
-        GyroError: values that the FMU refuses.
-    """
+    """Measure a device's maps on the FMU `HRGSlow`."""
     noise = np.array([getattr(device, name) for name in NOISE_FIELDS])
     return Gyro(device, read_flight_coefficients(fmu, device, CASE_RISE), noise)

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.mission_model.mission_weights import MissionWeights
-from ins_eval.mission_model.missions import StudyMission, find_mission_file, plan_mission
+from ins_eval.mission_model.missions import StudyMission, plan_mission
 from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.position.diagnosis import DiagnosedGyro
 from ins_eval.position.gyro import Gyro, measure_gyro
@@ -24,8 +24,6 @@ from ins_eval.study.scores.resampling import Estimate, bootstrap
 from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.errors import TrajectoryError
 from pyhrg.fmu import GyroFmu
-
-Array = NDArray[np.float64]
 
 COSIMULATED_TRIADS = 2
 """Number of triads that are co-simulated, in the first mission. Chosen."""
@@ -88,18 +86,8 @@ def compute_mission_gaps(
     request: PositionRequest,
     report: Callable[[str], None] = lambda text: None,
 ) -> MissionGaps:
-    """Position errors of the nominal and the identified device, compared in each mission.
-
-    Args:
-        fmu: `HRGSlow`.
-        diagnosis: of one gyro.
-        request: missions and numbers.
-        report: is called with a line of text at each step.
-
-    Raises:
-        TrajectoryError: no such mission, or hours out of range.
-        GyroError: values that the FMU refuses.
-    """
+    """Position errors of the nominal and the identified device by the FMU `HRGSlow`, compared in
+    each mission."""
     missions = [_plan_mission(source, request.hours) for source in request.missions]
     gyros = measure_gyro(fmu, diagnosis.nominal), measure_gyro(fmu, diagnosis.identified)
     angles = draw_power_on_angles(request.triads, request.seed)
@@ -118,7 +106,7 @@ def compute_mission_gaps(
 
 
 def _plan_mission(source: str | Path, hours: float) -> StudyMission:
-    if not find_mission_file(source).is_file():
+    if not catalogue.find_mission_file(source).is_file():
         names = ", ".join(catalogue.list_trajectories())
         raise TrajectoryError(f"{source}: found no such mission, expected {names}, or a file")
     return plan_mission(source, hours)

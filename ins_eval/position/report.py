@@ -20,23 +20,19 @@ TITLE = "What the gap is worth in metres"
 def build_section(gaps: MissionGaps) -> Section:
     """The section `position` of the page, with the content of `position.json`."""
     text = "".join(f"<p>{html.escape(sentence)}</p>" for sentence in write_sentences(gaps))
-    panels = _draw_panels(gaps) if gaps.diagnosis.is_changed else ""
+    panels = ""
+    if gaps.diagnosis.is_changed:
+        limits = svg.find_decades(np.concatenate([m.distance for m in gaps.missions]))
+        drawn = "".join(_draw_panel(m, limits) for m in gaps.missions)
+        panels = f'<div class="panels">{drawn}</div>'
     tables = f"{_tabulate_distances(gaps)}{_tabulate_budgets(gaps)}"
     return Section("position", TITLE, f"{text}{panels}{tables}", build_document(gaps))
 
 
-def _draw_panels(gaps: MissionGaps) -> str:
-    limits = svg.find_decades(np.concatenate([m.distance for m in gaps.missions]))
-    panels = "".join(_draw_panel(m, limits) for m in gaps.missions)
-    return f'<div class="panels">{panels}</div>'
-
-
 def _draw_panel(mission: MissionGap, limits: tuple[float, float]) -> str:
     hours = mission.time / HOUR
-    x, y = (
-        svg.make_horizontal_scale(0.0, float(hours[-1]), log=False),
-        svg.make_vertical_scale(*limits),
-    )
+    x = svg.make_horizontal_scale(0.0, float(hours[-1]), log=False)
+    y = svg.make_vertical_scale(*limits)
     name = html.escape(mission.name)
     curve = svg.draw_line(x(hours), y(np.maximum(mission.distance, limits[0])))
     return (
@@ -49,35 +45,19 @@ def _draw_panel(mission: MissionGap, limits: tuple[float, float]) -> str:
 
 
 def _tabulate_distances(gaps: MissionGaps) -> str:
-    rows = [
-        (
-            html.escape(m.name),
-            svg.format_number(m.time[-1] / HOUR),
-            svg.format_number(m.at_end.value),
-            f"{svg.format_number(m.at_end.low)} to {svg.format_number(m.at_end.high)}",
-            *(
-                ("–", "–")
-                if m.residual_bound is None
-                else (
-                    svg.format_number(m.residual_bound.steady),
-                    svg.format_number(m.residual_bound.any_course),
-                )
-            ),
-        )
-        for m in gaps.missions
-    ]
-    head = (
-        "Mission",
-        "after, h",
-        "distance, rms, m",
-        "95 %",
-        "residual, if steady, m",
-        "residual, at most, m",
-    )
+    number = svg.format_number
+    rows = []
+    for m in gaps.missions:
+        end, bound = m.at_end, m.residual_bound
+        bounds = (number(bound.steady), number(bound.any_course)) if bound else ("–", "–")
+        interval = f"{number(end.low)} to {number(end.high)}"
+        after = number(m.time[-1] / HOUR)
+        rows.append((html.escape(m.name), after, number(end.value), interval, *bounds))
+    head = ("Mission", "after, h", "distance, rms, m", "95 %")
     return _build_table(
         "Distance between the positions of the nominal and the identified device, and bounds for "
         f"the residual; horizontal, {gaps.request.triads} triads, seed {gaps.request.seed}",
-        head,
+        (*head, "residual, if steady, m", "residual, at most, m"),
         rows,
     )
 

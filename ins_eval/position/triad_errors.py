@@ -1,8 +1,8 @@
 """Position errors of triads of one gyro model, by part; each gyro has its own power-on angle."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.mission_model.alignment_at_rest import compute_second_order_error
 from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.mission_weights import MissionWeights
@@ -11,8 +11,6 @@ from ins_eval.mission_model.pattern_drift import compute_drift_products
 from ins_eval.mission_model.position_errors import compute_map_errors
 from ins_eval.mission_model.signals import ENVIRONMENT, STEADY, WARMING, slice_coefficients
 from ins_eval.position.gyro import Gyro
-
-Array = NDArray[np.float64]
 
 MAP_PARTS = {
     "bias map": slice(0, TERMS),
@@ -38,10 +36,8 @@ def compute_error_parts(
 ) -> dict[str, Array]:
     """Position error north and east without noise, by part: (r, k, 2) m each.
 
-    Args:
-        weights: of the mission, with k instants.
-        in_flight: coefficients of r triads, as `Gyro.compute_flight_coefficients` returns them;
-            the gyros lie along forward, right and down.
+    in_flight: coefficients of r triads, as `Gyro.compute_flight_coefficients` returns them; the
+    gyros lie along forward, right and down.
     """
     maps, turning = in_flight
     rate = np.einsum("ca,rca->ra", weights.alignment.rates, maps)

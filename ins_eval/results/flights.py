@@ -4,13 +4,11 @@ from collections.abc import Sequence
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.state import Track, TrackError, track_error
 from ins_eval.results import quantities
 from ins_eval.results.quantities import Quantity
-
-Array = NDArray[np.float64]
 
 POSITION, VELOCITY, ATTITUDE = slice(0, 3), slice(3, 6), slice(6, 9)
 """Places in a covariance's first nine rows, as `TrackError` orders them."""
@@ -23,15 +21,7 @@ def tabulate_navigated(tracks: Sequence[Track]) -> xr.Dataset:
 
 
 def compare_with_truth(tracks: Sequence[Track], truth: Track) -> xr.Dataset:
-    """Navigated and true states, and the errors between them.
-
-    Args:
-        tracks: of the runs, all at the truth's times.
-        truth: at the same times.
-
-    Raises:
-        ValueError: the times differ.
-    """
+    """Navigated and true states at the same times, and the errors between them."""
     errors = np.stack([error_columns(track_error(track, truth)) for track in tracks], axis=1)
     radial = np.hypot(errors[0], errors[1])[None]
     return xr.merge(
@@ -53,10 +43,8 @@ def tabulate_own_error(track: Track, truth: Track) -> xr.Dataset:
 def tabulate_sigmas(time: Array, covariance: Array) -> xr.Dataset:
     """1-sigma of position, velocity and attitude.
 
-    Args:
-        time: (m,) s.
-        covariance: (m, k, k), k >= 9, of position (m), velocity (m/s), attitude (rad) north, east,
-            down in this order.
+    time: (m,) s; covariance: (m, k, k), k >= 9, of position (m), velocity (m/s), attitude (rad)
+    north, east, down in this order.
     """
     deviations = np.sqrt(np.diagonal(covariance, axis1=-2, axis2=-1)[:, :9]).T
     deviations[ATTITUDE] = np.rad2deg(deviations[ATTITUDE])
@@ -93,18 +81,14 @@ def wrap_deg(longitude: Array) -> Array:
 def _dataset(time: Array, names: Sequence[Quantity], columns: Array) -> xr.Dataset:
     """Columns (k, [run,] m) under their names."""
     dims = ("time",) if columns.ndim == 2 else ("run", "time")
-    coordinates = {"time": ("time", time, _attributes(quantities.TIME))}
+    coordinates = {"time": ("time", time, quantities.TIME.attributes)}
     if columns.ndim == 3:
         runs = np.arange(1, columns.shape[1] + 1)
-        coordinates["run"] = ("run", runs, _attributes(quantities.RUN))
+        coordinates["run"] = ("run", runs, quantities.RUN.attributes)
     return xr.Dataset(
         {
-            quantity.name: (dims, column, _attributes(quantity))
+            quantity.name: (dims, column, quantity.attributes)
             for quantity, column in zip(names, columns, strict=True)
         },
         coordinates,
     )
-
-
-def _attributes(quantity: Quantity) -> dict[str, str]:
-    return {"units": quantity.unit, "long_name": quantity.meaning}

@@ -4,16 +4,15 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ins_eval.common.arrays import Array
 
 KILOMETRES_FROM = 5000.0
 """Errors beyond this are drawn in km, m."""
 
 
 def draw_growth(flights: xr.Dataset) -> Figure:
-    """North, east and radial error over time of a Dataset as `flights.against` gives it."""
+    """North, east and radial error over time of a Dataset as `compare_with_truth` gives it."""
     figure = Figure(figsize=(8, 8), layout="constrained")
     panels = figure.subplots(3, 1, sharex=True)
     hours = flights["time"].values / 3600
@@ -62,15 +61,9 @@ def _draw_sigma(
 
 
 def _draw_runs(axes: Axes, hours: Array, errors: Array) -> None:
+    runs = len(errors)
+    label = "flown" if runs == 1 else f"flown, {runs} runs"
+    width = 1.2 if runs == 1 else 0.7
     for number, error in enumerate(errors):
-        label = (
-            ("flown" if len(errors) == 1 else f"flown, {len(errors)} runs") if not number else None
-        )
-        axes.plot(
-            hours,
-            error,
-            color="tab:blue",
-            linewidth=1.2 if len(errors) == 1 else 0.7,
-            alpha=0.9,
-            label=label,
-        )
+        shown = None if number else label
+        axes.plot(hours, error, color="tab:blue", linewidth=width, alpha=0.9, label=shown)

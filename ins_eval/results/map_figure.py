@@ -7,21 +7,16 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Ellipse
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.results.map_grid import lay_out_map, unwrap_deg
-
-Array = NDArray[np.float64]
 
 TRUE_COLOR, NAVIGATED_COLOR = "black", "tab:blue"
 
 
 def draw_map(flights: xr.Dataset) -> Figure:
-    """Path of a Dataset as `flights.against` or `flights.navigated` gives it.
-
-    With a truth, a second map in metres shows the runs' errors at the end and their 1-sigma
-    ellipse where there is one.
-    """
+    """Path of a Dataset of `results.flights`; with a truth, a second map in metres shows the errors
+    at the end, and their 1-sigma ellipse where there is one."""
     known = "true_latitude" in flights
     figure = Figure(figsize=(11, 5.5) if known else (6.5, 5.5), layout="constrained")
     if known:
@@ -47,9 +42,12 @@ def _draw_path(axes: Axes, flights: xr.Dataset) -> None:
         latitudes.append(latitude.ravel())
         longitudes.append(np.concatenate(longitude))
     lay_out_map(axes, np.concatenate(latitudes), np.concatenate(longitudes))
-    _mark_ends(axes, latitudes[-1], longitudes[-1])
+    east, north = longitudes[-1], latitudes[-1]
+    _mark(axes, east[0], north[0], marker="o", color="tab:green", label="start")
+    _mark(axes, east[-1], north[-1], marker="s", color="tab:red", label="end")
     if len(prefixes) == 2 and flights.sizes.get("run", 1) == 1:
-        _mark_navigated_end(axes, latitudes[0][-1], longitudes[0][-1])
+        style = {"marker": "s", "color": NAVIGATED_COLOR, "zorder": 3.5, "label": "end, navigated"}
+        _mark(axes, longitudes[0][-1], latitudes[0][-1], **style)
     axes.legend(loc="best", fontsize="small", framealpha=0.9)
     axes.set_title("path", fontsize="medium")
 
@@ -65,29 +63,14 @@ def _draw_lines(axes: Axes, latitude: Array, longitude: Array, true: bool) -> No
         axes.plot(east, north, **{**style, "label": style["label"] if number == 0 else None})
 
 
-def _mark_ends(axes: Axes, latitude: Array, longitude: Array) -> None:
-    style: dict[str, Any] = {
-        "linestyle": "none",
-        "markersize": 8,
-        "markeredgecolor": "black",
-        "zorder": 4,
-    }
-    axes.plot(longitude[0], latitude[0], "o", color="tab:green", label="start", **style)
-    axes.plot(longitude[-1], latitude[-1], "s", color="tab:red", label="end", **style)
-
-
-def _mark_navigated_end(axes: Axes, latitude: float, longitude: float) -> None:
-    style: dict[str, Any] = {"markeredgecolor": "black", "linestyle": "none", "zorder": 3.5}
-    label = "end, navigated"
-    axes.plot(longitude, latitude, "s", color=NAVIGATED_COLOR, markersize=8, label=label, **style)
+def _mark(axes: Axes, longitude: float, latitude: float, **style: Any) -> None:
+    outline = {"linestyle": "none", "markersize": 8, "markeredgecolor": "black", "zorder": 4}
+    axes.plot(longitude, latitude, **{**outline, **style})
 
 
 def _draw_end(axes: Axes, flights: xr.Dataset) -> None:
     last = flights.isel(time=-1)
-    east, north = (
-        np.atleast_1d(last["east_error"].values),
-        np.atleast_1d(last["north_error"].values),
-    )
+    east, north = (np.atleast_1d(last[f"{name}_error"].values) for name in ("east", "north"))
     reach = float(np.max(np.hypot(north, east)))
     axes.plot(0, 0, "+", color=TRUE_COLOR, markersize=12, label="truth")
     axes.plot(east, north, "o", color=NAVIGATED_COLOR, markersize=6, label="navigated")

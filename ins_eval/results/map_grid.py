@@ -7,12 +7,10 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 from matplotlib.transforms import blended_transform_factory
-from numpy.typing import NDArray
 
 from ins_eval.common import earth
+from ins_eval.common.arrays import Array
 from ins_eval.results.flights import wrap_deg
-
-Array = NDArray[np.float64]
 
 MARGIN = 0.08
 """Margin around what is drawn, as a share of the map's larger side."""
@@ -39,8 +37,8 @@ def lay_out_map(axes: Axes, latitude: Array, longitude: Array) -> None:
     axes.set_aspect(north / east)
     axes.xaxis.set_major_locator(MaxNLocator(5, steps=[1, 2, 3, 5, 10]))
     axes.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 3, 5, 10]))
-    axes.xaxis.set_major_formatter(FuncFormatter(_longitude_label(2 * spans[0])))
-    axes.yaxis.set_major_formatter(FuncFormatter(_latitude_label(2 * spans[1])))
+    axes.xaxis.set_major_formatter(FuncFormatter(_make_label(2 * spans[0], ("W", "E"))))
+    axes.yaxis.set_major_formatter(FuncFormatter(_make_label(2 * spans[1], ("S", "N"))))
     axes.grid(alpha=0.3)
     axes.set_xlabel("longitude")
     axes.set_ylabel("latitude")
@@ -72,28 +70,13 @@ def _scale_bar(axes: Axes, width: float, metres: float) -> None:
     axes.text(left + length / metres / 2, 0.06, text, ha="center", va="bottom", transform=across)
 
 
-def _decimals(span: float) -> int:
-    """Number of decimals that separates ticks, five or so to a span."""
-    return max(0, -int(np.floor(np.log10(span / 5))))
-
-
-def _longitude_label(span: float) -> Callable[[float, object], str]:
-    decimals = _decimals(span)
+def _make_label(span: float, sides: tuple[str, str]) -> Callable[[float, object], str]:
+    """Labels of ticks, five or so to a span; 0 and half a turn have no side."""
+    decimals = max(0, -int(np.floor(np.log10(span / 5))))
 
     def label(value: float, _: object = None) -> str:
         around = float(wrap_deg(np.array(value)))
-        side = "W" if around < 0 else "E"
-        text = f"{abs(around):.{decimals}f}°"
-        return text if around in (0.0, -180.0) else text + side
-
-    return label
-
-
-def _latitude_label(span: float) -> Callable[[float, object], str]:
-    decimals = _decimals(span)
-
-    def label(value: float, _: object = None) -> str:
-        side = "" if value == 0 else "S" if value < 0 else "N"
-        return f"{abs(value):.{decimals}f}°{side}"
+        side = "" if around in (0.0, -180.0) else sides[around > 0]
+        return f"{abs(around):.{decimals}f}°{side}"
 
     return label

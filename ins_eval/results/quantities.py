@@ -19,15 +19,25 @@ class Quantity:
         """Name with unit."""
         return self.name + SUFFIXES[self.unit]
 
+    @property
+    def attributes(self) -> dict[str, str]:
+        """Unit and meaning, as labelled arrays and Parquet store them."""
+        return {"units": self.unit, "long_name": self.meaning}
+
+
+AXES = ("north", "east", "down")
+
 
 def _state(prefix: str, whose: str) -> tuple[Quantity, ...]:
+    velocities = (
+        Quantity(f"{prefix}velocity_{axis}", "m/s", f"{whose} velocity over ground, {axis}")
+        for axis in AXES
+    )
     return (
         Quantity(f"{prefix}latitude", "deg", f"{whose} geodetic latitude"),
         Quantity(f"{prefix}longitude", "deg", f"{whose} longitude, -180 to 180"),
         Quantity(f"{prefix}height", "m", f"{whose} height above the ellipsoid"),
-        Quantity(f"{prefix}velocity_north", "m/s", f"{whose} velocity over ground, north"),
-        Quantity(f"{prefix}velocity_east", "m/s", f"{whose} velocity over ground, east"),
-        Quantity(f"{prefix}velocity_down", "m/s", f"{whose} velocity over ground, down"),
+        *velocities,
         Quantity(f"{prefix}heading", "deg", f"{whose} heading, clockwise from north, 0 to 360"),
         Quantity(f"{prefix}pitch", "deg", f"{whose} pitch, nose up"),
         Quantity(f"{prefix}roll", "deg", f"{whose} roll, right side down"),
@@ -36,14 +46,9 @@ def _state(prefix: str, whose: str) -> tuple[Quantity, ...]:
 
 def _errors(kind: str, what: str) -> tuple[Quantity, ...]:
     return (
-        Quantity(f"north_{kind}", "m", f"{what} of position, north"),
-        Quantity(f"east_{kind}", "m", f"{what} of position, east"),
-        Quantity(f"down_{kind}", "m", f"{what} of position, down"),
-        Quantity(f"velocity_north_{kind}", "m/s", f"{what} of velocity, north"),
-        Quantity(f"velocity_east_{kind}", "m/s", f"{what} of velocity, east"),
-        Quantity(f"velocity_down_{kind}", "m/s", f"{what} of velocity, down"),
-        Quantity(f"tilt_north_{kind}", "deg", f"{what} of attitude, about north"),
-        Quantity(f"tilt_east_{kind}", "deg", f"{what} of attitude, about east"),
+        *(Quantity(f"{a}_{kind}", "m", f"{what} of position, {a}") for a in AXES),
+        *(Quantity(f"velocity_{a}_{kind}", "m/s", f"{what} of velocity, {a}") for a in AXES),
+        *(Quantity(f"tilt_{a}_{kind}", "deg", f"{what} of attitude, about {a}") for a in AXES[:2]),
         Quantity(f"heading_{kind}", "deg", f"{what} of attitude, about down"),
     )
 

@@ -6,7 +6,6 @@ import pandas as pd
 import pyarrow as pa
 import pyarrow.parquet as pq
 import xarray as xr
-from pyarrow import csv
 
 from ins_eval.results.quantities import ALL, BY_COLUMN, BY_NAME
 
@@ -18,28 +17,23 @@ def tabulate(dataset: xr.Dataset) -> pd.DataFrame:
     return table[[quantity.column for quantity in ALL if quantity.column in table]]
 
 
-def write_csv(dataset: xr.Dataset, path: Path) -> None:
+def write_table(table: pd.DataFrame, path: Path) -> None:
     """Every digit: what is read back is the same to the last bit."""
-    tabulate(dataset).to_csv(path, index=False, lineterminator="\n")
+    table.to_csv(path, index=False, lineterminator="\n")
 
 
-def read_csv(path: Path) -> pd.DataFrame:
-    """A table as written by `write_csv`."""
-    return csv.read_csv(path).to_pandas()
+def write_csv(dataset: xr.Dataset, path: Path) -> None:
+    """The dataset's table as CSV."""
+    write_table(tabulate(dataset), path)
 
 
 def write_parquet(dataset: xr.Dataset, path: Path) -> None:
     """Each field's metadata holds `units` and `long_name` as well."""
     table = pa.Table.from_pandas(tabulate(dataset), preserve_index=False)
-    fields = [field.with_metadata(_metadata(field.name)) for field in table.schema]
+    fields = [field.with_metadata(BY_COLUMN[field.name].attributes) for field in table.schema]
     pq.write_table(table.cast(pa.schema(fields)), path)
 
 
 def write_netcdf(dataset: xr.Dataset, path: Path) -> None:
     """NetCDF 3, classic: needs no further library."""
     dataset.to_netcdf(path, engine="scipy", format="NETCDF3_64BIT")
-
-
-def _metadata(column: str) -> dict[str, str]:
-    quantity = BY_COLUMN[column]
-    return {"units": quantity.unit, "long_name": quantity.meaning}

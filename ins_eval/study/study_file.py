@@ -18,7 +18,7 @@ from ins_eval.study.specification import (
 from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.keys import build_from_table, keys
 from ins_eval.trajectories.recordings import find_recording
-from pyhrg.common.toml_table import SpecificationError, TomlTable, read_toml
+from pyhrg.common.toml_table import SpecificationError, TomlTable, read_table
 
 _FOLDER = Path(__file__).with_name("ready")
 READY = tuple(sorted(path.stem for path in _FOLDER.glob("*.toml")))
@@ -60,7 +60,7 @@ def read_study(path: Path, seed: int | None = None) -> Study:
         SpecificationError: an unreadable file; a key that is unknown or missing; a value out of
             range; a class in both halves, a half without missions; too few triads for the interval.
     """
-    document = read_toml(path)
+    document = dict(read_table(path).values)
     if seed is not None:
         document["seed"] = seed
     top = TomlTable(str(path), "", document)

@@ -17,6 +17,13 @@ def list_trajectories() -> list[str]:
     return sorted(path.stem for path in READY_FOLDER.glob("*.toml"))
 
 
+def find_mission_file(name_or_path: str | Path) -> Path:
+    """The file of a mission that is named, or is a file itself."""
+    if str(name_or_path) in list_trajectories():
+        return READY_FOLDER / f"{name_or_path}.toml"
+    return Path(name_or_path)
+
+
 def load_trajectory(
     name_or_path: str | Path, duration_s: float, still_s: float = 0.0
 ) -> Trajectory:
@@ -32,9 +39,7 @@ def load_trajectory(
         TrajectoryError: no such mission or file; a file that is wrong; a mission that is shorter
             than the duration or can't stand still.
     """
-    path = Path(name_or_path)
-    if str(name_or_path) in list_trajectories():
-        path = READY_FOLDER / f"{name_or_path}.toml"
+    path = find_mission_file(name_or_path)
     if path.suffix == ".toml":
         return build_trajectory(read_mission(path), duration_s, still_s)
     if not path.suffix and not path.exists():

@@ -14,11 +14,7 @@ class MovingStartError(TrajectoryError):
 
 
 def check_durations(name: str, duration: float, still: float) -> None:
-    """Check the times, s, that a trajectory lasts and that it stands still before time 0.
-
-    Raises:
-        TrajectoryError: one of them is below 0 or not finite, or the duration is 0.
-    """
+    """Check the times, s, that a trajectory lasts and that it stands still before time 0."""
     if not (0 <= still < math.inf and 0 < duration < math.inf):
         raise TrajectoryError(
             f"{name}: found {still:g} s at rest and {duration:g} s after, expected 0 or "

@@ -1,6 +1,7 @@
 """Fields of missions and manoeuvres: SI inside, a unit in the key outside, a range."""
 
 import sys
+from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from dataclasses import MISSING, Field, dataclass, field, fields
 from typing import Any, TypeGuard, TypeVar
@@ -13,8 +14,29 @@ UNITS = {"deg": DEG, "deg_s": DEG, "m": 1.0, "m_s": 1.0, "s": 1.0, "": 1.0}
 """SI value of each unit that a key may end in; a number without one has none."""
 
 
+class Kind(ABC):
+    """The values that a field takes; those of files and inside are the same by default."""
+
+    @property
+    @abstractmethod
+    def expected(self) -> str:
+        """What is expected, in words."""
+
+    @abstractmethod
+    def holds(self, value: object) -> bool:
+        """Whether a value inside is one of them."""
+
+    def from_file(self, value: object) -> Any:
+        """The value inside of a file's value."""
+        return value
+
+    def shown(self, value: object) -> Any:
+        """The file's value of a value inside."""
+        return value
+
+
 @dataclass(frozen=True)
-class Quantity:
+class Quantity(Kind):
     """A number in a unit and its range, in that unit."""
 
     unit: str
@@ -23,11 +45,9 @@ class Quantity:
 
     @property
     def expected(self) -> str:
-        """The range, in words."""
         return f"{self.low:g} to {self.high:g}{' ' * bool(self.unit)}{self.unit.replace('_', '/')}"
 
     def from_file(self, value: object) -> Any:
-        """SI of a file's number; what is no number comes back as it is."""
         return value * UNITS[self.unit] if _is_number(value) else value
 
     def holds(self, value: object) -> bool:
@@ -37,62 +57,36 @@ class Quantity:
         return _is_number(plain) and self.low - slack <= plain <= self.high + slack
 
     def shown(self, value: object) -> Any:
-        """The file's number for an SI value."""
         return value / UNITS[self.unit] if _is_number(value) else value
 
 
 @dataclass(frozen=True)
-class Whole:
+class Whole(Kind):
     """A whole number and its range."""
 
     low: int
     high: int
-    unit: str = ""
 
     @property
     def expected(self) -> str:
-        """The range, in words."""
         return f"a whole number from {self.low} to {self.high}"
 
-    def from_file(self, value: object) -> Any:
-        """As it is."""
-        return value
-
     def holds(self, value: object) -> bool:
-        """Whether it is a whole number within the range."""
         return type(value) is int and self.low <= value <= self.high
-
-    def shown(self, value: object) -> Any:
-        """As it is."""
-        return value
 
 
 @dataclass(frozen=True)
-class Choice:
+class Choice(Kind):
     """One of some words."""
 
     words: tuple[str, ...]
-    unit: str = ""
 
     @property
     def expected(self) -> str:
-        """The words."""
         return " or ".join(f'"{word}"' for word in self.words)
 
-    def from_file(self, value: object) -> Any:
-        """As it is."""
-        return value
-
     def holds(self, value: object) -> bool:
-        """Whether it is one of the words."""
         return isinstance(value, str) and value in self.words
-
-    def shown(self, value: object) -> Any:
-        """As it is."""
-        return value
-
-
-Kind = Quantity | Whole | Choice
 
 
 def quantity(unit: str, low: float, high: float, default: Any = MISSING) -> Any:
@@ -122,7 +116,8 @@ def keys(table: type) -> Iterator[tuple[str, Field[Any], Kind]]:
     """Key in files, field, and kind of all fields of a dataclass that have one."""
     for f in fields(table):
         if kind := f.metadata.get("kind"):
-            yield f"{f.name}_{kind.unit}" if kind.unit else f.name, f, kind
+            unit = getattr(kind, "unit", "")
+            yield f"{f.name}_{unit}" if unit else f.name, f, kind
 
 
 T = TypeVar("T", bound="Checked")
@@ -142,16 +137,8 @@ class Checked:
 
 
 def build_from_table(kind: type[T], table: TomlTable, **others: Any) -> T:
-    """Build a dataclass from the keys that a table of a file states.
-
-    Args:
-        kind: the dataclass; its fields made by `quantity`, `whole` and `choice` are the keys.
-        table: of a file; a field with a default may be left out.
-        others: values of fields that the file does not state.
-
-    Raises:
-        HrgError: an unknown or missing key, a value out of range; of the table's error class.
-    """
+    """Build a dataclass, whose fields of `quantity`, `whole` and `choice` are the keys, from a
+    table of a file; `others` are fields that the file does not state."""
     known = {key: (field, unit) for key, field, unit in keys(kind)}
     table.check_known(known)
     for key, (f, unit) in known.items():

@@ -63,18 +63,8 @@ class Mission:
 
 
 def build_trajectory(mission: Mission, duration: float, still: float = 0.0) -> Trajectory:
-    """Build the trajectory of a mission, which stands still until time 0.
-
-    Args:
-        mission: start and manoeuvres.
-        duration: time after time 0, s.
-        still: time at rest before time 0, s; 0 for a mission that starts in motion.
-
-    Raises:
-        TrajectoryError: times below 0; a manoeuvre that can't be entered; a mission that is shorter
-            than the duration or passes 89 deg of latitude; a height, force or rate out of range.
-        MovingStartError: `still` is above 0 and the mission starts in motion.
-    """
+    """Build the trajectory of a mission, which stands still for `still` s and moves from time 0 for
+    `duration` s."""
     check_durations(mission.name, duration, still)
     if still > 0 and mission.start.speed > 0:
         raise MovingStartError(
@@ -89,8 +79,10 @@ def build_trajectory(mission: Mission, duration: float, still: float = 0.0) -> T
         )
     motions = [overlay.motion() for overlay in mission.overlays]
     until = min(total, duration + END_MARGIN)
+    start = mission.start
+    origin = np.array([start.latitude, start.longitude, start.height, start.heading])
     try:
-        knots = path.compute_knots(_origin(mission.start), legs, motions, still, until)
+        knots = path.compute_knots(origin, legs, motions, still, until)
     except TrajectoryError as error:
         raise TrajectoryError(f"{mission.name}: {error}") from None
     trajectory = Trajectory(mission.name, knots)
@@ -127,20 +119,13 @@ def _check_ranges(trajectory: Trajectory, knots: Knots) -> None:
 
 
 def compute_duration(mission: Mission) -> float:
-    """Return the time from 0 to the end of the last manoeuvre, s; infinite for an endless mission.
-
-    Raises:
-        TrajectoryError: a manoeuvre that can't be entered.
-    """
+    """Return the time from 0 to the end of the last manoeuvre, s; infinite for an endless
+    mission."""
     return math.inf if mission.repeat is None else _sum_durations(_build_legs(mission, math.inf))
 
 
 def _sum_durations(legs: Sequence[Leg]) -> float:
     return math.fsum(leg.duration for leg in legs)
-
-
-def _origin(start: Start) -> path.Origin:
-    return path.Origin(start.latitude, start.longitude, start.height, start.heading)
 
 
 def _build_legs(mission: Mission, until: float) -> list[Leg]:

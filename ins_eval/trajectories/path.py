@@ -7,16 +7,14 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
 from ins_eval.common import earth
+from ins_eval.common.arrays import Array
 from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.manoeuvres.manoeuvre import Leg
 from ins_eval.trajectories.manoeuvres.overlays import OverlayMotion
 from ins_eval.trajectories.trajectory import Knots
-
-Array = NDArray[np.float64]
 
 MAX_LATITUDE = math.radians(89.0)
 """Largest latitude of a path, rad. Chosen: at a pole north and east end."""
@@ -28,16 +26,6 @@ TOLERANCE = 1e-11
 """Tolerance of the integration, relative and absolute (rad or m). Chosen."""
 MIN_KNOTS = 8
 """Smallest number of knots; a quintic spline needs six."""
-
-
-@dataclass(frozen=True)
-class Origin:
-    """Beginning of a path: latitude, longitude and heading, rad, and height, m."""
-
-    latitude: float
-    longitude: float
-    height: float
-    heading: float
 
 
 @dataclass(frozen=True)
@@ -97,28 +85,21 @@ class _LegInTime:
 
 
 def compute_knots(
-    origin: Origin,
+    state: Array,
     legs: Sequence[Leg],
     motions: Sequence[OverlayMotion],
     still: float,
     until: float,
 ) -> Knots:
-    """Compute equally spaced knots: at rest before time 0, then along the legs.
+    """Compute equally spaced knots: at rest for `still` s, then along the legs from time 0 until up
+    to one spacing after `until`, s.
 
-    Args:
-        origin: beginning of the path.
-        legs: one after another from time 0; the last one is continued as it ends.
-        motions: of the overlays.
-        still: time at rest before time 0, s.
-        until: time of the end, s; the knots end up to one spacing later.
-
-    Raises:
-        TrajectoryError: the path passes 89 deg of latitude.
+    state: (4,) latitude, longitude, rad, height, m, and heading, rad, at time 0. The last leg is
+    continued as it ends.
     """
     spacing = _choose_spacing(legs, motions)
     grid = spacing * np.arange(max(math.ceil(until / spacing - 1e-9), MIN_KNOTS) + 1.0)
     before = -spacing * np.arange(math.ceil(still / spacing - 1e-9), 0.0, -1.0)
-    state = np.array([origin.latitude, origin.longitude, origin.height, origin.heading])
     rows = []
     for leg, end in _place_legs(legs, motions, float(grid[-1])):
         for piece in leg.split_at_breaks(end):

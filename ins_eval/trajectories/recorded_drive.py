@@ -9,13 +9,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.common import earth
+from ins_eval.common.arrays import Array
 from ins_eval.trajectories.errors import TrajectoryError, check_durations
 from ins_eval.trajectories.trajectory import Knots, Trajectory
-
-Array = NDArray[np.float64]
 
 COLUMNS = (
     "time_s",
@@ -108,18 +106,10 @@ def read_drive(path: Path) -> Drive:
 
 
 def repeat_drive(drive: Drive, duration: float, still: float = 0.0) -> Trajectory:
-    """Build a trajectory that stands still until time 0 and then repeats the drive.
+    """Build a trajectory that stands still for `still` s and then repeats the drive for `duration`
+    s.
 
     Each repetition begins where the one before ended. Joints change velocity and attitude smoothly.
-
-    Args:
-        drive: what is repeated.
-        duration: time after time 0, s.
-        still: time at rest before time 0, s.
-
-    Raises:
-        TrajectoryError: times below 0.
-        DriveError: the repeated drive leaves the latitudes that are allowed.
     """
     check_durations(drive.name, duration, still)
     standing = np.arange(-still, 0.5, 1.0)

@@ -8,15 +8,13 @@ nothing here inverts the equations of the navigator.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import BSpline, make_interp_spline
 
 from ins_eval.common import earth
+from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import body_rate_from_euler, mat_from_euler
 from ins_eval.common.state import State, Track
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(3)
 _SLACK = 1e-6

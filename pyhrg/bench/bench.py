@@ -8,18 +8,16 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.store import Store, compute_key
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.device.device_file import nominal
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.fmu import CONTROL_PERIOD, Gyro, GyroFmu
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign, Test
-
-Array = NDArray[np.float64]
 
 HELD_INPUTS = {
     "acceleration_x": "accelerationX",
@@ -93,11 +91,7 @@ class Bench:
         return course.command(amplitude_setpoint=device.amplitude)
 
     def run(self, power_ons: Sequence[PowerOn]) -> list[Test]:
-        """Tests of the power-ons, in their order; the same numbers on any number of workers.
-
-        Raises:
-            GyroError: the FMU refuses a value or a step.
-        """
+        """Tests of the power-ons, in their order; the same numbers on any number of workers."""
         self.fmu.prepare()
         stop = threading.Event()
         self.fmu.stop = stop
@@ -113,9 +107,8 @@ class Bench:
     def power_on(self, identity: str, start_angle: float | None = None) -> Gyro:
         """The gyro, switched on, with noise, start angle and parameters drawn for this power-on.
 
-        Args:
-            identity: of the power-on; the same one draws the same noise, angle and parameters.
-            start_angle: pattern angle, rad; drawn from the device's scatter if None.
+        The same identity draws the same noise, angle and parameters. `start_angle`, rad, is drawn
+        from the device's scatter if None.
         """
         key = zlib.crc32(identity.encode())
         generator = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(key,)))
@@ -192,14 +185,9 @@ def record_rows(
     """Outputs of a gyro as a log has them: (n,) each, by field, SI.
 
     The amplitude is that of one control period before the end of each row, as the electronics know
-    it.
-
-    Args:
-        gyro: switched on.
-        moving: (n, m) inputs in each of a row's m communication steps, by the FMU's names, SI.
-        held: (n,) inputs that are constant within a row, by their names in a programme, SI.
-        step: communication step, s.
-        means: fields that are averaged over each row.
+    it. `moving` are (n, m) inputs in each of a row's m communication steps of `step` seconds, by
+    the FMU's names, SI; `held` are (n,) inputs by their names in a programme, SI; `means` are
+    fields that are averaged over each row.
     """
     commands = {HELD_INPUTS[name]: values for name, values in held.items()}
     averaged = [OUTPUTS_AVERAGED[name] for name in means]
@@ -214,10 +202,8 @@ def record_rows(
 def compute_earth_rate(device: Device, axis_up: Array, table_angle: Array) -> Array:
     """Earth's rate on the input axis, rad/s; a misaligned axis leans north once in a table turn.
 
-    Args:
-        device: with its misalignment and its test site.
-        axis_up: projection of the table's axis on local up.
-        table_angle: rad, of a shape that broadcasts with `axis_up`.
+    `axis_up` is the projection of the table's axis on local up; `table_angle`, rad, broadcasts with
+    it.
     """
     azimuth = table_angle + device.misalignment_direction
     site = replace(device.site, latitude=device.site.latitude + device.latitude_error)
@@ -236,10 +222,5 @@ def compute_step_middles(steps: int) -> Array:
 
 
 def interpolate_rows(bounds: Array, share: Array) -> Array:
-    """(n, m) values within n rows, linear between their bounds.
-
-    Args:
-        bounds: (n + 1,) values at the bounds of the rows.
-        share: (m,) places within a row, as shares of it.
-    """
+    """(n, m) values within n rows, linear between their bounds."""
     return np.asarray(bounds[:-1, None] + np.diff(bounds)[:, None] * share)

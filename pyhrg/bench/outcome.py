@@ -87,7 +87,6 @@ class Finding:
 class Outcome:
     """What a procedure gives for a campaign.
 
-    procedure: its name.
     findings: figures, each of another key.
     verdict: what the findings mean, in a sentence or two.
     tables: details, ready to be printed.
@@ -97,7 +96,6 @@ class Outcome:
     values: further results for programs, SI, by name.
     """
 
-    procedure: str
     findings: tuple[Finding, ...]
     verdict: str
     tables: tuple[Table, ...] = ()
@@ -110,14 +108,10 @@ class Outcome:
         keys = [finding.key for finding in self.findings]
         twice = sorted({key for key in keys if keys.count(key) > 1})
         if twice:
-            raise ValueError(f"{self.procedure}: findings of one name: {', '.join(twice)}")
+            raise ValueError(f"findings of one name: {', '.join(twice)}")
 
     def finding(self, name: str) -> Finding:
-        """The finding of this name.
-
-        Raises:
-            KeyError: there is none.
-        """
+        """The finding of this name."""
         for finding in self.findings:
             if finding.name == name:
                 return finding

@@ -28,11 +28,11 @@ class Procedure:
     name: by which users choose it.
     group: heading in the list of tests.
     title: what it measures.
-    rows: rows of the paper's Table 1 that it gives, in their English terms.
     source: where method and formulas come from.
     kinds: kinds of campaign tests that it evaluates.
     record: makes the test's power-ons on the virtual bench; takes the options as keywords.
     evaluate: gives the outcome of a campaign that holds tests of these kinds.
+    rows: rows of the paper's Table 1 that it gives, in their English terms.
     model: model that the virtual bench simulates, a key of `fmu_build.roots.ROOTS`.
     step: communication step of the simulation, s.
     options: parts of the plan that a user may change.
@@ -43,11 +43,11 @@ class Procedure:
     name: str
     group: str
     title: str
-    rows: tuple[str, ...]
     source: str
     kinds: tuple[str, ...]
     record: Callable[..., list[Test]]
     evaluate: Callable[[Campaign], Outcome]
+    rows: tuple[str, ...] = ()
     model: str = "HRG"
     step: float = 0.01
     options: tuple[Option, ...] = ()
@@ -60,11 +60,7 @@ def select_tests(campaign: Campaign, *kinds: str) -> list[Test]:
 
 
 def require_tests(campaign: Campaign, *kinds: str) -> list[Test]:
-    """The campaign's tests of these kinds without those that are held out, at least one.
-
-    Raises:
-        BenchError: there are none.
-    """
+    """The campaign's tests of these kinds without those that are held out, at least one."""
     tests = select_tests(campaign, *kinds)
     if not tests:
         present = ", ".join(sorted({test.kind for test in campaign.tests})) or "no tests"

@@ -3,9 +3,8 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 COMMANDS = (
     "axis_up",
@@ -33,10 +32,8 @@ class Programme:
     def __init__(self, interval: float, gravity: float, temperature: float = 298.15) -> None:
         """Make an empty programme.
 
-        Args:
-            interval: length of a row, s.
-            gravity: at the site, m/s2.
-            temperature: of the case at power-on, K.
+        The interval is that of a row, s; gravity at the site in m/s2; temperature of the case at
+        power-on in K.
         """
         self.interval = interval
         self.gravity = gravity
@@ -79,9 +76,8 @@ class Programme:
     def attitude(self, axis_up: float, across: float = 0.0) -> "Programme":
         """Tilt the input axis towards east: Earth's rate on it is then axis_up W_E sin L.
 
-        Args:
-            axis_up: cosine of the angle between the input axis and local up, -1 to 1.
-            across: angle about the input axis from the vertical plane to the x electrodes, rad.
+        `axis_up` is the cosine of the angle between the input axis and local up; `across` the angle
+        about the input axis from the vertical plane to the x electrodes, rad.
         """
         level = self.gravity * math.sqrt(max(0.0, 1 - axis_up**2))
         return self.command(

@@ -3,6 +3,7 @@
 import difflib
 import shutil
 from collections.abc import Mapping, Sequence
+from contextlib import closing
 from numbers import Integral, Real
 from pathlib import Path
 
@@ -12,13 +13,7 @@ from pyhrg.bench import catalogue
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.reporting.progress import Progress, Show
-from pyhrg.bench.reporting.result import (
-    PAGE,
-    BenchResults,
-    TestFailure,
-    TestResult,
-    check_folder,
-)
+from pyhrg.bench.reporting.result import PAGE, BenchResults, TestFailure, TestResult, check_folder
 from pyhrg.bench.source import Source, open_records, prepare_simulation
 from pyhrg.bench.store import Store
 from pyhrg.common.arguments import check_seed, choose_workers
@@ -116,7 +111,7 @@ def run_tests(
     folder = None if out is None else Path(out)
     if folder is not None:
         _check_places(folder, procedures)
-    with Progress(progress) as counter:
+    with closing(Progress(progress)) as counter:
         if campaign is not None:
             source = open_records(campaign, procedures)
         else:
@@ -144,11 +139,7 @@ def _perform(source: Source, out: Path | None, progress: Progress) -> BenchResul
 def _attempt(
     source: Source, procedure: Procedure, out: Path | None, progress: Progress
 ) -> TestResult | TestFailure:
-    """Result of one of the tests, written where there is an output folder.
-
-    Raises:
-        BenchError, LogError, GyroError: the only test can't be done.
-    """
+    """Result of one of the tests, written where there is an output folder."""
     progress.begin(procedure.name)
     try:
         records = source.get_records(procedure)

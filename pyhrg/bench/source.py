@@ -4,7 +4,6 @@ import difflib
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
-from functools import partial
 from pathlib import Path
 
 from fmu_build.bundle import build_fmu
@@ -60,17 +59,8 @@ def prepare_simulation(
 ) -> Source:
     """A source that simulates a gyro on the virtual bench.
 
-    Args:
-        procedures: the tests.
-        device: gyro, name of a ready device or device file; the default device if None.
-        seed: of everything random.
-        workers: power-ons that are simulated at the same time; all cores if None.
-        store: keeps logs to resume from; None keeps none.
-        progress: counts power-ons and says what is done about FMUs.
-        plan: keywords of the only procedure's `record`.
-
-    Raises:
-        HrgError: the device can't be used, or an FMU can't be built.
+    The device is a gyro, the name of a ready device or a device file; `plan` has keywords of the
+    only procedure's `record`.
     """
     if isinstance(device, Device):
         gyro, place = device, device.name
@@ -93,16 +83,12 @@ def prepare_simulation(
         resumption="the same command goes on from here" if store else "nothing was kept",
         seed=seed,
         limits=gyro.specification,
-        store=store or nullcontext(),
+        store=store.open() if store else nullcontext(),
     )
 
 
 def open_records(campaign: Campaign | str | Path, procedures: Sequence[Procedure]) -> Source:
-    """A campaign and, of several procedures, those that it has a kind of test for.
-
-    Raises:
-        HrgError: it has none, or what it states as nominal is no device.
-    """
+    """A campaign and, of several procedures, those that it has a kind of test for."""
     records = (
         campaign if isinstance(campaign, Campaign) else campaigns.read_campaign(Path(campaign))
     )
@@ -121,15 +107,11 @@ def open_records(campaign: Campaign | str | Path, procedures: Sequence[Procedure
 
 def _load_fmus(procedures: Sequence[Procedure], say: Callable[[str], None]) -> dict[str, GyroFmu]:
     """The procedures' FMUs by model, built where the cache has none."""
-    models = sorted({procedure.model for procedure in procedures})
-    return {
-        model: GyroFmu(build_fmu(model, progress=partial(_say_step, say, model)))
-        for model in models
-    }
 
+    def load(model: str) -> GyroFmu:
+        return GyroFmu(build_fmu(model, progress=lambda step: say(f"FMU {model}: {step}")))
 
-def _say_step(say: Callable[[str], None], model: str, step: str) -> None:
-    say(f"FMU {model}: {step}")
+    return {model: load(model) for model in sorted({p.model for p in procedures})}
 
 
 def _check_model_names(device: Device, fmus: Mapping[str, GyroFmu], source: str) -> None:

@@ -3,11 +3,11 @@
 import hashlib
 import io
 import shutil
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, fields
 from functools import cache
 from pathlib import Path
-from types import TracebackType
 from zipfile import BadZipFile
 
 import numpy as np
@@ -19,28 +19,23 @@ from pyhrg.records import Log
 
 @dataclass(frozen=True)
 class Store:
-    """A folder of logs, to the bit, under a key of everything that they depend on.
-
-    As a context manager it makes the folder at the beginning of a run and removes it at the end; a
-    run that ends early leaves the folder behind, unless it is empty.
-    """
+    """A folder of logs, to the bit, under a key of everything that they depend on."""
 
     folder: Path
 
-    def __enter__(self) -> "Store":
-        self.folder.mkdir(parents=True, exist_ok=True)
-        return self
+    @contextmanager
+    def open(self) -> Iterator[None]:
+        """Make the folder at the beginning of a run and remove it at the end.
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        if error is None:
+        A run that ends early leaves the folder behind, unless it is empty.
+        """
+        self.folder.mkdir(parents=True, exist_ok=True)
+        try:
+            yield
             shutil.rmtree(self.folder, ignore_errors=True)
-        with suppress(OSError):  # the folder holds logs
-            self.folder.rmdir()
+        finally:
+            with suppress(OSError):  # the folder holds logs
+                self.folder.rmdir()
 
     def load(self, key: str) -> Log | None:
         """The log of a key; None where there is none or it can't be read."""

@@ -6,15 +6,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.challenge.campaigns.course import Course, make_course
+from pyhrg.challenge.campaigns.course import make_course
 from pyhrg.challenge.campaigns.gyro import TrueGyro
 from pyhrg.challenge.campaigns.instruments import Instruments
-from pyhrg.challenge.campaigns.nominal import draw_nominal, draw_site, make_nominal_device
+from pyhrg.challenge.campaigns.nominal import draw_nominal, draw_site
 from pyhrg.challenge.campaigns.plans import Plan, plan_further_tests, plan_tests
 from pyhrg.challenge.truths.meter import Meter, make_measured_course
 from pyhrg.challenge.truths.truth import Drawing, TrueState, Truth
 from pyhrg.common.site import Site
 from pyhrg.common.units import ARCSEC
+from pyhrg.device import device_file
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.gap.effects.catalogue import EFFECT_NAMES
@@ -30,8 +31,8 @@ STEPS = 100
 class Case:
     """One case. Its name does not depend on its kind.
 
-    strengths: sigmas that effects are drawn from.
-    without: effects that the diagnosis' catalogue lacks; of these the case's effect is drawn.
+    strengths: range that strengths of effects are drawn from, sigmas.
+    without: effects that are removed from the diagnosis' catalogue; the true effect is one of them.
     """
 
     name: str
@@ -43,19 +44,15 @@ class Case:
 
 @dataclass(frozen=True)
 class Fmus:
-    """The gyro's models.
-
-    carrier: `HRGCarrier`, of the truth of a campaign's short tests.
-    simulation: `HRG`, of that of all others; with `HRGSlow`, of the strengths.
-    """
+    """The models of the gyro: `HRGCarrier` makes the logs of short tests, `HRG` those of all
+    others; `HRG` and `HRGSlow` measure strengths."""
 
     carrier: GyroFmu
     simulation: Simulation
 
     def of(self, plan: Plan) -> GyroFmu:
         """The model of a test's truth."""
-        programme = plan.programme
-        short = is_short(len(programme), programme.interval)
+        short = is_short(len(plan.programme), plan.programme.interval)
         return self.carrier if short else self.simulation.sampled
 
 
@@ -80,8 +77,9 @@ class PreparedCase:
         made = []
         for plan, fmu in plans:
             gyro = TrueGyro(fmu, state.device, self.own, state.disturbance)
-            log, off = gyro.log(plan.id, _course(plan), plan.start_angle, noise)
-            made.append((Test(plan.id, plan.kind, plan.role, log), off))
+            course = make_course(plan.programme, plan.programme.interval / STEPS)
+            log, angle_noise = gyro.log(plan.id, course, plan.start_angle, noise)
+            made.append((Test(plan.id, plan.kind, plan.role, log), angle_noise))
         return made
 
     def campaign(self, tests: Sequence[Test]) -> Campaign:
@@ -98,7 +96,8 @@ def prepare_case(case: Case, simulation: Simulation) -> PreparedCase:
     """Draw a case from its seed."""
     gyro = _generator(case, GYRO)
     nominal, site = draw_nominal(gyro), draw_site(gyro)
-    device, own = make_nominal_device(nominal, site), Instruments().drawn(gyro)
+    device = replace(device_file.from_table(nominal, "nominal"), site=site)
+    own = Instruments().drawn(gyro)
     made = plan_tests(device, _generator(case, BENCH), complete=bool(case.without))
     fitted = [(make_measured_course(p.programme), p.start_angle) for p in made if p.role == "fit"]
     meter = Meter(simulation, device, fitted, own)
@@ -132,7 +131,3 @@ def add_next_test(case: Case, campaign: Campaign, kind: str, hours: float, fmus:
 
 def _generator(case: Case, stream: int) -> np.random.Generator:
     return np.random.default_rng(np.random.SeedSequence(case.seed, spawn_key=(stream,)))
-
-
-def _course(plan: Plan) -> Course:
-    return make_course(plan.programme, plan.programme.interval / STEPS)

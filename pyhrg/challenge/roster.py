@@ -3,44 +3,38 @@
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import cycle
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from pyhrg.challenge.case import Case
+from pyhrg.challenge.truths.seal import ChallengeError, encode_json
 from pyhrg.challenge.truths.truth import DETECTION_SIGMAS, KINDS
-from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
 from pyhrg.common.made_by import find_difference, list_versions
 from pyhrg.gap.effects.catalogue import EFFECT_NAMES
 
 SCHEMA = "hrg-challenge/1"
 MADE_BY = "made_by"
-STRONG = (DETECTION_SIGMAS, 10 * DETECTION_SIGMAS)
+STRONGEST_SIGMAS = 10 * DETECTION_SIGMAS
+"""Strength of the strongest effect, sigmas, where none is stated (chosen)."""
 WEAK = (1.0, DETECTION_SIGMAS)
-"""Ranges of strengths, sigmas."""
+"""Range of the strengths of weak effects, sigmas (chosen)."""
 STRENGTH_RANGE = 10.0
 """Strength of the strongest of several effects over that of one: real gyros have large and small
 errors at once."""
 
 
-class ChallengeError(HrgError):
-    """The folder is another challenge's or other code's, or a result in it can't be used."""
-
-
 @dataclass(frozen=True)
 class Settings:
-    """The settings that determine a challenge.
-
-    counts: cases by kind.
-    seed: of everything.
-    strongest: sigmas that effects are drawn up to.
-    """
+    """The settings that determine a challenge: number of cases by kind, seed of everything, and
+    strength that effects are drawn up to, sigmas."""
 
     counts: Mapping[str, int]
     seed: int
-    strongest: float = STRONG[1]
+    strongest: float = STRONGEST_SIGMAS
 
     def cases(self) -> list[Case]:
         """All cases. Names and order do not depend on the kinds."""
@@ -48,24 +42,19 @@ class Settings:
         generator = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(0,)))
         order = generator.permutation(len(kinds)).tolist()
         seeds = np.random.SeedSequence(self.seed, spawn_key=(1,)).generate_state(len(kinds))
-        left_out = iter(range(len(kinds)))
-        effects = {
-            i: EFFECT_NAMES[next(left_out) % len(EFFECT_NAMES)]
-            for i in order
-            if kinds[i] == "left_out"
-        }
+        effects = dict(zip((i for i in order if kinds[i] == "left_out"), cycle(EFFECT_NAMES)))
         return [
             Case(
                 name=f"unit-{place:04d}",
                 kind=kinds[i],
                 seed=int(seed),
-                strengths=self._strengths(kinds[i]),
+                strengths=self._get_strengths(kinds[i]),
                 without=(effects[i],) if i in effects else (),
             )
             for place, (i, seed) in enumerate(zip(order, seeds.tolist(), strict=True), 1)
         ]
 
-    def _strengths(self, kind: str) -> tuple[float, float]:
+    def _get_strengths(self, kind: str) -> tuple[float, float]:
         if kind == "weak":
             return WEAK
         return DETECTION_SIGMAS, self.strongest * (STRENGTH_RANGE if kind == "several" else 1.0)
@@ -104,21 +93,14 @@ class Folder:
         """Folder of a case's diagnosis."""
         return self.root / "diagnoses" / name
 
-    def next_campaign(self, name: str) -> Path:
-        """Folder of a case's campaign with the suggested next test."""
-        return self.root / "next" / "campaigns" / name
-
-    def next_diagnosis(self, name: str) -> Path:
-        """Folder of the diagnosis of a case with the suggested next test."""
-        return self.root / "next" / "diagnoses" / name
+    @property
+    def next(self) -> "Folder":
+        """Folder of the campaigns with the suggested next test, and of their diagnoses."""
+        return Folder(self.root / "next")
 
     def begin(self, settings: Settings) -> None:
-        """Begin a challenge, or continue the same one.
-
-        Raises:
-            ChallengeError: the folder is another challenge's, or other code has begun it.
-            OSError: it can't be written.
-        """
+        """Begin a challenge, or continue the same one; a folder that another challenge or other
+        code has begun is refused."""
         for folder in (self.root / "campaigns", self.root / "truths", self.root / "diagnoses"):
             folder.mkdir(parents=True, exist_ok=True)
         asked = {"seed": settings.seed, "counts": dict(settings.counts), "to": settings.strongest}
@@ -138,20 +120,12 @@ class Folder:
         write_whole(self.settings, text)
 
     def begun(self) -> Settings:
-        """The settings that the folder was begun with.
-
-        Raises:
-            ChallengeError: it holds no challenge.
-        """
+        """The settings that the folder was begun with."""
         values = _read(self.settings, "seed", "counts", "to")
         return Settings(values["counts"], values["seed"], values["to"])
 
     def published(self) -> dict[str, str]:
-        """The published hash of each truth, by case.
-
-        Raises:
-            ChallengeError: nothing is published here yet.
-        """
+        """The published hash of each truth, by case."""
         cases = _read(self.index, "cases")["cases"]
         try:
             return {case["name"]: case["sha256"] for case in cases}
@@ -160,11 +134,7 @@ class Folder:
             raise ChallengeError(f"{self.index}: cases: {expected}") from error
 
     def publish(self, cases: Sequence[Case], hashes: Sequence[str]) -> None:
-        """Write the index, or check it against the one that exists.
-
-        Raises:
-            ChallengeError: a truth isn't the one that was published.
-        """
+        """Write the index; refuse truths that are not those of an index that exists."""
         listed = [
             {"name": case.name, "sha256": digest, "without": list(case.without)}
             for case, digest in zip(cases, hashes, strict=True)
@@ -173,11 +143,6 @@ class Folder:
         if self.index.exists() and self.index.read_bytes() != text:
             raise ChallengeError(f"{self.index}: truths are not those that it has published")
         write_whole(self.index, text)
-
-
-def encode_json(values: Mapping[str, Any]) -> bytes:
-    """Bytes of a JSON file: the same for the same values."""
-    return (json.dumps(values, indent=1, sort_keys=True) + "\n").encode()
 
 
 def _read(path: Path, *names: str) -> dict[str, Any]:

@@ -1,16 +1,16 @@
 """Runs a challenge: simulate, publish hashes, diagnose, add next tests, score."""
 
-from collections.abc import Callable, Mapping, Sequence
+import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
 from pathlib import Path
 
 from pyhrg.challenge.case import Case, Fmus, add_next_test, generate_case
-from pyhrg.challenge.roster import STRONG, ChallengeError, Folder, Settings
-from pyhrg.challenge.scoring.diagnosis import read_scored
+from pyhrg.challenge.roster import STRONGEST_SIGMAS, Folder, Settings
 from pyhrg.challenge.scoring.report import Finished, Score, write
 from pyhrg.challenge.scoring.score import ScoredCase
-from pyhrg.challenge.truths import seal
+from pyhrg.challenge.truths.seal import ChallengeError, hash_truth, open_truth, seal_truth
 from pyhrg.challenge.truths.truth import DETECTION_SIGMAS
 from pyhrg.challenge.work import share_work
 from pyhrg.common.arguments import check_seed, check_whole_number, choose_workers
@@ -19,9 +19,8 @@ from pyhrg.common.files import replace_folder
 from pyhrg.fmu import GyroError
 from pyhrg.gap.diagnose import diagnose as diagnose_campaign
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE
-from pyhrg.gap.findings.diagnosis import FILE
-from pyhrg.gap.replay.models import load_model, load_simulation
-from pyhrg.gap.replay.simulation import Simulation
+from pyhrg.gap.findings.diagnosis import FILE, read_diagnosis
+from pyhrg.gap.replay.simulation import Simulation, load_model, load_simulation
 from pyhrg.records import campaign as campaigns
 
 Diagnose = Callable[[Path, Path, Sequence[str]], None]
@@ -32,11 +31,8 @@ MAX_CASES = 1_000_000
 
 @dataclass(frozen=True)
 class Challenge:
-    """One challenge.
-
-    folder: where it is kept; settings: what decides it; diagnose: diagnosis under challenge;
-    progress: whether a bar is shown on standard error.
-    """
+    """One challenge: its folder, its settings, the diagnosis under challenge, and whether a bar is
+    shown on standard error."""
 
     folder: Folder
     settings: Settings
@@ -44,19 +40,9 @@ class Challenge:
     progress: bool = False
 
     def run(self, workers: int, others: Sequence[Folder] = ()) -> Score:
-        """Do the remaining work and score; the same bytes on any number of workers.
-
-        Args:
-            workers: processes.
-            others: challenges that are finished, to be scored together with this one.
-
-        Raises:
-            ChallengeError: the folder is another challenge's or other code's, a truth or a
-                diagnosis can't be used, a worker was killed, or another challenge is not finished
-                or has a seed that is there already.
-            OSError: it can't be written.
-        """
-        known = self._others(others)
+        """Do the remaining work and score it, together with others that are finished; the same
+        bytes on any number of workers."""
+        known = self._read_others(others)
         cases = self.settings.cases()
         self.folder.begin(self.settings)
         with share_work(workers, self.progress, _fmus) as share:
@@ -69,7 +55,7 @@ class Challenge:
         write(score, self.folder.score)
         return score
 
-    def _others(self, folders: Sequence[Folder]) -> list[Finished]:
+    def _read_others(self, folders: Sequence[Folder]) -> list[Finished]:
         others = [read_finished(folder) for folder in folders]
         seeds = {self.settings.seed}
         for folder, other in zip(folders, others, strict=True):
@@ -80,8 +66,8 @@ class Challenge:
 
     def _is_to_be_settled(self, case: Case) -> bool:
         """Whether a next test is proposed for one or two effects of the catalogue."""
-        said = read_scored(self.folder.diagnosis(case.name))
-        return case.kind in ("single", "pair") and said.next_test is not None
+        diagnosis = read_diagnosis(self.folder.diagnosis(case.name))
+        return case.kind in ("single", "pair") and diagnosis.next_test is not None
 
 
 def run_challenge(
@@ -94,7 +80,7 @@ def run_challenge(
     weak: int = 0,
     several: int = 0,
     left_out: int = 0,
-    strongest: float = STRONG[1],
+    strongest: float = STRONGEST_SIGMAS,
     seed: int = 1,
     others: Sequence[Path | str] = (),
     workers: int | None = None,
@@ -124,16 +110,14 @@ def run_challenge(
             that can't be used.
         OSError: the folder can't be written.
     """
-    counts = {
-        "none": none,
-        "single": single,
-        "pair": pairs,
-        "outside": outside,
-        "weak": weak,
-        "several": several,
-        "left_out": left_out,
-    }
-    _check_numbers(counts, strongest)
+    counts = {"none": none, "single": single, "pair": pairs, "outside": outside}
+    counts |= {"weak": weak, "several": several, "left_out": left_out}
+    for name, count in counts.items():
+        check_whole_number("pairs" if name == "pair" else name, count, 0, MAX_CASES)
+    if not DETECTION_SIGMAS < strongest < math.inf:
+        raise HrgError(
+            f"strongest: found {strongest:g}, expected a number above {DETECTION_SIGMAS:g}"
+        )
     settings = Settings(counts, check_seed(seed), strongest)
     challenge = Challenge(Folder(Path(out)), settings, diagnose or diagnose_folder, progress)
     try:
@@ -142,28 +126,11 @@ def run_challenge(
         raise KeyboardInterrupt("interrupted; the same command goes on from here") from None
 
 
-def _check_numbers(counts: Mapping[str, int], strongest: float) -> None:
-    for name, count in counts.items():
-        check_whole_number("pairs" if name == "pair" else name, count, 0, MAX_CASES)
-    if not strongest > DETECTION_SIGMAS:
-        raise HrgError(
-            f"strongest: found {strongest:g}, expected a number above {DETECTION_SIGMAS:g}"
-        )
-
-
 def diagnose_folder(campaign: Path, out: Path, without: Sequence[str]) -> None:
-    """Write the diagnosis of a campaign with some effects removed from the catalogue.
-
-    Args:
-        campaign: folder of the campaign.
-        out: folder that exists.
-        without: names of the effects.
-    """
-    simulation = _load_simulation_once()
-    result = diagnose_campaign(
-        campaign, catalogue=FULL_CATALOGUE.without(without), simulation=simulation
-    )
-    result.write_files(out)
+    """Write the diagnosis of a campaign's folder into a folder that exists, the effects of these
+    names removed from the catalogue."""
+    catalogue, simulation = FULL_CATALOGUE.without(without), _load_simulation_once()
+    diagnose_campaign(campaign, catalogue=catalogue, simulation=simulation).write_files(out)
 
 
 @cache
@@ -172,64 +139,52 @@ def _load_simulation_once() -> Simulation:
 
 
 def read_finished(folder: Folder) -> Finished:
-    """A finished challenge, read from its folder.
-
-    Raises:
-        ChallengeError: it isn't, or a truth is not the one that was published.
-    """
+    """A finished challenge, read from its folder; its truths are checked by their hashes."""
     settings, published = folder.begun(), folder.published()
     names = [case.name for case in settings.cases()]
-    cases = [_read_case(folder, name, published.get(name, "nothing")) for name in names]
+    cases = []
+    for name in names:
+        truth = open_truth(folder.truth(name), published.get(name, "nothing"))
+        diagnosis, again = read_diagnosis(folder.diagnosis(name)), folder.next.diagnosis(name)
+        then = read_diagnosis(again) if (again / FILE).exists() else None
+        cases.append(ScoredCase(name, truth, diagnosis, then))
     return Finished(settings, cases)
-
-
-def _read_case(folder: Folder, name: str, published: str) -> ScoredCase:
-    try:
-        truth = seal.open_truth(folder.truth(name), published)
-    except seal.SealError as error:
-        raise ChallengeError(str(error)) from error
-    again = folder.next_diagnosis(name)
-    then = read_scored(again) if (again / FILE).exists() else None
-    return ScoredCase(name, truth, read_scored(folder.diagnosis(name)), then)
 
 
 def _generate(challenge: Challenge, case: Case) -> str:
     """Simulate a case and seal its truth unless its files exist; return the truth's hash."""
     truth, campaign = challenge.folder.truth(case.name), challenge.folder.campaign(case.name)
     if truth.exists() and (campaign / campaigns.INDEX).exists():
-        try:
-            return seal.hash_truth(truth)
-        except seal.SealError as error:
-            raise ChallengeError(str(error)) from error
+        return hash_truth(truth)
     try:
         made, answer = generate_case(case, _fmus())
     except (ValueError, GyroError) as error:
         raise ChallengeError(f"{case.name}: {error}") from error
     with replace_folder(campaign) as aside:
         campaigns.write_campaign(made, aside)
-    return seal.seal_truth(answer, truth)
+    return seal_truth(answer, truth)
 
 
 def _diagnose(challenge: Challenge, case: Case) -> None:
-    folder = challenge.folder
-    _diagnose_once(challenge, case, folder.campaign(case.name), folder.diagnosis(case.name))
+    folder, name = challenge.folder, case.name
+    _diagnose_once(challenge, case, folder.campaign(name), folder.diagnosis(name))
 
 
 def _diagnose_next(challenge: Challenge, case: Case) -> None:
     """Simulate the proposed next test and diagnose the extended campaign."""
     folder = challenge.folder
-    said = read_scored(folder.diagnosis(case.name))
-    kind, hours = str(said.next_test), said.next_hours
-    extended = folder.next_campaign(case.name)
+    extended = folder.next.campaign(case.name)
+    test = read_diagnosis(folder.diagnosis(case.name)).next_test
+    assert test is not None, "only cases with a next test are tested again"
     if not (extended / campaigns.INDEX).exists():
         before = campaigns.read_campaign(folder.campaign(case.name))
         try:
-            made = add_next_test(case, before, kind, hours, _fmus())
+            made = add_next_test(case, before, test.kind, test.hours, _fmus())
         except (ValueError, GyroError) as error:
             raise ChallengeError(f"{case.name}: next_test: {error}") from error
         with replace_folder(extended) as aside:
             campaigns.write_campaign(made, aside)
-    _diagnose_once(challenge, case, extended, folder.next_diagnosis(case.name))
+    _diagnose_once(challenge, case, extended, folder.next.diagnosis(case.name))
 
 
 def _diagnose_once(challenge: Challenge, case: Case, campaign: Path, out: Path) -> None:

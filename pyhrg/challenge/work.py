@@ -11,7 +11,7 @@ from typing import TypeVar
 from tqdm import tqdm
 
 from pyhrg.challenge.case import Case
-from pyhrg.challenge.roster import ChallengeError
+from pyhrg.challenge.truths.seal import ChallengeError
 
 Result = TypeVar("Result")
 Work = Callable[[Case], Result]
@@ -21,8 +21,8 @@ Work = Callable[[Case], Result]
 def share_work(
     workers: int, progress: bool, prepare: Callable[[], object]
 ) -> Iterator[Callable[[str, Work[Result], Sequence[Case]], list[Result]]]:
-    """A function that applies work to all cases and returns the results in order."""
-    """A function that does work on all cases, in processes that live while the context does.
+    """A function that does work on all cases and returns the results in order, in processes that
+    live while the context does.
 
     Args:
         workers: number of processes; one works in this process.
@@ -60,15 +60,11 @@ def _results(
         try:
             yield future.result()
         except BrokenProcessPool as error:
-            lost = [name for each, name in names.items() if not _has_result(each)]
+            lost = [n for f, n in names.items() if not f.done() or f.exception() is not None]
             raise ChallengeError(
                 f"{title}: a worker was killed, perhaps for want of memory, at one of "
                 f"{', '.join(lost[:workers])}; what is done is kept: go on with fewer --workers"
             ) from error
-
-
-def _has_result(future: Future[Result]) -> bool:
-    return future.done() and future.exception() is None
 
 
 def _collect(title: str, results: Iterable[Result], count: int, progress: bool) -> list[Result]:

@@ -8,44 +8,28 @@ from pyhrg.common.errors import HrgError
 
 
 def check_number(name: str, value: float, low: float, high: float) -> float:
-    """The number, if it is finite and between the bounds, ends included.
-
-    Raises:
-        HrgError: it is not.
-    """
+    """The number, if it is finite and between the bounds, ends included."""
     if not (math.isfinite(value) and low <= value <= high):
         raise HrgError(f"{name}: found {value:g}, expected a number from {low:g} to {high:g}")
     return float(value)
 
 
 def check_whole_number(name: str, value: int, low: int, high: int) -> int:
-    """The whole number, if it is between the bounds, ends included.
-
-    Raises:
-        HrgError: it is not.
-    """
+    """The whole number, if it is between the bounds, ends included."""
     if value != int(value) or not low <= value <= high:
         raise HrgError(f"{name}: found {value}, expected a whole number from {low} to {high}")
     return int(value)
 
 
 def check_seed(value: int) -> int:
-    """A seed of random numbers.
-
-    Raises:
-        HrgError: it is none.
-    """
+    """A seed of random numbers."""
     if not isinstance(value, Integral) or not 0 <= value < 2**63:
         raise HrgError(f"seed: found {value!r}, expected a whole number from 0 to 2^63 - 1")
     return int(value)
 
 
 def choose_workers(workers: int | None) -> int:
-    """Number of workers: the given one, or as many as this process has cores.
-
-    Raises:
-        HrgError: a number below 1.
-    """
+    """Number of workers: the given one, or as many as this process has cores."""
     if workers is None:
         return len(os.sched_getaffinity(0))
     if not isinstance(workers, Integral) or workers < 1:
@@ -54,11 +38,7 @@ def choose_workers(workers: int | None) -> int:
 
 
 def check_whole_minutes(name: str, hours: float, most_hours: float) -> int:
-    """Hours as whole minutes, at least one.
-
-    Raises:
-        HrgError: the hours are out of range or no whole minutes.
-    """
+    """Hours as whole minutes, at least one."""
     minutes = hours * 60
     if not 0.98 <= minutes <= most_hours * 60 or abs(minutes - round(minutes)) > 0.02:
         raise HrgError(

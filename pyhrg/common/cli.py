@@ -6,7 +6,7 @@ import signal
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from importlib.metadata import EntryPoint, entry_points, version
+from importlib.metadata import entry_points, version
 from typing import Any, NoReturn, Protocol
 
 from pyhrg.common.errors import HrgError
@@ -73,7 +73,9 @@ def _dispatch(arguments: Sequence[str] | None) -> int:
     subparsers = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     asked = (sys.argv[1:] if arguments is None else list(arguments))[:1]
     commands: dict[str, Command] = {}
-    for entry in _find_commands(asked):
+    installed = sorted(entry_points(group="hrg.commands"), key=lambda entry: entry.name)
+    # the subcommand that is asked for, alone; all of them where none is
+    for entry in [entry for entry in installed if entry.name in asked] or installed:
         command = commands[entry.name] = entry.load()
         subparser = subparsers.add_parser(entry.name, help=command.HELP, description=command.HELP)
         if entry.name in asked:
@@ -81,12 +83,6 @@ def _dispatch(arguments: Sequence[str] | None) -> int:
     options = parser.parse_args(arguments)
     commands[options.command].run(options)
     return 0
-
-
-def _find_commands(asked: Sequence[str]) -> list[EntryPoint]:
-    """The subcommand that is asked for, alone; all of them where none is."""
-    installed = sorted(entry_points(group="hrg.commands"), key=lambda entry: entry.name)
-    return [entry for entry in installed if entry.name in asked] or installed
 
 
 def collect_given(options: argparse.Namespace, names: Sequence[str]) -> dict[str, Any]:
@@ -97,11 +93,7 @@ def collect_given(options: argparse.Namespace, names: Sequence[str]) -> dict[str
 
 
 def refuse(options: argparse.Namespace, names: Sequence[str], reason: str) -> None:
-    """Refuse options that do not go with the others.
-
-    Raises:
-        HrgError: one of them is given; the message names it and the reason.
-    """
+    """Refuse options that do not go with the others."""
     for name in names:
         if getattr(options, name) not in (None, False):
             raise HrgError(f"--{name.replace('_', '-')}: {reason}")

@@ -10,11 +10,7 @@ from pathlib import Path
 
 
 def check_output_folder(out: Path) -> None:
-    """Refuse an output folder that can't be made or written, before any long work.
-
-    Raises:
-        OSError: its nearest existing parent, or itself, is no folder or can't be written.
-    """
+    """Refuse an output folder that can't be made or written, before any long work."""
     nearest = next(path for path in (out, *out.absolute().parents) if path.exists())
     if not nearest.is_dir():
         raise NotADirectoryError(errno.ENOTDIR, "it is no folder", str(nearest))
@@ -23,11 +19,7 @@ def check_output_folder(out: Path) -> None:
 
 
 def write_whole(path: Path, data: bytes) -> None:
-    """Write a file under another name, then rename it; nothing stays behind when that fails.
-
-    Raises:
-        OSError: the folder can't be written.
-    """
+    """Write a file under another name, then rename it; nothing stays behind when that fails."""
     handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
     aside = Path(name)
     try:
@@ -42,11 +34,7 @@ def write_whole(path: Path, data: bytes) -> None:
 
 @contextmanager
 def replace_folder(folder: Path) -> Iterator[Path]:
-    """Give a temporary folder that replaces `folder` and its content when the block succeeds.
-
-    Raises:
-        OSError: the parent of `folder` can't be written.
-    """
+    """Give a temporary folder that replaces `folder` and its content when the block succeeds."""
     folder.parent.mkdir(parents=True, exist_ok=True)
     aside = Path(tempfile.mkdtemp(prefix=f".{folder.name}.", dir=folder.parent))
     try:
@@ -61,15 +49,8 @@ def replace_folder(folder: Path) -> Iterator[Path]:
 
 @contextmanager
 def stage_files(out: Path, names: tuple[str, ...]) -> Iterator[Path]:
-    """Give a temporary folder within `out`, whose files move up to it when the block succeeds.
-
-    Args:
-        out: output folder; made if it does not exist, and removed again if the block fails.
-        names: of the files that the block writes.
-
-    Raises:
-        OSError: on entry, the folder can't be written, or a folder has one of the names.
-    """
+    """Give a temporary folder within `out`, whose files of these names move up to it when the block
+    succeeds. `out` is made if it does not exist, and removed again if the block fails."""
     made = [p for p in (out, *out.parents) if not p.exists()]
     try:
         out.mkdir(parents=True, exist_ok=True)

@@ -5,21 +5,16 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from pyhrg.common.toml_table import TomlTable, describe_range
+from pyhrg.common.toml_table import TomlTable
 
 
 @dataclass(frozen=True)
 class Key:
-    """A number of a file.
+    """A number of a file: SI value = number * factor + offset.
 
-    Attributes:
-        name: key in the file; ends in the unit.
-        field: attribute of the dataclass that the number fills, SI.
-        factor: SI value is number * factor + offset.
-        low: smallest number allowed, in the file's unit.
-        high: largest number allowed, in the file's unit.
-        offset: SI value of the number 0.
-        whole: whether the number counts something, without unit.
+    name: key in the file, which ends in the unit; field: attribute of the dataclass that the number
+    fills, SI; low, high: smallest and largest number allowed, in the file's unit; whole: whether
+    the number counts something, without unit.
     """
 
     name: str
@@ -29,11 +24,6 @@ class Key:
     high: float
     offset: float = 0.0
     whole: bool = False
-
-    @property
-    def expected(self) -> str:
-        """The range, in words."""
-        return describe_range(self.low, self.high)
 
     def to_si(self, value: float) -> float:
         """SI value of a number in the file's unit."""
@@ -47,34 +37,17 @@ class Key:
         return min(candidates, key=lambda candidate: abs(self.to_si(candidate) - value))
 
     def read(self, table: TomlTable) -> float:
-        """The SI value that a table states.
-
-        Raises:
-            SpecificationError: the key is missing, its value is no finite number or out of range
-                (or the table's own error class).
-        """
-        value = table.finite_number(self.name)
-        if self.whole and value != int(value):
-            raise table.error(self.name, table.values[self.name], "a whole number")
-        if not self.low <= value <= self.high:
-            raise table.error(self.name, table.values[self.name], self.expected)
-        return int(value) if self.whole else self.to_si(value)
+        """The SI value that a table states."""
+        if self.whole:
+            return table.whole_number(self.name, None, self.low, self.high)
+        return self.to_si(table.number(self.name, None, self.low, self.high))
 
 
 def read_fields(
     table: TomlTable, keys: Sequence[Key], other_keys: Collection[str] = ()
 ) -> dict[str, Any]:
-    """SI values of the keys that a table states, by field; keys that it leaves out are absent.
-
-    Args:
-        table: to be read.
-        keys: numbers that it may state. Where two keys have one field, a file states one of them.
-        other_keys: keys that the table may hold besides.
-
-    Raises:
-        SpecificationError: an unknown key; a value that is no finite number or out of range; a
-            field stated twice (or the table's own error class).
-    """
+    """SI values of the keys that a table states, by field; keys that it leaves out are absent. Of
+    two keys with one field, a file states one; it may hold `other_keys` besides."""
     table.check_known([*(key.name for key in keys), *other_keys])
     values: dict[str, Any] = {}
     stated_by: dict[str, str] = {}

@@ -1,7 +1,6 @@
 """Versions of all that decides the last bits of a result: this code and its libraries."""
 
 import hashlib
-from collections.abc import Iterator
 from functools import cache
 from importlib.metadata import version
 from importlib.util import find_spec
@@ -36,13 +35,6 @@ def find_difference(found: Any, expected: Any, key: str = "") -> tuple[str, Any,
 
 def _digest_code() -> str:
     digest = hashlib.sha256()
-    for root, file in _list_sources():
-        digest.update(file.relative_to(root).as_posix().encode())
-        digest.update(file.read_bytes())
-    return digest.hexdigest()[:32]
-
-
-def _list_sources() -> Iterator[tuple[Path, Path]]:
     for package in PACKAGES:
         spec = find_spec(package)
         assert spec is not None
@@ -50,4 +42,6 @@ def _list_sources() -> Iterator[tuple[Path, Path]]:
         root = Path(next(iter(spec.submodule_search_locations)))
         for file in sorted(root.rglob("*")):
             if file.suffix in SOURCES:
-                yield root.parent, file
+                digest.update(file.relative_to(root.parent).as_posix().encode())
+                digest.update(file.read_bytes())
+    return digest.hexdigest()[:32]

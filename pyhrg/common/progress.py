@@ -2,6 +2,7 @@
 
 import sys
 from collections.abc import Callable
+from functools import partial
 
 Progress = bool | Callable[[str], None] | None
 """What a caller may ask for: nothing, lines on standard error (True), or calls of a function."""
@@ -11,12 +12,4 @@ def make_progress_reporter(progress: Progress) -> Callable[[str], None]:
     """A function that is called with a line of text at each step."""
     if callable(progress):
         return progress
-    return _print_line if progress else _ignore
-
-
-def _print_line(text: str) -> None:
-    print(text, file=sys.stderr, flush=True)
-
-
-def _ignore(text: str) -> None:
-    pass
+    return partial(print, file=sys.stderr, flush=True) if progress else lambda text: None

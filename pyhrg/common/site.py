@@ -41,11 +41,9 @@ class Site:
     ) -> NDArray[np.float64]:
         """Component of Earth's rate on the input axis of a gyro on a turntable, rad/s.
 
-        Args:
-            axis_up: projection of the table's axis on local up.
-            misalignment: angle by which the input axis leans from the table's axis, rad.
-            azimuth: angle from north, about the table's axis, of the side to which the input axis
-                leans, rad; of a shape that broadcasts with `axis_up`.
+        `axis_up` is the projection of the table's axis on local up. The input axis leans from that
+        axis by `misalignment`, rad, to the side at `azimuth` from north about it, rad, of a shape
+        that broadcasts with `axis_up`.
         """
         up = np.asarray(axis_up) * np.cos(misalignment)
         lean = np.sin(misalignment) * np.cos(azimuth)

@@ -4,10 +4,11 @@ Every message has the form "FILE: KEY: found WHAT, expected WHAT".
 """
 
 import difflib
+import json
 import math
 import sys
 import tomllib
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -25,13 +26,10 @@ class SpecificationError(HrgError):
 
 @dataclass(frozen=True)
 class TomlTable:
-    """A table of a file.
+    """A table of a file, whose methods raise `error_class` for a value that they can't take.
 
-    Attributes:
-        source: the file, for messages.
-        prefix: what messages put before a key of this table, such as `site.` or `mission 2: `.
-        values: the table's content.
-        error_class: exception that is raised; methods say `SpecificationError` for it.
+    source: the file, for messages; prefix: what messages put before a key of this table, such as
+    `site.` or `mission 2: `; values: the table's content.
     """
 
     source: str
@@ -41,59 +39,42 @@ class TomlTable:
 
     def error(self, key: str, found: object, expected: str) -> HrgError:
         """Make the error about a key's value."""
-        return self.error_class(
-            f"{self.source}: {self.prefix}{key}: found {found!r}, expected {expected}"
-        )
+        return self._make_error(key, repr(found), expected)
 
     def missing(self, key: str, expected: str) -> HrgError:
         """Make the error about a key that is not there."""
+        return self._make_error(key, "no such key", expected)
+
+    def _make_error(self, key: str, found: str, expected: str) -> HrgError:
         return self.error_class(
-            f"{self.source}: {self.prefix}{key}: found no such key, expected {expected}"
+            f"{self.source}: {self.prefix}{key}: found {found}, expected {expected}"
         )
 
     def check_known(self, names: Collection[str]) -> None:
-        """Refuse keys outside `names`; the message proposes those that resemble an unknown key.
-
-        Raises:
-            SpecificationError: the table has another key.
-        """
+        """Refuse keys outside `names`; the message proposes those that resemble an unknown key."""
         dotted = self.prefix.rpartition(": ")[2]
         for key in self.values:
             if key not in names:
                 close = difflib.get_close_matches(key, names, n=1) or sorted(names)[:PROPOSALS]
                 more = " or another" if len(close) == PROPOSALS < len(names) else ""
-                raise self.error_class(
-                    f"{self.source}: {self.prefix}{key}: found an unknown key, "
-                    f"expected {' or '.join(dotted + name for name in close)}{more}"
-                )
+                names_meant = " or ".join(dotted + name for name in close)
+                raise self._make_error(key, "an unknown key", f"{names_meant}{more}")
 
     def require(self, key: str, expected: str) -> Any:
-        """A key's value as it stands.
-
-        Raises:
-            SpecificationError: the key is missing.
-        """
+        """A key's value as it stands."""
         if key not in self.values:
             raise self.missing(key, expected)
         return self.values[key]
 
     def table(self, key: str) -> "TomlTable":
-        """A table within this one; empty if it is not there.
-
-        Raises:
-            SpecificationError: the value is no table.
-        """
+        """A table within this one; empty if it is not there."""
         value = self.values.get(key, {})
         if not isinstance(value, dict):
             raise self.error(key, value, "a table")
         return replace(self, prefix=f"{self.prefix}{key}.", values=value)
 
     def tables(self, key: str) -> list["TomlTable"]:
-        """The tables of an array (`[[key]]`); an empty list if it is not there.
-
-        Raises:
-            SpecificationError: the value is no array of tables.
-        """
+        """The tables of an array (`[[key]]`); an empty list if it is not there."""
         values = self.values.get(key, [])
         if not isinstance(values, list):
             raise self.error(key, values, f"tables, [[{key}]]")
@@ -106,11 +87,7 @@ class TomlTable:
         ]
 
     def text(self, key: str, default: str | None, choices: Sequence[str] = ()) -> str:
-        """A text, which is one of the choices if there are any; required where there is no default.
-
-        Raises:
-            SpecificationError: the key is missing, or the value is no such text.
-        """
+        """A text, one of the choices if there are any; required where there is no default."""
         if default is None:
             self.require(key, " or ".join(choices) or "text")
         value = self.values.get(key, default)
@@ -119,64 +96,36 @@ class TomlTable:
         return value
 
     def flag(self, key: str, default: bool) -> bool:
-        """True or false.
-
-        Raises:
-            SpecificationError: the value is neither.
-        """
+        """True or false."""
         value = self.values.get(key, default)
         if not isinstance(value, bool):
             raise self.error(key, value, "true or false")
         return value
 
     def finite_number(self, key: str, default: float | None = None) -> float:
-        """A number; required where there is no default.
-
-        Raises:
-            SpecificationError: the key is missing, or the value is no finite number.
-        """
+        """A number; required where there is no default."""
         if default is None:
             self.require(key, "a number")
         return self._finite(key, self.values.get(key, default))
 
     def number(self, key: str, default: float | None, low: float, high: float) -> float:
-        """A number from `low` to `high`, ends included; required where there is no default.
-
-        Raises:
-            SpecificationError: the key is missing, or the value is no such number.
-        """
+        """A number from `low` to `high`, ends included; required where there is no default."""
         value = self.finite_number(key, default)
         if not low <= value <= high:
             raise self.error(key, self.values.get(key, default), describe_range(low, high))
         return value
 
-    def whole_number(self, key: str, default: int | None, low: int, high: int) -> int:
-        """A whole number from `low` to `high`, ends included; required where there is no default.
-
-        Raises:
-            SpecificationError: the key is missing, or the value is no such number.
-        """
+    def whole_number(self, key: str, default: int | None, low: float, high: float) -> int:
+        """A whole number from `low` to `high`, ends included; required without a default."""
         value = self.number(key, default, low, high)
         if value != int(value):
             raise self.error(key, value, "a whole number")
         return int(value)
 
-    def numbers(
-        self, key: str, count: int | None, low: float, high: float, default: Sequence[float] = ()
-    ) -> tuple[float, ...]:
-        """Numbers from `low` to `high`, ends included; the default where the key is missing.
-
-        Args:
-            key: of an array.
-            count: how many; None: any number of them.
-            low: smallest number allowed.
-            high: largest number allowed.
-            default: of a table without the key.
-
-        Raises:
-            SpecificationError: the value is no such array.
-        """
-        values = self.values.get(key, list(default))
+    def numbers(self, key: str, count: int | None, low: float, high: float) -> tuple[float, ...]:
+        """An array of `count` numbers (None: any count) from `low` to `high`, ends included; empty
+        where the key is missing."""
+        values = self.values.get(key, [])
         if not isinstance(values, list) or count not in (None, len(values)):
             raise self.error(
                 key, values, f"{'' if count is None else f'{count} '}numbers in brackets"
@@ -202,23 +151,24 @@ def describe_range(low: float, high: float) -> str:
 
 
 def read_table(path: Path, error_class: type[HrgError] = SpecificationError) -> TomlTable:
-    """The whole content of a TOML file.
-
-    Raises:
-        SpecificationError: the file can't be read or is no TOML (or `error_class`).
-    """
-    return TomlTable(str(path), "", read_toml(path, error_class), error_class)
+    """The whole content of a TOML file."""
+    return _read_file(path, "TOML", tomllib.loads, error_class)
 
 
-def read_toml(path: Path, error_class: type[HrgError] = SpecificationError) -> dict[str, Any]:
-    """The content of a TOML file as a dictionary.
+def read_json_table(path: Path, error_class: type[HrgError]) -> TomlTable:
+    """The whole content of a JSON file, whose objects are tables."""
+    return _read_file(path, "JSON", json.loads, error_class)
 
-    Raises:
-        SpecificationError: the file can't be read or is no TOML (or `error_class`).
-    """
+
+def _read_file(
+    path: Path, kind: str, parse: Callable[[str], Any], error_class: type[HrgError]
+) -> TomlTable:
     try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
+        values = parse(path.read_text(encoding="utf-8"))
     except OSError as error:
         raise error_class(f"{path}: can't be read: {error.strerror or error}") from error
     except ValueError as error:
-        raise error_class(f"{path}: found what is no TOML: {error}") from error
+        raise error_class(f"{path}: found what is no {kind}: {error}") from error
+    if not isinstance(values, dict):
+        raise error_class(f"{path}: found {type(values).__name__}, expected a {kind} object")
+    return TomlTable(str(path), "", values, error_class)

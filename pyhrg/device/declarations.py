@@ -3,7 +3,7 @@
 A field of a dataclass is declared by `parameter`. From the declarations follow the keys of device
 files (`pyhrg.device.keys`), the names in the FMU (`pyhrg.device.fmu_parameters`), the catalogue of
 effects (`pyhrg.gap.effects.catalogue`) and the coordinates that an effect shows in
-(`pyhrg.challenge.scoring.coordinates`).
+(`pyhrg.challenge.scoring.score`).
 """
 
 import math
@@ -13,7 +13,8 @@ from typing import Literal
 
 @dataclass(frozen=True)
 class EffectDeclaration:
-    """The parameter is what may be wrong with a gyro: an effect that a diagnosis may name.
+    """The parameter is what may be wrong with a gyro: an effect that a diagnosis may name, or a
+    noise that it may find above its believed level.
 
     name: in the record format.
     scale: typical size in a trimmed gyro of this class, SI.
@@ -30,18 +31,6 @@ class EffectDeclaration:
     position: float = math.inf
     angle: str = ""
     periods: int = 0
-
-
-@dataclass(frozen=True)
-class NoiseDeclaration:
-    """The parameter is a noise that a diagnosis may find above its believed level.
-
-    name, scale, coordinates: see `EffectDeclaration`.
-    """
-
-    name: str
-    scale: float
-    coordinates: tuple[str, ...] = ("noise",)
 
 
 Family = Literal["gyro", "nominal", "bench", "record"]
@@ -79,7 +68,7 @@ class Declaration:
     zero: float
     fmu: tuple[str, ...]
     effect: EffectDeclaration | None
-    noise: NoiseDeclaration | None
+    noise: EffectDeclaration | None
     known: ToleranceDeclaration | None
 
 
@@ -92,7 +81,7 @@ def parameter(
     zero: float = 0.0,
     fmu: str | tuple[str, ...] = (),
     effect: EffectDeclaration | None = None,
-    noise: NoiseDeclaration | None = None,
+    noise: EffectDeclaration | None = None,
     known: ToleranceDeclaration | None = None,
 ) -> float:
     """A field of a dataclass that is a parameter of a gyro.

@@ -15,9 +15,6 @@ from pyhrg.common.toml_table import TomlTable, read_table
 from pyhrg.device.device import FMU_NAMES, AngleMap, Device
 from pyhrg.device.keys import KEYS, MAPS, SITE_KEYS
 
-SCATTERED_NAMES = FMU_NAMES - {"seed", "startAngle"}
-"""Parameters of the FMU that may differ from power-on to power-on, beside those of `[model]`."""
-
 TABLES = (*MAPS, "site", "specification", "model", "turn_on_scatter")
 
 NOMINAL = (
@@ -41,38 +38,21 @@ class DeviceError(HrgError):
     """A device file can't be used; the message names file, key, what was found and expected."""
 
 
-def read(path: Path, fmu_names: Collection[str] | None = None) -> Device:
-    """The device in a file; an empty file is an ideal gyro.
+def read(path: Path) -> Device:
+    """The device in a TOML file; an empty file is an ideal gyro.
 
-    Args:
-        path: TOML. At the top `name` and the keys of `pyhrg.device.keys.KEYS`; tables `[bias_map]`
-            (deg/h), `[scale_factor_map]` (arcsec of pattern angle), `[site]`, `[specification]`
-            (limits by finding), `[model]` (other parameters of the FMU, by its names, SI) and
-            `[turn_on_scatter]` (standard deviations of parameters of the FMU from power-on to
-            power-on, by its names, SI).
-        fmu_names: names that `[model]` may use (`GyroFmu.references`); None leaves them to the FMU.
-
-    Raises:
-        DeviceError: an unreadable file, an unknown key, a field set twice, or a value that is not
-            finite or out of range.
+    At the top stand `name` and the keys of `pyhrg.device.keys.KEYS`; tables are `[bias_map]`
+    (deg/h), `[scale_factor_map]` (arcsec of pattern angle), `[site]`, `[specification]` (limits by
+    finding), `[model]` (other parameters of the FMU, by its names, SI) and `[turn_on_scatter]`
+    (standard deviations of parameters of the FMU from power-on to power-on, by its names, SI).
     """
-    return _read_device(read_table(path, DeviceError), fmu_names)
+    return _read_device(read_table(path, DeviceError))
 
 
-def from_table(
-    document: Mapping[str, Any], source: str, fmu_names: Collection[str] | None = None
-) -> Device:
-    """The device with the keys and values of a device file, such as a campaign's `nominal`.
-
-    Args:
-        document: values and tables by key.
-        source: file or place of the values, for messages.
-        fmu_names: see `read`.
-
-    Raises:
-        DeviceError: see `read`.
-    """
-    return _read_device(TomlTable(source, "", document, DeviceError), fmu_names)
+def from_table(document: Mapping[str, Any], source: str) -> Device:
+    """The device with the keys and values of a device file, such as a campaign's `nominal`; the
+    source is their file or place, for messages."""
+    return _read_device(TomlTable(source, "", document, DeviceError))
 
 
 def write(device: Device, path: Path) -> None:
@@ -80,9 +60,6 @@ def write(device: Device, path: Path) -> None:
 
     The file appears whole or not at all. A device that was read from a file reads back to the same
     bits; any other to the nearest values that numbers in the file's units give.
-
-    Raises:
-        OSError: the folder can't be written.
     """
     ideal = Device()
     document: dict[str, Any] = {"name": device.name} if device.name else {}
@@ -103,14 +80,16 @@ def nominal(device: Device) -> dict[str, float]:
     return {name: by_name[name].from_si(getattr(device, by_name[name].field)) for name in NOMINAL}
 
 
-def _read_device(document: TomlTable, fmu_names: Collection[str] | None) -> Device:
+def _read_device(document: TomlTable) -> Device:
     maps: dict[str, Any] = {
         name: AngleMap(**read_fields(document.table(name), keys)) for name, keys in MAPS.items()
     }
     model = document.table("model")
-    _check_model(document, model, fmu_names)
+    for name in model.values:
+        if name in FMU_NAMES:
+            raise document.error("model", name, "names that have no key or power-on of their own")
     scatter = document.table("turn_on_scatter")
-    scatter.check_known(sorted({*SCATTERED_NAMES, *model.values}))
+    scatter.check_known(sorted((FMU_NAMES - {"seed", "startAngle"}) | model.values.keys()))
     device = Device(
         name=document.text("name", ""),
         **read_fields(document, KEYS, ("name", *TABLES)),
@@ -120,7 +99,10 @@ def _read_device(document: TomlTable, fmu_names: Collection[str] | None) -> Devi
         model={key: model.finite_number(key) for key in model.values},
         turn_on_scatter=_read_positive_numbers(scatter),
     )
-    _check_damping(document, device)
+    highest = 2 / device.decay_time  # an axis can't gain energy by itself: D/2 <= 1/tau
+    if device.damping_anisotropy > highest:
+        expected = f"at most 2/decay_time_s, {highest:g}"
+        raise document.error("damping_anisotropy_per_s", device.damping_anisotropy, expected)
     return device
 
 
@@ -130,25 +112,6 @@ def _read_positive_numbers(table: TomlTable) -> dict[str, float]:
         if value <= 0:
             raise table.error(key, value, "a number above 0")
     return values
-
-
-def _check_model(document: TomlTable, model: TomlTable, fmu_names: Collection[str] | None) -> None:
-    for name in model.values:
-        if name in FMU_NAMES:
-            raise document.error("model", name, "names that have no key or power-on of their own")
-    if fmu_names is not None:
-        model.check_known(fmu_names)
-
-
-def _check_damping(document: TomlTable, device: Device) -> None:
-    """An axis can't gain energy by itself: D/2 <= 1/tau."""
-    highest = 2 / device.decay_time
-    if device.damping_anisotropy > highest:
-        raise document.error(
-            "damping_anisotropy_per_s",
-            device.damping_anisotropy,
-            f"at most 2/decay_time_s, {highest:g}",
-        )
 
 
 def _write_keys(keys: Collection[Key], values: Any, defaults: Any) -> dict[str, float]:

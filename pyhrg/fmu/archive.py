@@ -21,11 +21,8 @@ class GyroError(HrgError):
 class Archive:
     """An FMU, extracted beside its file.
 
-    Attributes:
-        description: FMPy's model description.
-        folder: the extracted archive.
-        references: value reference of each variable, by name.
-        kinds: FMI type of each variable, by name.
+    description: FMPy's model description; folder: the extracted archive; references: value
+    reference of each variable, by name; kinds: FMI type of each variable, by name.
     """
 
     def __init__(self, path: Path) -> None:
@@ -44,11 +41,7 @@ class Archive:
         return "controller.amplitudeLoop.naturalFrequency" in self.references
 
     def find_references(self, names: Iterable[str]) -> NDArray[np.uint32]:
-        """Value references of variables.
-
-        Raises:
-            GyroError: there is no variable of a name.
-        """
+        """Value references of variables."""
         names = list(names)
         for name in names:
             if name not in self.references:

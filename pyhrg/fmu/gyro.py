@@ -33,13 +33,8 @@ class Gyro:
         give_back: Callable[[Instance], None],
         is_stopped: Callable[[], bool],
     ) -> None:
-        """Take over an instance that is set up.
-
-        Args:
-            instance: of the FMU.
-            give_back: called with the instance when it was reset.
-            is_stopped: whether drives under way are to end with `GyroError`.
-        """
+        """Take over an instance that is set up and given back when it was reset; `is_stopped` says
+        whether drives under way are to end with `GyroError`."""
         self._instance = instance
         self._give_back = give_back
         self._is_stopped = is_stopped
@@ -61,15 +56,8 @@ class Gyro:
         self._give_back(self._instance)
 
     def advance(self, rate: float, duration: float) -> float:
-        """Turn the case at a constant inertial rate.
-
-        Args:
-            rate: about the input axis, rad/s.
-            duration: s.
-
-        Returns:
-            The gyro's angle at the end, rad.
-        """
+        """Turn the case at a constant inertial rate about the input axis, rad/s, for a duration, s;
+        returns the gyro's angle at the end, rad."""
         return float(self.drive(np.array([rate]), duration)[0])
 
     def drive(self, rates: Array, step: float) -> Array:

@@ -39,7 +39,9 @@ class GyroFmu(Archive):
         Raises:
             GyroError: a value that the FMU refuses.
         """
-        instance = self._take_instance()
+        # instances are kept because FMPy takes long to look up a library's functions
+        with _LOADING:
+            instance = self._idle.pop() if self._idle else Instance(self)
         instance.set_up({**parameters, "startAngle": start_angle, "seed": seed})
         return Gyro(instance, self._give_back, self._is_stopped)
 
@@ -50,14 +52,6 @@ class GyroFmu(Archive):
                 rest, on = np.zeros((1, 1)), np.ones(1)
                 gyro.record({"angularRate": rest}, {"driveOn": on}, 0.01, ["gyroAngle"], ["valid"])
             self._prepared = True
-
-    def _take_instance(self) -> Instance:
-        """An instance that was switched off, as new, or a new one.
-
-        Instances are kept because FMPy takes long to look up a library's functions.
-        """
-        with _LOADING:
-            return self._idle.pop() if self._idle else Instance(self)
 
     def _give_back(self, instance: Instance) -> None:
         with _LOADING:

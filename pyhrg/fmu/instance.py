@@ -22,15 +22,18 @@ class Instance:
         )
         self.loops = compile_loops(self.slave.dll._name)
         self._messages: list[str] = []
-        self._callbacks = self._make_callbacks()
+        messages = self._messages  # not self: the slave holds what it calls
+
+        def log(env: Any, name: bytes, status: int, category: bytes, message: bytes) -> None:
+            messages.append(message.decode())
+
+        self._callbacks = fmi2CallbackFunctions()
+        self._callbacks.logger = fmi2CallbackLoggerTYPE(log)
         self.slave.instantiate(callbacks=self._callbacks)
 
     def set_up(self, parameters: Mapping[str, float]) -> None:
-        """Set parameters by name, SI, and start the simulation.
-
-        Raises:
-            GyroError: a value that the FMU refuses; the instance is freed.
-        """
+        """Set parameters by name, SI, and start the simulation; where the FMU refuses one, the
+        instance is freed."""
         try:
             self._call(self.slave.setupExperiment, startTime=0.0)
             self._call(self.slave.enterInitializationMode)
@@ -42,11 +45,7 @@ class Instance:
             raise
 
     def reset(self) -> None:
-        """End the simulation; the instance can be set up again.
-
-        Raises:
-            GyroError: the FMU refuses; the instance is freed.
-        """
+        """End the simulation; the instance can be set up again, unless the FMU refuses."""
         try:
             self._call(self.slave.terminate)
             self._call(self.slave.reset)
@@ -55,11 +54,7 @@ class Instance:
             raise
 
     def set_value(self, name: str, value: float) -> None:
-        """Set one variable, SI.
-
-        Raises:
-            GyroError: an unknown name, or a value that the FMU refuses.
-        """
+        """Set one variable, SI."""
         references = [int(reference) for reference in self.archive.find_references([name])]
         if self.archive.kinds[name] == "Integer":
             if value != int(value):
@@ -79,13 +74,3 @@ class Instance:
             function(*args, **kwargs)
         except Exception as error:  # FMPy raises a bare Exception for a status that is not OK
             raise GyroError(self.explain(str(error))) from error
-
-    def _make_callbacks(self) -> fmi2CallbackFunctions:
-        messages = self._messages
-
-        def log(env: Any, name: bytes, status: int, category: bytes, message: bytes) -> None:
-            messages.append(message.decode())
-
-        callbacks = fmi2CallbackFunctions()
-        callbacks.logger = fmi2CallbackLoggerTYPE(log)
-        return callbacks

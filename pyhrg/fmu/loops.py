@@ -23,12 +23,8 @@ class Loops(NamedTuple):
     record: Loop
 
 
-class _Functions(NamedTuple):
-    """FMI functions of a library, as compiled code calls them."""
-
-    set_real: Any
-    get_real: Any
-    do_step: Any
+_Functions = tuple[Any, Any, Any]
+"""fmi2SetReal, fmi2GetReal and fmi2DoStep of a library, as compiled code calls them."""
 
 
 @lru_cache(maxsize=4)
@@ -46,10 +42,10 @@ def _find_functions(library: str) -> _Functions:
         pointer = ctypes.cast(getattr(dll, name), ctypes.c_void_p)
         return ctypes.CFUNCTYPE(status, *arguments)(pointer.value or 0)
 
-    return _Functions(
-        set_real=find("fmi2SetReal", handle, handle, ctypes.c_size_t, handle),
-        get_real=find("fmi2GetReal", handle, handle, ctypes.c_size_t, handle),
-        do_step=find("fmi2DoStep", handle, real, real, status),
+    return (
+        find("fmi2SetReal", handle, handle, ctypes.c_size_t, handle),
+        find("fmi2GetReal", handle, handle, ctypes.c_size_t, handle),
+        find("fmi2DoStep", handle, real, real, status),
     )
 
 

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -16,16 +15,17 @@ from pyhrg.common.progress import Progress, make_progress_reporter
 from pyhrg.common.units import ARCSEC
 from pyhrg.device import device_file
 from pyhrg.device.device import Device
-from pyhrg.gap.closing.closing import Closing, Residuals, close_gap, nominal_device
-from pyhrg.gap.closing.gap_figures import compute_gap_figures
+from pyhrg.gap.closing.closing import Closing, Residuals, close_gap
+from pyhrg.gap.closing.verification import compute_gap_figures
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue, NoiseEffect
 from pyhrg.gap.effects.design import build_design
 from pyhrg.gap.evidence.attribution import Attribution, attribute_gap
-from pyhrg.gap.evidence.hypothesis import Hypothesis, angle_residuals
+from pyhrg.gap.evidence.hypothesis import Hypothesis
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_search import find_noise_equivalents
 from pyhrg.gap.evidence.noise.quantization import add_quantization
 from pyhrg.gap.evidence.noise.unstated_noise import complete_stated_noise
+from pyhrg.gap.evidence.residuals import compute_residuals
 from pyhrg.gap.findings import diagnosis as diagnosis_file
 from pyhrg.gap.findings.diagnosis import Diagnosis, Verdict
 from pyhrg.gap.findings.localisation import locate_gap
@@ -39,13 +39,11 @@ from pyhrg.gap.findings.verdict import (
 from pyhrg.gap.next_test.next_test import suggest_next_test
 from pyhrg.gap.next_test.rivals import find_rivals
 from pyhrg.gap.next_test.static_test import suggest_static_test
-from pyhrg.gap.replay.encoder import describe_encoder_noise
-from pyhrg.gap.replay.free_pattern import truncate_free_pattern
-from pyhrg.gap.replay.models import load_simulation as build_simulation
+from pyhrg.gap.replay.instruments import describe_encoder_noise
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest, observe_test
 from pyhrg.gap.replay.replay import has_start_angle
-from pyhrg.gap.replay.simulation import Simulation
-from pyhrg.gap.soundness import screen_campaign
+from pyhrg.gap.replay.simulation import Simulation, load_simulation, truncate_free_pattern
+from pyhrg.gap.soundness import nominal_device, screen_campaign
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
 from pyhrg.records import campaign as campaigns
 from pyhrg.records.campaign import Campaign, CampaignError
@@ -117,7 +115,10 @@ class CampaignDiagnosis:
         Raises:
             HrgError: no such test was used.
         """
-        index = self._index(test_id)
+        ids = [test.test.id for test in self.tests]
+        if test_id not in ids:
+            raise HrgError(f"test_id: found {test_id!r}, expected one of {', '.join(ids)}")
+        index = ids.index(test_id)
         columns, units = {"time_s": self.tests[index].log.time}, {"time_s": "s"}
         for channel in CHANNELS:
             unit, factor = BY_FIELD[channel].unit, BY_FIELD[channel].factor
@@ -167,12 +168,6 @@ class CampaignDiagnosis:
         device_file.write(self.identified, folder / AFTER_FILE)
         diagnosis_file.write(self.diagnosis, folder)
 
-    def _index(self, test_id: str) -> int:
-        ids = [test.test.id for test in self.tests]
-        if test_id not in ids:
-            raise HrgError(f"test_id: found {test_id!r}, expected one of {', '.join(ids)}")
-        return ids.index(test_id)
-
 
 def diagnose(
     campaign: Campaign | Path | str,
@@ -200,13 +195,16 @@ def diagnose(
     campaign = (
         campaign if isinstance(campaign, Campaign) else campaigns.read_campaign(Path(campaign))
     )
-    simulation = simulation or build_simulation(report)
+    simulation = simulation or load_simulation(report)
     nominal, tests, excluded = _prepare(campaign, simulation)
     fitted = [test for test in tests if not test.test.is_holdout]
     attribution = attribute_gap(simulation, nominal, fitted, catalogue, report)
-    attribution = attribution.replace_noises(
-        partial(_complete_noise, attribution, fitted, catalogue.noises)
+    hypotheses = tuple(
+        replace(h, noise=_complete_noise(attribution, fitted, catalogue.noises, h))
+        for h in attribution.posterior.hypotheses
     )
+    posterior = replace(attribution.posterior, hypotheses=hypotheses)
+    attribution = replace(attribution, posterior=posterior)
     report("closing")
     closing = close_gap(simulation, attribution, tests)
     report("verifying, and looking for the next test")
@@ -250,8 +248,13 @@ def _complete_noise(
     hypothesis also with the noises that are confounded with its own."""
     noise, nominal = hypothesis.noise, attribution.nominal
     if hypothesis is attribution.posterior.best:
-        sizes, parts = hypothesis.sizes, attribution.parts
-        residuals = angle_residuals(parts, sizes, attribution.channel_noise, nominal)
+        residuals = compute_residuals(
+            attribution.parts,
+            hypothesis.sizes,
+            attribution.channel_noise,
+            nominal,
+            ("gyro_angle",),
+        )
         noise = find_noise_equivalents(noise, residuals, build_angle_noise(nominal), noises)
     return add_quantization(noise, tests, nominal.quantization_step, noises)
 
@@ -280,7 +283,7 @@ def _summarize(
         sizes=measure_sizes(
             attribution.parts, closing.before[:count], closing.after[:count], stated_noise
         ),
-        gap=compute_gap_figures(tests, before, after, attribution),
+        gap=compute_gap_figures(tests, before, after, attribution.noise.noise),
         next_test=suggest_next_test(
             simulation, attribution, find_rivals(attribution, catalogue.effects)
         )

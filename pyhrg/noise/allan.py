@@ -10,10 +10,11 @@ from numpy.typing import ArrayLike
 from scipy.stats import chi2
 
 from pyhrg.common.arguments import check_number, check_whole_number
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.noise.coefficients import CONFIDENCE
 from pyhrg.noise.fitting import check_record, maximize_likelihood
-from pyhrg.noise.likelihood import Array, compute_spectrum
+from pyhrg.noise.likelihood import compute_spectrum
 
 CORRELATION_CLUSTERS = 16
 """Lag, in cluster times, beyond which second differences of flicker noise count as independent.
@@ -53,15 +54,9 @@ def estimate_allan_deviation(angle: Array, interval: float, per_octave: int = 4)
     An interval is that of a chi-squared variance, with the degrees of freedom that the second
     differences have under the noises estimated from the record (C. Greenhall, W. Riley, Uncertainty
     of stability variances based on finite differences, PTTI 2003; there for one power law at a
-    time). It holds for the noises; a rate ramp adds to the deviation and is not random.
-
-    Args:
-        angle: (n,) rad, evenly spaced, without gaps.
-        interval: between angles, s.
-        per_octave: cluster times in a factor of two, where whole multiples of the interval allow.
-
-    Raises:
-        NoiseError: see `check_record`.
+    time). It holds for the noises; a rate ramp adds to the deviation and is not random. Angles are
+    (n,) rad, evenly spaced without gaps, `interval` seconds apart; there are `per_octave` cluster
+    times in a factor of two, where whole multiples of the interval allow.
     """
     check_record(angle, interval)
     strengths = maximize_likelihood([compute_spectrum(angle)])
@@ -115,15 +110,10 @@ def allan_deviation(
     if kind == "rate":
         series = interval_s * np.append(0.0, np.cumsum(series))
     estimate = estimate_allan_deviation(series, interval_s, per_octave)
-    columns = {
-        "cluster_time_s": (estimate.tau, "s"),
-        "deviation": (estimate.deviation, "rate"),
-        "low_95": (estimate.low, "rate"),
-        "high_95": (estimate.high, "rate"),
-        "degrees_of_freedom": (estimate.freedom, "1"),
-    }
-    frame = pd.DataFrame({name: column for name, (column, _) in columns.items()})
-    frame.attrs["units"] = {name: unit for name, (_, unit) in columns.items()}
+    names = ("cluster_time_s", "deviation", "low_95", "high_95", "degrees_of_freedom")
+    columns = (estimate.tau, estimate.deviation, estimate.low, estimate.high, estimate.freedom)
+    frame = pd.DataFrame(dict(zip(names, columns, strict=True)))
+    frame.attrs["units"] = dict(zip(names, ("s", "rate", "rate", "rate", "1"), strict=True))
     return frame
 
 
@@ -141,10 +131,7 @@ def _estimate_deviation(angle: Array, m: int) -> float:
 def _compute_freedom(strengths: Array, count: int, m: int) -> float:
     """Equivalent degrees of freedom of the mean square of `count` overlapping second differences.
 
-    Args:
-        strengths: (4,) of the noises, rad^2.
-        count: of second differences.
-        m: angles in a cluster.
+    Strengths of the noises are (4,) rad^2; a cluster has m angles.
     """
     lag = np.arange(min(count, CORRELATION_CLUSTERS * m), dtype=np.float64)
     covariance = sum(

@@ -3,8 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 
 CONFIDENCE = 0.95
@@ -51,7 +52,7 @@ class NoiseCoefficients:
     rate_random_walk: Coefficient
 
 
-def compute_allan_deviation(tau: ArrayLike, noises: NoiseCoefficients) -> NDArray[np.float64]:
+def compute_allan_deviation(tau: ArrayLike, noises: NoiseCoefficients) -> Array:
     """Allan deviation of noises at cluster times (s), rad/s (IEEE Std 952, annex C)."""
     t = np.asarray(tau, dtype=np.float64)
     return np.sqrt(

@@ -7,10 +7,10 @@ import numpy as np
 from scipy.optimize import brentq, nnls
 from scipy.stats import norm
 
+from pyhrg.common.arrays import Array
 from pyhrg.noise.coefficients import CONFIDENCE, Coefficient, NoiseCoefficients, NoiseError
 from pyhrg.noise.likelihood import (
     POWERS,
-    Array,
     Misfit,
     Spectrum,
     compute_misfit,
@@ -37,12 +37,7 @@ CONVERGENCE_MISFIT = 1e-5
 def estimate_noise(angle: Array, interval: float) -> NoiseCoefficients:
     """Noise coefficients of one record; a constant rate and a rate ramp do not touch them.
 
-    Args:
-        angle: (n,) angles, rad, evenly spaced, without gaps, and without other signals.
-        interval: between angles, s.
-
-    Raises:
-        NoiseError: see `check_record`; or the record gives a coefficient no upper bound.
+    Angles are (n,) rad, evenly spaced, without gaps, and without other signals.
     """
     check_record(angle, interval)
     return fit_coefficients([compute_spectrum(np.asarray(angle, dtype=np.float64))], interval)
@@ -57,29 +52,16 @@ def fit_coefficients(records: Sequence[Spectrum], interval: float) -> NoiseCoeff
     estimator's skewness (O. Barndorff-Nielsen, Biometrika 73 (1986)), which matters where a few
     slow frequencies show a noise; the correction is made at the end that it moves outwards.
     `benchmarks/intervals/noise.py` measures the intervals' coverage.
-
-    Args:
-        records: spectra of records that share their noises.
-        interval: between angles, s.
-
-    Raises:
-        NoiseError: the records give a coefficient no upper bound.
     """
     best = maximize_likelihood(records)
     units = [interval ** ((1 - max(power, 1)) / 2) for power in POWERS]
-    noises = [
-        _scale_interval(_estimate_strength(records, best, i), unit) for i, unit in enumerate(units)
-    ]
-    return NoiseCoefficients(*noises)
+    roots = [_estimate_strength(records, best, i) for i in range(len(POWERS))]
+    scaled = [[unit * x for x in root] for root, unit in zip(roots, units, strict=True)]
+    return NoiseCoefficients(*(Coefficient(*values) for values in scaled))
 
 
 def check_record(angle: Array, interval: float) -> None:
-    """Refuse a record whose noise can't be estimated.
-
-    Raises:
-        NoiseError: it has fewer than 256 angles, one that is not finite, or no noise at all; or the
-            interval is not positive.
-    """
+    """Refuse a record whose noise can't be estimated."""
     if not (math.isfinite(interval) and interval > 0):
         raise NoiseError(f"interval is {interval} s, expected more than 0")
     if np.ndim(angle) != 1 or len(angle) < MIN_SAMPLES:
@@ -103,17 +85,9 @@ def maximize_likelihood(
 ) -> Array:
     """Strengths that maximize the restricted likelihood, none of them negative.
 
-    Args:
-        records: spectra of the angles.
-        held: index of a noise whose strength is fixed.
-        strength: that strength, rad^2.
-        start: (4,) strengths to begin at; those of `bound_strengths` if None.
-
-    Returns:
-        (4,) variances, rad^2, in the order of `pyhrg.noise.likelihood.POWERS`.
-
-    Raises:
-        NoiseError: the fit has not converged.
+    Returns (4,) rad^2, in the order of `pyhrg.noise.likelihood.POWERS`. `held` is the index of a
+    noise whose strength is fixed; the fit begins at `start` (4,), else at those of
+    `bound_strengths`.
     """
     free = [i for i in range(len(POWERS)) if i != held]
     point = bound_strengths(records) if start is None else np.array(start)
@@ -178,8 +152,7 @@ def _estimate_strength(
 def compute_critical_ratio(distance: float) -> float:
     """95 % quantile of twice the log likelihood ratio, for a strength that can't be negative.
 
-    Args:
-        distance: of the true strength from zero, in standard deviations of its estimate.
+    The distance is that of the true strength from zero, in standard deviations of its estimate.
     """
     if distance >= NORMAL_QUANTILE:
         return NORMAL_QUANTILE**2
@@ -204,7 +177,3 @@ def _find_outside(excess: Callable[[float], float], inside: float, step: float) 
 
 def _find_crossing(excess: Callable[[float], float], first: float, last: float) -> float:
     return float(brentq(excess, first, last, xtol=1e-3 * abs(last - first), rtol=1e-3))
-
-
-def _scale_interval(interval: tuple[float, float, float], unit: float) -> Coefficient:
-    return Coefficient(*(unit * x for x in interval))

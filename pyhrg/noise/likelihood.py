@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from scipy.fft import dct
 from scipy.special import zeta
 
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 POWERS = (0, 2, 3, 4)
 """Exponents p of the angle's spectral densities f^-p: angle white noise, N, B, K."""
@@ -57,13 +57,12 @@ class Spectrum:
 def compute_spectrum(angle: Array, trends: Sequence[Array] = ()) -> Spectrum:
     """The spectrum of a record.
 
-    Args:
-        angle: (n,) rad.
-        trends: (n,) signals that the angles may contain in any size, beside an offset, a constant
-            rate and a rate ramp.
+    Trends are (n,) signals that the angles may contain in any size, beside an offset, a constant
+    rate and a rate ramp.
     """
     n = len(angle)
-    basis = _orthonormalize(n, trends)
+    time = np.linspace(-1.0, 1.0, n)
+    basis = orthonormalize([np.ones(n), time, time**2, *trends])
     rest = angle - basis @ (basis.T @ angle)
     record, columns = (dct(x, norm="ortho")[..., 1:] for x in (rest, basis.T[1:]))
     edges = _place_band_edges(n - 1)
@@ -83,12 +82,12 @@ def compute_spectrum(angle: Array, trends: Sequence[Array] = ()) -> Spectrum:
     )
 
 
-def _orthonormalize(n: int, trends: Sequence[Array]) -> Array:
-    """(n, 1 + m) orthonormal constant, line, parabola, and the others without those before them."""
-    time = np.linspace(-1.0, 1.0, n)
-    columns = np.column_stack([np.ones(n), time, time**2, *trends])
-    columns = columns / np.linalg.norm(columns, axis=0).clip(np.finfo(float).tiny)
-    basis, share = np.linalg.qr(columns)
+def orthonormalize(columns: Sequence[Array]) -> Array:
+    """(n, m) orthonormal basis of the space that columns (n,) span, in their order; a column that
+    depends on those before it is left out."""
+    matrix = np.column_stack(columns)
+    matrix = matrix / np.linalg.norm(matrix, axis=0).clip(np.finfo(float).tiny)
+    basis, share = np.linalg.qr(matrix)
     return np.asarray(basis[:, np.abs(np.diag(share)) > MIN_TREND_SHARE])
 
 
@@ -102,8 +101,7 @@ def _place_band_edges(coefficients: int) -> NDArray[np.int64]:
 def _compute_shapes(frequency: Array) -> Array:
     """(4, b) densities of sampled angles: the sum of omega^-p over all aliases, by Hurwitz' zeta.
 
-    Args:
-        frequency: (b,) cycles a sample, below 1/2.
+    Frequencies are (b,) cycles a sample, below 1/2.
     """
     walks = [(zeta(p, frequency) + zeta(p, 1 - frequency)) / (2 * np.pi) ** p for p in POWERS[1:]]
     return np.array([np.ones_like(frequency), *walks])
@@ -128,9 +126,7 @@ class Misfit:
 def compute_misfit(records: Sequence[Spectrum], strengths: Array) -> Misfit:
     """Misfit of strengths to records that share them.
 
-    Args:
-        records: spectra of the angles.
-        strengths: (4,) variance of each noise, rad^2, in the order of `POWERS`; not all zero.
+    Strengths are (4,) variances, rad^2, in the order of `POWERS`, not all zero.
     """
     parts = [_compute_record_misfit(record, strengths) for record in records]
     return Misfit(
@@ -166,11 +162,7 @@ def describe_estimator(
 ) -> tuple[float, float]:
     """Standard deviation, rad^2, and skewness of one strength's estimate, the others fitted too.
 
-    Args:
-        records: spectra of the angles.
-        model: misfit at `strengths`.
-        strengths: (4,) true strengths, rad^2.
-        index: of the strength. The skewness is that without trends.
+    `model` is the misfit at the true strengths (4,), rad^2. The skewness is that without trends.
     """
     inverse = np.linalg.inv(model.information)[index]
     cubes = squares = 0.0

@@ -2,28 +2,18 @@
 
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import ClassVar
 
+from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
 from pyhrg.common.site import Site
-from pyhrg.common.toml_table import TomlTable
+from pyhrg.common.toml_table import TomlTable, read_json_table
 from pyhrg.common.units import DEG
-from pyhrg.records.campaign_index import CampaignError, read_index
 from pyhrg.records.log import Log, read_log, write_log
-
-__all__ = [
-    "Campaign",
-    "CampaignError",
-    "Site",
-    "StoredLog",
-    "Test",
-    "read_campaign",
-    "write_campaign",
-]
 
 SCHEMA = "hrg-campaign/1"
 INDEX = "campaign.json"
@@ -35,33 +25,8 @@ FILE_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9._-]*")
 """Names of files that any system takes."""
 
 
-@dataclass(frozen=True)
-class StoredLog:
-    """A log that is read when it is asked for.
-
-    Attributes:
-        path: of the file.
-        interval: sampling interval, s.
-        n: number of rows that the index states.
-        site: where the test was done.
-    """
-
-    path: Path
-    interval: float
-    n: int
-    site: Site
-
-    def read(self) -> Log:
-        """Read the log; another number of rows than the index states is an exclusion.
-
-        Raises:
-            LogError: see `read_log`.
-        """
-        log = read_log(self.path, interval_s=self.interval, latitude_deg=self.site.latitude_deg)
-        if len(log.time) == self.n:
-            return log
-        note = f"{len(log.time)} rows are of use; {INDEX} says {self.n}"
-        return replace(log, exclusions=(*log.exclusions, note))
+class CampaignError(HrgError):
+    """The folder is no campaign; the message names file, key, what was found and what expected."""
 
 
 @dataclass(frozen=True)
@@ -72,7 +37,7 @@ class Test:
         id: name of the test, unlike any other of the campaign; a file name.
         kind: `static`, `positions`, `rate`, `ring_down`, ... (docs/records.md).
         role: `fit` or `holdout`.
-        recording: the log, or where it is stored.
+        recording: the log, or a function that reads it.
     """
 
     __test__: ClassVar[bool] = False  # not one of pytest's
@@ -80,16 +45,12 @@ class Test:
     id: str
     kind: str
     role: str
-    recording: Log | StoredLog
+    recording: Log | Callable[[], Log]
 
     @cached_property
     def log(self) -> Log:
-        """The log, read once.
-
-        Raises:
-            LogError: it can't be used.
-        """
-        return self.recording if isinstance(self.recording, Log) else self.recording.read()
+        """The log, read once."""
+        return self.recording if isinstance(self.recording, Log) else self.recording()
 
     @property
     def is_holdout(self) -> bool:
@@ -126,15 +87,11 @@ def read_campaign(folder: Path | str) -> Campaign:
         CampaignError: there is no index, it has another schema, or a key is missing or has a wrong
             value.
     """
-    index = read_index(Path(folder) / INDEX)
+    index = read_json_table(Path(folder) / INDEX, CampaignError)
     index.text("schema", None, (SCHEMA,))
     for key, expected in (("site", "a table"), ("nominal", "a table"), ("tests", "a list")):
         index.require(key, expected)
-    place = index.table("site")
-    site = Site(
-        latitude=place.number("latitude_deg", None, -90.0, 90.0) * DEG,
-        gravity=place.number("gravity_m_s2", None, *GRAVITY),
-    )
+    site = read_site(index)
     nominal = index.table("nominal")
     tests = tuple(_read_test(Path(folder), entry, site) for entry in index.tables("tests"))
     _check_names(Path(folder) / INDEX, tests)
@@ -143,6 +100,15 @@ def read_campaign(folder: Path | str) -> Campaign:
         site=site,
         nominal={key: nominal.finite_number(key) for key in nominal.values},
         tests=tests,
+    )
+
+
+def read_site(document: TomlTable) -> Site:
+    """The site that a document's table `site` states."""
+    place = document.table("site")
+    return Site(
+        latitude=place.number("latitude_deg", None, -90.0, 90.0) * DEG,
+        gravity=place.number("gravity_m_s2", None, *GRAVITY),
     )
 
 
@@ -158,7 +124,7 @@ def write_campaign(campaign: Campaign, folder: Path | str) -> None:
     _check_names(folder, campaign.tests)
     folder.mkdir(parents=True, exist_ok=True)
     for test in campaign.tests:
-        write_log(test.log, folder / _name_file(test))
+        write_log(test.log, folder / f"{test.id}.csv.gz")
     index = {
         "schema": SCHEMA,
         "device": campaign.device,
@@ -180,16 +146,12 @@ def _check_names(path: Path, tests: tuple[Test, ...]) -> None:
             raise CampaignError(f"{path}: test {name!r}: expected a file name, each once")
 
 
-def _name_file(test: Test) -> str:
-    return f"{test.id}.csv.gz"
-
-
 def _describe_test(test: Test) -> dict[str, str | float]:
     return {
         "id": test.id,
         "kind": test.kind,
         "role": test.role,
-        "file": _name_file(test),
+        "file": f"{test.id}.csv.gz",
         "interval_s": test.log.interval,
         "n": len(test.log.time),
     }
@@ -199,14 +161,20 @@ def _read_test(folder: Path, entry: TomlTable, site: Site) -> Test:
     file = _read_text(entry, "file")
     if not FILE_NAME.fullmatch(file):
         raise entry.error("file", file, "the name of a file in the campaign's folder")
-    stored = StoredLog(
-        path=folder / file,
-        interval=entry.number("interval_s", None, 1e-6, 1e6),
-        n=entry.whole_number("n", None, 0, 1_000_000_000),
-        site=site,
-    )
+    interval = entry.number("interval_s", None, 1e-6, 1e6)
+    n = entry.whole_number("n", None, 0, 1_000_000_000)
+    stored = partial(_read_log, folder / file, interval, n, site)
     role = entry.text("role", None, ROLES)
     return Test(_read_text(entry, "id"), _read_text(entry, "kind"), role, stored)
+
+
+def _read_log(path: Path, interval: float, n: int, site: Site) -> Log:
+    """Read a log; another number of rows than the `n` that the index states is an exclusion."""
+    log = read_log(path, interval_s=interval, latitude_deg=site.latitude_deg)
+    if len(log.time) == n:
+        return log
+    note = f"{len(log.time)} rows are of use; {INDEX} says {n}"
+    return replace(log, exclusions=(*log.exclusions, note))
 
 
 def _read_text(table: TomlTable, key: str) -> str:

@@ -17,24 +17,21 @@ class LogError(HrgError):
 class Column:
     """A quantity of a log: SI value = factor * value in the file + offset.
 
-    Attributes:
-        field: attribute of `Log`.
-        stem: name in the file, without its unit.
-        unit: unit in the file; empty for a pure number.
-        role: whether the test bench measures the quantity (reference), the test bench commands it,
-            or the gyro measures it (response).
-        quantity: what it is, in words.
-        lowest: smallest value allowed, in the file's unit.
-        highest: largest value allowed, in the file's unit.
-        digits: significant digits that are written: well below the noise of any gyro.
-        optional: whether a log without the column is read without a note.
+    field: attribute of `Log`.
+    stem: name in the file, without its unit.
+    unit: unit in the file; empty for a pure number.
+    role: whether the test bench measures the quantity (reference), the test bench commands it,
+        or the gyro measures it (response).
+    lowest: smallest value allowed, in the file's unit.
+    highest: largest value allowed, in the file's unit.
+    digits: significant digits that are written: well below the noise of any gyro.
+    optional: whether a log without the column is read without a note.
     """
 
     field: str
     stem: str
     unit: str
     role: Literal["reference", "command", "response"]
-    quantity: str
     factor: float = 1.0
     offset: float = 0.0
     lowest: float = -math.inf
@@ -68,89 +65,32 @@ SI_UNITS = {
 
 
 COLUMNS = (
-    Column("time", "time", "s", "reference", "end of the interval", digits=15),
+    Column("time", "time", "s", "reference", digits=15),
+    Column("table_angle", "table_angle", "deg", "reference", factor=DEG, digits=15),
+    Column("axis_up", "axis_up", "", "command", lowest=-1.0, highest=1.0),
+    Column("acceleration_x", "accel_x", "m_s2", "reference"),
+    Column("acceleration_y", "accel_y", "m_s2", "reference"),
+    Column("acceleration_z", "accel_z", "m_s2", "reference"),
     Column(
-        *("table_angle", "table_angle", "deg", "reference"),
-        "turntable encoder, about the input axis; 0 at start",
-        factor=DEG,
-        digits=15,
-    ),
-    Column(
-        *("axis_up", "axis_up", "", "command"),
-        "projection of the input axis on local up",
-        lowest=-1.0,
-        highest=1.0,
-    ),
-    Column("acceleration_x", "accel_x", "m_s2", "reference", "specific force, gyro's x"),
-    Column("acceleration_y", "accel_y", "m_s2", "reference", "specific force, gyro's y"),
-    Column("acceleration_z", "accel_z", "m_s2", "reference", "specific force, input axis"),
-    Column(
-        *("temperature", "temperature", "degC", "reference"),
-        "temperature of the case",
+        "temperature",
+        "temperature",
+        "degC",
+        "reference",
         offset=273.15,
         lowest=-100.0,
         highest=150.0,
     ),
-    Column(
-        *("virtual_rotation", "virtual_rotation", "deg_s", "command"),
-        "commanded rotation, as an input rate",
-        factor=DEG,
-        digits=15,
-    ),
-    Column(
-        *("amplitude_setpoint", "amplitude_setpoint", "", "command"),
-        "commanded amplitude; nominal 1",
-        lowest=0.0,
-    ),
-    Column(
-        *("phase_offset", "phase_offset", "rad", "command"),
-        "commanded offset added to the detected phase",
-        lowest=-math.pi,
-        highest=math.pi,
-    ),
-    Column(
-        *("drive_on", "drive_on", "", "command"),
-        "0 while amplitude, quadrature and rotation forces are off",
-        lowest=0.0,
-        highest=1.0,
-    ),
-    Column(
-        *("gyro_angle", "gyro_angle", "deg", "response"),
-        "the gyro's output; positive with the case's rotation",
-        factor=DEG,
-        digits=15,
-    ),
-    Column(
-        *("wave_angle", "wave_angle", "deg", "response"),
-        "detected pattern angle, physical, continuous",
-        factor=DEG,
-        digits=15,
-    ),
-    Column(
-        *("amplitude", "amplitude", "", "response"),
-        "detected antinode amplitude; nominal 1",
-        lowest=0.0,
-    ),
-    Column(
-        *("amplitude_force", "amplitude_force", "per_s", "response"),
-        "amplitude-loop force over detected amplitude",
-    ),
-    Column(
-        *("quadrature_force", "quadrature_force", "per_s", "response"),
-        "quadrature-loop force, amplitude units per second",
-    ),
-    Column(
-        *("frequency_offset", "frequency_offset", "Hz", "response"),
-        "phase-loop frequency less the nominal one",
-        factor=2 * math.pi,
-    ),
-    Column(
-        *("valid", "valid", "", "response"),
-        "share of the interval in which the output was valid",
-        lowest=0.0,
-        highest=1.0,
-        optional=True,
-    ),
+    Column("virtual_rotation", "virtual_rotation", "deg_s", "command", factor=DEG, digits=15),
+    Column("amplitude_setpoint", "amplitude_setpoint", "", "command", lowest=0.0),
+    Column("phase_offset", "phase_offset", "rad", "command", lowest=-math.pi, highest=math.pi),
+    Column("drive_on", "drive_on", "", "command", lowest=0.0, highest=1.0),
+    Column("gyro_angle", "gyro_angle", "deg", "response", factor=DEG, digits=15),
+    Column("wave_angle", "wave_angle", "deg", "response", factor=DEG, digits=15),
+    Column("amplitude", "amplitude", "", "response", lowest=0.0),
+    Column("amplitude_force", "amplitude_force", "per_s", "response"),
+    Column("quadrature_force", "quadrature_force", "per_s", "response"),
+    Column("frequency_offset", "frequency_offset", "Hz", "response", factor=2 * math.pi),
+    Column("valid", "valid", "", "response", lowest=0.0, highest=1.0, optional=True),
 )
 """The columns in the order in which they are written."""
 

@@ -126,17 +126,10 @@ def read_log(
     return build_log(table, interval_s, None if latitude_deg is None else latitude_deg * DEG)
 
 
-def build_log(table: Table, interval: float | None = None, latitude: float | None = None) -> Log:
-    """A log of a table's rows, checked and with notes on what was left out.
-
-    Args:
-        table: as it was read.
-        interval: sampling interval, s; the median time step if None.
-        latitude: of the site, rad; None: Earth's rate is not looked for.
-
-    Raises:
-        LogError: see `read_log`.
-    """
+def build_log(table: Table, interval: float | None, latitude: float | None) -> Log:
+    """A log of a table's rows, checked and with notes on what was left out. The interval is in s,
+    by default the median time step; without the site's latitude, rad, Earth's rate is not looked
+    for."""
     table = timing.drop_repeated_rows(table)
     interval = timing.find_interval(table, interval)
     table = timing.note_gaps(_note_missing_values(table), interval)
@@ -169,9 +162,7 @@ def write_log(log: Log, path: Path) -> None:
 def _note_missing_values(table: Table) -> Table:
     for column in COLUMNS:
         missing = np.isnan(table.columns[column.field])
-        if missing.all():
-            if not column.optional and f"no column {column.name}" not in table.notes:
-                table = table.add_note(missing, f"{column.name} missing")
-        else:
+        is_known = column.optional or f"no column {column.name}" in table.notes
+        if not (missing.all() and is_known):
             table = table.add_note(missing, f"{column.name} missing")
     return table

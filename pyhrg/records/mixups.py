@@ -30,11 +30,7 @@ MIN_EARTH_RATE = 0.2 * EARTH_RATE
 
 
 def check_units(table: Table, interval: float) -> None:
-    """Compare the gyro's angle with the table's, the pattern's with the gyro's, gravity with 1 g.
-
-    Raises:
-        LogError: a ratio is one that only another unit or sign explains.
-    """
+    """Compare the gyro's angle with the table's, the pattern's with the gyro's, force with 1 g."""
     steps = _compute_steps(table, interval)
     _check_table(table, steps, interval)
     _check_wave(table, steps)
@@ -45,15 +41,7 @@ def check_earth_rate(table: Table, interval: float, latitude: float) -> None:
     """Compare the gyro's rate with Earth's, which alone shows that every angle is in radians.
 
     At rest it is the gyro's rate that is compared; where the table turns at up to `MAX_SLOW_RATE`,
-    it is the gyro's rate less the table's.
-
-    Args:
-        table: as it was read.
-        interval: sampling interval, s.
-        latitude: of the site, rad.
-
-    Raises:
-        LogError: the gyro's rate is Earth's in another unit, or its angle never changes.
+    it is the gyro's rate less the table's. The interval is in s, the site's latitude in rad.
     """
     columns = table.columns
     earth = columns["axis_up"][1:] * EARTH_RATE * math.sin(latitude)
@@ -79,7 +67,7 @@ def check_earth_rate(table: Table, interval: float, latitude: float) -> None:
             )
         expected_turn = float(np.sum(np.abs(earth[rows])) * interval)
         ratio = float(np.sum(np.sign(earth) * beyond * rows)) / expected_turn
-        _refuse_mixed_units(table, ratio, "gyro_angle", "Earth's rate asks for", 1.0)
+        _refuse_mixed_units(table, ratio, "Earth's rate asks for")
 
 
 def _compute_steps(table: Table, interval: float) -> dict[str, Array]:
@@ -106,7 +94,7 @@ def _check_table(table: Table, steps: dict[str, Array], interval: float) -> None
             f"{table.source}: column {BY_FIELD['gyro_angle'].name}: turns {ratio:.3g} times as far "
             "as table_angle turns; expected about 1: is a sign reversed?"
         )
-    _refuse_mixed_units(table, ratio, "gyro_angle", "table_angle turns", 1.0)
+    _refuse_mixed_units(table, ratio, "table_angle turns")
 
 
 def _check_wave(table: Table, steps: dict[str, Array]) -> None:
@@ -143,12 +131,10 @@ def _select_finite(x: Array, y: Array) -> tuple[Array, Array]:
     return x[known], y[known]
 
 
-def _refuse_mixed_units(
-    table: Table, ratio: float, field: str, other: str, expected: float
-) -> None:
+def _refuse_mixed_units(table: Table, ratio: float, other: str) -> None:
     for factor in (DEG, 1 / DEG):
-        if factor / MIXUP_FACTOR < ratio / expected < factor * MIXUP_FACTOR:
-            raise _make_contradiction(table, ratio, field, other, f"about {expected:g}")
+        if factor / MIXUP_FACTOR < ratio < factor * MIXUP_FACTOR:
+            raise _make_contradiction(table, ratio, "gyro_angle", other, "about 1")
 
 
 def _make_contradiction(

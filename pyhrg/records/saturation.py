@@ -31,7 +31,10 @@ def remove_saturation(table: Table, interval: float) -> Table:
     turning = np.append(
         False, np.abs(np.diff(table.columns["table_angle"])) > MOVING_TABLE_RATE * interval
     )
-    state = _number_states(table, turning)
+    state = turning.astype(np.int64)  # numbers what a row is in: its commands, and whether it turns
+    for column in COLUMNS:
+        if column.role == "command":
+            state = _number_pairs(state, table.columns[column.field])
     for column in COLUMNS:
         if column.role != "response":
             continue
@@ -40,19 +43,12 @@ def remove_saturation(table: Table, interval: float) -> Table:
         if column.field == "gyro_angle" or (
             column.field == "wave_angle" and not np.any(table.columns["virtual_rotation"])
         ):
-            is_stuck |= _find_stuck_angles(values, turning)
+            first, last = _find_runs((np.diff(values) == 0) & turning[1:])
+            is_long = last - first + 1 >= MIN_RUN_WHILE_TURNING
+            is_stuck |= _mark_runs(len(values), first, last, is_long)
         table = table.add_note(is_stuck, f"{column.name} stands still: saturated, left out")
         table = table.clear_values(column.field, is_stuck)
     return table
-
-
-def _number_states(table: Table, turning: NDArray[np.bool_]) -> NDArray[np.int64]:
-    """(n,) number of the state that each row is in: its commands, and whether the table turns."""
-    state = turning.astype(np.int64)
-    for column in COLUMNS:
-        if column.role == "command":
-            state = _number_pairs(state, table.columns[column.field])
-    return state
 
 
 def _number_pairs(state: NDArray[np.int64], values: Array) -> NDArray[np.int64]:
@@ -74,11 +70,6 @@ def _mark_runs(
     np.add.at(edges, first[chosen], 1)
     np.add.at(edges, last[chosen] + 1, -1)
     return np.cumsum(edges)[:-1] > 0
-
-
-def _find_stuck_angles(values: Array, turning: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    first, last = _find_runs((np.diff(values) == 0) & turning[1:])
-    return _mark_runs(len(values), first, last, last - first + 1 >= MIN_RUN_WHILE_TURNING)
 
 
 def _find_improbable_runs(values: Array, state: NDArray[np.int64]) -> NDArray[np.bool_]:

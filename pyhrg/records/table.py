@@ -25,11 +25,9 @@ MAX_STRETCHES_NAMED = 8
 class Table:
     """Rows of a log while they are being checked.
 
-    Attributes:
-        source: name of the file, for messages.
-        rows: (n,) row in the file; the header is row 1.
-        columns: (n,) values by field, SI; NaN where there is no value.
-        notes: what was left out so far, a sentence each.
+    source: name of the file, for messages; rows: (n,) row in the file; the header is row 1;
+    columns: (n,) values by field, SI; NaN where there is no value; notes: what was left out so
+    far, a sentence each.
     """
 
     source: str
@@ -70,13 +68,7 @@ def describe_rows(rows: NDArray[np.int64]) -> str:
 
 
 def read_table(path: Path) -> Table:
-    """The rows of a log's file, in SI, with notes on missing and unknown columns.
-
-    Raises:
-        LogError: the file can't be read; a column stands there twice or under a wrong unit; there
-            is no column of times or no row; a row has too few or too many fields; a field is no
-            number or out of range.
-    """
+    """The rows of a log's file, in SI, with notes on missing and unknown columns."""
     text = read_text(path)
     header = [name.strip() for name in next(csv.reader(text.splitlines()[:1]), [])]
     _check_header(path, header)
@@ -96,17 +88,29 @@ def read_table(path: Path) -> Table:
 
 
 def read_text(path: Path, encoding: str = "utf-8-sig") -> str:
-    """A file's text, decompressed if it is gzipped, whatever its name.
+    """A file's text, decompressed if it is gzipped, whatever its name."""
+    return decode(str(path), read_bytes(path), encoding)
 
-    Raises:
-        LogError: the file can't be read, is cut off, or is not in that encoding.
-    """
+
+def read_bytes(path: Path) -> bytes:
+    """A file's bytes, decompressed if it is gzipped, whatever its name."""
     try:
         data = path.read_bytes()
-        return (gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data).decode(encoding)
-    except (OSError, EOFError, zlib.error, UnicodeDecodeError) as error:
-        reason = getattr(error, "strerror", None) or error
-        raise LogError(f"{path}: can't be read: {reason}") from error
+        return gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data
+    except EOFError as error:
+        raise LogError(f"{path}: found gzipped data cut off, expected it whole") from error
+    except (gzip.BadGzipFile, zlib.error) as error:
+        raise LogError(f"{path}: found damaged gzipped data: {error}") from error
+    except OSError as error:
+        raise LogError(f"{path}: can't be read: {error.strerror or error}") from error
+
+
+def decode(source: str, data: bytes, encoding: str = "utf-8-sig") -> str:
+    """The text that a file's bytes are in an encoding."""
+    try:
+        return data.decode(encoding)
+    except UnicodeDecodeError as error:
+        raise LogError(f"{source}: found what is no text in {encoding}: {error}") from error
 
 
 def _check_header(path: Path, header: list[str]) -> None:
@@ -161,11 +165,7 @@ def _parse_number(path: Path, name: str, row: int, text: str) -> float:
 
 
 def check_range(source: str, column: Column, rows: NDArray[np.int64], values: Array) -> None:
-    """Refuse values (n,) in the file's unit that are out of a column's range.
-
-    Raises:
-        LogError: one is; the message names the row of the first.
-    """
+    """Refuse values (n,) in the file's unit that are out of a column's range."""
     is_wrong = np.isinf(values) | (values < column.lowest) | (values > column.highest)
     if is_wrong.any():
         i = int(np.argmax(is_wrong))

@@ -13,11 +13,7 @@ INTERVAL_TOLERANCE = 0.01
 
 
 def drop_repeated_rows(table: Table) -> Table:
-    """The table without rows that have no time or repeat an earlier row in full; both are noted.
-
-    Raises:
-        LogError: one time has different values, or time runs back.
-    """
+    """The table without rows that have no time or repeat an earlier row in full; both are noted."""
     is_lost = np.isnan(table.columns["time"])
     table = table.add_note(is_lost, f"no {BY_FIELD['time'].name}, left out").keep_rows(~is_lost)
     is_repeated = _find_repeated_rows(table)
@@ -57,11 +53,7 @@ def _find_repeated_rows(table: Table) -> NDArray[np.bool_]:
 
 
 def find_interval(table: Table, stated: float | None) -> float:
-    """The sampling interval, s: the stated one, or else the median time step.
-
-    Raises:
-        LogError: the time steps contradict the stated interval.
-    """
+    """The sampling interval, s: the stated one, or else the median time step."""
     median_step = float(np.median(np.diff(table.columns["time"])))
     if stated is None:
         return median_step

@@ -55,35 +55,6 @@ def hold_scale_factor_error(control_period: float, delay: float, decay_time: flo
     return -(control_period / 2 + delay) / decay_time
 
 
-def quadrature_lag_scale_factor(
-    frequency_split: float, natural_frequency: float, bryan_factor: float, rate: float
-) -> float:
-    """Scale-factor error of a gyro with a frequency split whose quadrature loop lags.
-
-    While the pattern turns, the split drives the quadrature by (dw/2) sin 4(th - th_w), a sine of
-    circular frequency v = 4 k W. A critically damped loop (w) leaves i v / (w + i v)^2 of it; the
-    part in phase with cos 4(th - th_w) precesses the pattern with its own turning:
-    -(dw^2/2) (w^2 - v^2)/(w^2 + v^2)^2 on average, and as much as the amplitude of
-    cos 8(th - th_w). From Lynch's equations (module's head); slow turning: -dw^2/(2 w^2).
-    """
-    turning = 4 * bryan_factor * rate
-    share = (natural_frequency**2 - turning**2) / (natural_frequency**2 + turning**2) ** 2
-    return -(frequency_split**2) / 2 * share
-
-
-def quadrature_lag_bias(
-    frequency_split: float, natural_frequency: float, bryan_factor: float, rate: float
-) -> float:
-    """Amplitude of sin 8(th - th_w) in the output of a gyro whose quadrature loop lags, rad/s.
-
-    It resembles a bias but grows with the square of the rate: dw^2 w v^2/(4 k (w^2 + v^2)^2), from
-    the part of the quadrature in `quadrature_lag_scale_factor` that is a quarter period late.
-    """
-    turning = 4 * bryan_factor * rate
-    share = natural_frequency * turning**2 / (natural_frequency**2 + turning**2) ** 2
-    return frequency_split**2 * share / (4 * bryan_factor)
-
-
 def late_ripple(loop: complex, lag: float, bryan_factor: float, rate: float) -> complex:
     """The change z of a pick-off error's scale-factor map by the amplitude ripple that it causes.
 
@@ -121,12 +92,8 @@ def beyond_the_average(
     a split it does work, which takes -(dw/2)(c/w) Im H exp(4i (th - th_w)) of the amplitude force,
     1/s, with H = (1 + 2z)/(1 + z)^2 of a critically damped loop, z = -4i k W over its natural
     frequency. The mean modal frequency is c^2/2w higher, rad/s. Where forces are held for a whole
-    number of half carrier periods, these two forces are others by a half.
-
-    Args:
-        device: the gyro.
-        rate: of the case, rad/s.
-        pattern_angle: rad, of the rate's shape.
+    number of half carrier periods, these two forces are others by a half. The case's rate, rad/s,
+    and the pattern angle, rad, are of one shape.
     """
     coupling = 2 * device.bryan_factor * np.asarray(rate)
     share = coupling / device.frequency
@@ -138,11 +105,6 @@ def beyond_the_average(
         "amplitude_force": -device.frequency_split / 2 * share * work,
         "frequency_offset": coupling * share / 2,
     }
-
-
-def angle_random_walk_bias_stability(angle_random_walk: float, average: float) -> float:
-    """Standard deviation of rate means over `average` seconds, rad/s, from N (rad/sqrt(s))."""
-    return angle_random_walk / math.sqrt(average)
 
 
 def lock_rate(device: Device) -> float:
@@ -158,11 +120,6 @@ def adler_mean_rate(rate: ArrayLike, lock: float) -> NDArray[np.float64]:
     """Mean output rate at an input rate, rad/s: 0 within +-lock, else sqrt(W^2 - W_L^2)."""
     given = np.asarray(rate, dtype=float)
     return np.asarray(np.sign(given) * np.sqrt(np.maximum(given**2 - lock**2, 0.0)))
-
-
-def adler_period(rate: float, lock: float, bryan_factor: float) -> float:
-    """Time in which the pattern turns by 90 deg, s: 2 pi/(4 k sqrt(W^2 - W_L^2))."""
-    return 2 * math.pi / (4 * bryan_factor * math.sqrt(rate**2 - lock**2))
 
 
 def adler_lock_angle(rate: float, lock: float, damping_axis: float) -> float:

@@ -5,7 +5,6 @@ import pytest
 from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
 
-from ins_eval import theory
 from ins_eval.alignment.analytic import level_and_gyrocompass
 from ins_eval.common import earth
 from ins_eval.common.rotation import mat_from_euler
@@ -14,6 +13,7 @@ from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.records.imu.increments import Increments
+from tests.ins_eval import theory
 
 RATE = 10
 """Increments a second: enough at rest."""

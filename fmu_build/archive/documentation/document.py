@@ -16,7 +16,7 @@ from fmu_build.archive.documentation.variable_tables import (
 from fmu_build.archive.reference import Reference
 from fmu_build.equations.dae import Dae
 from fmu_build.equations.scalars import Scalar, list_scalars
-from fmu_build.roots import Root
+from fmu_build.roots import METHODS, Root
 
 TEMPLATE = """<!DOCTYPE html>
 <html lang="en">
@@ -38,19 +38,14 @@ from the Modelica model {model} · <a href="licenses/license.txt">Licences</a></
 </html>
 """
 
+FLOW = """<figure>
+{}
+<figcaption>What each part reads from which, by the equations: arrows above lead forward, \
+arrows below back. Point at an arrow for its signals.</figcaption></figure>"""
+
 
 def write_documentation(dae: Dae, root: Root, version: str, run: Reference | None = None) -> str:
-    """The page; it needs no other file.
-
-    Args:
-        dae: the model.
-        root: what is exported.
-        version: of the model.
-        run: to show in a figure.
-
-    Raises:
-        ValueError: an info text that is no well-formed HTML.
-    """
+    """The page, with a figure of the run; it needs no other file."""
     present = {heading: body for heading, body in _sections(dae, root, run).items() if body}
     return TEMPLATE.format(
         name=escape(root.identifier),
@@ -72,7 +67,7 @@ def _sections(dae: Dae, root: Root, run: Reference | None) -> dict[str, str]:
     """Contents by heading, in their order; some may be empty."""
     listed = list(list_scalars(dae))
     return {
-        "Signal flow": _flow(dae),
+        "Signal flow": FLOW.format(draw_signal_flow(dae)),
         "What it does": _run(run, listed) if run else "",
         "Inputs": format_variable_table(s for s in listed if s.causality == "input"),
         "Outputs": format_variable_table(s for s in listed if s.causality == "output"),
@@ -89,8 +84,8 @@ def _anchor(heading: str) -> str:
 
 def _stepping(dae: Dae, root: Root) -> str:
     return (
-        f"<p>Continuous states are integrated by {escape(root.method)} from sample to sample, "
-        f"in steps of {_periods(dae)[0]} at most. Sampled equations are evaluated every "
+        f"<p>Continuous states are integrated by {escape(METHODS[root.integrator])} from sample to "
+        f"sample, in steps of {_periods(dae)[0]} at most. Sampled equations are evaluated every "
         f"{', '.join(_periods(dae))}. A sample that falls on a communication point belongs to the "
         "step that ends there. Inputs hold over a step. A value outside its range is refused with "
         "a message that names the variable.</p>"
@@ -108,15 +103,6 @@ def _periods(dae: Dae) -> list[str]:
         f"{name if m == 1 else f'{m} {name}'} (default {length})"
         for m, length in zip(multiples, lengths, strict=True)
     ]
-
-
-def _flow(dae: Dae) -> str:
-    return (
-        f"<figure>\n{draw_signal_flow(dae)}\n<figcaption>"
-        "What each part reads from which, by the equations: "
-        "arrows above lead forward, arrows below back. Point at an arrow for its signals."
-        "</figcaption></figure>"
-    )
 
 
 def _run(run: Reference, listed: Sequence[Scalar]) -> str:

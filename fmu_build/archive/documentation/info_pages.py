@@ -6,15 +6,11 @@ from html import escape
 from pathlib import Path
 
 from fmu_build.equations.dae import Dae
-from fmu_build.equations.modelica import Page, find_library, read_page
+from fmu_build.equations.modelica import find_library, read_page
 
 
 def read_model_pages(dae: Dae) -> str:
-    """Pages of the model, of every class that declares one of its variables, of its functions.
-
-    Raises:
-        ValueError: an info text that is no well-formed HTML.
-    """
+    """Pages of the model, of every class that declares one of its variables, of its functions."""
     classes = dict.fromkeys(Path(variable.file) for variable in dae.variables)
     own = f"{dae.model.split('.')[-1]}.mo"
     called = {function.name.split(".")[-1] for function in dae.functions}
@@ -23,11 +19,7 @@ def read_model_pages(dae: Dae) -> str:
 
 
 def read_guide_pages(dae: Dae) -> str:
-    """Pages of the users' guide, in its order; none if the library has no guide.
-
-    Raises:
-        ValueError: an info text that is no well-formed HTML.
-    """
+    """Pages of the users' guide, in its order; none if the library has no guide."""
     folder = _library(dae) / "UsersGuide"
     order = folder / "package.order"
     names = order.read_text(encoding="utf-8").split() if order.exists() else []
@@ -39,16 +31,15 @@ def _library(dae: Dae) -> Path:
 
 
 def _articles(files: Iterable[Path]) -> str:
-    pages = (read_page(file) for file in files)
-    return "\n".join(_article(p) for p in pages if p.info)
-
-
-def _article(described: Page) -> str:
-    try:
-        ET.fromstring(f"<div>{described.info}</div>")
-    except ET.ParseError as error:
-        raise ValueError(f"the info text of {described.name} is no HTML: {error}") from error
-    return (
-        f"<article><h3>{escape(described.description)}</h3>\n"
-        f'<p class="small"><code>{escape(described.name)}</code></p>\n{described.info}</article>'
-    )
+    articles = []
+    for page in map(read_page, files):
+        if page.info:
+            try:
+                ET.fromstring(f"<div>{page.info}</div>")
+            except ET.ParseError as error:
+                raise ValueError(f"the info text of {page.name} is no HTML: {error}") from error
+            articles.append(
+                f"<article><h3>{escape(page.description)}</h3>\n"
+                f'<p class="small"><code>{escape(page.name)}</code></p>\n{page.info}</article>'
+            )
+    return "\n".join(articles)

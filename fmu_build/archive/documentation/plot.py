@@ -11,13 +11,7 @@ COLOURS = ("#265494", "#de781f", "#4c9a6a")
 
 
 def draw_lines(time: NDArray[np.float64], lines: dict[str, NDArray[np.float64]], unit: str) -> str:
-    """Lines over time in seconds, each with its label at its end.
-
-    Args:
-        time: of shape (n,), in s.
-        lines: values of shape (n,) by label, in `unit`.
-        unit: label of the vertical axis.
-    """
+    """Lines over time (n,) in s: values (n,) in `unit` by the label at the line's end."""
     every = np.concatenate([*lines.values(), [0.0]])
     low, high = float(every.min()), float(every.max())
     span = (high - low) or 1.0

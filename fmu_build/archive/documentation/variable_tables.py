@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from html import escape
 
-from fmu_build.archive.units import convert_to_display_unit
+from fmu_build.archive.units import DISPLAY_UNITS
 from fmu_build.equations.scalars import Scalar
 
 
@@ -35,23 +35,21 @@ def _cells(scalar: Scalar) -> tuple[str, ...]:
     given = scalar.attributes
     unit, shown = given.get("unit", ""), given.get("displayUnit", "")
     limits = [_number(given[key]) if key in given else "" for key in ("min", "max")]
+    low, high = limits
+    range_text = f"from {low}" if low else f"up to {high}" if high else ""
+    range_text = f"{low} to {high}" if all(limits) else range_text
     default = _number(given["start"]) if "start" in given else ""
     if default and shown and float(given["start"]):
-        value = convert_to_display_unit(float(given["start"]), unit, shown)
+        factor, offset = DISPLAY_UNITS[unit, shown]
+        value = factor * float(given["start"]) + offset
         default += f' <span class="small">({value:.6g} {escape(shown)})</span>'
     return (
         f"<code>{escape(scalar.name.rpartition('.')[2])}</code>",
         escape(given.get("description", "")),
         escape(unit) + (f' <span class="small">({escape(shown)})</span>' if shown else ""),
         default,
-        " to ".join(limits) if all(limits) else _one_sided(*limits),
+        range_text,
     )
-
-
-def _one_sided(low: str, high: str) -> str:
-    if low:
-        return f"from {low}"
-    return f"up to {high}" if high else ""
 
 
 def _number(text: str) -> str:

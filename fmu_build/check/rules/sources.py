@@ -1,7 +1,5 @@
 """Rules on sources: what is to be compiled is there, under the right name."""
 
-import xml.etree.ElementTree as ET
-
 from fmu_build.check.archive import Fmu
 from fmu_build.check.rules.rule import Findings, rule
 
@@ -14,8 +12,7 @@ def sources_exist(fmu: Fmu) -> Findings:
     for element in fmu.description.iterfind(".//SourceFiles/File"):
         if f"sources/{element.get('name')}" not in fmu.names:
             yield f"SourceFiles lists {element.get('name')}, which sources doesn't hold"
-    build = fmu.xml(BUILD_DESCRIPTION)
-    for element in () if build is None else build.iter("SourceFile"):
+    for element in fmu.xml(BUILD_DESCRIPTION).iter("SourceFile"):
         if f"sources/{element.get('name')}" not in fmu.names:
             yield f"the build description lists {element.get('name')}, which sources doesn't hold"
 
@@ -23,8 +20,7 @@ def sources_exist(fmu: Fmu) -> Findings:
 @rule("folders that the build description includes exist")
 def include_folders_exist(fmu: Fmu) -> Findings:
     """FMI 3.0.2, 2.5.2.1."""
-    build = fmu.xml(BUILD_DESCRIPTION)
-    for element in () if build is None else build.iter("IncludeDirectory"):
+    for element in fmu.xml(BUILD_DESCRIPTION).iter("IncludeDirectory"):
         name = element.get("name", "").strip("/")
         if name != "." and not any(n.startswith(f"sources/{name}/") for n in fmu.names):
             yield f"the build description includes the folder {name}, which sources doesn't hold"
@@ -33,12 +29,12 @@ def include_folders_exist(fmu: Fmu) -> Findings:
 @rule("the build description builds the interfaces' identifiers")
 def build_identifier(fmu: Fmu) -> Findings:
     """FMI 3.0.2, 2.5.2.1."""
-    build = fmu.xml(BUILD_DESCRIPTION)
-    if build is None:
-        if fmu.major == 3 and any(n.startswith("sources/") for n in fmu.names):
-            yield f"{BUILD_DESCRIPTION} is missing"
-        return
-    built = _identifiers(build)
+    has_sources = any(n.startswith("sources/") for n in fmu.names)
+    if fmu.major == 3 and has_sources and BUILD_DESCRIPTION not in fmu.names:
+        yield f"{BUILD_DESCRIPTION} is missing"
+    built = {
+        e.get("modelIdentifier", "") for e in fmu.xml(BUILD_DESCRIPTION).iter("BuildConfiguration")
+    }
     for name in sorted(built - fmu.identifiers):
         yield f"the build description builds {name}, expected {', '.join(sorted(fmu.identifiers))}"
 
@@ -46,10 +42,6 @@ def build_identifier(fmu: Fmu) -> Findings:
 @rule("the build description is of the FMU's version of the standard")
 def build_version(fmu: Fmu) -> Findings:
     """FMI 3.0.2, 2.5.2.1."""
-    build = fmu.xml(BUILD_DESCRIPTION)
-    if build is not None and not build.get("fmiVersion", "").startswith("3."):
-        yield f"fmiVersion of the build description is {build.get('fmiVersion')}, expected 3.0"
-
-
-def _identifiers(build: ET.Element) -> set[str]:
-    return {e.get("modelIdentifier", "") for e in build.iter("BuildConfiguration")}
+    version = fmu.xml(BUILD_DESCRIPTION).get("fmiVersion")
+    if BUILD_DESCRIPTION in fmu.names and not (version or "").startswith("3."):
+        yield f"fmiVersion of the build description is {version}, expected 3.0"

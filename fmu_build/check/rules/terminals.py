@@ -1,7 +1,6 @@
 """Rules on terminals and icons."""
 
 import re
-import xml.etree.ElementTree as ET
 
 from fmu_build.check.archive import Fmu
 from fmu_build.check.rules.rule import Findings, rule
@@ -13,17 +12,11 @@ MATCHING_RULES = ("plug", "bus", "sequence")
 VARIABLE_KINDS = ("signal", "inflow", "outflow")
 
 
-def terminals(fmu: Fmu) -> list[ET.Element]:
-    """All terminals, nested ones too."""
-    root = fmu.xml(DOCUMENT)
-    return [] if root is None else list(root.iter("Terminal"))
-
-
 @rule("terminals name variables of the model")
 def members_exist(fmu: Fmu) -> Findings:
     """FMI 3.0.2, 2.4.9."""
     names = {v.name for v in fmu.variables}
-    for terminal in terminals(fmu):
+    for terminal in fmu.xml(DOCUMENT).iter("Terminal"):
         for member in terminal:
             for attribute in ("variableName", "inStreamVariableName", "outStreamVariableName"):
                 name = member.get(attribute)
@@ -34,7 +27,7 @@ def members_exist(fmu: Fmu) -> Findings:
 @rule("terminals are of known matching rules and kinds, or of a maker's own")
 def kinds_known(fmu: Fmu) -> Findings:
     """FMI 3.0.2, 2.4.9.2: others are named by a reverse domain."""
-    for terminal in terminals(fmu):
+    for terminal in fmu.xml(DOCUMENT).iter("Terminal"):
         where = f"terminal {terminal.get('name')}"
         matching = terminal.get("matchingRule", "")
         if matching not in MATCHING_RULES and not re.fullmatch(r"\w+(\.[\w-]+)+", matching):
@@ -51,7 +44,7 @@ def kinds_known(fmu: Fmu) -> Findings:
 def terminal_names(fmu: Fmu) -> Findings:
     """FMI 3.0.2, 2.4.9.2."""
     root = fmu.xml(DOCUMENT)
-    for parent in [] if root is None else [*root.findall("Terminals"), *root.iter("Terminal")]:
+    for parent in (*root.findall("Terminals"), *root.iter("Terminal")):
         for tag, attribute in (("Terminal", "name"), ("TerminalMemberVariable", "memberName")):
             names = [e.get(attribute, "") for e in parent.findall(tag)]
             for name in sorted({n for n in names if n and names.count(n) > 1}):
@@ -62,8 +55,6 @@ def terminal_names(fmu: Fmu) -> Findings:
 def icons_exist(fmu: Fmu) -> Findings:
     """FMI 3.0.2, 2.4.9.1."""
     root = fmu.xml(DOCUMENT)
-    if root is None:
-        return
     icon = "terminalsAndIcons/icon.png"
     if root.find("GraphicalRepresentation/Icon") is not None and icon not in fmu.names:
         yield f"{icon} is missing"
@@ -85,7 +76,7 @@ def png_beside_svg(fmu: Fmu) -> Findings:
 @rule("the terminals' version is the description's")
 def terminals_version(fmu: Fmu) -> Findings:
     """FMI 3.0.2, 2.4.9; FMI 2.0 names the version that defines the document."""
-    root = fmu.xml(DOCUMENT)
+    version = fmu.xml(DOCUMENT).get("fmiVersion")
     own = fmu.description.get("fmiVersion") if fmu.major == 3 else "3.0"
-    if root is not None and root.get("fmiVersion") != own:
-        yield f"fmiVersion is {root.get('fmiVersion')}, expected {own}"
+    if DOCUMENT in fmu.names and version != own:
+        yield f"fmiVersion is {version}, expected {own}"

@@ -3,17 +3,15 @@
 These are the rotation since the record's start (2), about north and east, rad, and the Gauss-Markov
 processes of bias instability: of the gyros (9), rad/s, and of the level accelerometers (6), m/s^2,
 in navigation axes. Equal processes of equal sensors are the same in any axes.
-docs/methods/alignment.md, Eq. 8.
+docs/methods/alignment.md, Eq. 6.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.alignment.bias_instability import PROCESSES, correlation_times, process_variance
 from ins_eval.alignment.kalman import standing
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
-
-Array = NDArray[np.float64]
 
 CORE = slice(0, standing.STATES)
 TURNED = slice(CORE.stop, CORE.stop + 2)

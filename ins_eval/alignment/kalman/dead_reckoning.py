@@ -3,19 +3,18 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from filterpy.common import van_loan_discretization
 from scipy.spatial.transform import Rotation
 
 from ins_eval.alignment.kalman import aligning_model, standing
 from ins_eval.alignment.result import AlignmentError
 from ins_eval.common import earth
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.common.state import State, Track, position_error
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 STEP = 2.0
 """Time between measurements, s. Chosen."""
@@ -46,7 +45,7 @@ class Reckoning:
         """Return the covariance (30, 30) that noise adds in each step."""
         latitude, height = float(self.position[0]), float(self.position[2])
         gravity, duration = float(earth.gravity(latitude, height)), self.step * len(self.turned)
-        return standing.discretize(
+        return van_loan_discretization(
             aligning_model.dynamics(latitude, height, duration),
             aligning_model.noise(errors, self.interval, gravity, duration),
             self.step,
@@ -63,11 +62,7 @@ class Reckoning:
 
 
 def split_into_steps(record: Increments) -> tuple[Increments, int]:
-    """Cut a record to whole steps, at its end; return it and the intervals a step.
-
-    Raises:
-        AlignmentError: the record is too short.
-    """
+    """Cut a record to whole steps, at its end; return it and the intervals a step."""
     wanted = max(STEP, record.duration / MAX_STEPS) / record.interval
     each = 2 * max(1, round(wanted / 2))
     count = len(record) // each
@@ -80,18 +75,13 @@ def split_into_steps(record: Increments) -> tuple[Increments, int]:
 
 
 def reckon(record: Increments, position: Array, mat_nb: Array, each: int) -> Reckoning:
-    """Navigate from attitude `mat_nb` (3, 3); states are kept after every `each` intervals.
-
-    Raises:
-        NavigationError: as `navigate`.
-    """
-    latitude, longitude, height = map(float, position)
-    start = State(latitude, longitude, height, np.zeros(3), mat_nb)
-    track = navigate(start, record, Clamped(np.full(len(record) + 1, height)), each)
+    """Navigate from attitude `mat_nb` (3, 3); states are kept after every `each` intervals."""
+    start = State.at_rest(position, mat_nb)
+    track = navigate(start, record, Clamped(np.full(len(record) + 1, start.height)), each)
     before = np.concatenate([mat_nb[None], track.mat_nb[:-1]])
     step = each * record.interval
-    dynamics = aligning_model.dynamics(latitude, height, step * len(before))
-    transition, _ = standing.discretize(dynamics, np.zeros((len(dynamics), 1)), step)
+    dynamics = aligning_model.dynamics(start.latitude, start.height, step * len(before))
+    transition, _ = van_loan_discretization(dynamics, np.zeros((len(dynamics), 1)), step)
     return Reckoning(
         track=track,
         displacement=position_error(track.position, np.asarray(position, dtype=float))[:, :2],

@@ -3,14 +3,13 @@
 The measurement is that the navigated displacement is 0 but for the vehicle's sway. The displacement
 of a standing vehicle is bounded, so that its samples are nearly white. Its velocity is the
 derivative, which is coloured; taken as white noise, it would get too little weight.
-docs/methods/alignment.md, Eqs. 7 to 9.
+docs/methods/alignment.md, Eqs. 5 to 7.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 from filterpy.kalman import KalmanFilter
-from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
 from ins_eval.alignment.kalman import aligning_model, standing
@@ -22,11 +21,10 @@ from ins_eval.alignment.kalman.dead_reckoning import (
     split_into_steps,
 )
 from ins_eval.alignment.kalman.tilting import Tilting, estimate_tilting
-from ins_eval.alignment.result import Alignment, AlignmentError, Biases, History
+from ins_eval.alignment.result import Alignment, AlignmentError, History
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 MAX_LINEAR_ERROR = 1e-4
 """Correction of the start attitude below which the linear model is valid, rad. Chosen."""
@@ -66,36 +64,20 @@ def align_by_kalman_filter(
 ) -> Alignment:
     """Find the attitude at the end of a record of a vehicle that stands or sways.
 
-    The prior of the attitude is so wide that the coarse attitude is not used as information.
-
-    Args:
-        record: a few intervals at its beginning may be left out, so that the steps are whole.
-        position: (3,) latitude, longitude, rad, and height, m.
-        errors: stated errors of the sensors, from the IMU's file.
-        coarse: `mat_nb` (3, 3) at the record's start, within some degrees.
-        sway: standard deviation of the vehicle's level displacement on each axis, m; None
-            estimates it by maximum likelihood.
-        steady: whether to use that the vehicle's tilt stays constant, as far as the record shows
-            it; otherwise nothing is assumed about its tilt.
-
-    Raises:
-        AlignmentError: the record is too short, or the attitude does not converge.
+    The prior of the attitude is so wide that the coarse attitude (3, 3) at the start, within some
+    degrees, is not used as information. A sway of None, m, is estimated by maximum likelihood;
+    `steady` uses that the tilt stays constant, as far as the record shows it.
     """
     run, result, sway = reckon_until_linear(record, position, errors, coarse, sway)
     if steady:
         result = apply_steady_tilt(run, errors, sway, result)
-    attitude, both = standing.ATTITUDE, slice(standing.GYRO.start, standing.ACCELEROMETER.stop)
+    attitude = standing.ATTITUDE
     mat_nb = correct_attitude(run.track.mat_nb, result.state[:, attitude])
     covariance = result.covariance[:, attitude, attitude]
-    last = result.state[-1]
     return Alignment(
-        method="fine",
         time=float(run.track.time[-1]),
         mat_nb=mat_nb[-1],
         covariance=covariance[-1],
-        biases=Biases(
-            last[standing.GYRO], last[standing.ACCELEROMETER], result.covariance[-1, both, both]
-        ),
         history=History(run.track.time, mat_nb, covariance, result.innovation),
         sway=sway,
     )
@@ -104,14 +86,8 @@ def align_by_kalman_filter(
 def reckon_until_linear(
     record: Increments, position: Array, errors: SensorErrors, coarse: Array, sway: float | None
 ) -> tuple[Reckoning, FilterResult, float]:
-    """Reckon and filter until the start attitude is accurate enough for the linear model.
-
-    Returns:
-        The last dead reckoning, the filter's estimates on it, and the sway, m.
-
-    Raises:
-        AlignmentError: the record is too short, or the attitude does not converge.
-    """
+    """Reckon and filter until the start attitude is accurate enough for the linear model; return
+    both results and the sway, m."""
     record, each = split_into_steps(record)
     mat_nb = coarse
     for _ in range(MAX_PASSES):

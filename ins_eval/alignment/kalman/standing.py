@@ -6,13 +6,11 @@ height is clamped, so that an uncertain gravity is not taken for a tilt.
 """
 
 import numpy as np
-from filterpy.common import van_loan_discretization
-from numpy.typing import NDArray
 
+from ins_eval.common import earth
+from ins_eval.common.arrays import Array
+from ins_eval.common.rotation import skew
 from ins_eval.common.sensor_errors import SensorErrors
-from ins_eval.theory import AtRest
-
-Array = NDArray[np.float64]
 
 STATES = 13
 ATTITUDE, VELOCITY, DISPLACEMENT = slice(0, 3), slice(3, 5), slice(5, 7)
@@ -25,9 +23,22 @@ VELOCITY_PRIOR, DISPLACEMENT_PRIOR = 1.0, 10.0
 
 
 def dynamics(latitude: float, height: float) -> Array:
-    """Return F (13, 13), dx/dt = F x, with biases about and along north, east, down."""
+    """Return F (13, 13), dx/dt = F x, with biases about and along north, east, down.
+
+    Coefficients are constant (Britting 1971, chapter 8; Groves 2013, section 14.2).
+    """
+    gravity = earth.gravity(latitude, height)
+    omega_ie = earth.rotation_rate(latitude)
+    north, _, down = omega_ie
+    radius_n = float(earth.meridian_radius(latitude)) + height
+    radius_e = float(earth.transverse_radius(latitude)) + height
     f = np.zeros((STATES, STATES))
-    f[:7, :7] = AtRest(latitude, height).dynamics()
+    f[ATTITUDE, ATTITUDE] = -skew(omega_ie)
+    f[0, 4], f[1, 3], f[2, 4] = -1 / radius_e, 1 / radius_n, np.tan(latitude) / radius_e
+    f[0, 5], f[2, 5] = -down / radius_n, north / radius_n
+    f[3, 1], f[4, 0] = -gravity, gravity
+    f[3, 4], f[4, 3] = 2 * down, -2 * down
+    f[5, 3] = f[6, 4] = 1.0
     f[ATTITUDE, GYRO] = np.eye(3)
     f[VELOCITY, ACCELEROMETER] = np.eye(3)[:2]
     return f
@@ -39,10 +50,7 @@ def noise(errors: SensorErrors, interval: float, gravity: float) -> Array:
     Quantization is white noise of angle and velocity. That of the angle drives velocity through
     gravity, that of velocity drives displacement.
 
-    Args:
-        errors: of the sensors.
-        interval: of the increments, s.
-        gravity: m/s^2.
+    interval: of the increments, s; gravity: m/s^2.
     """
     remainder = interval / 12
     force = np.hypot(
@@ -56,12 +64,6 @@ def noise(errors: SensorErrors, interval: float, gravity: float) -> Array:
     g = np.zeros((STATES, len(roots)))
     g[: len(roots)] = np.diag(roots)
     return g
-
-
-def discretize(f: Array, g: Array, step: float) -> tuple[Array, Array]:
-    """Return transition (n, n) and noise covariance (n, n) of a step, s, exact (Van Loan 1978)."""
-    transition, covariance = van_loan_discretization(f, g, step)
-    return np.asarray(transition), np.asarray(covariance)
 
 
 def put_biases_in_body_axes(transition: Array, mat_nb: Array) -> Array:

@@ -2,18 +2,16 @@
 
 Rotation about level axes in excess of the gyros' own noise is that of the vehicle. Its model is
 white noise from step to step plus a random walk. A steady rate is left out: it contains the
-heading. docs/methods/alignment.md, Eq. 9.
+heading. docs/methods/alignment.md, Eq. 7.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import minimize
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
-
-Array = NDArray[np.float64]
 
 BOUNDS = ((1e-7, 1.0), (1e-10, 1.0))
 """Search ranges of `Tilting`. Chosen: below the lower ends the heading does not change."""
@@ -32,14 +30,11 @@ class Tilting:
 
 
 def estimate_tilting(turned: Array, step: float, errors: SensorErrors) -> Tilting:
-    """Estimate the tilting by maximum likelihood.
+    """Estimate the tilting from the rotation `turned` (m, 2) about north and east since the start,
+    rad, at the end of each step, s.
 
-    Whittle's likelihood of the periodogram of the mean rates, without frequency 0 (Whittle 1953).
-
-    Args:
-        turned: (m, 2) rotation about north and east since the start, rad, at the end of each step.
-        step: s.
-        errors: of the sensors.
+    It maximizes Whittle's likelihood of the periodogram of the mean rates, without frequency 0
+    (Whittle 1953).
     """
     rate = np.diff(turned, axis=0, prepend=0.0) / step
     frequency = np.fft.rfftfreq(len(rate), step)[1:]

@@ -3,13 +3,10 @@
 from dataclasses import dataclass
 
 import numpy as np
-import xarray as xr
-from numpy.typing import NDArray
 
-from ins_eval.error_model.linear_model import AXES, LinearModel
-from ins_eval.error_model.states import COUNT, NAMES, UNITS
-
-Array = NDArray[np.float64]
+from ins_eval.common.arrays import Array
+from ins_eval.error_model.linear_model import LinearModel
+from ins_eval.error_model.states import COUNT
 
 COMPONENTS = ("north", "east")
 HORIZONTAL = np.eye(COUNT)[:2]
@@ -32,16 +29,6 @@ class Weights:
     states: Array
     sensors: Array
 
-    @property
-    def step_coefficients(self) -> Array:
-        """(n, 2, e, 3) weights of the coefficients of each effect and axis during one step."""
-        return np.asarray(np.einsum("nij,njea->niea", self.states[1:], self.model.inputs))
-
-    @property
-    def coefficients(self) -> Array:
-        """(2, e, 3) weights of constant coefficients of each effect and axis."""
-        return np.asarray(self.step_coefficients.sum(axis=0))
-
 
 def compute_weights(model: LinearModel) -> Weights:
     """Compute the weights in the position error at the model's end.
@@ -54,42 +41,3 @@ def compute_weights(model: LinearModel) -> Weights:
     for k in range(len(model) - 1, -1, -1):
         states[k] = states[k + 1] @ model.transition[k]
     return Weights(model, states, states[1:] @ model.constant_errors / model.step)
-
-
-def label_weights(weights: Weights) -> xr.Dataset:
-    """Return weights as a dataset with names, times and units."""
-    time = weights.model.time
-    middle = 0.5 * (time[1:] + time[:-1])
-    effects = weights.model.effects
-    gyro, accelerometer = weights.sensors[..., :AXES], weights.sensors[..., AXES:]
-    axes = ("time", "component", "axis")
-    return xr.Dataset(
-        {
-            "gyro": (axes, gyro, {"units": "m/rad", "long_name": "final error per gyro error"}),
-            "accelerometer": (
-                axes,
-                accelerometer,
-                {"units": "s", "long_name": "final error per accelerometer error"},
-            ),
-            "state_weight": (
-                ("bound", "component", "state"),
-                weights.states,
-                {"units": "m per state_unit"},
-            ),
-            "coefficient": (
-                ("component", "effect", "axis"),
-                weights.coefficients,
-                {"units": "m per effect_unit", "long_name": "final error per constant coefficient"},
-            ),
-        },
-        {
-            "time": ("time", middle, {"units": "s", "long_name": "middle of the step"}),
-            "bound": ("bound", time, {"units": "s"}),
-            "component": list(COMPONENTS),
-            "axis": list(BODY),
-            "state": list(NAMES),
-            "state_unit": ("state", list(UNITS)),
-            "effect": [effect.name for effect in effects],
-            "effect_unit": ("effect", [effect.unit for effect in effects]),
-        },
-    )

@@ -6,8 +6,10 @@ from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ins_eval.error_model.budget.adjoint import BODY, COMPONENTS, Weights, label_weights
+from ins_eval.common.arrays import Array
+from ins_eval.error_model.budget.adjoint import BODY, COMPONENTS, Weights
 from ins_eval.error_model.budget.budget import sum_contributions
+from ins_eval.error_model.linear_model import AXES
 from pyhrg.common.units import ARCSEC, HOUR
 
 COLOURS = dict(zip(BODY, ("tab:blue", "tab:orange", "tab:green"), strict=True))
@@ -23,9 +25,7 @@ def plot_budget(weights: Weights, budget: xr.Dataset, title: str = "Error budget
     contribution = _select_largest(budget.contribution)
     for column, component in enumerate(COMPONENTS):
         own = contribution.sel(component=component)
-        _plot_weights(
-            rows[0, column], label_weights(weights).gyro.sel(component=component) * ARCSEC
-        )
+        _plot_weights(rows[0, column], weights.model.time, weights.sensors[:, column, :AXES])
         initial = float(budget.initial.sum("state").sel(component=component))
         _plot_growth(rows[1, column], own.sum("axis"), initial)
         _plot_bars(rows[2, column], own.sum("time"), initial)
@@ -43,14 +43,13 @@ def plot_budget(weights: Weights, budget: xr.Dataset, title: str = "Error budget
     return figure
 
 
-def _plot_weights(axes: Axes, weight: xr.DataArray) -> None:
-    """Plot weights over time, linear near zero and logarithmic beyond: those of the alignment are
-    many times those of the flight."""
-    for axis, colour in COLOURS.items():
-        axes.plot(weight.time / HOUR, weight.sel(axis=axis), colour, linewidth=0.9, label=axis)
-    axes.set_yscale(
-        "symlog", linscale=2, linthresh=max(float(np.median(np.abs(weight.values))), 1e-9)
-    )
+def _plot_weights(axes: Axes, bounds: Array, gyros: Array) -> None:
+    """Plot weights (n, 3) in steps with bounds (n + 1,), s: linear near zero and logarithmic
+    beyond, because those of the alignment are many times those of the flight."""
+    hours, weights = 0.5 * (bounds[1:] + bounds[:-1]) / HOUR, gyros * ARCSEC
+    for (axis, colour), weight in zip(COLOURS.items(), weights.T, strict=True):
+        axes.plot(hours, weight, colour, linewidth=0.9, label=axis)
+    axes.set_yscale("symlog", linscale=2, linthresh=max(float(np.median(np.abs(weights))), 1e-9))
     axes.set_xlabel("time, h")
 
 

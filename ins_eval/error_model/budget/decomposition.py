@@ -1,29 +1,22 @@
 """Decomposition of known sensor errors into effects."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.error_model.effects import Effect, Sensor
 from ins_eval.error_model.linear_model import AXES
 from ins_eval.error_model.motion import Motion, step_mean
 from pyhrg.records.imu.increments import Increments
 
-Array = NDArray[np.float64]
-
 UNEXPLAINED = "noise and rest"
 """Name of the residual that no effect explains."""
 
 
 def sensor_error(measured: Increments, truth: Increments) -> Increments:
-    """Return measured less true increments.
-
-    Raises:
-        ValueError: increments of different times.
-    """
+    """Return measured less true increments."""
     same = len(measured) == len(truth) and np.isclose(measured.interval, truth.interval)
     if not same or abs(measured.start - truth.start) > 1e-6:
         raise ValueError(
@@ -39,12 +32,7 @@ def sensor_error(measured: Increments, truth: Increments) -> Increments:
 
 
 def sum_over_steps(increments: Increments, start: float, step: float, count: int) -> Increments:
-    """Sum increments over `count` steps of `step` seconds from time `start`.
-
-    Raises:
-        ValueError: a step that is not a whole number of intervals, or increments that do not cover
-            the steps.
-    """
+    """Sum increments over `count` steps of `step` seconds from time `start`."""
     each = round(step / increments.interval)
     first = round((start - increments.start) / increments.interval)
     off = start - increments.start - first * increments.interval
@@ -64,45 +52,31 @@ def sum_over_steps(increments: Increments, start: float, step: float, count: int
     return Increments(step, rotation, velocity, start)
 
 
-@dataclass(frozen=True)
-class Prior:
-    """Prior knowledge of the sensors.
-
-    deviations: (e, 3) standard deviations of the effects' coefficients, SI; noise: the noise that
-    is superposed.
-    """
-
-    deviations: Array
-    noise: SensorErrors
-
-    def noise_of(self, sensor: Sensor, step: float) -> float:
-        """Return the noise's standard deviation of a step's increment, rad or m/s."""
-        n = self.noise
-        walk, instability, count = (
-            (n.angle_random_walk, n.gyro_bias_instability, n.angle_quantization_step)
-            if sensor == "gyro"
-            else (
-                n.velocity_random_walk,
-                n.accelerometer_bias_instability,
-                n.velocity_quantization_step,
-            )
-        )
-        return float(np.sqrt(walk**2 * step + (instability * step) ** 2 + count**2 / 6))
+def size_step_noise(noise: SensorErrors, sensor: Sensor, step: float) -> float:
+    """Return the noise's standard deviation of a step's increment, rad or m/s."""
+    if sensor == "gyro":
+        walk, instability = noise.angle_random_walk, noise.gyro_bias_instability
+        count = noise.angle_quantization_step
+    else:
+        walk, instability = noise.velocity_random_walk, noise.accelerometer_bias_instability
+        count = noise.velocity_quantization_step
+    return float(np.sqrt(walk**2 * step + (instability * step) ** 2 + count**2 / 6))
 
 
 def decompose_errors(
-    error: Increments, motion: Motion, effects: Sequence[Effect], prior: Prior | None = None
+    error: Increments,
+    motion: Motion,
+    effects: Sequence[Effect],
+    deviations: Array,
+    noise: SensorErrors,
 ) -> dict[str, Increments]:
     """Decompose the sensors' error into families of effects, in the motion's steps.
 
-    For each axis, coefficients of the effects' signals along the motion are estimated
-    (docs/methods/error_model.md, Eq. 15). Without a prior this is ordinary least squares, in which
-    large parts may cancel if signals are nearly collinear: a gyro whose pattern moves by one degree
-    does not separate its bias from its map. With a prior it is the maximum a posteriori estimate.
-    The parts, with the residual `UNEXPLAINED`, sum to the error.
-
-    Raises:
-        ValueError: an error that does not cover the motion.
+    For each axis, coefficients of the effects' signals along the motion are the maximum a
+    posteriori estimate (docs/methods/error_model.md, Eq. 14) under their standard deviations (e,
+    3), SI, and the superposed noise. Without a prior, large parts would cancel where signals are
+    nearly collinear: a gyro whose pattern moves by one degree does not separate its bias from its
+    map. The parts, with the residual `UNEXPLAINED`, sum to the error.
     """
     total = sum_over_steps(error, motion.start, motion.step, len(motion))
     parts = {effect.family: np.zeros((len(motion), 2, AXES)) for effect in effects}
@@ -114,15 +88,11 @@ def decompose_errors(
             continue
         own = [effects[i] for i in places]
         signals = np.stack([motion.step * step_mean(e.regressor(motion)) for e in own], axis=-1)
+        size = size_step_noise(noise, sensor, motion.step)
         for axis in range(AXES):
-            problem = signals[:, axis], residual[:, place, axis]
-            if prior:
-                noise = prior.noise_of(sensor, motion.step)
-                fitted = signals[:, axis] * _estimate_with_prior(
-                    *problem, prior.deviations[places, axis], noise
-                )
-            else:
-                fitted = signals[:, axis] * _fit_least_squares(*problem)
+            fitted = signals[:, axis] * _estimate_with_prior(
+                signals[:, axis], residual[:, place, axis], deviations[places, axis], size
+            )
             for effect, part in zip(own, fitted.T, strict=True):
                 parts[effect.family][:, place, axis] += part
             residual[:, place, axis] -= fitted.sum(axis=1)
@@ -131,12 +101,6 @@ def decompose_errors(
         name: Increments(motion.step, part[:, 0], part[:, 1], motion.start)
         for name, part in parts.items()
     }
-
-
-def _fit_least_squares(signals: Array, values: Array) -> Array:
-    size = np.linalg.norm(signals, axis=0)
-    size = np.where(size > 0, size, 1.0)
-    return np.asarray(np.linalg.lstsq(signals / size, values, rcond=1e-9)[0] / size)
 
 
 def _estimate_with_prior(signals: Array, values: Array, deviations: Array, noise: float) -> Array:

@@ -3,7 +3,7 @@
 from dataclasses import replace
 from pathlib import Path
 
-from ins_eval.mission_model.missions import find_mission_file, plan_mission
+from ins_eval.mission_model.missions import plan_mission
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.run.run import Cluster, Progress
 from ins_eval.study.run_study import StudyResult, make_experiment, run_to_result
@@ -21,6 +21,7 @@ from ins_eval.study.specification import (
 from ins_eval.study.study_data import read_study_data
 from ins_eval.study.study_file import load_study
 from ins_eval.study.validation.result_files import FILES, write_files
+from ins_eval.trajectories.catalogue import find_mission_file
 from pyhrg.common.arguments import check_number, check_seed, check_whole_number
 from pyhrg.common.errors import HrgError
 

@@ -60,11 +60,7 @@ class Manoeuvre(Checked, ABC):
 
     @abstractmethod
     def leg(self, entry: Entry) -> Leg:
-        """Return the manoeuvre's profiles.
-
-        Raises:
-            TrajectoryError: the manoeuvre can't be entered in this state.
-        """
+        """Return the manoeuvre's profiles."""
 
 
 def make_leg(entry: Entry, duration: float, **changes: object) -> Leg:
@@ -78,11 +74,7 @@ def make_leg(entry: Entry, duration: float, **changes: object) -> Leg:
 
 
 def horizontal_speed(entry: Entry) -> float:
-    """Return the speed over ground, m/s, of a vehicle that is about to turn.
-
-    Raises:
-        TrajectoryError: it stands, or goes straight up.
-    """
+    """Return the speed over ground, m/s, of a vehicle that is about to turn."""
     speed = entry.speed * math.cos(entry.climb_angle)
     if speed < 0.1:
         raise TrajectoryError(
@@ -92,10 +84,6 @@ def horizontal_speed(entry: Entry) -> float:
 
 
 def check_standing(entry: Entry) -> None:
-    """Check that the vehicle stands.
-
-    Raises:
-        TrajectoryError: it moves.
-    """
+    """Check that the vehicle stands."""
     if abs(entry.speed) > 1e-9:
         raise TrajectoryError(f"speed: found {entry.speed:g} m/s, expected 0: the vehicle stands")

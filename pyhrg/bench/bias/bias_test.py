@@ -4,10 +4,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import Finding, estimate_deviation, estimate_mean
 from pyhrg.bench.readings.segments import Segments
+from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG_PER_H
 
@@ -16,63 +16,58 @@ RUNS = 7
 
 
 @dataclass(frozen=True)
-class BiasRun:
-    """One power-on.
+class BiasTest:
+    """Runs of a bias test, with the power cycled between them.
 
-    points: (n,) means over 100 s, rad/s, without Earth's rate.
+    runs: (n,) each, means over 100 s, rad/s, without Earth's rate.
     """
 
-    points: NDArray[np.float64]
+    runs: tuple[Array, ...]
 
     @property
-    def mean(self) -> float:
-        """Bias of the run, rad/s (paper 4.1, item 5)."""
-        return float(np.mean(self.points))
+    def means(self) -> list[float]:
+        """Bias of each run, rad/s (paper 4.1, item 5)."""
+        return [float(np.mean(points)) for points in self.runs]
 
     @property
-    def deviation(self) -> float:
-        """Standard deviation of the run's points, rad/s, n - 1 (paper 4.1, item 4)."""
-        return float(np.std(self.points, ddof=1))
-
-
-@dataclass(frozen=True)
-class BiasTest:
-    """Runs of a bias test, with the power cycled between them."""
-
-    runs: tuple[BiasRun, ...]
+    def deviations(self) -> list[float]:
+        """Standard deviation of each run's points, rad/s, n - 1 (paper 4.1, item 4)."""
+        return [float(np.std(points, ddof=1)) for points in self.runs]
 
     @property
     def bias(self) -> float:
         """Mean over the runs, rad/s."""
-        return float(np.mean([run.mean for run in self.runs]))
+        return float(np.mean(self.means))
 
     @property
     def stability(self) -> float:
         """Bias stability, rad/s: mean over runs of the runs' standard deviations."""
-        return float(np.mean([run.deviation for run in self.runs]))
+        return float(np.mean(self.deviations))
 
     @property
     def repeatability(self) -> float:
         """Bias repeatability, rad/s: standard deviation over runs of the runs' means, n - 1."""
-        return float(np.std([run.mean for run in self.runs], ddof=1))
+        return float(np.std(self.means, ddof=1))
 
     def findings(self) -> tuple[Finding, ...]:
         """Bias, stability and repeatability with intervals over runs."""
         return (
-            estimate_mean("bias", [run.mean for run in self.runs], "deg/h"),
-            estimate_mean("bias stability", [run.deviation for run in self.runs], "deg/h"),
-            estimate_deviation("bias repeatability", [run.mean for run in self.runs], "deg/h"),
+            estimate_mean("bias", self.means, "deg/h"),
+            estimate_mean("bias stability", self.deviations, "deg/h"),
+            estimate_deviation("bias repeatability", self.means, "deg/h"),
         )
 
     def table(self) -> Table:
         """Runs in the layout of the paper's Table 2."""
         rows = [
-            (str(number), f"{run.mean / DEG_PER_H:.5f}", f"{run.deviation / DEG_PER_H:.5f}")
-            for number, run in enumerate(self.runs, 1)
+            (str(number), f"{mean / DEG_PER_H:.5f}", f"{deviation / DEG_PER_H:.5f}")
+            for number, (mean, deviation) in enumerate(
+                zip(self.means, self.deviations, strict=True), 1
+            )
         ]
         return Table("Runs, deg/h", ("run", "mean", "std. dev."), tuple(rows))
 
 
 def summarize_runs(runs: Sequence[Segments]) -> BiasTest:
     """Bias test from the data points of each run."""
-    return BiasTest(tuple(BiasRun(segments.rate) for segments in runs))
+    return BiasTest(tuple(segments.rate for segments in runs))

@@ -42,11 +42,7 @@ class Circumference:
 
 
 def fit_circumference(test: Test, site: Site) -> Circumference:
-    """Fit of one power-on.
-
-    Raises:
-        BenchError: the positions don't spread over the circumference.
-    """
+    """Fit of one power-on."""
     data = read_points(test.log, site.latitude, SETTLE, SEGMENT, WARM_UP, held=())
     columns = make_columns(data.pattern_angle, data.pattern_angle, HARMONICS, tilt=False)
     worst = max(compute_inflations(columns).values())

@@ -39,12 +39,8 @@ def make_programme(
 ) -> Programme:
     """Programme of one power-on: up through the soaks, then down to the first in one ramp.
 
-    Args:
-        bench: with the gyro.
-        soaks: temperatures, degC, each with positions and spins.
-        interval: length of a row, s.
-        lags: duration of a soak, in thermal lags of the gyro.
-        pairs: pairs of spins in opposite directions at each soak.
+    Soaks are in degC, each with positions and `pairs` of spins in opposite directions; they last
+    `lags` thermal lags of the gyro. Rows are `interval` seconds long.
     """
     course = bench.programme(interval).rest(_round_to_rows(WARM_UP, interval))
     now = bench.device.reference_temperature

@@ -5,33 +5,34 @@ measured again with the maps in its electronics, in power-ons of their own. The 
 maps of a gyro whose pattern axes lie 45 deg away: the fourth harmonic doubles.
 """
 
-from collections.abc import Sequence
+import zlib
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, replace
 
+import numpy as np
 from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS, summarize_runs
 from pyhrg.bench.bias.position import full_circumference
 from pyhrg.bench.bias.position.full_circumference import SEGMENTS, make_power_ons, read_runs
-from pyhrg.bench.bias.position.position_variances import estimate_within
+from pyhrg.bench.bias.position.position_runs import estimate_within
 from pyhrg.bench.bias.position.positions import Plan
-from pyhrg.bench.calibration.calibration_figure import draw
 from pyhrg.bench.calibration.calibration_maps import (
     Calibration,
     add_maps,
     fit_maps,
-    list_coefficients,
     make_angle_map,
     turn_map,
 )
-from pyhrg.bench.calibration.stages import label_stage, select_stage, stage_bench
+from pyhrg.bench.figures import COLOURS, finish_axes
 from pyhrg.bench.outcome import Finding, Outcome, estimate_mean
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.readings.segments import Segments
 from pyhrg.bench.scale_factor import rate_tests
 from pyhrg.bench.scale_factor.rate_tests import list_turn_exclusions, make_turn_power_ons
 from pyhrg.bench.scale_factor.scale_factor import SCALE
-from pyhrg.common.units import DEG
+from pyhrg.common.units import DEG, DEG_PER_H, PPM
 from pyhrg.device.device import Device
 from pyhrg.records.campaign import Campaign, Test
 
@@ -51,19 +52,14 @@ def record(
     bench: Bench, plan: Plan | None = None, runs: int = RUNS, segments: int = SEGMENTS
 ) -> list[Test]:
     """The gyro as it is, with its maps, and with wrong ones: positions and turns both ways."""
-    before = measure(bench, plan, runs, segments)
+    before = bench.run(plan_power_ons(bench, plan, runs, segments))
     found = fit_maps(bench.campaign(before))
     tests = list(before)
     for stage, angle in ((AFTER, 0.0), (CONTROL, AWAY)):
         device = apply_maps(bench.device, found, angle)
-        after = measure(stage_bench(bench, device, stage), plan, runs, segments)
-        tests += label_stage(after, stage)
+        after = stage_bench(bench, device, stage)
+        tests += label_stage(after.run(plan_power_ons(after, plan, runs, segments)), stage)
     return tests
-
-
-def measure(bench: Bench, plan: Plan | None, runs: int, segments: int) -> list[Test]:
-    """Make the power-ons of `measurements`."""
-    return bench.run(plan_power_ons(bench, plan, runs, segments))
 
 
 def plan_power_ons(bench: Bench, plan: Plan | None, runs: int, segments: int) -> list[PowerOn]:
@@ -92,23 +88,22 @@ def evaluate(campaign: Campaign) -> Outcome:
         name: (found if tests is campaign else fit_maps(tests), read_runs(tests))
         for name, tests in measured.items()
     }
-    missing = () if "after" in results else (_not_applied(),)
+    missing = "no test with the maps applied: what they leave was not measured"
     findings = [find_residual_variation(name, *result) for name, result in results.items()]
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(
             *found.bias_map.values(),
             *found.scale_factor_map.values(),
-            found.rates.finding(SCALE, "scale factor error", "ppm"),
+            found.rates.fit.finding(SCALE, "scale factor error", "ppm"),
             *(finding for group in findings for finding in group),
         ),
         verdict=_verdict({f.name: f for group in findings for f in group}),
-        warnings=(*found.refused, *missing),
+        warnings=found.refused if "after" in results else (*found.refused, missing),
         exclusions=tuple(text for tests in measured.values() for text in _exclusions(tests)),
-        draw=lambda figure: draw_stages(figure, results),
+        draw=lambda figure: draw(figure, results),
         values={
-            "bias_map": list_coefficients(make_angle_map(found.bias_map)),
-            "scale_factor_map": list_coefficients(make_angle_map(found.scale_factor_map)),
+            "bias_map": asdict(make_angle_map(found.bias_map)),
+            "scale_factor_map": asdict(make_angle_map(found.scale_factor_map)),
             "scale_factor": found.scale_factor,
         },
     )
@@ -124,30 +119,13 @@ def find_residual_variation(
     stage: str, found: Calibration, runs: Sequence[Segments]
 ) -> tuple[Finding, ...]:
     """What varies over the circumference."""
-    test = summarize_runs(runs)
-    variation = found.rates.variation()
+    deviations = summarize_runs(runs).deviations
+    note = "with the tilt of the input axis, which is none of the map's"
     return (
-        estimate_mean(
-            f"bias stability {stage}",
-            [run.deviation for run in test.runs],
-            "deg/h",
-            "with the tilt of the input axis, which is none of the map's",
-        ),
+        estimate_mean(f"bias stability {stage}", deviations, "deg/h", note),
         estimate_within(f"within positions {stage}", runs),
-        Finding(
-            f"scale factor variation {stage}",
-            variation.value,
-            "ppm",
-            variation.low,
-            variation.high,
-            variation.n,
-            variation.note,
-        ),
+        replace(found.rates.variation(), name=f"scale factor variation {stage}"),
     )
-
-
-def _not_applied() -> str:
-    return "no test with the maps applied: what they leave was not measured"
 
 
 def _verdict(found: dict[str, Finding]) -> str:
@@ -167,10 +145,52 @@ def _verdict(found: dict[str, Finding]) -> str:
     )
 
 
-def draw_stages(figure: Figure, results: dict[str, tuple[Calibration, list[Segments]]]) -> None:
-    """Before and after, over the pattern angle."""
-    shown = {name: result for name, result in results.items() if name in ("before", "after")}
-    draw(figure, shown)
+def draw(figure: Figure, stages: Mapping[str, tuple[Calibration, Sequence[Segments]]]) -> None:
+    """Before and after: left the position test's points, right the fitted scale factor."""
+    bias, scale = figure.subplots(1, 2)
+    grid = np.linspace(0.0, np.pi, 361)
+    for name, colour in (("before", COLOURS[1]), ("after", COLOURS[0])):
+        if name in stages:
+            found, runs = stages[name]
+            angle = np.concatenate([run.pattern_angle for run in runs]) % np.pi / DEG
+            rate = np.concatenate([found.positions.remove_tilt(run) for run in runs]) / DEG_PER_H
+            bias.plot(angle, rate, ".", ms=3, color=colour, label=name)
+            scale.plot(grid / DEG, found.rates.evaluate(grid) / PPM, color=colour, label=name)
+    bias.set_title("Position test, tilt removed")
+    scale.set_title("Turns both ways")
+    for axes, label in ((bias, "bias, deg/h"), (scale, "scale factor less its mean, ppm")):
+        finish_axes(axes, "pattern angle, deg", label, xlim=(0, 180))
+
+
+def label_stage(tests: Sequence[Test], stage: str) -> list[Test]:
+    """Tests under the name of a stage: kind and id carry it."""
+    return [
+        replace(
+            test,
+            id=f"{test.id}_{stage}",
+            kind=f"{test.kind}_{stage}",
+            recording=replace(test.log, source=f"{test.log.source}_{stage}"),
+        )
+        for test in tests
+    ]
+
+
+def select_stage(campaign: Campaign, stage: str) -> Campaign | None:
+    """The tests of a stage alone, under their plain kinds; None where there are none."""
+    suffix = f"_{stage}"
+    found = [
+        replace(test, kind=test.kind.removesuffix(suffix))
+        for test in campaign.tests
+        if test.kind.endswith(suffix)
+    ]
+    return replace(campaign, tests=tuple(found)) if found else None
+
+
+def stage_bench(bench: Bench, device: Device, stage: str) -> Bench:
+    """The bench with another gyro on it, or the same one set otherwise, and noise of its own."""
+    key = zlib.crc32(stage.encode())
+    (seed,) = np.random.SeedSequence(bench.seed, spawn_key=(key,)).generate_state(1)
+    return replace(bench, device=device, seed=int(seed) % 2**31)
 
 
 PROCEDURE: Procedure = Procedure(

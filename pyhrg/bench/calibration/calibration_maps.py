@@ -10,7 +10,7 @@ position test takes for bias; the bias map is its map less W_e times theirs.
 """
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 from scipy import stats
@@ -56,11 +56,7 @@ class Calibration:
 
 
 def fit_maps(campaign: Campaign) -> Calibration:
-    """Maps from the campaign's position tests and its slow rate tests, both ways.
-
-    Raises:
-        BenchError: there are none, or not what they must hold.
-    """
+    """Maps from the campaign's position tests and its slow rate tests, both ways."""
     positions = fit_map(read_runs(campaign))
     rates = fit_scale_factor_map(read_rate_turns(campaign, slow=True), read_bryan_factor(campaign))
     logs = [test.log for test in require_tests(campaign, full_circumference.KIND)]
@@ -97,12 +93,9 @@ def add_maps(
 ) -> Device:
     """A gyro with maps added to those that its electronics have already.
 
-    Args:
-        device: as it was tested.
-        bias_map: output bias that is left, rad/s.
-        scale_factor_map: error of the detected pattern angle that is left, rad.
-        scale_factor: mean scale-factor error that is left; corrects the Bryan factor that the
-            read-out believes.
+    The bias map is the output bias that is left, rad/s; the scale-factor map the error of the
+    detected pattern angle that is left, rad; the mean scale-factor error that is left corrects the
+    Bryan factor that the read-out believes.
     """
     return replace(
         device,
@@ -115,11 +108,6 @@ def add_maps(
 
 def _sum(one: AngleMap, other: AngleMap) -> AngleMap:
     return AngleMap(**{f.name: getattr(one, f.name) + getattr(other, f.name) for f in fields(one)})
-
-
-def list_coefficients(coefficients: AngleMap) -> dict[str, float]:
-    """By name, SI."""
-    return asdict(coefficients)
 
 
 def _bias(name: str, positions: BiasMap, rates: ScaleFactorMap, earth: float, n: int) -> Finding:
@@ -166,5 +154,5 @@ def _angle_errors(rates: ScaleFactorMap) -> list[tuple[str, Finding]]:
         cosine, sine = name_terms(order)
         for name, source, factor in ((cosine, sine, -1 / order), (sine, cosine, 1 / order)):
             label = f"scale factor map {name}"
-            found.append((name, rates.finding(f"{SCALE} {source}", label, "arcsec", factor)))
+            found.append((name, rates.fit.finding(f"{SCALE} {source}", label, "arcsec", factor)))
     return found

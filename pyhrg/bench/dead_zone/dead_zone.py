@@ -12,16 +12,16 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.dead_zone.dead_zone_figure import draw
 from pyhrg.bench.dead_zone.free_runs import (
     compare_with_adler,
+    draw,
     find_residual_dead_zone,
     tabulate_runs,
 )
 from pyhrg.bench.dead_zone.lock import Run, read_run
 from pyhrg.bench.dead_zone.turning import FOURTH, fit_turning, is_turning
-from pyhrg.bench.estimation.harmonic_amplitude import estimate_amplitude
 from pyhrg.bench.estimation.harmonics import MEAN, Fit
+from pyhrg.bench.estimation.sizes import estimate_amplitude
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests, select_tests
 from pyhrg.bench.programme import Programme
@@ -135,7 +135,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     everything = [*plain, *by_output, *by_force]
     capture = 1 / (4 * read_bryan_factor(campaign) * lock.value) if lock.value > 0 else math.inf
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(
             lock,
             *compare_with_adler(plain, fitted, lock.value),

@@ -43,12 +43,7 @@ class Run:
 
 
 def read_run(log: Log, latitude: float, bryan_factor: float) -> Run:
-    """State of the pattern in a log.
-
-    Raises:
-        BenchError: the rate or the rotation is not constant, or the pattern is neither locked nor
-            through a whole period.
-    """
+    """State of the pattern in a log."""
     log.require("table_angle", "gyro_angle", "wave_angle", "virtual_rotation", "axis_up")
     time, wave, n = log.time, log.wave_angle, len(log.time)
     if n < 100 or np.ptp(log.virtual_rotation) > 0:

@@ -8,18 +8,16 @@ error goes with the rate, the bias does not: both directions separate them.
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, MEAN, name_terms
-from pyhrg.bench.estimation.row_fit import Part, RowFit, compute_inflations, fit_rows
+from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, MEAN, Fit, name_terms
+from pyhrg.bench.estimation.row_fit import Part, compute_inflations, fit_rows
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.plateaus import find_plateaus
 from pyhrg.bench.readings.segments import SEGMENT
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 FOURTH = name_terms(4)
 ARC = 15 * DEG
@@ -49,13 +47,9 @@ def is_turning(log: Log) -> bool:
     return bool(still and 0.0 < rate < FASTEST and np.ptp(log.wave_angle) >= SWEPT)
 
 
-def fit_turning(logs: Sequence[Log], latitude: float) -> tuple[RowFit, list[str]]:
+def fit_turning(logs: Sequence[Log], latitude: float) -> tuple[Fit, list[str]]:
     """Bias map of turning logs, rad/s: mean, harmonics 4 and where they can be seen 2 and 8, and
-    what goes with the rate; and a sentence on each term that can't be identified.
-
-    Raises:
-        BenchError: too few segments, or the fourth harmonic can't be seen.
-    """
+    what goes with the rate; and a sentence on each term that can't be identified."""
     rows = [stretch for log in logs for stretch in _stretches(log, latitude)]
     count = sum(map(len, rows))
     if count < 10:

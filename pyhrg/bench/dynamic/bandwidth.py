@@ -16,6 +16,7 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_mean
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
+from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
@@ -46,7 +47,7 @@ class Response:
     ratio: (m, n) complex: output over encoder, in each period.
     """
 
-    frequency: NDArray[np.float64]
+    frequency: Array
     ratio: NDArray[np.complex128]
 
     @property
@@ -55,14 +56,14 @@ class Response:
         return np.asarray(np.mean(self.ratio, axis=0))
 
     @property
-    def reach(self) -> NDArray[np.float64]:
+    def reach(self) -> Array:
         """(n,) half width of the gain's 95 % interval."""
         m = len(self.ratio)
         along = np.real(self.ratio * np.exp(-1j * np.angle(self.mean)))
         return np.asarray(stats.t.ppf(0.975, m - 1) * np.std(along, axis=0, ddof=1) / np.sqrt(m))
 
     @property
-    def delays(self) -> NDArray[np.float64]:
+    def delays(self) -> Array:
         """(m,) delay in each period, s, from the slope of the phase against the frequency."""
         turn = 2 * np.pi * self.frequency
         steps = np.unwrap(np.angle(self.ratio), axis=1)
@@ -90,11 +91,7 @@ def record(bench: Bench, periods: int = PERIODS) -> list[Test]:
 
 
 def measure_response(log: Log) -> Response:
-    """Frequency response at the frequencies of the table's oscillation.
-
-    Raises:
-        BenchError: the log has fewer than 3 periods, or 3 frequencies.
-    """
+    """Frequency response at the frequencies of the table's oscillation."""
     log.require("table_angle", "gyro_angle")
     rows = round(PERIOD / log.interval)
     ratios, lines = [], np.zeros(0, dtype=np.int64)
@@ -133,7 +130,7 @@ def find_bandwidth(response: Response) -> Finding:
     return Finding(name, value * turn, "Hz", low * turn, high * turn, n, "-3 dB", at_least=True)
 
 
-def _find_crossing(frequency: NDArray[np.float64], gain: NDArray[np.float64]) -> float:
+def _find_crossing(frequency: Array, gain: Array) -> float:
     """Frequency at which the gain falls below -3 dB, interpolated linearly; infinite if it never
     does."""
     below = np.flatnonzero(gain < HALF_POWER)
@@ -159,7 +156,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     half = tests[0].log.interval / 2
     limit = "at least " if np.isinf(width.high) else ""
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(width, delay, *gains),
         verdict=(
             f"Bandwidth {limit}{width.value_in_unit:.4g} Hz, delay "
@@ -188,12 +184,10 @@ def draw(figure: Figure, response: Response) -> None:
     bars = 20 / np.log(10) * response.reach / np.abs(mean)
     above.errorbar(frequency, decibel, bars, fmt="o", color="#0072B2", ms=4, capsize=3)
     above.axhline(-3, color="k", ls="--", lw=1, label="-3 dB")
-    above.set_ylabel("gain, dB")
-    above.set_title("Output over encoder, 95 % intervals")
+    above.set(ylabel="gain, dB", title="Output over encoder, 95 % intervals")
     above.legend()
     below.semilogx(frequency, np.angle(mean) / DEG, "o", color="#0072B2", ms=4)
-    below.set_ylabel("phase, deg")
-    below.set_xlabel("frequency of the table, Hz")
+    below.set(ylabel="phase, deg", xlabel="frequency of the table, Hz")
     for axes in (above, below):
         axes.grid(alpha=0.3, which="both")
 
@@ -202,7 +196,6 @@ PROCEDURE: Procedure = Procedure(
     name="bandwidth",
     group="dynamic",
     title="Bandwidth and delay",
-    rows=(),
     source="IEEE Std 1431: frequency response; estimator: ratio of spectra over whole periods",
     kinds=(KIND,),
     record=record,

@@ -11,6 +11,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
@@ -152,7 +153,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     worst = min(findings, key=lambda f: (0.0 if np.isnan(f.value) else f.value, f.high))
     unseen = any(np.isnan(test.log.valid).any() for test in tests)
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(replace(worst, name="measuring range"), *findings),
         verdict=(
             f"Within {ERROR_LIMIT / 1e-6:g} ppm of the input and valid up to "
@@ -172,7 +172,7 @@ def _make_table(name: str, steps: Sequence[Step]) -> Table:
 
 def draw(figure: Figure, both: dict[str, list[Step]]) -> None:
     """Draw the error against the rate, both directions."""
-    axes = figure.add_subplot()
+    axes = figure.add_subplot(title="Measuring range")
     for (name, steps), mark in zip(both.items(), ("o", "s"), strict=True):
         rate = np.array([abs(step.rate) for step in steps]) / DEG
         error = np.array([abs(step.error) for step in steps]) / 1e-6
@@ -181,11 +181,7 @@ def draw(figure: Figure, both: dict[str, list[Step]]) -> None:
     if outside:
         axes.axvspan(min(outside), max(rate), color="0.85", label="not valid")
     axes.axhline(ERROR_LIMIT / 1e-6, color="k", ls="--", lw=1, label="limit")
-    axes.set_xlabel("rate of the table, deg/s")
-    axes.set_ylabel("error of the output rate, ppm")
-    axes.set_title("Measuring range")
-    axes.grid(alpha=0.3, which="both")
-    axes.legend()
+    finish_axes(axes, "rate of the table, deg/s", "error of the output rate, ppm", grid="both")
 
 
 PROCEDURE: Procedure = Procedure(

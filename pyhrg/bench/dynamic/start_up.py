@@ -14,15 +14,15 @@ from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS
+from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
+from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign, Test
-
-Array = NDArray[np.float64]
 
 KIND = "start_up"
 AVERAGE = 10.0
@@ -68,11 +68,7 @@ def record(bench: Bench, runs: int = RUNS, duration: float = DURATION) -> list[T
 
 
 def measure_start_up(log: Log, latitude: float) -> StartUp:
-    """Start-up of one power-on.
-
-    Raises:
-        BenchError: the log is shorter than four averages, begins late or has gaps.
-    """
+    """Start-up of one power-on."""
     log.require("gyro_angle", "amplitude", "amplitude_setpoint", "axis_up")
     rows = round(AVERAGE / log.interval)
     n = len(log.time)
@@ -125,7 +121,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     )
     rows = [(str(i), f"{run.valid:.4g}", f"{run.within:.4g}") for i, run in enumerate(runs, 1)]
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=findings,
         verdict=(
             f"Valid after {findings[0].value:.3g} s, within {SPECIFICATION / DEG_PER_H:g} deg/h "
@@ -145,13 +140,9 @@ def summarize_times(
     """Median and largest of times, s.
 
     Times are whole rows and may be skewed, so that Student's interval doesn't apply. The median of
-    the population lies between the smallest and the largest of n times with the probability
-    1 - 2^(1-n) for any distribution (sign test). The smallest is taken one row earlier.
-
-    Args:
-        name: of the quantity.
-        samples: n times, s; NaN where the event is not in the record.
-        interval: of a row, s.
+    the population lies between the smallest and the largest of n times with the probability 1 -
+    2^(1-n) for any distribution (sign test). The smallest is taken one row earlier. A time is NaN
+    where the event is not in the record; `interval` is that of a row, s.
     """
     n = len(samples)
     largest = Finding(f"greatest {name}", float(np.max(samples)), "s", n=n)
@@ -188,7 +179,7 @@ def _list_warnings(tests: Sequence[Test], runs: Sequence[StartUp]) -> tuple[str,
 
 def draw(figure: Figure, runs: Sequence[StartUp]) -> None:
     """Draw the error of the averaged rate against the time since power-on."""
-    axes = figure.add_subplot()
+    axes = figure.add_subplot(title="Start-up")
     for number, run in enumerate(runs):
         label = f"{len(runs)} power-ons" if number == 0 else None
         shown = np.maximum(np.abs(run.error) / DEG_PER_H, 1e-5)
@@ -199,12 +190,13 @@ def draw(figure: Figure, runs: Sequence[StartUp]) -> None:
     )
     axes.axvline(float(valid), color="#009E73", lw=1.5, label="median time to valid output")
     axes.axvline(float(within), color="#D55E00", lw=1.5, label="median time to specification")
-    axes.set_xlim(0, 2.5 * within if np.isfinite(within) else None)
-    axes.set_xlabel("time since power-on, end of the average, s")
-    axes.set_ylabel(f"|error of the {AVERAGE:g} s mean rate|, deg/h")
-    axes.set_title("Start-up")
-    axes.grid(alpha=0.3, which="both")
-    axes.legend()
+    finish_axes(
+        axes,
+        "time since power-on, end of the average, s",
+        f"|error of the {AVERAGE:g} s mean rate|, deg/h",
+        grid="both",
+        xlim=(0, 2.5 * within if np.isfinite(within) else None),
+    )
 
 
 PROCEDURE: Procedure = Procedure(

@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 from scipy import stats
 
 from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
@@ -72,10 +73,7 @@ def make_programme(bench: Bench, rates: Sequence[float], repeats: int, dwell: fl
 
 
 def record(
-    bench: Bench,
-    rates: Sequence[float] = RATES,
-    repeats: int = REPEATS,
-    dwell: float = DWELL,
+    bench: Bench, rates: Sequence[float] = RATES, repeats: int = REPEATS, dwell: float = DWELL
 ) -> list[Test]:
     """Test of one power-on through all rates in both directions, several times."""
     return bench.run([PowerOn("threshold", KIND, make_programme(bench, rates, repeats, dwell))])
@@ -98,11 +96,7 @@ def _read_mean_output(log: Log, plateau: Plateau) -> float:
 
 
 def measure_responses(logs: Sequence[Log]) -> list[Response]:
-    """Responses in order of the rates; the noise variance is pooled over all rates.
-
-    Raises:
-        BenchError: there are fewer than 2 rates, or no rate is repeated.
-    """
+    """Responses in order of the rates; the noise variance is pooled over all rates."""
     pairs = [pair for log in logs for pair in read_changes(log)]
     groups: dict[float, list[float]] = {}
     for rate, change in pairs:
@@ -171,7 +165,6 @@ def evaluate(campaign: Campaign) -> Outcome:
         for p in find_plateaus(log, 10 * log.interval)
     )
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(replace(worst, name="threshold"), *findings, *map(_make_finding, responses)),
         verdict=_describe_verdict(worst),
         tables=(_make_table(responses),),
@@ -205,7 +198,7 @@ def _make_table(responses: Sequence[Response]) -> Table:
 
 def draw(figure: Figure, responses: Sequence[Response]) -> None:
     """Draw the response against the rate, both directions."""
-    axes = figure.add_subplot()
+    axes = figure.add_subplot(title="Threshold, 95 % intervals", xscale="log")
     for sign, name, mark in ((1, "positive", "+"), (-1, "negative", "s")):
         side = [r for r in responses if sign * r.rate > 0]
         rate = [abs(r.rate) / DEG for r in side]
@@ -214,12 +207,7 @@ def draw(figure: Figure, responses: Sequence[Response]) -> None:
             fmt=mark, mfc="none", ms=7, capsize=3, label=name,
         )  # fmt: skip
     axes.axhline(SENSED_RESPONSE, color="k", ls="--", lw=1, label="half of what is expected")
-    axes.set_xscale("log")
-    axes.set_xlabel("rate of the table, deg/s")
-    axes.set_ylabel("change of the output over change of the input")
-    axes.set_title("Threshold, 95 % intervals")
-    axes.grid(alpha=0.3)
-    axes.legend()
+    finish_axes(axes, "rate of the table, deg/s", "change of the output over change of the input")
 
 
 PROCEDURE: Procedure = Procedure(

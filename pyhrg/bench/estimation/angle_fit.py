@@ -11,12 +11,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import fft, optimize, stats
 
 from pyhrg.bench.estimation.harmonics import Fit
-
-Array = NDArray[np.float64]
+from pyhrg.bench.estimation.row_fit import compute_matrix_inflations
+from pyhrg.bench.outcome import Finding
+from pyhrg.common.arrays import Array
 
 RATE_NOISE_FLOOR = 1e-60
 """Density of the rate noise, rad^2/s, that stands for zero where the residual is zero; its square
@@ -43,43 +43,24 @@ class Record:
 
 @dataclass(frozen=True)
 class AngleFit(Fit):
-    """Fitted terms and both noises; the residual is that of the transformed increments, whitened.
+    """Fitted terms and both noises; the residual is that of the transformed increments.
 
-    freedoms: (terms,) degrees of freedom of the terms' standard errors.
     rate_noise: power spectral density N^2 of the white rate noise, (rad/s)^2/Hz = rad^2/s.
     angle_noise: variance of a sample's white angle noise, rad^2.
     """
 
-    freedoms: Array
     rate_noise: float
     angle_noise: float
 
-    def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
-        """Student's interval of a term, SI."""
-        freedom = self.freedoms[self.names.index(name)]
-        reach = float(stats.t.ppf((1 + confidence) / 2, freedom)) * self.deviation(name)
-        return self.value(name) - reach, self.value(name) + reach
-
 
 def compute_largest_inflation(records: Sequence[Record]) -> float:
-    """Largest variance inflation factor of the terms; infinite where a term is zero or lies in the
-    span of the others."""
-    matrix = np.concatenate([_compute_increments(record) for record in records])[:, :-1]
-    norms = np.linalg.norm(matrix, axis=0)
-    if np.any(norms == 0.0):
-        return np.inf
-    r = np.linalg.qr(matrix / norms, mode="r")
-    if np.min(np.abs(np.diag(r))) < 1e-6:
-        return np.inf
-    return float(np.max(np.sum(np.linalg.inv(r) ** 2, axis=1)))
+    """Largest variance inflation factor of the terms, see `compute_matrix_inflations`."""
+    increments = np.concatenate([_compute_increments(record) for record in records])
+    return max(compute_matrix_inflations(increments[:, :-1]))
 
 
 def fit_angles(records: Sequence[Record]) -> AngleFit:
-    """Fit of several records by common terms and common noise.
-
-    Raises:
-        ValueError: the records have fewer increments than terms plus three.
-    """
+    """Fit of several records by common terms and common noise."""
     tables = [_compute_increments(record) for record in records]
     steps = np.concatenate(
         [np.full(len(t), r.interval) for t, r in zip(tables, records, strict=True)]
@@ -153,3 +134,44 @@ def _fit_weighted(
     freedoms = np.minimum(2 * np.diag(covariance) ** 2 / spread, freedom)
     covariance = covariance / np.outer(scale, scale)
     return AngleFit(names, solution / scale, covariance, residual, freedom, freedoms, *noise)
+
+
+Walk = tuple[float, float]
+"""Power spectral density N^2 of the rate noise, rad^2/s, and its degrees of freedom."""
+
+
+def estimate_walk(fit: AngleFit, records: Sequence[Record]) -> Walk:
+    """Rate noise of a fit with its degrees of freedom.
+
+    The variance of the estimated density is an element of the inverse Fisher information of both
+    noises, to which each sine of the increments contributes. A chi-square estimate with f degrees
+    of freedom has the variance 2 N^4 / f: that gives f.
+    """
+    steps, differences = [], []
+    for record in records:
+        count = len(record.angle) - 1
+        steps.append(np.full(count, record.interval))
+        differences.append(compute_eigenvalues(count))
+    parts = np.array([np.concatenate(steps), np.concatenate(differences)])
+    weighted = parts / (np.array([fit.rate_noise, fit.angle_noise]) @ parts)
+    information = weighted @ weighted.T / 2
+    share = fit.freedom / parts.shape[1]
+    variance = float(np.linalg.inv(information)[0, 0]) / share
+    return fit.rate_noise, 2 * fit.rate_noise**2 / variance
+
+
+def make_walk_finding(name: str, walk: Walk) -> Finding:
+    """Angle random walk N with its chi-square interval."""
+    density, freedom = walk
+    high, low = np.sqrt(freedom / stats.chi2.ppf([0.025, 0.975], freedom))
+    value = float(np.sqrt(density))
+    n = round(freedom)
+    return Finding(name, value, "deg/sqrt(h)", value * float(low), value * float(high), n)
+
+
+def estimate_walk_ratio(name: str, first: Walk, second: Walk) -> Finding:
+    """Ratio of two independent angle random walks N, with the interval of the F distribution."""
+    value = float(np.sqrt(first[0] / second[0]))
+    quantiles = stats.f.ppf([0.975, 0.025], first[1], second[1])
+    low, high = value / np.sqrt(quantiles)
+    return Finding(name, value, "1", float(low), float(high), round(min(first[1], second[1])))

@@ -4,10 +4,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import stats
 
-Array = NDArray[np.float64]
+from pyhrg.bench.outcome import Finding
+from pyhrg.common.arrays import Array
 
 MEAN = "mean"
 TILT = ("tilt_cos", "tilt_sin")
@@ -26,13 +26,7 @@ def make_columns(
     """Columns of a linear model: mean, harmonics of the pattern angle and, for a tilt of the input
     axis, the first harmonic of the table angle.
 
-    Args:
-        pattern_angle, table_angle: (n,) rad.
-        harmonics: orders in the pattern angle.
-        tilt: whether the model has the harmonic of the table angle.
-
-    Returns:
-        (n,) each, by the term's name.
+    Angles are (n,) rad. Returns (n,) each, by the term's name.
     """
     columns = {MEAN: np.ones_like(pattern_angle)}
     for order in harmonics:
@@ -63,13 +57,14 @@ def compute_inflations(columns: dict[str, Array]) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class Fit:
-    """Result of a least-squares fit.
+    """Result of a least-squares fit; the residual of a generalised one is whitened.
 
     names: of the m terms.
     values: (m,) SI.
     covariance: (m, m) of the values.
     residual: (n,).
-    freedom: degrees of freedom of the residual.
+    freedom: degrees of freedom of the residual, or the smallest of `freedoms`.
+    freedoms: (m,) degrees of freedom of the values' standard errors.
     """
 
     names: tuple[str, ...]
@@ -77,6 +72,7 @@ class Fit:
     covariance: Array
     residual: Array
     freedom: int
+    freedoms: Array
 
     def value(self, name: str) -> float:
         """Value of a term, SI."""
@@ -89,20 +85,23 @@ class Fit:
 
     def freedom_of(self, *names: str) -> float:
         """Degrees of freedom of the terms' standard errors; the smallest of them."""
-        return self.freedom
+        return float(min(self.freedoms[self.names.index(name)] for name in names))
 
-    def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
-        """Student's interval of a term, SI, for independent residuals of equal variance."""
-        reach = stats.t.ppf((1 + confidence) / 2, self.freedom) * self.deviation(name)
-        return self.value(name) - float(reach), self.value(name) + float(reach)
+    def interval(self, name: str) -> tuple[float, float]:
+        """Student's 95 % interval of a term, SI."""
+        reach = float(stats.t.ppf(0.975, self.freedom_of(name))) * self.deviation(name)
+        return self.value(name) - reach, self.value(name) + reach
+
+    def finding(
+        self, term: str, name: str, unit: str, factor: float = 1.0, note: str = ""
+    ) -> Finding:
+        """The finding that is a term times a factor."""
+        low, high = sorted(factor * bound for bound in self.interval(term))
+        return Finding(name, factor * self.value(term), unit, low, high, len(self.residual), note)
 
 
 def fit(columns: dict[str, Array], values: Array) -> Fit:
-    """Least-squares fit of values (n,) by columns (n,) each.
-
-    Raises:
-        ValueError: there are fewer values than terms plus one, or the terms are linearly dependent.
-    """
+    """Least-squares fit of values (n,) by columns (n,) each."""
     matrix = np.column_stack(list(columns.values()))
     freedom = len(values) - matrix.shape[1]
     if freedom < 1:
@@ -118,4 +117,5 @@ def fit(columns: dict[str, Array], values: Array) -> Fit:
     residual = values - matrix @ solution
     variance = float(residual @ residual) / freedom
     covariance = variance * (inverse @ inverse.T) / np.outer(scale, scale)
-    return Fit(tuple(columns), solution, covariance, residual, freedom)
+    freedoms = np.full(len(columns), float(freedom))
+    return Fit(tuple(columns), solution, covariance, residual, freedom, freedoms)

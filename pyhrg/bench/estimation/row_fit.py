@@ -16,13 +16,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import stats
 from scipy.fft import dst
 
 from pyhrg.bench.estimation.harmonics import Fit
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 ITERATION_LIMIT = 12
 """Iterations for the densities after which they are taken as they are."""
@@ -63,32 +61,8 @@ class Part:
         return np.full(n, self.interval), unit_angle
 
 
-@dataclass(frozen=True)
-class RowFit(Fit):
-    """Result of the fit; its residual is whitened.
-
-    freedoms: (m,) degrees of freedom of the terms (Satterthwaite); `freedom` is the smallest.
-    """
-
-    freedoms: Array
-
-    def freedom_of(self, *names: str) -> float:
-        """Smallest of the terms' degrees of freedom."""
-        return float(min(self.freedoms[self.names.index(name)] for name in names))
-
-    def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
-        """Student's interval of a term, SI."""
-        reach = float(stats.t.ppf((1 + confidence) / 2, self.freedom_of(name)))
-        reach *= self.deviation(name)
-        return self.value(name) - reach, self.value(name) + reach
-
-
-def fit_rows(parts: Sequence[Part], names: Sequence[str]) -> RowFit:
-    """Fit of common terms to all parts together.
-
-    Raises:
-        ValueError: there are fewer rows than terms plus two, or the terms are linearly dependent.
-    """
+def fit_rows(parts: Sequence[Part], names: Sequence[str]) -> Fit:
+    """Fit of common terms to all parts together; their degrees of freedom are Satterthwaite's."""
     values = np.concatenate([_transform(part.values) for part in parts])
     matrix = np.vstack([_transform(part.matrix(names)) for part in parts])
     scale = np.linalg.norm(matrix, axis=0)
@@ -101,7 +75,7 @@ def fit_rows(parts: Sequence[Part], names: Sequence[str]) -> RowFit:
     solution, covariance, residual = problem.solve(densities)
     freedoms = problem.compute_freedoms(densities, spread)
     covariance = problem.widen(covariance, densities, spread)
-    return RowFit(
+    return Fit(
         tuple(names),
         solution / scale,
         covariance / np.outer(scale, scale),
@@ -235,19 +209,24 @@ def _transform(values: Array) -> Array:
 
 
 def compute_inflations(parts: Sequence[Part], names: Sequence[str]) -> dict[str, float]:
-    """Variance inflation factor (uncentred) of each term; infinite where a term is zero or lies in
-    the span of the others."""
+    """Variance inflation factor (uncentred) of each term, see `compute_matrix_inflations`."""
     matrix = np.vstack([part.matrix(names) for part in parts])
+    return dict(zip(names, compute_matrix_inflations(matrix), strict=True))
+
+
+def compute_matrix_inflations(matrix: Array) -> list[float]:
+    """Variance inflation factor (uncentred) of each of m columns (n, m); infinite where a column is
+    zero or lies in the span of the others."""
     norms = np.linalg.norm(matrix, axis=0)
     matrix = np.asarray(np.linalg.qr(matrix, mode="r"))
-    result = {}
-    for i, name in enumerate(names):
-        if norms[i] == 0.0:
-            result[name] = np.inf
+    result = []
+    for i, norm in enumerate(norms):
+        if norm == 0.0:
+            result.append(np.inf)
             continue
         others = np.delete(matrix / np.where(norms, norms, 1.0), i, axis=1)
-        own = matrix[:, i] / norms[i]
+        own = matrix[:, i] / norm
         fitted = others @ np.linalg.lstsq(others, own, rcond=1e-10)[0]
         square = float(np.sum((own - fitted) ** 2))
-        result[name] = 1 / square if square > 1e-9 else np.inf
+        result.append(1 / square if square > 1e-9 else np.inf)
     return result

@@ -1,12 +1,11 @@
 """Standard deviation of values that differ by more than their noise, with a 95 % interval."""
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy import optimize, special, stats
 
 from pyhrg.bench.outcome import Finding
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 NORMAL_SQUARE = 1e4
 """Sum of squares over the noise variance beyond which its root is taken as normal."""
@@ -22,13 +21,8 @@ def estimate_spread(
     The interval is for tau = sqrt(noise^2 + sum (mean - mean of means)^2 / (n - 1)), the root mean
     square of the deviation over repeats of the same test. For a tau above the noise, the sum of
     squares over noise^2 has a noncentral chi-square distribution; for a tau below the noise, the
-    noise itself is taken as tau. The estimate always lies within the interval.
-
-    Args:
-        name, unit, note: of the finding.
-        samples: (n,) SI.
-        noise: estimated standard deviation of a sample's noise, SI.
-        freedom: degrees of freedom of `noise`.
+    noise itself is taken as tau. The estimate always lies within the interval. Samples are (n,) SI;
+    `noise` is the estimated standard deviation of a sample's noise, with its degrees of freedom.
     """
     values = np.asarray(samples, dtype=float)
     n = len(values)
@@ -52,13 +46,8 @@ def estimate_excess(
     The interval inverts the noncentral chi-square distribution of `square`, averaged over the
     fiducial distribution of the noise: an F test where the means may be equal, Student's interval
     where they clearly differ. Its upper bound is at least that of values that differ by noise
-    alone.
-
-    Args:
-        name, unit, note: of the finding.
-        square: mean square (n - 1) of the values, SI.
-        noise: estimated standard deviation of a value's noise, SI.
-        freedoms: degrees of freedom of `square` and of `noise`.
+    alone. `square` is the mean square (n - 1) of the values, `noise` the estimated standard
+    deviation of a value's noise, SI; `freedoms` are the degrees of freedom of both.
     """
     of_square, of_noise = freedoms
     value, n = float(np.sqrt(max(square - noise**2, 0.0))), of_square + of_noise

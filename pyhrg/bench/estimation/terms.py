@@ -4,7 +4,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.estimation.harmonics import (
     LARGEST_INFLATION,
@@ -12,9 +11,8 @@ from pyhrg.bench.estimation.harmonics import (
     compute_inflations,
     make_columns,
 )
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
-
-Array = NDArray[np.float64]
 
 SCATTER_POINTS = 2
 """Data points that a fit must have beyond the number of its terms, so that the scatter shows."""
@@ -68,8 +66,7 @@ def choose_pattern_basis(pattern_angle: Array) -> PatternBasis:
 def select_separable(columns: Mapping[str, Array]) -> tuple[dict[str, Array], dict[str, str]]:
     """Columns (n,) that can be fitted together; each is added, in order, while all stay separable.
 
-    Returns:
-        The columns that were added, and by name a sentence on each of the others.
+    Returns those that were added, and by name a sentence on each of the others.
     """
     accepted: dict[str, Array] = {}
     refused: dict[str, str] = {}

@@ -8,7 +8,6 @@ harmonic too, the same at all amplitudes.
 from collections.abc import Sequence
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.row_fit import Part
@@ -58,11 +57,7 @@ def record(
 
 
 def find_stretches(campaign: Campaign) -> list[Rows]:
-    """Steady rows at each amplitude.
-
-    Raises:
-        BenchError: a single amplitude.
-    """
+    """Steady rows at each amplitude."""
     logs = [test.log for test in require_tests(campaign, KIND)]
     stretches = require_steady_rows(logs, "frequency_offset")
     found = {float(rows.values("amplitude_setpoint")[0]) for rows in stretches}
@@ -117,10 +112,11 @@ def evaluate(campaign: Campaign) -> Outcome:
     """Duffing shift and pick-off cubic."""
     stretches = find_stretches(campaign)
     output, frequency = fit_cubic(campaign, stretches), fit_duffing(stretches)
+    title = "Output less table and Earth's rate at several amplitudes"
+    labels = [f"amplitude {rows.values('amplitude_setpoint')[0]:g}" for rows in stretches]
     warnings = [output.refused[CUBIC]] if CUBIC in output.refused else []
     warnings += [frequency.refused[name] for name in (DUFFING, DRIFT) if name in frequency.refused]
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(
             frequency.finding(DUFFING, "mHz"),
             output.finding(CUBIC, "ppm"),
@@ -132,22 +128,14 @@ def evaluate(campaign: Campaign) -> Outcome:
         ),
         warnings=tuple(warnings),
         exclusions=list_exclusions(require_tests(campaign, KIND)),
-        draw=lambda figure: draw(figure, stretches, output),
+        draw=lambda figure: draw_terms(figure, title, stretches, output, labels),
     )
-
-
-def draw(figure: Figure, stretches: Sequence[Rows], terms: Terms) -> None:
-    """Output rate error over the pattern angle at each amplitude, with the fit."""
-    labels = [f"amplitude {rows.values('amplitude_setpoint')[0]:g}" for rows in stretches]
-    draw_terms(figure, stretches, terms, labels)
-    figure.axes[0].set_title("Output less table and Earth's rate at several amplitudes")
 
 
 PROCEDURE: Procedure = Procedure(
     name="amplitude-sweep",
     group="identification",
     title="Amplitude sweep: Duffing stiffness, cubic of the pick-offs",
-    rows=(),
     source="envelope X (1 + 3/4 b |X|^2) and gamma |Z|^2 Z to first order; campaign format",
     kinds=(KIND,),
     record=record,

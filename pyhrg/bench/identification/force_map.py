@@ -12,13 +12,14 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.estimation.phasor import estimate_anisotropy, make_component_findings
 from pyhrg.bench.estimation.row_fit import Part
-from pyhrg.bench.identification.identification_figure import COLOURS
+from pyhrg.bench.estimation.sizes import estimate_anisotropy, make_component_findings
+from pyhrg.bench.figures import COLOURS, finish_axes
 from pyhrg.bench.identification.virtual_rotation import make_programme
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
-from pyhrg.bench.readings.output_rows import Array, Rows, Terms, fit_terms, require_steady_rows
+from pyhrg.bench.readings.output_rows import Rows, Terms, fit_terms, require_steady_rows
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
 
@@ -29,10 +30,7 @@ KINDS = (KIND, "positions", "virtual_rotation")
 MEAN = "mean"
 VECTOR = ("cosine", "sine")
 SQUARED = "by rotation squared"
-DISTURBING = (
-    *("by rotation", "by rotation cos4", "by rotation sin4", "cos8", "sin8"),
-    SQUARED,
-)
+DISTURBING = (*("by rotation", "by rotation cos4", "by rotation sin4", "cos8", "sin8"), SQUARED)
 """What errors of the electrodes add, odd in a virtual rotation or of second order; and what forces
 held over a control period Ts do to the amplitude by moving on a tangent: (2 k V)^2 Ts/2."""
 REASON = "the pattern must come to angles over most of 90 deg"
@@ -109,7 +107,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     again = ("frequency split from loop frequency", "stiffness axis from loop frequency")
     apparent = ("apparent damping anisotropy", "apparent damping axis")
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(
             *estimate_anisotropy(force.fit, VECTOR, *names, "mHz"),
             *make_component_findings(force.fit, VECTOR, names[0], "mHz"),
@@ -137,7 +134,7 @@ def _decay_time(amplitude: Terms) -> Finding:
 
 def draw(figure: Figure, maps: Sequence[Terms]) -> None:
     """Both channels over the angle, in mHz of split, means and other terms taken out."""
-    axes = figure.add_subplot()
+    axes = figure.add_subplot(title="Frequency split in the loops", xlim=(0, 90))
     labels = ("2 quadrature force / amplitude", "2 loop frequency")
     for terms, label, colour in zip(maps, labels, COLOURS, strict=False):
         for number, part in enumerate(terms.parts):
@@ -154,19 +151,13 @@ def draw(figure: Figure, maps: Sequence[Terms]) -> None:
             axes.plot(
                 middle / DEG, mean, ".", ms=4, color=colour, label=label if not number else None
             )
-    axes.set_xlabel("pattern angle modulo 90 deg, deg")
-    axes.set_ylabel("2 x loop's reaction to the split, mHz")
-    axes.set_title("Frequency split in the loops")
-    axes.set_xlim(0, 90)
-    axes.grid(alpha=0.3)
-    axes.legend()
+    finish_axes(axes, "pattern angle modulo 90 deg, deg", "2 x loop's reaction to the split, mHz")
 
 
 PROCEDURE: Procedure = Procedure(
     name="force-map",
     group="identification",
     title="Loop forces and frequency over the pattern angle: frequency split",
-    rows=(),
     source="Lynch 1995, averaged equations at rest; campaign format, columns",
     kinds=KINDS,
     record=record,

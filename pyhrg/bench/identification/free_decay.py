@@ -7,7 +7,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from pyhrg.bench.estimation.harmonics import Fit
-from pyhrg.bench.estimation.row_fit import Part, RowFit, fit_rows
+from pyhrg.bench.estimation.row_fit import Part, fit_rows
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.output_rows import SHORTEST_ROWS
 from pyhrg.bench.readings.segments import AT_REST
@@ -119,14 +119,10 @@ def _angle(log: Log, rows: slice, k: float) -> float:
     return float(np.mean(log.wave_angle[rows] - turned))
 
 
-def fit_decays(found: Sequence[Decay], gyro: Gyro, start: Array) -> RowFit:
+def fit_decays(found: Sequence[Decay], gyro: Gyro, start: Array) -> Fit:
     """Terms `TERMS` that all ring-downs have in common, by Gauss and Newton.
 
-    Args:
-        start: (5,) terms to begin with.
-
-    Raises:
-        BenchError: the terms can't be told apart, or the fit does not settle.
+    `start` has (5,) terms to begin with.
     """
     terms = _nearby(found, gyro, start)
     for _ in range(ROUNDS):

@@ -5,20 +5,19 @@ from collections.abc import Sequence
 import numpy as np
 from matplotlib.figure import Figure
 
+from pyhrg.bench.figures import COLOURS, finish_axes
 from pyhrg.bench.readings.output_rows import Rows, Terms
 from pyhrg.common.units import DEG, DEG_PER_H
 
-COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
-"""Colours that are distinct for colour-blind readers too (Okabe and Ito)."""
 POINTS = 60
 """Points a curve; rows are averaged to that number."""
 
 
 def draw_terms(
-    figure: Figure, stretches: Sequence[Rows], terms: Terms, labels: Sequence[str]
+    figure: Figure, title: str, stretches: Sequence[Rows], terms: Terms, labels: Sequence[str]
 ) -> None:
     """Means of rows as dots, the fit as lines; stretches as they were given to the fit."""
-    axes = figure.add_subplot()
+    axes = figure.add_subplot(title=title, xlim=(0, 90))
     shown: dict[str, str] = {}
     for rows, part, label in zip(stretches, terms.parts, labels, strict=True):
         fresh = label not in shown
@@ -36,8 +35,4 @@ def draw_terms(
         order = np.argsort(angle)
         axes.plot(angle / DEG, measured, ".", color=colour, ms=4, label=label if fresh else None)
         axes.plot(angle[order] / DEG, expected[order], "-", color=colour, lw=0.8, alpha=0.7)
-    axes.set_xlabel("pattern angle modulo 90 deg, deg")
-    axes.set_ylabel("output rate error, deg/h")
-    axes.set_xlim(0, 90)
-    axes.grid(alpha=0.3)
-    axes.legend()
+    finish_axes(axes, "pattern angle modulo 90 deg, deg", "output rate error, deg/h")

@@ -11,12 +11,11 @@ from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.row_fit import Part
-from pyhrg.bench.identification.identification_figure import COLOURS
+from pyhrg.bench.figures import COLOURS, finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.output_rows import (
-    Array,
     Rows,
     Terms,
     compute_output_error,
@@ -24,6 +23,7 @@ from pyhrg.bench.readings.output_rows import (
     read_bryan_factor,
     require_steady_rows,
 )
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.campaign import Campaign, Test
 
@@ -102,7 +102,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     force = 2 * max(map(_mean_force, stretches), key=abs)
     seen = terms.finding(RESPONSE, "mHz", "frequency split in the bias, times sin 4th", force)
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(
             terms.finding(RESPONSE, "1", "response to phase over that of the quadrature force"),
             seen,
@@ -135,7 +134,7 @@ def _apparent_phase(terms: Terms, stretches: list[Rows], k: float) -> Finding:
 
 def draw(figure: Figure, terms: Terms, stretches: list[Rows]) -> None:
     """Mean output rate of each step over the offset, less the creep, a line per position."""
-    axes = figure.add_subplot()
+    axes = figure.add_subplot(title="Bias against the demodulation phase, with the fit")
     groups: dict[str, list[tuple[float, float, float]]] = {}
     for part, rows in zip(terms.parts, stretches, strict=True):
         span = len(part) * part.interval
@@ -154,18 +153,13 @@ def draw(figure: Figure, terms: Terms, stretches: list[Rows]) -> None:
         number = int(place.split()[1]) + 1
         axes.plot(offset * 1e3, rate / DEG_PER_H, "o", color=colour, label=f"position {number}")
         axes.plot(offset * 1e3, model / DEG_PER_H, "-", color=colour, lw=0.8)
-    axes.set_xlabel("phase offset, mrad")
-    axes.set_ylabel("output rate error, deg/h")
-    axes.set_title("Bias against the demodulation phase, with the fit")
-    axes.grid(alpha=0.3)
-    axes.legend()
+    finish_axes(axes, "phase offset, mrad", "output rate error, deg/h")
 
 
 PROCEDURE: Procedure = Procedure(
     name="phase-step",
     group="identification",
     title="Steps of the demodulation phase: split times phase error",
-    rows=(),
     source="Lynch 1995, averaged equations with a force phase error; campaign format, phase_step",
     kinds=(KIND,),
     record=record,

@@ -9,7 +9,6 @@ the bias map, the same at either rate.
 from collections.abc import Sequence
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.row_fit import Part
@@ -18,7 +17,6 @@ from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.readings.output_rows import (
     BIAS_TERMS,
-    Array,
     Rows,
     Terms,
     compute_output_error,
@@ -27,6 +25,7 @@ from pyhrg.bench.readings.output_rows import (
     read_bryan_factor,
     require_steady_rows,
 )
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
 
@@ -83,11 +82,7 @@ def fit_pickoff_errors(campaign: Campaign) -> Terms:
 
 
 def select_slow_rows(campaign: Campaign) -> tuple[list[Rows], tuple[str, ...]]:
-    """Steady rows that loops follow, and a sentence on each faster stretch.
-
-    Raises:
-        BenchError: there are none.
-    """
+    """Steady rows that loops follow, and a sentence on each faster stretch."""
     stretches = require_steady_rows([test.log for test in require_tests(campaign, KIND)])
     fast = [rows for rows in stretches if abs(_rate(rows)) > FASTEST]
     left_out = tuple(
@@ -114,17 +109,15 @@ def find_eighth_harmonic(terms: Terms) -> tuple[Finding, ...]:
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Pick-off errors, the scale factor and the bias map that they are told from.
-
-    Raises:
-        BenchError: one way only.
-    """
+    """Pick-off errors, the scale factor and the bias map that they are told from."""
     terms = fit_pickoff_errors(campaign)
+    stretches, left_out = select_slow_rows(campaign)
+    labels = [f"{_rate(rows) / DEG:+.3g} deg/s" for rows in stretches]
+    title = "Output less table and Earth's rate"
     if SCALE in terms.refused:
         names = ", ".join(test.log.source for test in require_tests(campaign, KIND))
         raise BenchError(f"{names}: {terms.refused[SCALE]}; else it is taken for a bias")
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(
             terms.finding(GAIN, "ppm"),
             terms.finding(SKEW, "ppm"),
@@ -137,27 +130,16 @@ def evaluate(campaign: Campaign) -> Outcome:
             "which this test can't say whether damping, drives or pick-offs make it."
         ),
         warnings=tuple(terms.refused.values()),
-        exclusions=(
-            *list_exclusions(require_tests(campaign, KIND)),
-            *select_slow_rows(campaign)[1],
-        ),
-        draw=lambda figure: draw(figure, campaign, terms),
+        exclusions=(*list_exclusions(require_tests(campaign, KIND)), *left_out),
+        draw=lambda figure: draw_terms(figure, title, stretches, terms, labels),
         values={"terms": {name: terms.fit.value(name) for name in terms.fit.names}},
     )
-
-
-def draw(figure: Figure, campaign: Campaign, terms: Terms) -> None:
-    """Output rate error over the pattern angle at each rate, with the fit."""
-    stretches, _ = select_slow_rows(campaign)
-    draw_terms(figure, stretches, terms, [f"{_rate(rows) / DEG:+.3g} deg/s" for rows in stretches])
-    figure.axes[0].set_title("Output less table and Earth's rate")
 
 
 PROCEDURE: Procedure = Procedure(
     name="rate-reversal",
     group="identification",
     title="Table rate both ways: errors of the pick-offs",
-    rows=(),
     source="paper Eq. (2)-(3), with harmonics and signs as derived in output_rows",
     kinds=(KIND,),
     record=record,

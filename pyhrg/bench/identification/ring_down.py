@@ -17,7 +17,8 @@ from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.harmonics import Fit
-from pyhrg.bench.estimation.phasor import estimate_anisotropy, make_component_findings
+from pyhrg.bench.estimation.sizes import estimate_anisotropy, make_component_findings
+from pyhrg.bench.figures import COLOURS
 from pyhrg.bench.identification import rate_reversal
 from pyhrg.bench.identification.free_decay import (
     TERMS,
@@ -27,7 +28,6 @@ from pyhrg.bench.identification.free_decay import (
     find_decays,
     fit_decays,
 )
-from pyhrg.bench.identification.identification_figure import COLOURS
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
@@ -67,9 +67,6 @@ def fit_ring_downs(campaign: Campaign) -> tuple[Fit, list[Decay], Gyro]:
     """Fit of all ring-downs of the campaign, the pick-offs' errors taken from its rate tests.
 
     Angle and amplitude alone don't separate a split from its negative; the quadrature force does.
-
-    Raises:
-        BenchError: the drive is never switched off for long enough.
     """
     logs = [test.log for test in require_tests(campaign, KIND)]
     k, site = read_bryan_factor(campaign), campaign.site
@@ -124,7 +121,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     rate, (low, high) = fit.value(TERMS[0]), fit.interval(TERMS[0])
     damping, split = (TERMS[1], TERMS[2]), (TERMS[3], TERMS[4])
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(
             Finding("decay time", 1 / rate, "s", 1 / high, 1 / low, len(fit.residual)),
             *estimate_anisotropy(fit, damping, "damping anisotropy", "damping axis", "1/s"),
@@ -195,8 +191,9 @@ def draw(figure: Figure, found: Sequence[Decay], fit: Fit, gyro: Gyro) -> None:
         above.plot(decay.time, (with_damping - without) / ARCSEC, color=colour, lw=1, label=label)
         below.plot(decay.time, (decay.angle - with_damping) / ARCSEC, color=colour, lw=0.8)
     above.set_ylabel("turned by damping, arcsec")
-    below.set_ylabel("residual of the fit, arcsec")
-    below.set_xlabel("time since the drive was switched off, s")
+    below.set(
+        ylabel="residual of the fit, arcsec", xlabel="time since the drive was switched off, s"
+    )
     above.set_title("Ring-downs: pattern angle less rotation and split")
     figure.legend(title="pattern", fontsize="small", loc="outside right upper")
     for axes in (above, below):
@@ -207,7 +204,6 @@ PROCEDURE: Procedure = Procedure(
     name="ring-down",
     group="identification",
     title="Ring-down: decay time, damping anisotropy and its axis, frequency split",
-    rows=(),
     source="Lynch 1995, averaged equations without drive, in closed form (free_orbit)",
     kinds=(KIND,),
     record=record,

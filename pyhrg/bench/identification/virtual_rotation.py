@@ -6,7 +6,6 @@ sign with V, the bias map does not.
 """
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.row_fit import Part
@@ -16,14 +15,13 @@ from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.output_rows import (
     BIAS_TERMS,
-    Array,
     Rows,
-    Terms,
     compute_output_error,
     fit_terms,
     make_bias_columns,
     require_steady_rows,
 )
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
 
@@ -63,28 +61,21 @@ def make_columns(rows: Rows) -> dict[str, Array]:
     }
 
 
-def fit_rotation_error(campaign: Campaign) -> Terms:
-    """Bias map and the error of the virtual rotation over the circumference."""
-    stretches = require_steady_rows([test.log for test in require_tests(campaign, KIND)])
+def evaluate(campaign: Campaign) -> Outcome:
+    """Gain error, sums of mismatches, and the bias map that they are told from."""
+    tests = require_tests(campaign, KIND)
+    stretches = require_steady_rows([test.log for test in tests])
     parts = [
         Part(make_columns(rows), compute_output_error(rows, campaign.site), rows.log.interval)
         for rows in stretches
     ]
-    return fit_terms(parts, [*BIAS_TERMS, GAIN, COSINE, SINE], REASON)
-
-
-def evaluate(campaign: Campaign) -> Outcome:
-    """Gain error, sums of mismatches, and the bias map that they are told from.
-
-    Raises:
-        BenchError: one way only.
-    """
-    terms = fit_rotation_error(campaign)
+    terms = fit_terms(parts, [*BIAS_TERMS, GAIN, COSINE, SINE], REASON)
+    labels = [f"V = {rows.values('virtual_rotation')[0] / DEG:+.3g} deg/s" for rows in stretches]
+    title = "Output under virtual rotation, less Earth's rate"
     if GAIN in terms.refused:
-        names = ", ".join(test.log.source for test in require_tests(campaign, KIND))
+        names = ", ".join(test.log.source for test in tests)
         raise BenchError(f"{names}: {terms.refused[GAIN]}; else it is taken for a bias")
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(
             terms.finding(GAIN, "ppm", "virtual rotation gain error", -1.0),
             terms.finding(COSINE, "ppm", "gain mismatch of pick-offs and drives", 2.0),
@@ -96,25 +87,16 @@ def evaluate(campaign: Campaign) -> Outcome:
             "test mixes them with; the pick-offs' own share is in the rate test."
         ),
         warnings=tuple(terms.refused.values()),
-        exclusions=list_exclusions(require_tests(campaign, KIND)),
-        draw=lambda figure: draw(figure, campaign, terms),
+        exclusions=list_exclusions(tests),
+        draw=lambda figure: draw_terms(figure, title, stretches, terms, labels),
         values={"terms": {name: terms.fit.value(name) for name in terms.fit.names}},
     )
-
-
-def draw(figure: Figure, campaign: Campaign, terms: Terms) -> None:
-    """Output rate over the pattern angle in both directions, with the fit."""
-    stretches = require_steady_rows([test.log for test in require_tests(campaign, KIND)])
-    labels = [f"V = {rows.values('virtual_rotation')[0] / DEG:+.3g} deg/s" for rows in stretches]
-    draw_terms(figure, stretches, terms, labels)
-    figure.axes[0].set_title("Output under virtual rotation, less Earth's rate")
 
 
 PROCEDURE: Procedure = Procedure(
     name="virtual-rotation",
     group="identification",
     title="Virtual rotation both ways: gain error, mismatch of the drives",
-    rows=(),
     source="campaign format, virtual rotation; output to first order: output_rows",
     kinds=(KIND,),
     record=record,

@@ -1,19 +1,24 @@
 """Random walk: the gyro's noises with the pattern at rest and with virtual rotation."""
 
 import math
+from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.noise.noise_of_tests import Noise, fit_noise_of_tests
-from pyhrg.bench.noise.random_walk_figure import Shown, draw
+from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
+from pyhrg.bench.readings.noise_records import Noise, NoiseRecord, fit_noise_of_tests
 from pyhrg.bench.readings.segments import WARM_UP
-from pyhrg.common.units import DEG, HOUR
-from pyhrg.noise.allan import estimate_allan_deviation
-from pyhrg.noise.coefficients import Coefficient
+from pyhrg.common.arrays import Array
+from pyhrg.common.units import DEG, DEG_PER_H, HOUR
+from pyhrg.noise.allan import AllanDeviation, estimate_allan_deviation
+from pyhrg.noise.coefficients import Coefficient, NoiseCoefficients, compute_allan_deviation
 from pyhrg.records.campaign import Campaign, Test
 
 RESTING_KIND, ROTATING_KIND = KINDS = ("static", "virtual_rotation")
@@ -56,17 +61,16 @@ def evaluate(campaign: Campaign) -> Outcome:
     tests = require_tests(campaign, *KINDS)
     off, on = (fit_noise_of_tests(campaign, kind, kind == ROTATING_KIND) for kind in KINDS)
     ratio = _ratio(off, on)
-    states = {"without": off, "with": on}
+    states = {state: noise for state, noise in (("without", off), ("with", on)) if noise}
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(*_findings(off, ""), *_findings(on, " under virtual rotation"), ratio),
         verdict=_verdict(off, on, ratio),
-        warnings=tuple(text for found in states.values() if found for text in _warnings(found)),
+        warnings=tuple(text for noise in states.values() for text in _warnings(noise)),
         exclusions=(
             *list_exclusions(tests),
-            *(text for found in states.values() if found for text in found.exclusions),
+            *(text for noise in states.values() for text in noise.exclusions),
         ),
-        draw=lambda figure: draw(figure, _drawn(states)),
+        draw=lambda figure: draw(figure, states),
     )
 
 
@@ -136,18 +140,65 @@ def _verdict(off: Noise | None, on: Noise | None, ratio: Finding) -> str:
     return f"Virtual rotation at {rate:.3g} deg/s makes the random walk {within} times as large."
 
 
-def _drawn(states: dict[str, Noise | None]) -> list[Shown]:
-    """One curve a state: the Allan deviation of its longest record, without its trends, as far as
-    two clusters a trend leave it what it was."""
-    return [_shown(f"{name} virtual rotation", found) for name, found in states.items() if found]
+LARGEST_SHARE = math.sqrt(0.5)
+"""Share of the deviation from which a noise is the largest."""
+STYLES = (("#0072b2", "o", (0, -30)), ("#d55e00", "s", (8, 16)))
+"""Colour and marker of a state's curve, and offset of its slopes' names, points."""
+SLOPES = {
+    "angle_white_noise": "Q, slope -1",
+    "angle_random_walk": "N, slope -1/2",
+    "bias_instability": "B, slope 0",
+    "rate_random_walk": "K, slope +1/2",
+}
+"""Name of the Allan deviation of each coefficient alone."""
 
 
-def _shown(label: str, found: Noise) -> Shown:
-    longest = found.longest
-    measured = estimate_allan_deviation(longest.spectrum.rest, longest.interval)
-    trends = 1 + len(longest.spectrum.products)
-    most = longest.n * longest.interval / (2 * trends)
-    return Shown(label, measured.up_to(most), found.coefficients)
+def draw(figure: Figure, states: Mapping[str, Noise]) -> None:
+    """Allan deviations with 95 % bands, fitted model, and the slope of each noise that is seen."""
+    title = "Random walk: Allan deviation with 95 % bands, fitted noises, slopes"
+    axes = figure.add_subplot(xscale="log", yscale="log", title=title)
+    bounds = []
+    for (state, noise), (colour, marker, offset) in zip(states.items(), STYLES, strict=False):
+        measured = _measure_allan_deviation(noise.longest)
+        tau, low, high = measured.tau, measured.low / DEG_PER_H, measured.high / DEG_PER_H
+        bounds += [np.min(low), np.max(high)]
+        axes.fill_between(tau, low, high, color=colour, alpha=0.2, lw=0)
+        label = f"{state} virtual rotation"
+        axes.plot(tau, measured.deviation / DEG_PER_H, marker, color=colour, ms=4, label=label)
+        fitted = compute_allan_deviation(tau, noise.coefficients) / DEG_PER_H
+        axes.plot(tau, fitted, color=colour, lw=1.5, label="fitted noises")
+        _draw_slopes(axes, noise.coefficients, tau, fitted, colour, offset)
+    finish_axes(axes, "cluster time, s", "Allan deviation, deg/h", grid="both")
+    axes.set_ylim(min(bounds) / 1.5, max(bounds) * 2)
+
+
+def _measure_allan_deviation(record: NoiseRecord) -> AllanDeviation:
+    """That of a record without its trends, as far as two clusters a trend leave it what it was."""
+    measured = estimate_allan_deviation(record.spectrum.rest, record.interval)
+    trends = 1 + len(record.spectrum.products)
+    return measured.up_to(record.n * record.interval / (2 * trends))
+
+
+def _draw_slopes(
+    axes: Axes,
+    coefficients: NoiseCoefficients,
+    tau: Array,
+    fitted: Array,
+    colour: str,
+    offset: tuple[float, float],
+) -> None:
+    """A line for each noise that is seen, with its name where it is the largest."""
+    for name, label in SLOPES.items():
+        if not getattr(coefficients, name).present:
+            continue
+        others = {other: Coefficient(0.0, 0.0, 0.0) for other in SLOPES if other != name}
+        line = compute_allan_deviation(tau, replace(coefficients, **others)) / DEG_PER_H
+        axes.plot(tau, line, ":", color=colour, lw=1)
+        at = int(np.argmax(line / fitted))
+        if line[at] > LARGEST_SHARE * fitted[at]:
+            side = "right" if at > len(tau) / 2 else "left"
+            where = (tau[at], line[at]), offset, "data", "offset points"
+            axes.annotate(label, *where, color=colour, ha=side)
 
 
 PROCEDURE: Procedure = Procedure(

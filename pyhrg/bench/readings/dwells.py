@@ -12,11 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.readings.segments import SEGMENT, find_rests
-from pyhrg.common.site import EARTH_RATE
+from pyhrg.bench.readings.segments import SEGMENT, find_rests, read_mean_rate
+from pyhrg.common.arrays import Array
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 FORCES = ("acceleration_x", "acceleration_y", "acceleration_z")
 """Columns of the specific force."""
@@ -69,16 +67,8 @@ def read_points(
 ) -> Points:
     """Data points of a log: each dwell is divided into equal parts, as many as `length` allows.
 
-    Args:
-        log: one power-on.
-        latitude: of the site, rad.
-        settle: time at the beginning of each dwell that is not used, s.
-        length: shortest duration of a part, s.
-        warm_up: time after power-on that is not used, s.
-        held: columns whose jumps end a dwell.
-
-    Raises:
-        BenchError: no dwell is long enough.
+    `settle` seconds at the beginning of each dwell and `warm_up` seconds after power-on are not
+    used; jumps of the columns `held` end a dwell.
     """
     log.require("axis_up", "gyro_angle", "wave_angle", "table_angle", *FORCES)
     rows_of_points, longest = [], 0.0
@@ -120,15 +110,13 @@ def find_dwells(log: Log, settle: float, warm_up: float, held: Sequence[str]) ->
 
 
 def _read_point(log: Log, latitude: float, first: int, last: int, dwell: int) -> tuple[object, ...]:
-    span = log.time[last] - log.time[first]
     part = slice(first + 1, last + 1)
-    earth = EARTH_RATE * math.sin(latitude) * np.mean(log.axis_up[part])
     return (
-        (log.gyro_angle[last] - log.gyro_angle[first]) / span - earth,
+        read_mean_rate(log, latitude, first, last),
         np.mean(log.wave_angle[first : last + 1]),
         [np.mean(getattr(log, name)[part]) for name in FORCES],
         (log.time[first] + log.time[last]) / 2,
-        span,
+        log.time[last] - log.time[first],
         first,
         last,
         dwell,

@@ -1,20 +1,19 @@
-"""Stretches of logs that show noise: table at rest, commands constant."""
+"""Stretches of logs that show noise: table at rest, commands constant; their coefficients."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
+from pyhrg.bench.procedure import select_tests
 from pyhrg.bench.readings.segments import AT_REST, WARM_UP
-from pyhrg.noise.coefficients import NoiseError
-from pyhrg.noise.fitting import MIN_SAMPLES, check_record
+from pyhrg.noise.coefficients import NoiseCoefficients, NoiseError
+from pyhrg.noise.fitting import MIN_SAMPLES, check_record, fit_coefficients
 from pyhrg.noise.likelihood import Spectrum, compute_spectrum
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
+from pyhrg.records.campaign import Campaign
 
 TURNING = (2, 4, 8)
 """Orders of the harmonics that bias map and pick-offs add to the output under virtual rotation."""
@@ -47,12 +46,7 @@ class NoiseRecord:
 
 
 def find_noise_records(log: Log) -> list[NoiseRecord]:
-    """Stretches of a log without its first 30 s and the 10 s after each change of a command.
-
-    Raises:
-        BenchError: no stretch is long enough, or one has no noise.
-        LogError: a column that is needed is missing.
-    """
+    """Stretches of a log without its first 30 s and the 10 s after each change of a command."""
     stretches = list(_find_steady(log))
     long = [part for part in stretches if part.stop - part.start >= MIN_SAMPLES]
     if not long:
@@ -104,13 +98,7 @@ def select_comparable(records: Sequence[NoiseRecord]) -> tuple[list[NoiseRecord]
     """Records that have the same virtual rotation and interval, and why others are not used.
 
     The fastest virtual rotation is taken, either direction, and of its intervals the one that has
-    most rows.
-
-    Args:
-        records: at least one.
-
-    Returns:
-        The records, and a sentence on each other one.
+    most rows. Returns the records, and a sentence on each other one.
     """
     fastest = max(abs(record.rotation) for record in records)
     fast = [r for r in records if np.isclose(abs(r.rotation), fastest, rtol=1e-6)]
@@ -123,3 +111,45 @@ def select_comparable(records: Sequence[NoiseRecord]) -> tuple[list[NoiseRecord]
         for r in records
         if r not in chosen
     )
+
+
+@dataclass(frozen=True)
+class Noise:
+    """What one state of the gyro has shown.
+
+    records: that share the coefficients, at one interval.
+    """
+
+    records: tuple[NoiseRecord, ...]
+    coefficients: NoiseCoefficients
+    exclusions: tuple[str, ...]
+
+    @property
+    def n(self) -> int:
+        """Number of angles."""
+        return sum(record.n for record in self.records)
+
+    @property
+    def longest(self) -> NoiseRecord:
+        """The record that shows most."""
+        return max(self.records, key=lambda record: record.n)
+
+
+def fit_noise_of_tests(campaign: Campaign, kind: str, turning: bool) -> Noise | None:
+    """Coefficients of the tests of one kind together; None where there are none.
+
+    `turning` chooses the stretches with virtual rotation, else those without.
+    """
+    tests = select_tests(campaign, kind)
+    found = [record for test in tests for record in find_noise_records(test.log)]
+    if not tests:
+        return None
+    wanted = [record for record in found if (record.rotation != 0) == turning]
+    if not wanted:
+        state = "with" if turning else "without"
+        raise BenchError(
+            f"{tests[0].log.source}: no stretch that is long enough is {state} virtual rotation"
+        )
+    records, exclusions = select_comparable(wanted)
+    best = fit_coefficients([record.spectrum for record in records], records[0].interval)
+    return Noise(tuple(records), best, exclusions)

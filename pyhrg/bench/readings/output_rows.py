@@ -10,17 +10,15 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, Fit
 from pyhrg.bench.estimation.row_fit import Part, compute_inflations, fit_rows
 from pyhrg.bench.outcome import BenchError, Finding
 from pyhrg.bench.readings.segments import AT_REST
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import Site
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign
-
-Array = NDArray[np.float64]
 
 TRANSIENT = 3.0
 """Time after power-on and after each command that is not used, s; loops of 6 rad/s have settled to
@@ -79,10 +77,7 @@ ANGLES = ("gyro_angle", "wave_angle", "table_angle")
 def find_steady_rows(log: Log, *names: str, at_rest: bool = False) -> list[Rows]:
     """Stretches without gap, with drive on and constant commands, after the transient.
 
-    Args:
-        log: one power-on.
-        names: further columns that must have values.
-        at_rest: whether the table must rest.
+    The columns `names` must have values too; `at_rest` asks for a table at rest.
     """
     log.require(*ANGLES, *COMMANDS, *names)
     wait = int(np.ceil(TRANSIENT / log.interval - 1e-9))
@@ -104,11 +99,7 @@ def find_steady_rows(log: Log, *names: str, at_rest: bool = False) -> list[Rows]
 
 
 def require_steady_rows(logs: Sequence[Log], *names: str, at_rest: bool = False) -> list[Rows]:
-    """Steady stretches of several logs, at least one; arguments as `find_steady_rows`.
-
-    Raises:
-        BenchError: there is none.
-    """
+    """Steady stretches of several logs, at least one; arguments as `find_steady_rows`."""
     stretches = [rows for log in logs for rows in find_steady_rows(log, *names, at_rest=at_rest)]
     if not stretches:
         raise BenchError(
@@ -135,11 +126,7 @@ def compute_output_error(rows: Rows, site: Site) -> Array:
 
 
 def read_bryan_factor(campaign: Campaign) -> float:
-    """Angular gain (Bryan factor) that the campaign states as nominal.
-
-    Raises:
-        BenchError: the campaign doesn't state it.
-    """
+    """Angular gain (Bryan factor) that the campaign states as nominal."""
     if "coriolis_factor" not in campaign.nominal:
         raise BenchError(f"{campaign.device}: campaign.json, nominal: coriolis_factor is missing")
     return float(campaign.nominal["coriolis_factor"])
@@ -160,30 +147,19 @@ class Terms:
     def finding(self, name: str, unit: str, label: str = "", factor: float = 1.0) -> Finding:
         """A term times a factor, with its interval; NaN with the reason where the term is refused.
 
-        Args:
-            name: of the term.
-            unit: of the finding.
-            label: name of the finding; the term's if empty.
-            factor: finding over term.
+        `label` names the finding, the term's name if empty; `factor` is finding over term.
         """
         label = label or name
         if name in self.refused:
             return Finding(label, np.nan, unit, note=self.refused[name])
-        low, high = sorted(factor * bound for bound in self.fit.interval(name))
-        count = len(self.fit.residual)
-        return Finding(label, factor * self.fit.value(name), unit, low, high, count)
+        return self.fit.finding(name, label, unit, factor)
 
 
 def fit_terms(parts: Sequence[Part], names: Sequence[str], reason: str) -> Terms:
     """Fit of terms in the order of importance; a term that earlier ones confound is refused.
 
-    Args:
-        parts: rows with the terms' columns.
-        names: of the terms, the most important first.
-        reason: what the records lack where a term is refused; ends the sentence on it.
-
-    Raises:
-        BenchError: the rows determine not even the accepted terms.
+    `names` has the most important term first; `reason` says what the records lack where a term is
+    refused, and ends the sentence on it.
     """
     accepted: list[str] = []
     refused = {}

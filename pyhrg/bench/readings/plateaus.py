@@ -3,12 +3,10 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 RATE_TOLERANCE = 1e-3
 """Largest relative difference of a row's table rate from the first row's on one plateau."""
@@ -50,14 +48,11 @@ def find_plateaus(log: Log, shortest: float) -> list[Plateau]:
         rate = np.diff(angle) / np.diff(time)
         begin = 0
         for row in range(1, len(rate) + 1):
-            if row < len(rate) and _is_same(rate[row], rate[begin], log.interval):
+            tolerance = RATE_TOLERANCE * abs(rate[begin]) + ENCODER_RESOLUTION / log.interval
+            if row < len(rate) and abs(rate[row] - rate[begin]) <= tolerance:
                 continue
             if time[row] - time[begin] >= shortest - 1e-9:
                 mean = float((angle[row] - angle[begin]) / (time[row] - time[begin]))
                 stretches.append(Plateau(mean, stretch.start + begin, stretch.start + row))
             begin = row
     return stretches
-
-
-def _is_same(rate: float, other: float, interval: float) -> bool:
-    return bool(abs(rate - other) <= RATE_TOLERANCE * abs(other) + ENCODER_RESOLUTION / interval)

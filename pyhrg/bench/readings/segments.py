@@ -9,11 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 SEGMENT = 100.0
 """Averaging time of one data point, s (paper 4.1, item 3)."""
@@ -76,16 +75,8 @@ def read_segments(
 ) -> Segments:
     """Data points of a log: means over whole segments within its rests.
 
-    Args:
-        log: one power-on.
-        latitude: of the site, rad.
-        settle: time at the beginning of each rest that is not used, s.
-        length: of a segment, s.
-        warm_up: time after power-on that is not used, s.
-
-    Raises:
-        BenchError: no rest is as long as a segment.
-        LogError: a column that it needs has no value.
+    `settle` seconds at the beginning of each rest and `warm_up` seconds after power-on are not
+    used; a segment has `length` seconds.
     """
     rows = round(length / log.interval)
     points: list[tuple[float, ...]] = []
@@ -116,11 +107,15 @@ def _number(rests: list[slice], wave_angle: Array) -> Iterator[tuple[int, slice]
 
 def _read_segment(log: Log, latitude: float, begin: int, end: int) -> tuple[float, ...]:
     """Rate, pattern angle, table angle and time of the rows after `begin` up to `end`."""
-    span = log.time[end] - log.time[begin]
-    earth = EARTH_RATE * math.sin(latitude) * np.mean(log.axis_up[begin + 1 : end + 1])
-    rate = (log.gyro_angle[end] - log.gyro_angle[begin]) / span - earth
     part = slice(begin, end + 1)
     pattern, table, time = (
         float(np.mean(values[part])) for values in (log.wave_angle, log.table_angle, log.time)
     )
-    return float(rate), pattern, table, time
+    return read_mean_rate(log, latitude, begin, end), pattern, table, time
+
+
+def read_mean_rate(log: Log, latitude: float, begin: int, end: int) -> float:
+    """Mean output rate less Earth's rate on the input axis, rad/s, between two angle readings."""
+    earth = EARTH_RATE * math.sin(latitude) * np.mean(log.axis_up[begin + 1 : end + 1])
+    swept, span = log.gyro_angle[end] - log.gyro_angle[begin], log.time[end] - log.time[begin]
+    return float(swept / span - earth)

@@ -9,12 +9,9 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 SLOWEST = math.radians(1.0)
 """Smallest table rate of a spin, rad/s."""
@@ -36,12 +33,7 @@ class Spin:
 
 
 def find_spins(log: Log, vertical_rate: float) -> list[Spin]:
-    """Spins of a log, each fitted over whole quarter turns of the pattern.
-
-    Args:
-        log: one power-on.
-        vertical_rate: Earth's rate about local up, rad/s.
-    """
+    """Spins of a log, each fitted over whole quarter turns of the pattern."""
     rates = np.diff(log.table_angle, prepend=log.table_angle[:1]) / log.interval
     steady = np.abs(rates) > SLOWEST
     steady[1:] &= np.abs(np.diff(rates)) < 1e-3 * np.abs(rates[1:]) + 1e-7
@@ -78,11 +70,7 @@ def _measure_spin(log: Log, part: slice, vertical_rate: float) -> Spin | None:
 
 
 def pair_spins(spins: list[Spin], source: str) -> list[tuple[Spin, Spin]]:
-    """Pairs of successive spins in opposite directions at one rate; their mean is free of bias.
-
-    Raises:
-        BenchError: there is no pair.
-    """
+    """Pairs of successive spins in opposite directions at one rate; their mean is free of bias."""
     pairs = []
     remaining = list(spins)
     while len(remaining) > 1:

@@ -16,11 +16,10 @@ from numpy.typing import NDArray
 from pyhrg.bench.estimation.angle_fit import Record, compute_largest_inflation
 from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, name_terms
 from pyhrg.bench.readings.turns import ENCODER_NOISE, RATE_TOLERANCE, SETTLE
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 BIAS, GAIN, SCALE = "bias", "virtual rotation", "scale factor"
 """Kinds of terms: independent of the rates, proportional to V, proportional to W."""
@@ -87,12 +86,7 @@ class Sweep:
 
 
 def find_sweeps(log: Log, latitude: float) -> list[Sweep]:
-    """Sweeps of a log in order of time, from a settling time after each change.
-
-    Args:
-        log: one power-on.
-        latitude: of the site, rad.
-    """
+    """Sweeps of a log in order of time, from a settling time after each change."""
     log.require("table_angle", "axis_up", "virtual_rotation", "gyro_angle", "wave_angle")
     settle = math.ceil(SETTLE / log.interval)
     stretches = []

@@ -4,15 +4,13 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.segments import COLUMNS
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 SETTLE = 2.0
 """Time after the table has reached its rate that is not used, s."""
@@ -64,8 +62,7 @@ class Turn:
     def whole_periods(self, each: int = 0) -> tuple[Array, Array, Array]:
         """Time, input angle and excess (m,) at the bounds of whole periods, interpolated linearly.
 
-        Args:
-            each: periods between two bounds; 0 gives two bounds, as far apart as possible.
+        Bounds are `each` periods apart; 0 gives two bounds, as far apart as possible.
         """
         moved = np.abs(self.pattern_angle - self.pattern_angle[0])
         whole = math.floor(self.periods + 1e-6)
@@ -76,15 +73,7 @@ class Turn:
 
 
 def find_turns(log: Log, latitude: float) -> list[Turn]:
-    """Steady stretches of at least one period, in order of time.
-
-    Args:
-        log: one power-on.
-        latitude: of the site, rad.
-
-    Raises:
-        BenchError: there is none.
-    """
+    """Steady stretches of at least one period, in order of time."""
     stretches = _find_all(log, latitude)
     whole = [turn for turn in stretches if turn.periods >= WHOLE_PERIOD]
     if not whole:

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from pyhrg.bench.outcome import Finding, Outcome
+from pyhrg.bench.outcome import Outcome
 from pyhrg.bench.procedure import Procedure
-from pyhrg.bench.reporting.judgement import Judgement, judge_findings
+from pyhrg.bench.reporting.judgement import judge_findings
 
 SCHEMA = "hrg-bench/1"
 
@@ -20,11 +20,7 @@ def format_document(
 ) -> str:
     """JSON text of a test's result; each finding is in the unit that its key names.
 
-    Args:
-        procedure: the test.
-        outcome: what the test gave.
-        seed: of the simulation; None where the records are not simulated.
-        limits: of the specification, by the findings' keys.
+    The limits are the specification's, by the findings' keys.
     """
     content = {
         "schema": SCHEMA,
@@ -32,10 +28,21 @@ def format_document(
         "procedure": procedure.name,
         "source": procedure.source,
         "seed": seed,
-        "findings": {finding.key: _convert_finding(finding) for finding in outcome.findings},
+        "findings": {
+            finding.key: {
+                "value": _convert(finding.value_in_unit),
+                "interval_95": _convert(finding.interval_in_unit),
+                "n": finding.n,
+                "note": finding.note,
+            }
+            for finding in outcome.findings
+        },
         "verdict": outcome.verdict,
         "specification": {
-            judgement.finding.key: _convert_judgement(judgement)
+            judgement.finding.key: {
+                "at_least" if judgement.finding.at_least else "at_most": judgement.limit,
+                "verdict": judgement.word,
+            }
             for judgement in judge_findings(outcome, limits)
         },
         "warnings": list(outcome.warnings),
@@ -43,20 +50,6 @@ def format_document(
         "values_si": _convert(outcome.values),
     }
     return json.dumps(content, indent=2, allow_nan=False) + "\n"
-
-
-def _convert_finding(finding: Finding) -> dict[str, Any]:
-    return {
-        "value": _convert(finding.value_in_unit),
-        "interval_95": _convert(finding.interval_in_unit),
-        "n": finding.n,
-        "note": finding.note,
-    }
-
-
-def _convert_judgement(judgement: Judgement) -> dict[str, Any]:
-    side = "at_least" if judgement.finding.at_least else "at_most"
-    return {side: judgement.limit, "verdict": judgement.word}
 
 
 def _convert(value: Any) -> Any:

@@ -26,12 +26,8 @@ class Judgement:
             return "not measured"
         low, high = self._magnitude()
         if self.finding.at_least:
-            low, high, limit = -high, -low, -self.limit
-        else:
-            limit = self.limit
-        if high <= limit:
-            return "meets"
-        return "fails" if low > limit else "not decided"
+            return "meets" if low >= self.limit else "fails" if high < self.limit else "not decided"
+        return "meets" if high <= self.limit else "fails" if low > self.limit else "not decided"
 
     def _magnitude(self) -> tuple[float, float]:
         """95 % interval of the magnitude; NaN where the finding has no interval, so that every

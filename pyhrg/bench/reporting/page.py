@@ -41,11 +41,8 @@ def make_section(
 ) -> str:
     """HTML section of a test: verdict, tables, figure, notes, method.
 
-    Args:
-        procedure: the test.
-        outcome: what the test gave.
-        limits: of the specification, by the findings' keys.
-        picture: path of the figure, from the page's folder.
+    The limits are the specification's, by the findings' keys; `picture` is the figure's path from
+    the page's folder.
     """
     parts = [f"<h2>{html.escape(procedure.title)}</h2>", make_paragraph(outcome.verdict)]
     tables = (make_findings_table(outcome.findings), *outcome.tables)

@@ -1,6 +1,6 @@
 """The paper's parameter system (Table 1), row by row: the figure, or why there is none."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from pyhrg.bench.outcome import Outcome
@@ -102,10 +102,12 @@ TABLE_1 = (
 )
 
 
-def make_table_1(outcomes: Sequence[Outcome]) -> Table:
-    """Every row of Table 1 with its figure and the test that gave it, or why there is none."""
-    by_procedure = {outcome.procedure: outcome for outcome in outcomes}
-    cells = (_make_cells(row, by_procedure.get(row.procedure)) for row in TABLE_1)
+def make_table_1(outcomes: Mapping[str, Outcome]) -> Table:
+    """Every row of Table 1 with its figure and the test that gave it, or why there is none.
+
+    The outcomes stand by their tests' names.
+    """
+    cells = (_make_cells(row, outcomes.get(row.procedure)) for row in TABLE_1)
     header = ("", "value", "95 % interval", "unit", "test, or why there is no figure")
     return Table("Parameter system (Xu et al. 2024, Table 1)", header, tuple(cells))
 

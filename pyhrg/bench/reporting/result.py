@@ -200,7 +200,7 @@ class BenchResults:
     @property
     def parameter_system(self) -> pd.DataFrame:
         """The paper's Table 1, row by row: the figure and its test, or why there is none."""
-        return _make_frame(make_table_1([result.outcome for result in self.results]))
+        return _make_frame(self._make_table_1())
 
     def write(self, folder: Path | str) -> None:
         """Write report.html, and a folder for each test that gave figures.
@@ -234,9 +234,10 @@ class BenchResults:
 
     def _make_overview(self) -> Table | None:
         """The paper's Table 1; None for a single test."""
-        if len(self.attempts) < 2:
-            return None
-        return make_table_1([result.outcome for result in self.results])
+        return self._make_table_1() if len(self.attempts) > 1 else None
+
+    def _make_table_1(self) -> Table:
+        return make_table_1({result.name: result.outcome for result in self.results})
 
     def _list_unmatched(self) -> list[str]:
         """Sentences on limits that no finding was compared with; none for a single test, whose
@@ -249,11 +250,7 @@ class BenchResults:
 
 
 def check_folder(folder: Path) -> None:
-    """Refuse a folder that a result must not replace.
-
-    Raises:
-        HrgError: the folder holds something else than a result.
-    """
+    """Refuse a folder that a result must not replace."""
     if not folder.exists() or (folder / RESULT).is_file():
         return
     if not folder.is_dir() or any(folder.iterdir()):

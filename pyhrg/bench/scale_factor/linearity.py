@@ -7,30 +7,62 @@ repeatability the standard deviation of K over power-ons.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.estimation.largest import estimate_largest
-from pyhrg.bench.estimation.line import Line
+from pyhrg.bench.estimation.sizes import estimate_largest
+from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_deviation, estimate_mean
 from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.turns import PERIOD, SETTLE, Turn
+from pyhrg.bench.readings.turns import PERIOD, SETTLE, Turn, find_turns
 from pyhrg.bench.scale_factor.rate_tests import (
     INTERVAL,
     RUNS,
     WARM_UP,
     list_turn_exclusions,
-    read_turns,
 )
+from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
 
-Array = NDArray[np.float64]
+
+@dataclass(frozen=True)
+class Line:
+    """Input and output rates of one power-on, (n,) rad/s, for the line output = K input + F0.
+
+    K is relative to the nominal scale factor.
+    """
+
+    input: Array
+    output: Array
+
+    def fit(self, rows: NDArray[np.bool_] | None = None) -> tuple[float, float]:
+        """K and F0, rad/s, by least squares on some of the rates, or all."""
+        # the error is fitted, not the output, so that rounding is relative to the error
+        chosen = np.ones(len(self.input), dtype=bool) if rows is None else rows
+        error = (self.output - self.input)[chosen]
+        slope, offset = np.polyfit(self.input[chosen], error, 1)
+        return 1.0 + float(slope), float(offset)
+
+    @property
+    def residual(self) -> Array:
+        """(n,) output less line, relative to the largest output."""
+        factor, offset = self.fit()
+        deviation = (self.output - self.input) - (factor - 1.0) * self.input - offset
+        return np.asarray(deviation / np.max(np.abs(self.output)))
+
+    @property
+    def asymmetry(self) -> float:
+        """(K+ - K-) / K, from lines fitted to the positive and to the negative rates."""
+        ways = [self.fit(self.input > 0)[0], self.fit(self.input < 0)[0]]
+        return (ways[0] - ways[1]) / self.fit()[0]
+
 
 KIND = "linearity"
 RATES = tuple(rate * DEG for rate in (0.5, 1, 2, 5, 10, 20, 50, 100, 150, 200, 300))
@@ -65,11 +97,7 @@ def record(bench: Bench, runs: int = RUNS, rates: Sequence[float] = RATES) -> li
 
 
 def read_line(turns: Sequence[Turn]) -> Line:
-    """Input and output rates of one power-on, means over whole periods, in order of the rates.
-
-    Raises:
-        BenchError: there are fewer than 11 rates in a direction.
-    """
+    """Input and output rates of one power-on, means over whole periods, in order of the rates."""
     points = []
     for turn in turns:
         time, angle, excess = turn.whole_periods()
@@ -92,13 +120,9 @@ def _count_rates(rates: Array) -> int:
 
 
 def read_lines(campaign: Campaign) -> list[Line]:
-    """Input and output rates of each power-on.
-
-    Raises:
-        BenchError: the power-ons are not at the same rates.
-    """
+    """Input and output rates of each power-on."""
     tests = require_tests(campaign, KIND)
-    lines = [read_line(read_turns(campaign, test)) for test in tests]
+    lines = [read_line(find_turns(test.log, campaign.site.latitude)) for test in tests]
     for test, line in zip(tests, lines, strict=True):
         same = len(line.input) == len(lines[0].input)
         if not same or np.any(np.abs(line.input / lines[0].input - 1) > RATE_TOLERANCE):
@@ -122,7 +146,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     )
     top = max(float(np.max(np.abs(line.input))) for line in lines) / DEG
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=findings,
         verdict=(
             f"Up to {top:.0f} deg/s the output deviates from a line by "
@@ -167,7 +190,7 @@ def _make_table(lines: Sequence[Line]) -> Table:
 
 def draw(figure: Figure, lines: Sequence[Line]) -> None:
     """Draw the residuals of each power-on and their mean against the rate."""
-    axes = figure.add_subplot()
+    axes = figure.add_subplot(title="Output less its best line")
     for number, line in enumerate(lines):
         label = f"{len(lines)} power-ons" if number == 0 else None
         axes.plot(
@@ -176,11 +199,7 @@ def draw(figure: Figure, lines: Sequence[Line]) -> None:
     mean = np.mean([line.residual for line in lines], axis=0)
     axes.plot(lines[0].input / DEG, mean * 1e6, "k-", lw=1.2, label="mean")
     axes.set_xscale("symlog", linthresh=1.0)
-    axes.set_xlabel("input rate, deg/s")
-    axes.set_ylabel("residual, ppm of the largest output")
-    axes.set_title("Output less its best line")
-    axes.grid(alpha=0.3)
-    axes.legend()
+    finish_axes(axes, "input rate, deg/s", "residual, ppm of the largest output")
 
 
 PROCEDURE: Procedure = Procedure(

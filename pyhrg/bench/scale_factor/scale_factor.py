@@ -14,17 +14,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.estimation.angle_fit import AngleFit, Record, compute_largest_inflation, fit_angles
 from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, TILT, name_terms
-from pyhrg.bench.estimation.magnitude import estimate_magnitude
+from pyhrg.bench.estimation.sizes import estimate_magnitude
 from pyhrg.bench.outcome import BenchError, Finding
 from pyhrg.bench.readings.turns import Turn
+from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG, PPM
-
-Array = NDArray[np.float64]
 
 SCALE = "scale factor"
 BIAS = "bias"
@@ -60,38 +58,21 @@ class ScaleFactorMap:
         """Findings: scale factor, its variation, pick-off errors, other harmonics, bias."""
         orders = [order for order in self.orders if order != 4]
         names = [f"{SCALE} {name}" for order in orders for name in name_terms(order)]
-        note = self.describe_bias_harmonics()
-        return (
-            self.finding(SCALE, "scale factor error", "ppm", note="of the nominal Bryan factor"),
-            self.variation(),
-            self.finding(f"{SCALE} cos4", "pick-off gain mismatch", "ppm", -1.0),
-            self.finding(f"{SCALE} sin4", "pick-off non-orthogonality", "ppm", -1.0),
-            *(self.finding(name, name, "ppm") for name in names),
-            self.finding(BIAS, "bias", "deg/h"),
-            *(self.finding(name, name, "deg/h", note=note) for name in self.harmonics(BIAS)),
-        )
-
-    def describe_bias_harmonics(self) -> str:
-        """Note on the effects that the harmonics of the bias hold beside the bias map."""
         fastest = max(abs(turn.table_rate) for turn in self.turns) / DEG
-        return (
+        note = (
             f"part that is even in the rate, up to {fastest:.3g} deg/s: the bias map and errors of "
             "the loops in proportion to the square of the rate"
         )
-
-    def finding(
-        self, term: str, name: str, unit: str, sign: float = 1.0, note: str = ""
-    ) -> Finding:
-        """Finding of a term of the fit.
-
-        Args:
-            term: of the fit.
-            name, unit, note: of the finding.
-            sign: finding over term.
-        """
-        low, high = sorted(sign * bound for bound in self.fit.interval(term))
-        n = len(self.fit.residual)
-        return Finding(name, sign * self.fit.value(term), unit, low, high, n, note)
+        make = self.fit.finding
+        return (
+            make(SCALE, "scale factor error", "ppm", note="of the nominal Bryan factor"),
+            self.variation(),
+            make(f"{SCALE} cos4", "pick-off gain mismatch", "ppm", -1.0),
+            make(f"{SCALE} sin4", "pick-off non-orthogonality", "ppm", -1.0),
+            *(make(name, name, "ppm") for name in names),
+            make(BIAS, "bias", "deg/h"),
+            *(make(name, name, "deg/h", note=note) for name in self.harmonics(BIAS)),
+        )
 
     def variation(self) -> Finding:
         """Standard deviation of the scale factor over the circumference."""
@@ -119,15 +100,7 @@ class ScaleFactorMap:
 
 
 def fit_scale_factor_map(turns: Sequence[Turn], bryan_factor: float) -> ScaleFactorMap:
-    """Fit of the terms that the turns can separate.
-
-    Args:
-        turns: at one or several rates, in both directions.
-        bryan_factor: nominal angular gain.
-
-    Raises:
-        BenchError: all turns are in one direction.
-    """
+    """Fit of the terms that the turns can separate."""
     ways = {np.sign(turn.table_rate) for turn in turns}
     if len(ways) < 2:
         rates = ", ".join(sorted({f"{turn.table_rate / DEG:.3g}" for turn in turns}))

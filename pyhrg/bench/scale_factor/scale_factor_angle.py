@@ -7,20 +7,19 @@ harmonic of r is one of the scale factor that is four times as large: 4 std(r).
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.readings.output_rows import read_bryan_factor
 from pyhrg.bench.readings.turns import Turn
-from pyhrg.bench.scale_factor.both_ways import draw_both_ways
 from pyhrg.bench.scale_factor.rate_tests import (
     KIND,
     RUNS,
+    draw_both_ways,
     list_turn_exclusions,
+    make_turn_power_ons,
     read_rate_turns,
-    record_turns,
 )
 from pyhrg.bench.scale_factor.scale_factor import (
     BIAS,
@@ -28,10 +27,9 @@ from pyhrg.bench.scale_factor.scale_factor import (
     fit_scale_factor_map,
     make_period_table,
 )
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.records.campaign import Campaign, Test
-
-Array = NDArray[np.float64]
 
 RATE = 5 * DEG
 """Table rate, rad/s."""
@@ -43,18 +41,14 @@ def record(
     bench: Bench, runs: int = RUNS, periods: int = PERIODS, rate: float = RATE
 ) -> list[Test]:
     """Tests of `runs` power-ons in each direction at a table rate, rad/s."""
-    return record_turns(bench, rate, periods, runs)
+    return bench.run(make_turn_power_ons(bench, rate, periods, runs))
 
 
 def compute_residual(turn: Turn, k: float) -> Array:
     """(n,) error of the pattern angle, rad, within whole periods: residual of a line against the
-    encoder.
-
-    Args:
-        turn: at one table rate.
-        k: angular gain.
-    """
-    rows = np.abs(turn.pattern_angle - turn.pattern_angle[0]) <= _measure_whole_periods(turn)
+    encoder."""
+    whole = float(np.floor(turn.periods + 1e-6)) * np.pi / 2
+    rows = np.abs(turn.pattern_angle - turn.pattern_angle[0]) <= whole
     excess, table = turn.excess[rows], turn.table_angle[rows]
     # over both directions, a line through whole periods has the slope of the mean scale factor
     _, angle, error = turn.whole_periods()
@@ -63,18 +57,12 @@ def compute_residual(turn: Turn, k: float) -> Array:
     return np.asarray(-k * (residual - residual.mean()))
 
 
-def _measure_whole_periods(turn: Turn) -> float:
-    """Pattern angle, rad, of the whole periods of a turn."""
-    return float(np.floor(turn.periods + 1e-6)) * np.pi / 2
-
-
 def evaluate(campaign: Campaign) -> Outcome:
     """Scale factor, its map over the circumference, and the bias."""
     k = read_bryan_factor(campaign)
     fitted = fit_scale_factor_map(read_rate_turns(campaign, slow=True), k)
     residuals = [compute_residual(turn, k) for turn in fitted.turns]
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(*fitted.findings(), *_summarize_residuals(residuals)),
         verdict=_describe_verdict(fitted),
         tables=(make_period_table(fitted.turns),),
@@ -111,14 +99,13 @@ def _describe_verdict(fitted: ScaleFactorMap) -> str:
 
 def draw(figure: Figure, fitted: ScaleFactorMap, residuals: list[Array]) -> None:
     """Draw the angle errors of both directions against the pattern angle."""
-    axes = figure.add_subplot()
+    axes = figure.add_subplot(title="Angle residual; where both ways differ, the bias shows")
     points = [
         (turn.pattern_angle[: len(values)], values / ARCSEC)
         for turn, values in zip(fitted.turns, residuals, strict=True)
     ]
     draw_both_ways(axes, fitted.turns, points)
     axes.set_ylabel("error of the pattern angle, arcsec")
-    axes.set_title("Angle residual; where both ways differ, the bias shows")
     axes.legend(markerscale=3)
 
 

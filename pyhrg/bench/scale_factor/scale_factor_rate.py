@@ -11,7 +11,6 @@ from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 from scipy import stats
 
 from pyhrg.bench.bench import Bench
@@ -19,23 +18,22 @@ from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.readings.output_rows import read_bryan_factor
 from pyhrg.bench.readings.turns import Turn
-from pyhrg.bench.scale_factor.both_ways import draw_both_ways
 from pyhrg.bench.scale_factor.rate_tests import (
     KIND,
     RUNS,
+    draw_both_ways,
     list_turn_exclusions,
+    make_turn_power_ons,
     read_rate_turns,
-    record_turns,
 )
 from pyhrg.bench.scale_factor.scale_factor import (
     ScaleFactorMap,
     fit_scale_factor_map,
     make_period_table,
 )
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
-
-Array = NDArray[np.float64]
 
 RATE = 100 * DEG
 """Table rate, rad/s."""
@@ -49,15 +47,11 @@ def record(
     bench: Bench, runs: int = RUNS, periods: int = PERIODS, rate: float = RATE
 ) -> list[Test]:
     """Tests of `runs` power-ons in each direction at a table rate, rad/s."""
-    return record_turns(bench, rate, periods, runs)
+    return bench.run(make_turn_power_ons(bench, rate, periods, runs))
 
 
 def compute_rate_error(turn: Turn) -> tuple[Array, Array]:
-    """Pattern angle, rad, and relative rate error of averages, (m,) each, over whole periods.
-
-    Raises:
-        BenchError: a row is longer than the longest average.
-    """
+    """Pattern angle, rad, and relative rate error of averages, (m,) each, over whole periods."""
     rows = round(SMOOTHING / turn.interval)
     if rows < 1:
         raise BenchError(
@@ -103,7 +97,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     errors = [compute_rate_error(turn) for turn in fitted.turns]
     shares = [compute_kept_share(turn, k) for turn in fitted.turns]
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(
             *fitted.findings(),
             *_summarize_averages(errors, shares),
@@ -147,7 +140,9 @@ def _summarize_averages(
 
 def draw(figure: Figure, fitted: ScaleFactorMap, errors: list[tuple[Array, Array]]) -> None:
     """Draw the averages of both directions and the fitted map against the pattern angle."""
-    axes = figure.add_subplot()
+    axes = figure.add_subplot(
+        title=f"Scale factor over the circumference, averages of {SMOOTHING:g} s"
+    )
     grid = np.linspace(0.0, np.pi, 361)
     points = [(pattern, error * 1e6) for pattern, error in errors]
     draw_both_ways(axes, fitted.turns, points)
@@ -156,7 +151,6 @@ def draw(figure: Figure, fitted: ScaleFactorMap, errors: list[tuple[Array, Array
         grid / DEG, (mean + fitted.evaluate(grid)) * 1e6, "k-", lw=1.2, label="fit to the angle"
     )
     axes.set_ylabel("rate error over rate, ppm")
-    axes.set_title(f"Scale factor over the circumference, averages of {SMOOTHING:g} s")
     axes.legend(markerscale=3)
 
 

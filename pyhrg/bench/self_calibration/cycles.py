@@ -30,11 +30,7 @@ class Cycle:
 
 
 def pair_cycles(logs: Sequence[Sequence[Sweep]]) -> list[list[Cycle]]:
-    """Cycles of each power-on at rest; where each turns one way only, of power-ons in pairs.
-
-    Raises:
-        BenchError: no two sweeps of a whole period, one each way.
-    """
+    """Cycles of each power-on at rest; where each turns one way only, of power-ons in pairs."""
     resting = [[s for s in log if s.table_rate == 0.0 and s.average_period()] for log in logs]
     runs = [cycles for log in resting if (cycles := _pairs(log))]
     if not runs and (crossed := _pairs([sweep for log in resting for sweep in log])):
@@ -76,11 +72,7 @@ def find_averaging_time(runs: Sequence[Sequence[Cycle]]) -> float:
 
 
 def cut_rests(logs: Sequence[Sequence[Sweep]], length: float) -> list[list[Cycle]]:
-    """Means over `length` seconds, s, of the rests of each power-on; short ones are left out.
-
-    Raises:
-        BenchError: no rest is that long.
-    """
+    """Means over `length` seconds, s, of the rests of each power-on; short ones are left out."""
     runs = [[mean for sweep in log for mean in _means(sweep, length)] for log in logs]
     if not any(runs):
         longest = max((s.time[-1] - s.time[0] for log in logs for s in log), default=0.0)

@@ -6,22 +6,31 @@ the rotation, which changes its sign. Off, the bias is that of the angle at whic
 left. The noise of the rotation is the price: an angle random walk of V sqrt(S).
 """
 
+from collections.abc import Sequence
+
 import numpy as np
+from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS
-from pyhrg.bench.estimation.angle_fit import AngleFit, Record, fit_angles
-from pyhrg.bench.estimation.fitted_walk import estimate_walk, estimate_walk_ratio, make_walk_finding
+from pyhrg.bench.estimation.angle_fit import (
+    AngleFit,
+    Record,
+    estimate_walk,
+    estimate_walk_ratio,
+    fit_angles,
+    make_walk_finding,
+)
+from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_deviation, estimate_mean
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.output_rows import read_bryan_factor
 from pyhrg.bench.readings.sweeps import BIAS, GAIN, SCALE, Sweep, find_sweeps, select_orders
-from pyhrg.bench.scale_factor.rate_tests import read_turns
+from pyhrg.bench.readings.turns import find_turns
 from pyhrg.bench.scale_factor.scale_factor import fit_scale_factor_map
 from pyhrg.bench.self_calibration import cycles
 from pyhrg.bench.self_calibration.cycles import Cycle, find_averaging_time, find_pooled_deviation
-from pyhrg.bench.self_calibration.self_calibration_figure import draw
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.campaign import Campaign, Test
 
@@ -43,10 +52,7 @@ TURN = 200.0
 def make_programme(bench: Bench, rotation: float, count: int = CYCLES) -> Programme:
     """One power-on, axis level: cycles at rest, then the table turns both ways.
 
-    Args:
-        bench: the virtual bench.
-        rotation: rad/s; 0 for the same without virtual rotation.
-        count: cycles at rest.
+    The rotation is in rad/s; 0 gives the same without virtual rotation.
     """
     sweep = float(np.ceil(180 * DEG / (bench.device.bryan_factor * ROTATION))) + MARGIN
     course = bench.programme().attitude(0.0).rest(WARM_UP)
@@ -102,7 +108,6 @@ def evaluate(campaign: Campaign) -> Outcome:
         ratio,
     )
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=findings,
         verdict=_verdict({finding.name: finding for finding in findings}),
         warnings=(*cycles.list_warnings(on), *_crept(resting)),
@@ -125,12 +130,10 @@ def _crept(resting: list[list[Sweep]]) -> tuple[str, ...]:
 def _scatter(name: str, runs: list[list[Cycle]]) -> tuple[Finding, ...]:
     """Stability and repeatability of means over a cycle."""
     rates = [[cycle.rate for cycle in run] for run in runs]
-    length = float(np.mean([cycle.length for run in runs for cycle in run]))
     means = [float(np.mean(run)) for run in rates]
+    note = f"means of {find_averaging_time(runs):.0f} s within a power-on"
     return (
-        find_pooled_deviation(
-            f"bias stability {name}", rates, f"means of {length:.0f} s within a power-on"
-        ),
+        find_pooled_deviation(f"bias stability {name}", rates, note),
         estimate_deviation(f"bias repeatability {name}", means, "deg/h", "between power-ons"),
     )
 
@@ -167,16 +170,14 @@ def _scale_factors(campaign: Campaign, turning: AngleFit) -> tuple[Finding, ...]
     if SCALE not in turning.names:
         note = "no record with the table turning under virtual rotation"
         return (Finding("scale factor error on", np.nan, "ppm", note=note),)
-    low, high = turning.interval(SCALE)
-    n = len(turning.residual)
     logs = [t for t in require_tests(campaign, KIND) if not np.any(t.log.virtual_rotation)]
     off = fit_scale_factor_map(
-        [turn for test in logs for turn in read_turns(campaign, test)],
+        [turn for test in logs for turn in find_turns(test.log, campaign.site.latitude)],
         read_bryan_factor(campaign),
     )
     return (
-        Finding("scale factor error on", turning.value(SCALE), "ppm", low, high, n),
-        off.finding(SCALE, "scale factor error off", "ppm"),
+        turning.finding(SCALE, "scale factor error on", "ppm"),
+        off.fit.finding(SCALE, "scale factor error off", "ppm"),
     )
 
 
@@ -192,6 +193,19 @@ def _verdict(found: dict[str, Finding]) -> str:
         return f"{text}; one power-on can't show what it gains in repeatability."
     gained = f"{off.value / DEG_PER_H:.2g} to {on.value / DEG_PER_H:.2g} deg/h"
     return f"{text}; repeatability over the power-on angles goes from {gained}."
+
+
+def draw(figure: Figure, on: Sequence[Sequence[Cycle]], off: Sequence[Sequence[Cycle]]) -> None:
+    """Means over a cycle, with virtual rotation and at rest."""
+    axes = figure.add_subplot(title="Self-calibration by virtual rotation", xlim=(0, 180))
+    for runs, mark, colour, label in (
+        (off, "s", "#D55E00", "off: pattern left where it is"),
+        (on, "o", "#0072B2", "on: one way and back"),
+    ):
+        points = [(c.pattern_angle, c.rate) for run in runs for c in run]
+        angle, rate = np.array(points).T
+        axes.plot(angle % np.pi / DEG, rate / DEG_PER_H, mark, color=colour, label=label)
+    finish_axes(axes, "pattern angle at the beginning, deg", "mean output at rest, deg/h")
 
 
 PROCEDURE: Procedure = Procedure(

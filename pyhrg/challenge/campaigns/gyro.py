@@ -1,11 +1,13 @@
-"""Records a test of the true gyro on the FMU with its sampled loops."""
+"""Records a test of the true gyro on the FMU, with rate noise that is drawn outside the FMU."""
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.fft import irfft, next_fast_len, rfft, rfftfreq
 
 from pyhrg.bench.bench import (
     HELD_INPUTS,
@@ -17,7 +19,6 @@ from pyhrg.bench.bench import (
 )
 from pyhrg.challenge.campaigns.course import Course
 from pyhrg.challenge.campaigns.instruments import Instruments, record_log
-from pyhrg.challenge.campaigns.rate_noise import draw_rate_noise
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.records import Log
@@ -30,11 +31,11 @@ class Disturbance:
     """A disturbance of gyro or bench that is no parameter of the device; none by default.
 
     model: parameters of the FMU, by its names, SI.
-    rate: (n, m) or (1, 1) input rate to be added in each step of a course, rad/s, given the true
-        start angle.
-    inputs: (n,) what holds over a row and differs from the bench's command, by its name in a
-        programme, SI.
-    shown: the log as the bench writes it, given what was.
+    rate: function of the course and the true start angle that returns an added input rate, (n, m)
+        or (1, 1), rad/s.
+    inputs: function of the same that returns inputs (n,) that hold over a row and differ from the
+        bench's command, by their names in a programme, SI.
+    shown: function of the true log that returns the log as the bench writes it.
     """
 
     model: Mapping[str, float] = field(default_factory=dict)
@@ -55,19 +56,11 @@ class TrueGyro:
     def log(
         self, source: str, course: Course, start_angle: float, generator: np.random.Generator
     ) -> tuple[Log, Array]:
-        """Run a test.
+        """Log of a test that starts at a true pattern angle, rad, and (n,) the part of noise in its
+        output angle, rad.
 
         Noise turns the pattern as an input rate. The noise of the FMU is off, so the spectrum may
         differ from the FMU's, and the other channels have only the noise of their readings.
-
-        Args:
-            source: what the log is called in messages.
-            course: of the test.
-            start_angle: true pattern angle at power-on, rad.
-            generator: of all noise.
-
-        Returns:
-            The log, and (n,) the part of noise in its output angle, rad.
         """
         drawn = draw_rate_noise(self.device, len(course) * course.steps, course.step, generator)
         noise = drawn.reshape(len(course), course.steps)
@@ -77,14 +70,8 @@ class TrueGyro:
         return log, log.gyro_angle - shown.gyro_angle + turned
 
     def exact(self, source: str, course: Course, start_angle: float, noise: Array) -> Log:
-        """The log of bench and gyro without reading noise.
-
-        Args:
-            source: what the log is called in messages.
-            course: of the test.
-            start_angle: true pattern angle at power-on, rad.
-            noise: (n, m) or (1, 1) input rate beside the bench's and Earth's, rad/s.
-        """
+        """The log of bench and gyro without reading noise; `noise` is an input rate, (n, m) or
+        (1, 1), rad/s, that is added to the bench's and Earth's."""
         held = {**course.held, **self.disturbance.inputs(course, start_angle)}
         commands = {name: held[name] for name in HELD_INPUTS}
         bench = Bench(self.fmu, self._quiet(commands, course.step), step=course.step)
@@ -111,3 +98,30 @@ class TrueGyro:
         rest = {} if self.fmu.is_sampled else {"samplePeriod": step}
         model = {**quiet.model, **self.disturbance.model, **first, **rest}
         return replace(quiet, quantization_step=0.0, model=model)
+
+
+def draw_rate_noise(
+    device: Device, count: int, step: float, generator: np.random.Generator
+) -> Array:
+    """(count,) input-referred rate noise of a device, rad/s, each value the mean over a step, s.
+
+    Densities are those of IEEE Std 952, annex C: N^2, B^2/(2 pi f), K^2/(2 pi f)^2. The same
+    numbers are drawn whatever the coefficients are.
+    """
+    white, coloured, steps = generator.standard_normal((3, 2 * count))
+    rate = device.angle_random_walk / math.sqrt(step) * white[:count]
+    if device.bias_instability:
+        rate += device.bias_instability * _flicker(coloured, step)[:count]
+    walk = np.cumsum(steps[:count]) - steps[:count] / 2
+    return np.asarray(rate + device.rate_random_walk * math.sqrt(step) * walk)
+
+
+def _flicker(white: Array, step: float) -> Array:
+    """Flicker of unit coefficient, by shaping white noise in frequency. The period is twice the
+    record, so that start and end are not correlated."""
+    length = next_fast_len(len(white), real=True)
+    frequency = rfftfreq(length, step)
+    frequency[0] = frequency[1] / 2
+    padded = np.concatenate((white, white[: length - len(white)]))
+    shaped = rfft(padded) / np.sqrt(2 * math.pi * frequency * step)
+    return np.asarray(irfft(shaped, length))

@@ -1,6 +1,5 @@
 """Instruments: reading noise of the channels, quantization of the output, digits of the log."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
@@ -29,12 +28,9 @@ class Instruments:
 
     def drawn(self, generator: np.random.Generator) -> "Instruments":
         """Instruments of another bench: each up to a factor of 1.4 better or worse."""
-        factors = 1.4 ** generator.uniform(-1, 1, len(fields(self)))
         names = [field.name for field in fields(self)]
-        changed: dict[str, Any] = {
-            n: getattr(self, n) * f for n, f in zip(names, factors.tolist(), strict=True)
-        }
-        return replace(self, **changed)
+        factors = (1.4 ** generator.uniform(-1, 1, len(names))).tolist()
+        return Instruments(*(getattr(self, n) * f for n, f in zip(names, factors, strict=True)))
 
 
 DECIMALS = {
@@ -50,70 +46,50 @@ DECIMALS = {
 }
 """Decimals of a column in its unit, as the recorded campaigns have them."""
 SIGNIFICANT = {"amplitude_force": 10, "quadrature_force": 7}
-"""Digits of a column that spans decades."""
+"""Significant digits of a column that spans decades."""
+
+
+NOISY = (
+    *("gyro_angle", "wave_angle", "temperature", "amplitude"),
+    *("amplitude_force", "quadrature_force", "frequency_offset"),
+)
+"""Fields of a log with reading noise, in the order in which the noise is drawn."""
 
 
 def record_log(log: Log, device: Device, own: Instruments, generator: np.random.Generator) -> Log:
-    """A log with reading noise, quantization and rounded digits.
-
-    Args:
-        log: what bench and gyro did, exact.
-        device: its white angle noise and quantum; input-referred, so that the pattern angle has the
-            Bryan factor of it.
-        own: noise of the other channels.
-        generator: of the noise.
-    """
+    """An exact log with reading noise, quantization and the digits of the recorded files. White
+    noise and quantum of the output angle are the device's. They are input-referred, so the pattern
+    angle has the noise times the Bryan factor."""
     draws = dict(zip(NOISY, generator.standard_normal((len(NOISY), len(log.time))), strict=True))
-    angle_noise = device.angle_white_noise
+    noise, quantum = device.angle_white_noise, device.quantization_step
+    angle = log.gyro_angle + noise * draws["gyro_angle"]
     force = log.amplitude_force
-    values: dict[str, Any] = {
-        "gyro_angle": _quantised(
-            log.gyro_angle + angle_noise * draws["gyro_angle"], device.quantization_step
-        ),
-        "wave_angle": log.wave_angle + device.bryan_factor * angle_noise * draws["wave_angle"],
+    noisy: dict[str, Any] = {
+        "gyro_angle": quantum * np.round(angle / quantum) if quantum else angle,
+        "wave_angle": log.wave_angle + device.bryan_factor * noise * draws["wave_angle"],
         "amplitude_force": force + own.amplitude_force * force * draws["amplitude_force"],
         **{
             name: getattr(log, name) + getattr(own, name) * draws[name]
             for name in ("temperature", "amplitude", "quadrature_force", "frequency_offset")
         },
     }
-    return round_log(replace(log, **values))
+    return _round_log(replace(log, **noisy))
 
 
-NOISY = (
-    "gyro_angle",
-    "wave_angle",
-    "temperature",
-    "amplitude",
-    "amplitude_force",
-    "quadrature_force",
-    "frequency_offset",
-)
+def _round_log(log: Log) -> Log:
+    rounded: dict[str, Any] = {}
+    for name in (*DECIMALS, *SIGNIFICANT):
+        column = BY_FIELD[name]
+        values = np.asarray((getattr(log, name) - column.offset) / column.factor)
+        if name in DECIMALS:
+            values = np.round(values, DECIMALS[name])
+        else:
+            values = _round_significant(values, SIGNIFICANT[name])
+        rounded[name] = values * column.factor + column.offset
+    return replace(log, **rounded)
 
 
-def round_log(log: Log) -> Log:
-    """A log rounded to the digits of the recorded files."""
-    decimals: Mapping[str, Array] = {
-        name: np.round(_in_unit(log, name), digits) for name, digits in DECIMALS.items()
-    }
-    significant = {
-        name: _significant(_in_unit(log, name), digits) for name, digits in SIGNIFICANT.items()
-    }
-    values = {**decimals, **significant}
-    si: dict[str, Any] = {n: v * BY_FIELD[n].factor + BY_FIELD[n].offset for n, v in values.items()}
-    return replace(log, **si)
-
-
-def _in_unit(log: Log, name: str) -> Array:
-    column = BY_FIELD[name]
-    return np.asarray((getattr(log, name) - column.offset) / column.factor)
-
-
-def _significant(values: Array, digits: int) -> Array:
+def _round_significant(values: Array, digits: int) -> Array:
     magnitude = np.floor(np.log10(np.abs(values), where=values != 0, out=np.zeros_like(values)))
     scale = 10.0 ** (digits - 1 - magnitude)
     return np.asarray(np.round(values * scale) / scale)
-
-
-def _quantised(angle: Array, quantum: float) -> Array:
-    return quantum * np.round(angle / quantum) if quantum else angle

@@ -1,14 +1,9 @@
 """The nominal device of a campaign, drawn about the values of the recorded campaigns."""
 
-from collections.abc import Mapping
-from dataclasses import replace
-
 import numpy as np
 
 from pyhrg.common.site import Site
 from pyhrg.common.units import DEG
-from pyhrg.device import device_file
-from pyhrg.device.device import Device
 
 TYPICAL_VALUES = {
     "decay_time_s": (450.0, 0.15),
@@ -49,8 +44,3 @@ def draw_nominal(generator: np.random.Generator) -> dict[str, float]:
 def draw_site(generator: np.random.Generator) -> Site:
     """A laboratory at middle latitudes."""
     return Site(latitude=round(generator.uniform(30, 50), 2) * DEG)
-
-
-def make_nominal_device(nominal: Mapping[str, float], site: Site) -> Device:
-    """The nominal device of a campaign's `nominal`."""
-    return replace(device_file.from_table(nominal, "nominal"), site=site)

@@ -1,4 +1,4 @@
-"""Plans of a campaign's tests: the kinds and profiles of the recorded campaigns, varied by seed."""
+"""Plans of a campaign's tests: those of the recorded campaigns, with numbers that are drawn."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -11,41 +11,40 @@ from pyhrg.common.units import DEG, HOUR
 from pyhrg.device.device import Device
 
 MAX_HOURS = 48.0
-"""Longest duration of one kind of test that is made again, h."""
+"""Longest total duration of further tests, h (chosen)."""
 STILL_ROWS = 10.0
-"""Length of a row of a long test at rest, s."""
+"""Length of a row of a further test at rest, s (chosen)."""
 SPIN_UP = 19
-"""Rows in which a table reaches its rate."""
+"""Number of rows in which the table accelerates to its rate."""
 TURNS = (45, 90, 180, 360)
-"""Changes of a vehicle's heading, deg."""
+"""Angles that a vehicle's heading turns by, deg."""
 
 
 @dataclass(frozen=True)
 class Plan:
-    """The plan of one test."""
+    """The plan of one test; start_angle: pattern angle at power-on, rad."""
 
     id: str
     kind: str
     role: str
     programme: Programme
     start_angle: float
-    """Pattern angle at power-on, rad."""
 
 
 @dataclass(frozen=True)
 class Variation:
-    """Starts programmes and varies their numbers."""
+    """Begins programmes for a device, and draws their numbers."""
 
     device: Device
     generator: np.random.Generator
 
     def programme(self, interval: float) -> Programme:
-        """A programme at rest."""
-        site, start = self.device.site, self.device.reference_temperature
-        return Programme(interval, site.gravity, start)
+        """An empty programme in rows of `interval` seconds."""
+        return Programme(interval, self.device.site.gravity, self.device.reference_temperature)
 
     def about(self, value: float, unit: float = 0.01, spread: float = 0.1) -> float:
-        """A value drawn within a relative spread about another, rounded to whole units."""
+        """A number drawn uniformly from value * (1 - spread) to value * (1 + spread), rounded to a
+        multiple of the unit."""
         varied = value * (1 + spread * self.generator.uniform(-1, 1))
         return round(round(varied / unit) * unit, 9)
 
@@ -61,17 +60,9 @@ Profiled = tuple[str, str, str, Callable[[Variation], Programme]]
 def plan_tests(
     device: Device, generator: np.random.Generator, complete: bool = False
 ) -> list[Plan]:
-    """Plans of one campaign, in the order of the recorded ones. Some campaigns lack one or two
-    kinds.
-
-    The held-out test and the test at rest are always planned.
-
-    Args:
-        device: that is tested; its reference temperature and site.
-        generator: of every variation.
-        complete: whether no test is lacking.
-    """
-    made = _made(TESTS, device, generator)
+    """Plans of one campaign's tests, in the order of `TESTS`. If it need not be complete, one or
+    two kinds of tests may be missing, but neither the held-out test nor the test at rest."""
+    made = _draw_plans(TESTS, device, generator)
     spare = sorted({plan.kind for plan in made} - {"static", "manoeuvre"})
     missing = generator.choice((0, 1, 2), p=(0.7, 0.2, 0.1))
     without = set(generator.choice(spare, size=missing, replace=False))
@@ -81,14 +72,8 @@ def plan_tests(
 def plan_further_tests(
     kind: str, hours: float, device: Device, generator: np.random.Generator
 ) -> list[Plan]:
-    """Plans of further tests of one kind, repeated until they last a given time. At rest, one test
-    lasts the whole time.
-
-    Args:
-        kind: of the tests.
-        hours: that they last, at least; no more than `MAX_HOURS` are made.
-        device: that is tested.
-        generator: of every variation.
+    """Plans of further tests of one kind, repeated until they last the given hours together, or
+    `MAX_HOURS` if that is less. At rest, one test lasts the whole time.
 
     Raises:
         ValueError: no such kind.
@@ -104,12 +89,14 @@ def plan_further_tests(
     made: list[Plan] = []
     while sum(plan.programme.time for plan in made) < duration:
         number = len(made) // len(chosen) + 1
-        again = _made(chosen, device, generator)
+        again = _draw_plans(chosen, device, generator)
         made += [replace(plan, id=f"next_{number}_{plan.id}", role="fit") for plan in again]
     return made
 
 
-def _made(tests: Sequence[Profiled], device: Device, generator: np.random.Generator) -> list[Plan]:
+def _draw_plans(
+    tests: Sequence[Profiled], device: Device, generator: np.random.Generator
+) -> list[Plan]:
     vary = Variation(device, generator)
     return [
         Plan(name, kind, role, profile(vary), generator.uniform(0, math.pi / 2))
@@ -123,7 +110,7 @@ def static(vary: Variation) -> Programme:
 
 
 def positions(vary: Variation) -> Programme:
-    """Eight positions of the pattern, 22.5 deg apart, reached by the table."""
+    """Rests at eight pattern angles, 22.5 deg apart; the table turns between them."""
     course = vary.programme(1.0)
     step = 22.5 * DEG / vary.device.bryan_factor
     dwell = vary.about(579, 1, 0.05)
@@ -134,31 +121,31 @@ def positions(vary: Variation) -> Programme:
     return course
 
 
-def spinning(course: Programme, rate: float, duration: float) -> Programme:
-    """A constant rate of the table, reached linearly."""
+def spin_up(course: Programme, rate: float, duration: float) -> Programme:
+    """Add a linear acceleration of the table and a constant rate, rad/s."""
     for bound in np.linspace(0, rate, SPIN_UP + 1)[1:].tolist():
         course.spin(bound, course.interval)
     return course.spin(rate, duration - SPIN_UP * course.interval)
 
 
 def rates(rate_deg_per_s: float, duration: float) -> Callable[[Variation], Programme]:
-    """A constant rate of the table."""
+    """A test at a constant rate of the table."""
 
     def profile(vary: Variation) -> Programme:
         rate, length = vary.about(rate_deg_per_s) * DEG, vary.about(duration, 1)
-        return spinning(vary.programme(0.1), rate, length)
+        return spin_up(vary.programme(0.1), rate, length)
 
     return profile
 
 
 def ring_down(vary: Variation) -> Programme:
-    """A rest, then the drive off."""
+    """A rest, then a ring-down with the drive off."""
     course = vary.programme(1.0).rest(vary.about(19, 1))
     return course.command(drive_on=0.0).rest(vary.about(381, 1))
 
 
 def virtual_rotation(rate_deg_per_s: float) -> Callable[[Variation], Programme]:
-    """A rest, then a commanded rotation."""
+    """A rest, then a commanded rotation of the pattern."""
 
     def profile(vary: Variation) -> Programme:
         course = vary.programme(1.0).rest(9)
@@ -169,7 +156,7 @@ def virtual_rotation(rate_deg_per_s: float) -> Callable[[Variation], Programme]:
 
 
 def thermal(vary: Variation) -> Programme:
-    """Soaked, heated, soaked, cooled, soaked; or cooled first."""
+    """Soak, heating, soak, cooling, soak; or cooling first."""
     reference = vary.device.reference_temperature
     hot, cold = reference + vary.about(35, 1), reference - vary.about(35, 1)
     first, last = (hot, cold) if vary.sign() > 0 else (cold, hot)
@@ -179,16 +166,16 @@ def thermal(vary: Variation) -> Programme:
 
 
 def amplitude(vary: Variation) -> Programme:
-    """Three amplitudes while the table turns."""
+    """Three amplitude set points one after the other, while the table turns."""
     low, high = vary.about(0.8, 0.01, 0.05), vary.about(1.2, 0.01, 0.05)
     rate = vary.sign() * vary.about(5) * DEG
-    course = spinning(vary.programme(0.1).command(amplitude_setpoint=low), rate, 80.0)
+    course = spin_up(vary.programme(0.1).command(amplitude_setpoint=low), rate, 80.0)
     course.command(amplitude_setpoint=1.0).spin(rate, 80.0)
     return course.command(amplitude_setpoint=high).spin(rate, 80.0)
 
 
 def phase_step(vary: Variation) -> Programme:
-    """Offsets of the phase loop, up and down."""
+    """Phase offset of 0, then positive, then negative, then 0."""
     step, dwell = vary.about(2e-3, 1e-4, 0.25), vary.about(400, 10)
     course = vary.programme(1.0)
     for offset in (0.0, step, -step, 0.0):
@@ -197,7 +184,7 @@ def phase_step(vary: Variation) -> Programme:
 
 
 def tumble(vary: Variation) -> Programme:
-    """Input axis up, down, and level with x and y up and down."""
+    """Six attitudes: input axis up, down, and level with x up, down, y up, down."""
     course = vary.programme(1.0)
     dwell = vary.about(400, 10)
     attitudes = [(1.0, 0.0), (-1.0, 0.0)] + [(0.0, across * math.pi / 2) for across in (0, 2, 1, 3)]
@@ -207,7 +194,7 @@ def tumble(vary: Variation) -> Programme:
 
 
 def manoeuvre(vary: Variation) -> Programme:
-    """Turns of a vehicle while it warms up; held out."""
+    """The held-out test: a vehicle turns and rests for an hour while it warms up."""
     generator = vary.generator
     course = vary.programme(1.0)
     duration = 3600
@@ -240,4 +227,4 @@ TESTS: tuple[Profiled, ...] = (
     ("tumble", "tumble", "fit", tumble),
     ("manoeuvre_holdout", "manoeuvre", "holdout", manoeuvre),
 )
-"""Tests of a campaign."""
+"""Name, kind, role and profile of each test of a campaign."""

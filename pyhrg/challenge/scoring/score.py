@@ -1,19 +1,29 @@
 """Compares diagnoses with truths."""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise, permutations
 
 from pyhrg.challenge.scoring.calibration import score_calibration
-from pyhrg.challenge.scoring.coordinates import COORDINATES
-from pyhrg.challenge.scoring.diagnosis import ScoredDiagnosis
 from pyhrg.challenge.scoring.figure import Figure, Sense, proportion, quantile
 from pyhrg.challenge.truths.truth import DETECTION_SIGMAS, Truth
+from pyhrg.device.declarations import read_declarations
+from pyhrg.device.device import Device
 from pyhrg.device.keys import KEYS
 from pyhrg.gap.effects.catalogue import EFFECTS
-from pyhrg.gap.findings.diagnosis import Cause
+from pyhrg.gap.findings.diagnosis import Diagnosis
 
+NAMED_PROBABILITY = 0.5
+"""Posterior probability from which an equivalence class of effects counts as named (chosen)."""
+COORDINATES = {
+    effect.name: frozenset(effect.coordinates)
+    for declaration in read_declarations(Device).values()
+    for effect in (declaration.effect, declaration.noise)
+    if effect
+}
+"""Coordinates in which the greatest share of an effect's gap may lie, by the effect's name; both
+as the record format calls them. A catalogue may lack the effect."""
 ANSWERS = ("explained", "ambiguous")
 """Verdicts that exclude a cause outside the catalogue."""
 STRENGTH_EDGES = (1.0, 1.5, 2.0, 3.0, 4.0, DETECTION_SIGMAS, 10.0, 20.0, math.inf)
@@ -26,8 +36,8 @@ class ScoredCase:
 
     name: str
     truth: Truth
-    diagnosis: ScoredDiagnosis
-    then: ScoredDiagnosis | None = None
+    diagnosis: Diagnosis
+    then: Diagnosis | None = None
 
 
 @dataclass(frozen=True)
@@ -40,20 +50,16 @@ class CurvePoint:
 
 
 def score_figures(cases: Sequence[ScoredCase], seed: int) -> list[Figure]:
-    """All figures with their targets (docs/methods/challenge.md).
-
-    Args:
-        cases: of any kinds.
-        seed: of the resampling.
-    """
+    """All figures with their targets (docs/methods/challenge.md); seed: of the resampling."""
     by_kind: dict[str, list[ScoredCase]] = {}
     for case in cases:
         by_kind.setdefault(case.truth.kind, []).append(case)
     none, outside, left_out = (by_kind.get(kind, []) for kind in ("none", "outside", "left_out"))
     single, pair, several = (by_kind.get(kind, []) for kind in ("single", "pair", "several"))
     known = single + pair
-    strong = none + known + outside
+    claims = [list_claims(case) for case in none + known + outside]
     ratios = [ratio for ratio in map(find_residual_over_noise, known) if ratio is not None]
+    covered = [covered for case in known for covered in list_coverage(case)]
     settled = [is_settled(case) for case in known if case.then]
     return [
         _share("false alarm without a gap", none, is_alarm, "at most", 0.02),
@@ -63,15 +69,8 @@ def score_figures(cases: Sequence[ScoredCase], seed: int) -> list[Figure]:
         _share("outside: recognised", outside, is_unexplained, "at least", 0.85),
         _share("outside: blamed on a named effect", outside, is_blamed, "at most", 0.10),
         _share("left out: none of these, or a stand-in", left_out, is_owned, "at least", 0.85),
-        proportion(
-            "95 % intervals that cover",
-            [covered for case in known for covered in list_coverage(case)],
-            "about",
-            0.95,
-        ),
-        score_calibration(
-            "calibration error", [list_claims(c) for c in strong], seed, "at most", 0.05
-        ),
+        proportion("95 % intervals that cover", covered, "about", 0.95),
+        score_calibration("calibration error", claims, seed, "at most", 0.05),
         quantile("held-out residual over noise, median", ratios, 0.5, "at most", 1.1),
         quantile("held-out residual over noise, 90 %", ratios, 0.9, "at most", 1.3),
         proportion("next test settles the class", settled, "at least", 0.95),
@@ -98,6 +97,24 @@ def _share(
     return proportion(name, [judge(case) for case in cases], sense, target)
 
 
+def merge_classes(diagnosis: Diagnosis) -> list[tuple[frozenset[str], float]]:
+    """Equivalence classes of effects with their probabilities; causes that share an effect are
+    merged."""
+    merged: list[tuple[frozenset[str], float]] = []
+    for cause in diagnosis.causes:
+        effects, probability = cause.equivalence_class, cause.probability
+        for other in [entry for entry in merged if entry[0] & effects]:
+            merged.remove(other)
+            effects, probability = effects | other[0], probability + other[1]
+        merged.append((effects, min(1.0, probability)))
+    return merged
+
+
+def list_named(diagnosis: Diagnosis) -> list[frozenset[str]]:
+    """Equivalence classes with a probability of at least `NAMED_PROBABILITY`."""
+    return [effects for effects, p in merge_classes(diagnosis) if p >= NAMED_PROBABILITY]
+
+
 def is_alarm(case: ScoredCase) -> bool:
     """The diagnosis states a gap."""
     return case.diagnosis.verdict != "no_gap"
@@ -115,17 +132,13 @@ def is_blamed(case: ScoredCase) -> bool:
 
 def is_right(case: ScoredCase) -> bool:
     """As many classes were named as there are effects, each with one of them in it."""
-    named = case.diagnosis.named
+    named = list_named(case.diagnosis)
     if case.diagnosis.verdict not in ANSWERS or len(named) != len(case.truth.effects):
         return False
-    held = [[effect in effects for effects in named] for effect in case.truth.effects]
-    return _matched(held)
-
-
-def _matched(held: Sequence[Sequence[bool]]) -> bool:
-    """Whether rows can each have a column of their own."""
-    orders = permutations(range(len(held)))
-    return any(all(row[i] for row, i in zip(held, order, strict=True)) for order in orders)
+    return any(
+        all(effect in effects for effect, effects in zip(case.truth.effects, order, strict=True))
+        for order in permutations(named)
+    )
 
 
 def is_owned(case: ScoredCase) -> bool:
@@ -134,63 +147,59 @@ def is_owned(case: ScoredCase) -> bool:
     truth, diagnosis = case.truth, case.diagnosis
     if is_unexplained(case):
         return find_main_coordinate(diagnosis) in COORDINATES[truth.effects[0]]
-    named, stand_ins = diagnosis.named, set(truth.stand_ins)
+    named, stand_ins = list_named(diagnosis), set(truth.stand_ins)
     return is_blamed(case) and bool(named) and all(effects & stand_ins for effects in named)
 
 
-def find_main_coordinate(diagnosis: ScoredDiagnosis) -> str | None:
+def find_main_coordinate(diagnosis: Diagnosis) -> str | None:
     """The coordinate with the largest share of the gap."""
     shares: dict[str, float] = {}
-    for name, share in diagnosis.where:
-        shares[name] = shares.get(name, 0.0) + share
+    for place in diagnosis.where:
+        shares[place.coordinate] = shares.get(place.coordinate, 0.0) + place.share
     return max(shares, key=lambda name: shares[name]) if shares else None
 
 
 def find_residual_over_noise(case: ScoredCase) -> float | None:
     """Held-out angle residual of the identified device over the rms of the true noise in the same
     records."""
-    after, noise = case.diagnosis.holdout_after_arcsec, case.truth.holdout_noise_arcsec
-    return None if after is None or noise is None else after / noise
+    figure, noise = case.diagnosis.gap.holdout_angle_arcsec, case.truth.holdout_noise_arcsec
+    return figure.after / noise if figure and figure.after > 0 and noise is not None else None
 
 
 def is_settled(case: ScoredCase) -> bool:
     """Whether exactly the true effects were named with the next test."""
     if case.then is None or case.then.verdict != "explained":
         return False
-    return {frozenset({e}) for e in case.truth.effects} == set(case.then.named)
+    return {frozenset({e}) for e in case.truth.effects} == set(list_named(case.then))
 
 
 def list_claims(case: ScoredCase) -> list[tuple[float, bool]]:
     """Each stated probability, and whether its claim is true."""
-    outside = case.truth.kind == "outside"
-    unknown = [(case.diagnosis.unknown_probability, outside)]
+    unknown = (case.diagnosis.unknown_probability, case.truth.kind == "outside")
     true = set(case.truth.effects)
-    return [(p, bool(effects & true)) for effects, p in case.diagnosis.classes] + unknown
+    return [*((p, bool(effects & true)) for effects, p in merge_classes(case.diagnosis)), unknown]
 
 
 def list_coverage(case: ScoredCase) -> list[bool]:
     """Whether each interval of an effect that is there holds the truth."""
-    there = [cause for cause in case.diagnosis.causes if cause.effect in case.truth.effects]
-    return [covered for cause in there for covered in _covered(cause, case.truth.parameters)]
-
-
-def _covered(cause: Cause, truth: Mapping[str, float]) -> list[bool]:
     return [
-        _within(truth[name], ends, _turn(cause.effect, name))
+        _is_within(case.truth.parameters[name], ends, _get_period(cause.effect, name))
+        for cause in case.diagnosis.causes
+        if cause.effect in case.truth.effects
         for name, ends in cause.interval_95.items()
-        if name in truth
+        if name in case.truth.parameters
     ]
 
 
-def _within(value: float, ends: tuple[float, float], turn: float) -> bool:
+def _is_within(value: float, ends: tuple[float, float], period: float) -> bool:
     """Whether a value, modulo its period, is within an interval."""
     low, high = ends
-    if math.isfinite(turn):
-        value = low + (value - low) % turn
+    if math.isfinite(period):
+        value = low + (value - low) % period
     return low <= value <= high
 
 
-def _turn(effect: str, name: str) -> float:
+def _get_period(effect: str, name: str) -> float:
     """Period of an angle in the file's unit; infinite for other parameters."""
     entry = EFFECTS.get(effect)
     if entry is None or not entry.periods:

@@ -19,11 +19,14 @@ from pyhrg.challenge.truths.unsteadiness import measure_unsteadiness
 from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD
 from pyhrg.gap.effects.catalogue import DETERMINISTIC, EFFECTS, NOISE_EFFECTS, Effect, NoiseEffect
-from pyhrg.gap.replay.carrier_terms import compute_carrier_terms
-from pyhrg.gap.replay.free_pattern import NOISE_GROWTH_LIMIT
 from pyhrg.gap.replay.observations import CHANNELS, COARSE_STEP, Mask, observe_test
 from pyhrg.gap.replay.replay import ReplayInputs, prepare_inputs, replay_inputs
-from pyhrg.gap.replay.simulation import Simulation, is_short
+from pyhrg.gap.replay.simulation import (
+    NOISE_GROWTH_LIMIT,
+    Simulation,
+    compute_carrier_terms,
+    is_short,
+)
 from pyhrg.gap.whitening.whitening import NoiseModel, whiten
 from pyhrg.records import Log
 from pyhrg.records.campaign import Test
@@ -48,33 +51,35 @@ Residual = dict[str, Array]
 
 
 @dataclass(frozen=True)
-class Seen:
-    """A test of the nominal device.
+class NominalTest:
+    """A test of the nominal device, without a gap.
 
-    rows: (n,) by channel, that are compared.
-    slopes: (n,) by channel: change of the answer with the pattern's present angle, per rad; none of
-        the output angle, which all others are compared by.
-    left_out: (n,) by channel, what the average over a carrier period leaves out, which a record may
-        have or not: it counts as noise of its shape.
+    rows: (n,) by channel: rows that are compared.
+    slopes: (n,) by channel: change of the simulated channel with the present pattern angle, per
+        rad; zero for the output angle.
+    carrier_terms: (n,) by channel: what the average over a carrier period leaves out. A record may
+        contain it or not, so it counts as noise of this shape.
     """
 
     log: Log
     rows: Mapping[str, Mask]
     slopes: Mapping[str, Array]
-    left_out: Mapping[str, Array]
+    carrier_terms: Mapping[str, Array]
 
 
 @dataclass(frozen=True)
 class Meter:
-    """Measures gaps on the inputs of a campaign, without noise and, but in short tests, with loops
-    at rest.
+    """Measures the strength of gaps on the inputs of a campaign. No noise is simulated. Loops are
+    settled at all times, but in short tests they are sampled.
 
-    Residuals are taken from what the bench shows of the inputs, and whitened with the noise that
-    the true gyro has. Noise that turns the pattern is in every channel that depends on its angle,
-    so these are compared where the pattern is, by the output angle; and where no loop is moving,
-    which loops at rest don't show.
+    A residual is the true gyro's log less a simulation of the nominal device, which gets the inputs
+    that the log shows. It is whitened with the true gyro's noise. This noise turns the pattern, so
+    it enters every channel that depends on the pattern angle. Therefore the other channels are
+    simulated at the pattern angle that the output angle shows. Rows with moving loops are left out,
+    because settled loops don't show them.
 
     simulation: both fidelities.
+    believed: the nominal device.
     tests: course and start angle, rad, of each test that a diagnosis may fit.
     """
 
@@ -101,27 +106,24 @@ class Meter:
         return float(np.linalg.norm(self.residual(device, disturbance)))
 
     def sigmas_beyond(self, effect: Effect, gap: Array) -> float:
-        """Strength of a gap after projection on another effect's sensitivities.
-
-        Args:
-            effect: that may take from it.
-            gap: (n,) of `residual`.
-        """
-        basis = np.linalg.qr(self._secants([effect]))[0]
+        """Strength of a gap, (n,) of `residual`, without the part that an effect can imitate: that
+        in the space of its sensitivities."""
+        basis = np.linalg.qr(self._compute_sensitivities([effect]))[0]
         return float(np.linalg.norm(gap - basis @ (basis.T @ gap)))
 
     def sigmas_beyond_catalogue(self, gap: Array) -> float:
-        """Strength of a gap after projection on the sensitivities of all effects (Eq. 3)."""
+        """Strength of a gap without the part that the effects of the catalogue can imitate
+        (Eq. 3)."""
         return float(np.linalg.norm(gap - self._catalogue @ (self._catalogue.T @ gap)))
 
     @cached_property
     def _catalogue(self) -> Array:
         """(n, p) orthonormal basis of the sensitivities to all effects."""
-        columns = self._secants(DETERMINISTIC)
+        columns = self._compute_sensitivities(DETERMINISTIC)
         left, sizes, _ = np.linalg.svd(columns, full_matrices=False)
         return np.asarray(left[:, sizes > RANK_TOLERANCE * sizes[0]])
 
-    def _secants(self, effects: Sequence[Effect]) -> Array:
+    def _compute_sensitivities(self, effects: Sequence[Effect]) -> Array:
         """(n, p) sensitivities to the components of the effects, each of length 1."""
         steps = [
             effect.put(self.believed, effect.vector(self.believed) + STEP * effect.scale * unit)
@@ -132,58 +134,60 @@ class Meter:
         return np.column_stack([c / (np.linalg.norm(c) or 1.0) for c in columns])
 
     def residual(self, device: Device, disturbance: Disturbance = NOTHING) -> Array:
-        """(n,) whitened, of all tests and channels."""
-        residuals = self._residuals(device, disturbance)
+        """(n,) whitened residual of all tests and channels."""
+        residuals = self._whiten_residuals(device, disturbance)
         return np.concatenate([series for test in residuals for series in test.values()])
 
     def sigmas_of_unsteady(self, disturbance: Disturbance) -> float:
         """Strength of noise bursts beyond the best stationary noise."""
-        kinds: dict[tuple[str, float], list[Array]] = {}
-        tests = zip(self.tests, self._residuals(self.believed, disturbance), strict=True)
+        series: dict[tuple[str, float], list[Array]] = {}
+        tests = zip(self.tests, self._whiten_residuals(self.believed, disturbance), strict=True)
         for (course, _), residuals in tests:
-            for channel, series in residuals.items():
-                kinds.setdefault((channel, course.interval), []).append(series)
-        return measure_unsteadiness(list(kinds.values()))
+            for channel, residual in residuals.items():
+                series.setdefault((channel, course.interval), []).append(residual)
+        return measure_unsteadiness(list(series.values()))
 
-    def _residuals(self, device: Device, disturbance: Disturbance) -> list[Residual]:
-        """Whitened, of each test."""
-        logs = self._logs(device, disturbance)
-        every = zip(logs, self._seen, self._expected, strict=True)
-        return [self._white(device, *each) for each in every]
+    def _whiten_residuals(self, device: Device, disturbance: Disturbance) -> list[Residual]:
+        """Whitened residuals of each test, less what they are without a gap."""
+        logs = self._simulate_logs(device, disturbance)
+        every = zip(logs, self._nominal_tests, self._expected, strict=True)
+        return [self._whiten(device, *each) for each in every]
 
-    def _logs(self, device: Device, disturbance: Disturbance) -> list[Log]:
-        still = np.zeros((1, 1))
+    def _simulate_logs(self, device: Device, disturbance: Disturbance) -> list[Log]:
         logs = []
         for course, start in self.tests:
             fmu = self.simulation.model(len(course), course.interval)
             gyro = TrueGyro(fmu, device, self.instruments, disturbance)
-            logs.append(disturbance.shown(gyro.exact("", course, start, still)))
+            logs.append(disturbance.shown(gyro.exact("", course, start, np.zeros((1, 1)))))
         return logs
 
-    def _replayed(self, inputs: ReplayInputs) -> dict[str, Array]:
+    def _replay(self, inputs: ReplayInputs) -> dict[str, Array]:
         shape = len(inputs.log.time), inputs.log.interval
         fmu = self.simulation.model(*shape)
-        return replay_inputs(fmu, self.believed, inputs, _step(*shape))
+        return replay_inputs(fmu, self.believed, inputs, _choose_step(*shape))
 
-    def _white(self, device: Device, log: Log, seen: Seen, expected: Residual) -> Residual:
-        noises = self._noises(device, log)
+    def _whiten(
+        self, device: Device, log: Log, nominal: NominalTest, expected: Residual
+    ) -> Residual:
+        noises = self._build_noises(device, log)
         white = {}
-        for name, residual in self._residual(log, seen).items():
-            rows = seen.rows[name]
+        for name, residual in self._compute_residual(log, nominal).items():
+            rows = nominal.rows[name]
             gap = (residual - expected[name])[rows, None]
             steps = np.diff(log.time[rows], prepend=0.0)
-            out = seen.left_out[name][rows]
+            out = nominal.carrier_terms[name][rows]
             white[name] = whiten(gap, steps, noises[name], out).series[:, 0]
         return white
 
     @cached_property
-    def _seen(self) -> list[Seen]:
-        return [self._looked_at(log) for log in self._logs(self.believed, NOTHING)]
+    def _nominal_tests(self) -> list[NominalTest]:
+        logs = self._simulate_logs(self.believed, NOTHING)
+        return [self._prepare_nominal_test(log) for log in logs]
 
-    def _looked_at(self, log: Log) -> Seen:
+    def _prepare_nominal_test(self, log: Log) -> NominalTest:
         test = observe_test(Test("", "", "fit", log), self.believed)
         ends = [replace(test.inputs, start_angle=test.inputs.start_angle + s) for s in SLOPE_SHIFTS]
-        low, high = (self._replayed(inputs) for inputs in ends)
+        low, high = (self._replay(inputs) for inputs in ends)
         slopes = {name: (high[name] - low[name]) / np.ptp(SLOPE_SHIFTS) for name in CHANNELS}
         shift = 1 - self.believed.bryan_factor * slopes["gyro_angle"]
         off = (log.drive_on <= 0) & (np.abs(shift - 1) > NOISE_GROWTH_LIMIT)
@@ -191,24 +195,25 @@ class Meter:
         rows = {name: test.rows[name] & kept for name in CHANNELS}
         now = {name: slope / np.where(kept, shift, 1.0) for name, slope in slopes.items()}
         slopes = {**now, "gyro_angle": np.zeros(len(log.time))}
-        out = _relative(log, compute_carrier_terms(self.believed, test, log.wave_angle))
-        return Seen(log, rows, slopes, out)
+        out = _scale_force(log, compute_carrier_terms(self.believed, test, log.wave_angle))
+        return NominalTest(log, rows, slopes, out)
 
     @cached_property
     def _expected(self) -> list[Residual]:
-        """Residual without a gap. It is not zero, because a replay knows the inputs only from the
-        log."""
-        return [self._residual(seen.log, seen) for seen in self._seen]
+        """Residual of each test without a gap. It is not zero, because a replay knows the inputs
+        only from the log."""
+        return [self._compute_residual(nominal.log, nominal) for nominal in self._nominal_tests]
 
-    def _residual(self, log: Log, seen: Seen) -> Residual:
-        answer = self._replayed(prepare_inputs(log, self.believed))
+    def _compute_residual(self, log: Log, nominal: NominalTest) -> Residual:
+        answer = self._replay(prepare_inputs(log, self.believed))
         residual = {name: getattr(log, name) - answer[name] for name in CHANNELS}
         turned = self.believed.bryan_factor * residual["gyro_angle"]
-        at_angle = {name: residual[name] + seen.slopes[name] * turned for name in CHANNELS}
-        return _relative(log, at_angle)
+        at_angle = {name: residual[name] + nominal.slopes[name] * turned for name in CHANNELS}
+        return _scale_force(log, at_angle)
 
-    def _noises(self, device: Device, log: Log) -> dict[str, NoiseModel]:
-        """By channel; noise of the temperature log lags into what the temperature moves."""
+    def _build_noises(self, device: Device, log: Log) -> dict[str, NoiseModel]:
+        """Noise by channel. A replay gets the logged temperature, so the thermometer's noise enters
+        amplitude force and frequency, smoothed by the thermal lag."""
         own, lag = self.instruments, self.believed.thermal_lag
         warm = own.temperature * math.sqrt(log.interval)
         detuned = abs(self.believed.frequency * self.believed.frequency_per_kelvin)
@@ -227,42 +232,44 @@ class Meter:
         }
 
     def sigmas_of_noise(self, device: Device, against: Device | None = None) -> float:
-        """Noise of a device beyond another's, the believed one by default: the root of twice the
-        divergence of the outputs' increments (P. Whittle, 1953), sigmas of a mean with the same
-        evidence; where the other's levels may be off by as much as levels are."""
+        """Strength of a device's noise beyond that of another device, the believed one by default
+        (Eq. 2): the root of twice the divergence of the spectra of the output's increments
+        (P. Whittle, 1953). The other's stated levels may be off by `STATED_LEVEL_SIGMA`."""
         other = against or self.believed
 
-        def apart(logarithms: Array) -> float:
+        def compute_squared_strength(logarithms: Array) -> float:
             off = zip(LEVELS, np.exp(STATED_LEVEL_SIGMA * logarithms), strict=True)
             changed: dict[str, Any] = {name: getattr(other, name) * x for name, x in off}
             moved = replace(other, **changed)
             divergence = sum(_divergence(device, moved, course) for course, _ in self.tests)
             return 2 * divergence + float(logarithms @ logarithms)
 
-        return math.sqrt(max(float(minimize(apart, np.zeros(len(LEVELS))).fun), 0.0))
+        return math.sqrt(
+            max(float(minimize(compute_squared_strength, np.zeros(len(LEVELS))).fun), 0.0)
+        )
 
     def sigmas_of_noise_beyond(self, noise: NoiseEffect, device: Device) -> float:
-        """Strength of a device's noise where another noise imitates it as far as possible."""
+        """Strength of a device's noise beyond that level of another noise that imitates it best."""
 
-        def left(logarithm: float) -> float:
-            more = math.exp(logarithm) * noise.scale
-            value = math.hypot(getattr(self.believed, noise.field), more)
+        def compute_strength(logarithm: float) -> float:
+            added = math.exp(logarithm) * noise.scale
+            value = math.hypot(getattr(self.believed, noise.field), added)
             return self.sigmas_of_noise(device, set_noise(self.believed, noise, value))
 
-        return float(minimize_scalar(left, bounds=LOG_SIZE_RANGE, method="bounded").fun)
+        return float(minimize_scalar(compute_strength, bounds=LOG_SIZE_RANGE, method="bounded").fun)
 
 
 def make_measured_course(programme: Programme) -> Course:
     """A test's course, in the steps that its strengths are measured in."""
-    return make_course(programme, _step(len(programme), programme.interval))
+    return make_course(programme, _choose_step(len(programme), programme.interval))
 
 
-def _step(rows: int, interval: float) -> float:
+def _choose_step(rows: int, interval: float) -> float:
     return CONTROL_PERIOD if is_short(rows, interval) else min(COARSE_STEP, interval)
 
 
-def _relative(log: Log, by_channel: Mapping[str, Array]) -> Residual:
-    """Channels with the amplitude force relative to the logged one, as its noise is."""
+def _scale_force(log: Log, by_channel: Mapping[str, Array]) -> Residual:
+    """The channels, with the amplitude force relative to the logged one, as its noise is stated."""
     force = np.maximum(np.abs(log.amplitude_force), MIN_FORCE)
     return {**by_channel, "amplitude_force": by_channel["amplitude_force"] / force}
 
@@ -274,6 +281,7 @@ def set_noise(device: Device, noise: NoiseEffect, value: float) -> Device:
 
 
 def _divergence(device: Device, other: Device, course: Course) -> float:
+    """Divergence of the spectra of two devices' output increments in a test."""
     frequency = np.arange(1, len(course)) / (2 * len(course))
     ratio = _density(device, frequency, course) / _density(other, frequency, course)
     return float(np.sum(ratio - 1 - np.log(ratio)) / 2)

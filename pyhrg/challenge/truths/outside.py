@@ -6,7 +6,6 @@ adds to the input rate, to an input, or to what the bench shows. The module is l
 """
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -14,18 +13,16 @@ from scipy.signal import lfilter
 
 from pyhrg.challenge.campaigns.course import Course
 from pyhrg.challenge.campaigns.gyro import Disturbance
-from pyhrg.challenge.truths.form import Form
-from pyhrg.challenge.truths.form_parts import (
+from pyhrg.challenge.truths.form import (
     Array,
+    Form,
     Shape,
     apply_play,
-    decay,
     draw_sign,
     find_ideal_pattern_angle,
     find_resonator_warmth,
-    make_display_form,
-    make_parameter_form,
     make_rate_form,
+    make_signed_rate_form,
 )
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, HZ, PPM
 from pyhrg.device.device import Device
@@ -46,14 +43,15 @@ def harmonic(order: int) -> Form:
     return make_rate_form(f"bias_harmonic_{order}", "wave_angle", 0.1 * DEG_PER_H, shaped)
 
 
-def frequency_pulling(
-    device: Device, size: float, generator: np.random.Generator
-) -> Callable[[Log], Log]:
+def frequency_pulling(device: Device, size: float, generator: np.random.Generator) -> Disturbance:
     """A loop frequency with a second harmonic of the pattern angle."""
-    phase = generator.uniform(0, 2 * math.pi)
-    return lambda log: replace(
-        log, frequency_offset=log.frequency_offset + size * np.sin(2 * log.wave_angle + phase)
-    )
+    amplitude, phase = size * (1e-4 * HZ), generator.uniform(0, 2 * math.pi)
+
+    def change(log: Log) -> Log:
+        pulled = amplitude * np.sin(2 * log.wave_angle + phase)
+        return replace(log, frequency_offset=log.frequency_offset + pulled)
+
+    return Disturbance(shown=change)
 
 
 # Table
@@ -62,26 +60,19 @@ def frequency_pulling(
 def encoder(order: int) -> Form:
     """An eccentric encoder (order 1), or one with an elliptic disc (order 2)."""
 
-    def changed(
-        device: Device, size: float, generator: np.random.Generator
-    ) -> Callable[[Log], Log]:
-        phase = generator.uniform(0, 2 * math.pi)
+    def disturb(device: Device, size: float, generator: np.random.Generator) -> Disturbance:
+        amplitude, phase = size * (5 * ARCSEC), generator.uniform(0, 2 * math.pi)
 
-        def error(angle: Array) -> Array:
-            return np.asarray(size * (np.sin(order * angle + phase) - math.sin(phase)))
+        def change(log: Log) -> Log:
+            error = amplitude * (np.sin(order * log.table_angle + phase) - math.sin(phase))
+            return replace(log, table_angle=log.table_angle + error)
 
-        return lambda log: replace(log, table_angle=log.table_angle + error(log.table_angle))
+        return Disturbance(shown=change)
 
-    return make_display_form(f"encoder_harmonic_{order}", "table_angle", 5 * ARCSEC, changed)
+    return Form(f"encoder_harmonic_{order}", "table_angle", disturb)
 
 
 # Temperature
-
-
-def quadratic_temperature(device: Device, generator: np.random.Generator) -> Shape:
-    """A bias proportional to the square of the temperature."""
-    way = draw_sign(generator)
-    return lambda course, start: way * (find_resonator_warmth(device, course) / 30) ** 2
 
 
 def hysteresis(device: Device, generator: np.random.Generator) -> Shape:
@@ -96,67 +87,29 @@ def hysteresis(device: Device, generator: np.random.Generator) -> Shape:
     return shape
 
 
-def sensor_lag(device: Device, size: float, generator: np.random.Generator) -> Callable[[Log], Log]:
-    """A temperature sensor with a lag, s."""
+def sensor_lag(device: Device, size: float, generator: np.random.Generator) -> Disturbance:
+    """A temperature sensor with a lag of 10 s times the size."""
 
-    def late(log: Log) -> Log:
-        kept = math.exp(-log.interval / max(size, 1e-9))
+    def change(log: Log) -> Log:
+        kept = math.exp(-log.interval / max(size * 10.0, 1e-9))
         above = log.temperature - device.reference_temperature
         lagged = lfilter([1 - kept], [1, -kept], above)
         return replace(log, temperature=device.reference_temperature + lagged)
 
-    return late
-
-
-# Rate
-
-
-def asymmetry(device: Device, generator: np.random.Generator) -> Shape:
-    """A scale factor that differs between the two directions of rotation."""
-    way = draw_sign(generator)
-    return lambda course, start: way * np.abs(course.rate)
-
-
-def quadratic_rate(device: Device, generator: np.random.Generator) -> Shape:
-    """A scale-factor error proportional to the rate; of unit size at 100 deg/s."""
-    way = draw_sign(generator)
-    return lambda course, start: way * course.rate * np.abs(course.rate / (100 * DEG))
-
-
-def cubic_rate(device: Device, generator: np.random.Generator) -> Shape:
-    """A scale-factor error proportional to the square of the rate; of unit size at 100 deg/s."""
-    way = draw_sign(generator)
-    return lambda course, start: way * course.rate * (course.rate / (100 * DEG)) ** 2
+    return Disturbance(shown=change)
 
 
 # Acceleration
 
 
-def quadratic_acceleration(generator: np.random.Generator) -> dict[str, float]:
-    """A pick-off gain proportional to the square of a specific force across the axis."""
-    axis = generator.choice((1, 2))
-    return {f"pickOff.gainPerAccelerationSquared[{axis}]": draw_sign(generator)}
+def across(name: str, parameter: str, scale: float) -> Form:
+    """An effect of the specific force along x or y, the axes across the input axis, with a sign."""
 
+    def disturb(device: Device, size: float, generator: np.random.Generator) -> Disturbance:
+        axis = generator.choice((1, 2))
+        return Disturbance(model={f"{parameter}[{axis}]": size * scale * draw_sign(generator)})
 
-def cross_axis(generator: np.random.Generator) -> dict[str, float]:
-    """A force frame that a specific force across the axis turns."""
-    axis = generator.choice((1, 2))
-    return {f"drive.rotationPerAcceleration[{axis}]": draw_sign(generator)}
-
-
-def split_by_acceleration(generator: np.random.Generator) -> dict[str, float]:
-    """A frequency split that a specific force across the axis makes."""
-    axis = generator.choice((1, 2))
-    return {f"resonator.material.splitPerAcceleration[{axis}]": draw_sign(generator)}
-
-
-# Amplitude
-
-
-def quadratic_amplitude(device: Device, generator: np.random.Generator) -> Shape:
-    """A bias proportional to the square of the amplitude; zero at the nominal one."""
-    way = draw_sign(generator)
-    return lambda course, start: way * (course.each("amplitude_setpoint") ** 2 - 1)
+    return Form(name, "acceleration", disturb)
 
 
 # Time
@@ -165,7 +118,7 @@ def quadratic_amplitude(device: Device, generator: np.random.Generator) -> Shape
 def warm_up(device: Device, generator: np.random.Generator) -> Shape:
     """A bias that decays after power-on."""
     way, lag = draw_sign(generator), generator.uniform(300, 1500)
-    return lambda course, start: way * decay(course.time, lag)
+    return lambda course, start: way * np.exp(-course.time / lag)
 
 
 def jump(device: Device, generator: np.random.Generator) -> Shape:
@@ -223,28 +176,56 @@ FORMS = (
     harmonic(2),
     harmonic(6),
     harmonic(12),
-    make_display_form("frequency_pulling", "wave_angle", 1e-4 * HZ, frequency_pulling),
+    Form("frequency_pulling", "wave_angle", frequency_pulling),
     encoder(1),
     encoder(2),
-    make_rate_form("temperature_squared", "temperature", 0.01 * DEG_PER_H, quadratic_temperature),
+    # a bias proportional to the square of the temperature
+    make_signed_rate_form(
+        "temperature_squared",
+        "temperature",
+        0.01 * DEG_PER_H,
+        lambda device, course: (find_resonator_warmth(device, course) / 30) ** 2,
+    ),
     make_rate_form("temperature_hysteresis", "temperature", 0.01 * DEG_PER_H, hysteresis),
-    make_display_form("temperature_sensor_lag", "temperature", 10.0, sensor_lag),
-    make_rate_form("scale_factor_asymmetry", "rate", 10 * PPM, asymmetry),
-    make_rate_form("rate_squared", "rate", 10 * PPM, quadratic_rate),
-    make_rate_form("rate_cubed", "rate", 10 * PPM, cubic_rate),
-    make_parameter_form("gain_acceleration_squared", "acceleration", 5e-7, quadratic_acceleration),
-    make_parameter_form("cross_axis_acceleration", "acceleration", 1e-6, cross_axis),
-    make_parameter_form("split_acceleration", "acceleration", 1e-5, split_by_acceleration),
-    make_rate_form("amplitude_squared", "amplitude", 0.1 * DEG_PER_H, quadratic_amplitude),
+    Form("temperature_sensor_lag", "temperature", sensor_lag),
+    # a scale factor that differs between the two directions of rotation
+    make_signed_rate_form(
+        "scale_factor_asymmetry", "rate", 10 * PPM, lambda device, course: np.abs(course.rate)
+    ),
+    # scale-factor errors proportional to the rate and to its square, of unit size at 100 deg/s
+    make_signed_rate_form(
+        "rate_squared",
+        "rate",
+        10 * PPM,
+        lambda device, course: course.rate * np.abs(course.rate / (100 * DEG)),
+    ),
+    make_signed_rate_form(
+        "rate_cubed",
+        "rate",
+        10 * PPM,
+        lambda device, course: course.rate * (course.rate / (100 * DEG)) ** 2,
+    ),
+    # pick-off gain by the square of the force; direction of the force frame; frequency split
+    across("gain_acceleration_squared", "pickOff.gainPerAccelerationSquared", 5e-7),
+    across("cross_axis_acceleration", "drive.rotationPerAcceleration", 1e-6),
+    across("split_acceleration", "resonator.material.splitPerAcceleration", 1e-5),
+    # a bias proportional to the square of the amplitude, zero at the nominal one
+    make_signed_rate_form(
+        "amplitude_squared",
+        "amplitude",
+        0.1 * DEG_PER_H,
+        lambda device, course: course.each("amplitude_setpoint") ** 2 - 1,
+    ),
     make_rate_form("warm_up", "time", 0.05 * DEG_PER_H, warm_up),
     make_rate_form("bias_jump", "time", 0.05 * DEG_PER_H, jump),
     make_rate_form("periodic", "time", 0.05 * DEG_PER_H, periodic),
-    make_parameter_form(
+    Form(
         "decay_time_ageing",
         "time",
-        1e-9,
-        lambda generator: {"resonator.material.decayTimeAgeing": 1.0},
+        lambda device, size, generator: Disturbance(
+            model={"resonator.material.decayTimeAgeing": size * 1e-9}
+        ),
     ),
-    Form("charge", "time", CHARGE, charge),
+    Form("charge", "time", charge),
     make_rate_form("noise_bursts", "noise", 3e-7, bursts),
 )

@@ -13,63 +13,45 @@ from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
 
 
-class SealError(HrgError):
-    """A truth is missing, unreadable, or not the one whose hash was published."""
+class ChallengeError(HrgError):
+    """The folder is another challenge's or other code's, or a result in it can't be used."""
 
 
 def seal_truth(truth: Truth, path: Path) -> str:
-    """Write a truth, whole or not at all.
-
-    Args:
-        truth: to be kept.
-        path: of the file, outside every folder that is diagnosed.
-
-    Returns:
-        The hash to be published.
-    """
-    text = _text(asdict(truth))
-    write_whole(path, text)
-    return _hash(text)
+    """Write a truth, whole or not at all, outside every folder that is diagnosed; returns the hash
+    to be published."""
+    write_whole(path, encode_json(asdict(truth)))
+    return hash_truth(path)
 
 
 def hash_truth(path: Path) -> str:
-    """The hash of a truth that was sealed.
-
-    Raises:
-        SealError: the file can't be read.
-    """
-    return _hash(_bytes(path))
+    """The hash of a truth that was sealed."""
+    return hashlib.sha256(_read(path)).hexdigest()
 
 
 def open_truth(path: Path, published: str) -> Truth:
-    """A truth, if it is the one that was sealed.
-
-    Raises:
-        SealError: it isn't, or the file can't be read.
-    """
-    text = _bytes(path)
-    found = _hash(text)
+    """A truth; refused if it is not the one whose hash was published."""
+    found = hash_truth(path)
     if found != published:
-        raise SealError(f"{path}: SHA-256 is {found}; {published} was published before diagnosing")
-    values: Mapping[str, Any] = json.loads(text)
+        raise ChallengeError(
+            f"{path}: SHA-256 is {found}; {published} was published before diagnosing"
+        )
     known = {field.name for field in fields(Truth)}
-    lists = ("effects", "strengths", "stand_ins")
-    told: dict[str, Any] = {
-        k: tuple(v) if k in lists else v for k, v in values.items() if k in known
+    values: dict[str, Any] = {
+        key: tuple(value) if isinstance(value, list) else value
+        for key, value in json.loads(_read(path)).items()
+        if key in known
     }
-    return Truth(**told)
+    return Truth(**values)
 
 
-def _text(values: Mapping[str, Any]) -> bytes:
+def encode_json(values: Mapping[str, Any]) -> bytes:
+    """Bytes of a JSON file: the same for the same values, which are finite."""
     return (json.dumps(values, indent=1, sort_keys=True, allow_nan=False) + "\n").encode()
 
 
-def _hash(text: bytes) -> str:
-    return hashlib.sha256(text).hexdigest()
-
-
-def _bytes(path: Path) -> bytes:
+def _read(path: Path) -> bytes:
     try:
         return path.read_bytes()
     except OSError as error:
-        raise SealError(f"{path}: can't be read: {error.strerror or error}") from error
+        raise ChallengeError(f"{path}: can't be read: {error.strerror or error}") from error

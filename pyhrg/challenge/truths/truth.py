@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cache, partial
 
 import numpy as np
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from pyhrg.challenge.campaigns.gyro import Disturbance
-from pyhrg.challenge.truths.form import Form, load_forms
+from pyhrg.challenge.truths.form import load_forms
 from pyhrg.challenge.truths.meter import Meter, set_noise
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
@@ -31,15 +31,15 @@ COUNTS = {
 }
 """Fewest and most effects of the catalogue in each kind."""
 MAX_ATTEMPTS = 100
-"""Most attempts to draw a truth that the tests show."""
+"""Largest number of attempts to draw a truth that the tests show."""
 NO_STRENGTH = 1e-12
-"""Strength given to an effect that the tests don't see, sigmas, so that it has a logarithm."""
+"""Smallest strength, sigmas: that of an effect that no test shows, so that it has a logarithm."""
 DETECTION_SIGMAS = 6.0
 """Strength from which a diagnosis must find a gap, sigmas."""
-SMALLEST, LARGEST = 1e-9, 30.0
-"""Range of sizes over an effect's scale that is searched."""
+SMALLEST_SIZE, LARGEST_SIZE = 1e-9, 30.0
+"""Range of sizes, in units of an effect's scale, in which the size of a strength is searched."""
 LOG_SIZE_STEP = math.log(2)
-"""Step of the logarithm by which a size is reduced where the FMU can't simulate it."""
+"""Step by which the logarithm of a size is reduced where the FMU can't simulate the size."""
 
 
 @dataclass(frozen=True)
@@ -47,12 +47,12 @@ class Truth:
     """The answer to a case.
 
     kind: one of `KINDS`.
-    effects: of the catalogue.
-    parameters: of the effects, by the campaign format's names and units; totals.
-    strengths: of each effect alone, or of the form beyond all effects of the catalogue, sigmas.
-    form: outside the catalogue.
-    coordinate: in which the form shows.
-    stand_ins: effects that are confounded with an effect left out, in these tests.
+    effects: names of the true effects; empty where a form outside the catalogue is true.
+    parameters: total values of the effects' parameters, by the campaign format's names and units.
+    strengths: strength of each effect alone, or of the form beyond the catalogue, sigmas.
+    form: name of the form outside the catalogue.
+    coordinate: in which this form shows.
+    stand_ins: effects that these tests can't separate from the effect that was left out.
     holdout_noise_arcsec: rms of the true noise in the output angle of the held-out tests.
     """
 
@@ -79,8 +79,8 @@ class TrueState:
 class Drawing:
     """Draws truths of one gyro.
 
-    strengths: sigmas that effects are drawn from, evenly in logarithm.
-    effects: of the catalogue that may be drawn.
+    strengths: range of the effects' strengths, sigmas; their logarithm is drawn uniformly.
+    effects: names of the effects that may be drawn.
     """
 
     meter: Meter
@@ -97,69 +97,65 @@ class Drawing:
         if kind not in KINDS:
             raise ValueError(f"{kind}: expected one of {', '.join(KINDS)}")
         for _ in range(MAX_ATTEMPTS):
-            state = self._outside() if kind == "outside" else self._inside(kind)
+            state = self._draw_form() if kind == "outside" else self._draw_effects(kind)
             if state:
                 return state
         raise ValueError(f"{kind}: the tests show nothing at {self.strengths} sigmas")
 
-    def _inside(self, kind: str) -> TrueState | None:
+    def _draw_strength(self) -> float:
+        return math.exp(self.generator.uniform(*np.log(self.strengths)))
+
+    def _draw_effects(self, kind: str) -> TrueState | None:
         """A truth of effects of the catalogue; None where the tests can't show them at the drawn
         strengths."""
         least, most = COUNTS[kind]
         count = least if least == most else int(self.generator.integers(least, most + 1))
         names = self.generator.choice(self.effects, size=count, replace=False).tolist()
-        state = self._with(kind, names)
-        if state is None or kind != "left_out":
-            return state
-        return replace(state, truth=replace(state.truth, stand_ins=self._stand_ins(state)))
-
-    def _with(self, kind: str, names: Sequence[str]) -> TrueState | None:
-        """A truth of these effects, each with a drawn strength."""
         device = self.meter.believed
         parameters: dict[str, float] = {}
-        wanted = [math.exp(self.generator.uniform(*np.log(self.strengths))) for _ in names]
-        for name, sigmas in zip(names, wanted, strict=True):
-            sized = self._sized(name)
-            size = solve_size(self._strength_by_size(name, sized), sigmas)
+        strengths = tuple(self._draw_strength() for _ in names)
+        for name, sigmas in zip(names, strengths, strict=True):
+            change = self._draw_change(name)
+            size = solve_size(partial(self._measure, name, change), sigmas)
             if size is None:
                 return None
-            change, found = sized(size)
-            device, parameters = change(device), {**parameters, **found}
-        if self._is_confounded(names, device):
+            put, values = change(size)
+            device, parameters = put(device), {**parameters, **values}
+        others = [(a, b) for a in names for b in names if a != b]
+        if any(self._measure_beside(a, b, device) < DETECTION_SIGMAS for a, b in others):
             return None
-        return TrueState(Truth(kind, tuple(names), parameters, tuple(wanted)), device)
+        stand_ins = self._find_stand_ins(names[0], device) if kind == "left_out" else ()
+        truth = Truth(kind, tuple(names), parameters, strengths, stand_ins=stand_ins)
+        return TrueState(truth, device)
 
-    def _sized(self, name: str) -> "Sized":
-        """An effect by its size, in a direction that is drawn now."""
+    def _draw_change(self, name: str) -> "Change":
+        """An effect as a function of its size, in a direction that is drawn now."""
         believed = self.meter.believed
         if name in NOISE_EFFECTS:
             noise = NOISE_EFFECTS[name]
-            was = getattr(believed, noise.field)
 
-            def louder(size: float) -> tuple[Change, dict[str, float]]:
-                total = math.hypot(was, size * noise.scale)
-                key = noise.key
-                return (
-                    lambda device: set_noise(device, noise, total),
-                    {key.name: key.from_si(total)},
-                )
+            def raise_noise(size: float) -> tuple[Put, dict[str, float]]:
+                total = math.hypot(getattr(believed, noise.field), size * noise.scale)
+                values = {noise.key.name: noise.key.from_si(total)}
+                return partial(set_noise, noise=noise, value=total), values
 
-            return louder
+            return raise_noise
         effect = EFFECTS[name]
-        direction = _direction(effect, self.generator)
+        direction = _draw_direction(effect, self.generator)
 
-        def further(size: float) -> tuple[Change, dict[str, float]]:
+        def add_vector(size: float) -> tuple[Put, dict[str, float]]:
             vector = effect.vector(believed) + size * effect.scale * direction
-            return lambda device: effect.put(device, vector), effect.parameters(vector)
+            return partial(effect.put, vector=vector), effect.parameters(vector)
 
-        return further
+        return add_vector
 
-    def _strength_by_size(self, name: str, sized: "Sized") -> Callable[[float], float]:
-        return lambda size: self.meter.sigmas_of(name, sized(size)[1])
+    def _measure(self, name: str, change: "Change", size: float) -> float:
+        return self.meter.sigmas_of(name, change(size)[1])
 
-    def _left(self, name: str, other: str, device: Device) -> float:
-        """Strength of one effect of a device where another imitates it as far as possible, sigmas.
-        A deterministic effect can't imitate noise; noise makes a deterministic effect weaker."""
+    def _measure_beside(self, name: str, other: str, device: Device) -> float:
+        """Strength of one effect of a device beyond that size of another effect that imitates it
+        best, sigmas. A deterministic effect can't imitate noise; noise makes a deterministic effect
+        weaker."""
         meter, believed = self.meter, self.meter.believed
         if name in NOISE_EFFECTS:
             noise = NOISE_EFFECTS[name]
@@ -174,52 +170,45 @@ class Drawing:
         gap = meter.residual(effect.put(believed, effect.vector(device)))
         return meter.sigmas_beyond(EFFECTS[other], gap)
 
-    def _is_confounded(self, names: Sequence[str], device: Device) -> bool:
-        """Whether one of the effects imitates another to less than `DETECTION_SIGMAS`."""
-        return any(
-            self._left(a, b, device) < DETECTION_SIGMAS for a in names for b in names if a != b
-        )
-
-    def _stand_ins(self, state: TrueState) -> tuple[str, ...]:
-        """Effects that imitate the only one to less than `DETECTION_SIGMAS`."""
-        (name,) = state.truth.effects
-        others = [other for other in EFFECT_NAMES if other != name]
+    def _find_stand_ins(self, name: str, device: Device) -> tuple[str, ...]:
+        """Effects beside the best size of which this one has less than `DETECTION_SIGMAS`."""
         return tuple(
-            other for other in others if self._left(name, other, state.device) < DETECTION_SIGMAS
+            other
+            for other in EFFECT_NAMES
+            if other != name and self._measure_beside(name, other, device) < DETECTION_SIGMAS
         )
 
-    def _outside(self) -> TrueState | None:
-        believed, every = self.meter.believed, load_forms()
-        form = every[self.generator.integers(len(every))]
-        freedom = int(self.generator.integers(2**31))
-        sigmas = math.exp(self.generator.uniform(*np.log(self.strengths)))
-        size = solve_size(partial(self._beyond, form, freedom), sigmas)
+    def _draw_form(self) -> TrueState | None:
+        meter, forms = self.meter, load_forms()
+        form = forms[self.generator.integers(len(forms))]
+        seed = int(self.generator.integers(2**31))
+
+        def disturb(size: float) -> Disturbance:
+            return form.disturbance(meter.believed, size, np.random.default_rng(seed))
+
+        def measure(size: float) -> float:
+            if form.coordinate == "noise":
+                return meter.sigmas_of_unsteady(disturb(size))
+            return meter.sigmas_beyond_catalogue(meter.residual(meter.believed, disturb(size)))
+
+        sigmas = self._draw_strength()
+        size = solve_size(measure, sigmas)
         if size is None:
             return None
         truth = Truth("outside", (), {}, (sigmas,), form.name, form.coordinate)
-        disturbance = form.disturbance(believed, size, np.random.default_rng(freedom))
-        return TrueState(truth, believed, disturbance)
-
-    def _beyond(self, form: Form, freedom: int, size: float) -> float:
-        believed = self.meter.believed
-        disturbance = form.disturbance(believed, size, np.random.default_rng(freedom))
-        if form.coordinate == "noise":
-            return self.meter.sigmas_of_unsteady(disturbance)
-        gap = self.meter.residual(believed, disturbance)
-        return self.meter.sigmas_beyond_catalogue(gap)
+        return TrueState(truth, meter.believed, disturb(size))
 
 
-Change = Callable[[Device], Device]
-Sized = Callable[[float], tuple[Change, dict[str, float]]]
-"""A function of an effect's size over its scale; it returns the change of a device and the
-parameters."""
+Put = Callable[[Device], Device]
+"""Puts an effect into a device."""
+Change = Callable[[float], tuple[Put, dict[str, float]]]
+"""A function of an effect's size in units of its scale, which returns what puts the effect into a
+device, and the values of its parameters."""
 
 
 def solve_size(strength: Callable[[float], float], sigmas: float) -> float | None:
     """The size of an effect that has a given strength, to 1 %; None where the FMU can simulate no
-    such size.
-
-    It is rounded to three digits, so that rounding errors of the strengths do not show.
+    such size. It is rounded to three digits, so that rounding errors of the strengths do not show.
     """
 
     @cache
@@ -231,7 +220,7 @@ def solve_size(strength: Callable[[float], float], sigmas: float) -> float | Non
             return math.isfinite(excess(logarithm))
         return False
 
-    low, high = math.log(SMALLEST), math.log(LARGEST)
+    low, high = math.log(SMALLEST_SIZE), math.log(LARGEST_SIZE)
     while not is_simulated(high):
         high -= LOG_SIZE_STEP
         if high < low:
@@ -241,7 +230,8 @@ def solve_size(strength: Callable[[float], float], sigmas: float) -> float | Non
     return float(f"{math.exp(float(brentq(excess, low, high, xtol=0.01))):.3g}")
 
 
-def _direction(effect: Effect, generator: np.random.Generator) -> Array:
+def _draw_direction(effect: Effect, generator: np.random.Generator) -> Array:
+    """(size,) unit vector: of the only sign that the effect may have, else of a drawn direction."""
     if effect.size == 1 and effect.bounds[0] == 0:
         return np.ones(effect.size)
     if effect.size == 1:

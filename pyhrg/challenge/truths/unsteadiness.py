@@ -8,26 +8,26 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 CELL = 16
-"""Coefficients of one time scale over which a level is taken."""
+"""Neighbouring coefficients of one time scale whose mean power is one estimate (chosen)."""
 
 
 def measure_unsteadiness(kinds: Sequence[Sequence[Array]]) -> float:
-    """Root of twice the divergence between white noise with and without what is added to it, sigmas
-    of a mean with the same evidence, where steady noise of any spectrum may stand in for it.
+    """Strength, sigmas, of noise that is added to white noise, beyond the stationary noise of any
+    spectrum that imitates it best: the root of twice the divergence of the two.
 
-    Of a realisation: in cells of a time scale (a Haar coefficient's) and a stretch of time, the
-    added power is that of 16 coefficients, what these scatter by chance taken off.
+    The added power is estimated in cells, from 16 Haar coefficients each: one time scale by one
+    stretch of time. The expected contribution of their scatter is subtracted.
 
     Args:
-        kinds: of series, those of a kind with one steady spectrum; (n,) each, what is added, in
-            deviations of the white noise.
+        kinds: the added noise as series (n,), in standard deviations of the white noise; the series
+            of one kind share a stationary spectrum.
     """
     return float(np.sqrt(max(sum(map(_divergence, kinds)), 0.0)))
 
 
 def _divergence(series: Sequence[Array]) -> float:
-    """Twice that of series of one kind."""
-    scales = [_cells(one) for one in series]
+    """Twice the divergence of series of one kind."""
+    scales = [_average_cells(values) for values in series]
     total = 0.0
     for scale in range(max(map(len, scales), default=0)):
         added = np.concatenate([cells[scale] for cells in scales if scale < len(cells)])
@@ -38,14 +38,14 @@ def _divergence(series: Sequence[Array]) -> float:
     return total
 
 
-def _cells(series: Array) -> list[Array]:
-    """Mean power of Haar coefficients by cells, from the shortest scale on."""
-    found = []
+def _average_cells(series: Array) -> list[Array]:
+    """Mean power of the Haar coefficients in each cell, from the shortest time scale on."""
+    scales = []
     smooth = series
     while len(smooth) >= 2 * CELL:
         pairs = smooth[: len(smooth) // 2 * 2].reshape(-1, 2)
         detail = (pairs[:, 0] - pairs[:, 1]) / np.sqrt(2)
         smooth = pairs.sum(axis=1) / np.sqrt(2)
         count = len(detail) // CELL
-        found.append(np.mean(detail[: count * CELL].reshape(count, CELL) ** 2, axis=1))
-    return found
+        scales.append(np.mean(detail[: count * CELL].reshape(count, CELL) ** 2, axis=1))
+    return scales

@@ -11,12 +11,7 @@ POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inli
 
 @dataclass(frozen=True)
 class PageSection:
-    """A section of a page.
-
-    name: anchor that the list of contents links to.
-    title: plain text.
-    body: markup.
-    """
+    """A section of a page: the anchor that the list of contents links to, a plain title, markup."""
 
     name: str
     title: str
@@ -41,26 +36,16 @@ def make_contents(sections: list[PageSection]) -> str:
 
 
 def make_document(title: str, style: str, body: str, script: str) -> str:
-    """A whole page.
-
-    Args:
-        title: plain text.
-        style: CSS beside that of all pages.
-        body: markup.
-        script: JavaScript that the page can do without.
-    """
+    """A whole page of markup under a plain title: `style` is CSS beside that of all pages, `script`
+    JavaScript that the page can do without."""
+    base_style = read_asset(files("pyhrg.common.pages"), "base.css")
     return (
         '<!doctype html><html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width,initial-scale=1">'
         f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">'
-        f"<title>{html.escape(title)}</title><style>{read_base_style()}{style}</style></head>"
+        f"<title>{html.escape(title)}</title><style>{base_style}{style}</style></head>"
         f"<body>{body}<script>{script}</script></body></html>\n"
     )
-
-
-def read_base_style() -> str:
-    """The CSS of all pages."""
-    return read_asset(files("pyhrg.common.pages"), "base.css")
 
 
 def read_asset(folder: Traversable, name: str) -> str:

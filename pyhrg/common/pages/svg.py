@@ -81,26 +81,18 @@ def draw_frame(x: Scale, y: Scale, x_label: str, y_label: str) -> str:
 def draw_horizontal_ticks(x: Scale, top: float, bottom: float) -> str:
     """Grid and labels of a scale that runs along the width, from a plot's top to its bottom."""
     return "".join(
-        _draw_horizontal_tick(float(x(t)), top, bottom, _format_short(t)) for t in x.ticks
+        f'<path class="grid" d="M{x(t):.4g} {top:g}V{bottom:g}"/><text class="tick" '
+        f'x="{x(t):.4g}" y="{bottom + 20:g}" text-anchor="middle">{_format_short(t)}</text>'
+        for t in x.ticks
     )
 
 
 def draw_vertical_ticks(y: Scale, left: float, right: float) -> str:
     """Grid and labels of a scale that runs along the height, from a plot's left to its right."""
-    return "".join(_draw_vertical_tick(float(y(t)), left, right, _format_short(t)) for t in y.ticks)
-
-
-def _draw_horizontal_tick(at: float, top: float, bottom: float, label: str) -> str:
-    return (
-        f'<path class="grid" d="M{at:.4g} {top:g}V{bottom:g}"/>'
-        f'<text class="tick" x="{at:.4g}" y="{bottom + 20:g}" text-anchor="middle">{label}</text>'
-    )
-
-
-def _draw_vertical_tick(at: float, left: float, right: float, label: str) -> str:
-    return (
-        f'<path class="grid" d="M{left:g} {at:.4g}H{right:g}"/>'
-        f'<text class="tick" x="{left - 6:g}" y="{at + 5:.4g}" text-anchor="end">{label}</text>'
+    return "".join(
+        f'<path class="grid" d="M{left:g} {y(t):.4g}H{right:g}"/><text class="tick" '
+        f'x="{left - 6:g}" y="{y(t) + 5:.4g}" text-anchor="end">{_format_short(t)}</text>'
+        for t in y.ticks
     )
 
 
@@ -110,11 +102,8 @@ def _format_short(value: float) -> str:
 
 
 def format_points(x: Array, y: Array) -> str:
-    """Data of a path of dots (the round caps of its stroke) on a grid, each drawn once.
-
-    Args:
-        x, y: (n,) user units.
-    """
+    """Data of a path of dots (the round caps of its stroke) on a grid, each drawn once, at x and y
+    (n,), user units."""
     grid = np.unique(np.rint(GRID_DIVISIONS * np.stack([x, y], axis=1)).astype(int), axis=0)
     steps = np.diff(grid, axis=0, prepend=np.zeros((1, 2), dtype=int))
     return "".join(f"m{dx}{dy:{'' if dy < 0 else ' '}}h0" for dx, dy in steps.tolist())

@@ -18,7 +18,7 @@ class ElectronicsParameters:
         key="residual_quadrature",
         limits=(-0.5, 0.5),
         fmu="controller.quadratureSetpoint",
-        effect=EffectDeclaration("residual_quadrature", 1e-3, ("wave_angle",), position=10),
+        effect=EffectDeclaration("residual_quadrature", 1e-3, ("wave_angle",), 10),
     )
     """Set point of the quadrature loop [q0], amplitude units."""
     amplitude_loop: float = parameter(
@@ -55,7 +55,7 @@ class ElectronicsParameters:
         key="loop_delay_s",
         limits=(0, 0.1),
         fmu="controller.synthesis.loopDelay",
-        effect=EffectDeclaration("loop_delay", 1e-3, ("rate",), position=15),
+        effect=EffectDeclaration("loop_delay", 1e-3, ("rate",), 15),
     )
     """Delay from detected angle to force, beyond the hold [td], s."""
     virtual_rotation_error: float = parameter(
@@ -63,6 +63,6 @@ class ElectronicsParameters:
         unit=PPM,
         limits=(-1e5, 1e5),
         fmu="controller.readout.virtualRotationError",
-        effect=EffectDeclaration("virtual_rotation_gain", 100 * PPM, ("rate",), position=17),
+        effect=EffectDeclaration("virtual_rotation_gain", 100 * PPM, ("rate",), 17),
     )
     """True over commanded virtual rotation, less one."""

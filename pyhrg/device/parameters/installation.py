@@ -17,7 +17,7 @@ class InstallationParameters:
             "input_axis_misalignment",
             1e-3,
             ("table_angle",),
-            position=25,
+            25,
             angle="misalignment_direction",
             periods=1,
         ),

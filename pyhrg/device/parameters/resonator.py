@@ -18,7 +18,7 @@ class ResonatorParameters:
         key="coriolis_factor_error_ppm",
         unit=PPM,
         limits=(-1e5, 1e5),
-        effect=EffectDeclaration("coriolis_factor_error", 100 * PPM, ("rate",), position=16),
+        effect=EffectDeclaration("coriolis_factor_error", 100 * PPM, ("rate",), 16),
     )
     """True over believed Bryan factor, less one."""
     decay_time: float = parameter(
@@ -33,9 +33,7 @@ class ResonatorParameters:
         key=("decay_time_per_K", "decay_time_temperature_coefficient_per_K"),
         limits=(-0.1, 0.1),
         fmu="resonator.material.decayTimePerKelvin",
-        effect=EffectDeclaration(
-            "decay_time_temperature", 1e-3, ("temperature", "wave_angle"), position=19
-        ),
+        effect=EffectDeclaration("decay_time_temperature", 1e-3, ("temperature", "wave_angle"), 19),
     )
     """Relative change of the decay time with temperature, 1/K."""
     damping_anisotropy: float = parameter(
@@ -48,10 +46,7 @@ class ResonatorParameters:
     )
     """1/tau1 - 1/tau2 between the axes of maximum and minimum damping [D], 1/s."""
     damping_axis: float = parameter(
-        key="damping_axis_deg",
-        unit=DEG,
-        limits=(-360, 360),
-        fmu="resonator.material.dampingAxis",
+        key="damping_axis_deg", unit=DEG, limits=(-360, 360), fmu="resonator.material.dampingAxis"
     )
     """Pattern angle of maximum damping [th_tau], rad."""
     damping_anisotropy_per_kelvin: float = parameter(
@@ -59,7 +54,7 @@ class ResonatorParameters:
         limits=(-1, 1),
         fmu="resonator.material.dampingAnisotropyPerKelvin",
         effect=EffectDeclaration(
-            "damping_anisotropy_temperature", 0.05, ("temperature", "wave_angle"), position=18
+            "damping_anisotropy_temperature", 0.05, ("temperature", "wave_angle"), 18
         ),
     )
     """Relative change of the damping anisotropy with temperature, 1/K."""
@@ -102,7 +97,7 @@ class ResonatorParameters:
         unit=HZ,
         limits=(-10, 10),
         fmu="resonator.material.duffing",
-        effect=EffectDeclaration("duffing_stiffness", 1e-2 * HZ, ("amplitude",), position=13),
+        effect=EffectDeclaration("duffing_stiffness", 1e-2 * HZ, ("amplitude",), 13),
     )
     """Frequency shift at unit amplitude by cubic stiffness, rad/s."""
     thermal_lag: float = parameter(

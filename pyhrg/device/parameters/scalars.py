@@ -2,12 +2,11 @@
 
 from dataclasses import dataclass
 
-from pyhrg.device.parameters.drives import DriveParameters
+from pyhrg.device.parameters.electrodes import DriveParameters, PickoffParameters
 from pyhrg.device.parameters.electronics import ElectronicsParameters
 from pyhrg.device.parameters.installation import InstallationParameters
 from pyhrg.device.parameters.laboratory import LaboratoryParameters
 from pyhrg.device.parameters.noise import NoiseParameters
-from pyhrg.device.parameters.pickoffs import PickoffParameters
 from pyhrg.device.parameters.resonator import ResonatorParameters
 
 

@@ -8,15 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
-from pyhrg.device.device_file import from_table
-from pyhrg.device.keys import KEYS
 from pyhrg.fmu import GyroError
 from pyhrg.gap.effects.catalogue import EFFECT_NAMES, EFFECTS
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.findings.diagnosis import Cause, DiagnosisError
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels
-from pyhrg.records.campaign import Campaign
 
 Array = NDArray[np.float64]
 Residuals = Mapping[str, Array]
@@ -32,34 +29,9 @@ class Closing:
     after: tuple[Residuals, ...]
 
 
-def nominal_device(campaign: Campaign) -> Device:
-    """The device that a campaign's nominal values state, without values that are no device key.
-
-    Raises:
-        DeviceError: the values are no device's.
-    """
-    names = {key.name for key in KEYS}
-    nominal = {name: value for name, value in campaign.nominal.items() if name in names}
-    stated = from_table(nominal, f"{campaign.device}: nominal")
-    return replace(stated, site=campaign.site)
-
-
-def identified_device(attribution: Attribution) -> Device:
-    """The nominal device with the effects and noises of the most probable hypothesis put in."""
-    nominal = attribution.nominal
-    device = nominal
-    for effect, size in attribution.posterior.best.effect_sizes.items():
-        device = effect.put(device, effect.vector(nominal) + size)
-    levels: dict[str, Any] = {added.effect.field: added.total for added in attribution.noise.added}
-    return replace(device, **levels)
-
-
 def device_with_causes(nominal: Device, causes: Iterable[Cause]) -> Device:
     """The nominal device with the causes of a diagnosis put in; causes that are noise are left out.
-
-    Raises:
-        DiagnosisError: the catalogue has no such effect, or a parameter is missing.
-    """
+    A `DiagnosisError` where the catalogue has no such effect, or a parameter is missing."""
     device = nominal
     for cause in causes:
         name, parameters = cause.effect, cause.parameters
@@ -78,18 +50,12 @@ def close_gap(
 ) -> Closing:
     """Simulate the identified device and compare both devices with the records.
 
-    A search that did not converge may end at a device that the FMU refuses. The last device that
-    could be simulated is then taken for the identified one.
-
-    Args:
-        simulation: both fidelities.
-        attribution: result of the search.
-        tests: those that were fitted to, in the search's order, then the held-out ones.
-
-    Raises:
-        GyroError: the search converged to a device that the FMU refuses.
+    Tests are those that were fitted to, in the search's order, then the held-out ones. A search
+    that did not converge may end at a device that the FMU refuses. The last device that could be
+    simulated is then taken for the identified one.
     """
-    identified = identified_device(attribution)
+    levels: dict[str, Any] = {added.effect.field: added.total for added in attribution.noise.added}
+    identified = replace(attribution.posterior.best.put_effects(attribution.nominal), **levels)
     try:
         return _compare(simulation, attribution, identified, tests)
     except GyroError:
@@ -131,5 +97,5 @@ def _residuals(
     turned = device.bryan_factor * residuals["gyro_angle"]
     for name in CHANNELS[1:]:
         at_angle = residuals[name] + over_angle.slopes[name] * turned
-        residuals[name] = at_angle - over_angle.second_order(name, turned)
+        residuals[name] = at_angle - over_angle.curvatures[name] * turned**2 / 2
     return {name: np.where(test.rows[name], residuals[name], np.nan) for name in CHANNELS}

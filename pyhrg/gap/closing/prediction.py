@@ -3,29 +3,24 @@
 from pathlib import Path
 from typing import Protocol
 
-import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
 
 from pyhrg import records
 from pyhrg.common.files import write_whole
 from pyhrg.common.progress import Progress, make_progress_reporter
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
-from pyhrg.gap.closing.closing import device_with_causes, nominal_device
+from pyhrg.gap.closing.closing import device_with_causes
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, DiagnosisError, read_diagnosis
-from pyhrg.gap.replay.models import load_simulation as build_simulation
 from pyhrg.gap.replay.observations import observe_test
 from pyhrg.gap.replay.replay import has_start_angle
-from pyhrg.gap.replay.simulation import Simulation
-from pyhrg.gap.soundness.exclusion import NominalSetup
+from pyhrg.gap.replay.simulation import Simulation, load_simulation
+from pyhrg.gap.soundness import nominal_device
 from pyhrg.gap.soundness.glitches import mend_inputs
 from pyhrg.gap.soundness.inputs import complete_inputs
 from pyhrg.records import Log, LogError
 from pyhrg.records import campaign as campaigns
 from pyhrg.records.campaign import Campaign, Test
-
-Array = NDArray[np.float64]
 
 
 class _HoldsDiagnosis(Protocol):
@@ -74,11 +69,12 @@ def predict(
     identified = device_with_causes(nominal, _causes(diagnosis, campaign.device))
     if not isinstance(log, Log):
         log = records.read_log(Path(log), latitude_deg=campaign.site.latitude_deg)
-    log, notes = repair_inputs(log, nominal)
+    log, notes = _repair_inputs(log, nominal)
     for note in notes:
         report(note)
-    angle = predict_angle(simulation or build_simulation(report), nominal, identified, log)
-    table = pd.DataFrame({"time_s": log.time, "gyro_angle_deg": angle / DEG})
+    test = observe_test(Test("prediction", "manoeuvre", "holdout", log), nominal)
+    answers = (simulation or load_simulation(report)).simulate(identified, test)
+    table = pd.DataFrame({"time_s": log.time, "gyro_angle_deg": answers["gyro_angle"] / DEG})
     table.attrs = {"units": {"time_s": "s", "gyro_angle_deg": "deg"}, "notes": notes}
     return table
 
@@ -107,34 +103,14 @@ def write_prediction(prediction: pd.DataFrame, path: Path) -> None:
     write_whole(path, ("time_s,gyro_angle_deg\n" + "".join(rows)).encode())
 
 
-def repair_inputs(log: Log, nominal: Device) -> tuple[Log, list[str]]:
+def _repair_inputs(log: Log, nominal: Device) -> tuple[Log, list[str]]:
     """A log whose inputs can be replayed, and a sentence on each thing that was filled in, cut or
-    assumed: the same as in a diagnosis.
-
-    Raises:
-        LogError: inputs that can't be determined, or no row with both angles.
-    """
+    assumed: the same as in a diagnosis."""
     log, mended = mend_inputs(log)
-    log, filled = complete_inputs(log, NominalSetup(nominal, nominal.site))
+    log, filled = complete_inputs(log, nominal)
     if not has_start_angle(log):
         raise LogError(
             f"{log.source}: no row with gyro_angle_deg and wave_angle_deg; expected one, which "
             "gives the start angle"
         )
     return log, [*mended, *filled]
-
-
-def predict_angle(simulation: Simulation, nominal: Device, identified: Device, log: Log) -> Array:
-    """(n,) output angle, rad.
-
-    Args:
-        simulation: both fidelities of the gyro.
-        nominal: its Bryan factor gives the power-on angle from the log's two angles.
-        identified: the gyro that is simulated.
-        log: with complete inputs, and angles.
-
-    Raises:
-        GyroError: the FMU refuses the identified device.
-    """
-    test = observe_test(Test("prediction", "manoeuvre", "holdout", log), nominal)
-    return simulation.simulate(identified, test)["gyro_angle"]

@@ -1,18 +1,21 @@
-"""Distance between simulation and record in the output angle, and its noise floor."""
+"""How far closing shrinks the gap: residuals of the output angle beside their noise floor."""
 
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import chi2
 
+from pyhrg.common.units import ARCSEC, DEG_PER_H
+from pyhrg.gap.findings.diagnosis import Gap, GapFigure
 from pyhrg.gap.replay.observations import ObservedTest
-from pyhrg.gap.whitening.noise_draws import draw_noise
-from pyhrg.gap.whitening.whitening import NoiseModel, whiten
+from pyhrg.gap.whitening.whitening import NoiseModel, draw_noise, whiten
 
 Array = NDArray[np.float64]
 
+SEED = 1
+"""Seed of the noise draws that make the floor."""
 RATE_WINDOW = 100.0
 """Time over which the rate residual is taken, s: the campaign format's."""
 NOISE_DRAWS = 200
@@ -21,65 +24,63 @@ MAX_LAG = 10
 """Number of lags of the portmanteau test for whiteness, rows. Chosen."""
 
 
-@dataclass(frozen=True)
-class Spread:
-    """Median of a figure over noise draws, and its 95 % interval."""
+def compute_gap_figures(
+    tests: Sequence[ObservedTest],
+    before: Sequence[Array],
+    after: Sequence[Array],
+    noise: NoiseModel,
+) -> Gap:
+    """Residuals before and after closing with the noise floor, on fitted and on held-out tests.
 
-    value: float
-    interval: tuple[float, float]
-
-
-@dataclass(frozen=True)
-class Distance:
-    """Root mean square over tests of the angle residual, rad, and of the rate residual over 100 s,
-    rad/s (docs/methods/verdict.md, Eq. (4))."""
-
-    angle: float
-    rate: float
-
-
-@dataclass(frozen=True)
-class Floor:
-    """Noise floor: the distances that noise alone would leave of a perfect simulation."""
-
-    angle: Spread
-    rate: Spread
-
-
-def measure_distance(tests: Sequence[ObservedTest], residuals: Sequence[Array]) -> Distance:
-    """Distance of residuals of the output angle, (n,) rad in each test; NaN is left out."""
-    rates = [_rates(t, r) for t, r in zip(tests, residuals, strict=True)]
-    return Distance(_rms(np.concatenate(residuals)), _rms(np.concatenate(rates)))
-
-
-def estimate_noise_floor(tests: Sequence[ObservedTest], noise: NoiseModel, seed: int) -> Floor:
-    """Estimate the noise floor by draws of the noise.
-
-    Args:
-        tests: tests whose rows are compared.
-        noise: noise of the output angle.
-        seed: seed of the draws.
+    Residuals are (n,) of the output angle in each test, rad; NaN is left out. The floor is that of
+    the identified noise of the output angle.
     """
+
+    def figures(is_holdout: bool) -> tuple[GapFigure, GapFigure | None]:
+        own = [i for i, t in enumerate(tests) if t.test.is_holdout == is_holdout]
+        chosen = [tests[i] for i in own]
+        ends = [measure_distance(chosen, [r[i] for i in own]) for r in (before, after)]
+        low, median, high = estimate_noise_floor(chosen, noise, SEED)
+        rows = np.array([*ends, median, low, high]) / (ARCSEC, DEG_PER_H)
+        angle, rate = (GapFigure(b, a, f, (l95, h95)) for b, a, f, l95, h95 in rows.T.tolist())
+        return angle, rate if math.isfinite(rate.before) else None
+
+    held_out = [i for i, t in enumerate(tests) if t.test.is_holdout]
+    if not held_out:
+        return Gap(*figures(False), None, None, None, None)
+    angle, rate = figures(True)
+    residuals = [after[i] for i in held_out]
+    whiteness = compute_whiteness([tests[i] for i in held_out], residuals, noise)
+    shrink = None  # docs/methods/verdict.md, Eq. (5); None where there is no excess over the floor
+    if angle.before > angle.floor_95[1]:
+        shrink = 100 * (angle.before - angle.after) / (angle.before - angle.floor)
+    return Gap(*figures(False), angle, rate, shrink, whiteness)
+
+
+def measure_distance(tests: Sequence[ObservedTest], residuals: Sequence[Array]) -> Array:
+    """(2,) root mean square of residuals of the output angle, (n,) rad in each test, and of the
+    rate residual over 100 s, rad/s (docs/methods/verdict.md, Eq. (4)); NaN is left out."""
+    rates = [_rates(t, r) for t, r in zip(tests, residuals, strict=True)]
+    return np.array([_rms(np.concatenate(residuals)), _rms(np.concatenate(rates))])
+
+
+def estimate_noise_floor(tests: Sequence[ObservedTest], noise: NoiseModel, seed: int) -> Array:
+    """(3, 2) distances that noise of the output angle alone would leave of a perfect simulation:
+    quantiles of 2.5, 50 and 97.5 % over draws of the noise."""
     generator = np.random.default_rng(seed)
-    distances = []
-    for _ in range(NOISE_DRAWS):
-        distance = measure_distance(tests, [_draw_angle(t, noise, generator) for t in tests])
-        distances.append((distance.angle, distance.rate))
-    angle, rate = np.array(distances).T
-    return Floor(_spread(angle), _spread(rate))
+    draws = [
+        measure_distance(tests, [_draw_angle(t, noise, generator) for t in tests])
+        for _ in range(NOISE_DRAWS)
+    ]
+    return np.asarray(np.quantile(draws, (0.025, 0.5, 0.975), axis=0))
 
 
 def compute_whiteness(
     tests: Sequence[ObservedTest], residuals: Sequence[Array], noise: NoiseModel
 ) -> float:
-    """p-value of the Ljung-Box test that whitened residuals are uncorrelated (docs/methods/
-    verdict.md, Eq. (6); G. M. Ljung, G. E. P. Box, Biometrika 65 (1978)).
-
-    Args:
-        tests: the tests of the residuals.
-        residuals: (n,) residual of the output angle in each test, rad; NaN is left out.
-        noise: noise of the output angle.
-    """
+    """p-value of the Ljung-Box test that whitened residuals of the output angle, (n,) rad in each
+    test, are uncorrelated (docs/methods/verdict.md, Eq. (6); G. M. Ljung, G. E. P. Box, Biometrika
+    65 (1978)); NaN is left out."""
     statistic, degrees = 0.0, 0
     for test, residual in zip(tests, residuals, strict=True):
         rows = np.isfinite(residual)
@@ -96,8 +97,7 @@ def compute_whiteness(
 
 def _rates(test: ObservedTest, residual: Array) -> Array:
     rows = max(1, round(RATE_WINDOW / test.log.interval))
-    ends = residual[::rows]
-    return np.asarray(np.diff(ends) / (rows * test.log.interval))
+    return np.asarray(np.diff(residual[::rows]) / (rows * test.log.interval))
 
 
 def _rms(values: Array) -> float:
@@ -110,8 +110,3 @@ def _draw_angle(test: ObservedTest, noise: NoiseModel, generator: np.random.Gene
     own = noise.add_white(test.encoder_noise)
     angle = draw_noise(own, len(test.log.time), test.log.interval, generator)
     return np.where(test.rows["gyro_angle"], angle, np.nan)
-
-
-def _spread(values: Array) -> Spread:
-    low, middle, high = np.quantile(values, (0.025, 0.5, 0.975))
-    return Spread(float(middle), (float(low), float(high)))

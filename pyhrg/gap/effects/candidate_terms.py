@@ -58,11 +58,6 @@ class CandidateTerm:
     is_of_each_power_on: bool = field(default=False, kw_only=True)
 
     @property
-    def is_predictive(self) -> bool:
-        """Whether its size in these tests says anything about a test that is yet to be made."""
-        return not self.is_of_each_power_on
-
-    @property
     def words(self) -> str:
         """Description for reports."""
         return f"{self.function} ({self.channel})"
@@ -93,20 +88,14 @@ class Coordinates:
     @cached_property
     def functions(self) -> list[tuple[str, str, int | None, Array]]:
         """Coordinate, words, harmonic and (n, b) values of each basis function."""
-        return list(_generate_functions(self))
+        return [(c, w, m, v.reshape(len(v), -1)) for c, w, m, v in _generate_functions(self)]
 
 
 def compute_coordinates(
     test: ObservedTest, pattern_angle: Array, amplitude: Array, nominal: Device
 ) -> Coordinates:
-    """Coordinates of a test.
-
-    Args:
-        test: to compare.
-        pattern_angle: (n,) of the replay, rad.
-        amplitude: (n,) of the replay; used where the drive is off.
-        nominal: its thermal lag, reference temperature and amplitude are used.
-    """
+    """Coordinates of a test, from the (n,) pattern angle, rad, and amplitude of the replay, and
+    from the nominal thermal lag, reference temperature and amplitude."""
     log = test.log
     case = test.inputs.temperatures - nominal.reference_temperature
     kept = np.exp(-log.interval / nominal.thermal_lag)
@@ -133,12 +122,7 @@ def _compute_slope(series: Array, interval: float) -> Array:
 
 
 def build_term_columns(where: Coordinates, channel: str) -> list[tuple[CandidateTerm, Array]]:
-    """All candidate terms of a channel in one test, (n, b) each, in the same order for every test.
-
-    Args:
-        where: the test's coordinates.
-        channel: a field of a log.
-    """
+    """All candidate terms of a channel in a test, (n, b) each, in the same order for every test."""
     terms = []
     is_angle = channel == "gyro_angle"
     for coordinate, function, harmonic, block in where.functions:
@@ -171,7 +155,7 @@ def _generate_pickoff_terms(where: Coordinates) -> Iterator[tuple[str, str, Arra
 
 
 Functions = Iterator[tuple[str, str, int | None, Array]]
-"""Coordinate, words, harmonic and (n, b) values."""
+"""Coordinate, words, harmonic and (n,) or (n, b) values."""
 
 
 def _generate_functions(where: Coordinates) -> Functions:
@@ -180,19 +164,18 @@ def _generate_functions(where: Coordinates) -> Functions:
     yield from _generate_temperature_functions(where)
     yield from _generate_rate_functions(where)
     yield from _generate_acceleration_functions(where)
-    yield "amplitude", "amplitude", None, _column(where.amplitude)
-    yield "amplitude", "amplitude squared", None, _column(where.amplitude**2)
+    yield "amplitude", "amplitude", None, where.amplitude
+    yield "amplitude", "amplitude squared", None, where.amplitude**2
     time = where.test.log.time
-    yield "time", "time since power-on", None, _column(time / 3600)
+    yield "time", "time since power-on", None, time / 3600
     for constant in WARM_UP_TIMES:
         settling = np.exp(-time / constant)
-        yield "time", f"settling in {constant:g} s", None, _column(settling)
-    yield "time", EACH_POWER_ON, None, np.ones((len(time), 1))
+        yield "time", f"settling in {constant:g} s", None, settling
+    yield "time", EACH_POWER_ON, None, np.ones(len(time))
 
 
 def _generate_angle_functions(where: Coordinates) -> Functions:
-    constant = np.ones((len(where.test.log.time), 1))
-    yield "wave_angle", "mean over the pattern angle", 0, constant
+    yield "wave_angle", "mean over the pattern angle", 0, np.ones(len(where.pattern_angle))
     for m in PATTERN_HARMONICS:
         words = f"harmonic {m} of the pattern angle"
         yield "wave_angle", words, m, _harmonic(m * where.pattern_angle)
@@ -203,17 +186,18 @@ def _generate_angle_functions(where: Coordinates) -> Functions:
 
 def _generate_temperature_functions(where: Coordinates) -> Functions:
     for p in TEMPERATURE_POWERS:
-        yield "temperature", f"temperature^{p}", None, _column((where.resonator / 10) ** p)
+        yield "temperature", f"temperature^{p}", None, (where.resonator / 10) ** p
     fourth = _harmonic(4 * where.pattern_angle)
     yield "temperature", "temperature, 4th harmonic", None, fourth * where.resonator[:, None] / 10
-    yield "temperature", "temperature of the case", None, _column(where.case / 10)
+    yield "temperature", "temperature of the case", None, where.case / 10
     rate, words = where.case_rate, "of the temperature rate"
-    yield "temperature_rate", "temperature rate", None, _column(rate * 60)
-    yield "temperature_rate", f"magnitude {words}", None, _column(np.abs(rate) * 60)
-    yield "temperature_rate", f"square {words}", None, _column((rate * 60) ** 2)
-    yield "temperature_rate", f"direction {words}", None, _column(_direction(rate))
+    yield "temperature_rate", "temperature rate", None, rate * 60
+    yield "temperature_rate", f"magnitude {words}", None, np.abs(rate) * 60
+    yield "temperature_rate", f"square {words}", None, (rate * 60) ** 2
+    direction = rate / np.hypot(rate, ZERO_TEMPERATURE_RATE)  # smooth about zero, -1 to 1
+    yield "temperature_rate", f"direction {words}", None, direction
     for width in HYSTERESIS_WIDTHS:
-        lagging = _column(_follow_with_play(where.case, width) / 10)
+        lagging = _follow_with_play(where.case, width) / 10
         yield "temperature", f"temperature with a hysteresis of {width:g} K", None, lagging
 
 
@@ -223,26 +207,21 @@ def _generate_rate_functions(where: Coordinates) -> Functions:
         words = f"harmonic {m} of the pattern angle, times the rate"
         yield "wave_angle", words, None, _harmonic(m * where.pattern_angle) * rate[:, None]
     for p, words in ((1, "rate"), (2, "rate squared"), (3, "rate cubed")):
-        yield "rate", words, None, _column(rate**p)
-    yield "rate", "magnitude of the rate", None, _column(np.abs(rate))
+        yield "rate", words, None, rate**p
+    yield "rate", "magnitude of the rate", None, np.abs(rate)
     commanded = where.test.log.virtual_rotation
-    yield "rate", "commanded rotation", None, _column(commanded)
-    yield "rate", "magnitude of the commanded rotation", None, _column(np.abs(commanded))
+    yield "rate", "commanded rotation", None, commanded
+    yield "rate", "magnitude of the commanded rotation", None, np.abs(commanded)
 
 
 def _generate_acceleration_functions(where: Coordinates) -> Functions:
     force = {axis: getattr(where.test.log, f"acceleration_{axis}") / 10 for axis in "xyz"}
     for axis in "xyz":
-        yield "acceleration", f"acceleration {axis}", None, _column(force[axis])
-        yield "acceleration", f"acceleration {axis} squared", None, _column(force[axis] ** 2)
+        yield "acceleration", f"acceleration {axis}", None, force[axis]
+        yield "acceleration", f"acceleration {axis} squared", None, force[axis] ** 2
     for pair in ("xy", "xz", "yz"):
         product = force[pair[0]] * force[pair[1]]
-        yield "acceleration", f"acceleration {pair[0]} times {pair[1]}", None, _column(product)
-
-
-def _direction(rate: Array) -> Array:
-    """Sign of a temperature rate, K/s, smooth about zero: -1 to 1."""
-    return np.asarray(rate / np.hypot(rate, ZERO_TEMPERATURE_RATE))
+        yield "acceleration", f"acceleration {pair[0]} times {pair[1]}", None, product
 
 
 @numba.njit(cache=True)
@@ -258,7 +237,3 @@ def _follow_with_play(series: Array, width: float) -> Array:
 
 def _harmonic(angle: Array) -> Array:
     return np.column_stack([np.cos(angle), np.sin(angle)])
-
-
-def _column(values: Array) -> Array:
-    return np.asarray(values)[:, None]

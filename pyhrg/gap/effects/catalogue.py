@@ -76,11 +76,12 @@ class Effect:
         value within. All other parameters stay."""
         low, high = self.bounds
         if not self.periods:
-            (value,) = vector
-            return _with(device, {self.fields[0]: min(max(float(value), low), high)})
-        angle = float(np.arctan2(vector[1], vector[0])) / self.periods
-        values = (min(float(np.hypot(*vector)), high), angle % (2 * math.pi / self.periods))
-        return _with(device, dict(zip(self.fields, values, strict=True)))
+            values = [min(max(float(vector[0]), low), high)]
+        else:
+            angle = float(np.arctan2(vector[1], vector[0])) / self.periods
+            values = [min(float(np.hypot(*vector)), high), angle % (2 * math.pi / self.periods)]
+        fields: dict[str, Any] = dict(zip(self.fields, values, strict=True))
+        return replace(device, **fields)
 
     def parameters(self, vector: Array) -> dict[str, float]:
         """Values by key of the record format, in the keys' units, of a vector (size,), SI."""
@@ -89,12 +90,8 @@ class Effect:
 
     def vector_of(self, parameters: Mapping[str, float]) -> Array:
         """(size,) vector, SI, of values by key of the record format, in the keys' units."""
-        values = {key.field: key.to_si(parameters[key.name]) for key in self.keys}
-        return self.vector(_with(Device(), values))
-
-
-def _with(device: Device, values: Mapping[str, Any]) -> Device:
-    return replace(device, **values)
+        values: dict[str, Any] = {key.field: key.to_si(parameters[key.name]) for key in self.keys}
+        return self.vector(replace(Device(), **values))
 
 
 @dataclass(frozen=True)
@@ -125,33 +122,27 @@ def _collect_effects() -> tuple[Effect, ...]:
     )
 
 
-def _collect_known() -> tuple[Effect, ...]:
-    """Parameters that are declared to be known within a tolerance, in the order of the fields."""
-    declared = [(field, d.known) for field, d in read_declarations(Device).items() if d.known]
-    return tuple(
-        Effect(
-            k.name,
-            (field, k.angle) if k.angle else (field,),
-            k.scale,
-            k.periods,
-            k.family,
-            k.tolerance,
-            k.relative_tolerance,
-        )
-        for field, k in declared
-    )
-
-
-def _collect_noises() -> tuple[NoiseEffect, ...]:
-    declared = [(field, d.noise) for field, d in read_declarations(Device).items() if d.noise]
-    return tuple(NoiseEffect(noise.name, field, noise.scale) for field, noise in declared)
-
-
 DETERMINISTIC = _collect_effects()
 """Effects that change a simulation without noise."""
-KNOWN = _collect_known()
+KNOWN = tuple(
+    Effect(
+        k.name,
+        (field, k.angle) if k.angle else (field,),
+        k.scale,
+        k.periods,
+        k.family,
+        k.tolerance,
+        k.relative_tolerance,
+    )
+    for field, declaration in read_declarations(Device).items()
+    if (k := declaration.known)
+)
 """Nominal values, and properties of bench and record, that are known within a tolerance."""
-NOISES = _collect_noises()
+NOISES = tuple(
+    NoiseEffect(declared.noise.name, field, declared.noise.scale)
+    for field, declared in read_declarations(Device).items()
+    if declared.noise
+)
 """Effects that change the noise alone."""
 
 

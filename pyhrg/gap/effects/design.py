@@ -11,8 +11,8 @@ from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import CandidateTerm, Coordinates, build_term_columns
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.jump import Jump
-from pyhrg.gap.replay.carrier_terms import compute_carrier_terms
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
+from pyhrg.gap.replay.simulation import compute_carrier_terms
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
 from pyhrg.gap.whitening.whitening import WhitenedSeries, whiten
 
@@ -110,24 +110,17 @@ class LinearTest:
         steps = [(channel == "gyro_angle") * jump.columns(self.where) for jump in outputs]
         return np.column_stack([*effects, *steps, self.residual[channel]])
 
-    def carrier_terms(self, channel: str) -> Array:
-        """(n,) terms of a channel that the simulation lacks, see `compute_carrier_terms`."""
-        return self._carrier_terms[channel]
-
     @cached_property
-    def _carrier_terms(self) -> Mapping[str, Array]:
+    def carrier_terms(self) -> Mapping[str, Array]:
+        """(n,) terms by channel that the simulation lacks."""
         return compute_carrier_terms(self.device, self.test, self.where.pattern_angle)
 
     def at_measured_angle(self, series: Array, angles: Array, channel: str) -> Array:
-        """Series of a channel, referred to the measured pattern angle instead of the simulated one.
+        """(n, p) series of a channel, referred to the measured pattern angle instead of the
+        simulated one; `angles` are the same series of the output angle, rad.
 
         Noise that turns the pattern then appears in the output angle alone
         (docs/methods/effects.md, Eq. 3).
-
-        Args:
-            series: (n, p) of the channel.
-            angles: (n, p) the same series of the output angle, rad.
-            channel: a field of a log.
         """
         if channel == "gyro_angle":
             return series
@@ -137,13 +130,9 @@ class LinearTest:
 def build_design(
     parts: Sequence[LinearTest], noise: CampaignNoise, jumps: Sequence[Jump] = ()
 ) -> Design:
-    """Whiten all series and sum up the normal equations (docs/methods/effects.md, Eqs. 7 and 8).
-
-    Args:
-        parts: linearized tests.
-        noise: of all channels.
-        jumps: candidates in addition to effects and candidate terms.
-    """
+    """Whiten all series of linearized tests and sum up the normal equations
+    (docs/methods/effects.md, Eqs. 7 and 8). Jumps are candidates in addition to effects and
+    candidate terms."""
     effects = list(parts[0].sensitivities)
     columns: dict[Group, NDArray[np.int64]] = {}
     outputs = [jump for jump in jumps if jump.kind == "output"]
@@ -207,7 +196,7 @@ def whiten_rows(
     """Whiten the compared rows of (n, p) series of a channel."""
     rows = part.test.rows[channel]
     steps = np.diff(part.test.log.time[rows], prepend=0.0)
-    unmodelled = part.carrier_terms(channel)[rows]
+    unmodelled = part.carrier_terms[channel][rows]
     return whiten(series[rows], steps, noise.get_model(channel, part.test), unmodelled)
 
 
@@ -240,12 +229,7 @@ def discount_model_error(design: Design, model_error: Mapping[TestChannel, float
 def compute_excess_power(
     parts: Sequence[LinearTest], noise: CampaignNoise
 ) -> dict[TestChannel, float]:
-    """Chi-square of each residual beyond its number of rows; 0 where it is smaller.
-
-    Args:
-        parts: linearized tests.
-        noise: of all channels.
-    """
+    """Chi-square of each test's residual beyond its number of rows; 0 where it is smaller."""
     excess = {}
     for channel in CHANNELS:
         for part in parts:

@@ -30,11 +30,6 @@ class Jump(CandidateTerm):
     log_odds: float = 0.0
     kind: Kind = "bias"
 
-    @property
-    def is_predictive(self) -> bool:
-        """False: it says nothing about a test that is yet to be made."""
-        return False
-
     def columns(self, where: Coordinates) -> Array:
         """(n, k) output angle of a test per unit of each of the k changes."""
         test = where.test
@@ -64,20 +59,11 @@ def _describe(test: str, time: float) -> str:
 
 
 def integrate_jump(rows: Array, times: Array) -> Array:
-    """(n, k) output angle after unit jumps of the bias.
-
-    Args:
-        rows: (n,) times of the rows, s.
-        times: (k,) times of the jumps, s.
-    """
+    """(n, k) output angle at (n,) times of rows, s, after unit jumps of the bias at (k,) times."""
     return np.asarray(np.maximum(rows[:, None] - times, 0.0))
 
 
 def evaluate_step(rows: Array, times: Array) -> Array:
-    """(n, k) output angle after unit steps of it; a row at the time of a step is after it.
-
-    Args:
-        rows: (n,) times of the rows, s.
-        times: (k,) times of the steps, s.
-    """
+    """(n, k) output angle at (n,) times of rows, s, after unit steps of it at (k,) times, s; a row
+    at the time of a step is after it."""
     return np.asarray((rows[:, None] >= times).astype(np.float64))

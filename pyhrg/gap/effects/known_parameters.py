@@ -5,7 +5,7 @@ about its told value, with its tolerance as the standard deviation. It takes par
 hypothesis (docs/methods/effects.md, Eqs. 10 to 12).
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -67,23 +67,15 @@ class KnownParameters:
         values = self._solve(projection) / whole.norms[self._known]
         return dict(zip(self.effects, np.split(values, self._ends[:-1]), strict=True))
 
-    def covariances(self, groups: tuple[Group, ...], covariance: Array) -> dict[Effect, Array]:
-        """(d, d) covariance of each known parameter beside fitted groups, SI.
-
-        Args:
-            groups: groups of the fit.
-            covariance: (D, D) of their sizes, group after group.
-        """
-        whole, known = self.whole, self._known
-        total = self._solve(np.eye(len(known)))
-        if groups:
-            own = np.concatenate([whole.columns[group] for group in groups])
-            carried = self._solve(whole.gram[np.ix_(known, own)])
-            scale = whole.norms[own]
-            total = total + carried @ (covariance * np.outer(scale, scale)) @ carried.T
-        total = total / np.outer(whole.norms[known], whole.norms[known])
-        begins = np.concatenate(([0], self._ends[:-1]))
-        parts = [slice(b, e) for b, e in zip(begins, self._ends, strict=True)]
+    def compute_covariances(self, groups: Sequence[Group]) -> dict[Effect, Array]:
+        """(d, d) covariance of each known parameter beside fitted groups, SI."""
+        whole, count = self.whole, len(self._known)
+        where = np.concatenate([self._known, *(whole.columns[group] for group in groups)])
+        information = whole.gram[np.ix_(where, where)].copy()
+        information[:count, :count] += np.diag(1 / self._prior_variance)
+        scale = 1 / whole.norms[self._known]
+        total = np.linalg.inv(information)[:count, :count] * np.outer(scale, scale)
+        parts = [slice(end - e.size, end) for e, end in zip(self.effects, self._ends, strict=True)]
         return {e: total[part, part] for e, part in zip(self.effects, parts, strict=True)}
 
     @cached_property

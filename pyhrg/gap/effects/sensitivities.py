@@ -30,18 +30,8 @@ def linearize_test(
     """One test linearized around a device, its residual referred to the nominal device.
 
     The residual is what record less simulation of the nominal device would be if effects were
-    linear (docs/methods/effects.md, Eqs. 2 and 3).
-
-    Args:
-        simulation: both fidelities.
-        nominal: the device before the diagnosis.
-        device: the device that is simulated.
-        test: to compare.
-        simulated: (n,) by field of a log, of the device.
-        sensitivities: (n, d) by channel, of each effect.
-
-    Raises:
-        GyroError: the FMU refuses a device.
+    linear (docs/methods/effects.md, Eqs. 2 and 3). `simulated` are (n,) outputs of the device by
+    field of a log, sensitivities (n, d) by channel.
     """
     residual = {name: getattr(test.log, name) - simulated[name] for name in CHANNELS}
     for effect, own in sensitivities.items():
@@ -52,7 +42,7 @@ def linearize_test(
     by_angle, factor = simulation.differentiate_by_angle(device, test), nominal.bryan_factor
     turned = factor * (test.log.gyro_angle - simulated["gyro_angle"])
     for name in CHANNELS[1:]:
-        residual[name] = residual[name] - by_angle.second_order(name, turned)
+        residual[name] = residual[name] - by_angle.curvatures[name] * turned**2 / 2
     return LinearTest(
         test, device, simulated, residual, sensitivities, where, by_angle.slopes, factor
     )
@@ -61,14 +51,9 @@ def linearize_test(
 def compute_sensitivities(
     simulation: Simulation, device: Device, test: ObservedTest, effects: Iterable[Effect]
 ) -> dict[Effect, dict[str, Array]]:
-    """Change of a replay per unit of the effects' vectors at a device (Eq. 1).
-
-    Returns:
-        (n, d) by channel for each effect of size d, channel's SI unit over the vector's.
-
-    Raises:
-        GyroError: the FMU refuses a device; the message names test and effect.
-    """
+    """Change of a replay per unit of the effects' vectors at a device (Eq. 1): (n, d) by channel
+    for each effect of size d, channel's SI unit over the vector's. A `GyroError` of the FMU names
+    test and effect."""
     change_to = simulation.make_difference_from(device, test)
     sensitivities = {}
     for effect in effects:

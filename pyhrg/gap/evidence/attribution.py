@@ -5,21 +5,52 @@ effects of the most probable set are put into the gyro, the gyro is simulated ag
 is repeated around it until it moves no more. Sizes always count from the nominal gyro.
 """
 
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+from numpy.typing import NDArray
+
 from pyhrg.device.device import Device
-from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue
-from pyhrg.gap.effects.design import Design, LinearTest
-from pyhrg.gap.evidence.hypothesis import Hypothesis
-from pyhrg.gap.evidence.iteration import Iteration
+from pyhrg.fmu import GyroError
+from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue, Effect
+from pyhrg.gap.effects.design import Design, Group, LinearTest, compute_excess_power
+from pyhrg.gap.effects.sensitivities import compute_sensitivities, linearize_test
+from pyhrg.gap.evidence.hypothesis import Hypothesis, estimate_nominal_noise, rank_under_noise
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
-from pyhrg.gap.evidence.posterior import Posterior
+from pyhrg.gap.evidence.noise.noise_levels import are_equal
+from pyhrg.gap.evidence.posterior import Posterior, compare_noises
 from pyhrg.gap.evidence.search import Ranking
 from pyhrg.gap.replay.observations import ObservedTest
-from pyhrg.gap.replay.simulation import ChannelValues, Simulation
-from pyhrg.gap.whitening.channel_noise import CampaignNoise
+from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels
+from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
 
+Array = NDArray[np.float64]
+
+CONVERGENCE_DISTANCE = 0.1
+"""The search has converged when a step moves the gyro by less than this Mahalanobis distance
+(Eq. (11)). Chosen: a tenth of the standard deviation of the estimate."""
+SENSITIVITY_DISTANCE = 300.0
+"""Mahalanobis distance from where all sensitivities were taken beyond which they are taken again.
+Chosen."""
+RESIMULATION_DISTANCE = 10.0
+"""Mahalanobis distance from the last full simulation (loops in transient) beyond which it is run
+again. Chosen."""
+MAX_HALVINGS = 8
+"""Number of times that a step to a gyro which the FMU refuses is halved. Chosen."""
+LINEARIZATION_ERROR = 1e-3
+"""Share of a step's power that may remain in the residual because effects are not linear (Eq.
+(10)). The first time the step is the whole gap, later the last one. Chosen."""
+LINEARIZATION_DECAY = 4.0
+"""Factor by which the allowed linearization error falls from round to round at least, so that all
+records separate, in the end, sets which explain the residual in turn. Chosen."""
+NEGLIGIBLE_CHI2 = 1.0
+"""Linearization error, as chi-square, below which it counts as zero: the power of one row's noise.
+Chosen."""
+LINEAR_DISTANCE = math.sqrt(NEGLIGIBLE_CHI2 / LINEARIZATION_ERROR)
+"""Mahalanobis length of a step up to which the linearization error is negligible: 32 sigma.
+Derived."""
 MAX_ROUNDS = 20
 """Number of iterations after which the search ends without convergence. Chosen."""
 
@@ -63,10 +94,6 @@ class Attribution:
         """Noise of all channels, under the most probable hypothesis."""
         return self.posterior.best.channel_noise
 
-    def replace_noises(self, change: Callable[[Hypothesis], NoiseHypothesis]) -> "Attribution":
-        """A copy in which each hypothesis has the noise that `change` gives for it."""
-        return replace(self, posterior=self.posterior.replace_noises(change))
-
 
 def attribute_gap(
     simulation: Simulation,
@@ -75,19 +102,9 @@ def attribute_gap(
     catalogue: Catalogue = FULL_CATALOGUE,
     report: Callable[[str], None] = lambda text: None,
 ) -> Attribution:
-    """Find the effects that make a campaign's gap.
-
-    Args:
-        simulation: both fidelities.
-        nominal: the gyro before the diagnosis.
-        tests: tests that may be fitted to.
-        catalogue: effects and noises that may be named.
-        report: is called with a line of text at each step.
-
-    Raises:
-        GyroError: the FMU refuses the nominal gyro.
-    """
-    iteration = Iteration(simulation, nominal, tests, catalogue)
+    """Find the effects and noises of the catalogue that make the gap in tests that may be fitted
+    to. `report` is called with a line of text at each step."""
+    iteration = _Iteration(simulation, nominal, tests, catalogue)
     for number in range(1, MAX_ROUNDS + 1):
         report(f"round {number}: simulating")
         iteration.simulate()
@@ -107,3 +124,157 @@ def attribute_gap(
         iteration.nominal_answers,
         has_converged,
     )
+
+
+class _Iteration:
+    """State of the iteration from the nominal gyro to the one that explains the records.
+
+    The sensitivities are linear. The part of a large effect that they miss must be read neither as
+    noise nor as another effect: it is added to the noise (Eq. (10)). Noise, jumps and steps are
+    looked for once the steps are short.
+
+    _to_differentiate: effects whose sensitivities are due.
+    _differentiated_at: gyro at which all sensitivities were taken last.
+    _simulated_at: gyro of the last full simulation; None where one is due.
+    _linearization_error: allowed linearization error, as chi-square.
+    _error_limit: upper limit of the next one.
+    _compared_groups: set of effects for which the noises were compared last.
+    """
+
+    def __init__(
+        self,
+        simulation: Simulation,
+        nominal: Device,
+        tests: Sequence[ObservedTest],
+        catalogue: Catalogue,
+    ) -> None:
+        self._simulation, self._nominal = simulation, nominal
+        self._tests, self._catalogue = tests, catalogue
+        self._to_differentiate: Collection[Effect] = catalogue.parameters
+        self._differentiated_at = nominal
+        self._simulated_at: Device | None = None
+        self._linearization_error = self._error_limit = math.inf
+        self._compared_groups: tuple[Group, ...] | None = None
+        self.device = nominal
+        self.noise = NoiseHypothesis(build_angle_noise(nominal), ())
+        self.parts: list[LinearTest] = []
+        self.posterior = Posterior((), ())
+        self.nominal_answers: tuple[ChannelValues, ...] = ()
+
+    def simulate(self) -> None:
+        """Take the residuals around the gyro, and the sensitivities that are due.
+
+        Where the FMU refuses the gyro, the step to it is halved, again and again. Where it refuses
+        all of these, the gyro stays where it was.
+        """
+        for _ in range(MAX_HALVINGS):
+            try:
+                self._simulate()
+                return
+            except GyroError:
+                if not self.parts:
+                    raise
+                self.device = _midway(self.parts[0].device, self.device, self._catalogue.parameters)
+        self.device = self.parts[0].device
+
+    def _simulate(self) -> None:
+        """A full simulation where one is due; else the last one with the difference between the two
+        gyros, which is simulated with loops at rest."""
+        simulation, device = self._simulation, self.device
+        if self.parts and self.parts[0].device is device and not self._to_differentiate:
+            return
+        answers: list[ChannelValues]
+        if self._simulated_at is None:
+            answers = [simulation.simulate(device, test) for test in self._tests]
+        else:
+            answers = [
+                add_channels(p.simulated, simulation.compute_difference(p.device, device, p.test))
+                for p in self.parts
+            ]
+        parts = []
+        for i, test in enumerate(self._tests):
+            columns: dict[Effect, Mapping[str, Array]] = {
+                **(self.parts[i].sensitivities if self.parts else {}),
+                **compute_sensitivities(simulation, device, test, self._to_differentiate),
+            }
+            part = linearize_test(simulation, self._nominal, device, test, answers[i], columns)
+            parts.append(part)
+        self.parts = parts
+        self._simulated_at = self._simulated_at or device
+        self.nominal_answers = self.nominal_answers or tuple(answers)
+
+    def search(self) -> Hypothesis:
+        """The most probable hypothesis; noises are compared again where the best set changed."""
+        nominal, parts = self._nominal, self.parts
+        if self._linearization_error == math.inf:
+            excess = compute_excess_power(parts, estimate_nominal_noise(nominal, parts))
+            self._allow_linearization_error(LINEARIZATION_ERROR * sum(excess.values()))
+        hypothesis = rank_under_noise(self.noise, nominal, parts, self._linearization_error)
+        if self._linearization_error and self.step_length(hypothesis) < LINEAR_DISTANCE:
+            hypothesis = rank_under_noise(self.noise, nominal, parts)
+        is_close = not self._linearization_error or self.step_length(hypothesis) < LINEAR_DISTANCE
+        self._allow_linearization_error(
+            0.0 if is_close else LINEARIZATION_ERROR * self.step_length(hypothesis) ** 2
+        )
+        if not is_close:
+            self.posterior = Posterior((hypothesis,), (1.0,))
+        elif hypothesis.ranking.best.groups == self._compared_groups:
+            others = self.posterior.hypotheses[1:]
+            self.posterior = replace(self.posterior, hypotheses=(hypothesis, *others))
+        else:
+            self.posterior = compare_noises(hypothesis, nominal, parts, self._catalogue.noises)
+            is_near = self.step_length(hypothesis) < LINEAR_DISTANCE
+            self._compared_groups = self.posterior.best.ranking.best.groups if is_near else None
+        return self.posterior.best
+
+    def _allow_linearization_error(self, chi2: float) -> None:
+        """Allow this linearization error, at most the limit, and lower the limit."""
+        error = min(chi2, self._error_limit)
+        self._linearization_error = error if error > NEGLIGIBLE_CHI2 else 0.0
+        self._error_limit = error / LINEARIZATION_DECAY
+
+    def step_length(self, hypothesis: Hypothesis) -> float:
+        """Mahalanobis distance (Eq. (11)) by which a hypothesis moves the gyro."""
+        moved = hypothesis.put_effects(self._nominal)
+        return _distance(self.device, moved, hypothesis.known.whole)
+
+    def has_converged(self, hypothesis: Hypothesis) -> bool:
+        """Whether it moves neither gyro nor noise, and the sensitivities were taken nearby."""
+        is_noise_kept = are_equal(self.noise.noise, hypothesis.noise.noise)
+        is_near = self._has_near_sensitivities(hypothesis)
+        return is_noise_kept and is_near and self.step_length(hypothesis) < CONVERGENCE_DISTANCE
+
+    def move(self, hypothesis: Hypothesis) -> None:
+        """Move the gyro to where the hypothesis has it."""
+        best, design = hypothesis.ranking.best, hypothesis.known.whole
+        moved = hypothesis.put_effects(self._nominal)
+        is_near = self._has_near_sensitivities(hypothesis)
+        self._to_differentiate = [] if is_near else list(best.named)
+        is_far = _distance(self._differentiated_at, moved, design) >= SENSITIVITY_DISTANCE
+        if is_far and self.step_length(hypothesis) < LINEAR_DISTANCE:
+            self._differentiated_at, self._to_differentiate = moved, self._catalogue.parameters
+        before = self._simulated_at
+        if before and _distance(before, moved, design) >= RESIMULATION_DISTANCE:
+            self._simulated_at = None
+        self.device = moved
+
+    def _has_near_sensitivities(self, hypothesis: Hypothesis) -> bool:
+        distance = _distance(self._differentiated_at, self.device, hypothesis.known.whole)
+        return distance < SENSITIVITY_DISTANCE
+
+
+def _midway(old: Device, new: Device, effects: Sequence[Effect]) -> Device:
+    """A gyro half way between two."""
+    device = old
+    for effect in effects:
+        device = effect.put(device, (effect.vector(device) + effect.vector(new)) / 2)
+    return device
+
+
+def _distance(old: Device, new: Device, summed: Design) -> float:
+    """Mahalanobis distance between two gyros (Eq. (11))."""
+    unit = np.zeros(len(summed.projection))
+    for effect in (group for group in summed.columns if isinstance(group, Effect)):
+        where = summed.columns[effect]
+        unit[where] = (effect.vector(new) - effect.vector(old)) * summed.norms[where]
+    return float(np.sqrt(max(float(unit @ summed.gram @ unit), 0.0)))

@@ -32,6 +32,25 @@ power. Terms are approximate shapes: a small difference between two large terms 
 Chosen."""
 
 
+EQUIVALENCE_LOG_ODDS = math.log(20.0)
+"""Two hypotheses are confounded when their log Bayes factor is below this. Chosen: 20 is the
+boundary of "strong" evidence in Kass and Raftery (1995), Sect. 3.2."""
+
+# Prior odds of all that may take part (Eqs. (6), (12), (14), (15)): how often a campaign is
+# expected to show each kind of gap. All are chosen. A factor of two changes log odds by 0.7; an
+# effect of 6 sigma has a log evidence of about 15.
+EFFECT_ODDS = 0.25
+"""Some effect of the catalogue takes part, shared equally among the effects."""
+NOISE_ODDS = 0.05
+"""A given noise of the catalogue exceeds its stated level."""
+UNNAMED_ODDS = 0.05
+"""Something outside the catalogue takes part: a candidate term, shared equally among these; the
+same odds for an unnamed noise, shared among its correlation times."""
+HALF_UNNAMED_ODDS = UNNAMED_ODDS / 2
+"""Pairs of events that no coordinate predicts have the odds of one candidate term: a jump of the
+bias and a step of an angle; a line in the residual and a stretch of other noise."""
+
+
 @dataclass(frozen=True)
 class Fit:
     """A set of groups fitted to the residual by least squares.
@@ -39,27 +58,19 @@ class Fit:
     log_evidence: logarithm of the Bayes factor of this set over the empty set.
     explained: decrease of chi-square by the fit.
     values: (d,) size of each group, in units of its columns (SI for an effect).
-    covariance: (D, D) of all sizes, group after group.
+    covariances: (d, d) of each group's own size.
     """
 
     groups: tuple[Group, ...]
     log_evidence: float
     explained: float
     values: tuple[Array, ...]
-    covariance: Array
+    covariances: tuple[Array, ...]
 
     @property
     def sizes(self) -> dict[Group, Array]:
         """(d,) size of each group."""
         return dict(zip(self.groups, self.values, strict=True))
-
-    @property
-    def covariances(self) -> dict[Group, Array]:
-        """(d, d) covariance of each group's own size."""
-        ends = np.cumsum([len(values) for values in self.values]).tolist()
-        parts = [slice(e - len(v), e) for e, v in zip(ends, self.values, strict=True)]
-        own = [self.covariance[part, part] for part in parts]
-        return dict(zip(self.groups, own, strict=True))
 
     @property
     def named(self) -> dict[Effect, Array]:
@@ -70,7 +81,7 @@ class Fit:
 def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
     """Fit a set of groups (Eq. (3)); None where some of them are collinear in these tests."""
     if not groups:
-        return Fit((), 0.0, 0.0, (), np.zeros((0, 0)))
+        return Fit((), 0.0, 0.0, (), ())
     groups = sorted(groups, key=lambda group: isinstance(group, CandidateTerm))
     where = np.concatenate([design.columns[g] for g in groups])
     gram = design.gram[where[:, None], where]
@@ -89,27 +100,22 @@ def fit(design: Design, groups: Sequence[Group]) -> Fit | None:
     scale = 1 / design.norms[where]
     inverse = cho_solve(factor, np.eye(len(where)))
     log_evidence = explained / 2 - float(np.log(diagonal).sum())
-    values, begin = [], 0
+    covariance = inverse * np.outer(scale, scale)
+    values, covariances, begin = [], [], 0
     for group in groups:
         part = slice(begin, begin + len(design.columns[group]))
         own = gram[part, part]
-        log_evidence += _log_prior(own, unit[part]) + (part.stop - begin) / 2 * math.log(
-            2 * math.pi
-        )
+        constant = (part.stop - begin) / 2 * math.log(2 * math.pi)
+        log_evidence += _log_prior(own, unit[part]) + constant
         values.append(unit[part] * scale[part])
+        covariances.append(covariance[part, part])
         begin = part.stop
-    return Fit(
-        tuple(groups), log_evidence, explained, tuple(values), inverse * np.outer(scale, scale)
-    )
+    return Fit(tuple(groups), log_evidence, explained, tuple(values), tuple(covariances))
 
 
 def log_evidence(power: Array, size: int) -> Array:
-    """Log evidence of a single group of orthonormal columns over the empty set (Eq. (5)).
-
-    Args:
-        power: (n,) decrease of chi-square by each of n such groups.
-        size: number of columns of each group.
-    """
+    """Log evidence of a single group of `size` orthonormal columns over the empty set (Eq. (5)),
+    for each of the (n,) decreases of chi-square by it."""
     length = np.sqrt(np.maximum(power, size))
     prior = -_log_sphere_area(size) - size * np.log(length) - math.log(math.log(MAX_SIGMA))
     return np.asarray(power / 2 + size / 2 * math.log(2 * math.pi) + prior)
@@ -121,12 +127,8 @@ def min_free_variance(group: Group) -> float:
 
 
 def _log_prior(information: Array, values: Array) -> float:
-    """Log prior density of a group's size (Eq. (4)).
-
-    Args:
-        information: (d, d) Fisher information of the group alone.
-        values: (d,) size.
-    """
+    """Log prior density of a group's (d,) size, given the (d, d) Fisher information of the group
+    alone (Eq. (4))."""
     d = len(values)
     length = math.sqrt(max(float(values @ information @ values), d))
     volume = float(np.linalg.slogdet(information)[1]) / 2
@@ -136,3 +138,20 @@ def _log_prior(information: Array, values: Array) -> float:
 def _log_sphere_area(d: int) -> float:
     """Log area of the unit sphere in d dimensions."""
     return math.log(2) + d / 2 * math.log(math.pi) - float(gammaln(d / 2))
+
+
+def find_equivalents(
+    design: Design, best: Fit, effect: Effect, effects: Sequence[Effect]
+) -> dict[Effect, Fit]:
+    """Effects that explain about as much in the place of one of the most probable set, each with
+    the set that it makes there (docs/methods/verdict.md, Eq. (2)). The normal equations are those
+    around the gyro that this set makes."""
+    others: list[Group] = [g for g in best.groups if g != effect]
+    equivalents = {}
+    for other in effects:
+        if other in best.groups or not (design.norms[design.columns[other]] > 0).all():
+            continue
+        swapped = fit(design, [*others, other])
+        if swapped is not None and swapped.log_evidence > best.log_evidence - EQUIVALENCE_LOG_ODDS:
+            equivalents[other] = swapped
+    return equivalents

@@ -1,7 +1,9 @@
 """A hypothesis: a noise of the output angle, and the sets of effects ranked under it."""
 
-from collections.abc import Iterable, Mapping, Sequence
+import math
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,13 +21,11 @@ from pyhrg.gap.effects.design import (
     discount_model_error,
 )
 from pyhrg.gap.effects.known_parameters import KnownParameters
-from pyhrg.gap.evidence.feasibility import Feasibility
-from pyhrg.gap.evidence.jump_search import find_jumps
-from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
-from pyhrg.gap.evidence.noise.noise_levels import AngleResidual
-from pyhrg.gap.evidence.residuals import Removed, compute_residuals, distinct_by_groups
+from pyhrg.gap.evidence.evidence import Fit
+from pyhrg.gap.evidence.jump_search import find_jumps, find_steps
+from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, NoiseHypothesis
+from pyhrg.gap.evidence.residuals import compute_residuals, distinct_by_groups
 from pyhrg.gap.evidence.search import Ranking, rank_sets
-from pyhrg.gap.evidence.step_search import find_steps
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, estimate_campaign_noise
 
 Array = NDArray[np.float64]
@@ -53,7 +53,7 @@ class Hypothesis:
         """Normal equations of effects and candidate terms, known parameters integrated out."""
         return self.known.marginal
 
-    @property
+    @cached_property
     def known_sizes(self) -> dict[Effect, Array]:
         """(d,) departure of each known parameter beside the most probable set, SI."""
         return self.known.estimate(self.ranking.best.sizes)
@@ -67,6 +67,13 @@ class Hypothesis:
     def effect_sizes(self) -> dict[Effect, Array]:
         """Sizes of all parameters of gyro, bench and record: `sizes` without candidate terms."""
         return {**self.ranking.best.named, **self.known_sizes}
+
+    def put_effects(self, nominal: Device) -> Device:
+        """The nominal device with all these parameters in their sizes."""
+        device = nominal
+        for effect, size in self.effect_sizes.items():
+            device = effect.put(device, effect.vector(nominal) + size)
+        return device
 
     @property
     def log_posterior(self) -> float:
@@ -122,26 +129,20 @@ def rank_under_noise(
 ) -> Hypothesis:
     """Rank sets of effects and candidate terms under one noise of the output angle.
 
-    Jumps and steps that stand out of the residual are ranked too, and infeasible sizes are refused:
-    both only where the linearization error is negligible.
-
-    Args:
-        noise: noise of the output angle.
-        nominal: the gyro before the diagnosis.
-        parts: linear model of each test.
-        linearization_error: chi-square that the linear model may get wrong in each channel of each
-            test (Eq. (10)).
+    The linearization error is the chi-square that the linear model may get wrong in each channel of
+    each test (Eq. (10)). Only where it is negligible, jumps and steps that stand out of the
+    residual are ranked too, and infeasible sizes are refused.
     """
     nominal_noise = estimate_nominal_noise(nominal, parts)
     model_error = model_error_power(compute_excess_power(parts, nominal_noise))
     channel_noise = replace(nominal_noise, angle=noise.noise)
     exact = build_design(parts, channel_noise)
-    tolerances = list_tolerances(nominal, parts)
+    tolerances = _list_tolerances(nominal, parts)
     if linearization_error:
         error = {where: linearization_error + power for where, power in model_error.items()}
         rough = KnownParameters(discount_model_error(exact, error), tolerances)
         return Hypothesis(noise, channel_noise, rough, rank_sets(rough.marginal))
-    is_feasible = Feasibility(nominal, parts[0].sensitivities)
+    is_feasible = make_feasibility_check(nominal, parts[0].sensitivities)
     known = KnownParameters(discount_model_error(exact, model_error), tolerances)
     hypothesis = Hypothesis(noise, channel_noise, known, rank_sets(known.marginal, is_feasible))
     removed = distinct_by_groups(hypothesis.sizes, hypothesis.effect_sizes)
@@ -156,10 +157,34 @@ def rank_under_noise(
     return hypothesis
 
 
-def list_tolerances(nominal: Device, parts: Sequence[LinearTest]) -> dict[Effect, float]:
+def _list_tolerances(nominal: Device, parts: Sequence[LinearTest]) -> dict[Effect, float]:
     """Tolerance of each known parameter, SI."""
     known = [effect for effect in parts[0].sensitivities if effect.family != "gyro"]
     return {effect: effect.tolerance_of(nominal) for effect in known}
+
+
+def make_feasibility_check(nominal: Device, effects: Collection[Effect]) -> Callable[[Fit], bool]:
+    """A check whether every effect of a fit, whose sizes count from the nominal gyro, is within the
+    bounds of its parameters, or outside by less than its 95 % interval."""
+    bounds = {e: (e.vector(nominal), *e.bounds) for e in effects}
+
+    def is_possible(effect: Effect, size: Array, covariance: Array) -> bool:
+        vector, low, high = bounds[effect]
+        total = vector + size
+        if effect.periods:
+            excess = math.hypot(*total) - high
+        else:
+            excess = max(low - float(total[0]), float(total[0]) - high)
+        if excess <= 0:
+            return True
+        along = size / (math.hypot(*size) or 1.0)
+        return excess <= NORMAL_95 * math.sqrt(float(along @ covariance @ along))
+
+    def is_feasible(fit: Fit) -> bool:
+        groups = zip(fit.groups, fit.values, fit.covariances, strict=True)
+        return all(is_possible(g, v, c) for g, v, c in groups if isinstance(g, Effect))
+
+    return is_feasible
 
 
 def estimate_nominal_noise(nominal: Device, parts: Sequence[LinearTest]) -> CampaignNoise:
@@ -170,14 +195,3 @@ def estimate_nominal_noise(nominal: Device, parts: Sequence[LinearTest]) -> Camp
 def model_error_power(response: Mapping[TestChannel, float]) -> dict[TestChannel, float]:
     """Chi-square that the simulation may get wrong of responses with these powers (Eq. (9))."""
     return {where: MODEL_ERROR_POWER * power for where, power in response.items()}
-
-
-def angle_residuals(
-    parts: Sequence[LinearTest], removed: Removed, noise: CampaignNoise, nominal: Device
-) -> list[AngleResidual]:
-    """Residual of the output angle in each test, with these groups removed."""
-    residuals = compute_residuals(parts, removed, noise, nominal, ("gyro_angle",))
-    return [
-        AngleResidual(r.values, r.steps, part.test.encoder_noise)
-        for r, part in zip(residuals, parts, strict=True)
-    ]

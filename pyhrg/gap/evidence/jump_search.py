@@ -1,15 +1,21 @@
-"""Jumps of the bias that stand out of the residual of an output angle."""
+"""Jumps of the bias and steps of the angle that stand out of the residual of an output angle."""
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.signal import fftconvolve
 
-from pyhrg.gap.effects.jump import Jump, integrate_jump, make_bias_jump
-from pyhrg.gap.evidence.evidence import log_evidence
-from pyhrg.gap.evidence.prior_odds import HALF_UNNAMED_ODDS
+from pyhrg.gap.effects.jump import (
+    Jump,
+    Kind,
+    evaluate_step,
+    integrate_jump,
+    make_bias_jump,
+    make_step,
+)
+from pyhrg.gap.evidence.evidence import HALF_UNNAMED_ODDS, log_evidence
 from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.whitening.whitening import whiten
 
@@ -20,45 +26,41 @@ MOMENTS = 24
 Chosen."""
 LOG_TRIALS = math.log(2 * MOMENTS)
 """Logarithm of the number of moments that were tried: each has its share of the prior."""
-
-
-@dataclass(frozen=True)
-class _TestJump:
-    """The most probable jump of a test, and the log odds that it is there."""
-
-    test: str
-    time: float
-    log_odds: float
+STEP_KINDS: tuple[Kind, ...] = ("pattern", "output")
+MAX_STEPS = 5
+"""More steps in one campaign are read as noise. Chosen."""
+MIN_ROWS = 20
+"""Rows that a test must have for steps to be looked for. Chosen."""
+NEIGHBOURS = np.arange(-1, 2)
+"""Rows around the best approximate one for which the exact response is computed."""
 
 
 def find_jumps(residuals: Sequence[Residual]) -> list[Jump]:
     """Up to two candidates: a jump in the most probable test alone, and jumps in all tests in which
-    a jump is more probable than not (docs/methods/evidence.md, Eq. (14)).
-
-    Args:
-        residuals: residual of the output angle in each test.
-    """
+    a jump is more probable than not (docs/methods/evidence.md, Eq. (14)). Residuals are those of
+    the output angle in each test."""
     long = [r for r in residuals if len(r.values) > 2 * MOMENTS]
-    by_test = sorted(map(_most_probable, long), key=lambda jump: -jump.log_odds)
-    probable = [jump for jump in by_test if jump.log_odds > 0]
+    by_test = sorted(map(_find_most_probable, long), key=lambda jump: -jump[0])
+    probable = [jump for jump in by_test if jump[0] > 0]
     choices = [(probable[:1], len(long)), (probable, 1)][: len(probable)]
     candidates = []
     for jumps, alternatives in choices:
         prior = math.log(HALF_UNNAMED_ODDS / 2 / alternatives)
-        if prior + sum(jump.log_odds for jump in jumps) > 0:
-            times = [(jump.test, jump.time) for jump in jumps]
+        if prior + sum(log_odds for log_odds, _, _ in jumps) > 0:
+            times = [(test, time) for _, test, time in jumps]
             candidates.append(make_bias_jump(times, prior - len(jumps) * LOG_TRIALS))
     return candidates
 
 
-def _most_probable(r: Residual) -> _TestJump:
+def _find_most_probable(r: Residual) -> tuple[float, str, float]:
+    """Log odds that a test has a jump, the test, and the most probable time, s."""
     times = _moments(r.times[0], r.times[-1])
     best = times[np.argmax(_powers(r, times))]
     step = times[1] - times[0]
     times = _moments(best - step, best + step)
     powers = _powers(r, times)
     log_odds = float(log_evidence(powers, 1).max()) - LOG_TRIALS
-    return _TestJump(r.test, float(times[np.argmax(powers)]), log_odds)
+    return log_odds, r.test, float(times[np.argmax(powers)])
 
 
 def _moments(begin: float, end: float) -> Array:
@@ -73,3 +75,57 @@ def _powers(r: Residual, times: Array) -> Array:
     return np.divide(
         projection**2, information, out=np.zeros_like(projection), where=information > 0
     )
+
+
+def find_steps(residuals: Sequence[Residual]) -> list[Jump]:
+    """Candidates: the greatest step alone, the two greatest, and so on, each as steps of the
+    pattern and as steps of the output alone (docs/methods/evidence.md, Eq. (15)).
+
+    Only steps that are more probable than not count. There are no candidates where there are more
+    than `MAX_STEPS` of them. Residuals are those of the output angle in each test.
+    """
+    long = [r for r in residuals if len(r.values) > MIN_ROWS]
+    rows = sum(len(r.values) for r in long)
+    if not rows:
+        return []
+    prior = math.log(HALF_UNNAMED_ODDS / rows)
+    steps = [step for r in long for step in _pursue_steps(r, prior)]
+    if not 0 < len(steps) <= MAX_STEPS:
+        return []
+    steps.sort(key=lambda step: -step[0])
+    return [
+        make_step(sorted((test, time) for _, test, time in steps[:count]), count * prior, kind)
+        for count in range(1, len(steps) + 1)
+        for kind in STEP_KINDS
+    ]
+
+
+def _pursue_steps(r: Residual, prior: float) -> Iterator[tuple[float, str, float]]:
+    """Steps of a test by orthogonal matching pursuit, the greatest first: decrease of chi-square,
+    test, and time, s."""
+    white, removed = r.white.copy(), np.empty((len(r.white), 0))
+    for _ in range(MAX_STEPS + 1):
+        best_row = int(np.argmax(_approximate_powers(r, white)))
+        rows = np.clip(best_row + NEIGHBOURS, 0, len(white) - 1)
+        columns = whiten(evaluate_step(r.times, r.times[rows]), r.steps, r.noise).series
+        columns = columns - removed @ (removed.T @ columns)
+        norms = np.sqrt((columns**2).sum(axis=0))
+        units = np.divide(columns, norms, out=np.zeros_like(columns), where=norms > 0)
+        powers = (white @ units) ** 2
+        best = int(np.argmax(powers))
+        if prior + float(log_evidence(powers, 1)[best]) <= 0:
+            return
+        yield float(powers[best]), r.test, float(r.times[rows[best]])
+        removed = np.column_stack([removed, units[:, best]])
+        white = white - units[:, best] * (white @ units[:, best])
+
+
+def _approximate_powers(r: Residual, white: Array) -> Array:
+    """(n,) decrease of chi-square by a step at each row, if every step had the whitened shape of
+    the one in the middle of the test."""
+    n = len(white)
+    middle = n // 2
+    tail = whiten(evaluate_step(r.times, r.times[[middle]]), r.steps, r.noise).series[middle:, 0]
+    shape = np.append(tail, np.full(middle, tail[-1]))
+    projection = fftconvolve(white, shape[::-1])[n - 1 :]
+    return np.asarray(projection**2 / np.cumsum(shape**2)[::-1])

@@ -5,8 +5,8 @@ compared together with the sets of effects that go with it (docs/methods/evidenc
 """
 
 import math
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from operator import attrgetter
 
 from scipy.special import softmax
@@ -14,12 +14,12 @@ from scipy.special import softmax
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import NoiseEffect
 from pyhrg.gap.effects.design import Group, LinearTest
-from pyhrg.gap.evidence.equivalents import EQUIVALENCE_LOG_ODDS
-from pyhrg.gap.evidence.hypothesis import Hypothesis, angle_residuals, rank_under_noise
+from pyhrg.gap.evidence.evidence import EQUIVALENCE_LOG_ODDS
+from pyhrg.gap.evidence.hypothesis import Hypothesis, rank_under_noise
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_levels import are_equal
 from pyhrg.gap.evidence.noise.noise_search import drop_each_noise, fit_noise
-from pyhrg.gap.evidence.residuals import Removed, distinct_by_groups
+from pyhrg.gap.evidence.residuals import Removed, compute_residuals, distinct_by_groups
 from pyhrg.gap.whitening.channel_noise import build_angle_noise
 
 EVIDENT_CHI2 = 1e4
@@ -39,14 +39,6 @@ class Posterior:
     def best(self) -> Hypothesis:
         """The most probable hypothesis."""
         return self.hypotheses[0]
-
-    def with_best(self, hypothesis: Hypothesis) -> "Posterior":
-        """A copy in which this hypothesis stands for the most probable one."""
-        return replace(self, hypotheses=(hypothesis, *self.hypotheses[1:]))
-
-    def replace_noises(self, change: Callable[[Hypothesis], NoiseHypothesis]) -> "Posterior":
-        """A copy in which each hypothesis has the noise that `change` gives for it."""
-        return replace(self, hypotheses=tuple(replace(h, noise=change(h)) for h in self.hypotheses))
 
     def probability(self, *names: str) -> float:
         """Probability that one of the effects and noises of these names takes part."""
@@ -69,7 +61,9 @@ class Posterior:
         threshold = self.probabilities[0] * math.exp(-EQUIVALENCE_LOG_ODDS)
         others = zip(self.hypotheses[1:], self.probabilities[1:], strict=True)
         near = [h for h, probability in others if probability > threshold]
-        return [h for h in near if best and h.names and _is_swap(best, h.names)]
+        return [
+            h for h in near if best and h.names and len(best - h.names) == len(h.names - best) == 1
+        ]
 
     def equivalents(self, name: str) -> tuple[str, ...]:
         """Names that rivals have in the place of this effect or noise of the best hypothesis."""
@@ -81,34 +75,38 @@ class Posterior:
         return min(1.0, sum(p * v for p, v in zip(self.probabilities, values, strict=True)))
 
 
-def _is_swap(names: frozenset[str], others: frozenset[str]) -> bool:
-    return len(names - others) == len(others - names) == 1
-
-
 def compare_noises(
     first: Hypothesis,
     nominal: Device,
     parts: Sequence[LinearTest],
     noises: Sequence[NoiseEffect],
 ) -> Posterior:
-    """Compare a hypothesis with others that have another noise of the output angle.
+    """Compare a hypothesis with others that have another noise of the output angle. The
+    linearization error is negligible around its gyro.
 
     Noise is fitted to three residuals of the most probable hypothesis: with all its effects and
     terms removed, with its effects alone removed, and with nothing removed. Sets of effects are
     ranked again under each noise. The most probable hypothesis of each kind of noise is kept. This
     is repeated until the most probable hypothesis gives no new residual.
-
-    Args:
-        first: a hypothesis around a gyro so close that the linearization error is negligible.
-        nominal: the gyro before the diagnosis.
-        parts: linear model of each test.
-        noises: noises of the catalogue.
     """
-    best = first
+    best, stated = first, build_angle_noise(nominal)
     by_kind, tried = {first.noise.kind: first}, set[tuple[Group, ...]]()
-    while due := [removed for removed in _removals(best) if tuple(removed) not in tried]:
+
+    def fit_noises(removed: Removed) -> list[NoiseHypothesis]:
+        """The noise of this residual, and the same without each of its noises."""
+        residuals = compute_residuals(parts, removed, best.channel_noise, nominal, ("gyro_angle",))
+        noise = fit_noise(residuals, stated, noises)
+        return [noise, *drop_each_noise(noise, residuals, stated)]
+
+    while True:
+        is_evident = best.ranking.best.explained >= EVIDENT_CHI2
+        nothing = [] if is_evident else [best.known.estimate({})]
+        choices = distinct_by_groups(best.sizes, best.effect_sizes, *nothing)
+        due = [removed for removed in choices if tuple(removed) not in tried]
+        if not due:
+            break
         tried.update(tuple(removed) for removed in due)
-        for noise in [n for removed in due for n in _fit(parts, removed, best, nominal, noises)]:
+        for noise in [noise for removed in due for noise in fit_noises(removed)]:
             known = by_kind.get(noise.kind)
             if known is None or not are_equal(known.noise.noise, noise.noise):
                 rival = rank_under_noise(noise, nominal, parts)
@@ -117,24 +115,3 @@ def compare_noises(
     order = sorted(by_kind.values(), key=_LOG_POSTERIOR, reverse=True)
     probabilities = softmax([h.log_posterior for h in order])
     return Posterior(tuple(order), tuple(probabilities.tolist()))
-
-
-def _removals(hypothesis: Hypothesis) -> list[Removed]:
-    """What to remove from the records before noise is fitted."""
-    is_evident = hypothesis.ranking.best.explained >= EVIDENT_CHI2
-    nothing: list[Removed] = [] if is_evident else [dict(hypothesis.known.estimate({}).items())]
-    return distinct_by_groups(hypothesis.sizes, hypothesis.effect_sizes, *nothing)
-
-
-def _fit(
-    parts: Sequence[LinearTest],
-    removed: Removed,
-    best: Hypothesis,
-    nominal: Device,
-    noises: Sequence[NoiseEffect],
-) -> list[NoiseHypothesis]:
-    """The noise of this residual, and the same without each of its noises."""
-    residuals = angle_residuals(parts, removed, best.channel_noise, nominal)
-    stated = build_angle_noise(nominal)
-    noise = fit_noise(residuals, stated, noises)
-    return [noise, *drop_each_noise(noise, residuals, stated)]

@@ -13,9 +13,8 @@ from numpy.typing import NDArray
 from scipy.special import expit, logsumexp
 
 from pyhrg.gap.effects.design import TestChannel
-from pyhrg.gap.evidence.evidence import log_evidence
+from pyhrg.gap.evidence.evidence import HALF_UNNAMED_ODDS, log_evidence
 from pyhrg.gap.evidence.noise.noise_posterior import TOLERANCE
-from pyhrg.gap.evidence.prior_odds import HALF_UNNAMED_ODDS
 from pyhrg.gap.evidence.residuals import Residual
 
 Array = NDArray[np.float64]
@@ -55,12 +54,9 @@ class ResidualFeature:
 def find_residual_features(
     residuals: Sequence[Residual], model_errors: Mapping[TestChannel, float] | None = None
 ) -> tuple[ResidualFeature, ...]:
-    """The most probable line and the most probable stretch, each with the odds of any.
-
-    Args:
-        residuals: residuals of all tests and channels. Those of a few rows, and those that are zero
-            throughout, are left out.
-        model_errors: chi-square that the simulation may get wrong in a channel of a test.
+    """The most probable line and the most probable stretch, each with the odds of any, in residuals
+    of all tests and channels. Those of a few rows, and those that are zero throughout, are left
+    out. A model error is the chi-square that the simulation may get wrong in a channel of a test.
     """
     model_errors = model_errors or {}
     usable = [r for r in residuals if len(r.values) >= 2 * MIN_READINGS and r.values.any()]
@@ -149,11 +145,9 @@ def _stretches(
 def _log_evidence_of_level(level: Array, readings: int, information: float) -> Array:
     """Log evidence that stretches have a level of their own, flat in its logarithm (Eq. (17)).
 
-    Args:
-        level: (n,) mean square of each stretch, over that of its test.
-        readings: number of readings of a stretch.
-        information: share of a Gaussian reading's information that one of these readings has; below
-            1 for heavier tails.
+    `level` is the (n,) mean square of each stretch over that of its test, `readings` the number in
+    a stretch. A reading has a share `information` of a Gaussian reading's: below 1 for heavier
+    tails.
     """
     log_ratio = np.log(level) / 2
     log_ratio = np.sign(log_ratio) * np.maximum(np.abs(log_ratio) - TOLERANCE, 0.0)

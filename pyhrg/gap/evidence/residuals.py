@@ -34,6 +34,7 @@ class Residual:
     interval: length of a row, s.
     noise: noise model of the channel.
     carrier_terms: (n,) shape that may be there in any size (`whiten`'s last argument).
+    encoder: white noise of the turntable's encoder, part of the output angle's noise, rad.
     """
 
     test: str
@@ -43,6 +44,7 @@ class Residual:
     interval: float
     noise: NoiseModel
     carrier_terms: Array | None = None
+    encoder: float = 0.0
 
     @cached_property
     def white(self) -> Array:
@@ -62,21 +64,16 @@ def compute_residuals(
     nominal: Device,
     channels: Sequence[str] = CHANNELS,
 ) -> list[Residual]:
-    """Residuals of some channels in all tests.
+    """Residuals of some channels, fields of a log, in all tests, without the groups of these sizes.
 
     The output angle is used only while the amplitude is nominal: at a smaller amplitude its noise
     is larger. Other channels are compared where the pattern is as measured.
-
-    Args:
-        parts: linear model of each test.
-        removed: sizes of the groups to remove.
-        noise: noise of all channels.
-        nominal: its amplitude is used.
-        channels: fields of a log.
     """
     of_output: Removed = {
-        g: v for g, v in removed.items() if isinstance(g, Effect) or _is_output_step(g)
-    }
+        g: v
+        for g, v in removed.items()
+        if isinstance(g, Effect) or (isinstance(g, Jump) and g.kind == "output")
+    }  # what moves the output; not what moves the pattern that other channels see
     residuals = []
     for index, part in enumerate(parts):
         angle = _subtract(part, of_output, "gyro_angle", index)[:, None]
@@ -94,15 +91,11 @@ def compute_residuals(
                     np.diff(part.test.log.time[rows], prepend=0.0),
                     part.test.log.interval,
                     noise.get_model(channel, part.test),
-                    part.carrier_terms(channel)[rows],
+                    part.carrier_terms[channel][rows],
+                    part.test.encoder_noise,
                 )
             )
     return residuals
-
-
-def _is_output_step(group: Group) -> bool:
-    """Whether a group moves the output alone, and not the pattern that other channels see."""
-    return isinstance(group, Jump) and group.kind == "output"
 
 
 def distinct_by_groups(*choices: Removed | Mapping[Effect, Array]) -> list[Removed]:

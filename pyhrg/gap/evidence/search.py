@@ -15,8 +15,7 @@ from scipy.special import logsumexp
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Design, Group
 from pyhrg.gap.effects.jump import Jump
-from pyhrg.gap.evidence.evidence import Fit, fit, min_free_variance
-from pyhrg.gap.evidence.prior_odds import EFFECT_ODDS, UNNAMED_ODDS
+from pyhrg.gap.evidence.evidence import EFFECT_ODDS, UNNAMED_ODDS, Fit, fit, min_free_variance
 
 Array = NDArray[np.float64]
 Key = frozenset[int]
@@ -65,20 +64,14 @@ class Ranking:
     @property
     def unknown_probability(self) -> float:
         """Posterior probability that something outside the catalogue takes part."""
-        pairs = zip(self.fits, self.probabilities, strict=True)
-        return sum(p for f, p in pairs if any(not isinstance(g, Effect) for g in f.groups))
+        return self.probability(*(g for g in self.groups if not isinstance(g, Effect)))
 
 
 def rank_sets(design: Design, is_feasible: Callable[[Fit], bool] = lambda fit: True) -> Ranking:
-    """Rank sets of all groups that the tests can see at all.
-
-    Args:
-        design: normal equations of a campaign.
-        is_feasible: whether a gyro can have the sizes of a fit.
-    """
+    """Rank sets of all groups that the tests of a campaign can see at all, of those whose fits a
+    gyro can have."""
     groups = design.groups
-    log_odds = prior_log_odds(groups)
-    prior = [log_odds[g] for g in groups]
+    prior = _list_prior_log_odds(groups)
     fits: dict[Key, tuple[Fit, float]] = {}
     refused: set[Key] = set()
 
@@ -133,14 +126,9 @@ def _select_extensions(
 
 
 def _explained_power(gram: Array, projection: Array, min_variance: float) -> float:
-    """Decrease of chi-square by columns beside a fitted set; directions in which the set leaves too
-    little of the columns count nothing.
-
-    Args:
-        gram: (d, d) products of the columns, orthogonal to the set.
-        projection: (d,) their products with the residual.
-        min_variance: threshold for the eigenvalues of `gram`.
-    """
+    """Decrease of chi-square by d columns beside a fitted set. `gram`, (d, d), and the (d,)
+    products with the residual are orthogonal to the set. Directions in which the set leaves too
+    little of the columns, eigenvalues of `gram` below a threshold, count nothing."""
     if len(projection) == 1:
         return float(projection[0] ** 2 / gram[0, 0]) if gram[0, 0] > min_variance else 0.0
     values, vectors = np.linalg.eigh(gram)
@@ -149,18 +137,16 @@ def _explained_power(gram: Array, projection: Array, min_variance: float) -> flo
     return float((along[kept] ** 2 / values[kept]).sum())
 
 
-def prior_log_odds(groups: Sequence[Group]) -> Mapping[Group, float]:
+def _list_prior_log_odds(groups: Sequence[Group]) -> list[float]:
     """Prior log odds that each group takes part (Eq. (6))."""
     effects = sum(isinstance(g, Effect) for g in groups)
     terms = sum(not isinstance(g, Effect | Jump) for g in groups)
-
-    def prior(group: Group) -> float:
-        if isinstance(group, Jump):
-            return group.log_odds
-        is_effect = isinstance(group, Effect)
-        return math.log(EFFECT_ODDS / effects if is_effect else UNNAMED_ODDS / terms)
-
-    return {group: prior(group) for group in groups}
+    return [
+        g.log_odds
+        if isinstance(g, Jump)
+        else math.log(EFFECT_ODDS / effects if isinstance(g, Effect) else UNNAMED_ODDS / terms)
+        for g in groups
+    ]
 
 
 def _normalize(scored: Sequence[tuple[Fit, float]]) -> Ranking:

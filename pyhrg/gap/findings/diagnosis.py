@@ -9,11 +9,10 @@ from typing import Any, Literal, cast, get_args
 
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
-from pyhrg.common.toml_table import TomlTable
+from pyhrg.common.toml_table import TomlTable, read_json_table
 from pyhrg.device.declarations import Family
 from pyhrg.gap.findings.localisation import Place
 from pyhrg.gap.findings.quantity import Size
-from pyhrg.records.campaign_index import read_index
 
 SCHEMA = "hrg-diagnosis/1"
 FILE = "diagnosis.json"
@@ -136,8 +135,8 @@ class Diagnosis:
     sizes: the gap in sigma, by test, channel and time scale.
     unnamed: what takes part outside the catalogue, in words, with posterior probabilities.
     excluded: what of the campaign was missing or left out, a sentence each.
-    within_tolerance: known parameters that are off, but by no more than their tolerance.
     settled: whether the search converged; everything is uncertain where it did not.
+    within_tolerance: known parameters that are off, but by no more than their tolerance.
     """
 
     device: str
@@ -193,11 +192,7 @@ def _gap_table(gap: dict[str, Any]) -> dict[str, Any]:
 
 
 def write(diagnosis: Diagnosis, folder: Path) -> None:
-    """Write `diagnosis.json`, whole or not at all.
-
-    Raises:
-        OSError: the folder can't be written.
-    """
+    """Write `diagnosis.json`, whole or not at all."""
     text = json.dumps(diagnosis.document(), indent=1, allow_nan=False) + "\n"
     write_whole(folder / FILE, text.encode())
 
@@ -212,7 +207,7 @@ def read_diagnosis(path: Path | str) -> Diagnosis:
         DiagnosisError: an unreadable file, one that is no diagnosis, or that of a static record.
     """
     path = Path(path)
-    return _parse(read_index(path / FILE if path.is_dir() else path, DiagnosisError))
+    return _parse(read_json_table(path / FILE if path.is_dir() else path, DiagnosisError))
 
 
 def _parse(index: TomlTable) -> Diagnosis:
@@ -283,17 +278,13 @@ def _parse_size(table: TomlTable) -> Size:
 
 
 def _parse_gap(table: TomlTable) -> Gap:
-    fit_angle = _parse_figure(table, "fit", "angle_arcsec")
+    fit_angle, fit_rate, holdout_angle, holdout_rate = (
+        _parse_figure(table, role, unit) for role in ROLES for unit in FIGURE_UNITS
+    )
     if fit_angle is None:
         raise table.table("before").table("fit").missing("angle_arcsec", "a number")
-    return Gap(
-        fit_angle,
-        _parse_figure(table, "fit", "rate_deg_h"),
-        _parse_figure(table, "holdout", "angle_arcsec"),
-        _parse_figure(table, "holdout", "rate_deg_h"),
-        _optional_number(table, "shrink_percent"),
-        _optional_number(table, "whiteness"),
-    )
+    ends = (_optional_number(table, key) for key in ("shrink_percent", "whiteness"))
+    return Gap(fit_angle, fit_rate, holdout_angle, holdout_rate, *ends)
 
 
 def _parse_figure(gap: TomlTable, role: str, unit: str) -> GapFigure | None:

@@ -46,14 +46,12 @@ class Place:
 
 
 def locate_gap(design: Design) -> tuple[Place, ...]:
-    """Places where the residual has more power than its noise, the largest share first.
+    """Places where the residual has more power than its noise, the largest share first. The design
+    is whitened by the stated noise.
 
     Within a channel, candidate terms are fitted and removed one by one: first with the same size in
     all tests, then in each test that has power left. Power that no term explains has the coordinate
     `noise`.
-
-    Args:
-        design: normal equations, whitened by the stated noise.
     """
     terms = [g for g in design.columns if isinstance(g, CandidateTerm)]
     powers: dict[tuple[str, str, str, int | None], float] = {}
@@ -115,8 +113,8 @@ def _choose_term(
     def explained(term: CandidateTerm) -> float:
         return sum(_power(gram, candidates[term]) for gram in equations(term))
 
-    for is_predictive in (True, False):
-        powers = {t: explained(t) for t in candidates if t.is_predictive == is_predictive}
+    for has_own_sizes in (False, True):
+        powers = {t: explained(t) for t in candidates if t.is_of_each_power_on == has_own_sizes}
         excess = {t: p - len(equations(t)) * len(candidates[t]) for t, p in powers.items()}
         highest = max(excess.values(), default=0.0)
         if highest >= threshold:

@@ -40,14 +40,9 @@ def measure_sizes(
     after: Sequence[Mapping[str, Array]],
     noise: CampaignNoise,
 ) -> tuple[Size, ...]:
-    """Sizes of the gap in all channels of all tests, before and after closing.
-
-    Args:
-        parts: linear model of each test.
-        before, after: (n,) residual by channel for each test, SI, where the pattern is as measured;
-            NaN where record and simulation are not compared.
-        noise: noise that the nominal gyro states.
-    """
+    """Sizes of the gap in all channels of all tests, before and after closing, beside the noise
+    that the nominal gyro states. Residuals are (n,) by channel for each test, SI, where the pattern
+    is as measured; NaN where record and simulation are not compared."""
     sizes = []
     for part, first, last in zip(parts, before, after, strict=True):
         for channel in CHANNELS:

@@ -13,7 +13,7 @@ from scipy.stats import norm
 from pyhrg.common.keys import Key
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.evidence.attribution import Attribution
-from pyhrg.gap.evidence.equivalents import find_equivalents
+from pyhrg.gap.evidence.evidence import find_equivalents
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise
 from pyhrg.gap.evidence.noise.quantization import is_coarsely_quantized
 from pyhrg.gap.evidence.residual_features import ResidualFeature, find_residual_features
@@ -52,14 +52,9 @@ def check_residuals(attribution: Attribution) -> tuple[ResidualFeature, ...]:
 def reach_verdict(
     attribution: Attribution, effects: Sequence[Effect], features: Sequence[ResidualFeature]
 ) -> tuple[Verdict, tuple[Cause, ...], float]:
-    """Verdict, causes, and the probability that something outside the catalogue takes part (Eq.
-    (1)).
-
-    Args:
-        attribution: result of the search.
-        effects: effects of the catalogue.
-        features: what the residuals may show besides steady noise.
-    """
+    """Verdict, causes among the effects of the catalogue and the noises, and the probability that
+    something outside the catalogue takes part (Eq. (1)). Features are what the residuals may show
+    besides steady noise."""
     causes = [
         *_effect_causes(attribution, effects),
         *_find_known_causes(attribution),
@@ -79,7 +74,7 @@ def reach_verdict(
 def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[Cause]:
     causes = []
     best, posterior = attribution.ranking.best, attribution.posterior
-    covariances = best.covariances
+    covariances = dict(zip(best.groups, best.covariances, strict=True))
     for effect, size in best.named.items():
         total = effect.vector(attribution.nominal) + size
         others = [e.name for e in find_equivalents(attribution.design, best, effect, effects)]
@@ -137,8 +132,7 @@ def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
 def _list_departures(attribution: Attribution) -> list[tuple[Effect, Array, Array]]:
     """Known parameters with their departures from the told values, and the covariances of these."""
     hypothesis = attribution.posterior.best
-    best = hypothesis.ranking.best
-    covariances = hypothesis.known.covariances(best.groups, best.covariance)
+    covariances = hypothesis.known.compute_covariances(hypothesis.ranking.best.groups)
     return [(e, size, covariances[e]) for e, size in hypothesis.known_sizes.items()]
 
 

@@ -3,7 +3,7 @@
 Durations, rates and angles are chosen so that each test excites what its kind is made for.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.programme import Programme
@@ -26,39 +26,31 @@ PHASE_STEP = 2e-3
 
 
 def list_candidates(bench: Bench, start_angle: float) -> Mapping[str, list[PowerOn]]:
-    """Power-ons of the candidate of each kind.
-
-    Args:
-        bench: has the site and the gyro.
-        start_angle: pattern angle at power-on in the tests made so far, rad.
-    """
-    shifted_angle = start_angle + START_ANGLE_SHIFT
-    programmes: dict[str, Callable[[Bench], list[Programme]]] = {
-        "static": _static,
-        "positions": _positions,
-        "rate": _rates,
-        "ring_down": _ring_down,
-        "virtual_rotation": _virtual_rotations,
-        "thermal": _thermal,
-        "amplitude": _amplitudes,
-        "phase_step": _phase_steps,
-        "tumble": _tumble,
+    """Power-ons of the candidate of each kind, for the bench's site and gyro; the start angle, rad,
+    is that of the tests made so far."""
+    programmes = {
+        "static": [bench.programme(LONG_ROWS).rest(60 * MINUTE)],
+        "positions": _positions(bench),
+        "rate": _rates(bench),
+        "ring_down": [
+            bench.programme(ROWS).rest(INITIAL_REST).command(drive_on=0.0).rest(400),
+        ],
+        "virtual_rotation": [
+            bench.programme(ROWS).rest(INITIAL_REST).command(virtual_rotation=sign * DEG).rest(480)
+            for sign in (1, -1)
+        ],
+        "thermal": _thermal(bench),
+        "amplitude": _amplitudes(bench),
+        "phase_step": _phase_steps(bench),
+        "tumble": _tumble(bench),
     }
     return {
         kind: [
-            PowerOn(f"{kind}_{number}", kind, programme, shifted_angle)
-            for number, programme in enumerate(make(bench))
+            PowerOn(f"{kind}_{number}", kind, programme, start_angle + START_ANGLE_SHIFT)
+            for number, programme in enumerate(own)
         ]
-        for kind, make in programmes.items()
+        for kind, own in programmes.items()
     }
-
-
-def _static(bench: Bench) -> list[Programme]:
-    return [bench.programme(LONG_ROWS).rest(60 * MINUTE)]
-
-
-def _ring_down(bench: Bench) -> list[Programme]:
-    return [bench.programme(ROWS).rest(INITIAL_REST).command(drive_on=0.0).rest(400)]
 
 
 def _positions(bench: Bench) -> list[Programme]:
@@ -75,13 +67,6 @@ def _rates(bench: Bench) -> list[Programme]:
     return [
         bench.programme(FAST_ROWS).rest(INITIAL_REST / 2).spin(rate, lasting[abs(rate)] - 1).rest(1)
         for rate in rates
-    ]
-
-
-def _virtual_rotations(bench: Bench) -> list[Programme]:
-    return [
-        bench.programme(ROWS).rest(INITIAL_REST).command(virtual_rotation=sign * DEG).rest(480)
-        for sign in (1, -1)
     ]
 
 

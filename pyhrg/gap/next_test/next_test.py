@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import logsumexp
 
-from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.bench import Bench
 from pyhrg.bench.programme import Programme
 from pyhrg.common.units import HOUR
 from pyhrg.gap.effects.candidate_terms import compute_coordinates
@@ -28,9 +28,9 @@ from pyhrg.gap.effects.design import (
     compute_excess_power,
     discount_model_error,
 )
+from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.sensitivities import compute_sensitivities
 from pyhrg.gap.evidence.attribution import Attribution
-from pyhrg.gap.evidence.evidence import Fit
 from pyhrg.gap.evidence.hypothesis import model_error_power
 from pyhrg.gap.findings.diagnosis import NextTest
 from pyhrg.gap.next_test.candidate_tests import list_candidates
@@ -38,7 +38,6 @@ from pyhrg.gap.next_test.noise_divergence import compute_divergence
 from pyhrg.gap.next_test.rivals import Rival
 from pyhrg.gap.replay.observations import CHANNELS, COARSE_STEP, ObservedTest, observe_test
 from pyhrg.gap.replay.simulation import Simulation
-from pyhrg.gap.whitening.channel_noise import CampaignNoise
 from pyhrg.gap.whitening.whitening import NoiseModel
 
 Array = NDArray[np.float64]
@@ -74,18 +73,8 @@ class Separation:
 def suggest_next_test(
     simulation: Simulation, attribution: Attribution, hypotheses: Sequence[Rival]
 ) -> NextTest | None:
-    """The kind of test that would best separate hypotheses, and for how long.
-
-    None where there are fewer than two hypotheses, or where no kind separates any of them.
-
-    Args:
-        simulation: both fidelities.
-        attribution: result of the search in the tests made so far.
-        hypotheses: hypotheses that survive, the most probable first.
-
-    Raises:
-        GyroError: the FMU refuses a gyro.
-    """
+    """The kind of test that would best separate surviving hypotheses, the most probable first, and
+    for how long; None where there are fewer than two, or where no kind separates any of them."""
     if len(hypotheses) < 2:
         return None
     kinds = compute_separations(simulation, attribution, hypotheses)
@@ -130,13 +119,10 @@ def compute_separations(
     hypotheses: Sequence[Rival],
     duration: float = HOUR,
 ) -> list[Separation]:
-    """What each kind of test would separate in this much time, s.
-
-    Returns:
-        One separation a kind, in the order of `list_candidates`. Other arguments and errors are
-        those of `suggest_next_test`.
-    """
-    sizes = [_predictive_sizes(hypothesis.fit) for hypothesis in hypotheses]
+    """What each kind of test would separate in this much time, s, in the order of
+    `list_candidates`."""
+    unit = attribution.design
+    sizes = [{g: v for g, v in h.fit.sizes.items() if _is_predictive(g)} for h in hypotheses]
     groups = list(dict.fromkeys(group for own in sizes for group in own))
     bench = Bench(simulation.quasi_steady, attribution.device.without_noise())
     start_angle = attribution.parts[0].test.inputs.start_angle
@@ -144,37 +130,36 @@ def compute_separations(
     for kind, power_ons in list_candidates(bench, start_angle).items():
         programmes = [power_on.programme for power_on in power_ons]
         share = duration / sum(programme.time for programme in programmes)
-        tests = [_simulate_test(bench, power_on) for power_on in power_ons]
-        parts = [_linearize(simulation, attribution, test, sizes[0], groups) for test in tests]
-        designs = {h.noise.angle: _build_design(parts, h.noise) for h in hypotheses}
+        parts = []
+        for power_on in power_ons:
+            coarse = replace(bench, step=min(COARSE_STEP, power_on.programme.interval))
+            test = observe_test(coarse.log(power_on), bench.device)
+            parts.append(_linearize(simulation, attribution, test, sizes[0], groups))
+        designs = {}
+        for h in hypotheses:
+            error = model_error_power(compute_excess_power(parts, h.noise))
+            designs[h.noise.angle] = discount_model_error(build_design(parts, h.noise), error)
         sides = [
             _Side(
-                own,
+                _scale_sizes(own, groups, unit),
+                np.array([g in own for g in groups for _ in unit.columns[g]], np.bool_),
                 h.noise.angle,
-                _information(h.design, groups, attribution.design),
-                _information(designs[h.noise.angle], groups, attribution.design) * share,
+                _information(h.design, groups, unit),
+                _information(designs[h.noise.angle], groups, unit) * share,
             )
             for own, h in zip(sizes, hypotheses, strict=True)
         ]
         sigmas = {
-            (i, j): _separation(
-                a, b, groups, attribution.design, share * _noise_divergences(a, b, programmes)
-            )
+            (i, j): _separation(a, b, share * _noise_divergences(a, b, programmes))
             for (i, a), (j, b) in combinations(enumerate(sides), 2)
         }
         separations.append(Separation(kind, sigmas))
     return separations
 
 
-def _predictive_sizes(fit: Fit) -> dict[Group, Array]:
-    """Sizes of the groups that predict something in a test that is yet to be made."""
-    sizes = fit.sizes.items()
-    return {group: v for group, v in sizes if isinstance(group, Effect) or group.is_predictive}
-
-
-def _simulate_test(bench: Bench, power_on: PowerOn) -> ObservedTest:
-    coarse = replace(bench, step=min(COARSE_STEP, power_on.programme.interval))
-    return observe_test(coarse.log(power_on), bench.device)
+def _is_predictive(group: Group) -> bool:
+    """Whether its size in these tests says anything about a test that is yet to be made."""
+    return isinstance(group, Effect) or not (isinstance(group, Jump) or group.is_of_each_power_on)
 
 
 def _linearize(
@@ -198,11 +183,6 @@ def _linearize(
     return LinearTest(test, device, answers, response, columns, where, slopes, device.bryan_factor)
 
 
-def _build_design(parts: Sequence[LinearTest], noise: CampaignNoise) -> Design:
-    model_error = model_error_power(compute_excess_power(parts, noise))
-    return discount_model_error(build_design(parts, noise), model_error)
-
-
 def _information(tests: Design, groups: Sequence[Group], unit: Design) -> Array:
     """(p, p) Fisher information on the groups in some tests, in units of another design."""
     where = _columns(tests, groups)
@@ -218,36 +198,29 @@ def _columns(tests: Design, groups: Sequence[Group]) -> NDArray[np.int64]:
 class _Side:
     """A hypothesis as one side of a pair.
 
-    sizes: sizes of its groups.
+    sizes: (p,) sizes of all groups, zero where it has none.
+    free: (p,) whether it has the group.
     noise: noise of the output angle.
     old: (p, p) Fisher information on all groups in the tests made so far.
     new: (p, p) the same in the future test.
     """
 
-    sizes: Sizes
+    sizes: Array
+    free: NDArray[np.bool_]
     noise: NoiseModel
     old: Array
     new: Array
 
 
-def _separation(
-    side: _Side, other: _Side, groups: Sequence[Group], unit: Design, divergences: Array
-) -> float:
+def _separation(side: _Side, other: _Side, divergences: Array) -> float:
     """Separation by the new tests beyond that by the old ones, in sigma: the smaller one of the two
-    ways round (Eqs. (1), (2)).
-
-    Args:
-        side, other: the two hypotheses.
-        groups: groups of any hypothesis.
-        unit: the design in whose units sizes and information count.
-        divergences: (2,) divergence of their noises in the new tests, each way round.
-    """
+    ways round (Eqs. (1), (2)). (2,) divergences of the noises in the new tests, each way round, are
+    added."""
 
     def power(truth: _Side, rival: _Side, divergence: float) -> float:
-        difference = _sizes(truth.sizes, groups, unit) - _sizes(rival.sizes, groups, unit)
-        free = np.array([g in rival.sizes for g in groups for _ in unit.columns[g]], np.bool_)
-        with_new = _unimitated_power(rival.old + rival.new, difference, free)
-        return with_new - _unimitated_power(rival.old, difference, free) + 2 * divergence
+        difference = truth.sizes - rival.sizes
+        with_new = _unimitated_power(rival.old + rival.new, difference, rival.free)
+        return with_new - _unimitated_power(rival.old, difference, rival.free) + 2 * divergence
 
     forward, backward = divergences
     smaller = min(power(side, other, forward), power(other, side, backward))
@@ -262,7 +235,7 @@ def _noise_divergences(side: _Side, other: _Side, programmes: Sequence[Programme
     )
 
 
-def _sizes(known: Sizes, groups: Sequence[Group], unit: Design) -> Array:
+def _scale_sizes(known: Sizes, groups: Sequence[Group], unit: Design) -> Array:
     """(p,) sizes of all groups in units of a design's columns; zero where unknown."""
     sizes = [known.get(g, np.zeros(len(unit.columns[g]))) for g in groups]
     return np.concatenate([np.empty(0), *sizes]) * unit.norms[_columns(unit, groups)]

@@ -17,16 +17,11 @@ Array = NDArray[np.float64]
 def compute_divergence(
     truth: NoiseModel, rival: NoiseModel, duration: float, interval: float = LONG_ROWS
 ) -> float:
-    """Expected log likelihood ratio of the true noise over a rival after one power-on.
+    """Expected log likelihood ratio of the true noise over a rival after one power-on of a
+    duration, s, in rows of an interval, s.
 
     Random walks start from zero at power-on. The frequencies are therefore those of the eigenmodes
     of a walk that starts from zero.
-
-    Args:
-        truth: the true noise.
-        rival: the noise that is assumed instead.
-        duration: of the power-on, s.
-        interval: of its rows, s.
     """
     n = round(duration / interval)
     angular = np.pi * (2 * np.arange(n) + 1) / (2 * n + 1)
@@ -38,14 +33,9 @@ def compute_divergence(
 
 
 def increment_spectrum(noise: NoiseModel, interval: float, angular: Array) -> Array:
-    """(n,) spectral density of the increments from reading to reading; its mean over all angular
-    frequencies is their variance (Eq. (5)).
-
-    Args:
-        noise: noise of a reading.
-        interval: time between readings, s.
-        angular: (n,) frequencies, rad per reading.
-    """
+    """(n,) spectral density of the increments from reading to reading, an interval in s apart, at
+    (n,) angular frequencies, rad per reading; its mean over all of these is their variance (Eq.
+    (5))."""
     cosine = np.cos(angular)
     difference = 2 - 2 * cosine
     total = noise.white**2 * difference + noise.angle_random_walk**2 * interval

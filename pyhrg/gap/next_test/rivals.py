@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Design
 from pyhrg.gap.evidence.attribution import Attribution
-from pyhrg.gap.evidence.equivalents import EQUIVALENCE_LOG_ODDS, find_equivalents
-from pyhrg.gap.evidence.evidence import Fit
+from pyhrg.gap.evidence.evidence import EQUIVALENCE_LOG_ODDS, Fit, find_equivalents
 from pyhrg.gap.evidence.hypothesis import Hypothesis
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
 
@@ -42,10 +41,6 @@ def find_rivals(attribution: Attribution, effects: Sequence[Effect]) -> list[Riv
 
     A rival is about as probable, and has another effect, term or noise in the place of one. A
     hypothesis that has only one more or one less is no rival.
-
-    Args:
-        attribution: result of the search.
-        effects: effects of the catalogue.
     """
     best, ranking = attribution.ranking.best, attribution.ranking
     threshold = ranking.probabilities[0] * math.exp(-EQUIVALENCE_LOG_ODDS)
@@ -59,8 +54,8 @@ def find_rivals(attribution: Attribution, effects: Sequence[Effect]) -> list[Riv
         for fit in near
         if not own <= set(fit.groups) and not set(fit.groups) <= own
     }
-    hypothesis, posterior = attribution.posterior.best, attribution.posterior
-    swapped = [h for h in posterior.rivals() if set(h.ranking.best.groups) != own]
+    hypothesis = attribution.posterior.best
+    swapped = [h for h in attribution.posterior.rivals() if set(h.ranking.best.groups) != own]
     return [
         make_rival(hypothesis, best),
         *[make_rival(h, h.ranking.best) for h in swapped],

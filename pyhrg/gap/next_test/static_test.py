@@ -4,7 +4,6 @@ By the divergence of their spectra (docs/methods/next_test.md, Eqs. (4), (6)).
 """
 
 import math
-from dataclasses import dataclass
 
 from scipy.optimize import brentq, minimize_scalar
 
@@ -22,16 +21,10 @@ MIN_HOURS, MAX_HOURS = 0.1, 100.0
 
 
 def suggest_static_test(hypothesis: NoiseHypothesis, stated: NoiseModel) -> NextTest | None:
-    """The static test that separates added noises from their equivalents.
-
-    None where there are no equivalents, or where `MAX_HOURS` are too few.
-
-    Args:
-        hypothesis: noise of the output angle with the equivalents of its parts.
-        stated: noise that the nominal gyro states.
-    """
+    """The static test that separates added noises from their equivalents, beyond the stated noise;
+    None where there are no equivalents, or where `MAX_HOURS` are too few."""
     durations = [
-        (_hours(_Pair(hypothesis.noise, stated, PARTS[added.effect.field], name)), added, name)
+        (_find_hours(hypothesis.noise, stated, PARTS[added.effect.field], name), added, name)
         for added in hypothesis.added
         for name in added.equivalents
     ]
@@ -41,30 +34,6 @@ def suggest_static_test(hypothesis: NoiseHypothesis, stated: NoiseModel) -> Next
     pair = f"{added.effect.name} from {name}"
     why = f"{hours:g} h of rest separate {pair} by {SEPARATION_SIGMA:g} sigma"
     return NextTest("static", why, hours)
-
-
-@dataclass(frozen=True)
-class _Pair:
-    """A noise, and the same with an equivalent in the place of one part.
-
-    part: the part that is replaced.
-    rival: name of the equivalent.
-    """
-
-    noise: NoiseModel
-    stated: NoiseModel
-    part: str
-    rival: str
-
-    def sigmas(self, hours: float) -> float:
-        """Separation after this time, in sigma, whichever of the two is true."""
-        effect = NOISE_EFFECTS[self.rival]
-        reduced = self.noise.at(self.part, getattr(self.stated, self.part))
-        part = PARTS[effect.field]
-        level = max(getattr(self.noise, self.part), getattr(reduced, part))
-        rival, forward = _fit_nearest(self.noise, reduced, part, effect.scale, hours)
-        _, backward = _fit_nearest(rival, reduced, self.part, level, hours)
-        return math.sqrt(2 * min(forward, backward))
 
 
 def _fit_nearest(
@@ -83,11 +52,18 @@ def _fit_nearest(
     return rival(float(best.x)), float(best.fun)
 
 
-def _hours(pair: _Pair) -> float:
-    """Time after which the pair is separated, h; infinite where beyond `MAX_HOURS`."""
+def _find_hours(noise: NoiseModel, stated: NoiseModel, part: str, rival: str) -> float:
+    """Time after which a noise is separated from the same with an equivalent of this name in the
+    place of one part, whichever of the two is true, h; infinite where beyond `MAX_HOURS`."""
+    effect = NOISE_EFFECTS[rival]
+    rival_part = PARTS[effect.field]
+    reduced = noise.at(part, getattr(stated, part))
+    level = max(getattr(noise, part), getattr(reduced, rival_part))
 
     def excess(hours: float) -> float:
-        return pair.sigmas(hours) - SEPARATION_SIGMA
+        nearest, forward = _fit_nearest(noise, reduced, rival_part, effect.scale, hours)
+        _, backward = _fit_nearest(nearest, reduced, part, level, hours)
+        return math.sqrt(2 * min(forward, backward)) - SEPARATION_SIGMA
 
     if excess(MAX_HOURS) < 0:
         return math.inf

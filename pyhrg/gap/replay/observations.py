@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
-from pyhrg.gap.replay.encoder import estimate_encoder_noise
+from pyhrg.gap.replay.instruments import estimate_encoder_noise
 from pyhrg.gap.replay.replay import HELD_COLUMNS, ReplayInputs, prepare_inputs
 from pyhrg.records import Log
 from pyhrg.records.campaign import Test
@@ -85,17 +85,16 @@ def compute_settling_time(device: Device) -> float:
 
 
 def observe_test(test: Test, nominal: Device) -> ObservedTest:
-    """Select what a test has to compare (docs/methods/replay.md, "Rows that are compared").
-
-    Args:
-        test: with a log of complete inputs.
-        nominal: gives the start angle, and the loops' settling time.
-    """
+    """Select what a test has to compare (docs/methods/replay.md, "Rows that are compared"). Its log
+    has complete inputs; the nominal device gives the start angle, and the loops' settling time."""
     log = test.log
     inputs = prepare_inputs(log, nominal)
     transient = _find_transient_rows(log, inputs, compute_settling_time(nominal))
     coarse = COARSE_SETTLING_STEPS * min(COARSE_STEP, log.interval)
-    settled = _find_settled_rows(log, inputs, max(compute_settling_time(nominal), coarse))
+    changed = find_command_changes(log)
+    if log.interval >= FINE_ROW:
+        changed |= find_table_acceleration(inputs) | _find_rotation(inputs, FORCE_RATE_LIMIT)
+    settled = find_undisturbed_rows(log, changed, max(compute_settling_time(nominal), coarse))
     rows = {}
     for name in CHANNELS:
         compared = np.isfinite(getattr(log, name)) & np.isfinite(log.gyro_angle)
@@ -122,14 +121,6 @@ def _find_transient_rows(log: Log, inputs: ReplayInputs, settling_time: float) -
     changed = find_table_acceleration(inputs) | _find_rotation(inputs, ANGLE_RATE_LIMIT)
     changed |= _find_changes(log, LOOP_COMMANDS)
     return ~find_undisturbed_rows(log, changed, settling_time + log.interval)
-
-
-def _find_settled_rows(log: Log, inputs: ReplayInputs, settling_time: float) -> Mask:
-    """(n,) rows whose amplitude, forces and frequency quasi-steady loops give."""
-    changed = find_command_changes(log)
-    if log.interval >= FINE_ROW:
-        changed |= find_table_acceleration(inputs) | _find_rotation(inputs, FORCE_RATE_LIMIT)
-    return find_undisturbed_rows(log, changed, settling_time)
 
 
 def _find_rotation(inputs: ReplayInputs, limit: float) -> Mask:

@@ -1,7 +1,6 @@
 """A test's inputs, as its log has them, put to the simulated gyro."""
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -20,8 +19,8 @@ from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.fmu import GyroFmu
+from pyhrg.gap.replay.instruments import estimate_toggling_step
 from pyhrg.gap.replay.table_motion import TableMotion, estimate_table_motion
-from pyhrg.gap.replay.thermometer import estimate_toggling_step
 from pyhrg.records import COLUMNS, Log
 
 Array = NDArray[np.float64]
@@ -71,18 +70,9 @@ class ReplayInputs:
             float(self.log.table_angle[rows.start - 1]) if rows.start else self.start_table_angle,
         )
 
-    def first(self, rows: int) -> "ReplayInputs":
-        """The inputs of the first rows."""
-        return self.section(slice(0, rows), self.start_angle)
-
 
 def prepare_inputs(log: Log, nominal: Device) -> ReplayInputs:
-    """Inputs of a log whose rows are complete.
-
-    Args:
-        log: of one power-on, from its start.
-        nominal: its angular gain (Bryan factor) is used.
-    """
+    """Inputs of a log of one power-on, from its start, whose rows are complete."""
     return ReplayInputs(
         log,
         estimate_start_angle(log, nominal.bryan_factor),
@@ -117,29 +107,33 @@ def estimate_start_angle(log: Log, bryan_factor: float) -> float:
 def replay_inputs(
     fmu: GyroFmu, device: Device, inputs: ReplayInputs, step: float
 ) -> dict[str, Array]:
-    """Noise-free outputs of the simulated gyro for a log's inputs.
+    """Noise-free outputs of the simulated gyro for a log's inputs, (n,) SI by field of a log:
+    angles, amplitude, forces and frequency.
 
-    Args:
-        fmu: `HRG`, or `HRGSlow` for quasi-steady loops.
-        device: the gyro, its mounting and its site.
-        inputs: of one log.
-        step: longest communication step, s; it is shortened to a whole fraction of a row.
-
-    Returns:
-        (n,) SI by field of a log: angles, amplitude, forces and frequency.
-
-    Raises:
-        GyroError: the FMU refuses parameters or inputs.
+    The FMU is `HRG`, or `HRGSlow` for quasi-steady loops. The longest communication step, s, is
+    shortened to a whole fraction of a row. A `GyroError` where the FMU refuses parameters or
+    inputs.
     """
     steps = max(1, math.ceil(inputs.log.interval / step - STEP_ROUNDING))
     step = inputs.log.interval / steps
     held = {name: getattr(inputs.log, name) for name in HELD_COLUMNS}
-    first = {HELD_INPUTS[name]: float(values[0]) for name, values in held.items()}
-    inputs = replace(inputs, temperatures=_correct_temperatures(device, inputs))
-    first["caseTemperature"] = float(inputs.temperatures[0])
-    parameters = {**_compute_parameters(fmu, device, step), **first}
+    silent = replace(device.without_noise(), quantization_step=0.0)
+    parameters = dict(silent.fmu_parameters())
+    if not fmu.is_sampled:
+        without_loops = {k: v for k, v in parameters.items() if k not in LOOP_FREQUENCIES}
+        parameters = {**without_loops, "samplePeriod": step}
+    parameters |= {HELD_INPUTS[name]: float(values[0]) for name, values in held.items()}
+    temperatures = _correct_temperatures(device, inputs)
+    parameters["caseTemperature"] = float(temperatures[0])
+    angle = inputs.table_angle(steps)
+    earth = compute_earth_rate(device, inputs.log.axis_up[:, None], angle)
+    eccentric = device.encoder_eccentricity * np.cos(angle + device.encoder_eccentricity_phase)
+    varying = {
+        "angularRate": inputs.table.rates_in(steps) * (1 + eccentric) + earth,
+        "caseTemperature": interpolate_rows(temperatures, compute_step_middles(steps)),
+    }
     with fmu.power_on(parameters, seed=0, start_angle=inputs.start_angle) as on:
-        rows = record_rows(on, _compute_rates(device, inputs, steps), held, step, LOOP_OUTPUTS)
+        rows = record_rows(on, varying, held, step, LOOP_OUTPUTS)
     return _read_rows(rows, device, inputs.log)
 
 
@@ -160,23 +154,3 @@ def _read_rows(rows: dict[str, Array], device: Device, log: Log) -> dict[str, Ar
             rows[name] = rows[name] + late * np.gradient(rows[name], log.interval)
     rows["frequency_offset"] = rows["frequency_offset"] + device.frequency_error
     return rows
-
-
-def _compute_parameters(fmu: GyroFmu, device: Device, step: float) -> Mapping[str, float]:
-    values = replace(device.without_noise(), quantization_step=0.0).fmu_parameters()
-    if fmu.is_sampled:
-        return values
-    without_loops = {name: value for name, value in values.items() if name not in LOOP_FREQUENCIES}
-    return {**without_loops, "samplePeriod": step}
-
-
-def _compute_rates(device: Device, inputs: ReplayInputs, steps: int) -> dict[str, Array]:
-    """(n, steps) means over the steps of inputs that vary within rows (Eqs. 2 and 3)."""
-    up = inputs.log.axis_up[:, None]
-    angle = inputs.table_angle(steps)
-    eccentric = device.encoder_eccentricity * np.cos(angle + device.encoder_eccentricity_phase)
-    earth = compute_earth_rate(device, up, angle)
-    return {
-        "angularRate": inputs.table.rates_in(steps) * (1 + eccentric) + earth,
-        "caseTemperature": interpolate_rows(inputs.temperatures, compute_step_middles(steps)),
-    }

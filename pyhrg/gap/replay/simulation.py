@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from fmu_build.bundle import build_fmu
 from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
 from pyhrg.gap.replay.loop_response import compute_loop_error, compute_loop_force
@@ -21,6 +22,7 @@ from pyhrg.gap.replay.observations import (
     compute_settling_time,
 )
 from pyhrg.gap.replay.replay import ANGLES, ReplayInputs, replay_inputs
+from pyhrg.theory.closed_forms import beyond_the_average
 
 Array = NDArray[np.float64]
 ChannelValues = Mapping[str, Array]
@@ -45,6 +47,11 @@ MAX_TRANSIENT_SHARE = 0.5
 """Share of transient rows above which the whole test runs with sampled loops. Chosen."""
 MAX_CACHED_ROWS = 1_000_000
 """Rows of simulations kept for repeated requests. Chosen: memory."""
+NOISE_GROWTH_LIMIT = 0.2
+"""Relative growth of an earlier turn of a free pattern above which its rows are not compared.
+Chosen."""
+MIN_ROWS = 10
+"""Fewest rows of a test with a free pattern that are simulated, compared or not. Chosen."""
 
 
 @dataclass(frozen=True)
@@ -60,11 +67,6 @@ class AngleDerivatives:
 
     slopes: Mapping[str, Array]
     curvatures: Mapping[str, Array]
-
-    def second_order(self, channel: str, angle: Array) -> Array:
-        """(n,) second-order term of a channel's change when the pattern turns by (n,) angles,
-        rad."""
-        return np.asarray(self.curvatures[channel] * angle**2 / 2)
 
 
 @dataclass(frozen=True)
@@ -91,10 +93,8 @@ class Simulation:
 
         Sampled loops run throughout if most rows are transient. Else quasi-steady loops run, with
         the loops' linear response, and sampled loops add what they change in the angles in
-        transient rows (docs/methods/replay.md, "Fidelity").
-
-        Raises:
-            GyroError: the FMU refuses parameters or inputs.
+        transient rows (docs/methods/replay.md, "Fidelity"). A `GyroError` where the FMU refuses
+        parameters or inputs; so do the methods below.
         """
         if np.mean(test.transient) > MAX_TRANSIENT_SHARE:
             return self._run_sampled(device, test.inputs)
@@ -113,18 +113,16 @@ class Simulation:
         each = next(n for n in range(max(periods // steps, 1), 0, -1) if periods % n == 0)
         return replay_inputs(self.sampled, device, inputs, each * CONTROL_PERIOD)
 
-    def _run_quasi_steady(self, device: Device, inputs: ReplayInputs) -> dict[str, Array]:
-        return replay_inputs(self.quasi_steady, device, inputs, QUASI_STEADY_STEP)
-
     def _run_with_phase_lag(self, device: Device, inputs: ReplayInputs) -> dict[str, Array]:
         """With quasi-steady loops, and the phase loop's lag behind a frequency that drifts."""
-        without_lag = self._run_quasi_steady(device, inputs)
+        without_lag = replay_inputs(self.quasi_steady, device, inputs, QUASI_STEADY_STEP)
         drift = np.gradient(without_lag["frequency_offset"], inputs.log.interval)
         lag = drift / device.phase_loop**2
         if np.abs(lag).max() < MIN_PHASE_LAG:
             return without_lag
         log = replace(inputs.log, phase_offset=inputs.log.phase_offset - lag)
-        return self._run_quasi_steady(device, replace(inputs, log=log))
+        with_lag = replace(inputs, log=log)
+        return replay_inputs(self.quasi_steady, device, with_lag, QUASI_STEADY_STEP)
 
     def _correct_angles(
         self, settled: dict[str, Array], device: Device, test: ObservedTest
@@ -150,32 +148,21 @@ class Simulation:
         return add_channels(settled, corrections)
 
     def compute_difference(self, low: Device, high: Device, test: ObservedTest) -> dict[str, Array]:
-        """(n,) by channel, SI: output of `high` less that of `low`, for devices that differ little.
-
-        Raises:
-            GyroError: as `simulate`.
-        """
+        """(n,) by channel, SI: output of `high` less that of `low`, for devices that differ
+        little."""
         first, last = (self._run_cached(device, test.inputs) for device in (low, high))
         return _subtract(first, last, high, test)
 
     def make_difference_from(
         self, device: Device, test: ObservedTest
     ) -> Callable[[Device], dict[str, Array]]:
-        """`compute_difference` from one device on, which is simulated once.
-
-        Raises:
-            GyroError: as `simulate`, here and from the returned function.
-        """
+        """`compute_difference` from one device on, which is simulated once."""
         first = self._run_cached(device, test.inputs)
         return lambda other: _subtract(first, self._run_coarse(other, test.inputs), other, test)
 
     def differentiate_by_angle(self, device: Device, test: ObservedTest) -> AngleDerivatives:
         """Derivatives of a replay by the pattern angle, by central differences of the start angle
-        (docs/methods/replay.md, Eq. 7).
-
-        Raises:
-            GyroError: as `simulate`.
-        """
+        (docs/methods/replay.md, Eq. 7)."""
         shifts = (-ANGLE_SHIFT, 0.0, ANGLE_SHIFT)
         low, middle, high = (self._run_cached(device, test.inputs, s) for s in shifts)
         below, above = (_subtract(*ends, device, test) for ends in ((low, middle), (middle, high)))
@@ -251,3 +238,48 @@ def _apply_loop_response(
     for name, frequency in zip(FORCES, loops, strict=True):
         values[name] = compute_loop_force(values[name], frequency, test.log.interval)
     return values
+
+
+def truncate_free_pattern(
+    simulation: Simulation, nominal: Device, test: ObservedTest
+) -> ObservedTest:
+    """The test up to the row in which a small turn of the free pattern has grown or shrunk too far.
+
+    With a frequency split, a ring-down of minutes multiplies such a turn. It can end in circular
+    motion, whose pattern angle is undefined (docs/methods/replay.md, Eq. 7).
+    """
+    if test.log.drive_on.all():
+        return test
+    slope = simulation.differentiate_by_angle(nominal, test).slopes["gyro_angle"]
+    growth = np.abs(nominal.bryan_factor * slope)
+    has_grown = (test.log.drive_on <= 0) & (growth > NOISE_GROWTH_LIMIT)
+    kept = ~np.logical_or.accumulate(has_grown)
+    count = max(int(kept.sum()), MIN_ROWS)
+    rows = {name: (compared & kept)[:count] for name, compared in test.rows.items()}
+    inputs = test.inputs.section(slice(0, count), test.inputs.start_angle)
+    return replace(test, inputs=inputs, rows=rows, transient=test.transient[:count])
+
+
+def compute_carrier_terms(
+    device: Device, test: ObservedTest, wave_angle: Array
+) -> dict[str, Array]:
+    """(n,) row means by channel, SI, of the next order of the average (docs/methods/replay.md, Eq.
+    8), for the (n,) pattern angle at the rows' ends, rad. A record may contain them or not, so the
+    whitening counts them as noise of this shape."""
+    rate = test.inputs.table.means
+    to_middle = device.bryan_factor * rate * test.log.interval / 2
+    terms = beyond_the_average(device, rate, wave_angle + to_middle)
+    return {name: terms.get(name, np.zeros(len(rate))) for name in CHANNELS}
+
+
+def load_model(name: str, progress: Callable[[str], None] = lambda text: None) -> GyroFmu:
+    """The FMU "HRG", "HRGSlow" or "HRGCarrier", ready to be run; it is built first if there is no
+    current build. `progress` is called with a sentence on each step of a build."""
+    fmu = GyroFmu(build_fmu(name, progress=progress))
+    fmu.prepare()
+    return fmu
+
+
+def load_simulation(progress: Callable[[str], None] = lambda text: None) -> Simulation:
+    """Both fidelities that a replay needs."""
+    return Simulation(load_model("HRG", progress), load_model("HRGSlow", progress))

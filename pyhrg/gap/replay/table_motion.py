@@ -67,18 +67,16 @@ def _integrate_parabola(share: Array) -> Array:
 
 
 def estimate_table_motion(table_angle: Array, interval: float) -> TableMotion:
-    """The motion that reproduces the encoder's readings exactly.
+    """The motion that reproduces exactly the encoder's readings at the rows' ends, (n,) rad, from 0
+    at the start.
 
     The piecewise linear rate is taken unless it alternates from bound to bound. It does after
     rounding of the encoder, and after a move that ends within a row. Then the motion with the
     fewest rows with a bend or a parabola is taken (docs/methods/replay.md, Eqs. 2 and 3).
-
-    Args:
-        table_angle: (n,) encoder at the rows' ends, rad; 0 at the start.
-        interval: of the rows, s.
     """
     means = np.diff(table_angle, prepend=0.0) / interval
-    linear = _build_motion(means, interval, _fit_linear(means))
+    signs = (-1.0) ** np.arange(len(means))
+    linear = _build_motion(means, interval, np.asarray(2 * signs * np.cumsum(signs * means)))
     if _median_bend(linear) <= ALTERNATION_RATIO * ENCODER_RESOLUTION / interval:
         return linear
     few = _build_motion(means, interval, _fit_sparse(means, interval))
@@ -95,12 +93,6 @@ def _median_bend(motion: TableMotion) -> float:
     """Median second difference of the rates, plus that of the encoder's resolution, rad/s."""
     bends = np.abs(np.diff(motion.rates, 2))
     return ENCODER_RESOLUTION / motion.interval + float(np.median(bends))
-
-
-def _fit_linear(means: Array) -> Array:
-    """(n,) rates at the rows' ends of a motion whose rate is linear in every row."""
-    signs = (-1.0) ** np.arange(len(means))
-    return np.asarray(2 * signs * np.cumsum(signs * means))
 
 
 def _fit_sparse(means: Array, interval: float) -> Array:

@@ -1,21 +1,23 @@
 """The causes that were found, and the hypotheses by posterior probability."""
 
 import html
+from collections.abc import Sequence
 
 from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.common.pages.svg import format_number
 from pyhrg.device.keys import KEYS
 from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.effects.design import Group
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.findings.diagnosis import Cause
 from pyhrg.gap.report.words import (
     build_table,
-    draw_bar,
     format_effect,
     format_group,
     format_percent,
     format_value,
     parse_parameter,
+    show_share,
 )
 
 LISTED_SETS, LISTED_EFFECTS = 10, 10
@@ -67,18 +69,14 @@ def _build_noises(result: CampaignDiagnosis) -> str:
     posterior = result.attribution.posterior
     if len(posterior.hypotheses) < 2:
         return ""
+    pairs = zip(posterior.hypotheses, posterior.probabilities, strict=True)
     rows = [
         (
             html.escape(" + ".join(_list_noises(hypothesis.noise)) or "nominal"),
-            html.escape(
-                " + ".join(format_group(g) for g in hypothesis.ranking.best.groups) or "no effect"
-            ),
-            format_percent(probability),
-            draw_bar(probability),
+            _name_set(hypothesis.ranking.best.groups),
+            *show_share(probability),
         )
-        for hypothesis, probability in zip(
-            posterior.hypotheses, posterior.probabilities, strict=True
-        )
+        for hypothesis, probability in pairs
     ]
     title = "Noise hypotheses of the output angle, each with its most probable set of effects"
     return build_table(title, ("Noise", "Set", "Probability", ""), rows)
@@ -89,15 +87,18 @@ def _list_noises(noise: NoiseHypothesis) -> list[str]:
     return named + ([f"unnamed: {noise.unnamed.words}"] if noise.unnamed else [])
 
 
+def _name_set(groups: Sequence[Group]) -> str:
+    return html.escape(" + ".join(format_group(group) for group in groups) or "no effect")
+
+
 def _build_sets(result: CampaignDiagnosis) -> str:
     ranking = result.attribution.ranking
     best = ranking.best.log_evidence
     pairs = list(zip(ranking.fits, ranking.probabilities, strict=True))
     rows = [
         (
-            html.escape(" + ".join(format_group(g) for g in fit.groups) or "no effect"),
-            format_percent(probability),
-            draw_bar(probability),
+            _name_set(fit.groups),
+            *show_share(probability),
             format_number(fit.log_evidence - best),
             str(sum(len(v) for v in fit.values)),
         )
@@ -106,7 +107,7 @@ def _build_sets(result: CampaignDiagnosis) -> str:
     others = sum(p for _, p in pairs[LISTED_SETS:])
     if others:
         count = f"{len(pairs) - LISTED_SETS} other sets"
-        rows.append((count, format_percent(others), draw_bar(others), "", ""))
+        rows.append((count, *show_share(others), "", ""))
     header = ("Set", "Probability", "", "ln Bayes factor to the best", "Fitted numbers")
     return build_table("Sets of effects under the most probable noise", header, rows)
 
@@ -117,11 +118,7 @@ def _build_effects(result: CampaignDiagnosis) -> str:
     chances = [(posterior.probability(name), format_effect(name)) for name in names]
     chances += [(p, f"unnamed: {words}") for words, p in posterior.unnamed().items()]
     chances = sorted(chances, key=lambda chance: (-chance[0], chance[1]))[:LISTED_EFFECTS]
-    rows = [
-        (html.escape(words), format_percent(p), draw_bar(p))
-        for p, words in chances
-        if p > SMALLEST_PROBABILITY
-    ]
+    rows = [(html.escape(w), *show_share(p)) for p, w in chances if p > SMALLEST_PROBABILITY]
     if not rows:
         return ""
     title = (

@@ -6,11 +6,12 @@ from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.common.pages.svg import Scale, find_decades, format_number
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.findings.diagnosis import Gap, GapFigure
-from pyhrg.gap.report.words import build_table
+from pyhrg.gap.report.words import build_table, format_interval
 
 WIDTH = 240
 """Width of a drawn scale, px."""
 UNITS = {"angle_arcsec": ("output angle", "arcsec"), "rate_deg_h": ("rate over 100 s", "deg/h")}
+NOT_VERIFIED = "No test was held out, so the identified gyro is not verified."
 ROLES = {"holdout": "held out", "fit": "fitted"}
 WHITE_P_VALUE = 0.01
 """p-value of the Ljung-Box test from which the residual is called white (chosen)."""
@@ -34,7 +35,28 @@ def build_closing(result: CampaignDiagnosis) -> str:
 
 def describe_closing(gap: Gap) -> list[str]:
     """Sentences on the reduction of the held-out residual and on its whiteness."""
-    return [*_describe_reduction(gap), *_describe_whiteness(gap)]
+    if gap.holdout_angle_arcsec is None:
+        return [NOT_VERIFIED]
+    if gap.shrink_percent is None:
+        sentences = [
+            "On the held-out tests the angle residual of the nominal gyro lies within the 95 % "
+            "interval of the noise floor: there is no excess to reduce."
+        ]
+    else:
+        low, high = compute_reduction_interval(gap.holdout_angle_arcsec)
+        sentences = [
+            "On the held-out tests the excess of the angle residual over the noise floor fell by "
+            f"{gap.shrink_percent:.1f} % ({low:.1f} to {high:.1f} % over the floor's 95 % "
+            "interval; more than 100 % means that the residual is below the mean floor)."
+        ]
+    if gap.whiteness is not None:
+        is_white = gap.whiteness >= WHITE_P_VALUE
+        verdict = "is compatible with white noise" if is_white else "is not white"
+        sentences.append(
+            f"The held-out residual of the identified gyro {verdict} (Ljung-Box test over 10 rows, "
+            f"p = {format_number(gap.whiteness)})."
+        )
+    return sentences
 
 
 def compute_reduction_interval(figure: GapFigure) -> tuple[float, float]:
@@ -42,33 +64,6 @@ def compute_reduction_interval(figure: GapFigure) -> tuple[float, float]:
     floor's 95 % interval; the smaller one first."""
     ends = [100 * (figure.before - figure.after) / (figure.before - f) for f in figure.floor_95]
     return min(ends), max(ends)
-
-
-def _describe_reduction(gap: Gap) -> list[str]:
-    figure = gap.holdout_angle_arcsec
-    if figure is None:
-        return ["No test was held out, so the identified gyro is not verified."]
-    if gap.shrink_percent is None:
-        return [
-            "On the held-out tests the angle residual of the nominal gyro lies within the 95 % "
-            "interval of the noise floor: there is no excess to reduce."
-        ]
-    low, high = compute_reduction_interval(figure)
-    return [
-        f"On the held-out tests the excess of the angle residual over the noise floor fell by "
-        f"{gap.shrink_percent:.1f} % ({low:.1f} to {high:.1f} % over the floor's 95 % interval; "
-        f"more than 100 % means that the residual is below the mean floor)."
-    ]
-
-
-def _describe_whiteness(gap: Gap) -> list[str]:
-    if gap.whiteness is None:
-        return []
-    verdict = "is compatible with white noise" if gap.whiteness >= WHITE_P_VALUE else "is not white"
-    return [
-        f"The held-out residual of the identified gyro {verdict} (Ljung-Box test over 10 rows, "
-        f"p = {format_number(gap.whiteness)})."
-    ]
 
 
 def _make_rows(gap: Gap, unit: str, what: str, name: str) -> list[tuple[str, ...]]:
@@ -81,8 +76,7 @@ def _make_rows(gap: Gap, unit: str, what: str, name: str) -> list[tuple[str, ...
             ROLES[role],
             format_number(f.before),
             format_number(f.after),
-            f"{format_number(f.floor)} "
-            f"({format_number(f.floor_95[0])} to {format_number(f.floor_95[1])})",
+            format_interval(f.floor, *f.floor_95),
             _draw_scale(f, limits),
         )
         for role, f in known.items()

@@ -8,9 +8,11 @@ from numpy.typing import NDArray
 
 from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.report.closing import NOT_VERIFIED
 from pyhrg.gap.report.figures.bins import find_extremes
 from pyhrg.gap.report.figures.strips import Band, Labels, Size, Strip, draw_strips
 from pyhrg.gap.report.figures.views import ANGLE, draw_view_noise
+from pyhrg.records import Log
 
 Array = NDArray[np.float64]
 
@@ -29,26 +31,23 @@ def build_held_out(result: CampaignDiagnosis) -> str:
         if test.test.is_holdout and np.isfinite(result.before[i][ANGLE.channel]).any()
     ]
     if not figures:
-        return make_paragraph("No test was held out, so the identified gyro is not verified.")
+        return make_paragraph(NOT_VERIFIED)
     return f'<div class="panels one">{"".join(figures)}</div>'
 
 
 def _draw_test(result: CampaignDiagnosis, i: int) -> str:
     test = result.tests[i]
-    strips = [_make_strip("nominal gyro", "c1", result, result.before[i][ANGLE.channel], i)]
+    before, after = (residuals[i][ANGLE.channel] for residuals in (result.before, result.after))
+    strips = [_make_strip("nominal gyro", "c1", test.log, before)]
     if result.identified != result.nominal:
-        after = result.after[i][ANGLE.channel]
-        strips.append(_make_strip("identified gyro", "c0", result, after, i))
+        strips.append(_make_strip("identified gyro", "c0", test.log, after))
     title = f"Residual of the output angle, {test.test.id}"
     labels = Labels("Time since power-on, s", f"Residual, {ANGLE.unit}", title)
     svg = draw_strips(strips, _compute_band(result, i), SIZE, labels)
     return f"<figure><figcaption><b>{html.escape(title)}</b></figcaption>{svg}</figure>"
 
 
-def _make_strip(
-    label: str, colour: str, result: CampaignDiagnosis, residual: Array, i: int
-) -> Strip:
-    log = result.tests[i].log
+def _make_strip(label: str, colour: str, log: Log, residual: Array) -> Strip:
     rows, low, high = find_extremes(ANGLE.convert(residual, log.interval), POINTS)
     return Strip(label, colour, log.time[rows.astype(int)], low, high, is_joined=True)
 

@@ -1,18 +1,19 @@
-"""The report as one HTML page. It reads without network and without script; its script adds
-pickers."""
+"""The report as one HTML page, and the folder of a diagnosis with it. The page reads without
+network and without script; its script adds pickers."""
 
 import html
 from collections.abc import Sequence
 from importlib.resources import files
+from pathlib import Path
 
+from pyhrg.common.files import stage_files
 from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.common.pages.shell import PageSection, make_contents, make_document, read_asset
-from pyhrg.gap.diagnose import CampaignDiagnosis
+from pyhrg.gap.diagnose import FILES, CampaignDiagnosis
 from pyhrg.gap.report.causes import build_causes, build_ranking
 from pyhrg.gap.report.closing import build_closing
-from pyhrg.gap.report.figures.scales import build_scales
 from pyhrg.gap.report.held_out import build_held_out
-from pyhrg.gap.report.places import build_places
+from pyhrg.gap.report.places import build_places, build_scales
 from pyhrg.gap.report.residuals import build_residuals
 from pyhrg.gap.report.sections import Section
 from pyhrg.gap.report.verdict import describe_diagnosis, write_headline
@@ -22,15 +23,44 @@ PAGE = "report.html"
 TITLE = "Gap between simulation and gyro"
 
 
-def build_page(result: CampaignDiagnosis, sections: Sequence[Section] = ()) -> str:
-    """The whole page as HTML; the same diagnosis gives the same bytes.
+def write_report(
+    diagnosis: CampaignDiagnosis, out: Path | str, sections: Sequence[Section] = ()
+) -> None:
+    """Write a diagnosis with its page: `diagnosis.json`, `before.toml`, `after.toml`,
+    `report.html`, and the document of each added section.
 
     Args:
-        result: diagnosis of a campaign.
-        sections: added before the next test.
+        diagnosis: of a campaign.
+        out: folder; made if it is missing.
+        sections: added to the page before the next test.
+
+    Raises:
+        OSError: the folder can't be written.
+        ValueError: a section's document has a number that is not finite.
     """
-    added = [PageSection(section.name, section.title, section.html) for section in sections]
-    shown = [*_build_findings(result), *added, *_build_ending(result)]
+    documents = {section.file: section.to_json() for section in sections}
+    with stage_files(Path(out), (*FILES, *documents, PAGE)) as aside:
+        diagnosis.write_files(aside)
+        for file, content in documents.items():
+            (aside / file).write_bytes(content)
+        (aside / PAGE).write_text(build_page(diagnosis, sections), encoding="utf-8")
+
+
+def build_page(result: CampaignDiagnosis, sections: Sequence[Section] = ()) -> str:
+    """The whole page as HTML; the same diagnosis gives the same bytes. Added sections stand before
+    the next test."""
+    closing = build_closing(result) + build_scales(result)
+    shown = [
+        PageSection("causes", "Causes of the gap", build_causes(result)),
+        PageSection("ranking", "Hypotheses by posterior probability", build_ranking(result)),
+        PageSection("where", "Where the gap is", build_places(result)),
+        PageSection("residuals", "Residuals by coordinate", build_residuals(result)),
+        PageSection("held-out", "Residuals on held-out tests", build_held_out(result)),
+        PageSection("closing", "Residuals and noise floor", closing),
+        *(PageSection(section.name, section.title, section.html) for section in sections),
+        PageSection("next", "The next test", _build_next_test(result)),
+        PageSection("data", "Tests used, and what was left out", _build_data(result)),
+    ]
     listed = "".join(f"<li>{html.escape(text)}</li>" for text in describe_diagnosis(result))
     device = result.diagnosis.device
     header = (
@@ -45,26 +75,6 @@ def build_page(result: CampaignDiagnosis, sections: Sequence[Section] = ()) -> s
         f"{header}{make_contents(shown)}<main>{main}</main>",
         read_asset(files("pyhrg.gap.report"), "page.js"),
     )
-
-
-def _build_findings(result: CampaignDiagnosis) -> list[PageSection]:
-    return [
-        PageSection("causes", "Causes of the gap", build_causes(result)),
-        PageSection("ranking", "Hypotheses by posterior probability", build_ranking(result)),
-        PageSection("where", "Where the gap is", build_places(result)),
-        PageSection("residuals", "Residuals by coordinate", build_residuals(result)),
-        PageSection("held-out", "Residuals on held-out tests", build_held_out(result)),
-        PageSection(
-            "closing", "Residuals and noise floor", build_closing(result) + build_scales(result)
-        ),
-    ]
-
-
-def _build_ending(result: CampaignDiagnosis) -> list[PageSection]:
-    return [
-        PageSection("next", "The next test", _build_next_test(result)),
-        PageSection("data", "Tests used, and what was left out", _build_data(result)),
-    ]
 
 
 def _build_next_test(result: CampaignDiagnosis) -> str:

@@ -1,15 +1,26 @@
-"""Where the gap is: a heat map of tests by channels, and bars by coordinate."""
+"""Where the gap is: a heat map of tests by channels, bars by coordinate, and tables of its size in
+standard deviations of the noise."""
 
 import html
-from collections.abc import Sequence
+from collections import defaultdict
+from collections.abc import Callable, Hashable, Sequence
+from typing import TypeVar
 
 from pyhrg.common.pages.markup import make_paragraph
+from pyhrg.common.pages.svg import format_number
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.findings.localisation import Place
-from pyhrg.gap.report.words import CHANNELS, COORDINATES, build_table, draw_bar, format_percent
+from pyhrg.gap.findings.quantity import Size
+from pyhrg.gap.report.words import CHANNELS, COORDINATES, build_table, format_percent, show_share
+
+Key = TypeVar("Key", bound=Hashable)
 
 LISTED_BARS = 14
 """Bars that are shown; the others are summed up in one row."""
+SCALES_LEAD = (
+    "Root of the power that the averaged residual has beyond the nominal noise, in standard "
+    "deviations of that noise: nominal gyro → identified gyro; 0 where there is no excess."
+)
 
 
 def build_places(result: CampaignDiagnosis) -> str:
@@ -55,25 +66,55 @@ def _format_total(share: float) -> str:
 
 
 def _build_bars(where: Sequence[Place]) -> str:
-    shares: dict[tuple[str, str, int | None], float] = {}
-    for w in where:
-        key = (w.channel, w.coordinate, w.harmonic)
-        shares[key] = shares.get(key, 0.0) + w.share
+    shares = sum_shares(where, lambda place: (place.channel, place.coordinate, place.harmonic))
     order = sorted(shares.items(), key=lambda pair: -pair[1])
-    rows = [
-        (_format_place(*key), format_percent(share), draw_bar(share))
-        for key, share in order[:LISTED_BARS]
-    ]
+    rows = [(_format_place(*key), *show_share(share)) for key, share in order[:LISTED_BARS]]
     others = sum(share for _, share in order[LISTED_BARS:])
     if others:
         count = f"{len(order) - LISTED_BARS} others"
-        rows.append((count, format_percent(others), draw_bar(others)))
+        rows.append((count, *show_share(others)))
     title = (
         "The same power by coordinate; while the pattern stands still, its harmonics are confounded"
     )
     return build_table(title, ("Channel and coordinate", "Share", ""), rows)
 
 
+def sum_shares(where: Sequence[Place], key: Callable[[Place], Key]) -> dict[Key, float]:
+    """Shares of the gap by a key of the places; 0 for others."""
+    shares: dict[Key, float] = defaultdict(float)
+    for place in where:
+        shares[key(place)] += place.share
+    return shares
+
+
 def _format_place(channel: str, coordinate: str, harmonic: int | None) -> str:
     suffix = "" if harmonic is None else f", harmonic {harmonic}"
     return f"{CHANNELS[channel]}: {COORDINATES[coordinate]}{suffix}"
+
+
+def build_scales(result: CampaignDiagnosis) -> str:
+    """A folded table for each time scale; that with the largest gap is open."""
+    sizes = result.diagnosis.sizes
+    if not sizes:
+        return ""
+    scales = sorted({s.scale_s for s in sizes})
+    by_scale = {scale: [s for s in sizes if s.scale_s == scale] for scale in scales}
+    largest = max(scales, key=lambda scale: sum(s.before**2 for s in by_scale[scale]))
+    folds = [
+        f"<details{' open' if scale == largest else ''}>"
+        f"<summary>Averages over {scale:g} s</summary>{_build_size_table(own)}</details>"
+        for scale, own in by_scale.items()
+    ]
+    return f"<h3>In standard deviations of the noise</h3><p>{SCALES_LEAD}</p>{''.join(folds)}"
+
+
+def _build_size_table(sizes: Sequence[Size]) -> str:
+    cells = {
+        (s.test, s.channel): f"{format_number(s.before)} → {format_number(s.after)}" for s in sizes
+    }
+    rows = [
+        (html.escape(test), *(cells.get((test, channel), "–") for channel in CHANNELS))
+        for test in dict.fromkeys(s.test for s in sizes)
+    ]
+    header = ("Test", *(words.capitalize() for words in CHANNELS.values()))
+    return build_table("Fitted tests", header, rows)

@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.report.figures.panels import ALL, Panel, compute_panels, draw_panel
-from pyhrg.gap.report.figures.views import AXES, VIEWS, Axis
+from pyhrg.gap.report.figures.views import AXES, VIEWS
+from pyhrg.gap.report.places import sum_shares
 
 LEAD = (
     "Mean residual (record less simulation) in bins of each coordinate. The grey band holds 95 % "
@@ -24,38 +25,29 @@ def build_residuals(result: CampaignDiagnosis) -> str:
         f"{''.join(draw_panel(p, has_after) for p in drawn.panels if p.view == view)}</div></div>"
         for view in VIEWS
     )
-    notes = ""
-    if drawn.left_out:
-        listed = ", ".join(drawn.left_out)
-        notes = make_paragraph(
-            f"Tests without panels of their own, for lack of room: {listed}.", "weak"
-        )
+    left_out = f"Tests without panels of their own, for lack of room: {', '.join(drawn.left_out)}."
+    notes = make_paragraph(left_out, "weak") if drawn.left_out else ""
     none = '<p id="none" hidden>This coordinate does not change in that test.</p>'
     return f"{make_paragraph(LEAD)}{_build_pickers(result, drawn.panels)}{none}{groups}{notes}"
 
 
 def _build_pickers(result: CampaignDiagnosis, drawn: tuple[Panel, ...]) -> str:
     tests = dict.fromkeys(p.test for p in drawn if p.test != ALL)
-    axes = {p.axis for p in drawn}
+    moving = {p.axis for p in drawn}
+    axes = {a.key: a.title for a in AXES if a in moving}
     return (
         '<form id="filters" hidden aria-label="Which residuals are shown">'
         + _build_select("view", "Channel", {v.key: v.title for v in VIEWS}, _pick_view(result))
         + _build_select("test", "Test", {ALL: "all tests", **{t: t for t in tests}}, ALL)
-        + _build_select("axis", "Coordinate", {ALL: "all"} | _list_titles(axes), ALL)
+        + _build_select("axis", "Coordinate", {ALL: "all", **axes}, ALL)
         + "</form>"
     )
-
-
-def _list_titles(axes: set[Axis]) -> dict[str, str]:
-    return {a.key: a.title for a in AXES if a in axes}
 
 
 def _pick_view(result: CampaignDiagnosis) -> str:
     """The view that is shown first: of the channel with the largest share of the gap. The output
     angle is shown as a rate, which shows when a gap arises."""
-    shares: dict[str, float] = {}
-    for place in result.diagnosis.where:
-        shares[place.channel] = shares.get(place.channel, 0.0) + place.share
+    shares = sum_shares(result.diagnosis.where, lambda place: place.channel)
     largest = max(shares, key=lambda c: shares[c], default="gyro_angle")
     return next(v.key for v in reversed(VIEWS) if v.channel == largest)
 

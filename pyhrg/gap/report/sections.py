@@ -28,22 +28,13 @@ class Section:
         return f"{self.name}.json"
 
     def to_json(self) -> bytes:
-        """Bytes of the document's file.
-
-        Raises:
-            ValueError: a number is not finite.
-        """
+        """Bytes of the document's file; a ValueError where a number is not finite."""
         return (json.dumps(self.document, indent=1, allow_nan=False) + "\n").encode()
 
 
 def make_section(name: str, make: Callable[[], Section]) -> Section:
-    """The section that `make` returns; where it fails, a section that states the failure, so that
-    the diagnosis is kept.
-
-    Args:
-        name: of the section.
-        make: returns the section. All its exceptions but an interruption are caught.
-    """
+    """The section of this name that `make` returns. Where it raises anything but an interruption, a
+    section that states the failure, so that the diagnosis is kept."""
     try:
         section = make()
         section.to_json()

@@ -1,4 +1,4 @@
-"""The diagnosis in sentences."""
+"""The diagnosis in sentences, and as a few lines for the terminal."""
 
 from pyhrg.common.pages.svg import format_number
 from pyhrg.gap.diagnose import CampaignDiagnosis
@@ -6,6 +6,7 @@ from pyhrg.gap.findings.diagnosis import Cause, Diagnosis
 from pyhrg.gap.report.closing import describe_closing
 from pyhrg.gap.report.words import (
     format_effect,
+    format_interval,
     format_name,
     format_percent,
     format_value,
@@ -31,7 +32,7 @@ def write_headline(diagnosis: Diagnosis) -> str:
 
 def describe_diagnosis(result: CampaignDiagnosis) -> list[str]:
     """Sentences on causes, reservations, residuals and the next test."""
-    diagnosis = result.diagnosis
+    diagnosis, test = result.diagnosis, result.diagnosis.next_test
     return [
         *(_describe_cause(cause) for cause in diagnosis.causes),
         f"Probability that a cause outside the catalogue takes part: "
@@ -39,8 +40,35 @@ def describe_diagnosis(result: CampaignDiagnosis) -> list[str]:
         *diagnosis.caveats,
         *_describe_residual(diagnosis),
         *describe_closing(diagnosis.gap),
-        *_describe_next_test(diagnosis),
+        *([f"Next test: {format_name(test.kind)}, {test.hours:g} h. {test.why}"] if test else []),
     ]
+
+
+def summarize_diagnosis(result: CampaignDiagnosis) -> str:
+    """Verdict, causes, reservations, angle residuals and the next test, a line each."""
+    diagnosis = result.diagnosis
+    lines = [f"{diagnosis.device}: {format_name(diagnosis.verdict)}"]
+    for cause in diagnosis.causes:
+        values = ", ".join(f"{name} {value:.4g}" for name, value in cause.parameters.items())
+        lines.append(f"  {cause.effect}: probability {cause.probability:.3f}  {values}")
+        if cause.equivalents:
+            lines.append(f"    confounded with {', '.join(cause.equivalents)}")
+    unknown = diagnosis.unknown_probability
+    lines.append(f"  a cause outside the catalogue: probability {unknown:.3f}")
+    lines += [f"  {caveat}" for caveat in diagnosis.caveats]
+    gap = diagnosis.gap
+    figures = (("fitted", gap.fit_angle_arcsec), ("held-out", gap.holdout_angle_arcsec))
+    for role, figure in figures:
+        if figure is not None:
+            lines.append(
+                f"  angle residual, {role} tests: {figure.before:.3g} -> {figure.after:.3g} arcsec;"
+                f" noise floor {figure.floor:.3g} "
+                f"({figure.floor_95[0]:.3g} to {figure.floor_95[1]:.3g})"
+            )
+    if diagnosis.next_test is not None:
+        test = diagnosis.next_test
+        lines.append(f"  next test: {test.kind}, {test.hours:g} h - {test.why}")
+    return "\n".join(lines)
 
 
 def _describe_cause(cause: Cause) -> str:
@@ -65,13 +93,6 @@ def _describe_residual(diagnosis: Diagnosis) -> list[str]:
     after = f" with the nominal gyro, {format_number(figure.after)} with the identified one"
     return [
         f"Angle residual on held-out tests, rms: {format_number(figure.before)} arcsec"
-        f"{after if has_after else ''}; noise floor {format_number(figure.floor)} "
-        f"({format_number(figure.floor_95[0])} to {format_number(figure.floor_95[1])})."
+        f"{after if has_after else ''}; noise floor "
+        f"{format_interval(figure.floor, *figure.floor_95)}."
     ]
-
-
-def _describe_next_test(diagnosis: Diagnosis) -> list[str]:
-    if diagnosis.next_test is None:
-        return []
-    test = diagnosis.next_test
-    return [f"Next test: {format_name(test.kind)}, {test.hours:g} h. {test.why}"]

@@ -81,11 +81,16 @@ def format_value(value: float, low: float, high: float) -> str:
     """A value and its interval, to two digits of the interval's width."""
     width = high - low
     if not (math.isfinite(width) and width > 0):
-        return f"{format_number(value)} ({format_number(low)} to {format_number(high)})"
+        return format_interval(value, low, high)
     largest = max(abs(low), abs(high), abs(value))
     digits = min(max(math.ceil(math.log10(largest / width)) + 2, 3), 9)
     texts = [f"{v:.{digits}g}".replace("-", "−") for v in (value, low, high)]
     return f"{texts[0]} ({texts[1]} to {texts[2]})"
+
+
+def format_interval(value: float, low: float, high: float) -> str:
+    """A value and its interval, to three digits."""
+    return f"{format_number(value)} ({format_number(low)} to {format_number(high)})"
 
 
 def format_percent(share: float) -> str:
@@ -97,14 +102,19 @@ def format_percent(share: float) -> str:
     return f"{100 * share:.1f}\u00a0%"
 
 
-def draw_bar(share: float, width: int = 160) -> str:
+def draw_bar(share: float) -> str:
     """A share as an SVG bar; hidden from screen readers, because the number stands beside it."""
-    length = max(0.0, min(1.0, share)) * width
+    length = max(0.0, min(1.0, share)) * 160
     return (
-        f'<svg class="share" viewBox="0 0 {width} 12" width="{width}" aria-hidden="true">'
-        f'<rect class="whole" width="{width}" height="12"/>'
+        '<svg class="share" viewBox="0 0 160 12" width="160" aria-hidden="true">'
+        '<rect class="whole" width="160" height="12"/>'
         f'<rect width="{length:.1f}" height="12"/></svg>'
     )
+
+
+def show_share(share: float) -> tuple[str, str]:
+    """A share as two cells of a table: a number and a bar."""
+    return format_percent(share), draw_bar(share)
 
 
 def build_table(title: str, header: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> str:

@@ -10,11 +10,11 @@ import itertools
 import numpy as np
 
 from pyhrg.common.units import DEG, DEG_PER_H
+from pyhrg.device.device import Device
 from pyhrg.gap.soundness.exclusion import (
     Array,
     Exclusion,
     NominalEstimate,
-    NominalSetup,
     exclude_columns,
     has_values,
 )
@@ -41,7 +41,7 @@ MIN_WAVE_TURN = 1 * DEG
 ANGLES = ("table_angle", "gyro_angle", "wave_angle")
 
 
-def check_angles(log: Log, nominal: NominalSetup) -> list[Exclusion]:
+def check_angles(log: Log, nominal: Device) -> list[Exclusion]:
     """Exclude angles that contradict each other."""
     exclusions = []
     if has_values(log, "wave_angle", "gyro_angle"):
@@ -51,7 +51,7 @@ def check_angles(log: Log, nominal: NominalSetup) -> list[Exclusion]:
     return exclusions + _check_table(log, nominal)
 
 
-def find_column_orders(log: Log, nominal: NominalSetup) -> dict[str, float]:
+def find_column_orders(log: Log, nominal: Device) -> dict[str, float]:
     """Orders of the three angle columns that fit, with their largest departure, 0 to 1.
 
     An order is named by the columns that change places, and is empty if none does. The result is
@@ -60,7 +60,7 @@ def find_column_orders(log: Log, nominal: NominalSetup) -> dict[str, float]:
     fits: dict[str, float] = {}
     if not has_values(log, *ANGLES):
         return fits
-    k = nominal.device.bryan_factor
+    k = nominal.bryan_factor
     for order in itertools.permutations(ANGLES):
         table, gyro, wave = (getattr(log, field) for field in order)
         departure = float(np.nanmax(np.abs(_compute_departure(log, k, gyro, wave)), initial=0.0))
@@ -70,7 +70,7 @@ def find_column_orders(log: Log, nominal: NominalSetup) -> dict[str, float]:
     return fits
 
 
-def estimate_bryan_factor(log: Log, nominal: NominalSetup) -> list[NominalEstimate]:
+def estimate_bryan_factor(log: Log, nominal: Device) -> list[NominalEstimate]:
     """Estimate of the angular gain: slope of wave angle over output angle, where that is a line."""
     slope, residual = _fit_line(_compute_rotation(log, log.gyro_angle), log.wave_angle)
     known = np.isfinite(residual)
@@ -78,7 +78,7 @@ def estimate_bryan_factor(log: Log, nominal: NominalSetup) -> list[NominalEstima
     allowed = ANGLE_TOLERANCE + ROUNDED_GAIN_TOLERANCE * turned
     if turned < MIN_WAVE_TURN or np.nanmax(np.abs(residual)) > allowed:
         return []
-    k = nominal.device.bryan_factor
+    k = nominal.bryan_factor
     limits = k * (1 - SCALE_TOLERANCE), k * (1 + SCALE_TOLERANCE)
     return [NominalEstimate("coriolis_factor", "wave_angle", log.source, k, slope, *limits)]
 
@@ -115,9 +115,9 @@ def _compute_departure(log: Log, k: float, gyro: Array, wave: Array) -> Array:
     return np.asarray((residual - np.nanmedian(residual)) / allowed)
 
 
-def _check_wave(log: Log, nominal: NominalSetup) -> list[Exclusion]:
+def _check_wave(log: Log, nominal: Device) -> list[Exclusion]:
     """Exclude wave or output angles that contradict the output's definition, and guess why."""
-    k = nominal.device.bryan_factor
+    k = nominal.bryan_factor
     departs = np.abs(_compute_departure(log, k, log.gyro_angle, log.wave_angle)) > 1
     if not departs.any():
         return []
@@ -151,9 +151,9 @@ def _find_wrap_period(departure: Array) -> float:
     return 0.0
 
 
-def _check_table(log: Log, nominal: NominalSetup) -> list[Exclusion]:
+def _check_table(log: Log, nominal: Device) -> list[Exclusion]:
     """Exclude all angles if gyro and table differ by more than any error of a gyro."""
-    k = nominal.device.bryan_factor
+    k = nominal.bryan_factor
     gyro = log.gyro_angle
     if not has_values(log, "gyro_angle"):
         if not has_values(log, "wave_angle"):
@@ -161,7 +161,7 @@ def _check_table(log: Log, nominal: NominalSetup) -> list[Exclusion]:
         gyro = _compute_rotation(log, log.wave_angle / k)
     if not _contradicts_table(log, gyro, log.table_angle):
         return []
-    by_gyro, by_table = (_compute_turn(log, angle) / DEG for angle in (gyro, log.table_angle))
+    by_gyro, by_table = (_compute_path(log, angle)[-1] / DEG for angle in (gyro, log.table_angle))
     trouble = (
         f"gyro turns by {by_gyro:.4g} deg; expected {by_table:.4g} deg as the table, plus Earth's "
         "rotation"
@@ -186,7 +186,3 @@ def _compute_path(log: Log, angle: Array) -> Array:
     """(n - 1,) change of an angle since the first row, over rows with the drive on."""
     steps = np.diff(angle)
     return np.cumsum(np.where(np.isfinite(steps) & (log.drive_on[1:] == 1), steps, 0.0))
-
-
-def _compute_turn(log: Log, angle: Array) -> float:
-    return float(_compute_path(log, angle)[-1])

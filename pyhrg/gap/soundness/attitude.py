@@ -5,11 +5,11 @@ import itertools
 import numpy as np
 
 from pyhrg.common.units import HZ
+from pyhrg.device.device import Device
 from pyhrg.gap.soundness.exclusion import (
     Array,
     Exclusion,
     NominalEstimate,
-    NominalSetup,
     exclude_columns,
     has_values,
 )
@@ -38,7 +38,7 @@ UNSTATED_COEFFICIENT = 2e-4
 about twice that of fused silica, 8.5e-5."""
 
 
-def check_attitude(log: Log, kind: str, nominal: NominalSetup) -> list[Exclusion]:
+def check_attitude(log: Log, kind: str, nominal: Device) -> list[Exclusion]:
     """Exclude specific force that is not gravity, or that contradicts `axis_up`."""
     if kind not in TURNTABLE_KINDS or not has_values(log, *ACCELERATIONS):
         return []
@@ -59,36 +59,34 @@ def check_attitude(log: Log, kind: str, nominal: NominalSetup) -> list[Exclusion
     return [exclude_columns(log, (*ACCELERATIONS, "axis_up"), trouble)]
 
 
-def check_temperature(log: Log, nominal: NominalSetup) -> list[Exclusion]:
+def check_temperature(log: Log, nominal: Device) -> list[Exclusion]:
     """Exclude a temperature that contradicts a loop frequency which is near its nominal value."""
-    device = nominal.device
-    if not device.frequency_per_kelvin or not has_values(log, "temperature", "frequency_offset"):
+    if not nominal.frequency_per_kelvin or not has_values(log, "temperature", "frequency_offset"):
         return []
-    change = float(np.nanmedian(log.temperature)) - device.reference_temperature
-    offset = float(np.nanmedian(log.frequency_offset)) / device.frequency
-    expected = device.frequency_per_kelvin * change
+    change = float(np.nanmedian(log.temperature)) - nominal.reference_temperature
+    offset = float(np.nanmedian(log.frequency_offset)) / nominal.frequency
+    expected = nominal.frequency_per_kelvin * change
     allowed = FREQUENCY_TOLERANCE + COEFFICIENT_TOLERANCE * abs(expected)
     if abs(offset) > FREQUENCY_TOLERANCE or abs(offset - expected) <= allowed:
         return []
-    hertz = device.frequency / HZ
+    hertz = nominal.frequency / HZ
     trouble = f"{change:+.3g} K from the reference, but the loop's frequency is off by "
     trouble += f"{offset * hertz:.3g} Hz; expected {expected * hertz:.3g} Hz: is the unit degC?"
     return [exclude_columns(log, ("temperature",), trouble)]
 
 
-def estimate_frequency(log: Log, nominal: NominalSetup) -> list[NominalEstimate]:
+def estimate_frequency(log: Log, nominal: Device) -> list[NominalEstimate]:
     """Estimate of the nominal frequency: the loop's, without what the temperature explains."""
     if not has_values(log, "frequency_offset"):
         return []
-    device = nominal.device
     change = np.zeros(len(log.time))
     if has_values(log, "temperature"):
-        change = log.temperature - device.reference_temperature
-    stated = device.frequency_per_kelvin
+        change = log.temperature - nominal.reference_temperature
+    stated = nominal.frequency_per_kelvin
     spread = COEFFICIENT_TOLERANCE * abs(stated) if stated else UNSTATED_COEFFICIENT
     width = FREQUENCY_TOLERANCE + spread * float(np.nanmax(np.abs(change)))
-    offset = float(np.nanmedian(log.frequency_offset / device.frequency - stated * change))
-    hertz = device.frequency / HZ
+    offset = float(np.nanmedian(log.frequency_offset / nominal.frequency - stated * change))
+    hertz = nominal.frequency / HZ
     values = (hertz, hertz * (1 + offset), hertz * (1 - width), hertz * (1 + width))
     return [NominalEstimate("frequency_Hz", "frequency_offset", log.source, *values)]
 

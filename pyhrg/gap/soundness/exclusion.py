@@ -7,20 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.common.site import Site
-from pyhrg.device.device import Device
 from pyhrg.records import Log
 from pyhrg.records.columns import BY_FIELD
 
 Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True)
-class NominalSetup:
-    """Nominal device and site, with which a campaign's logs must agree."""
-
-    device: Device
-    site: Site
 
 
 @dataclass(frozen=True)
@@ -88,6 +78,12 @@ def apply_exclusions(log: Log, exclusions: Sequence[Exclusion]) -> Log:
         emptied = {field: np.where(rows, np.nan, getattr(log, field)) for field in exclusion.fields}
         log = replace_columns(log, emptied)
     return log
+
+
+def find_runs(chosen: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """First row of each run of chosen rows, and the row after its last."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], chosen.astype(np.int8), [0]]))).tolist()
+    return list(zip(edges[::2], edges[1::2], strict=True))
 
 
 def has_values(log: Log, *fields: str) -> bool:

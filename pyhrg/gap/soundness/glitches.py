@@ -1,13 +1,12 @@
 """Glitches: up to three readings that depart and return at once while all around is steady."""
 
-from collections.abc import Iterator
-
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation
 
 from pyhrg.common.robust import estimate_robust_deviation
+from pyhrg.device.device import Device
 from pyhrg.gap.replay.observations import (
     CHANNELS,
     FORCES,
@@ -17,21 +16,18 @@ from pyhrg.gap.replay.observations import (
     find_undisturbed_rows,
 )
 from pyhrg.gap.replay.replay import prepare_inputs
-from pyhrg.gap.soundness.attitude import ACCELERATIONS
 from pyhrg.gap.soundness.exclusion import (
     Array,
     Exclusion,
-    NominalSetup,
     has_values,
     replace_columns,
 )
+from pyhrg.gap.soundness.inputs import CONTINUOUS_INPUTS
 from pyhrg.records import Log
 from pyhrg.records.columns import BY_FIELD
 
 Mask = NDArray[np.bool_]
 
-INPUTS = ("table_angle", "temperature", *ACCELERATIONS)
-"""Smooth quantities that the bench measures."""
 MAX_LENGTH = 3
 """Longest glitch, rows. Chosen."""
 PASSES = 2
@@ -63,7 +59,7 @@ def mend_inputs(log: Log) -> tuple[Log, list[str]]:
     """A log whose measured inputs are interpolated across glitches, and a sentence for each
     column."""
     notes = []
-    for field in INPUTS:
+    for field in CONTINUOUS_INPUTS:
         series = getattr(log, field)
         known = np.isfinite(series)
         glitches = find_glitches(series, known)
@@ -73,29 +69,24 @@ def mend_inputs(log: Log) -> tuple[Log, list[str]]:
     return log, notes
 
 
-def check_glitches(log: Log, nominal: NominalSetup) -> list[Exclusion]:
-    """Exclude glitches of the gyro's outputs, in rows with settled loops and a steady table.
-
-    Args:
-        log: with complete inputs.
-        nominal: gives the loops' settling time.
-    """
+def check_glitches(log: Log, nominal: Device) -> list[Exclusion]:
+    """Exclude glitches of the gyro's outputs in a log of complete inputs, in rows with settled
+    loops and a steady table."""
     if not has_values(log, "gyro_angle", "wave_angle"):
         return []
-    inputs = prepare_inputs(log, nominal.device)
+    inputs = prepare_inputs(log, nominal)
     changed = find_command_changes(log) | find_table_acceleration(inputs)
-    steady = find_undisturbed_rows(log, changed, compute_settling_time(nominal.device))
-    return list(_generate_exclusions(log, steady))
-
-
-def _generate_exclusions(log: Log, rows: Mask) -> Iterator[Exclusion]:
+    steady = find_undisturbed_rows(log, changed, compute_settling_time(nominal))
+    exclusions = []
     for field in CHANNELS:
         series = getattr(log, field)
         driven = (log.drive_on > 0) | (field not in FORCES)
-        glitches = find_glitches(series, rows & driven & np.isfinite(series))
+        glitches = find_glitches(series, steady & driven & np.isfinite(series))
         if glitches.any():
             fields = ("gyro_angle", "wave_angle") if field == "gyro_angle" else (field,)
-            yield Exclusion(fields, f"{_describe(log, field, glitches)}: left out", glitches)
+            sentence = f"{_describe(log, field, glitches)}: left out"
+            exclusions.append(Exclusion(fields, sentence, glitches))
+    return exclusions
 
 
 def _describe(log: Log, field: str, glitches: Mask) -> str:
@@ -122,12 +113,8 @@ def _interpolate(series: Array, glitches: Mask, known: Mask) -> Array:
 def find_glitches(series: Array, rows: Mask) -> Mask:
     """(n,) rows that depart from a series and return at once, while all around is steady.
 
-    There are none if they would be many, or no larger than steps elsewhere: then they are noise of
-    the gyro, or counts.
-
-    Args:
-        series: (n,) any unit; a straight line plus noise where nothing is wrong.
-        rows: (n,) rows that are searched.
+    A sound series is a straight line plus noise around each row. There are no glitches if they
+    would be many, or no larger than steps elsewhere: then they are noise of the gyro, or counts.
     """
     glitches = np.zeros(len(series), np.bool_)
     if np.sum(rows) < MIN_ROWS:
@@ -143,19 +130,14 @@ def find_glitches(series: Array, rows: Mask) -> Mask:
         if not glitches.any():
             return glitches
     unaffected = rows & ~binary_dilation(glitches, iterations=REACH)
-    elsewhere = np.sort(_compute_departures(series, unaffected))
+    steps = _window_steps(series, unaffected, 0)
+    median, _, usable = _summarize_context(steps, 0)
+    departures = np.abs(steps[:, CONTEXT] - median)  # of single steps from those around
+    elsewhere = np.sort(departures[usable & np.isfinite(departures)])
     excepted = 2 * MAX_GLITCHES
     largest = elsewhere[-1 - excepted] if len(elsewhere) > excepted else 0.0
     glitches &= sizes > MIN_SIZE_ELSEWHERE * largest
     return glitches & (np.sum(glitches) <= max(MAX_GLITCHES, MAX_GLITCH_SHARE * np.sum(rows)))
-
-
-def _compute_departures(series: Array, rows: Mask) -> Array:
-    """Magnitudes of single steps less the median of those around."""
-    steps = _window_steps(series, rows, 0)
-    median, _, usable = _summarize_context(steps, 0)
-    departures = np.abs(steps[:, CONTEXT] - median)
-    return np.asarray(departures[usable & np.isfinite(departures)])
 
 
 def _window_steps(series: Array, rows: Mask, length: int) -> Array:

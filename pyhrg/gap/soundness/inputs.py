@@ -5,8 +5,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.device.device import Device
 from pyhrg.gap.soundness.attitude import ACCELERATIONS
-from pyhrg.gap.soundness.exclusion import NominalSetup, has_values, replace_columns
+from pyhrg.gap.soundness.exclusion import find_runs, has_values, replace_columns
 from pyhrg.records import COLUMNS, Log, LogError
 from pyhrg.records.columns import BY_FIELD
 
@@ -24,29 +25,23 @@ CONTINUOUS_INPUTS = ("table_angle", "temperature", *ACCELERATIONS)
 """Inputs that are interpolated linearly."""
 
 
-class InputError(LogError):
-    """An input of the gyro is unknown; the message names file, rows and columns."""
-
-
-def complete_inputs(log: Log, nominal: NominalSetup) -> tuple[Log, list[str]]:
-    """A log with every row from its start and known inputs in each, and a sentence for each
-    assumption.
+def complete_inputs(log: Log, nominal: Device) -> tuple[Log, list[str]]:
+    """A log with every row from its start and known inputs in each, and a sentence on each
+    assumption. Raises a `LogError` where the start, the attitude or too many rows are missing.
 
     A missing column is that of a gyro at rest. Missing rows are filled where the table kept its
     rate and no command changed; elsewhere the log is cut. Outputs of filled rows are NaN.
-
-    Raises:
-        InputError: too many rows are missing, or the start is; the attitude is unknown.
     """
     log, notes = _add_missing_columns(log, nominal)
     log, missing = _place_on_grid(log)
     cut, trouble = _find_cut(log, missing)
     if trouble:
         notes.append(trouble)
-        log, missing = _take_first(log, cut), missing[:cut]
+        log = replace_columns(log, {c.field: getattr(log, c.field)[:cut] for c in COLUMNS})
+        missing = missing[:cut]
     known = np.flatnonzero(~missing)
     if len(known) < (1 - MAX_MISSING) * len(missing) or len(known) < 2:
-        raise InputError(
+        raise LogError(
             f"{log.source}: {np.sum(missing)} of {len(missing)} rows missing; expected at most "
             f"{MAX_MISSING:.0%}"
         )
@@ -56,13 +51,11 @@ def complete_inputs(log: Log, nominal: NominalSetup) -> tuple[Log, list[str]]:
     return log, notes
 
 
-def _add_missing_columns(log: Log, nominal: NominalSetup) -> tuple[Log, list[str]]:
+def _add_missing_columns(log: Log, nominal: Device) -> tuple[Log, list[str]]:
     """Missing input columns as on a gyro at rest, and a sentence that names them."""
     if not has_values(log, "axis_up"):
         if not has_values(log, "acceleration_z"):
-            raise InputError(
-                f"{log.source}: columns axis_up and accel_z_m_s2 missing; expected one"
-            )
+            raise LogError(f"{log.source}: columns axis_up and accel_z_m_s2 missing; expected one")
         up = np.clip(np.round(log.acceleration_z / nominal.site.gravity, 2), -1, 1)
         with_up, notes = _add_missing_columns(replace(log, axis_up=up), nominal)
         return with_up, [f"{log.source}: axis_up: missing, taken from accel_z_m_s2", *notes]
@@ -71,10 +64,10 @@ def _add_missing_columns(log: Log, nominal: NominalSetup) -> tuple[Log, list[str
     defaults = {
         "table_angle": 0 * ones,
         "virtual_rotation": 0 * ones,
-        "amplitude_setpoint": nominal.device.amplitude * ones,
+        "amplitude_setpoint": nominal.amplitude * ones,
         "phase_offset": 0 * ones,
         "drive_on": ones,
-        "temperature": nominal.device.reference_temperature * ones,
+        "temperature": nominal.reference_temperature * ones,
         "acceleration_x": level,
         "acceleration_y": 0 * ones,
         "acceleration_z": nominal.site.gravity * log.axis_up,
@@ -90,7 +83,7 @@ def _place_on_grid(log: Log) -> tuple[Log, NDArray[np.bool_]]:
     missing."""
     place = np.round(log.time / log.interval).astype(np.int64) - 1
     if place[0] < 0 or place[-1] >= len(place) / (1 - MAX_MISSING):
-        raise InputError(
+        raise LogError(
             f"{log.source}: time_s {log.time[0]:.6g} to {log.time[-1]:.6g} in {len(place)} rows; "
             f"expected {log.interval:g} to {len(place) * log.interval:g}, few rows missing"
         )
@@ -108,17 +101,17 @@ def _place_on_grid(log: Log) -> tuple[Log, NDArray[np.bool_]]:
 
 def _find_cut(log: Log, missing: NDArray[np.bool_]) -> tuple[int, str]:
     """Number of rows up to which inputs are known or can be filled in, and why not beyond."""
-    edges = np.diff(np.concatenate([[0], missing.astype(np.int8), [0]]))
-    begins, ends = np.flatnonzero(edges == 1).tolist(), np.flatnonzero(edges == -1).tolist()
-    for first, end in zip(begins, ends, strict=True):
+    for first, end in find_runs(missing):
         if end == len(missing):
             return first, f"{log.source}: inputs missing from time_s {log.time[first]:g} to the end"
         if first == 0 and end > MAX_MISSING_AT_START * len(missing):
-            raise InputError(f"{log.source}: {end} rows are missing before the first one")
-        if not (_keeps_rate(log, first, end) and _keeps_commands(log, first, end)):
+            raise LogError(f"{log.source}: {end} rows are missing before the first one")
+        commands = [getattr(log, field) for field in COMMANDS]
+        is_kept = first == 0 or all(c[first - 1] == c[end] for c in commands)
+        if not (is_kept and _keeps_rate(log, first, end)):
             time = log.time[first]
             if first == 0:
-                raise InputError(f"{log.source}: the start is missing, to time_s {log.time[end]:g}")
+                raise LogError(f"{log.source}: the start is missing, to time_s {log.time[end]:g}")
             reason = f"inputs missing from time_s {time:g} on, while they changed"
             return first, f"{log.source}: {reason}: cut there"
     return len(missing), ""
@@ -136,23 +129,11 @@ def _keeps_rate(log: Log, first: int, end: int) -> bool:
     return bool(max(abs(before - across), abs(after - across)) <= allowed)
 
 
-def _keeps_commands(log: Log, first: int, end: int) -> bool:
-    return first == 0 or all(
-        getattr(log, field)[first - 1] == getattr(log, field)[end] for field in COMMANDS
-    )
-
-
-def _take_first(log: Log, n: int) -> Log:
-    return replace_columns(log, {c.field: getattr(log, c.field)[:n] for c in COLUMNS})
-
-
 def _fill_inputs(log: Log, known: NDArray[np.int64]) -> Log:
     """Inputs of missing rows: interpolated, or as in the last known row."""
     rows = np.arange(len(log.time))
-    columns = {}
-    for field in CONTINUOUS_INPUTS:
-        columns[field] = np.interp(rows, known, getattr(log, field)[known])
     before = known[np.clip(np.searchsorted(known, rows, side="right") - 1, 0, None)]
-    for field in COMMANDS:
-        columns[field] = getattr(log, field)[before]
+    columns = {name: getattr(log, name)[before] for name in COMMANDS}
+    for name in CONTINUOUS_INPUTS:
+        columns[name] = np.interp(rows, known, getattr(log, name)[known])
     return replace_columns(log, columns)

@@ -3,14 +3,14 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.device.device import Device
 from pyhrg.gap.soundness.exclusion import (
     Array,
     Exclusion,
     NominalEstimate,
-    NominalSetup,
     exclude_columns,
+    find_runs,
     has_values,
 )
 from pyhrg.records import Log
@@ -39,7 +39,7 @@ def check_amplitude(log: Log) -> list[Exclusion]:
     return [exclude_columns(log, ("amplitude",), trouble)]
 
 
-def check_swapped_forces(log: Log, nominal: NominalSetup) -> list[Exclusion]:
+def check_swapped_forces(log: Log, nominal: Device) -> list[Exclusion]:
     """Exclude amplitude and quadrature forces that stand under each other's name."""
     pair = ("amplitude_force", "quadrature_force")
     low, high = _allowed_decay_times(nominal)
@@ -50,41 +50,41 @@ def check_swapped_forces(log: Log, nominal: NominalSetup) -> list[Exclusion]:
     return [exclude_columns(log, pair, trouble)]
 
 
-def estimate_decay_time(log: Log, nominal: NominalSetup) -> list[NominalEstimate]:
+def estimate_decay_time(log: Log, nominal: Device) -> list[NominalEstimate]:
     """Estimates of the decay time from the amplitude's force and from a ring-down."""
     estimates = []
     decay_time = _compute_decay_time(log.amplitude_force, log, nominal)
     if math.isfinite(decay_time):
         limits = _allowed_decay_times(nominal)
-        values = (nominal.device.decay_time, decay_time, *limits)
+        values = (nominal.decay_time, decay_time, *limits)
         estimates.append(NominalEstimate("decay_time_s", "amplitude_force", log.source, *values))
     return estimates + _estimate_from_ring_down(log, nominal)
 
 
-def _allowed_decay_times(nominal: NominalSetup) -> tuple[float, float]:
-    decay_time = nominal.device.decay_time
+def _allowed_decay_times(nominal: Device) -> tuple[float, float]:
+    decay_time = nominal.decay_time
     return decay_time * (1 - DECAY_TIME_TOLERANCE), decay_time * (1 + DECAY_TIME_TOLERANCE)
 
 
-def _compute_decay_time(force: Array, log: Log, nominal: NominalSetup) -> float:
+def _compute_decay_time(force: Array, log: Log, nominal: Device) -> float:
     """Decay time at the reference temperature, s; NaN where no row allows an estimate."""
-    device = nominal.device
-    change = log.temperature - device.reference_temperature
+    change = log.temperature - nominal.reference_temperature
     chosen = (log.drive_on == 1) & (np.abs(change) < TEMPERATURE_RANGE) & np.isfinite(force)
     if not chosen.any():
         return math.nan
-    rates = force[chosen] * (1 + device.decay_time_per_kelvin * change[chosen])
+    rates = force[chosen] * (1 + nominal.decay_time_per_kelvin * change[chosen])
     median = float(np.median(rates))
     return 1 / median if median else math.inf
 
 
-def _estimate_from_ring_down(log: Log, nominal: NominalSetup) -> list[NominalEstimate]:
+def _estimate_from_ring_down(log: Log, nominal: Device) -> list[NominalEstimate]:
     """Estimate from the longest ring-down, if it is long enough.
 
     Energy decays with the decay time alone. A frequency split may hide up to half of the energy as
     quadrature, which widens the allowed range.
     """
-    rows = _find_longest_run(log.drive_on == 0)
+    runs = find_runs(log.drive_on == 0)
+    rows = slice(*max(runs, key=lambda run: run[1] - run[0], default=(0, 0)))
     amplitude = log.amplitude[rows]
     time = log.time[rows][np.isfinite(amplitude)]
     amplitude = amplitude[np.isfinite(amplitude)]
@@ -95,15 +95,5 @@ def _estimate_from_ring_down(log: Log, nominal: NominalSetup) -> list[NominalEst
     shortest, longest = _allowed_decay_times(nominal)
     shortest = 1 / (1 / shortest + math.log(2) / 2 / duration)
     estimate = 1 / decay if decay > 0 else math.inf
-    values = (nominal.device.decay_time, estimate, shortest, longest)
+    values = (nominal.decay_time, estimate, shortest, longest)
     return [NominalEstimate("decay_time_s", "amplitude", log.source, *values)]
-
-
-def _find_longest_run(chosen: NDArray[np.bool_]) -> slice:
-    """The longest run of chosen rows."""
-    edges = np.diff(np.concatenate([[0], chosen.astype(np.int8), [0]]))
-    first, end = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)
-    if not len(first):
-        return slice(0, 0)
-    i = int(np.argmax(end - first))
-    return slice(int(first[i]), int(end[i]))

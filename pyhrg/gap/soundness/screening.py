@@ -2,14 +2,29 @@
 
 from collections import defaultdict
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from pyhrg.device.device import Device
 from pyhrg.device.device_file import from_table
 from pyhrg.device.keys import KEYS
-from pyhrg.gap.soundness.exclusion import NominalEstimate, NominalSetup
-from pyhrg.gap.soundness.screened_test import ScreenedTest, screen_test
+from pyhrg.gap.soundness.angles import check_angles, estimate_bryan_factor, find_column_orders
+from pyhrg.gap.soundness.attitude import check_attitude, check_temperature, estimate_frequency
+from pyhrg.gap.soundness.exclusion import (
+    Exclusion,
+    NominalEstimate,
+    apply_exclusions,
+    has_values,
+)
+from pyhrg.gap.soundness.glitches import check_glitches, mend_inputs
+from pyhrg.gap.soundness.inputs import complete_inputs
+from pyhrg.gap.soundness.resonator import (
+    check_amplitude,
+    check_swapped_forces,
+    estimate_decay_time,
+)
+from pyhrg.records import LogError
 from pyhrg.records.campaign import INDEX, Campaign, CampaignError, Test
 
 REQUIRED_KEYS = ("coriolis_factor", "decay_time_s", "frequency_Hz")
@@ -19,25 +34,69 @@ MAX_CONTRADICTING_SHARE = 0.5
 logs must then be wrong. Chosen."""
 
 
+@dataclass(frozen=True)
+class ScreenedTest:
+    """A test with complete inputs, and what was found in its log.
+
+    orders: orders of the three angle columns that fit, see `find_column_orders`.
+    angles: exclusions of whole angle columns, which no gyro explains.
+    estimates: of nominal values.
+    notes: what was left out of the log or assumed.
+    """
+
+    test: Test
+    orders: frozenset[str]
+    angles: tuple[Exclusion, ...]
+    estimates: tuple[NominalEstimate, ...]
+    notes: tuple[str, ...]
+
+    @property
+    def usable(self) -> Test:
+        """The test without the columns that contradict nominal values."""
+        fields = tuple(estimate.field for estimate in self.estimates if estimate.contradicts)
+        log = apply_exclusions(self.test.log, [Exclusion(fields, "")])
+        return replace(self.test, recording=log)
+
+    @property
+    def sentences(self) -> list[str]:
+        """A sentence for everything that was left out or assumed."""
+        contradictions = [e.sentence for e in self.estimates if e.contradicts]
+        unused = (
+            [] if self.is_usable else [f"{self.test.id}: not used: no angle of the gyro is left"]
+        )
+        return [*self.notes, *contradictions, *unused]
+
+    @property
+    def is_usable(self) -> bool:
+        """Whether an angle of the gyro is left."""
+        log = self.usable.log
+        return has_values(log, "gyro_angle") or has_values(log, "wave_angle")
+
+
 def screen_campaign(campaign: Campaign) -> tuple[Campaign, tuple[str, ...]]:
     """The campaign that can be diagnosed, and a sentence for everything left out or assumed.
 
     Every test has inputs that can be replayed row by row. Outputs are NaN where they are missing or
     contradict what the campaign format fixes. Limits are wide: no real error of a gyro exceeds
-    them, only mixed-up columns, units, signs or files do. `truth.json` is not read.
-
-    Raises:
-        DeviceError: a nominal value is impossible.
-        CampaignError: a nominal value is missing; most logs contradict the nominal values (another
-            gyro's logs) or themselves; no test that may be fitted remains.
+    them, only mixed-up columns, units, signs or files do. A `CampaignError` where a nominal value
+    is missing, most logs contradict the nominal values or themselves, or no test can be fitted.
     """
-    nominal, notes = _select_nominal(campaign)
-    setup = NominalSetup(from_table(nominal, f"{INDEX}: nominal"), campaign.site)
-    results = [screen_test(test, setup) for test in campaign.tests]
+    missing = [key for key in REQUIRED_KEYS if key not in campaign.nominal]
+    if missing:
+        raise CampaignError(f"{INDEX}: nominal.{missing[0]}: missing; expected a number")
+    unknown = set(campaign.nominal) - {key.name for key in KEYS}
+    notes = [
+        f"{INDEX}: nominal.{key}: not known, ignored" for key in campaign.nominal if key in unknown
+    ]
+    nominal = nominal_device(campaign)
+    results = [_screen_test(test, nominal) for test in campaign.tests]
     screened = [result for result in results if isinstance(result, ScreenedTest)]
     _check_column_order(screened)
     _check_gyro([estimate for each in screened for estimate in each.estimates])
-    _check_angles(screened)
+    wrong = [each for each in screened if each.angles and not each.is_usable]
+    if len(wrong) > MAX_CONTRADICTING_SHARE * len(screened):
+        sentence = wrong[0].angles[0].sentence
+        raise CampaignError(f"{len(wrong)} of {len(screened)} logs, as {sentence}")
     for result in results:
         notes += result.sentences if isinstance(result, ScreenedTest) else [result]
     tests, duplicates = _drop_known_holdouts([each.usable for each in screened if each.is_usable])
@@ -47,7 +106,7 @@ def screen_campaign(campaign: Campaign) -> tuple[Campaign, tuple[str, ...]]:
         raise CampaignError(f"no test that may be fitted can be used: {reasons}")
     if not any(test.is_holdout for test in tests):
         notes.append("no test is held out: a diagnosis can't be verified")
-    return replace(campaign, nominal=nominal, tests=tuple(tests)), tuple(notes)
+    return replace(campaign, tests=tuple(tests)), tuple(notes)
 
 
 def describe_screening(campaign: Campaign) -> str:
@@ -62,15 +121,12 @@ def describe_screening(campaign: Campaign) -> str:
     return f"a diagnosis would leave out, or take for granted:\n{sentences}"
 
 
-def _select_nominal(campaign: Campaign) -> tuple[dict[str, float], list[str]]:
-    """Nominal values whose keys are known, and a sentence for each that is not."""
-    missing = [key for key in REQUIRED_KEYS if key not in campaign.nominal]
-    if missing:
-        raise CampaignError(f"{INDEX}: nominal.{missing[0]}: missing; expected a number")
-    names = [key.name for key in KEYS]
-    unknown = [key for key in campaign.nominal if key not in names]
-    notes = [f"{INDEX}: nominal.{key}: not known, ignored" for key in unknown]
-    return {k: v for k, v in campaign.nominal.items() if k in names}, notes
+def nominal_device(campaign: Campaign) -> Device:
+    """The device that a campaign's nominal values state, without values that are no device key;
+    a `DeviceError` where they are no device's."""
+    names = {key.name for key in KEYS}
+    nominal = {name: value for name, value in campaign.nominal.items() if name in names}
+    return replace(from_table(nominal, f"{INDEX}: nominal"), site=campaign.site)
 
 
 def _check_column_order(screened: Sequence[ScreenedTest]) -> None:
@@ -93,14 +149,6 @@ def _check_column_order(screened: Sequence[ScreenedTest]) -> None:
         )
 
 
-def _check_angles(screened: Sequence[ScreenedTest]) -> None:
-    """Refuse a campaign with mixed-up angles in most logs."""
-    wrong = [each for each in screened if each.angles and not each.is_usable]
-    if len(wrong) > MAX_CONTRADICTING_SHARE * len(screened):
-        sentence = wrong[0].angles[0].sentence
-        raise CampaignError(f"{len(wrong)} of {len(screened)} logs, as {sentence}")
-
-
 def _check_gyro(estimates: Sequence[NominalEstimate]) -> None:
     """Refuse a nominal value that a field contradicts in most logs, unless estimates from another
     field contradict that field's estimate."""
@@ -113,17 +161,13 @@ def _check_gyro(estimates: Sequence[NominalEstimate]) -> None:
         value = float(np.median([estimate.found for estimate in own]))
         others = [e for (k, f), es in by_field.items() if k == key and f != field for e in es]
         if not others or np.mean([e.fits(value) for e in others]) > MAX_CONTRADICTING_SHARE:
-            raise _describe_another_gyro(key, own)
-
-
-def _describe_another_gyro(key: str, estimates: Sequence[NominalEstimate]) -> CampaignError:
-    contradicting = [estimate for estimate in estimates if estimate.contradicts]
-    logs = {estimate.source for estimate in contradicting}
-    return CampaignError(
-        f"{INDEX}: nominal.{key}: contradicted by {len(logs)} logs, as "
-        f"{contradicting[0].sentence}: are they another gyro's, or is the column in another unit "
-        "or sign?"
-    )
+            contradicting = [estimate for estimate in own if estimate.contradicts]
+            raise CampaignError(
+                f"{INDEX}: nominal.{key}: contradicted by "
+                f"{len({estimate.source for estimate in contradicting})} logs, as "
+                f"{contradicting[0].sentence}: are they another gyro's, or is the column in "
+                "another unit or sign?"
+            )
 
 
 def _drop_known_holdouts(tests: Sequence[Test]) -> tuple[list[Test], list[str]]:
@@ -140,3 +184,39 @@ def _drop_known_holdouts(tests: Sequence[Test]) -> tuple[list[Test], list[str]]:
 
 def _read_angles(test: Test) -> bytes:
     return test.log.gyro_angle.tobytes() + test.log.wave_angle.tobytes()
+
+
+def _screen_test(test: Test, nominal: Device) -> ScreenedTest | str:
+    """The test without what contradicts itself, or a sentence why it can't be used."""
+    try:
+        log = test.log
+        if len(log.time) < 2 or not np.all(np.diff(log.time) > 0):
+            raise LogError(
+                f"{log.source}: time_s: expected two rows at least, and time to increase"
+            )
+    except LogError as error:
+        return f"{test.id}: not used: {error}"
+    notes = [f"{log.source}: {note}" for note in log.exclusions]
+    log, mended = mend_inputs(log)
+    wrong_inputs = check_attitude(log, test.kind, nominal) + check_temperature(log, nominal)
+    notes += [*mended, *(exclusion.sentence for exclusion in wrong_inputs)]
+    try:
+        log, filled = complete_inputs(apply_exclusions(log, wrong_inputs), nominal)
+    except LogError as error:
+        return "; ".join([f"{test.id}: not used: {error}", *notes])
+    angles = check_angles(log, nominal)
+    others = check_amplitude(log) + check_swapped_forces(log, nominal)
+    remaining = apply_exclusions(log, [*angles, *others])
+    glitches = check_glitches(remaining, nominal)
+    remaining = apply_exclusions(remaining, glitches)
+    return ScreenedTest(
+        replace(test, recording=remaining),
+        frozenset(find_column_orders(log, nominal)),
+        tuple(exclusion for exclusion in angles if exclusion.rows is None),
+        (
+            *estimate_bryan_factor(log, nominal),
+            *estimate_decay_time(remaining, nominal),
+            *estimate_frequency(remaining, nominal),
+        ),
+        (*notes, *filled, *(exclusion.sentence for exclusion in (*angles, *others, *glitches))),
+    )

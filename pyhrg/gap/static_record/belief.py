@@ -73,11 +73,7 @@ def read_beliefs(path: Path) -> dict[str, Belief]:
 
 
 def parse_belief(values: Mapping[str, object], kind: Kind, source: str) -> Belief:
-    """The belief that a table of values states.
-
-    Raises:
-        BeliefError: see `read`.
-    """
+    """The belief that a table of values states; it raises as `read_beliefs` does."""
     table = TomlTable(source, "", values, BeliefError)
     table.check_known([*kind.by_parameter, PERIODS, TOLERANCE_PERCENT])
     lowest = {kind.ramp.parameter: -sys.float_info.max}
@@ -92,18 +88,14 @@ def parse_belief(values: Mapping[str, object], kind: Kind, source: str) -> Belie
     if not levels.any():
         names = ", ".join(t.parameter for t in kind.terms)
         raise BeliefError(f"{source}: found no noise, expected one of {names} above 0")
+    periods = table.numbers(PERIODS, None, 0.0, math.inf)
+    if 0 in periods:
+        raise table.error(PERIODS, list(periods), "periods above 0")
     return Belief(
         levels,
         kind.ramp.factor * stated.get(kind.ramp.parameter, 0.0),
-        _read_periods(table),
+        periods,
         table.number(TOLERANCE_PERCENT, 100 * DEFAULT_TOLERANCE, 0.1, 100.0) / 100,
         source,
         stated,
     )
-
-
-def _read_periods(table: TomlTable) -> tuple[float, ...]:
-    periods = table.numbers(PERIODS, None, 0.0, math.inf)
-    if 0 in periods:
-        raise table.error(PERIODS, list(periods), "periods above 0")
-    return periods

@@ -1,18 +1,24 @@
 """A static record: one channel for each sensor, independent of the file format."""
 
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.common.errors import HrgError
-from pyhrg.gap.static_record.terms import GYRO, Kind
-from pyhrg.records import Log
+from pyhrg.gap.static_record.terms import ACCELEROMETER, GYRO, Kind
+from pyhrg.records import Log, read_log
+from pyhrg.records.imu import recorded
+from pyhrg.records.table import read_bytes
 
 Array = NDArray[np.float64]
 
 MIN_READINGS = 1024
 """Smallest number of readings of a channel; half of them are held out (chosen)."""
+BENCH_COLUMN = b"gyro_angle_deg"
+HEADER_BYTES = 4096
+"""Bytes at the start of a file in which the header of a table is expected."""
 
 
 class RecordError(HrgError):
@@ -23,8 +29,6 @@ class RecordError(HrgError):
 class Channel:
     """The readings of one sensor at rest.
 
-    name: of the channel.
-    kind: gyro or accelerometer.
     interval: between readings, s.
     angle: (n,) integral of the sensed quantity (angle or velocity), SI, evenly spaced, without
         gaps.
@@ -61,20 +65,36 @@ class StaticRecord:
     notes: tuple[str, ...] = ()
 
 
+def read_static_record(path: Path, trusted: bool = False) -> StaticRecord:
+    """Read the log of an IMU (PSINS, CSV, Parquet: `pyhrg.records.imu`; body axes forward, right,
+    down) or a bench log (`pyhrg.records`).
+
+    Args:
+        path: of the file.
+        trusted: whether an IMU's units and axes are taken as stated, though gravity or Earth's
+            rate in it contradict them.
+
+    Raises:
+        pyhrg.records.imu.log.LogError, pyhrg.records.LogError: the file can't be used.
+        RecordError: it is too short, or a channel never changes.
+    """
+    if BENCH_COLUMN in read_bytes(path)[:HEADER_BYTES]:
+        return _take_bench_log(read_log(path))
+    imu = recorded.read_imu_log(path, trusted).increments
+    channels = [
+        channel_from_increments(f"{kind.name}_{axis}", kind, imu.interval, values)
+        for kind, triad in ((GYRO, imu.rotation), (ACCELEROMETER, imu.velocity))
+        for axis, values in zip("xyz", triad.T, strict=True)
+    ]
+    return StaticRecord(path.name, tuple(channels))
+
+
 def channel_from_increments(
     name: str, kind: Kind, interval: float, increments: Array, temperature: Array | None = None
 ) -> Channel:
-    """A channel from readings that are increments of angle or velocity.
+    """A channel from readings (n,) that are increments of angle or velocity, SI.
 
-    Args:
-        name: of the channel.
-        kind: gyro or accelerometer.
-        interval: between readings, s.
-        increments: (n,) SI.
-        temperature: (n,) K.
-
-    Raises:
-        RecordError: there are too few readings, one is not finite, or all are equal.
+    Too few readings, one that is not finite, or readings that are all equal are refused.
     """
     increments = np.asarray(increments, dtype=np.float64)
     if len(increments) < MIN_READINGS:
@@ -90,15 +110,9 @@ def channel_from_increments(
     return Channel(name, kind, interval, angle, temperature, find_quantization_step(increments))
 
 
-def record_from_log(log: Log) -> StaticRecord:
+def _take_bench_log(log: Log) -> StaticRecord:
     """The output angle of a bench log less the turntable's angle, over its longest stretch without
-    gaps.
-
-    The pattern creeps over the gyro's bias map at Earth's rate, so a rate ramp is expected.
-
-    Raises:
-        LogError: the log has no output angle or no table angle.
-        RecordError: the stretch is too short.
+    gaps. The pattern creeps over the gyro's bias map at Earth's rate, so a rate ramp is expected.
     """
     stretch = max(log.stretches("gyro_angle", "table_angle"), key=lambda s: s.stop - s.start)
     angle = (log.gyro_angle - log.table_angle)[stretch]

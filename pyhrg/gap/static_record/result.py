@@ -1,7 +1,6 @@
 """The diagnosis of a static record."""
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,7 +8,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from pyhrg.gap.static_record.fit.diagnosis import ChannelDiagnosis
-from pyhrg.gap.static_record.fit.unknowns import Unknown, split_octaves
+from pyhrg.gap.static_record.fit.unknowns import split_octaves
 from pyhrg.gap.static_record.terms import GYRO
 
 Array = NDArray[np.float64]
@@ -79,19 +78,16 @@ def locate_excess(
 ) -> list[tuple[str, tuple[float, float], float]]:
     """Coordinate, band (Hz) and share of the power that differs from the believed noise, by octave.
 
-    Power that other channels show too is motion: its coordinate is the rate or the acceleration.
-    The coordinate of the other power is the noise, or time where a change of the noise or a
-    periodic signal is the most probable unknown.
-
-    Args:
-        d: diagnosis of a channel.
-        shared: (k,) share of the channel's power that the others show too.
+    `shared` (k,) is the share of the channel's power that other channels show too. It is motion:
+    its coordinate is the rate or the acceleration. The coordinate of the other power is the noise,
+    or time where a change of the noise or a periodic signal is the most probable unknown.
     """
     n = len(d.channel.part(0, d.channel.half).angle) - 1
     bands = split_octaves(n)
     power = np.abs(d.fit.before.octaves - 1) * [b.stop - b.start for b in bands]
     motion = np.resize(np.concatenate([shared, np.zeros(len(bands))]), len(bands))
-    own = "noise" if d.causes else _get_coordinate(d.ranking.unknowns)
+    likeliest = max(d.ranking.unknowns, key=lambda unknown: unknown.log_ratio)
+    own = "noise" if d.causes else likeliest.coordinate
     outside = "rate" if d.channel.kind is GYRO else "acceleration"
     places = []
     for band, size, common in zip(bands, power / np.sum(power), motion, strict=True):
@@ -100,7 +96,3 @@ def locate_excess(
             if share >= SMALLEST_SHARE:
                 places.append((coordinate, (hertz[0], hertz[1]), float(share)))
     return places
-
-
-def _get_coordinate(unknowns: Sequence[Unknown]) -> str:
-    return max(unknowns, key=lambda u: u.log_ratio).coordinate

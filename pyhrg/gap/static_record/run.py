@@ -6,8 +6,7 @@ from pathlib import Path
 from pyhrg.gap.static_record.belief import Belief, BeliefError, read_beliefs
 from pyhrg.gap.static_record.fit.diagnosis import diagnose_channel
 from pyhrg.gap.static_record.fit.hypotheses import FALSE_ALARMS
-from pyhrg.gap.static_record.reading import read_static_record
-from pyhrg.gap.static_record.record import StaticRecord
+from pyhrg.gap.static_record.record import StaticRecord, read_static_record
 from pyhrg.gap.static_record.result import RecordDiagnosis
 from pyhrg.gap.static_record.shared_motion import compute_shared_power
 
@@ -23,7 +22,7 @@ def diagnose_record(
     """Find the noise terms of a static record that exceed a belief (docs/methods/noise.md).
 
     Args:
-        record: a record, or its file (`reading.read_static_record`).
+        record: a record, or its file (`record.read_static_record`).
         belief: noise by channel (`gyro_x`) or by kind of sensor (`gyros`, `accelerometers`), or a
             TOML file of it (`belief.read_beliefs`).
         trusted: whether units and axes of a file are taken as stated, though gravity or Earth's
@@ -42,7 +41,7 @@ def diagnose_record(
     result = _compare_with_beliefs(record, beliefs, seed)
     if out is not None:
         # the figures of the page load matplotlib
-        from pyhrg.gap.static_record.report.folder import write_record_report
+        from pyhrg.gap.static_record.report.page import write_record_report
 
         write_record_report(result, Path(out))
     return result

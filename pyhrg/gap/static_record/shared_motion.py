@@ -23,13 +23,8 @@ def compute_shared_power(channels: Sequence[Channel]) -> Array:
 
     Multiple coherence (J. Bendat, A. Piersol, Random Data, 4th ed., 7.3) over narrow bands, less
     its expectation for independent channels. A response that changes within a band or in time
-    lowers the estimate, so the true share is this or more.
-
-    Args:
-        channels: c channels of one length and interval.
-
-    Returns:
-        (c, k); 0 where the share may be chance or an octave has too few frequencies.
+    lowers the estimate, so the true share is this or more. The result is (c, k) for c channels of
+    one length and interval; 0 where the share may be chance or an octave has too few frequencies.
     """
     spectra = np.array([_compute_spectrum(channel) for channel in channels])
     m, others = spectra.shape[1], len(channels) - 1

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
+from pyhrg.gap.replay.instruments import estimate_reading_steps
 from pyhrg.gap.replay.observations import ObservedTest
-from pyhrg.gap.replay.thermometer import estimate_reading_steps
 from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel
 
 Array = NDArray[np.float64]
@@ -63,40 +63,34 @@ class CampaignNoise:
         if channel == "gyro_angle":
             return self.angle.add_white(test.encoder_noise)
         interval = test.log.interval
-        white = _look_up_nearest(self.white[channel], interval)
+        nearest = min(self.white[channel], key=lambda known: abs(math.log(known / interval)))
+        white = self.white[channel][nearest]
         if channel in self.per_kelvin:
             kelvin = self.temperature.get(test.test.id, max(self.temperature.values()))
             lagged = self.per_kelvin[channel] * kelvin * np.sqrt(interval)
-            rounding = self._thermometer_rounding(self.per_kelvin[channel], test)
-            return NoiseModel(white, lagged=lagged, lag=self.thermal_lag, correlated=rounding)
+            step = self.reading_steps.get(test.test.id, 0.0)
+            rounding = CorrelatedNoise(
+                self.per_kelvin[channel] * step / 2,
+                THERMOMETER_CORRELATION * self.thermal_lag,
+                of_rate=False,
+            )
+            return NoiseModel(
+                white, lagged=lagged, lag=self.thermal_lag, correlated=rounding if step else None
+            )
         if channel == "amplitude" and not test.log.drive_on.all():
             walk = 2 * self.bryan_factor * self.angle.angle_random_walk
             return NoiseModel(white, angle_random_walk=walk)
         return NoiseModel(white)
 
-    def _thermometer_rounding(
-        self, per_kelvin: float, test: ObservedTest
-    ) -> CorrelatedNoise | None:
-        """Effect on a channel of half a quantization step of the temperature log (Eq. 16)."""
-        step = self.reading_steps.get(test.test.id, 0.0)
-        if not step:
-            return None
-        level = per_kelvin * step / 2
-        return CorrelatedNoise(level, THERMOMETER_CORRELATION * self.thermal_lag, of_rate=False)
-
 
 def estimate_campaign_noise(
     nominal: Device, tests: Sequence[ObservedTest], residuals: Sequence[Mapping[str, Array]]
 ) -> CampaignNoise:
-    """Noise of all channels: the nominal device's own on its angle, the others' from residuals.
+    """Noise of all channels: the nominal device's own on its angle, the others' from residuals,
+    (n,) by channel for each test, record less simulation, SI.
 
     The others are estimated from second differences of residuals, to which a slow signal
     contributes almost nothing (docs/methods/whitening.md, Eq. 14).
-
-    Args:
-        nominal: the device before the diagnosis.
-        tests: all tests that are compared.
-        residuals: (n,) by channel, record less simulation, SI, for each test.
     """
     white = {name: _estimate_white(name, tests, residuals) for name in REPLAY_RESOLUTION}
     steps = estimate_reading_steps({t.test.id: t.log.temperature for t in tests})
@@ -116,7 +110,7 @@ def estimate_campaign_noise(
             kelvins = [temperature[t.test.id] for t in tests if t.log.interval == interval]
             change = slope * float(np.median(kelvins)) * interval / nominal.thermal_lag
             least = REPLAY_RESOLUTION[channel]
-            white[channel][interval] = _subtract_thermometer(deviation, change, least)
+            white[channel][interval] = math.sqrt(max(deviation**2 - change**2 / 12, least**2))
     return CampaignNoise(
         build_angle_noise(nominal),
         white,
@@ -144,17 +138,6 @@ def _estimate_white(
         )
         for interval, own in parts.items()
     }
-
-
-def _look_up_nearest(by_interval: Mapping[float, float], interval: float) -> float:
-    """Value of the rows whose length has the ratio nearest to one."""
-    return by_interval[min(by_interval, key=lambda known: abs(math.log(known / interval)))]
-
-
-def _subtract_thermometer(deviation: float, change: float, least: float) -> float:
-    """Standard deviation without the share of a thermometer's noise, by which the channel changes
-    from row to row."""
-    return float(np.sqrt(max(deviation**2 - change**2 / 12, least**2)))
 
 
 def build_angle_noise(device: Device) -> NoiseModel:

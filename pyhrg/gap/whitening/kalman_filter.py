@@ -23,25 +23,23 @@ def compute_innovations(
     densities: Array,
     innovations: Array,
 ) -> float:
-    """Log determinant of the covariance; fills in the normalised innovations (Eqs. 6 to 10).
+    """Log determinant of the covariance of (n, p) readings; fills in the normalised innovations
+    (Eqs. 6 to 10).
 
-    A covariance that repeats to the bit is not computed again: with equal steps the filter becomes
-    stationary.
-
-    Args:
-        series: (n, p) readings.
-        steps: (n,) time since the reading before, s.
-        white: variance of the white noise of a reading.
-        walks: (2,) spectral densities that drive angle and rate.
-        lags: (m,) time constants, s.
-        rates: (m,) 1 where a lag adds to the rate, 0 where it adds to the reading.
-        densities: (m,) spectral densities that drive the lags.
-        innovations: (n, p), overwritten.
+    `steps` are (n,) times since the reading before, s; `white` is the variance of a reading's white
+    noise, `walks` are the (2,) spectral densities that drive angle and rate. Each of m lags has a
+    time constant, s, a spectral density that drives it, and a rate: 1 where it adds to the rate, 0
+    where it adds to the reading. A covariance that repeats to the bit is not computed again: with
+    equal steps the filter becomes stationary.
     """
     m = len(lags) + 2
     state = np.zeros((m, series.shape[1]))
     innovation = np.zeros(series.shape[1])
-    reading, covariance = _initialize(lags, rates, densities)
+    reading, covariance = np.zeros(m), np.zeros((m, m))
+    reading[0] = 1.0
+    for j in range(m - 2):
+        reading[j + 2] = 1.0 - rates[j]
+        covariance[j + 2, j + 2] = rates[j] * densities[j] * lags[j] / 2
     kept, integrated, added = np.ones(m), np.zeros(m), np.zeros((m, m))
     integrated[0] = 1.0
     before, angle_row = covariance.copy(), np.zeros(m)
@@ -61,23 +59,17 @@ def compute_innovations(
         _predict_state(state, kept, integrated)
         for k in range(len(innovation)):
             innovation[k] = series[i, k] - state[0, k]
-        _subtract_lags(innovation, state, reading)
+        for a in range(2, m):
+            if reading[a] != 0.0:
+                for k in range(len(innovation)):
+                    innovation[k] -= reading[a] * state[a, k]
         for k in range(len(innovation)):
             innovations[i, k] = innovation[k] / deviation
-        _update_state(state, gain, innovation)
+        for a in range(m):
+            if gain[a] != 0.0:
+                for k in range(len(innovation)):
+                    state[a, k] += gain[a] * innovation[k]
     return log_determinant
-
-
-@numba.njit(cache=True, inline="always")
-def _initialize(lags: Array, rates: Array, densities: Array) -> tuple[Array, Array]:
-    """(m,) weights of the states in a reading, and (m, m) their covariance at the start."""
-    m = len(lags) + 2
-    reading, covariance = np.zeros(m), np.zeros((m, m))
-    reading[0] = 1.0
-    for j in range(m - 2):
-        reading[j + 2] = 1.0 - rates[j]
-        covariance[j + 2, j + 2] = rates[j] * densities[j] * lags[j] / 2
-    return reading, covariance
 
 
 @numba.njit(cache=True)
@@ -91,13 +83,8 @@ def _fill_transition(
     integrated: Array,
     added: Array,
 ) -> None:
-    """Transition over a step and covariance of its process noise (Eqs. 4 and 5).
-
-    Args:
-        kept: (m,) part of each state that remains, overwritten.
-        integrated: (m,) what each state adds to the angle, overwritten.
-        added: (m, m) process-noise covariance, overwritten.
-    """
+    """Transition over a step and covariance of its process noise (Eqs. 4 and 5). Overwrites the
+    (m,) part of each state that remains, what each adds to the angle, and the (m, m) covariance."""
     h = step
     integrated[1] = h
     added[0, 0] = walks[0] * h + walks[1] * h**3 / 3
@@ -173,21 +160,3 @@ def _predict_state(state: Array, kept: Array, integrated: Array) -> None:
         if kept[a] != 1.0:
             for k in range(state.shape[1]):
                 state[a, k] *= kept[a]
-
-
-@numba.njit(cache=True, inline="always")
-def _subtract_lags(innovation: Array, state: Array, reading: Array) -> None:
-    """Subtract from (p,) innovations the lags that are part of a reading, in place (Eq. 9)."""
-    for a in range(2, len(state)):
-        if reading[a] != 0.0:
-            for k in range(len(innovation)):
-                innovation[k] -= reading[a] * state[a, k]
-
-
-@numba.njit(cache=True, inline="always")
-def _update_state(state: Array, gain: Array, innovation: Array) -> None:
-    """Correct the (m, p) states by the innovation, in place (Eq. 8)."""
-    for a in range(len(state)):
-        if gain[a] != 0.0:
-            for k in range(len(innovation)):
-                state[a, k] += gain[a] * innovation[k]

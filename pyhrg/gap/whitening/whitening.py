@@ -1,4 +1,4 @@
-"""Whitening of a series by a Kalman filter: `whiten` returns normalised innovations.
+"""Noise of one channel: its draws, and its whitening by a Kalman filter to normalised innovations.
 
 The same linear map is applied to the residual and to every column that may explain it. The state
 model, the filter and the likelihood are Eqs. 1 to 12 of docs/methods/whitening.md. Sources:
@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.signal import lfilter
 
 from pyhrg.gap.whitening.kalman_filter import compute_innovations
 
@@ -86,17 +87,6 @@ class NoiseModel:
         walks = np.array([self.angle_random_walk**2, self.rate_random_walk**2])
         return MarkovStates(np.array(lags), rates, np.array(densities), walks)
 
-    @property
-    def is_white(self) -> bool:
-        """Whether successive readings are independent."""
-        return not (
-            self.angle_random_walk
-            or self.rate_random_walk
-            or self.bias_instability
-            or self.lagged
-            or self.correlated
-        )
-
 
 @dataclass(frozen=True)
 class MarkovStates:
@@ -130,18 +120,12 @@ class WhitenedSeries:
 def whiten(
     series: Array, steps: Array, noise: NoiseModel, unmodelled: Array | None = None
 ) -> WhitenedSeries:
-    """Normalised innovations of each column under one noise model.
+    """Normalised innovations of each column of (n, p) series under one noise model.
 
-    All slow terms start at zero with the first step, except that flicker and correlated noise of
-    the rate start in their stationary state.
-
-    Args:
-        series: (n, p) residual and columns, any units.
-        steps: (n,) time since the reading before, s; the first since the start.
-        noise: in the residual's unit.
-        unmodelled: (n,) shape, in the residual's unit, of a term that the simulation lacks. A
-            multiple of it with standard deviation 1 counts as noise (docs/methods/whitening.md,
-            Eqs. 11 and 12).
+    All slow terms start at zero with the first of the (n,) steps, s, except that flicker and
+    correlated noise of the rate start in their stationary state. `unmodelled` is the (n,) shape of
+    a term that the simulation lacks: a multiple of it with standard deviation 1 counts as noise
+    (docs/methods/whitening.md, Eqs. 11 and 12).
     """
     if unmodelled is None or not unmodelled.any():
         return _whiten_by_filter(series, steps, noise)
@@ -154,7 +138,8 @@ def whiten(
 
 
 def _whiten_by_filter(series: Array, steps: Array, noise: NoiseModel) -> WhitenedSeries:
-    if noise.is_white:
+    walks = noise.angle_random_walk, noise.rate_random_walk, noise.bias_instability
+    if not (any(walks) or noise.lagged or noise.correlated):
         return WhitenedSeries(series / noise.white, 2 * len(series) * float(np.log(noise.white)))
     s = noise.states
     innovations = np.empty_like(series)
@@ -163,3 +148,26 @@ def _whiten_by_filter(series: Array, steps: Array, noise: NoiseModel) -> Whitene
         innovations,
     )  # fmt: skip
     return WhitenedSeries(innovations, float(log_determinant))
+
+
+def draw_noise(noise: NoiseModel, n: int, interval: float, generator: np.random.Generator) -> Array:
+    """(n,) readings of one channel's noise, in its unit, `interval` seconds apart.
+
+    Slow terms start at zero; flicker starts in its stationary state, as `whiten` assumes.
+    """
+    rate = np.zeros(n)
+    if noise.rate_random_walk:
+        rate += np.cumsum(generator.normal(0.0, noise.rate_random_walk * np.sqrt(interval), n))
+    reading = np.zeros(n)
+    states = noise.states
+    for lag, is_rate, density in zip(states.lags, states.rates, states.densities, strict=True):
+        if density:  # lags of the rate are stationary from the start, the others start at zero
+            kept, power = np.exp(-interval / lag), density * lag / 2
+            steps = generator.normal(0.0, np.sqrt(power * (1 - kept**2)), n)
+            if is_rate:
+                steps[0] = generator.normal(0.0, np.sqrt(power))
+            lagging = rate if is_rate else reading
+            lagging += np.asarray(lfilter([1.0], [1.0, -kept], steps))
+    steps = generator.normal(0.0, noise.angle_random_walk * np.sqrt(interval), n)
+    walk = np.cumsum(rate * interval + steps)
+    return np.asarray(reading + walk + generator.normal(0.0, noise.white, n))

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from pyhrg.common.toml_table import TomlTable
-from pyhrg.records.campaign_import.units import PLAIN, RATE, Unit, list_units
+from pyhrg.records.campaign_import.units import BY_COLUMN_UNIT, PLAIN, RATE, Unit
 from pyhrg.records.columns import COLUMNS, Column
 
 BY_STEM = {column.stem: column for column in COLUMNS}
@@ -20,16 +20,15 @@ LARGEST_NUMBER = 1e15
 class ColumnMapping:
     """SI value = unit(scale * number + offset), then unwrapped, integrated and shifted.
 
-    Attributes:
-        place: key in the mapping, for messages.
-        column: the column of a campaign's log.
-        logged: name of the laboratory's column or its number from 1; None: a constant.
-        constant: value of a constant.
-        unit_name: name of the unit, as in the mapping.
-        wraps_every: period of a wrapped angle, SI; 0: it does not wrap.
-        integrate: one of `INTEGRATION_KINDS`; empty: the angle itself is logged.
-        from_zero: whether the first value is subtracted.
-        time_format: of a clock's text, as in `datetime.strptime`, or `iso`.
+    place: key in the mapping, for messages.
+    column: the column of a campaign's log.
+    logged: name of the laboratory's column or its number from 1; None: a constant.
+    constant: value of a constant.
+    unit_name: name of the unit, as in the mapping.
+    wraps_every: period of a wrapped angle, SI; 0: it does not wrap.
+    integrate: one of `INTEGRATION_KINDS`; empty: the angle itself is logged.
+    from_zero: whether the first value is subtracted.
+    time_format: of a clock's text, as in `datetime.strptime`, or `iso`.
     """
 
     place: str
@@ -47,11 +46,7 @@ class ColumnMapping:
 
 
 def read_columns(table: TomlTable) -> dict[str, ColumnMapping]:
-    """Mappings of a table's columns, by field of `Log`.
-
-    Raises:
-        SpecificationError: an unknown column or key, a unit of another quantity.
-    """
+    """Mappings of a table's columns, by field of `Log`."""
     table.check_known(tuple(BY_STEM))
     return {BY_STEM[stem].field: _read_column(table, BY_STEM[stem]) for stem in table.values}
 
@@ -60,7 +55,8 @@ def _read_column(table: TomlTable, column: Column) -> ColumnMapping:
     place = f"{table.prefix}{column.stem}"
     value = table.values[column.stem]
     if isinstance(value, int | float) and not isinstance(value, bool) and not column.unit:
-        constant = table.number(column.stem, 0, *_find_range(column))
+        low, high = max(column.lowest, -LARGEST_NUMBER), min(column.highest, LARGEST_NUMBER)
+        constant = table.number(column.stem, 0, low, high)
         return ColumnMapping(place, column, constant=constant)
     entry = table.table(column.stem)
     if "constant" in entry.values:
@@ -86,6 +82,9 @@ def _read_logged_column(entry: TomlTable, place: str, column: Column) -> ColumnM
         integrate = entry.text("integrate", None, INTEGRATION_KINDS)
     if integrate and "wraps_every" in entry.values:
         raise entry.error("wraps_every", entry.values["wraps_every"], "it or integrate, not both")
+    scale = entry.number("scale", 1.0, -LARGEST_NUMBER, LARGEST_NUMBER)
+    if scale == 0:
+        raise entry.error("scale", scale, "a number other than 0")
     unit_name, unit = ("", PLAIN) if time_format else _read_unit(entry, column, integrate)
     return ColumnMapping(
         place=place,
@@ -93,7 +92,7 @@ def _read_logged_column(entry: TomlTable, place: str, column: Column) -> ColumnM
         logged=name,
         unit_name=unit_name,
         unit=unit,
-        scale=_read_scale(entry),
+        scale=scale,
         offset=entry.number("offset", 0.0, -LARGEST_NUMBER, LARGEST_NUMBER),
         wraps_every=entry.number("wraps_every", 0.0, 0.0, LARGEST_NUMBER) * unit.factor,
         integrate=integrate,
@@ -102,19 +101,8 @@ def _read_logged_column(entry: TomlTable, place: str, column: Column) -> ColumnM
     )
 
 
-def _find_range(column: Column) -> tuple[float, float]:
-    return max(column.lowest, -LARGEST_NUMBER), min(column.highest, LARGEST_NUMBER)
-
-
-def _read_scale(entry: TomlTable) -> float:
-    scale = entry.number("scale", 1.0, -LARGEST_NUMBER, LARGEST_NUMBER)
-    if scale == 0:
-        raise entry.error("scale", scale, "a number other than 0")
-    return scale
-
-
 def _read_unit(entry: TomlTable, column: Column, integrate: str) -> tuple[str, Unit]:
-    units = RATE if integrate in ("means", "samples") else list_units(column)
+    units = RATE if integrate in ("means", "samples") else BY_COLUMN_UNIT[column.unit]
     if "unit" not in entry.values and column.unit:
         raise entry.missing("unit", " or ".join(units))
     name = entry.text("unit", "1", tuple(units))

@@ -18,16 +18,8 @@ half a period is the limit."""
 
 
 def read_times(mapping: ColumnMapping | None, cells: Cells, interval: float | None) -> Array:
-    """(n,) ends of the rows' intervals, s; counted from the interval where no column has them.
-
-    Args:
-        mapping: of the column of times; None if there is none.
-        cells: of the file.
-        interval: stated in the mapping, s; the median time step if None.
-
-    Raises:
-        LogError: a cell is no number or no time; there are neither times nor an interval.
-    """
+    """(n,) ends of the rows' intervals, s; counted from the stated interval, s, where no column has
+    them. Where none is stated, it is the median time step."""
     if mapping is None:
         if interval is None:
             raise LogError(f"{cells.source}: found no column of times mapped and no interval_s")
@@ -42,11 +34,7 @@ def read_times(mapping: ColumnMapping | None, cells: Cells, interval: float | No
 
 
 def convert_to_si(mapping: ColumnMapping, cells: Cells) -> Array:
-    """(n,) values of a column in SI, neither unwrapped nor integrated; NaN where there is none.
-
-    Raises:
-        LogError: there is no such column, or a cell is no number.
-    """
+    """(n,) values of a column in SI, neither unwrapped nor integrated; NaN where there is none."""
     if mapping.logged is None:
         value = mapping.unit.factor * mapping.constant + mapping.unit.offset
         return np.full(len(cells.rows), value)
@@ -58,12 +46,7 @@ def convert_to_si(mapping: ColumnMapping, cells: Cells) -> Array:
 
 
 def convert_column(mapping: ColumnMapping, cells: Cells, time: Array, interval: float) -> Array:
-    """(n,) a field of `Log`, SI.
-
-    Raises:
-        LogError: see `convert_to_si`; the direction of a wrapped angle's step is uncertain; a value
-            or a row is missing in a column that is to be integrated.
-    """
+    """(n,) a field of `Log`, SI."""
     values = convert_to_si(mapping, cells)
     if mapping.wraps_every:
         values = _unwrap(mapping, cells, values, time, interval)
@@ -106,11 +89,7 @@ def _parse_time(mapping: ColumnMapping, cells: Cells, index: int, text: str) -> 
 def _unwrap(
     mapping: ColumnMapping, cells: Cells, values: Array, time: Array, interval: float
 ) -> Array:
-    """(n,) a continuous angle.
-
-    Raises:
-        LogError: rows or values are missing while it turns, or it turns too fast.
-    """
+    """(n,) a continuous angle."""
     known = np.flatnonzero(np.isfinite(values) & np.isfinite(time))
     period = mapping.wraps_every
     turned = np.diff(values[known])

@@ -9,11 +9,10 @@ from pyhrg.common.errors import HrgError
 from pyhrg.common.files import replace_folder
 from pyhrg.records.campaign import Campaign, Test, write_campaign
 from pyhrg.records.campaign_import.conversion import convert_column, read_times
-from pyhrg.records.campaign_import.imported_test import ImportedTest
 from pyhrg.records.campaign_import.joining import join_rows
 from pyhrg.records.campaign_import.layout import read_cells
 from pyhrg.records.campaign_import.mapping import CampaignMapping, TestMapping, read_mapping
-from pyhrg.records.campaign_import.preview import describe_tests
+from pyhrg.records.campaign_import.preview import ImportedTest, describe_tests
 from pyhrg.records.columns import COLUMNS
 from pyhrg.records.log import Log, build_log
 from pyhrg.records.table import Array, Table, check_range
@@ -51,16 +50,14 @@ class ImportedCampaign:
         return Campaign(self.mapping.device, self.mapping.site, self.mapping.nominal, tests)
 
 
-def import_campaign(
-    mapping: CampaignMapping | Path | str, out: Path | str | None = None
-) -> ImportedCampaign:
+def import_campaign(mapping: Path | str, out: Path | str | None = None) -> ImportedCampaign:
     """Read a laboratory's logs as a campaign (docs/import.md); `preview` shows what was understood.
 
     No value is changed and no row left out. Rows are joined to longer ones only where the mapping's
     `rows_s` asks for it.
 
     Args:
-        mapping: of columns and units, or the TOML file that states it.
+        mapping: the TOML file that states columns and units.
         out: folder to write the campaign to; not there yet, or empty. None: nothing is written.
 
     Raises:
@@ -70,20 +67,15 @@ def import_campaign(
         HrgError: there is something in `out`.
         OSError: `out` can't be written.
     """
-    if out is not None:
-        _check_free(Path(out))
-    logs = mapping if isinstance(mapping, CampaignMapping) else read_mapping(Path(mapping))
+    place = None if out is None else Path(out)
+    if place and place.exists() and (place.is_file() or any(place.iterdir())):
+        raise HrgError(f"can't write {out}: found something there, expected nothing yet")
+    logs = read_mapping(Path(mapping))
     imported = ImportedCampaign(logs, tuple(_import_test(test, logs) for test in logs.tests))
-    if out is not None:
-        with replace_folder(Path(out)) as aside:
+    if place:
+        with replace_folder(place) as aside:
             write_campaign(imported.campaign, aside)
     return imported
-
-
-def _check_free(out: Path) -> None:
-    """Refuse a folder with files in it: nobody's files are replaced."""
-    if out.exists() and (not out.is_dir() or any(out.iterdir())):
-        raise HrgError(f"can't write {out}: found something there, expected nothing yet")
 
 
 def _import_test(test: TestMapping, mapping: CampaignMapping) -> ImportedTest:
@@ -91,7 +83,9 @@ def _import_test(test: TestMapping, mapping: CampaignMapping) -> ImportedTest:
     time = read_times(test.columns.get("time"), cells, test.interval)
     empty = np.full(len(time), np.nan)
     columns: dict[str, Array] = {column.field: empty for column in COLUMNS} | {"time": time}
-    interval = _find_interval(Table(cells.source, cells.rows, columns), test.interval)
+    timed = drop_repeated_rows(Table(cells.source, cells.rows, columns))
+    # a median time step is written without the rounding of its times
+    interval = float(f"{find_interval(timed, test.interval):.9g}")
     for field, column_mapping in test.columns.items():
         if field != "time":
             columns[field] = convert_column(column_mapping, cells, time, interval)
@@ -104,11 +98,6 @@ def _import_test(test: TestMapping, mapping: CampaignMapping) -> ImportedTest:
         read = join_rows(read, test.rows)
         return ImportedTest(test, replace(read, exclusions=()), read)
     return ImportedTest(test, Log(cells.source, interval, exclusions=(), **columns), read)
-
-
-def _find_interval(table: Table, stated: float | None) -> float:
-    """The stated interval, or else the median time step without the rounding of its times, s."""
-    return float(f"{find_interval(drop_repeated_rows(table), stated):.9g}")
 
 
 def _describe_missing(test: TestMapping) -> tuple[str, ...]:

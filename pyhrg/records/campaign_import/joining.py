@@ -31,15 +31,7 @@ def join_rows(log: Log, length: float) -> Log:
 
     A field that is a mean over a row is the mean of the logged rows in it; any other is as in the
     last of them. Rows in which a logged one is missing are left out. A value is missing where one
-    that it is made of is missing.
-
-    Args:
-        log: in shorter rows.
-        length: of the longer rows, s.
-
-    Raises:
-        LogError: the length is no multiple of the logged rows', a command changes within a row, or
-            fewer than two rows are whole.
+    that it is made of is missing. The length of the longer rows is in s.
     """
     count = round(length / log.interval)
     if count < 1 or abs(length / log.interval - count) > RATIO_TOLERANCE * count:
@@ -62,12 +54,8 @@ def join_rows(log: Log, length: float) -> Log:
 
 
 def _find_whole_rows(place: NDArray[np.int64], count: int) -> NDArray[np.int64]:
-    """(k, count) indices of the logged rows of each longer row that has all of them.
-
-    Args:
-        place: (n,) number of each logged row since time 0.
-        count: of logged rows in a longer row.
-    """
+    """(k, count) indices of the logged rows of each longer row that has all of them, from (n,) the
+    number of each logged row since time 0."""
     known = np.flatnonzero(place >= 0)
     known = known[np.append(True, np.diff(place[known]) > 0)] if len(known) else known
     first = np.flatnonzero(place[known] % count == 0)

@@ -24,15 +24,14 @@ MAX_SKIPPED_LINES = 10_000
 class Layout:
     """The layout of a text file with one row an interval.
 
-    Attributes:
-        separator: between cells; None: any run of blanks.
-        decimal: decimal point or comma.
-        comment: beginning of a line to be ignored; empty: there are none.
-        encoding: of the text.
-        header: whether a row of names stands above the values.
-        lines_before_header: number of lines to pass over.
-        lines_after_header: likewise, such as a line of units.
-        missing: texts of a cell without a value, in lower case.
+    separator: between cells; None: any run of blanks.
+    decimal: decimal point or comma.
+    comment: beginning of a line to be ignored; empty: there are none.
+    encoding: of the text.
+    header: whether a row of names stands above the values.
+    lines_before_header: number of lines to pass over.
+    lines_after_header: likewise, such as a line of units.
+    missing: texts of a cell without a value, in lower case.
     """
 
     separator: str | None = ","
@@ -56,11 +55,7 @@ class Cells:
     cells: tuple[tuple[str, ...], ...]
 
     def place(self, column: str | int) -> int:
-        """Index of a column in a row, by the column's name or its number from 1.
-
-        Raises:
-            LogError: there is no such column, or more than one of that name.
-        """
+        """Index of a column in a row, by the column's name or its number from 1."""
         if isinstance(column, int):
             if not 1 <= column <= len(self.cells[0]):
                 expected = f"expected 1 to {len(self.cells[0])}"
@@ -82,11 +77,7 @@ class Cells:
         return text.lower() in self.layout.missing
 
     def numbers(self, column: str | int) -> NDArray[np.float64]:
-        """(n,) values of a column, NaN where there is none.
-
-        Raises:
-            LogError: a cell is no number.
-        """
+        """(n,) values of a column, NaN where there is none."""
         texts = self.texts(column)
         return np.array([self._number(i, column, text) for i, text in enumerate(texts)])
 
@@ -104,11 +95,7 @@ class Cells:
 
 
 def read_layout(table: TomlTable) -> Layout:
-    """The layout that a table of a mapping states.
-
-    Raises:
-        SpecificationError: an unknown key, or a value that is none of those it may have.
-    """
+    """The layout that a table of a mapping states."""
     table.check_known(
         (
             *("separator", "decimal", "comment", "encoding", "missing"),
@@ -119,6 +106,9 @@ def read_layout(table: TomlTable) -> Layout:
     decimal = DECIMALS[table.text("decimal", "point", tuple(DECIMALS))]
     if separator == decimal:
         raise table.error("decimal", "comma", "another separator than comma beside it")
+    missing = table.values.get("missing", [])
+    if not isinstance(missing, list) or not all(isinstance(text, str) for text in missing):
+        raise table.error("missing", missing, "texts in brackets")
     return Layout(
         separator,
         decimal,
@@ -127,17 +117,12 @@ def read_layout(table: TomlTable) -> Layout:
         table.flag("header", True),
         table.whole_number("lines_before_header", 0, 0, MAX_SKIPPED_LINES),
         table.whole_number("lines_after_header", 0, 0, MAX_SKIPPED_LINES),
-        Layout.missing | _read_missing_texts(table),
+        Layout.missing | {text.lower() for text in missing},
     )
 
 
 def read_cells(path: Path, layout: Layout) -> Cells:
-    """The cells of a file.
-
-    Raises:
-        LogError: the file can't be read or is not in that encoding; it has no row of values, or
-            rows of unequal length.
-    """
+    """The cells of a file."""
     lines = _split_lines(read_text(path, layout.encoding), layout)
     names: tuple[str, ...] = ()
     if layout.header:
@@ -175,10 +160,3 @@ def _read_encoding(table: TomlTable) -> str:
     except LookupError:
         raise table.error("encoding", name, "a text encoding, as utf-8 or latin-1") from None
     return name
-
-
-def _read_missing_texts(table: TomlTable) -> frozenset[str]:
-    texts = table.values.get("missing", [])
-    if not isinstance(texts, list) or not all(isinstance(text, str) for text in texts):
-        raise table.error("missing", texts, "texts in brackets")
-    return frozenset(text.lower() for text in texts)

@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 from pathlib import Path
 
+from pyhrg.common.site import Site
 from pyhrg.common.toml_table import TomlTable, read_table
-from pyhrg.common.units import DEG
 from pyhrg.device.device_file import from_table
-from pyhrg.records.campaign import FILE_NAME, GRAVITY, ROLES, Site
+from pyhrg.records.campaign import FILE_NAME, ROLES, read_site
 from pyhrg.records.campaign_import.column_mapping import BY_STEM, ColumnMapping, read_columns
 from pyhrg.records.campaign_import.layout import Layout, read_layout
 
@@ -20,15 +20,14 @@ MIN_INTERVAL, MAX_INTERVAL = 1e-6, 1e6
 class TestMapping:
     """The mapping of one test.
 
-    Attributes:
-        id: name of the test, a file name.
-        kind: of the test (docs/records.md).
-        role: `fit` or `holdout`.
-        file: the laboratory's log.
-        interval: sampling interval, s; the median time step if None.
-        rows: length of the campaign's rows, s; as logged if None.
-        layout: of the file.
-        columns: by field of `Log`.
+    id: name of the test, a file name.
+    kind: of the test (docs/records.md).
+    role: `fit` or `holdout`.
+    file: the laboratory's log.
+    interval: sampling interval, s; the median time step if None.
+    rows: length of the campaign's rows, s; as logged if None.
+    layout: of the file.
+    columns: by field of `Log`.
     """
 
     __test__ = False  # not one of pytest's
@@ -55,30 +54,21 @@ class CampaignMapping:
 
 
 def read_mapping(path: Path) -> CampaignMapping:
-    """Read a mapping (docs/import.md); the files that it names are beside it.
-
-    Raises:
-        SpecificationError: the file can't be read; a key is unknown, missing or has a wrong value.
-    """
+    """Read a mapping (docs/import.md); the files that it names are beside it."""
     top = read_table(path)
     top.check_known(("device", "site", "nominal", "rows_s", "layout", "columns", "tests"))
     tests = tuple(_read_test(entry, top, path.parent) for entry in top.tables("tests"))
     if not tests:
         raise top.missing("tests", "[[tests]], one a log")
-    _check_ids(top, tests)
+    ids = [test.id for test in tests]
+    for i, name in enumerate(ids):
+        if not FILE_NAME.fullmatch(name) or ids.count(name) > 1:
+            raise top.error(f"tests[{i}].id", name, "a file name, each once")
     device = top.require("device", "the gyro's name")
     if not isinstance(device, str) or not device:
         raise top.error("device", device, "the gyro's name")
-    return CampaignMapping(str(path), device, _read_site(top), _read_nominal(top), tests)
-
-
-def _read_site(top: TomlTable) -> Site:
-    place = top.table("site")
-    place.check_known(("latitude_deg", "gravity_m_s2"))
-    return Site(
-        latitude=place.number("latitude_deg", None, -90.0, 90.0) * DEG,
-        gravity=place.number("gravity_m_s2", None, *GRAVITY),
-    )
+    top.table("site").check_known(("latitude_deg", "gravity_m_s2"))
+    return CampaignMapping(str(path), device, read_site(top), _read_nominal(top), tests)
 
 
 def _read_nominal(top: TomlTable) -> dict[str, float]:
@@ -95,43 +85,28 @@ def _read_test(entry: TomlTable, top: TomlTable, folder: Path) -> TestMapping:
     entry.check_known(
         ("id", "kind", "role", "file", "interval_s", "rows_s", "layout", "columns", "absent")
     )
-    for key in ("id", "kind", "role", "file"):
-        entry.require(key, "text")
     general, own = top.table("layout"), entry.table("layout")
     layout = TomlTable(
         top.source,
         own.prefix if own.values else general.prefix,
         {**general.values, **own.values},
     )
-    absent = _read_absent(entry)
+    absent = entry.values.get("absent", [])
+    if not isinstance(absent, list) or not all(stem in BY_STEM for stem in absent):
+        raise entry.error("absent", absent, f"some of {', '.join(BY_STEM)}, in brackets")
     columns = read_columns(top.table("columns")) | read_columns(entry.table("columns"))
     return TestMapping(
-        id=entry.text("id", ""),
-        kind=entry.text("kind", ""),
-        role=entry.text("role", "", ROLES),
-        file=folder / entry.text("file", ""),
+        id=entry.text("id", None),
+        kind=entry.text("kind", None),
+        role=entry.text("role", None, ROLES),
+        file=folder / entry.text("file", None),
         interval=_read_duration(entry, "interval_s"),
         rows=_read_duration(entry, "rows_s") or _read_duration(top, "rows_s"),
         layout=read_layout(layout),
-        columns={f: mapping for f, mapping in columns.items() if f not in absent},
+        columns={f: mapping for f, mapping in columns.items() if mapping.column.stem not in absent},
     )
 
 
 def _read_duration(table: TomlTable, key: str) -> float | None:
     """A duration, s; None where it isn't stated."""
     return table.number(key, None, MIN_INTERVAL, MAX_INTERVAL) if key in table.values else None
-
-
-def _read_absent(entry: TomlTable) -> set[str]:
-    """Fields of the columns that this test's log lacks."""
-    stems = entry.values.get("absent", [])
-    if not isinstance(stems, list) or not all(stem in BY_STEM for stem in stems):
-        raise entry.error("absent", stems, f"some of {', '.join(BY_STEM)}, in brackets")
-    return {BY_STEM[stem].field for stem in stems}
-
-
-def _check_ids(top: TomlTable, tests: tuple[TestMapping, ...]) -> None:
-    ids = [test.id for test in tests]
-    for i, name in enumerate(ids):
-        if not FILE_NAME.fullmatch(name) or ids.count(name) > 1:
-            raise top.error(f"tests[{i}].id", name, "a file name, each once")

@@ -1,18 +1,31 @@
 """What an import understood, in words, for a laboratory to check."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
 from pyhrg.device.device_file import NOMINAL
 from pyhrg.records.campaign_import.column_mapping import ColumnMapping
-from pyhrg.records.campaign_import.imported_test import ImportedTest
-from pyhrg.records.campaign_import.mapping import CampaignMapping
+from pyhrg.records.campaign_import.mapping import CampaignMapping, TestMapping
 from pyhrg.records.columns import BY_FIELD
 from pyhrg.records.log import Log
 
 ABSENT_COLUMN = "no column "
 """Beginning of a sentence on a column that a log does not have."""
+
+
+@dataclass(frozen=True)
+class ImportedTest:
+    """A test as it was logged, and as a reader of the campaign will get it.
+
+    logged: every row, or longer rows where the mapping asks for them; this is what is written;
+    read: what a reader keeps; its exclusions name rows by the lines of the laboratory's file.
+    """
+
+    mapping: TestMapping
+    logged: Log
+    read: Log
 
 
 def describe_tests(mapping: CampaignMapping, tests: Sequence[ImportedTest]) -> str:
@@ -28,9 +41,11 @@ def describe_tests(mapping: CampaignMapping, tests: Sequence[ImportedTest]) -> s
 
 def _describe_test(test: ImportedTest) -> list[str]:
     log, mapping = test.logged, test.mapping
+    steps = np.diff(log.time[np.isfinite(log.time)])
     lines = [
         f"{mapping.id}: {mapping.kind}, {mapping.role}; {log.source}",
-        f"  {len(log.time)} rows every {log.interval:g} s, {_describe_steps(log)}",
+        f"  {len(log.time)} rows every {log.interval:g} s, "
+        f"steps of {np.min(steps):.6g} to {np.max(steps):.6g} s",
     ]
     if "time" not in mapping.columns:
         lines.append("  time               counted")
@@ -45,11 +60,6 @@ def _describe_exclusions(exclusions: Sequence[str]) -> list[str]:
     others = [note for note in exclusions if not note.startswith(ABSENT_COLUMN)]
     names = ", ".join(note.removeprefix(ABSENT_COLUMN) for note in absent)
     return [ABSENT_COLUMN + names, *others] if absent else others
-
-
-def _describe_steps(log: Log) -> str:
-    steps = np.diff(log.time[np.isfinite(log.time)])
-    return f"steps of {np.min(steps):.6g} to {np.max(steps):.6g} s"
 
 
 def _describe_column(mapping: ColumnMapping, log: Log) -> str:

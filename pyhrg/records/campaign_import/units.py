@@ -7,7 +7,6 @@ wrong unit of a gyro's log would pass.
 from dataclasses import dataclass
 
 from pyhrg.common.units import ARCSEC, DEG, HOUR, HZ, MINUTE, PPM, STANDARD_GRAVITY, ZERO_CELSIUS
-from pyhrg.records.columns import Column
 
 
 @dataclass(frozen=True)
@@ -70,8 +69,4 @@ BY_COLUMN_UNIT = {
     "Hz": FREQUENCY,
     "": RATIO,
 }
-
-
-def list_units(column: Column) -> dict[str, Unit]:
-    """Units that a column of a campaign may be logged in, by name."""
-    return BY_COLUMN_UNIT[column.unit]
+"""Units by name that a column of a campaign may be logged in, by the column's own unit."""

@@ -3,9 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
 from pyhrg.common.units import DEG, STANDARD_GRAVITY
 from pyhrg.records.columns import LogError
 
@@ -54,11 +51,7 @@ means over the interval (`gyro_x_deg_s`, `accelerometer_x_m_s2`), x forward, y r
 
 
 def choose_quantity(source: str, header: Sequence[str], among: Sequence[Quantity]) -> Quantity:
-    """The quantity whose three columns a header has.
-
-    Raises:
-        LogError: it has those of none or of more than one; a column stands there twice.
-    """
+    """The quantity whose three columns a header has."""
     for name in header:
         if header.count(name) > 1:
             raise LogError(f"{source}: column {name}: found more than once, expected once")
@@ -74,17 +67,3 @@ def choose_quantity(source: str, header: Sequence[str], among: Sequence[Quantity
             f"among {', '.join(header)}"
         )
     return present[0]
-
-
-def compute_means(
-    quantity: Quantity, values: NDArray[np.float64], interval: float
-) -> NDArray[np.float64]:
-    """Means over the interval, in the file's unit."""
-    return values / interval if quantity.integral else values
-
-
-def compute_increments(
-    quantity: Quantity, values: NDArray[np.float64], interval: float
-) -> NDArray[np.float64]:
-    """Increments, SI."""
-    return quantity.factor * (values if quantity.integral else values * interval)

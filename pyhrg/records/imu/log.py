@@ -1,11 +1,8 @@
 """The log of an IMU, and the numbers of its text files."""
 
-import gzip
 import io
-import zlib
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,46 +22,15 @@ LARGEST_NUMBER = 1e12
 class RecordedImu:
     """A log of an IMU.
 
-    Attributes:
-        increments: body axes forward, right, down.
-        position: (3,) latitude, longitude, rad, and height, m; None if the log states none.
-        attitude: (3,) coarse roll, pitch and yaw at the start, rad; None if the log states none.
-        source: the file.
+    increments: body axes forward, right, down; position: (3,) latitude, longitude, rad, and
+    height, m; None if the log states none; attitude: (3,) coarse roll, pitch and yaw at the
+    start, rad; None if the log states none; source: the file.
     """
 
     increments: Increments
     position: Array | None
     attitude: Array | None
     source: str
-
-
-def read_bytes(path: Path) -> bytes:
-    """A file's bytes, decompressed if it is gzipped, whatever its name.
-
-    Raises:
-        LogError: the file can't be read, or gzipped data is cut off or damaged.
-    """
-    try:
-        data = path.read_bytes()
-        return gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data
-    except EOFError as error:
-        raise LogError(f"{path}: found gzipped data cut off, expected it whole") from error
-    except (gzip.BadGzipFile, zlib.error) as error:
-        raise LogError(f"{path}: found damaged gzipped data: {error}") from error
-    except OSError as error:
-        raise LogError(f"{path}: can't be read: {error.strerror or error}") from error
-
-
-def split_lines(source: str, data: bytes) -> list[str]:
-    """Lines of a text file, without empty ones at its end.
-
-    Raises:
-        LogError: the text is not UTF-8.
-    """
-    try:
-        return data.decode("utf-8-sig").rstrip().splitlines()
-    except UnicodeDecodeError as error:
-        raise LogError(f"{source}: found what is no text: {error}") from error
 
 
 def parse_numbers(
@@ -76,20 +42,10 @@ def parse_numbers(
     places: Sequence[int] | None = None,
     least: int = MIN_ROWS,
 ) -> Array:
-    """Values (n, m) of m fields in n lines, all of them finite.
+    """Values (n, m) of m named fields in n lines (at least `least`), all of them finite.
 
-    Args:
-        source: the file, for messages.
-        lines: lines of values.
-        first_row: number of the first line in the file; the file's first line is row 1.
-        names: of the m fields, for messages.
-        delimiter: between fields; None is white space.
-        places: indices of the m fields in each line; None: the line has no others.
-        least: smallest number of lines.
-
-    Raises:
-        LogError: there are too few lines, a line has too few or too many fields, or a field is no
-            finite number.
+    For messages, the first line is `first_row` of the file, which begins with row 1. The delimiter
+    None is white space; `places` are the indices of the m fields in a line that has others.
     """
     if len(lines) < least:
         raise LogError(f"{source}: found {len(lines)} rows of values, expected at least {least}")
@@ -101,11 +57,7 @@ def parse_numbers(
 
 
 def check_finite(source: str, table: Array, first_row: int, names: Sequence[str]) -> None:
-    """Refuse values (n, m) that are not finite, or larger than anything measured.
-
-    Raises:
-        LogError: one is; the message names the first.
-    """
+    """Refuse values (n, m) that are not finite, or larger than anything measured."""
     is_wrong = ~(np.abs(table) <= LARGEST_NUMBER)
     if is_wrong.any():
         row, column = np.argwhere(is_wrong)[0]
@@ -117,11 +69,7 @@ def check_finite(source: str, table: Array, first_row: int, names: Sequence[str]
 
 
 def check_lengths(source: str, lines: Sequence[str], first_row: int, names: Sequence[str]) -> None:
-    """Refuse lines with another number of fields, by their commas, than of names.
-
-    Raises:
-        LogError: there is one; the message names the first.
-    """
+    """Refuse lines with another number of fields, by their commas, than of names."""
     for row, line in enumerate(lines, first_row):
         if line.count(",") != len(names) - 1:
             raise _make_length_error(source, row, line.count(",") + 1 if line.strip() else 0, names)

@@ -1,5 +1,6 @@
 """Values in another unit, axis or column than a log says, found by gravity and Earth's rate."""
 
+import itertools
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -10,7 +11,6 @@ from pyhrg.common.units import ARCSEC, DEG, MICRO_G, STANDARD_GRAVITY
 from pyhrg.records.columns import LogError
 from pyhrg.records.imu.columns import Quantity
 from pyhrg.records.imu.log import Array
-from pyhrg.records.imu.rest import WINDOW_LENGTH, average_blocks, estimate_rate_at_rest
 
 BLOCK_LENGTH = 0.1
 """Length of the blocks over which readings are averaged, s. Chosen: no vehicle turns far in it."""
@@ -27,6 +27,17 @@ MAX_RATE = 100.0
 """Largest rate of a vehicle, rad/s. Chosen."""
 EARTH_RATE_TOLERANCE = 0.05
 """Largest relative distance from Earth's rate in a mistaken unit. Chosen."""
+WINDOW_LENGTH = 30.0
+"""Length of the windows in which rest is looked for, s. Chosen."""
+MAX_REST_SPREAD = 0.05
+"""Largest departure of the specific force, averaged over a second, from its mean at rest, m/s^2.
+Chosen."""
+REST_FORCE_RANGE = (9.74, 9.86)
+"""Specific force at rest anywhere on Earth, accelerometer errors of 2 milli-g included, m/s^2; a
+vehicle that turns steadily with a bank of 7 deg or more feels more."""
+MIN_LEVEL_SHARE = 0.15
+"""Smallest share of the rate that is horizontal at rest. Chosen: 0.15 is that of Earth's rate at 81
+deg of latitude; a vehicle that turns steadily without bank has none."""
 
 
 @dataclass(frozen=True)
@@ -49,17 +60,12 @@ class Readings:
     @cached_property
     def rate_size(self) -> Array:
         """(m,) size of the rate in each block, in the file's unit."""
-        return np.linalg.norm(average_blocks(self.rate, self.interval, BLOCK_LENGTH), axis=1)
+        return np.linalg.norm(_average_blocks(self.rate, self.interval, BLOCK_LENGTH), axis=1)
 
     @cached_property
     def force_size(self) -> Array:
         """(m,) size of the specific force in each block, in the file's unit."""
-        return np.linalg.norm(average_blocks(self.force, self.interval, BLOCK_LENGTH), axis=1)
-
-    @cached_property
-    def down(self) -> float:
-        """Median specific force along z, in the file's unit."""
-        return float(np.median(average_blocks(self.force, self.interval, BLOCK_LENGTH)[:, 2]))
+        return np.linalg.norm(_average_blocks(self.force, self.interval, BLOCK_LENGTH), axis=1)
 
     def error(self, quantity: Quantity, found: str, expected: str, guess: str) -> LogError:
         """Make the error about the three columns of a quantity."""
@@ -70,11 +76,7 @@ class Readings:
 
 
 def check_plausibility(readings: Readings) -> None:
-    """Refuse a log whose readings only a mix-up explains.
-
-    Raises:
-        LogError: there is one; the message names it.
-    """
+    """Refuse a log whose readings only a mix-up explains."""
     _check_swapped(readings)
     _check_gravity(readings)
     _check_down(readings)
@@ -132,7 +134,8 @@ def _check_gravity(readings: Readings) -> None:
 
 
 def _check_down(readings: Readings) -> None:
-    down = readings.down
+    blocks = _average_blocks(readings.force, readings.interval, BLOCK_LENGTH)
+    down = float(np.median(blocks[:, 2]))
     if down > MIN_UPSIDE_DOWN_SHARE * STANDARD_GRAVITY / readings.accelerometers.factor:
         other = "up" if readings.z == "down" else "down"
         raise readings.error(
@@ -159,7 +162,7 @@ def _check_largest_rate(readings: Readings) -> None:
 
 def _check_earth_rate(readings: Readings) -> None:
     force = readings.accelerometers.factor * readings.force
-    rate = estimate_rate_at_rest(readings.rate, force, readings.interval)
+    rate = _estimate_rate_at_rest(readings.rate, force, readings.interval)
     if rate is None:
         return
     kind = readings.gyros
@@ -189,3 +192,41 @@ def _list_mixups(kind: Quantity, size: float, interval: float) -> dict[str, floa
 def _name_angle_units(kind: Quantity) -> tuple[str, str]:
     """Names of the mistaken and the stated unit of angles."""
     return ("degree", "radian") if kind.factor == 1.0 else ("radian", "degree")
+
+
+def _average_blocks(values: Array, interval: float, length: float) -> Array:
+    """Means (m, 3) of values (n, 3) over blocks of about a length, s, without an incomplete last
+    block."""
+    size = min(max(round(length / interval), 1), len(values))
+    whole = len(values) // size * size
+    return np.asarray(values[:whole].reshape(-1, size, values.shape[1]).mean(axis=1))
+
+
+def _estimate_rate_at_rest(rate: Array, force: Array, interval: float) -> float | None:
+    """Median size of the mean rate in the first windows at rest, in the unit of the rate; None if
+    there is no window at rest. Rate (n, 3) and specific force (n, 3), m/s^2, are means over
+    intervals, s."""
+    windows = zip(_split_windows(force, interval), _split_windows(rate, interval), strict=True)
+    resting = itertools.dropwhile(lambda window: not _is_at_rest(*window), windows)
+    first = itertools.takewhile(lambda window: _is_at_rest(*window), resting)
+    sizes = [np.linalg.norm(rate.mean(axis=0)) for _, rate in first]
+    return float(np.median(sizes)) if sizes else None
+
+
+def _split_windows(values: Array, interval: float) -> list[Array]:
+    """Means over a second, by window."""
+    seconds, count = _average_blocks(values, interval, 1.0), round(WINDOW_LENGTH)
+    return [seconds[i : i + count] for i in range(0, len(seconds) - count + 1, count)]
+
+
+def _is_at_rest(force: Array, rate: Array) -> bool:
+    """Whether specific force (n, 3), m/s^2, is steady and gravity's, and the rate (n, 3) is not all
+    about the vertical."""
+    up, mean = force.mean(axis=0), rate.mean(axis=0)
+    size = np.linalg.norm(up)
+    steady = (
+        np.max(np.abs(force - up)) < MAX_REST_SPREAD
+        and REST_FORCE_RANGE[0] < size < REST_FORCE_RANGE[1]
+    )
+    level = mean - (mean @ up) / size**2 * up if steady else np.zeros(3)
+    return bool(np.linalg.norm(level) > MIN_LEVEL_SHARE * np.linalg.norm(mean))

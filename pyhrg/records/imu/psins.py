@@ -39,10 +39,6 @@ def read_psins(source: str, lines: list[str], trusted: bool = False) -> Recorded
 
     The file has comments, attitude (yaw counter-clockwise from north), place and interval, scale
     factors (arcsec and ug s per count), then the counts of each interval.
-
-    Raises:
-        LogError: a header value is out of range; a row has too few or too many fields; a field is
-            no finite number; an axis is another than stated.
     """
     rows = [row for row, line in enumerate(lines) if line.strip() and line[0] != COMMENT]
     if len(rows) < 4:

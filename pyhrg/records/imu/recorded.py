@@ -3,8 +3,9 @@
 from pathlib import Path
 
 from pyhrg.records.imu import psins
-from pyhrg.records.imu.log import RecordedImu, read_bytes, split_lines
+from pyhrg.records.imu.log import RecordedImu
 from pyhrg.records.imu.table_log import PARQUET, read_csv, read_parquet
+from pyhrg.records.table import decode, read_bytes
 
 
 def read_imu_log(path: Path, trusted: bool = False) -> RecordedImu:
@@ -24,7 +25,7 @@ def read_imu_log(path: Path, trusted: bool = False) -> RecordedImu:
     data = read_bytes(path)
     if data.startswith(PARQUET):
         return read_parquet(str(path), data, trusted)
-    lines = split_lines(str(path), data)
+    lines = decode(str(path), data).rstrip().splitlines()
     if lines and lines[0].startswith(psins.COMMENT):
         return psins.read_psins(str(path), lines, trusted)
     return read_csv(str(path), lines, trusted)

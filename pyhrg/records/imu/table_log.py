@@ -18,9 +18,8 @@ from pyhrg.records.imu.columns import (
     ROTATION,
     TIME,
     VELOCITY,
+    Quantity,
     choose_quantity,
-    compute_increments,
-    compute_means,
 )
 from pyhrg.records.imu.increments import Increments
 from pyhrg.records.imu.log import (
@@ -29,40 +28,38 @@ from pyhrg.records.imu.log import (
     RecordedImu,
     check_finite,
     check_lengths,
+    make_field_error,
     parse_numbers,
 )
 from pyhrg.records.imu.plausibility import Readings, check_plausibility
-from pyhrg.records.imu.timing import find_interval
 
 PARQUET = b"PAR1"
 """First bytes of a Parquet file."""
+MAX_JITTER = 0.01
+"""Largest departure of a time step from the interval, relative. Chosen."""
+MIN_INTERVAL, MAX_INTERVAL = 1e-4, 1.0
+"""Shortest and longest interval, s. Chosen."""
 
 
 def read_csv(source: str, lines: list[str], trusted: bool) -> RecordedImu:
-    """The log of a CSV file's lines: a header, then values. Unknown columns are ignored.
-
-    Raises:
-        LogError: see `read_imu_log`.
-    """
+    """The log of a CSV file's lines: a header, then values. Unknown columns are ignored."""
     header = [name.strip() for name in lines[0].split(",")] if lines else []
-    columns = _choose_columns(source, header)
+    kinds = _choose_quantities(source, header)
+    columns = _list_columns(kinds)
     check_lengths(source, lines[1:], 2, header)
     places = [header.index(name) for name in columns]
     values = parse_numbers(source, lines[1:], 2, columns, ",", places)
-    return _build_log(source, columns, values, 2, trusted)
+    return _build_log(source, kinds, values, 2, trusted)
 
 
 def read_parquet(source: str, data: bytes, trusted: bool) -> RecordedImu:
-    """The log of a Parquet file, whose first row of values is row 1.
-
-    Raises:
-        LogError: see `read_imu_log`.
-    """
+    """The log of a Parquet file, whose first row of values is row 1."""
     try:
         frame = pd.read_parquet(io.BytesIO(data))
     except (pyarrow.ArrowException, OSError, ValueError) as error:
         raise LogError(f"{source}: found damaged Parquet: {error}") from error
-    columns = _choose_columns(source, [str(name) for name in frame.columns])
+    kinds = _choose_quantities(source, [str(name) for name in frame.columns])
+    columns = _list_columns(kinds)
     for name in columns:
         if frame[name].dtype.kind not in "fiu":
             raise LogError(f"{source}: column {name}: found {frame[name].dtype}, expected numbers")
@@ -70,7 +67,7 @@ def read_parquet(source: str, data: bytes, trusted: bool) -> RecordedImu:
         raise LogError(f"{source}: found {len(frame)} rows, expected at least {MIN_ROWS}")
     values = frame[columns].to_numpy(dtype=np.float64)
     check_finite(source, values, 1, columns)
-    return _build_log(source, columns, values, 1, trusted)
+    return _build_log(source, kinds, values, 1, trusted)
 
 
 def write_imu_log(increments: Increments, path: Path) -> None:
@@ -82,7 +79,7 @@ def write_imu_log(increments: Increments, path: Path) -> None:
         HrgError: the name has another ending.
         OSError: the folder can't be written.
     """
-    columns = [TIME, *ROTATION.columns, *VELOCITY.columns]
+    columns = _list_columns((ROTATION, VELOCITY))
     values = (increments.bounds[1:], increments.rotation, increments.velocity)
     frame = pd.DataFrame(np.column_stack(values), columns=columns)
     if path.name.endswith(".parquet"):
@@ -103,36 +100,58 @@ def _format_csv(frame: pd.DataFrame) -> bytes:
     return buffer.getvalue()
 
 
-def _choose_columns(source: str, header: list[str]) -> list[str]:
-    """Names of the columns that are used: time, gyros, accelerometers."""
+def _list_columns(kinds: tuple[Quantity, Quantity]) -> list[str]:
+    return [TIME, *(column for kind in kinds for column in kind.columns)]
+
+
+def _choose_quantities(source: str, header: list[str]) -> tuple[Quantity, Quantity]:
+    """The quantities of gyros and accelerometers that a header has beside the time."""
     if not header:
         raise LogError(f"{source}: found an empty file, expected a header and values")
     if TIME not in header:
         raise LogError(f"{source}: found no column {TIME} among {', '.join(header)}, expected it")
-    kinds = (choose_quantity(source, header, among) for among in (GYROS, ACCELEROMETERS))
-    return [TIME, *(column for kind in kinds for column in kind.columns)]
+    return choose_quantity(source, header, GYROS), choose_quantity(source, header, ACCELEROMETERS)
 
 
 def _build_log(
-    source: str, columns: list[str], values: Array, first_row: int, trusted: bool
+    source: str, kinds: tuple[Quantity, Quantity], values: Array, first_row: int, trusted: bool
 ) -> RecordedImu:
-    gyros, accelerometers = (
-        choose_quantity(source, columns, among) for among in (GYROS, ACCELEROMETERS)
-    )
-    time, angle, force = values[:, 0], values[:, 1:4], values[:, 4:]
-    interval = find_interval(source, time, first_row)
+    time, *readings = values[:, 0], values[:, 1:4], values[:, 4:]
+    interval = _find_interval(source, time, first_row)
     if not trusted:
-        rate = compute_means(gyros, angle, interval)
-        force_unit = compute_means(accelerometers, force, interval)
-        check_plausibility(Readings(source, interval, gyros, accelerometers, rate, force_unit))
-    return RecordedImu(
-        Increments(
-            interval,
-            np.ascontiguousarray(compute_increments(gyros, angle, interval)),
-            np.ascontiguousarray(compute_increments(accelerometers, force, interval)),
-            float(time[0]) - interval,
-        ),
-        None,
-        None,
-        source,
+        rate, force = (
+            x / interval if k.integral else x for k, x in zip(kinds, readings, strict=True)
+        )
+        check_plausibility(Readings(source, interval, *kinds, rate, force))
+    rotation, velocity = (
+        np.ascontiguousarray(k.factor * (x if k.integral else x * interval))
+        for k, x in zip(kinds, readings, strict=True)
     )
+    increments = Increments(interval, rotation, velocity, float(time[0]) - interval)
+    return RecordedImu(increments, None, None, source)
+
+
+def _find_interval(source: str, time: Array, first_row: int) -> float:
+    """The sampling interval, s."""
+    steps = np.diff(time)
+    interval = float(np.median(steps))
+    wrong = (steps <= 0) | (np.abs(steps - interval) > MAX_JITTER * interval)
+    if wrong.any():
+        i = int(np.argmax(wrong))
+        trouble = _describe_step(float(steps[i]), interval)
+        found = f"{time[i + 1]:.10g} after {time[i]:.10g}"
+        raise make_field_error(source, first_row + i + 1, TIME, found, trouble)
+    if not MIN_INTERVAL <= interval <= MAX_INTERVAL:
+        expected = f"{MIN_INTERVAL:g} s to {MAX_INTERVAL:g} s"
+        raise make_field_error(source, first_row + 1, TIME, f"steps of {interval:g} s", expected)
+    return float(time[-1] - time[0]) / len(steps)
+
+
+def _describe_step(step: float, interval: float) -> str:
+    if step == 0:
+        return "each time once"
+    if step < 0:
+        return "time to increase"
+    if step > 1.5 * interval:
+        return f"steps of {interval:.6g} s: are {round(step / interval) - 1} rows missing?"
+    return f"steps of {interval:.6g} s, even to {MAX_JITTER:.0%}"

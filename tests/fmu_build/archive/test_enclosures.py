@@ -15,7 +15,7 @@ import fmpy
 import numpy as np
 import pytest
 
-from fmu_build.archive.description import Identity, describe_fmi2
+from fmu_build.archive.description import describe_fmi2
 from fmu_build.archive.documentation.document import write_documentation
 from fmu_build.archive.documentation.info_pages import read_model_pages
 from fmu_build.archive.licences import read_licence
@@ -228,7 +228,6 @@ def test_a_unit_given_by_hand_is_not_the_type_s(tmp_path: Path) -> None:
 
 
 def test_unknown_units_are_refused(tmp_path: Path) -> None:
-    identity = Identity("M", "", "", "1", (), "0.01")
     body = SAMPLED.replace('Real a = 2 "a"', 'Real a(unit = "furlong") = 2 "a"')
     with pytest.raises(ValueError, match="unit furlong is not among"):
-        describe_fmi2(translated(tmp_path, body), identity)
+        describe_fmi2(translated(tmp_path, body), ROOTS["HRG"], "", [])

@@ -13,12 +13,10 @@ import pytest
 from fmu_build.binaries.platforms import PLATFORMS
 from fmu_build.bundle import build_fmu
 from fmu_build.check import importers
-from fmu_build.check.agreement import find_disagreements
 from fmu_build.check.archive import open_fmu
-from fmu_build.check.experiment import Experiment, plan_experiment
+from fmu_build.check.experiment import Experiment, FailedError, plan_experiment
 from fmu_build.check.importers import IMPORTERS, Importer
-from fmu_build.check.recording import FailedError
-from fmu_build.check.report import run_checks
+from fmu_build.check.report import find_disagreements, run_checks
 from fmu_build.roots import ROOTS
 from tests.fmu_build.check.tampering import damaged, description, removed, tampered
 

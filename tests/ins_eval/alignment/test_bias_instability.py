@@ -6,7 +6,6 @@ from numpy.typing import NDArray
 
 from ins_eval.alignment.bias_instability import (
     correlation_times,
-    integral_covariance,
     mean_variance,
     process_variance,
 )
@@ -51,15 +50,6 @@ def allan_variance(covariance: Array, cluster: float) -> float:
     ends = np.pad(covariance, ((1, 0), (1, 0)))[::n, ::n]
     seconds = np.diff(np.diff(ends, n=2, axis=0), n=2, axis=1)
     return float(np.mean(np.diag(seconds)) / (2 * cluster**2))
-
-
-def test_the_integrals_closed_form_is_the_simulations() -> None:
-    """Up to the difference of intervals of 0.25 s from continuous time."""
-    result, expected = simulated_covariance(), integral_covariance(COEFFICIENT, TIMES)
-    scale = np.sqrt(np.outer(np.diag(expected), np.diag(expected)))
-    later = slice(round(20.0 / INTERVAL), None)
-    assert np.abs((result - expected) / scale)[later, later].max() < 0.01
-    assert integral_covariance(COEFFICIENT, np.array([0.0]))[0, 0] == 0.0
 
 
 def test_the_mean_over_the_record() -> None:

@@ -6,9 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from ins_eval import theory
-from ins_eval.alignment.analytic import level_and_gyrocompass
-from ins_eval.alignment.gyrocompass import bias_sensitivity
+from ins_eval.alignment.analytic import bias_sensitivity, level_and_gyrocompass
 from ins_eval.common import earth
 from ins_eval.common.rotation import mat_from_euler
 from ins_eval.common.state import State, position_error
@@ -17,6 +15,7 @@ from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.imu.increments import Increments
+from tests.ins_eval import theory
 
 Array = NDArray[np.float64]
 

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from ins_eval.alignment.measured_noise import measure_noise
 from ins_eval.common.sensor_errors import SensorErrors
 from pyhrg.common.units import DEG_PER_SQRT_H
 from tests.ins_eval.alignment.cases import POSITION, add_sensor_errors, make_swaying_record
+from tests.ins_eval.alignment.measured_noise import measure_noise
 
 TRUE = SensorErrors(angle_random_walk=0.001 * DEG_PER_SQRT_H, velocity_random_walk=3e-4)
 

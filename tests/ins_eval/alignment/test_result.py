@@ -6,11 +6,16 @@ import numpy as np
 import pytest
 
 from ins_eval.alignment.align import align
-from ins_eval.alignment.result import Alignment, AlignmentError, euler_from_rotation_vector
+from ins_eval.alignment.result import Alignment, AlignmentError, History, euler_from_rotation_vector
 from ins_eval.common.rotation import euler_from_mat, mat_from_euler
 from ins_eval.common.sensor_errors import SensorErrors
 from pyhrg.common.units import DEG, DEG_PER_H
 from tests.ins_eval.cases import at_rest
+
+
+def make_alignment(mat_nb: np.ndarray, covariance: np.ndarray) -> Alignment:
+    history = History(np.array([300.0]), mat_nb[None], covariance[None], np.zeros((1, 2)))
+    return Alignment(300.0, mat_nb, covariance, history, 0.0)
 
 
 @pytest.mark.parametrize("axis", [0, 1, 2])
@@ -26,7 +31,7 @@ def test_euler_angles_change_as_the_matrix_says(axis: int) -> None:
 
 def test_readable_form_is_in_degrees_with_heading_from_0_to_360() -> None:
     mat_nb = mat_from_euler(*map(np.array, (1 * DEG, 2 * DEG, -90 * DEG)))
-    result = Alignment("stated", 300.0, mat_nb, np.diag([0.01, 0.01, 0.1]) ** 2 * DEG**2)
+    result = make_alignment(mat_nb, np.diag([0.01, 0.01, 0.1]) ** 2 * DEG**2)
     assert str(result).startswith("heading 270.0000 +- 0.1000 deg, pitch 2.0000 +- 0.0100 deg")
 
 
@@ -46,7 +51,7 @@ def test_heading_and_roll_of_a_nose_along_the_vertical_are_refused(side: int) ->
 
     def pitched(pitch_deg: float) -> Alignment:
         mat_nb = mat_from_euler(*map(np.array, (0.1, side * pitch_deg * DEG, 0.5)))
-        return Alignment("stated", 300.0, mat_nb, 1e-8 * np.eye(3))
+        return make_alignment(mat_nb, 1e-8 * np.eye(3))
 
     vertical = pitched(89.5)
     assert vertical.pitch_deg == pytest.approx(side * 89.5)

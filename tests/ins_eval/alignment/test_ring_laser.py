@@ -11,18 +11,18 @@ from scipy.stats import chi2
 from ins_eval.alignment.align import align
 from ins_eval.alignment.alignment_figure import plot_alignment
 from ins_eval.alignment.analytic import AlignmentError, level_and_gyrocompass
-from ins_eval.alignment.inertial.inertial_frame import fit_inertial_frame
-from ins_eval.alignment.measured_noise import MeasuredNoise, measure_noise
+from ins_eval.alignment.inertial_frame import fit_inertial_frame
 from ins_eval.common.rotation import euler_from_mat
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.common.state import State
 from ins_eval.imu import recorded
-from ins_eval.imu.recorded import ImuRecord
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
 from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.log import RecordedImu
 from tests.ins_eval.alignment.cases import make_still_record
+from tests.ins_eval.alignment.measured_noise import MeasuredNoise, measure_noise
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 STATED = SensorErrors(
@@ -36,7 +36,7 @@ SPAN = 300.0
 
 
 @pytest.fixture(scope="module")
-def log() -> ImuRecord:
+def log() -> RecordedImu:
     path = Path(os.environ.get("HRG_REAL", REAL)) / "lasergyro.imu.gz"
     if not path.is_file():
         pytest.skip(f"{path} is not there; HRG_REAL says where recorded data are")
@@ -44,7 +44,7 @@ def log() -> ImuRecord:
 
 
 @pytest.fixture(scope="module")
-def noise(log: ImuRecord) -> MeasuredNoise:
+def noise(log: RecordedImu) -> MeasuredNoise:
     return measure_noise(log.increments, log.position, STATED)
 
 
@@ -53,7 +53,7 @@ def spans(record: Increments) -> list[Increments]:
     return [record.between(first, first + each) for first in range(0, len(record) - each, each)]
 
 
-def motion(log: ImuRecord, times: list[float]) -> np.ndarray:
+def motion(log: RecordedImu, times: list[float]) -> np.ndarray:
     """Headings, rad, that the gyros carry from one attitude at the start; common error aside."""
     record = log.increments
     latitude, longitude, height = log.position
@@ -70,7 +70,7 @@ def test_the_gyros_noise_is_found_under_the_motion(noise: MeasuredNoise) -> None
     assert noise.relative_sigma[0] < 0.25
 
 
-def test_first_five_minutes(log: ImuRecord, noise: MeasuredNoise) -> None:
+def test_first_five_minutes(log: RecordedImu, noise: MeasuredNoise) -> None:
     """The log's own heading, coarse, is 90.6 deg."""
     result = align(spans(log.increments)[0], log.position, noise.errors)
     sigma = result.euler_sigma_deg
@@ -79,7 +79,7 @@ def test_first_five_minutes(log: ImuRecord, noise: MeasuredNoise) -> None:
     assert result.time == pytest.approx(SPAN)
 
 
-def test_spans_agree_within_their_sigma(log: ImuRecord, noise: MeasuredNoise) -> None:
+def test_spans_agree_within_their_sigma(log: RecordedImu, noise: MeasuredNoise) -> None:
     """Chi-square of six spans' headings less the motion between them, 99 %; the hidden bias is the
     same in all, so their sigmas are of noise alone. Averaging scatters by degrees."""
     parts = spans(log.increments)
@@ -97,7 +97,7 @@ def test_spans_agree_within_their_sigma(log: ImuRecord, noise: MeasuredNoise) ->
     assert np.std(averaged - moved, ddof=1) > 100 * np.std(heading, ddof=1)
 
 
-def test_a_span_agrees_with_the_whole(log: ImuRecord, noise: MeasuredNoise) -> None:
+def test_a_span_agrees_with_the_whole(log: RecordedImu, noise: MeasuredNoise) -> None:
     unbiased = replace(noise.errors, gyro_bias=0.0)
     first = align(spans(log.increments)[0], log.position, unbiased)
     whole = align(log.increments, log.position, unbiased)
@@ -106,7 +106,7 @@ def test_a_span_agrees_with_the_whole(log: ImuRecord, noise: MeasuredNoise) -> N
     assert abs(difference) < 3 * np.sqrt(first.covariance[2, 2])
 
 
-def test_a_spoiled_span_is_refused(log: ImuRecord, noise: MeasuredNoise) -> None:
+def test_a_spoiled_span_is_refused(log: RecordedImu, noise: MeasuredNoise) -> None:
     """Latitude's sign, reversed gyros, gyros that stick for 100 s, a heading step in them alone."""
     record = spans(log.increments)[0]
     stuck, step = record.rotation.copy(), record.rotation.copy()
@@ -123,7 +123,7 @@ def test_a_spoiled_span_is_refused(log: ImuRecord, noise: MeasuredNoise) -> None
             align(replace(record, rotation=rotation), log.position * [sign, 1, 1], noise.errors)
 
 
-def test_figure(log: ImuRecord) -> None:
+def test_figure(log: RecordedImu) -> None:
     errors = replace(STATED, angle_random_walk=1e-7, velocity_random_walk=1e-4)
     result = align(spans(log.increments)[0], log.position, errors)
     figure = plot_alignment(result, "ring laser")

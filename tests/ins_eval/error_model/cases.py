@@ -8,6 +8,9 @@ from scipy.spatial.transform import Rotation
 
 from ins_eval.common import earth
 from ins_eval.common.state import State, track_error
+from ins_eval.error_model.budget.adjoint import Weights
+from ins_eval.error_model.linear_model import LinearModel
+from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import Clamped, Height
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories.trajectory import Knots, Trajectory
@@ -15,6 +18,22 @@ from pyhrg.records.imu.increments import Increments
 
 EVERY = 60.0
 """Time between rows that are compared, s."""
+
+
+def propagate(model: LinearModel, initial: np.ndarray, coefficients: np.ndarray) -> np.ndarray:
+    """Return the errors (n + 1, 10) that constant coefficients (e, 3) and initial errors (10,)
+    cause."""
+    drive = np.tensordot(model.inputs, coefficients, axes=2)
+    x = np.empty((len(model) + 1, COUNT))
+    x[0] = initial
+    for k, phi in enumerate(model.transition):
+        x[k + 1] = phi @ x[k] + drive[k]
+    return x
+
+
+def sum_coefficient_weights(weights: Weights) -> np.ndarray:
+    """Weights (2, e, 3) of constant coefficients of each effect and axis in the final position."""
+    return np.einsum("nij,njea->iea", weights.states[1:], weights.model.inputs)
 
 
 def weave(latitude_deg: float, duration: float, roll_every: float = 1e9) -> Trajectory:

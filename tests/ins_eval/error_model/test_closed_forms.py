@@ -5,11 +5,12 @@ import pytest
 
 from ins_eval.common import earth
 from ins_eval.error_model.dynamics import dynamics
-from ins_eval.error_model.linear_model import linearize, propagate
+from ins_eval.error_model.linear_model import linearize
 from ins_eval.error_model.motion import Motion
 from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import Clamped, Free
 from pyhrg.common.units import DEG_PER_H
+from tests.ins_eval.error_model.cases import propagate
 
 CLAMPED = Clamped(np.zeros(1))
 BIAS = 1e-8

@@ -5,9 +5,10 @@ from pathlib import Path
 
 import pytest
 
-from ins_eval.imu import recorded, specification
+from ins_eval.imu import specification
 from ins_eval.trajectories import catalogue
 from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.table_log import write_imu_log
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 LATITUDE_DEG = "39.9"
@@ -32,5 +33,5 @@ def standing(seconds: float, seed: int = 1) -> Increments:
 def written(folder: Path, seconds: float) -> Path:
     """Its log, as CSV."""
     path = folder / "standing.csv"
-    recorded.write_imu_log(standing(seconds), path)
+    write_imu_log(standing(seconds), path)
     return path

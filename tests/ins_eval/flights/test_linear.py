@@ -10,7 +10,7 @@ from scipy.stats import chi2
 
 from ins_eval.common.state import position_error
 from ins_eval.flights import linear
-from ins_eval.flights.beliefs import Beliefs, state_beliefs
+from ins_eval.flights.assumed_errors import AssumedErrors, assume_errors
 from ins_eval.flights.flight import Runs, fly_runs
 from ins_eval.flights.plan import Plan, count_row_increments
 from ins_eval.flights.truth import Truth, sample_truth
@@ -66,15 +66,15 @@ def explained(errors: np.ndarray, covariance: np.ndarray) -> bool:
 
 def test_sigma_holds_flights(imu: Imu, weaving: Truth, flown: Runs) -> None:
     errors = errors_at_the_end(flown, weaving)
-    covariance = linear.propagate_flight_covariance(PLAN, weaving, state_beliefs(imu), None)
+    covariance = linear.propagate_flight_covariance(PLAN, weaving, assume_errors(imu), None)
     assert len(covariance) == len(weaving.track)
     assert explained(errors, covariance[-1])
 
 
 def test_without_what_acts_in_manoeuvres_it_does_not(imu: Imu, weaving: Truth, flown: Runs) -> None:
-    whole = state_beliefs(imu)
+    whole = assume_errors(imu)
     of_biases = [number for number, e in enumerate(whole.effects) if e.name.endswith("bias")]
-    less = Beliefs(
+    less = AssumedErrors(
         tuple(whole.effects[number] for number in of_biases),
         whole.deviations[of_biases],
         whole.noise,
@@ -121,7 +121,7 @@ def test_sigma_starts_from_the_alignment(imu: Imu) -> None:
     car = sample_truth(plan, catalogue.load_trajectory("car", plan.duration, 140.0))
     alignment = fly_runs(plan, car, imu).first.alignment
     assert alignment
-    covariance = linear.propagate_flight_covariance(plan, car, state_beliefs(imu), alignment)
+    covariance = linear.propagate_flight_covariance(plan, car, assume_errors(imu), alignment)
     np.testing.assert_allclose(
         np.sqrt(np.diag(covariance[0])[6:9]), np.sqrt(np.diag(alignment.covariance)), rtol=0.03
     )

@@ -89,7 +89,7 @@ def test_the_errors_are_those_that_units_have() -> None:
         (rate, errors.gyro_bias, errors.angle_random_walk),
         (force, errors.accelerometer_bias, errors.velocity_random_walk),
     ):
-        believed = np.hypot(bias, walk / np.sqrt(10))
+        assumed = np.hypot(bias, walk / np.sqrt(10))
         assert errors_of_units.std() == pytest.approx(
-            believed, rel=3.5 / np.sqrt(2 * errors_of_units.size)
+            assumed, rel=3.5 / np.sqrt(2 * errors_of_units.size)
         )

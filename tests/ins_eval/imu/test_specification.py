@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from ins_eval.imu import specification
-from ins_eval.imu.accelerometers import TYPICAL_ACCELEROMETERS
 from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
+from ins_eval.imu.sensor_error_model import TYPICAL_ACCELEROMETERS
 from ins_eval.imu.specification import SpecificationError
 from ins_eval.imu.stated_gyros import StatedGyros
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, MICRO_G, PPM

@@ -11,6 +11,7 @@ from pyhrg.common.errors import HrgError
 from pyhrg.records.columns import LogError
 from pyhrg.records.imu.columns import ACCELEROMETERS, GYROS, Quantity
 from pyhrg.records.imu.increments import Increments
+from pyhrg.records.imu.table_log import write_imu_log
 from tests.ins_eval.imu.logs import frame, resting, saved
 
 RANDOM = Increments(
@@ -21,14 +22,14 @@ RANDOM = Increments(
 @pytest.mark.parametrize("name", ["log.csv", "log.csv.gz", "log.parquet"])
 def test_what_was_written_reads_back_to_the_same_bits(tmp_path: Path, name: str) -> None:
     path = tmp_path / name
-    recorded.write_imu_log(RANDOM, path)
+    write_imu_log(RANDOM, path)
     back = recorded.read_record(path).increments
     np.testing.assert_array_equal(back.rotation, RANDOM.rotation)
     np.testing.assert_array_equal(back.velocity, RANDOM.velocity)
     assert back.interval == pytest.approx(RANDOM.interval, rel=1e-12)
     assert back.start == pytest.approx(12.5, abs=1e-12)
     first = path.read_bytes()
-    recorded.write_imu_log(RANDOM, path)
+    write_imu_log(RANDOM, path)
     assert path.read_bytes() == first
 
 
@@ -41,7 +42,7 @@ def test_every_kind_of_column_gives_the_same_increments(
     log = recorded.read_record(saved(frame(truth, gyros, forces), tmp_path))
     np.testing.assert_allclose(log.increments.rotation, truth.rotation, rtol=1e-12)
     np.testing.assert_allclose(log.increments.velocity, truth.velocity, rtol=1e-12)
-    assert (log.position, log.mat_nb) == (None, None)
+    assert (log.position, log.attitude) == (None, None)
 
 
 def test_other_columns_are_ignored_and_order_is_free(tmp_path: Path) -> None:
@@ -55,7 +56,7 @@ def test_other_columns_are_ignored_and_order_is_free(tmp_path: Path) -> None:
 
 def test_another_ending_is_refused_and_nothing_is_left(tmp_path: Path) -> None:
     with pytest.raises(HrgError, match=r"found '.xls', expected .csv, .csv.gz or .parquet"):
-        recorded.write_imu_log(RANDOM, tmp_path / "log.xls")
+        write_imu_log(RANDOM, tmp_path / "log.xls")
     assert list(tmp_path.iterdir()) == []
 
 

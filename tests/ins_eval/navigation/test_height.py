@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from ins_eval import theory
 from ins_eval.common import earth
 from ins_eval.common.state import State, Track
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
@@ -11,6 +10,7 @@ from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.increments import Increments
+from tests.ins_eval import theory
 from tests.ins_eval.cases import at_rest
 
 LATITUDE = np.deg2rad(45.0)

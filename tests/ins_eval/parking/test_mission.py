@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from ins_eval.common import earth
-from ins_eval.parking.mission import INTERVAL, STILL, Mission, StartUpError, find_ready_time
+from ins_eval.mission_model.missions import STILL
+from ins_eval.parking.mission import INTERVAL, Mission, StartUpError, find_ready_time
 from tests.ins_eval.cases import short_mission
 
 START_UP = 12.0

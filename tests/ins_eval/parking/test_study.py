@@ -5,9 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from ins_eval.mission_model.missions import STILL
 from ins_eval.parking.case import CASES, Known, Start
 from ins_eval.parking.gyro import measure_maps
-from ins_eval.parking.mission import INTERVAL, STILL
+from ins_eval.parking.mission import INTERVAL
 from ins_eval.parking.study import Comparison, compare, compare_with_first_case
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position.full_circumference import SHORTEST

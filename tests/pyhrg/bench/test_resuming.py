@@ -166,7 +166,8 @@ def test_spoilt_log_is_made_again(kept_bench: Bench, monkeypatch: pytest.MonkeyP
 
 
 def test_run_that_ends_leaves_nothing(slow_fmu: GyroFmu, tmp_path: Path) -> None:
-    with Store(tmp_path / LOGS_TO_RESUME) as store:
+    store = Store(tmp_path / LOGS_TO_RESUME)
+    with store.open():
         bench = replace(slow_bench(slow_fmu, TYPICAL), store=store)
         bench.run([power_on(bench)])
         assert [path.suffix for path in store.folder.iterdir()] == [".npz"]
@@ -174,6 +175,6 @@ def test_run_that_ends_leaves_nothing(slow_fmu: GyroFmu, tmp_path: Path) -> None
 
 
 def test_run_that_made_nothing_leaves_nothing(tmp_path: Path) -> None:
-    with pytest.raises(KeyboardInterrupt), Store(tmp_path / LOGS_TO_RESUME):
+    with pytest.raises(KeyboardInterrupt), Store(tmp_path / LOGS_TO_RESUME).open():
         raise KeyboardInterrupt
     assert list(tmp_path.iterdir()) == []

@@ -11,6 +11,7 @@ from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.gap.diagnose import diagnose
 from pyhrg.gap.effects.design import LinearTest
+from pyhrg.gap.replay.observations import CHANNELS
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records.campaign import Campaign
 
@@ -66,7 +67,6 @@ def test_it_would_be_one(
     simulation: Simulation, campaign: Campaign, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Were it not known of."""
-    monkeypatch.setattr(
-        LinearTest, "carrier_terms", lambda part, channel: np.zeros(len(part.test.log.time))
-    )
+    nothing = property(lambda part: dict.fromkeys(CHANNELS, 0 * part.where.pattern_angle))
+    monkeypatch.setattr(LinearTest, "carrier_terms", nothing)
     assert diagnose(campaign, simulation=simulation).diagnosis.verdict != "no_gap"

@@ -13,9 +13,9 @@ from typing import Any
 import pytest
 
 from pyhrg.challenge import run
-from pyhrg.challenge.roster import ChallengeError, Folder, Settings
+from pyhrg.challenge.roster import Folder, Settings
 from pyhrg.challenge.run import Challenge
-from pyhrg.challenge.truths import seal
+from pyhrg.challenge.truths.seal import ChallengeError, hash_truth
 from pyhrg.common.cli import main
 from pyhrg.common.errors import HrgError
 from pyhrg.gap.findings.diagnosis import Diagnosis, Gap, GapFigure, NextTest, write
@@ -135,7 +135,7 @@ def test_a_truth_that_was_changed_is_refused(tmp_path: Path) -> None:
     path.write_text(path.read_text().replace("{", "{ ", 1))
     with pytest.raises(ChallengeError, match="truths are not those that it has published"):
         Challenge(folder, SETTINGS, says_no_gap).run(1)
-    assert seal.hash_truth(path)
+    assert hash_truth(path)
 
 
 @pytest.mark.usefixtures("quick_cases")
@@ -144,7 +144,7 @@ def test_a_suggested_test_is_made_and_diagnosed(tmp_path: Path) -> None:
     settings = Settings({"single": 1}, seed=3)
     score = Challenge(folder, settings, asks_for_a_test).run(1)
     (case,) = score.cases
-    extended = campaign.read_campaign(folder.next_campaign(case.name))
+    extended = campaign.read_campaign(folder.next.campaign(case.name))
     assert [test.kind for test in extended.tests] == ["rate", "manoeuvre", "tumble"]
     settled = next(f for f in score.figures if f.name.startswith("next test"))
     assert (settled.n, settled.value) == (1, 0.0)

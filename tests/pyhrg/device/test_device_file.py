@@ -151,8 +151,6 @@ def test_unreadable_files_are_refused(tmp_path: Path) -> None:
 def test_model_names_are_checked_against_the_fmu(tmp_path: Path, fmu: GyroFmu) -> None:
     path = tmp_path / "device.toml"
     path.write_text("[model]\n'drive.autority' = 0.1\n")
-    with pytest.raises(DeviceError, match=r"model\.drive\.autority: .* model\.drive\.authority"):
-        device_file.read(path, fmu.references)
     unknown = device_file.read(path).fmu_parameters()
     with pytest.raises(GyroError, match=r"no variable drive\.autority"):
         fmu.power_on(unknown, seed=0, start_angle=0.0)

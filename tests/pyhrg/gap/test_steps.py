@@ -5,8 +5,8 @@ import pytest
 from numpy.typing import NDArray
 
 from pyhrg.gap.effects.jump import evaluate_step
+from pyhrg.gap.evidence.jump_search import MAX_STEPS, find_steps
 from pyhrg.gap.evidence.residuals import Residual
-from pyhrg.gap.evidence.step_search import MAX_STEPS, find_steps
 from pyhrg.gap.whitening.whitening import NoiseModel
 
 Array = NDArray[np.float64]

@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from pyhrg.common.site import Site
 from pyhrg.common.units import DEG
 from pyhrg.records import LogError, campaign
-from pyhrg.records.campaign import Campaign, CampaignError, Site, Test
+from pyhrg.records.campaign import Campaign, CampaignError, Test
 from tests.pyhrg.records.made_up import LATITUDE, made_up_log
 
 

@@ -8,11 +8,10 @@ in both directions.
 import numpy as np
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias.environment import g_sensitivity
-from pyhrg.bench.bias.environment.g_sensitivity import AXES, SETTLE
+from pyhrg.bench.bias.environment.g_sensitivity import AXES, SETTLE, Sensitivity, make_outcome
 from pyhrg.bench.bias.environment.tumble import PATTERN_ANGLES, turn_pattern
 from pyhrg.bench.outcome import Outcome
-from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
+from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import SEGMENT, WARM_UP
 from pyhrg.common.units import DEG_PER_H, STANDARD_GRAVITY
@@ -38,16 +37,11 @@ def make_programme(
             turn_pattern(course, bench.device.bryan_factor)
         for axis in AXES:
             for level in levels:
-                course.command(
-                    **_make_forces(axis, level * STANDARD_GRAVITY, bench.device.site.gravity)
-                )
+                forces = dict.fromkeys(AXES, 0.0)
+                forces |= {UPRIGHT[axis]: bench.device.site.gravity, axis: level * STANDARD_GRAVITY}
+                course.command(**{f"acceleration_{name}": a for name, a in forces.items()})
                 course.rest(SETTLE + segments * (SEGMENT + course.interval))
     return course
-
-
-def _make_forces(axis: str, along: float, gravity: float) -> dict[str, float]:
-    forces = {f"acceleration_{name}": 0.0 for name in AXES}
-    return forces | {f"acceleration_{UPRIGHT[axis]}": gravity, f"acceleration_{axis}": along}
 
 
 def record(bench: Bench) -> list[Test]:
@@ -57,20 +51,15 @@ def record(bench: Bench) -> list[Test]:
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Linear and quadratic coefficients of the bias against specific force."""
-    result = g_sensitivity.fit_sensitivity(campaign, KIND)
+    return make_outcome(campaign, KIND, "Bias on the centrifuge", _describe_verdict)
+
+
+def _describe_verdict(result: Sensitivity) -> str:
     size = np.max(np.abs(result.points.acceleration)) / STANDARD_GRAVITY
     columns = {n: c for n, c in result.columns.items() if n.startswith("g ")}
     share = sum(result.fitted.value(n) * c for n, c in columns.items())
     worst = float(np.max(np.abs(share)) / DEG_PER_H) if columns else np.nan
-    return Outcome(
-        procedure=PROCEDURE.name,
-        findings=result.findings(),
-        verdict=f"Specific force of up to {size:.3g} g moves the bias by up to {worst:.2g} deg/h.",
-        warnings=g_sensitivity.list_warnings(result),
-        exclusions=list_exclusions(require_tests(campaign, KIND)),
-        draw=lambda figure: g_sensitivity.draw(figure, result, "Bias on the centrifuge"),
-        values={"terms": dict(zip(result.fitted.names, result.fitted.values, strict=True))},
-    )
+    return f"Specific force of up to {size:.3g} g moves the bias by up to {worst:.2g} deg/h."
 
 
 PROCEDURE: Procedure = Procedure(

@@ -5,21 +5,20 @@ force a changes the gaps and the axes of the shell, so that each coefficient has
 a fourth harmonic of the pattern angle th. Records at one pattern angle give their sum only.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
 from pyhrg.bench.estimation.terms import PatternBasis, choose_pattern_basis, select_separable
-from pyhrg.bench.outcome import BenchError, Finding
-from pyhrg.bench.procedure import require_tests
+from pyhrg.bench.outcome import BenchError, Finding, Outcome
+from pyhrg.bench.procedure import list_exclusions, require_tests
 from pyhrg.bench.readings.dwells import Points, join_points, read_points
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG_PER_H, STANDARD_GRAVITY
 from pyhrg.records.campaign import Campaign
-
-Array = NDArray[np.float64]
 
 AXES = "xyz"
 SETTLE = 20.0
@@ -53,28 +52,17 @@ class Sensitivity:
             for name, text in self.refused.items()
             if name.startswith("g ") and "cos4" not in name and "sin4" not in name
         ]
-        mean = Finding(
-            "bias",
-            self.fitted.value(MEAN),
-            "deg/h",
-            *self.fitted.interval(MEAN),
-            n=len(self.points),
-            note=f"without specific force, {self.basis.place}",
-        )
+        note = f"without specific force, {self.basis.place}"
+        mean = self.fitted.finding(MEAN, "bias", "deg/h", note=note)
         return (mean, *fitted, *missing)
 
     def _make_finding(self, name: str) -> Finding:
-        low, high = self.fitted.interval(name)
-        n, note = len(self.points), "" if "4" in name else self.basis.place
-        return Finding(name, self.fitted.value(name), _choose_unit(name), low, high, n, note)
+        note = "" if "4" in name else self.basis.place
+        return self.fitted.finding(name, name, _choose_unit(name), note=note)
 
 
 def fit_sensitivity(campaign: Campaign, kind: str) -> Sensitivity:
-    """Fit of all power-ons of a kind together.
-
-    Raises:
-        BenchError: there are fewer than three different specific forces, or too few data points.
-    """
+    """Fit of all power-ons of a kind together."""
     logs = [test.log for test in require_tests(campaign, kind)]
     data = join_points([read_points(log, campaign.site.latitude, SETTLE) for log in logs])
     different = len(np.unique(np.round(data.acceleration), axis=0))
@@ -109,6 +97,21 @@ def make_force_columns(acceleration: Array) -> dict[str, Array]:
     return linear | squares | products
 
 
+def make_outcome(
+    campaign: Campaign, kind: str, title: str, describe_verdict: Callable[[Sensitivity], str]
+) -> Outcome:
+    """Bias and its sensitivity to specific force, of all tests of a kind."""
+    result = fit_sensitivity(campaign, kind)
+    return Outcome(
+        findings=result.findings(),
+        verdict=describe_verdict(result),
+        warnings=list_warnings(result),
+        exclusions=list_exclusions(require_tests(campaign, kind)),
+        draw=lambda figure: draw(figure, result, title),
+        values={"terms": dict(zip(result.fitted.names, result.fitted.values, strict=True))},
+    )
+
+
 def list_warnings(result: Sensitivity) -> tuple[str, ...]:
     """A sentence on each sensitivity that the records don't determine, harmonics apart."""
     sentences = [
@@ -128,7 +131,7 @@ def draw(figure: Figure, result: Sensitivity, title: str) -> None:
     for axis, force, colour, panel in zip(
         AXES, result.points.acceleration.T, ("#0072B2", "#D55E00", "#009E73"), panels, strict=True
     ):
-        own = [name for name in result.columns if _is_of_axis(name, axis)]
+        own = [n for n in (f"g bias {axis}", f"g squared {axis}{axis}") if n in result.columns]
         part = sum((result.fitted.value(n) * result.columns[n] for n in own), np.zeros(len(force)))
         panel.plot(
             force / STANDARD_GRAVITY,
@@ -143,11 +146,6 @@ def draw(figure: Figure, result: Sensitivity, title: str) -> None:
         panel.grid(alpha=0.3)
     panels[0].set_ylabel("bias by this axis, deg/h (line: fit)")
     figure.suptitle(title)
-
-
-def _is_of_axis(name: str, axis: str) -> bool:
-    """Whether a term is this axis's alone and constant over the pattern angle."""
-    return name in (f"g bias {axis}", f"g squared {axis}{axis}")
 
 
 def _choose_unit(name: str) -> str:

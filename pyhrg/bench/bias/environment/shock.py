@@ -8,11 +8,10 @@ from numpy.typing import NDArray
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.dwells import FORCES
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import Site
 from pyhrg.common.units import STANDARD_GRAVITY
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 PEAK = 100 * STANDARD_GRAVITY
 """Largest specific force of a pulse, m/s2."""
@@ -58,11 +57,7 @@ def add_pulses(course: Programme, axis: str, sign: float, count: int = 3) -> Non
 
 
 def find_pulses(log: Log, site: Site) -> list[Pulse]:
-    """Responses to the pulses of a log, which its specific force shows.
-
-    Raises:
-        BenchError: there is no pulse, the rows are too long, or the first pulse comes too early.
-    """
+    """Responses to the pulses of a log, which its specific force shows."""
     force = _read_pulse_force(log)
     starts, ends = _find_bounds(log, force)
     angle = _remove_drift(log, site, starts[0])
@@ -75,9 +70,6 @@ def read_quiet_changes(log: Log, site: Site) -> list[float]:
 
     The drift that is subtracted has an error that is common to all pulses. These readings have it
     too, so that the difference of the means is free of it.
-
-    Raises:
-        BenchError: as `found_pulses`.
     """
     starts, ends = _find_bounds(log, _read_pulse_force(log))
     angle = _remove_drift(log, site, starts[0])

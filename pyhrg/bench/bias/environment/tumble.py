@@ -6,14 +6,14 @@ so that Earth's rate on the input axis is axis_up W_E sin L.
 """
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias.environment import g_sensitivity
-from pyhrg.bench.bias.environment.g_sensitivity import SETTLE, Sensitivity
+from pyhrg.bench.bias.environment.g_sensitivity import SETTLE, Sensitivity, make_outcome
 from pyhrg.bench.outcome import Outcome
-from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
+from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import SEGMENT, WARM_UP
 from pyhrg.common.units import DEG, DEG_PER_H, STANDARD_GRAVITY
@@ -37,9 +37,9 @@ TURN = 20.0
 SEGMENTS = 2
 
 
-def turn_pattern(course: Programme, bryan_factor: float, angle: float = PATTERN_STEP) -> None:
-    """Append a virtual rotation of the pattern by an angle, rad, with the gyro at rest."""
-    course.command(virtual_rotation=angle / bryan_factor / TURN).rest(TURN)
+def turn_pattern(course: Programme, bryan_factor: float) -> None:
+    """Append a virtual rotation of the pattern by a step, with the gyro at rest."""
+    course.command(virtual_rotation=PATTERN_STEP / bryan_factor / TURN).rest(TURN)
     course.command(virtual_rotation=0.0)
 
 
@@ -66,21 +66,13 @@ def record(bench: Bench) -> list[Test]:
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Bias and its sensitivity to specific force."""
-    result = g_sensitivity.fit_sensitivity(campaign, KIND)
-    earth = campaign.site.vertical_rate
-    return Outcome(
-        procedure=PROCEDURE.name,
-        findings=result.findings(),
-        verdict=_describe_verdict(result),
-        warnings=(
-            *g_sensitivity.list_warnings(result),
-            "Earth's rate on the input axis is proportional to specific force along it: a "
-            f"scale-factor error of 1 ppm reads as {earth * 1e-6 / DEG_PER_H:.1g} deg/h/g along z",
-        ),
-        exclusions=list_exclusions(require_tests(campaign, KIND)),
-        draw=lambda figure: g_sensitivity.draw(figure, result, "Bias in the tumble"),
-        values={"terms": dict(zip(result.fitted.names, result.fitted.values, strict=True))},
+    outcome = make_outcome(campaign, KIND, "Bias in the tumble", _describe_verdict)
+    warning = (
+        "Earth's rate on the input axis is proportional to specific force along it: a scale-factor "
+        f"error of 1 ppm reads as {campaign.site.vertical_rate * 1e-6 / DEG_PER_H:.1g} deg/h/g "
+        "along z"
     )
+    return replace(outcome, warnings=(*outcome.warnings, warning))
 
 
 def _describe_verdict(result: Sensitivity) -> str:

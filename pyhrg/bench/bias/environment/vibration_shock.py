@@ -12,13 +12,15 @@ from dataclasses import replace
 
 import numpy as np
 from matplotlib.figure import Figure
+from numpy.typing import ArrayLike
+from scipy import stats
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.circumference import Circumference, fit_circumference
-from pyhrg.bench.bias.compare import estimate_change, estimate_noise_ratio
 from pyhrg.bench.bias.environment.shock import add_pulses, find_pulses, read_quiet_changes
 from pyhrg.bench.bias.thermal_programme import add_positions
 from pyhrg.bench.estimation.harmonics import MEAN, name_terms
+from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests, select_tests
 from pyhrg.bench.programme import Programme
@@ -96,11 +98,8 @@ def make_power_ons(bench: Bench, kind: str, runs: int) -> list[PowerOn]:
 def record(bench: Bench, changed: Device | None = None, runs: int = RUNS) -> list[Test]:
     """Tests of all kinds.
 
-    Args:
-        bench: with the gyro before vibration.
-        changed: the gyro after vibration and shock (a mounting that has lost its torque has a
-            larger `resonator.material.mountingDamping`); the same gyro if None.
-        runs: power-ons of each kind.
+    `changed` is the gyro after vibration and shock (a mounting that has lost its torque has a
+    larger `resonator.material.mountingDamping`); the same gyro if None.
     """
     after = replace(bench, device=changed or bench.device)
     tests = bench.run(
@@ -113,11 +112,7 @@ def record(bench: Bench, changed: Device | None = None, runs: int = RUNS) -> lis
 
 
 def evaluate(campaign: Campaign) -> Outcome:
-    """Changes of bias and bias map from before, and the response to pulses.
-
-    Raises:
-        BenchError: there is no power-on before vibration, or none to compare with it.
-    """
+    """Changes of bias and bias map from before, and the response to pulses."""
     groups = {
         kind: [fit_circumference(test, campaign.site) for test in select_tests(campaign, kind)]
         for kind in (BEFORE, *STATES)
@@ -132,7 +127,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     missing = [text for kind, text in STATES.items() if not groups[kind]]
     used = select_tests(campaign, BEFORE, *STATES, SHOCK)
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(*findings, *_estimate_shock(campaign)),
         verdict=_describe_verdict(findings),
         warnings=(*(f"no record {text}" for text in missing), NO_MEMORY),
@@ -193,18 +187,45 @@ def _describe_verdict(findings: Sequence[Finding]) -> str:
 
 def draw(figure: Figure, groups: dict[str, Sequence[Circumference]]) -> None:
     """Draw the bias over the circumference before, during and after."""
-    axes = figure.add_subplot()
+    axes = figure.add_subplot(title="Bias over the circumference before, during and after")
     colours = ("#000000", "#D55E00", "#E69F00", "#0072B2", "#009E73")
     for (text, runs), colour, marker in zip(groups.items(), colours, "o^vsD", strict=False):
         for number, run in enumerate(runs):
             angle = np.degrees(run.points.pattern_angle) % 180
             rate, label = run.points.rate / DEG_PER_H, None if number else text
             axes.plot(angle, rate, marker, color=colour, ms=3.5, alpha=0.8, label=label)
-    axes.set_xlabel("pattern angle, deg")
-    axes.set_ylabel("bias, deg/h")
-    axes.set_title("Bias over the circumference before, during and after")
-    axes.grid(alpha=0.3)
-    axes.legend()
+    finish_axes(axes, "pattern angle, deg", "bias, deg/h")
+
+
+def estimate_change(
+    name: str, before: ArrayLike, after: ArrayLike, unit: str, note: str = ""
+) -> Finding:
+    """Mean of `after` less mean of `before`, with Welch's interval."""
+    x, y = np.asarray(before, dtype=float), np.asarray(after, dtype=float)
+    value, n = float(np.mean(y) - np.mean(x)), len(x) + len(y)
+    if min(len(x), len(y)) < 2:
+        reason = f"{len(x)} and {len(y)} power-ons: at least 2 each for an interval"
+        return Finding(name, value, unit, n=n, note=reason)
+    parts = np.array([np.var(x, ddof=1) / len(x), np.var(y, ddof=1) / len(y)])
+    total = float(np.sum(parts))
+    if total == 0.0:
+        return Finding(name, value, unit, value, value, n, note)
+    freedom = total**2 / float(np.sum(parts**2 / [len(x) - 1, len(y) - 1]))
+    reach = float(stats.t.ppf(0.975, freedom)) * np.sqrt(total)
+    return Finding(name, value, unit, value - reach, value + reach, n, note)
+
+
+def estimate_noise_ratio(
+    name: str, before: Sequence[Circumference], during: Sequence[Circumference]
+) -> Finding:
+    """Ratio of the fits' residual standard deviations, during over before, with an F interval."""
+    m, n = (sum(run.fitted.freedom for run in runs) for runs in (before, during))
+    x, y = (sum(run.noise for run in runs) / free for runs, free in ((before, m), (during, n)))
+    if x <= 0:
+        return Finding(name, np.nan, "1", note="no noise before")
+    low, high = (np.sqrt(y / x / stats.f.ppf(p, n, m)) for p in (0.975, 0.025))
+    value, size = float(np.sqrt(y / x)), sum(len(r.points) for r in (*before, *during))
+    return Finding(name, value, "1", float(low), float(high), size, "of 100 s means")
 
 
 PROCEDURE: Procedure = Procedure(

@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias.bias_test import RUNS, BiasTest, summarize_runs
+from pyhrg.bench.bias.bias_test import RUNS, summarize_runs
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
@@ -39,17 +39,8 @@ def record(bench: Bench) -> list[Test]:
     return bench.run(make_power_ons(bench))
 
 
-def measure_bias(campaign: Campaign) -> BiasTest:
-    """Bias, stability and repeatability of the campaign's static tests."""
-    return summarize_runs(read_runs(campaign))
-
-
 def read_runs(campaign: Campaign) -> list[Segments]:
-    """Data points of each power-on.
-
-    Raises:
-        BenchError: there is no static test, or one has fewer than two data points.
-    """
+    """Data points of each power-on."""
     latitude = campaign.site.latitude
     logs = [test.log for test in require_tests(campaign, KIND)]
     runs = [read_segments(log, latitude, 0.0, warm_up=WARM_UP) for log in logs]
@@ -65,10 +56,10 @@ def evaluate(campaign: Campaign) -> Outcome:
     """Bias, stability and repeatability, and the range of pattern angle that they are taken at."""
     runs = read_runs(campaign)
     test = summarize_runs(runs)
-    logs = [test.log for test in require_tests(campaign, KIND)]
+    tests = require_tests(campaign, KIND)
+    logs = [test.log for test in tests]
     swept = max(float(np.nanmax(log.wave_angle) - np.nanmin(log.wave_angle)) for log in logs)
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=test.findings(),
         verdict=(
             f"Bias stability {test.stability / DEG_PER_H:.2g} deg/h at a fixed position: the "
@@ -76,19 +67,17 @@ def evaluate(campaign: Campaign) -> Outcome:
             "the figure holds for that part alone."
         ),
         tables=(test.table(),),
-        exclusions=list_exclusions(require_tests(campaign, KIND)),
+        exclusions=list_exclusions(tests),
         draw=lambda figure: draw(figure, runs),
     )
 
 
 def draw(figure: Figure, runs: Sequence[Segments]) -> None:
     """Draw the data points against time, one line for each power-on."""
-    axes = figure.add_subplot()
+    axes = figure.add_subplot(title=f"Fixed position, {SEGMENT:g} s means")
     for number, run in enumerate(runs, 1):
         axes.plot(run.time / MINUTE, run.rate / DEG_PER_H, ".-", lw=0.6, label=f"run {number}")
-    axes.set_xlabel("time since power-on, min")
-    axes.set_ylabel("bias, deg/h")
-    axes.set_title(f"Fixed position, {SEGMENT:g} s means")
+    axes.set(xlabel="time since power-on, min", ylabel="bias, deg/h")
     axes.grid(alpha=0.3)
     axes.legend(ncols=2)
 

@@ -13,14 +13,20 @@ from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS, BiasTest, summarize_runs
-from pyhrg.bench.bias.position.position_runs import describe_leakage, read_complete_runs
-from pyhrg.bench.bias.position.position_variances import estimate_between, estimate_within
+from pyhrg.bench.bias.position.position_runs import (
+    describe_leakage,
+    estimate_between,
+    estimate_within,
+    read_complete_runs,
+)
 from pyhrg.bench.bias.position.positions import HARMONICS, Plan, choose_plan, select_visible
 from pyhrg.bench.estimation.harmonics import MEAN, TILT, Fit, fit, make_columns, name_terms
+from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_mean
 from pyhrg.bench.procedure import Option, Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Segments
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.campaign import Campaign, Test
 
@@ -63,10 +69,15 @@ class BiasMap:
         label = "mean of the map" if name == MEAN else f"bias {name.replace('_', ' ')}"
         if len(self.fits) > 2:
             return estimate_mean(label, [fitted.value(name) for fitted in self.fits], "deg/h")
-        fitted = self.fits[0]
-        low, high = fitted.interval(name)
-        n = len(fitted.residual)
-        return Finding(label, fitted.value(name), "deg/h", low, high, n, "of the first run")
+        return self.fits[0].finding(name, label, "deg/h", note="of the first run")
+
+    def remove_tilt(self, run: Segments) -> Array:
+        """(n,) rates of a run without the tilt of the input axis, rad/s."""
+        if not self.tilt:
+            return run.rate
+        waves = (np.cos(run.table_angle), np.sin(run.table_angle))
+        lean = sum(self.value(name) * wave for name, wave in zip(TILT, waves, strict=True))
+        return np.asarray(run.rate - lean)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -109,15 +120,8 @@ def record(
 ) -> list[Test]:
     """Tests of the power-ons of a plan.
 
-    Args:
-        bench: with the gyro.
-        positions: 8N.
-        spacing_deg: pattern angle between positions; chosen to separate most terms if None.
-        dwell_s: duration of the data points at each position, a multiple of 100 s.
-        runs: power-ons.
-
-    Raises:
-        BenchError: the plan is impossible.
+    `spacing_deg` is the pattern angle between positions, chosen to separate most terms if None;
+    `dwell_s` is a multiple of 100 s.
     """
     segments = round(dwell_s / SEGMENT)
     if segments < 1 or abs(segments * SEGMENT - dwell_s) > 1e-6:
@@ -147,11 +151,7 @@ def measure_mean_bias(campaign: Campaign) -> float:
 
 
 def read_runs(campaign: Campaign) -> list[Segments]:
-    """Data points of each power-on, equally many at each position.
-
-    Raises:
-        BenchError: no power-on has 8N evenly spaced positions.
-    """
+    """Data points of each power-on, equally many at each position."""
     return read_complete_runs(require_tests(campaign, KIND), campaign.site.latitude, SETTLE)[0]
 
 
@@ -160,10 +160,7 @@ def fit_map(
 ) -> BiasMap:
     """Bias map of the terms that the positions can separate, fitted to each run.
 
-    Args:
-        runs: data points, at the same positions in each.
-        wanted: harmonics to be fitted.
-        tilt: whether the tilt of the input axis is to be fitted.
+    The data points of all runs lie at the same positions.
     """
     pattern, table = (
         np.array(
@@ -188,7 +185,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     between = estimate_between("between positions", runs, fitted.fits)
     maps = tuple(fitted.finding(name) for name in fitted.names)
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(*test.findings(), within, between, *_estimate_amplitude(fitted), *maps),
         verdict=_describe_verdict(test, within.value, between.value),
         tables=(test.table(),),
@@ -217,28 +213,20 @@ def _describe_verdict(test: BiasTest, within: float, between: float) -> str:
 
 def draw(figure: Figure, runs: Sequence[Segments], fitted: BiasMap) -> None:
     """Draw data points and bias map against the pattern angle."""
-    axes = figure.add_subplot()
+    axes = figure.add_subplot(
+        title="Bias over the circumference" + (", tilt removed" if fitted.tilt else ""),
+        xlim=(0, 180),
+    )
     grid = np.linspace(0.0, np.pi, 361)
     columns = make_columns(grid, grid, fitted.harmonics, tilt=False)
     curve = sum(fitted.value(name) * column for name, column in columns.items())
     for number, run in enumerate(runs):
-        lean = sum(
-            fitted.value(name) * trig(run.table_angle)
-            for name, trig in zip(TILT, (np.cos, np.sin), strict=True)
-            if fitted.tilt
-        )
         label = f"100 s means, {len(runs)} runs" if number == 0 else None
-        axes.plot(
-            run.pattern_angle % np.pi / DEG, (run.rate - lean) / DEG_PER_H, ".", label=label, ms=4
-        )
+        rate = fitted.remove_tilt(run) / DEG_PER_H
+        axes.plot(run.pattern_angle % np.pi / DEG, rate, ".", label=label, ms=4)
     names = ", ".join(str(order) for order in fitted.harmonics) or "none"
     axes.plot(grid / DEG, curve / DEG_PER_H, "k-", lw=1.2, label=f"fit, harmonics {names}")
-    axes.set_xlabel("pattern angle, deg")
-    axes.set_ylabel("bias, deg/h")
-    axes.set_xlim(0, 180)
-    axes.set_title("Bias over the circumference" + (", tilt removed" if fitted.tilt else ""))
-    axes.grid(alpha=0.3)
-    axes.legend()
+    finish_axes(axes, "pattern angle, deg", "bias, deg/h")
 
 
 PROCEDURE: Procedure = Procedure(

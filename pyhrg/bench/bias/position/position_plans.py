@@ -11,16 +11,17 @@ from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.position import full_circumference
 from pyhrg.bench.bias.position.full_circumference import SETTLE, make_programme
 from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.estimation.harmonics import fit, make_columns, name_terms
+from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.bench.readings.segments import WARM_UP, Segments, read_segments
+from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.campaign import Campaign, Test
@@ -31,7 +32,6 @@ PLANS = tuple(
     for positions, step in ((8, 45.0), (8, 22.5), (8, 11.25), (16, 22.5))
 )
 STARTS = np.arange(0.0, 90.0, 5.625) * DEG
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -97,7 +97,6 @@ def evaluate(campaign: Campaign) -> Outcome:
         for r in reports
     )
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(
             Finding("fourth harmonic", amplitude, "deg/h", note="amplitude A, of all runs"),
             Finding("rms of the map", amplitude / math.sqrt(2), "deg/h", note="A / sqrt 2"),
@@ -125,7 +124,7 @@ def _describe_verdict(reports: Sequence[PlanReport]) -> str:
 
 def draw(figure: Figure, reports: Sequence[PlanReport], amplitude: float) -> None:
     """Draw the reported bias stability against the start angle."""
-    axes = figure.add_subplot()
+    axes = figure.add_subplot(xlim=(0, 90), title="Bias stability that a plan of positions reports")
     for report, mark in zip(reports, "osv^" * len(reports), strict=False):
         axes.plot(
             report.start / DEG, report.stability / DEG_PER_H, mark + "-", ms=4, lw=1,
@@ -133,20 +132,14 @@ def draw(figure: Figure, reports: Sequence[PlanReport], amplitude: float) -> Non
         )  # fmt: skip
     rms = amplitude / math.sqrt(2) / DEG_PER_H
     axes.axhline(rms, color="black", ls="--", lw=1, label="A / √2 of the map")
-    axes.set_xlabel("pattern angle at power-on, deg")
-    axes.set_ylabel("reported bias stability, deg/h")
-    axes.set_xlim(0, 90)
-    axes.set_ylim(bottom=0)
-    axes.set_title("Bias stability that a plan of positions reports")
-    axes.grid(alpha=0.3)
-    axes.legend()
+    labels = ("pattern angle at power-on, deg", "reported bias stability, deg/h")
+    finish_axes(axes, *labels, ylim=(0, None))
 
 
 PROCEDURE: Procedure = Procedure(
     name="position-plans",
     group="bias",
     title="Bias stability that plans of positions report, by start angle",
-    rows=(),
     source=full_circumference.PROCEDURE.source,
     kinds=(KIND,),
     record=record,

@@ -1,4 +1,4 @@
-"""Power-ons that have all positions, evenly spaced, and reasons why others are not used.
+"""Power-ons that have all positions, evenly spaced; variances within and between positions.
 
 Mean and standard deviation over positions are those over the circumference (paper 4.1) only where
 8N positions are evenly spaced and have equally many data points. A lost position would shift both.
@@ -8,8 +8,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pyhrg.bench.outcome import BenchError
+from pyhrg.bench.estimation.harmonics import Fit
+from pyhrg.bench.estimation.spread import estimate_excess
+from pyhrg.bench.outcome import BenchError, Finding, estimate_pooled_deviation
 from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Segments, read_segments
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Test
 
@@ -26,16 +29,8 @@ def read_complete_runs(
 ) -> tuple[list[Segments], list[str]]:
     """Data points of each complete power-on, equally many at each position.
 
-    Args:
-        tests: position tests.
-        latitude: of the site, rad.
-        settle: time at the beginning of each rest that is not used, s.
-
-    Returns:
-        The runs, and a sentence on each power-on or data point that is not used.
-
-    Raises:
-        BenchError: no power-on is complete.
+    `settle` seconds at the beginning of each rest are not used. Returns the runs, and a sentence on
+    each power-on or data point that is not used.
     """
     candidates = [read_segments(test.log, latitude, settle, warm_up=WARM_UP) for test in tests]
     expected = max(points.dwells for points in candidates)
@@ -99,3 +94,41 @@ def describe_leakage(points: Segments) -> str:
         f"the positions don't fill whole periods of the fourth harmonic: up to {share:.0%} of its "
         "amplitude, by the power-on angle, is in the mean over positions (bias, repeatability)"
     )
+
+
+WITHIN = "standard deviation of a position's points: noise, and what the pattern drifts over"
+BETWEEN = "standard deviation of the positions' true means, without the noise"
+ONE_POINT = "one point a position: can't be separated"
+
+
+def group_by_position(run: Segments) -> list[Array]:
+    """Rates of each position's data points, rad/s, in the order of the positions."""
+    return [run.rate[run.dwell == number] for number in np.unique(run.dwell)]
+
+
+def estimate_within(name: str, runs: Sequence[Segments], note: str = WITHIN) -> Finding:
+    """Standard deviation (n - 1) of a position's data points, pooled over positions and runs; NaN
+    where each position has one point."""
+    groups = [group for run in runs for group in group_by_position(run)]
+    if max(map(len, groups)) < 2:
+        return Finding(name, np.nan, "deg/h", note=ONE_POINT)
+    return estimate_pooled_deviation(name, groups, "deg/h", note)
+
+
+def estimate_between(name: str, runs: Sequence[Segments], fits: Sequence[Fit]) -> Finding:
+    """Standard deviation (n - 1) of the positions' true means, root mean square over the runs.
+
+    The noise is estimated from the residual of the bias map, or from the scatter within positions
+    where that is smaller. The drift of the pattern within a position adds to the scatter, and a map
+    that doesn't fit adds to the residual. The runs have equally many data points at each position;
+    `fits` has the bias map of each.
+    """
+    groups = [group_by_position(run) for run in runs]
+    square = float(np.mean([np.var([np.mean(g) for g in run], ddof=1) for run in groups]))
+    positions, within = sum(map(len, groups)), estimate_within("", runs)
+    count, freedom = sum(map(len, runs)) / positions, sum(fitted.freedom for fitted in fits)
+    variance = sum(float(fitted.residual @ fitted.residual) for fitted in fits) / freedom
+    noises = [(float(np.sqrt(variance)), freedom), (within.value, within.n - positions)]
+    noise, noise_freedom = min(noises[: 2 if within.n else 1])
+    freedoms = positions - len(runs), noise_freedom
+    return estimate_excess(name, square, noise / count**0.5, freedoms, "deg/h", BETWEEN)

@@ -8,25 +8,22 @@ turn more, which separates the two.
 """
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from pyhrg.bench.estimation.harmonics import (
-    LARGEST_INFLATION,
-    compute_inflations,
-    make_columns,
-)
+from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, compute_inflations, make_columns
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
-
-Array = NDArray[np.float64]
 
 HARMONICS = (2, 4, 8)
 """Orders of the bias map in the pattern angle."""
 STARTS = np.arange(0.0, 90.0, 7.5) * DEG
 """Start angles of the pattern, rad, for the worst of which a plan is rated."""
+
+LARGEST_TURNS = 40.0
+"""Most turns of the table in a plan that is chosen."""
 
 
 @dataclass(frozen=True)
@@ -55,34 +52,23 @@ class Plan:
         number = np.arange(self.positions, dtype=np.float64)
         return start - number * self.pattern_step, number * self.table_step
 
-    def inflation(self, harmonics: Sequence[int] = HARMONICS, tilt: bool = True) -> float:
+    def inflation(self) -> float:
         """Largest variance inflation factor over terms and start angles."""
-        return max(
-            max(compute_inflations(make_columns(*self.angles(start), harmonics, tilt)).values())
-            for start in STARTS
-        )
+        columns = (make_columns(*self.angles(start), HARMONICS, tilt=True) for start in STARTS)
+        return max(max(compute_inflations(each).values()) for each in columns)
 
 
 def select_visible(
-    pattern_angle: Array,
-    table_angle: Array,
-    wanted: Sequence[int] = HARMONICS,
-    tilt: bool = True,
+    pattern_angle: Array, table_angle: Array, wanted: Sequence[int] = HARMONICS, tilt: bool = True
 ) -> tuple[list[int], bool, list[str]]:
     """Terms of the bias map that positions can separate.
 
     The fourth harmonic is tried first, then the tilt, then the other harmonics. A term is accepted
     if all variance inflation factors stay within `LARGEST_INFLATION` and the positions outnumber
     the terms by two. Without the fourth harmonic, the largest of a whole-angle gyro, no term is
-    accepted, for it would alias into them.
-
-    Args:
-        pattern_angle, table_angle: (n,) positions, rad, of all power-ons together.
-        wanted: harmonics to be fitted.
-        tilt: whether the tilt of the input axis is to be fitted.
-
-    Returns:
-        Accepted harmonics, whether the tilt is accepted, and a sentence on each term that is not.
+    accepted, for it would alias into them. Positions are (n,) rad, of all power-ons together.
+    Returns accepted harmonics, whether the tilt is accepted, and a sentence on each term that is
+    not.
     """
     distinct = _count_distinct(pattern_angle, table_angle)
     accepted: list[int] = []
@@ -125,35 +111,17 @@ def _count_distinct(pattern_angle: Array, table_angle: Array) -> int:
     return len(np.unique(np.round(pairs), axis=0))
 
 
-def choose_plan(
-    positions: int,
-    bryan_factor: float = 0.277,
-    harmonics: Iterable[int] = HARMONICS,
-    tilt: bool = True,
-    largest_turns: float = 40.0,
-) -> Plan:
+def choose_plan(positions: int, bryan_factor: float = 0.277) -> Plan:
     """The plan with the smallest variance inflation; of equal plans, that with the shortest steps.
 
     Only plans are considered whose positions fill whole periods of the fourth harmonic, so that
-    their mean holds none of it.
-
-    Args:
-        positions: 8N.
-        bryan_factor: angular gain of the gyro.
-        harmonics: to be separated; 8 positions separate the fourth alone.
-        tilt: whether the tilt of the input axis is to be separated from them.
-        largest_turns: table turns in all, at most.
+    their mean holds none of it, and that take no more turns of the table than `LARGEST_TURNS`.
     """
-    wanted = tuple(harmonics)
     share = 90.0 / positions
     plans = [
         Plan(positions, (part * share + 90.0 * more) * DEG, bryan_factor)
         for more in range(5)
         for part in range(1, positions)
     ]
-    plans = [p for p in plans if positions * p.table_step <= largest_turns * 2 * math.pi]
-
-    def cost(plan: Plan) -> tuple[float, float]:
-        return round(plan.inflation(wanted, tilt), 1), plan.pattern_step
-
-    return min(plans, key=cost)
+    plans = [p for p in plans if positions * p.table_step <= LARGEST_TURNS * 2 * math.pi]
+    return min(plans, key=lambda plan: (round(plan.inflation(), 1), plan.pattern_step))

@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.circumference import fit_circumference
@@ -23,12 +22,11 @@ from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.segments import WARM_UP
 from pyhrg.bench.readings.spins import compute_scale_factor_error, find_spins, pair_spins
+from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG_PER_H, PPM, YEAR
 from pyhrg.device.device import Device
 from pyhrg.records.campaign import Campaign, Test
-
-Array = NDArray[np.float64]
 
 KIND = "annual"
 MONTHS = 12
@@ -94,9 +92,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     """Standard deviation, range and drift of the monthly bias and scale factor.
 
     The campaign's tests are taken as a month apart, in their order.
-
-    Raises:
-        BenchError: there are fewer than four tests.
     """
     tests = require_tests(campaign, KIND)
     if len(tests) < FEWEST_MONTHS:
@@ -106,7 +101,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     bias = _measure_bias(campaign, tests)
     scale = _measure_scale_factor(campaign, tests)
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(
             *_make_findings("bias", bias, "deg/h"),
             *_make_findings("scale factor", scale, "ppm"),
@@ -146,15 +140,12 @@ def _measure_scale_factor(campaign: Campaign, tests: Sequence[Test]) -> Months:
 
 
 def _make_findings(name: str, months: Months, unit: str) -> tuple[Finding, ...]:
-    values, line, n = months.values, months.drift, len(months.values)
-    stability, (low, high) = f"{name} annual stability", line.interval("drift")
-    note = "standard deviation of the months"
+    values, stability = months.values, f"{name} annual stability"
+    note, whole = "standard deviation of the months", "of these, no interval"
     return (
         estimate_spread(stability, values, months.noise, months.freedom, unit, note),
-        Finding(
-            f"{name} annual range", float(np.ptp(values)), unit, n=n, note="of these, no interval"
-        ),
-        Finding(f"{name} drift", line.value("drift"), f"{unit}/year", low, high, n, DRIFT_NOTE),
+        Finding(f"{name} annual range", float(np.ptp(values)), unit, n=len(values), note=whole),
+        months.drift.finding("drift", f"{name} drift", f"{unit}/year", note=DRIFT_NOTE),
     )
 
 

@@ -20,6 +20,7 @@ from pyhrg.bench.bias.thermal.thermal_fit import (
 from pyhrg.bench.bias.thermal.thermal_scale_factor import estimate_scale_factor
 from pyhrg.bench.bias.thermal_programme import make_programme
 from pyhrg.bench.estimation.spread import estimate_spread
+from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import Finding, Outcome, estimate_pooled_deviation
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.common.pages.markup import Table
@@ -41,7 +42,6 @@ def evaluate(campaign: Campaign) -> Outcome:
     logs = [test.log for test in require_tests(campaign, KIND)]
     scale, scale_warnings = estimate_scale_factor(campaign, logs, result.thermometers)
     return Outcome(
-        procedure=PROCEDURE.name,
         findings=(
             *_estimate_spreads(result),
             *_make_slopes(result),
@@ -106,10 +106,8 @@ def _make_slopes(result: Thermal) -> tuple[Finding, ...]:
     findings = []
     for name, unit in units.items():
         if name in result.fitted.names:
-            low, high = result.fitted.interval(name)
             note = result.basis.place if name in (PER_KELVIN, PER_RATE) else ""
-            value, n = result.fitted.value(name), len(result.points)
-            findings.append(Finding(name, value, unit, low, high, n, note))
+            findings.append(result.fitted.finding(name, name, unit, note=note))
         else:
             findings.append(Finding(name, np.nan, unit, note=result.refused[name]))
     return tuple(findings)
@@ -164,7 +162,9 @@ def _make_table(result: Thermal) -> Table:
 
 def draw(figure: Figure, result: Thermal) -> None:
     """Draw the bias against the resonator's temperature, by soaks and ramps up and down."""
-    axes = figure.add_subplot()
+    axes = figure.add_subplot(
+        title=f"Bias over temperature, without its map ({result.basis.place})"
+    )
     bias = (result.points.rate - result.compute_map()) / DEG_PER_H
     resting, up = np.abs(result.rate) < SOAK_RATE, result.rate > 0
     groups = (
@@ -176,11 +176,7 @@ def draw(figure: Figure, result: Thermal) -> None:
         axes.plot(
             result.temperature[chosen], bias[chosen], marker, color=colour, label=label, ms=3.5
         )
-    axes.set_xlabel("resonator above the reference temperature, K")
-    axes.set_ylabel("bias, deg/h")
-    axes.set_title(f"Bias over temperature, without its map ({result.basis.place})")
-    axes.grid(alpha=0.3)
-    axes.legend()
+    finish_axes(axes, "resonator above the reference temperature, K", "bias, deg/h")
 
 
 PROCEDURE: Procedure = Procedure(

@@ -13,11 +13,10 @@ from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import require_tests
 from pyhrg.bench.readings.dwells import Points, join_points, read_points
 from pyhrg.bench.readings.segments import WARM_UP
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import MINUTE, ZERO_CELSIUS
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign
-
-Array = NDArray[np.float64]
 
 KIND = "thermal"
 SOAK_RATE = 0.05 / MINUTE
@@ -104,11 +103,7 @@ def _summarize_soak(points: Points) -> Soak:
 
 
 def fit_temperature(campaign: Campaign) -> Thermal:
-    """Fit of all thermal tests together.
-
-    Raises:
-        BenchError: the resonator's temperature changes by less than 10 K.
-    """
+    """Fit of all thermal tests together."""
     nominal_lag = campaign.nominal.get("thermal_lag_s")
     reference = campaign.nominal.get("reference_temperature_degC", 25.0) + ZERO_CELSIUS
     logs = [test.log for test in require_tests(campaign, KIND)]

@@ -3,18 +3,16 @@
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyhrg.bench.bias.thermal.thermometer import Thermometer
 from pyhrg.bench.estimation.harmonics import MEAN, fit
 from pyhrg.bench.estimation.spread import estimate_spread
 from pyhrg.bench.outcome import BenchError, Finding, estimate_pooled_deviation
 from pyhrg.bench.readings.spins import compute_scale_factor_error, find_spins, pair_spins
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ZERO_CELSIUS
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign
-
-Array = NDArray[np.float64]
 
 SAME = 3.0
 """Smallest difference between the temperatures of two groups of pairs, K."""
@@ -66,6 +64,4 @@ def _estimate_slope(warm: Array, errors: Array) -> Finding:
     columns = {MEAN: np.ones_like(warm), PER_KELVIN: warm}
     if len(np.unique(np.round(warm))) < 2 or len(warm) < 3:
         return Finding(PER_KELVIN, np.nan, "ppm/K", note="one temperature, or two pairs of spins")
-    line = fit(columns, errors)
-    value, (low, high) = line.value(PER_KELVIN), line.interval(PER_KELVIN)
-    return Finding(PER_KELVIN, value, "ppm/K", low, high, len(warm), "straight line")
+    return fit(columns, errors).finding(PER_KELVIN, PER_KELVIN, "ppm/K", note="straight line")

@@ -3,12 +3,10 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import optimize, signal
 
+from pyhrg.common.arrays import Array
 from pyhrg.records import Log
-
-Array = NDArray[np.float64]
 
 LAG_BOUNDS = (20.0, 7200.0)
 """Range in which the thermal lag is searched, s."""
@@ -36,9 +34,7 @@ class Thermometer:
 def estimate_temperature(log: Log, nominal_lag: float | None = None) -> Thermometer:
     """Temperature of the resonator: first-order lag, equal to the case's at power-on.
 
-    Args:
-        log: one power-on in which the case's temperature changes.
-        nominal_lag: used where the loop frequency does not follow the temperature, s.
+    The nominal lag, s, is used where the loop frequency does not follow the temperature.
     """
     log.require("temperature", "frequency_offset")
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
+from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.whitening.whitening import NoiseModel, whiten
 
 Array = NDArray[np.float64]
@@ -33,20 +34,6 @@ CURVATURE_STEP = 0.1
 """Step of the level's logarithm in the second difference that gives the curvature. Chosen."""
 
 
-@dataclass(frozen=True)
-class AngleResidual:
-    """Residual of the output angle in one test.
-
-    angle: (n,) rad.
-    steps: (n,) time since the reading before, s.
-    encoder: white noise of the turntable's encoder, rad.
-    """
-
-    angle: Array
-    steps: Array
-    encoder: float = 0.0
-
-
 def are_equal(noise: NoiseModel, other: NoiseModel) -> bool:
     """Whether two noises have the same parts at levels that differ by less than the tolerance."""
     pairs = [(getattr(noise, part), getattr(other, part)) for part in PARTS.values()]
@@ -56,11 +43,11 @@ def are_equal(noise: NoiseModel, other: NoiseModel) -> bool:
     return kinds[0] == kinds[1] and all(abs(a - b) <= LEVEL_TOLERANCE * max(a, b) for a, b in pairs)
 
 
-def log_likelihood(residuals: Sequence[AngleResidual], noise: NoiseModel) -> float:
-    """Log likelihood of residuals under a noise, up to a constant."""
+def log_likelihood(residuals: Sequence[Residual], noise: NoiseModel) -> float:
+    """Log likelihood of residuals of the output angle under a noise, up to a constant."""
     total = 0.0
     for residual in residuals:
-        white = whiten(residual.angle[:, None], residual.steps, noise.add_white(residual.encoder))
+        white = whiten(residual.values[:, None], residual.steps, noise.add_white(residual.encoder))
         total -= (float((white.series**2).sum()) + white.log_determinant) / 2
     return total
 
@@ -86,12 +73,8 @@ class Level:
 
 
 def fit_level(gain: Callable[[float], float], scale: float) -> Level:
-    """Find the most probable level.
-
-    Args:
-        gain: gain in log posterior density by the level's logarithm.
-        scale: a typical level.
-    """
+    """Find the most probable level about a typical one, from the gain in log posterior density by
+    the level's logarithm."""
     low, high = (math.log(scale * end) for end in LEVEL_RANGE)
     grid = np.linspace(low, high, GRID_LEVELS)
     values = [gain(x) for x in grid]

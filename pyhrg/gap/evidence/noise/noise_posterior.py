@@ -12,15 +12,15 @@ from dataclasses import dataclass
 from scipy.optimize import minimize_scalar
 
 from pyhrg.gap.effects.catalogue import NoiseEffect
+from pyhrg.gap.evidence.evidence import NOISE_ODDS
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise
 from pyhrg.gap.evidence.noise.noise_levels import (
     PARTS,
-    AngleResidual,
     are_equal,
     fit_level,
     log_likelihood,
 )
-from pyhrg.gap.evidence.prior_odds import NOISE_ODDS
+from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.whitening.whitening import NoiseModel
 
 STATED_PARTS = ("angle_random_walk", "white")
@@ -41,7 +41,7 @@ DEVIATION_PRECISION = 0.02
 class NoisePosterior:
     """Posterior density of noises, given residuals of the output angle and the stated noise."""
 
-    residuals: Sequence[AngleResidual]
+    residuals: Sequence[Residual]
     stated: NoiseModel
 
     def adjust_levels(self, added: Sequence[AddedNoise]) -> NoiseModel:
@@ -68,13 +68,8 @@ class NoisePosterior:
         return noise
 
     def log_prior(self, noise: NoiseModel, added: Sequence[AddedNoise], part: str = "") -> float:
-        """Log prior of the stated levels, without those that an added noise replaces (Eq. (13)).
-
-        Args:
-            noise: all of the noise.
-            added: noises of the catalogue beyond their stated levels.
-            part: a part that is left out as well.
-        """
+        """Log prior of the stated levels, without those that an added noise replaces (Eq. (13)),
+        and without that of `part`."""
         total = 0.0
         replaced = {PARTS[a.effect.field] for a in added} | {part}
         for name in STATED_PARTS:
@@ -121,14 +116,8 @@ class NoisePosterior:
     def fit_added(
         self, noise: NoiseModel, base: float, effect: NoiseEffect, added: Sequence[AddedNoise]
     ) -> AddedNoise:
-        """An effect at its most probable level beside a noise.
-
-        Args:
-            noise: the noise beside which it stands.
-            base: log density without the effect.
-            effect: a noise of the catalogue.
-            added: other added noises, which `noise` holds.
-        """
+        """An effect at its most probable level beside a noise, which holds other added noises;
+        `base` is the log density without the effect."""
         part = PARTS[effect.field]
         stated = getattr(self.stated, part)
 

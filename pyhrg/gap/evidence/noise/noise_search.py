@@ -4,26 +4,26 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from pyhrg.gap.effects.catalogue import NOISES, NoiseEffect
-from pyhrg.gap.evidence.equivalents import EQUIVALENCE_LOG_ODDS
-from pyhrg.gap.evidence.noise.noise_hypothesis import AddedNoise, NoiseHypothesis
-from pyhrg.gap.evidence.noise.noise_levels import PARTS, AngleResidual, log_likelihood
+from pyhrg.gap.evidence.evidence import EQUIVALENCE_LOG_ODDS
+from pyhrg.gap.evidence.noise.noise_hypothesis import (
+    AddedNoise,
+    NoiseHypothesis,
+    UnnamedNoise,
+    fit_unnamed_noise,
+)
+from pyhrg.gap.evidence.noise.noise_levels import PARTS, log_likelihood
 from pyhrg.gap.evidence.noise.noise_posterior import NoisePosterior
-from pyhrg.gap.evidence.noise.unnamed_noise import UnnamedNoise, fit_unnamed_noise
+from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.whitening.whitening import NoiseModel
 
 
 def fit_noise(
-    residuals: Sequence[AngleResidual],
+    residuals: Sequence[Residual],
     stated: NoiseModel,
     noises: Sequence[NoiseEffect] = NOISES,
 ) -> NoiseHypothesis:
-    """The most probable noise: noises of the catalogue, or an unnamed one with or without them.
-
-    Args:
-        residuals: residual of the output angle in each test.
-        stated: noise that the nominal gyro states.
-        noises: noises of the catalogue.
-    """
+    """The most probable noise: noises of the catalogue beyond the stated noise, or an unnamed one
+    with or without them, from the residual of the output angle in each test."""
     plain = _assemble(residuals, stated, _find_named(residuals, stated, noises), None)
     bases = [(plain.noise, plain.log_prior)] + ([(stated, 0.0)] if plain.added else [])
     unnamed = fit_unnamed_noise(residuals, bases)
@@ -33,12 +33,12 @@ def fit_noise(
     return replace(rival, unnamed=replace(unnamed, log_odds=log_odds)) if log_odds > 0 else plain
 
 
-def _log_posterior(residuals: Sequence[AngleResidual], hypothesis: NoiseHypothesis) -> float:
+def _log_posterior(residuals: Sequence[Residual], hypothesis: NoiseHypothesis) -> float:
     return log_likelihood(residuals, hypothesis.noise) + hypothesis.log_prior
 
 
 def _find_named(
-    residuals: Sequence[AngleResidual], stated: NoiseModel, noises: Sequence[NoiseEffect]
+    residuals: Sequence[Residual], stated: NoiseModel, noises: Sequence[NoiseEffect]
 ) -> tuple[AddedNoise, ...]:
     """Noises of the catalogue, added one by one while the odds are for the best of them."""
     posterior = NoisePosterior(residuals, stated)
@@ -53,26 +53,17 @@ def _find_named(
 
 
 def drop_each_noise(
-    hypothesis: NoiseHypothesis, residuals: Sequence[AngleResidual], stated: NoiseModel
+    hypothesis: NoiseHypothesis, residuals: Sequence[Residual], stated: NoiseModel
 ) -> list[NoiseHypothesis]:
-    """Hypotheses without one of the noises, one for each noise.
-
-    Args:
-        hypothesis: fitted to the residuals.
-        residuals: residual of the output angle in each test.
-        stated: noise that the nominal gyro states.
-    """
-    fewer = [
-        (tuple(a for a in hypothesis.added if a is not dropped), hypothesis.unnamed)
-        for dropped in hypothesis.added
-    ]
-    if hypothesis.unnamed:
-        fewer.append((hypothesis.added, None))
-    return [_assemble(residuals, stated, added, unnamed) for added, unnamed in fewer]
+    """Hypotheses without one of the noises of one fitted to these residuals, one for each noise."""
+    named, unnamed = hypothesis.added, hypothesis.unnamed
+    fewer = [(tuple(a for a in named if a is not dropped), unnamed) for dropped in named]
+    fewer += [(named, None)] if unnamed else []
+    return [_assemble(residuals, stated, *kept) for kept in fewer]
 
 
 def _assemble(
-    residuals: Sequence[AngleResidual],
+    residuals: Sequence[Residual],
     stated: NoiseModel,
     added: tuple[AddedNoise, ...],
     unnamed: UnnamedNoise | None,
@@ -88,37 +79,21 @@ def _assemble(
 
 def find_noise_equivalents(
     hypothesis: NoiseHypothesis,
-    residuals: Sequence[AngleResidual],
+    residuals: Sequence[Residual],
     stated: NoiseModel,
     noises: Sequence[NoiseEffect] = NOISES,
 ) -> NoiseHypothesis:
-    """The hypothesis with the equivalents of each added noise filled in.
-
-    Args:
-        hypothesis: fitted to the residuals.
-        residuals: residual of the output angle in each test.
-        stated: noise that the nominal gyro states.
-        noises: noises of the catalogue.
-    """
+    """The hypothesis, which was fitted to these residuals, with the equivalents of each added noise
+    filled in."""
     if hypothesis.unnamed:
         stated = hypothesis.unnamed.add_to(stated)
     posterior = NoisePosterior(residuals, stated)
-    added = [
-        replace(a, equivalents=_equivalents(posterior, a, hypothesis.added, noises))
-        for a in hypothesis.added
-    ]
+    added = []
+    for noise in hypothesis.added:
+        others = [a for a in hypothesis.added if a != noise]
+        candidates = posterior.fit_best(posterior.adjust_levels(others), others, noises)
+        log_odds = {a.effect: a.log_odds for a in candidates}
+        threshold = log_odds.pop(noise.effect) - EQUIVALENCE_LOG_ODDS
+        names = tuple(e.name for e, odds in log_odds.items() if odds > threshold)
+        added.append(replace(noise, equivalents=names))
     return replace(hypothesis, added=tuple(added))
-
-
-def _equivalents(
-    posterior: NoisePosterior,
-    noise: AddedNoise,
-    added: Sequence[AddedNoise],
-    noises: Sequence[NoiseEffect],
-) -> tuple[str, ...]:
-    """Names of noises that are confounded with one of the added ones."""
-    others = [a for a in added if a != noise]
-    candidates = posterior.fit_best(posterior.adjust_levels(others), others, noises)
-    log_odds = {a.effect: a.log_odds for a in candidates}
-    threshold = log_odds[noise.effect] - EQUIVALENCE_LOG_ODDS
-    return tuple(e.name for e, odds in log_odds.items() if e != noise.effect and odds > threshold)

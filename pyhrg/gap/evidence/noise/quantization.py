@@ -44,16 +44,9 @@ def add_quantization(
     stated_step: float,
     noises: Sequence[NoiseEffect] = NOISES,
 ) -> NoiseHypothesis:
-    """The hypothesis with the quantization of the output, where there is one that is not stated.
-
-    It replaces added white noise and unnamed noise of the angle, which stood in for it.
-
-    Args:
-        hypothesis: noise of the output angle.
-        tests: tests to which it was fitted.
-        stated_step: quantization step that the nominal gyro states, rad; 0 where it states none.
-        noises: noises of the catalogue.
-    """
+    """The hypothesis with the quantization of the output, where there is one in these tests that is
+    not stated, rad (0: none). It replaces added white noise and unnamed noise of the angle, which
+    stood in for it."""
     step = find_quantization_step(tests) if QUANTIZATION in noises else None
     if step is None or abs(step[0] - stated_step) < STEP_TOLERANCE * stated_step:
         return hypothesis
@@ -74,15 +67,16 @@ def is_coarsely_quantized(hypothesis: NoiseHypothesis, nominal: Device) -> bool:
 
 
 def find_quantization_step(tests: Sequence[ObservedTest]) -> tuple[float, float] | None:
-    """Quantization step of the output angle and its standard deviation, rad; None where the angles
-    are on no lattice.
-
-    Second differences of angles on a lattice are on the same lattice.
-
-    Args:
-        tests: only those without rotation are used.
-    """
-    differences = _second_differences(tests)
+    """Quantization step of the output angle and its standard deviation, rad, from tests without
+    rotation; None where the angles are on no lattice. Second differences of angles on a lattice are
+    on the same lattice."""
+    parts = [
+        np.diff(t.log.gyro_angle, 2)
+        for t in tests
+        if np.abs(t.inputs.table.rates).max() < REST_RATE and not np.ptp(t.log.virtual_rotation)
+    ]
+    differences = np.concatenate([np.empty(0), *parts])
+    differences = differences[np.isfinite(differences)]
     sample = np.sort(differences[:: max(1, len(differences) // SAMPLES)])
     gaps = np.diff(sample)
     steps = gaps[gaps >= MIN_STEP]
@@ -100,13 +94,3 @@ def find_quantization_step(tests: Sequence[ObservedTest]) -> tuple[float, float]
         return None
     scatter = float(np.std(small - step * counts))
     return step, max(scatter, ROUNDING_ERROR) / math.sqrt(power)
-
-
-def _second_differences(tests: Sequence[ObservedTest]) -> Array:
-    parts = [
-        np.diff(t.log.gyro_angle, 2)
-        for t in tests
-        if np.abs(t.inputs.table.rates).max() < REST_RATE and not np.ptp(t.log.virtual_rotation)
-    ]
-    differences = np.concatenate(parts) if parts else np.empty(0)
-    return np.asarray(differences[np.isfinite(differences)])

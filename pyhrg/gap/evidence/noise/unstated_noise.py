@@ -1,7 +1,7 @@
 """Noise of the output angle where none is stated: estimated from the records at rest."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import groupby
 
 import numpy as np
@@ -18,6 +18,10 @@ from pyhrg.gap.whitening.whitening import NoiseModel, whiten
 from pyhrg.records.campaign import INDEX, CampaignError
 
 Array = NDArray[np.float64]
+
+Stretch = tuple[Array, Array]
+"""Consecutive rows at rest: (n, 2 + DRIFT_DEGREE) residual of the angle, rad, and powers of time of
+a drift; (n,) time since the reading before, s."""
 
 MIN_STRETCH_ROWS, MIN_ROWS = 60, 600
 """Rows that a stretch at rest must have, and all stretches together. Chosen."""
@@ -38,20 +42,12 @@ NO_NOISE = (
 def complete_stated_noise(
     simulation: Simulation, nominal: Device, tests: Sequence[ObservedTest]
 ) -> tuple[Device, tuple[str, ...]]:
-    """The gyro with the noise of its output angle, and a sentence where this had to be estimated.
+    """The gyro with the noise of its output angle, and a sentence where this had to be estimated. A
+    `CampaignError` where no noise is stated, and too few rows are at rest.
 
     White noise and angle random walk are the maximum-likelihood estimates over all stretches at
     rest: without rotation, at one temperature, under constant commands and at nominal amplitude.
     The simulation is subtracted, and a polynomial drift of each stretch is integrated out.
-
-    Args:
-        simulation: both fidelities.
-        nominal: the gyro with its stated noise.
-        tests: tests that may be fitted to.
-
-    Raises:
-        CampaignError: no noise is stated, and too few rows are at rest.
-        GyroError: the FMU refuses the gyro.
     """
     stated = (
         nominal.angle_white_noise,
@@ -63,7 +59,7 @@ def complete_stated_noise(
     if any(stated):
         return nominal, ()
     stretches = [s for test in tests for s in _find_stretches(simulation, nominal, test)]
-    rows = sum(len(stretch.steps) for stretch in stretches)
+    rows = sum(len(steps) for _, steps in stretches)
     if rows < MIN_ROWS:
         raise CampaignError(NO_NOISE.format(rows))
     white, walk = _estimate_noise(stretches)
@@ -71,29 +67,18 @@ def complete_stated_noise(
     return replace(nominal, angle_white_noise=white, angle_random_walk=walk), (note,)
 
 
-@dataclass(frozen=True)
-class _Stretch:
-    """Consecutive rows at rest.
-
-    series: (n, 2 + DRIFT_DEGREE) residual of the angle, rad, and the powers of time of a drift.
-    steps: (n,) time since the reading before, s.
-    """
-
-    series: Array
-    steps: Array
-
-    def log_likelihood(self, noise: NoiseModel) -> float:
-        """Log likelihood under a noise with the drift integrated out, up to a constant."""
-        white = whiten(self.series, self.steps, noise)
-        columns, triangle = np.linalg.qr(white.series[:, 1:])
-        residual = white.series[:, 0] - columns @ (columns.T @ white.series[:, 0])
-        drift = 2 * float(np.log(np.abs(np.diag(triangle))).sum())
-        return -(float(residual @ residual) + white.log_determinant + drift) / 2
+def _log_likelihood(stretch: Stretch, noise: NoiseModel) -> float:
+    """Log likelihood under a noise with the drift integrated out, up to a constant."""
+    white = whiten(*stretch, noise)
+    columns, triangle = np.linalg.qr(white.series[:, 1:])
+    residual = white.series[:, 0] - columns @ (columns.T @ white.series[:, 0])
+    drift = 2 * float(np.log(np.abs(np.diag(triangle))).sum())
+    return -(float(residual @ residual) + white.log_determinant + drift) / 2
 
 
 def _find_stretches(
     simulation: Simulation, nominal: Device, test: ObservedTest
-) -> Iterator[_Stretch]:
+) -> Iterator[Stretch]:
     log, rates = test.log, np.abs(test.inputs.table.rates)
     is_rest = test.rows["gyro_angle"] & is_nominal(log, nominal)
     is_rest &= (np.maximum(rates[1:], rates[:-1]) < REST_RATE) & (log.virtual_rotation == 0)
@@ -108,23 +93,21 @@ def _find_stretches(
         if is_stretch and len(rows) >= MIN_STRETCH_ROWS:
             time = np.linspace(-1.0, 1.0, len(rows))
             series = np.column_stack([residual[rows], np.vander(time, DRIFT_DEGREE + 1)])
-            yield _Stretch(
-                series, np.diff(log.time[rows], prepend=log.time[rows[0]] - log.interval)
-            )
+            yield series, np.diff(log.time[rows], prepend=log.time[rows[0]] - log.interval)
 
 
-def _estimate_noise(stretches: Sequence[_Stretch]) -> tuple[float, float]:
+def _estimate_noise(stretches: Sequence[Stretch]) -> tuple[float, float]:
     """Maximum-likelihood white noise, rad, and angle random walk, rad/sqrt(s)."""
-    changes = [np.diff(stretch.series[:, 0]) for stretch in stretches]
+    changes = [np.diff(series[:, 0]) for series, _ in stretches]
     scale = max(float(np.median([np.std(change) for change in changes])), MIN_ANGLE_NOISE)
-    root = float(np.sqrt(np.median(np.concatenate([stretch.steps for stretch in stretches]))))
+    root = float(np.sqrt(np.median(np.concatenate([steps for _, steps in stretches]))))
 
     def noise(logarithms: Array) -> NoiseModel:
         white, walk = scale * np.exp(logarithms)
         return NoiseModel(float(white), float(walk / root))
 
     def misfit(logarithms: Array) -> float:
-        return -sum(stretch.log_likelihood(noise(logarithms)) for stretch in stretches)
+        return -sum(_log_likelihood(stretch, noise(logarithms)) for stretch in stretches)
 
     optimum = minimize(misfit, np.full(2, -1.0), method="Nelder-Mead", bounds=[(-7.0, 3.0)] * 2)
     best = noise(optimum.x)

@@ -43,13 +43,8 @@ class Bins:
 
     def __add__(self, other: "Bins") -> "Bins":
         """Sums over the rows of two tests, in the same bins."""
-        return Bins(
-            self.edges,
-            self.counts + other.counts,
-            self.before + other.before,
-            self.after + other.after,
-            self.noise + other.noise,
-        )
+        names = ("counts", "before", "after", "noise")
+        return Bins(self.edges, *(getattr(self, name) + getattr(other, name) for name in names))
 
     @property
     def means(self) -> "Means":
@@ -93,15 +88,8 @@ def compute_edges(axis: Axis, low: float, high: float) -> Array:
 
 
 def sum_in_bins(values: Array, edges: Array, axis: Axis, residual: Residual) -> Bins:
-    """Sums over the rows of each bin. Rows outside all bins and rows that are not compared are left
-    out.
-
-    Args:
-        values: (n,) the coordinate at each row.
-        edges: (b + 1,) of the bins.
-        axis: of the coordinate.
-        residual: n rows.
-    """
+    """Sums over the rows of each bin, by the coordinate's value (n,) at each row. Rows outside all
+    bins and rows that are not compared are left out."""
     place = np.mod(values, FULL_TURN) if axis.is_angle else values
     rows = np.isfinite(residual.before) & np.isfinite(residual.after) & np.isfinite(place)
     index = np.searchsorted(edges, place[rows], side="right") - 1
@@ -119,15 +107,10 @@ def sum_in_bins(values: Array, edges: Array, axis: Axis, residual: Residual) -> 
 
 
 def find_extremes(values: Array, count: int) -> tuple[Array, Array, Array]:
-    """Middle row, lowest and highest value of each stretch of rows that has values.
-
-    Args:
-        values: (n,) NaN where a row has no value.
-        count: largest number of stretches.
-    """
+    """Middle row, lowest and highest value of each stretch of rows that has values (n,); NaN is
+    none. There are at most `count` stretches."""
     stretches = np.array_split(np.arange(len(values)), min(count, len(values)))
-    kept = [s[np.isfinite(values[s])] for s in stretches]
-    kept = [s for s in kept if len(s)]
+    kept = [s for s in (s[np.isfinite(values[s])] for s in stretches) if len(s)]
     return (
         np.array([s[len(s) // 2] for s in kept], dtype=float),
         np.array([values[s].min() for s in kept]),

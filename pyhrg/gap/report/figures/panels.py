@@ -19,6 +19,7 @@ from pyhrg.gap.report.figures.views import (
     draw_view_noise,
     find_moving_axes,
 )
+from pyhrg.gap.report.places import sum_shares
 
 Array = NDArray[np.float64]
 
@@ -62,9 +63,11 @@ def compute_panels(result: CampaignDiagnosis) -> Panels:
         left_out += [] if fits else [result.tests[i].test.id]
         for number, view in enumerate(VIEWS):
             residual = _compute_residual(result, i, view, number)
-            single += [
-                _make_panel(result, i, view, axis, values[i], residual) for axis in axes if fits
-            ]
+            for axis in axes if fits else ():
+                own = values[i][axis.key]
+                limits = compute_edges(axis, float(np.nanmin(own)), float(np.nanmax(own)))
+                means = sum_in_bins(own, limits, axis, residual).means
+                single.append(Panel(result.tests[i].test.id, view, axis, means))
             for axis, limits in edges.items():
                 bins = sum_in_bins(values[i][axis.key], limits, axis, residual)
                 key = (view, axis)
@@ -75,12 +78,8 @@ def compute_panels(result: CampaignDiagnosis) -> Panels:
 
 
 def draw_panel(panel: Panel, has_after: bool) -> str:
-    """A figure with its caption.
-
-    Args:
-        panel: of mean residuals.
-        has_after: whether the identified gyro differs from the nominal one.
-    """
+    """A figure with its caption; `has_after` where the identified gyro differs from the nominal
+    one."""
     m, view, axis = panel.means, panel.view, panel.axis
     strips = [Strip("nominal gyro", "c1", m.centres, m.before, m.before)]
     counts = f"outside the band: {m.count_outside(m.before)} of {len(m.centres)} bins"
@@ -110,19 +109,6 @@ def _compute_residual(result: CampaignDiagnosis, i: int, view: View, number: int
     return Residual(before, after, draw_view_noise(test, view, result.noise, (i, number)))
 
 
-def _make_panel(
-    result: CampaignDiagnosis,
-    i: int,
-    view: View,
-    axis: Axis,
-    values: dict[str, Array],
-    residual: Residual,
-) -> Panel:
-    own = values[axis.key]
-    edges = compute_edges(axis, float(np.nanmin(own)), float(np.nanmax(own)))
-    return Panel(result.tests[i].test.id, view, axis, sum_in_bins(own, edges, axis, residual).means)
-
-
 def _compute_common_edges(values: Sequence[dict[str, Array]]) -> dict[Axis, Array]:
     """Edges of bins for all tests together, of the axes that change within or between tests."""
     edges = {}
@@ -136,10 +122,8 @@ def _compute_common_edges(values: Sequence[dict[str, Array]]) -> dict[Axis, Arra
 
 def _order_tests(result: CampaignDiagnosis) -> list[int]:
     """Indices of the tests: held-out ones first, then by their share of the gap."""
-    shares: dict[str, float] = {}
-    for place in result.diagnosis.where:
-        shares[place.test] = shares.get(place.test, 0.0) + place.share
+    shares = sum_shares(result.diagnosis.where, lambda place: place.test)
     tests = [t.test for t in result.tests]
     return sorted(
-        range(len(tests)), key=lambda i: (not tests[i].is_holdout, -shares.get(tests[i].id, 0.0), i)
+        range(len(tests)), key=lambda i: (not tests[i].is_holdout, -shares[tests[i].id], i)
     )

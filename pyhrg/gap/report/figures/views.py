@@ -20,7 +20,7 @@ from pyhrg.device.device import Device
 from pyhrg.gap.effects.candidate_terms import compute_coordinates
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
-from pyhrg.gap.whitening.noise_draws import draw_noise
+from pyhrg.gap.whitening.whitening import draw_noise
 
 Array = NDArray[np.float64]
 
@@ -51,12 +51,7 @@ class View:
     is_rate: bool = False
 
     def convert(self, residual: Array, interval: float) -> Array:
-        """(n, ...) a residual in the view's unit.
-
-        Args:
-            residual: (n, ...) SI.
-            interval: between rows, s.
-        """
+        """A residual (n, ...) in the view's unit, from SI and the interval between rows, s."""
         if not self.is_rate:
             return residual / self.factor
         before = np.full_like(residual[:1], np.nan)
@@ -109,12 +104,8 @@ AXES = (
 
 
 def compute_axis_values(test: ObservedTest, nominal: Device) -> dict[str, Array]:
-    """(n,) coordinates at each row of a test, by the axes' keys and in their units.
-
-    Args:
-        test: observed test of n rows.
-        nominal: its thermal lag and reference temperature give the resonator's temperature.
-    """
+    """(n,) coordinates at each row of a test, by the axes' keys and in their units. The resonator's
+    temperature follows from the nominal thermal lag and reference temperature."""
     log = test.log
     where = compute_coordinates(test, log.wave_angle, log.amplitude, nominal)
     celsius = where.resonator + nominal.reference_temperature - ZERO_CELSIUS
@@ -141,14 +132,8 @@ def find_moving_axes(values: dict[str, Array]) -> list[Axis]:
 def draw_view_noise(
     test: ObservedTest, view: View, noise: CampaignNoise, stream: Sequence[int]
 ) -> Array:
-    """(n, DRAWS) simulated noise of a channel in the view's unit.
-
-    Args:
-        test: observed test of n rows.
-        view: of a channel.
-        noise: of all channels.
-        stream: numbers that select the random stream.
-    """
+    """(n, DRAWS) simulated noise of a channel in the view's unit, in a test of n rows. The numbers
+    `stream` select the random stream."""
     generator = np.random.default_rng([SEED, *stream])
     n, interval = len(test.log.time), test.log.interval
     model = noise.get_model(view.channel, test)

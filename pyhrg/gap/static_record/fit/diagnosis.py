@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.special import polygamma
 from scipy.stats import chi2
 
 from pyhrg.gap.static_record.belief import Belief
@@ -15,8 +16,7 @@ from pyhrg.gap.static_record.fit.likelihood import (
     transform_record,
     whiten_coefficients,
 )
-from pyhrg.gap.static_record.fit.unknowns import split_octaves
-from pyhrg.gap.static_record.fit.whiteness import Whiteness, measure_whiteness
+from pyhrg.gap.static_record.fit.unknowns import split_octaves, sum_octaves
 from pyhrg.gap.static_record.record import Channel
 from pyhrg.gap.static_record.terms import Kind, Term
 
@@ -50,6 +50,25 @@ class Cause:
     low: float
     high: float
     equivalents: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Whiteness:
+    """Statistics of whitened coefficients.
+
+    rms: root mean square; 1 where the model is right.
+    octaves: (k,) mean square in each octave, from the highest frequencies down.
+    log_rms: root mean square of the octaves' logarithms.
+    log_floor: expectation of `log_rms` for white noise.
+    p_value: probability that white noise deviates as far in its most deviating octave (two-sided
+        chi-square test with the Bonferroni correction).
+    """
+
+    rms: float
+    octaves: Array
+    log_rms: float
+    log_floor: float
+    p_value: float
 
 
 @dataclass(frozen=True)
@@ -105,24 +124,15 @@ def transform_channel(channel: Channel, belief: Belief) -> Transform:
 def diagnose_channel(
     channel: Channel, belief: Belief, false_alarms: float = FALSE_ALARMS, seed: int = 0
 ) -> ChannelDiagnosis:
-    """Diagnose a channel on its first half and verify the noise model on its second half.
-
-    Args:
-        channel: at second_half.
-        belief: of its sensor.
-        false_alarms: largest share of records as believed that are called a gap.
-        seed: of the importance samples.
-    """
+    """Diagnose a channel on its first half and verify the noise model on its second half. At most
+    the share `false_alarms` of records as believed is called a gap; seed: of the samples."""
     fit = channel.part(0, channel.half)
     problem = build_problem(transform_channel(fit, belief), belief, channel.interval)
     ranking = rank_explanations(problem, seed, false_alarms)
     is_alarm = ranking.log_ratio > -np.log(false_alarms)
-    chosen = (
-        ranking.best
-        if is_alarm and ranking.unknown_probability <= UNKNOWN_PROBABILITY
-        else ranking.null
-    )
-    causes = tuple(_find_causes(channel, ranking, chosen)) if is_alarm else ()
+    has_terms = is_alarm and ranking.unknown_probability <= UNKNOWN_PROBABILITY
+    chosen = ranking.hypotheses[0].terms if has_terms else ranking.null
+    causes = tuple(_make_cause(channel, ranking, chosen, effect) for effect in chosen.extra)
     held_out = channel.part(channel.half, len(channel.angle))
     second_half = build_problem(transform_channel(held_out, belief), belief, channel.interval)
     return ChannelDiagnosis(
@@ -134,8 +144,8 @@ def diagnose_channel(
         ceilings=_compute_ceilings(channel.kind, problem),
         closed=np.sqrt(chosen.best[0]) * problem.units if causes else belief.levels,
         units=problem.units,
-        fit=_compare_whiteness(problem, chosen if causes else None),
-        holdout=_compare_whiteness(second_half, chosen if causes else None),
+        fit=_compare_whiteness(problem, chosen),
+        holdout=_compare_whiteness(second_half, chosen),
     )
 
 
@@ -148,39 +158,26 @@ def _reach_verdict(is_alarm: bool, ranking: Ranking, causes: tuple[Cause, ...]) 
     return "explained" if is_certain else "ambiguous"
 
 
-def _find_causes(channel: Channel, ranking: Ranking, chosen: Posterior) -> list[Cause]:
-    causes = [_make_cause(channel.kind, ranking, chosen, effect) for effect in chosen.extra]
-    return [
-        _name_quantization(c, channel) if c.term is channel.kind.terms[0] else c for c in causes
-    ]
-
-
-def _make_cause(kind: Kind, ranking: Ranking, chosen: Posterior, effect: int) -> Cause:
-    term = get_term(kind, chosen.problem, effect)
+def _make_cause(channel: Channel, ranking: Ranking, chosen: Posterior, effect: int) -> Cause:
+    """A term with its level. White noise of the angle is called quantization if the readings lie on
+    a grid whose step agrees with it."""
+    kind, step = channel.kind, channel.quantum
+    term = _get_term(kind, chosen.problem, effect)
     levels = _draw_levels(chosen, effect) / term.factor
     low, value, high = _compute_quantiles(levels, chosen.weights, (TAIL, 0.5, 1 - TAIL))
+    if term is kind.terms[0] and step is not None:
+        steps = np.array([low, value, high]) * term.factor * np.sqrt(12)
+        if steps[0] <= step <= steps[2]:
+            term = kind.quantum
+            low, value, high = (steps / term.factor).tolist()
     equivalents = _find_equivalents(kind, ranking, chosen, effect)
     return Cause(term, ranking.get_probability(effect), value, low, high, tuple(equivalents))
 
 
-def _name_quantization(cause: Cause, channel: Channel) -> Cause:
-    """White noise of the angle is called quantization if the readings lie on a grid whose step
-    agrees with it."""
-    term, step = channel.kind.quantum, channel.quantum
-    ends = np.array([cause.value, cause.low, cause.high]) * cause.term.factor * np.sqrt(12)
-    if step is None or not ends[1] <= step <= ends[2]:
-        return cause
-    value, low, high = (ends / term.factor).tolist()
-    return Cause(term, cause.probability, value, low, high, cause.equivalents)
-
-
-def get_term(kind: Kind, problem: Problem, effect: int) -> Term:
+def _get_term(kind: Kind, problem: Problem, effect: int) -> Term:
     """The term with an index: four noises, then the random columns."""
-    if effect < len(kind.terms):
-        return kind.terms[effect]
-    return (
-        kind.ramp if problem.data.names[effect - len(kind.terms)] == RAMP else kind.temperature_term
-    )
+    columns = [kind.ramp if name == RAMP else kind.temperature_term for name in problem.data.names]
+    return (*kind.terms, *columns)[effect]
 
 
 def _draw_levels(posterior: Posterior, effect: int) -> Array:
@@ -217,7 +214,7 @@ def _find_equivalents(kind: Kind, ranking: Ranking, chosen: Posterior, effect: i
             and swapped
             and swapped.log_evidence > chosen.log_evidence - EQUIVALENT_LOG_RATIO
         ):
-            equivalents.append(get_term(kind, chosen.problem, rival).effect)
+            equivalents.append(_get_term(kind, chosen.problem, rival).effect)
     return equivalents
 
 
@@ -225,11 +222,9 @@ def _compute_ceilings(kind: Kind, problem: Problem) -> dict[str, float]:
     """Upper bounds of the levels: in no octave is a noise stronger than the record, but by chance
     (docs/methods/noise.md, Eq. 14)."""
     data = problem.data
-    bands = split_octaves(data.n - 1)[:-1]
-    power = np.array([np.sum(data.coefficients[band] ** 2) for band in bands])
-    count = np.array([band.stop - band.start for band in bands])
-    highest = power / chi2.ppf(TAIL / len(bands), count)
-    middle = [(band.start + band.stop) / 2 for band in bands]
+    power, count = (x[:-1] for x in sum_octaves(data.coefficients))
+    highest = power / chi2.ppf(TAIL / len(count), count)
+    middle = [(band.start + band.stop) / 2 for band in split_octaves(data.n - 1)[:-1]]
     shapes = np.exp(
         [np.interp(np.log(middle), np.log(data.harmonics), s) for s in np.log(data.shapes)]
     )
@@ -237,14 +232,28 @@ def _compute_ceilings(kind: Kind, problem: Problem) -> dict[str, float]:
     return {t.parameter: float(x / t.factor) for t, x in zip(kind.terms, levels, strict=True)}
 
 
-def _compare_whiteness(problem: Problem, after: Posterior | None) -> HalfComparison:
+def _compare_whiteness(problem: Problem, chosen: Posterior) -> HalfComparison:
     """Whiteness under the belief, and under the closed noise model if a term was found."""
     strengths, variances = problem.unpack((), np.zeros((1, len(problem.believed))))
-    before = measure_whiteness(whiten_coefficients(problem.data, strengths[0], variances[0]))
-    if after is None:
+    before = _measure_whiteness(whiten_coefficients(problem.data, strengths[0], variances[0]))
+    if not chosen.extra:
         return HalfComparison(before, before)
-    strengths, variances = after.best
+    strengths, variances = chosen.best
     column_variances = np.resize(variances, len(problem.data.names))
     return HalfComparison(
-        before, measure_whiteness(whiten_coefficients(problem.data, strengths, column_variances))
+        before, _measure_whiteness(whiten_coefficients(problem.data, strengths, column_variances))
+    )
+
+
+def _measure_whiteness(white: Array) -> Whiteness:
+    """Statistics of (m,) whitened coefficients."""
+    power, count = sum_octaves(white)
+    tail = 2 * np.minimum(chi2.cdf(power, count), chi2.sf(power, count))
+    mean = power / count
+    return Whiteness(
+        rms=float(np.sqrt(np.mean(white**2))),
+        octaves=mean,
+        log_rms=float(np.sqrt(np.mean(np.log(mean) ** 2))),
+        log_floor=float(np.sqrt(np.mean(polygamma(1, count / 2)))),
+        p_value=min(1.0, float(len(power) * np.min(tail))),
     )

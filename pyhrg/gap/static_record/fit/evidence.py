@@ -146,22 +146,12 @@ class Posterior:
         strengths, variances = self.problem.unpack(self.extra, mean[np.newaxis])
         return strengths[0], variances[0]
 
-    @property
-    def effective(self) -> float:
-        """Effective sample size."""
-        return float(1 / np.sum(self.weights**2))
-
 
 def compute_posterior(problem: Problem, extra: Sequence[int], seed: int = 0) -> Posterior:
-    """Posterior and evidence of a set of terms by importance sampling (Eq. 8).
+    """Posterior and evidence of a set of terms, by their indices, by importance sampling (Eq. 8).
 
     Half of the samples are drawn about the posterior mode. The other half is drawn about the mode
     without the terms, with the terms as in their prior.
-
-    Args:
-        problem: a record with its belief.
-        extra: indices of the noises and columns that exceed the belief.
-        seed: of the samples.
     """
     extra = tuple(extra)
     mode = max(

@@ -6,7 +6,7 @@ average over records that are as believed. By Markov's inequality it exceeds 1/a
 most a of them, so the false-alarm rate is bounded without simulation.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -58,39 +58,29 @@ class Ranking:
     probabilities: Array
     unknowns: tuple[Unknown, ...]
 
-    @property
-    def best(self) -> Posterior:
-        """The noise terms of the most probable hypothesis."""
-        return self.hypotheses[0].terms
-
     def get_probability(self, effect: int) -> float:
         """Probability that a noise term exceeds the belief and no unknown takes part."""
-        chosen = [effect in h.terms.extra and h.unknown is None for h in self.hypotheses]
-        return float(np.sum(self.probabilities[chosen]))
+        return self._sum(effect in h.terms.extra and h.unknown is None for h in self.hypotheses)
 
     @property
     def unknown_probability(self) -> float:
         """Probability that an unknown takes part."""
-        chosen = [h.unknown is not None for h in self.hypotheses]
-        return float(np.sum(self.probabilities[chosen]))
+        return self._sum(h.unknown is not None for h in self.hypotheses)
 
     def get_unknown_probability(self, name: str) -> float:
         """Probability that the unknown of this name takes part."""
-        chosen = [h.unknown is not None and h.unknown.name == name for h in self.hypotheses]
-        return float(np.sum(self.probabilities[chosen]))
+        return self._sum(h.unknown is not None and h.unknown.name == name for h in self.hypotheses)
+
+    def _sum(self, chosen: Iterable[bool]) -> float:
+        return float(np.sum(self.probabilities[list(chosen)]))
 
 
 def rank_explanations(
     problem: Problem, seed: int = 0, false_alarms: float = FALSE_ALARMS
 ) -> Ranking:
-    """Compute the posterior probabilities of all explanations. Explanations of several parts are
-    added only where those of one part raise the alarm.
-
-    Args:
-        problem: a record with its belief.
-        seed: of the samples.
-        false_alarms: largest share of records as believed that raise the alarm.
-    """
+    """Compute the posterior probabilities of all explanations. Those of several parts are added
+    only where those of one part raise the alarm, as at most the share `false_alarms` of records as
+    believed does."""
     null = compute_posterior(problem, (), seed)
     singles = [compute_posterior(problem, (i,), seed) for i in range(problem.effects)]
     unknowns = compare_unknowns_beside(null)
@@ -99,13 +89,10 @@ def rank_explanations(
     log_ratio = float(logsumexp([_log_mean(of_terms), _log_mean(of_unknowns)]) - np.log(2))
     terms = [null, *singles]
     if log_ratio > -np.log(false_alarms):
-        pairs = [
-            compute_posterior(problem, s, seed) for s in combinations(range(problem.effects), 2)
-        ]
-        terms += [
-            *pairs,
-            *(compute_posterior(problem, s, seed) for s in _extend_pairs(pairs, problem.effects)),
-        ]
+        sets = combinations(range(problem.effects), 2)
+        pairs = [compute_posterior(problem, s, seed) for s in sets]
+        triples = _extend_pairs(pairs, problem.effects)
+        terms += [*pairs, *(compute_posterior(problem, s, seed) for s in triples)]
     return _add_unknowns(log_ratio, null, terms, unknowns)
 
 

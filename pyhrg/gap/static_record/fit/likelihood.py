@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.fft import dct
 
-from pyhrg.noise.likelihood import MIN_TREND_SHARE, compute_spectrum
+from pyhrg.noise.likelihood import MIN_TREND_SHARE, compute_spectrum, orthonormalize
 
 Array = NDArray[np.float64]
 
@@ -57,16 +57,12 @@ class Transform:
 
 
 def transform_record(angle: Array, free: list[Array], random: dict[str, Array]) -> Transform:
-    """Transform a record.
-
-    Args:
-        angle: (n,) integrated record, SI.
-        free: free columns (n,) beside an offset and a constant rate.
-        random: random columns (n,) by name. A linear combination of free ones is left out.
+    """Transform an integrated record (n,), SI, with free columns (n,) beside an offset and a
+    constant rate, and random ones by name. A random column that free ones combine to is left out.
     """
     n = len(angle)
     time = np.linspace(-1.0, 1.0, n)
-    basis = _build_basis([np.ones(n), time, *free])
+    basis = orthonormalize([np.ones(n), time, *free])
 
     def project(values: Array) -> Array:
         return np.asarray(values - basis @ (basis.T @ values))
@@ -102,14 +98,6 @@ def transform_record(angle: Array, free: list[Array], random: dict[str, Array]) 
     )
 
 
-def _build_basis(columns: list[Array]) -> Array:
-    """(n, m) orthonormal basis of the space that the columns span."""
-    matrix = np.column_stack(columns)
-    matrix = matrix / np.linalg.norm(matrix, axis=0).clip(np.finfo(float).tiny)
-    basis, share = np.linalg.qr(matrix)
-    return np.asarray(basis[:, np.abs(np.diag(share)) > MIN_TREND_SHARE])
-
-
 def compute_log_likelihoods(data: Transform, strengths: Array, variances: Array) -> Array:
     """(s,) log likelihoods, up to a constant that all models of the record share.
 
@@ -120,21 +108,42 @@ def compute_log_likelihoods(data: Transform, strengths: Array, variances: Array)
     """
     density = strengths @ data.shapes
     noise = -0.5 * np.sum(data.count * np.log(density) + data.power / density, axis=1)
-    square, product = _sum_normal_equations(data, density)
-    free = slice(0, data.free)
-    inverse = np.asarray(np.linalg.inv(square[:, free, free]), np.float64)
-    noise += 0.5 * (
-        np.linalg.slogdet(inverse)[1]
-        + np.einsum("si,sij,sj->s", product[:, free], inverse, product[:, free])
-    )
-    square, product = _eliminate_free_columns(data.free, square, product, inverse)
+    square, product, free_gain = _eliminate_free_columns(data, density)
     root = np.sqrt(variances)
     matrix = np.eye(len(data.names)) + root[:, :, np.newaxis] * square * root[:, np.newaxis]
     gradient = root * product
     gained = np.einsum(
         "si,si->s", gradient, np.linalg.solve(matrix, gradient[..., np.newaxis])[..., 0]
     )
-    return np.asarray(noise + 0.5 * (gained - np.linalg.slogdet(matrix)[1]))
+    return np.asarray(noise + 0.5 * free_gain + 0.5 * (gained - np.linalg.slogdet(matrix)[1]))
+
+
+def estimate_columns(data: Transform, strengths: Array, variances: Array) -> tuple[Array, Array]:
+    """Coefficients (s, r) of the random columns, and their covariances (s, r, r), for arguments of
+    `compute_log_likelihoods`."""
+    square, product, _ = _eliminate_free_columns(data, strengths @ data.shapes)
+    prior = np.maximum(variances, np.finfo(float).tiny ** 0.5)
+    covariance = np.asarray(
+        np.linalg.inv(square + np.eye(len(data.names)) / prior[:, np.newaxis]), np.float64
+    )
+    return np.einsum("sij,sj->si", covariance, product), covariance
+
+
+def _eliminate_free_columns(data: Transform, density: Array) -> tuple[Array, Array, Array]:
+    """Normal equations (s, r, r) and (s, r) of the random columns for s densities (s, b), with the
+    free ones eliminated, and (s,) what the free ones add to twice the log likelihood."""
+    square, product = _sum_normal_equations(data, density)
+    free, random = slice(0, data.free), slice(data.free, None)
+    inverse = np.asarray(np.linalg.inv(square[:, free, free]), np.float64)
+    gain = np.linalg.slogdet(inverse)[1] + np.einsum(
+        "si,sij,sj->s", product[:, free], inverse, product[:, free]
+    )
+    across = square[:, random, free] @ inverse
+    return (
+        square[:, random, random] - across @ square[:, free, random],
+        product[:, random] - np.einsum("sij,sj->si", across, product[:, free]),
+        gain,
+    )
 
 
 def _sum_normal_equations(data: Transform, density: Array) -> tuple[Array, Array]:
@@ -143,40 +152,9 @@ def _sum_normal_equations(data: Transform, density: Array) -> tuple[Array, Array
     return square.reshape(-1, m, m), (1 / density) @ data.products.T
 
 
-def _eliminate_free_columns(
-    free: int, square: Array, product: Array, inverse: Array
-) -> tuple[Array, Array]:
-    """Normal equations of the random columns, with the free ones eliminated."""
-    across = square[:, free:, :free] @ inverse
-    return (
-        square[:, free:, free:] - across @ square[:, :free, free:],
-        product[:, free:] - np.einsum("sij,sj->si", across, product[:, :free]),
-    )
-
-
-def estimate_columns(data: Transform, strengths: Array, variances: Array) -> tuple[Array, Array]:
-    """Coefficients (s, r) of the random columns, and their covariances (s, r, r).
-
-    Args: as in `compute_log_likelihoods`.
-    """
-    square, product = _sum_normal_equations(data, strengths @ data.shapes)
-    inverse = np.asarray(np.linalg.inv(square[:, : data.free, : data.free]), np.float64)
-    square, product = _eliminate_free_columns(data.free, square, product, inverse)
-    prior = np.maximum(variances, np.finfo(float).tiny ** 0.5)
-    covariance = np.asarray(
-        np.linalg.inv(square + np.eye(len(data.names)) / prior[:, np.newaxis]), np.float64
-    )
-    return np.einsum("sij,sj->si", covariance, product), covariance
-
-
 def whiten_coefficients(data: Transform, strengths: Array, variances: Array) -> Array:
-    """(n - 1,) coefficients without their columns, in standard deviations of one noise model.
-
-    Args:
-        data: of the record.
-        strengths: (4,) variances of the noises.
-        variances: (r,) of the random columns.
-    """
+    """(n - 1,) coefficients without their columns, in standard deviations of one noise model of
+    strengths (4,) and variances (r,) of the random columns."""
     density = strengths @ data.shapes
     weight = np.concatenate([np.full(data.free, 0.0), 1 / np.maximum(variances, 1e-300)])
     square, product = _sum_normal_equations(data, density[np.newaxis])

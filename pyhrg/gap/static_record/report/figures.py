@@ -1,6 +1,7 @@
 """Figures of a channel as inline SVG: Allan deviation and spectrum, measured and modelled."""
 
 import io
+from collections.abc import Callable
 
 import matplotlib
 import numpy as np
@@ -22,18 +23,17 @@ def draw_allan_deviation(d: ChannelDiagnosis) -> str:
     """Allan deviation of the whole record with 95 % intervals, and of the believed and closed
     noise."""
     measured = estimate_allan_deviation(d.channel.angle, d.channel.interval)
-    scale, unit = d.channel.kind.rate_scale, d.channel.kind.rate_unit
-    figure = Figure(figsize=(6.4, 4.2), layout="constrained")
-    axes = figure.add_subplot(xscale="log", yscale="log")
-    axes.fill_between(
-        measured.tau, measured.low / scale, measured.high / scale, color=MEASURED, alpha=0.2, lw=0
-    )
+    scale = d.channel.kind.rate_scale
+
+    def model(levels: Array) -> Array:
+        noise = NoiseCoefficients(*(Coefficient(x, x, x) for x in levels.tolist()))
+        return compute_allan_deviation(measured.tau, noise) / scale
+
+    figure, axes = _make_axes("cluster time, s", f"Allan deviation, {d.channel.kind.rate_unit}")
+    low, high = measured.low / scale, measured.high / scale
+    axes.fill_between(measured.tau, low, high, color=MEASURED, alpha=0.2, lw=0)
     axes.plot(measured.tau, measured.deviation / scale, "o", ms=3, color=MEASURED, label="measured")
-    for levels, label, style in _models(d):
-        modelled = compute_allan_deviation(measured.tau, _coefficients(levels)) / scale
-        axes.plot(measured.tau, modelled, style[0], color=style[1], label=label)
-    _finish(axes, "cluster time, s", f"Allan deviation, {unit}")
-    return _svg(figure)
+    return _finish(d, figure, measured.tau, model)
 
 
 def draw_spectrum(d: ChannelDiagnosis) -> str:
@@ -45,36 +45,32 @@ def draw_spectrum(d: ChannelDiagnosis) -> str:
     hertz = (first + (bands.count + 1) / 2) / (2 * n * interval)
     gain = (2 * np.sin(np.pi * hertz * interval)) ** 2 / interval
     scale = d.channel.kind.rate_scale
-    figure = Figure(figsize=(6.4, 4.2), layout="constrained")
-    axes = figure.add_subplot(xscale="log", yscale="log")
+
+    def model(levels: Array) -> Array:
+        return np.asarray(np.sqrt(2 * gain * ((levels / d.units) ** 2 @ bands.shapes)) / scale)
+
+    figure, axes = _make_axes(
+        "frequency, Hz", f"density of the rate, {d.channel.kind.rate_unit}/sqrt(Hz)"
+    )
     measured = np.sqrt(2 * gain * bands.power / bands.count) / scale
     axes.plot(hertz, measured, ".", ms=3, color=MEASURED, label="measured")
-    for levels, label, style in _models(d):
-        modelled = np.sqrt(2 * gain * ((levels / d.units) ** 2 @ bands.shapes)) / scale
-        axes.plot(hertz, modelled, style[0], color=style[1], label=label)
-    _finish(axes, "frequency, Hz", f"density of the rate, {d.channel.kind.rate_unit}/sqrt(Hz)")
-    return _svg(figure)
+    return _finish(d, figure, hertz, model)
 
 
-def _models(d: ChannelDiagnosis) -> list[tuple[Array, str, tuple[str, str]]]:
-    models = [(d.belief.levels, "as believed", ("--", BEFORE))]
-    if d.causes:
-        models.append((d.closed, "with the terms that were found", ("-", AFTER)))
-    return models
-
-
-def _coefficients(levels: Array) -> NoiseCoefficients:
-    return NoiseCoefficients(*(Coefficient(x, x, x) for x in levels.tolist()))
-
-
-def _finish(axes: Axes, x: str, y: str) -> None:
-    axes.set_xlabel(x)
-    axes.set_ylabel(y)
+def _make_axes(x: str, y: str) -> tuple[Figure, Axes]:
+    figure = Figure(figsize=(6.4, 4.2), layout="constrained")
+    axes = figure.add_subplot(xscale="log", yscale="log", xlabel=x, ylabel=y)
     axes.grid(which="both", alpha=0.2)
+    return figure, axes
+
+
+def _finish(d: ChannelDiagnosis, figure: Figure, x: Array, model: Callable[[Array], Array]) -> str:
+    """The figure as SVG, with the curves of the believed and of the closed noise added."""
+    (axes,) = figure.axes
+    axes.plot(x, model(d.belief.levels), "--", color=BEFORE, label="as believed")
+    if d.causes:
+        axes.plot(x, model(d.closed), "-", color=AFTER, label="with the terms that were found")
     axes.legend()
-
-
-def _svg(figure: Figure) -> str:
     buffer = io.StringIO()
     with matplotlib.rc_context({"svg.hashsalt": "hrg", "svg.fonttype": "none"}):
         figure.savefig(buffer, format="svg", metadata={"Date": None})

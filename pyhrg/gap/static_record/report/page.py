@@ -1,18 +1,24 @@
-"""The diagnosis of a static record as a page: a section for each channel."""
+"""The files of a diagnosis of a static record; its page has a section for each channel."""
 
 import html
+import json
+from pathlib import Path
 
-from pyhrg.common.pages.markup import Table, make_paragraph, make_table
+import tomli_w
+
+from pyhrg.common.files import stage_files
+from pyhrg.common.pages.markup import Table, make_paragraph, make_wide_table
+from pyhrg.common.pages.shell import make_document
+from pyhrg.gap.static_record.belief import PERIODS, TOLERANCE_PERCENT
+from pyhrg.gap.static_record.document import build_document, round_digits
 from pyhrg.gap.static_record.fit.diagnosis import ChannelDiagnosis
 from pyhrg.gap.static_record.report.figures import draw_allan_deviation, draw_spectrum
-from pyhrg.gap.static_record.result import RecordDiagnosis, locate_excess
+from pyhrg.gap.static_record.result import Array, RecordDiagnosis, locate_excess
 
+RESULT, PAGE, CLOSED = "diagnosis.json", "report.html", "closed.toml"
 STYLE = (
-    "body{font:16px/1.5 sans-serif;max-width:64em;margin:2em auto;padding:0 1em}"
-    "table{border-collapse:collapse;margin:1em 0}caption{text-align:left}"
-    "td,th{padding:.15em .7em;text-align:left;border-bottom:1px solid #ddd}"
-    "figure{display:inline-block;margin:0;max-width:31em}svg{max-width:100%;height:auto}"
-    ".weak{color:#555}.wide{overflow-x:auto}"
+    "td,th{text-align:left}svg text{fill:#000}"
+    ".panels{grid-template-columns:repeat(auto-fill,minmax(min(100%,28rem),1fr))}"
 )
 VERDICT_SENTENCES = {
     "no_gap": "No gap: the noise agrees with the belief.",
@@ -28,18 +34,44 @@ SOURCES = {
 }
 
 
+def write_record_report(result: RecordDiagnosis, out: Path) -> None:
+    """Write `diagnosis.json`, `report.html` and `closed.toml`: a belief with the noise that was
+    found, by channel."""
+    closed = {d.channel.name: _state_closed_noise(d) for d in result.channel_diagnoses}
+    texts = {
+        PAGE: build_page(result),
+        CLOSED: tomli_w.dumps(closed),
+        RESULT: json.dumps(build_document(result), indent=1, allow_nan=False) + "\n",
+    }
+    with stage_files(out, tuple(texts)) as aside:
+        for name, text in texts.items():
+            (aside / name).write_text(text, encoding="utf-8")
+
+
+def _state_closed_noise(d: ChannelDiagnosis) -> dict[str, object]:
+    """The closed noise model under the keys of a belief."""
+    terms = zip(d.channel.kind.terms, d.closed.tolist(), strict=True)
+    levels = {t.parameter: round_digits(x / t.factor) for t, x in terms if x}
+    ramp = d.channel.kind.ramp
+    ramps = [c.value for c in d.causes if c.term is ramp] or [d.belief.ramp / ramp.factor]
+    if ramps[0]:
+        levels[ramp.parameter] = round_digits(ramps[0])
+    tolerance = round_digits(100 * d.belief.tolerance)
+    return {**levels, PERIODS: list(d.belief.periods), TOLERANCE_PERCENT: tolerance}
+
+
 def build_page(result: RecordDiagnosis) -> str:
     """The page as HTML."""
-    title = html.escape(f"Noise of {result.source}")
-    sections = (_build_section(d, i, result) for i, d in enumerate(result.channel_diagnoses))
-    notes = "".join(make_paragraph(f"Left out: {note}", "weak") for note in result.notes)
-    return (
-        '<!doctype html><html lang="en"><head><meta charset="utf-8">'
-        '<meta name="viewport" content="width=device-width,initial-scale=1">'
-        f"<title>{title}</title><style>{STYLE}</style></head><body><h1>{title}</h1>"
-        f"{make_paragraph(VERDICT_SENTENCES[result.verdict])}{_build_overview(result)}{''.join(sections)}{notes}"
-        "</body></html>\n"
-    )
+    title = f"Noise of {result.source}"
+    pairs = zip(result.channel_diagnoses, result.shared, strict=True)
+    body = [
+        f"<h1>{html.escape(title)}</h1>",
+        make_paragraph(VERDICT_SENTENCES[result.verdict]),
+        _build_overview(result),
+        *(_build_section(d, shared) for d, shared in pairs),
+        *(make_paragraph(f"Left out: {note}", "weak") for note in result.notes),
+    ]
+    return make_document(title, STYLE, "".join(body), "")
 
 
 def _build_overview(result: RecordDiagnosis) -> str:
@@ -58,36 +90,33 @@ def _build_overview(result: RecordDiagnosis) -> str:
         *("", "Verdict", "ln Bayes factor of a gap", "Probability of an unknown"),
         *("Whitened rms, held-out half, as believed", "with the terms that were found"),
     )
-    return _build_wide_table(Table("Channels", header, rows))
+    return make_wide_table(Table("Channels", header, rows))
 
 
-def _build_wide_table(content: Table) -> str:
-    return f'<div class="wide">{make_table(content)}</div>'
-
-
-def _build_section(d: ChannelDiagnosis, index: int, result: RecordDiagnosis) -> str:
-    parts = [
-        f"<h2>{html.escape(d.channel.name)}</h2>",
-        make_paragraph(VERDICT_SENTENCES[d.verdict]),
-        _build_causes(d),
-    ]
-    for svg, text in ((draw_allan_deviation(d), "Allan deviation"), (draw_spectrum(d), "Spectrum")):
-        parts.append(f'<figure role="img" aria-label="{text}, {d.channel.name}">{svg}</figure>')
-    if d.verdict != "no_gap":
-        parts.append(_build_places(d, index, result))
+def _build_section(d: ChannelDiagnosis, shared: Array) -> str:
+    name = html.escape(d.channel.name)
     ceilings = ", ".join(f"{name} {value:.3g}" for name, value in d.ceilings.items())
     believed = ", ".join(f"{name} {value:g}" for name, value in d.belief.stated.items())
     tolerance = f"each within {d.belief.tolerance:.0%} (1 sigma)"
-    parts.append(make_paragraph(f"Believed: {believed}; {tolerance}.", "weak"))
-    parts.append(
-        make_paragraph(f"Upper 97.5 % bounds, whatever else is in the record: {ceilings}.", "weak")
+    figures = ((draw_allan_deviation(d), "Allan deviation"), (draw_spectrum(d), "Spectrum"))
+    return "".join(
+        [
+            f"<h2>{name}</h2>",
+            make_paragraph(VERDICT_SENTENCES[d.verdict]),
+            _build_causes(d) if d.causes else "",
+            '<div class="panels">',
+            *(f'<figure role="img" aria-label="{t}, {name}">{svg}</figure>' for svg, t in figures),
+            "</div>",
+            _build_places(d, shared) if d.verdict != "no_gap" else "",
+            make_paragraph(f"Believed: {believed}; {tolerance}.", "weak"),
+            make_paragraph(
+                f"Upper 97.5 % bounds, whatever else is in the record: {ceilings}.", "weak"
+            ),
+        ]
     )
-    return "".join(parts)
 
 
 def _build_causes(d: ChannelDiagnosis) -> str:
-    if not d.causes:
-        return ""
     rows = tuple(
         (
             c.term.effect.replace("_", " "),
@@ -99,13 +128,13 @@ def _build_causes(d: ChannelDiagnosis) -> str:
         for c in d.causes
     )
     header = ("", "Level, 95 % interval", "Key", "Probability", "Confounded with")
-    return _build_wide_table(Table("Terms that exceed the belief", header, rows))
+    return make_wide_table(Table("Terms that exceed the belief", header, rows))
 
 
-def _build_places(d: ChannelDiagnosis, index: int, result: RecordDiagnosis) -> str:
+def _build_places(d: ChannelDiagnosis, shared: Array) -> str:
     rows = tuple(
         (f"{low:.3g} to {high:.3g}", f"{share:.1%}", SOURCES[coordinate])
-        for coordinate, (low, high), share in locate_excess(d, result.shared[index])
+        for coordinate, (low, high), share in locate_excess(d, shared)
     )
     caption = "Where the whitened power differs from the belief (first half)"
-    return _build_wide_table(Table(caption, ("Frequency, Hz", "Share", "Origin"), rows))
+    return make_wide_table(Table(caption, ("Frequency, Hz", "Share", "Origin"), rows))

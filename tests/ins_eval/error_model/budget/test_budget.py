@@ -11,15 +11,14 @@ from ins_eval.common.state import position_error
 from ins_eval.error_model.aligning import model_alignment
 from ins_eval.error_model.budget.adjoint import Weights, compute_weights
 from ins_eval.error_model.budget.budget import (
-    coefficient_sigmas,
     compute_budget,
-    compute_variance_budget,
     sum_contributions,
 )
 from ins_eval.error_model.budget.budget_figure import MAX_SHOWN_EFFECTS, plot_budget
-from ins_eval.error_model.effects import BIASES, Effect, bias_map, gyro_bias
-from ins_eval.error_model.linear_model import join_models, linearize, propagate_covariance
+from ins_eval.error_model.effects import BIASES, Effect
+from ins_eval.error_model.linear_model import join_models, linearize
 from ins_eval.error_model.motion import sample_motion
+from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories.catalogue import load_trajectory
@@ -90,7 +89,7 @@ def erring(truth: Increments, signals: dict[str, Increments], sign: float) -> In
 
 def test_each_effect_is_the_navigators(truth: Increments, signals: dict[str, Increments]) -> None:
     """Flown one by one, forth and back: 1e-3 of each effect's part, at steps of 0.1 s."""
-    result = compute_budget(model_weights(0.1), signals)
+    result = compute_budget(model_weights(0.1), signals, np.zeros(COUNT))
     for name, signal in signals.items():
         single = {name: signal}
         ends = [flown(erring(truth, single, sign)) for sign in (1.0, -1.0)]
@@ -111,42 +110,19 @@ def test_parts_sum_to_the_whole(truth: Increments, signals: dict[str, Increments
     together = sum_contributions(compute_budget(own, {"all": sensor_errors}, initial))
     assert parts == pytest.approx(together, rel=1e-9)
     expected = flown(whole) - flown(truth)
-    without = sum_contributions(compute_budget(own, signals))
+    without = sum_contributions(compute_budget(own, signals, np.zeros(COUNT)))
     assert np.linalg.norm(without - expected) < 2e-3 * np.linalg.norm(expected)
     assert together - without == pytest.approx(own.states[0] @ initial, rel=1e-9)
-
-
-def test_variances_sum_to_the_covariance() -> None:
-    """Biases, maps, wandering biases, noise, and initial errors: to 1e-4."""
-    effects = (*BIASES, gyro_bias(1000.0), *bias_map(4, np.array([0.1, 0.7, 1.3])))
-    own = model_weights(1.0, effects)
-    maps = {f"bias map {wave} 4": 0.02 * DEG_PER_H for wave in ("cos", "sin")}
-    spreads = coefficient_sigmas(effects, NOISE, maps)
-    initial = np.diag([1.0, 1, 0, 1e-4, 1e-4, 0, 0, 0, 0, 0])
-    shares = compute_variance_budget(own, initial, spreads, NOISE)
-    result = shares.variance.sum(("effect", "axis")) + shares.initial
-    expected = propagate_covariance(own.model, initial, spreads)[-1]
-    assert result.values == pytest.approx(np.diagonal(expected)[:2], rel=1e-4)
-    assert shares.variance.attrs["units"] == "m^2"
-    assert float(shares.variance.min()) >= 0.0
-
-
-def test_every_effect_needs_its_sigma() -> None:
-    effects = (*BIASES, *bias_map(2, np.zeros(3)))
-    with pytest.raises(ValueError, match="'bias map cos 2'"):
-        coefficient_sigmas(effects, NOISE)
-    with pytest.raises(ValueError, match="'bias map cos 4'"):
-        coefficient_sigmas(BIASES, NOISE, {"bias map cos 4": 1e-8})
 
 
 def test_signals_must_span_the_model(signals: dict[str, Increments]) -> None:
     short = {"noise": signals["noise"].between(ALIGNED, ALIGNED + 100)}
     with pytest.raises(ValueError, match=r"increments span 0\.0 to 5\.0 s: expected -200\.0"):
-        compute_budget(model_weights(1.0), short)
+        compute_budget(model_weights(1.0), short, np.zeros(COUNT))
 
 
 def test_labels(signals: dict[str, Increments]) -> None:
-    result = compute_budget(model_weights(1.0), signals)
+    result = compute_budget(model_weights(1.0), signals, np.zeros(COUNT))
     assert result.contribution.attrs["units"] == "m"
     assert result.contribution.dims == ("effect", "axis", "time", "component")
     accelerometers = result.contribution.sel(effect="mean bias", axis="accelerometer right")
@@ -158,7 +134,7 @@ def test_figure(signals: dict[str, Increments]) -> None:
     own = model_weights(1.0)
     many = {f"{name} {k}": signal for k in range(4) for name, signal in signals.items()}
     for shown, title in ((signals, "Few"), (many, "Many")):
-        figure = plot_budget(own, compute_budget(own, shown), title)
+        figure = plot_budget(own, compute_budget(own, shown, np.zeros(COUNT)), title)
         labels = figure.axes[2].get_legend_handles_labels()[1]
         assert len(labels) == min(len(shown), MAX_SHOWN_EFFECTS) + 1
         assert figure.get_suptitle().startswith(title)

@@ -8,7 +8,6 @@ import pytest
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.error_model.budget.decomposition import (
     UNEXPLAINED,
-    Prior,
     decompose_errors,
     sensor_error,
     sum_over_steps,
@@ -47,9 +46,9 @@ def test_each_effect_is_found_again(truth: Increments) -> None:
         rotation=2e-7 * INTERVAL + scale + bias_map_4 + noise,
         velocity=np.full_like(truth.velocity, 1e-4 * INTERVAL),
     )
-    parts = decompose_errors(
-        error, sample_motion(load_trajectory("car", 1810.0, 20.0), 0.0, 1.0, 1800), EFFECTS
-    )
+    motion = sample_motion(load_trajectory("car", 1810.0, 20.0), 0.0, 1.0, 1800)
+    wide, walk = np.ones((len(EFFECTS), 3)), SensorErrors(angle_random_walk=5e-9 * 0.3)
+    parts = decompose_errors(error, motion, EFFECTS, wide, walk)
     assert parts["gyro bias"].rotation[:, 2] == pytest.approx(2e-7, rel=1e-2)
     expected = bias_map_4.reshape(1800, 10, 3).sum(axis=1)
     result = parts["bias map, harmonic 4"].rotation
@@ -82,31 +81,30 @@ def test_difference_needs_the_same_times(truth: Increments) -> None:
 
 
 def test_prior_keeps_like_signals_from_cancelling(truth: Increments) -> None:
-    """On a level gyro whose pattern moves by a degree. Ordinary least squares is the control."""
+    """On a level gyro whose pattern moves by a degree. A prior that states almost nothing is the
+    control."""
     noise = SensorErrors(angle_random_walk=1e-6)
     white = noise.angle_random_walk * np.sqrt(INTERVAL)
     generator = np.random.default_rng(3)
     drift = 2e-7 * INTERVAL + white * generator.standard_normal(truth.rotation.shape)
     error = replace(truth, rotation=drift, velocity=np.zeros_like(truth.velocity))
     motion = sample_motion(load_trajectory("car", 1810.0, 20.0), 0.0, 1.0, 1800)
-    prior = Prior(np.full((len(EFFECTS), 3), 1e-7), noise)
+    narrow, wide = (np.full((len(EFFECTS), 3), size) for size in (1e-7, 1.0))
 
     def largest(parts: dict[str, Increments]) -> float:
         sums = [np.abs(part.rotation[:, 0].sum()) for n, part in parts.items() if n != UNEXPLAINED]
         return float(max(sums) / np.abs(drift[:, 0].sum()))
 
-    likeliest = decompose_errors(error, motion, EFFECTS, prior)
+    likeliest = decompose_errors(error, motion, EFFECTS, narrow, noise)
     assert largest(likeliest) < 2
-    assert largest(decompose_errors(error, motion, EFFECTS)) > 20
+    assert largest(decompose_errors(error, motion, EFFECTS, wide, noise)) > 20
     whole = sum_over_steps(error, 0.0, 1.0, 1800).rotation
     assert sum(part.rotation for part in likeliest.values()) == pytest.approx(whole, abs=1e-18)
 
 
 def test_prior_of_nothing_leaves_all_to_the_rest(truth: Increments) -> None:
     motion = sample_motion(load_trajectory("car", 1810.0, 20.0), 0.0, 1.0, 1800)
-    parts = decompose_errors(
-        truth, motion, EFFECTS, Prior(np.zeros((len(EFFECTS), 3)), SensorErrors())
-    )
+    parts = decompose_errors(truth, motion, EFFECTS, np.zeros((len(EFFECTS), 3)), SensorErrors())
     assert parts["gyro bias"].rotation == pytest.approx(0)
     assert np.array_equal(
         parts[UNEXPLAINED].rotation, sum_over_steps(truth, 0.0, 1.0, 1800).rotation

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pyhrg.bench.bias.bias_test import BiasRun, BiasTest
+from pyhrg.bench.bias.bias_test import BiasTest, summarize_runs
 from pyhrg.bench.bias.position import fixed_position, full_circumference
 from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.outcome import BenchError
@@ -75,8 +75,8 @@ def test_eight_positions_can_not_show_the_eighth_harmonic(slow_fmu: GyroFmu) -> 
 
 def test_fixed_position_sees_one_point_of_the_map(slow_fmu: GyroFmu) -> None:
     bench = slow_bench(slow_fmu, QUIET)
-    test = fixed_position.measure_bias(
-        bench.campaign(bench.run(fixed_position.make_power_ons(bench, 1)))
+    test = summarize_runs(
+        fixed_position.read_runs(bench.campaign(bench.run(fixed_position.make_power_ons(bench, 1))))
     )
     at_start = float(theory.static_bias(QUIET, QUIET.power_on_angle))
     assert test.bias == pytest.approx(at_start, abs=0.001 * DEG_PER_H)
@@ -111,7 +111,7 @@ def test_too_few_positions_are_refused(slow_fmu: GyroFmu) -> None:
 
 def test_stability_and_repeatability_are_the_papers() -> None:
     """Stability: mean of the runs' deviations; repeatability: deviation of the runs' means."""
-    test = BiasTest((BiasRun(np.array([1.0, 3.0])), BiasRun(np.array([2.0, 6.0]))))
+    test = BiasTest((np.array([1.0, 3.0]), np.array([2.0, 6.0])))
     assert test.stability == pytest.approx((np.sqrt(2) + np.sqrt(8)) / 2)
     assert test.repeatability == pytest.approx(np.sqrt(2))
     assert test.bias == pytest.approx(3.0)

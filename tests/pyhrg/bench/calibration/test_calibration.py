@@ -16,11 +16,12 @@ from pyhrg.bench.calibration.calibration import (
     apply_maps,
     evaluate,
     record,
+    select_stage,
+    stage_bench,
 )
 from pyhrg.bench.calibration.calibration_maps import add_maps, fit_maps, turn_map
-from pyhrg.bench.calibration.stages import select_stage, stage_bench
 from pyhrg.bench.outcome import BenchError, Outcome
-from pyhrg.bench.scale_factor.rate_tests import record_turns
+from pyhrg.bench.scale_factor.rate_tests import make_turn_power_ons
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H
 from pyhrg.device import device_file
 from pyhrg.device.device import AngleMap, Device
@@ -37,7 +38,8 @@ NOISELESS = replace(RICH.without_noise(), power_on_scatter=0.0)
 
 def measured(fmu: GyroFmu, device: Device, seed: int = 1) -> Campaign:
     bench = slow_bench(fmu, device, seed)
-    tests = [*bench.run(make_power_ons(bench, PLAN, 3, 1)), *record_turns(bench, RATE, PERIODS, 1)]
+    turns = make_turn_power_ons(bench, RATE, PERIODS, 1)
+    tests = bench.run([*make_power_ons(bench, PLAN, 3, 1), *turns])
     return bench.campaign(tests)
 
 

@@ -9,7 +9,7 @@ import pytest
 from pyhrg.bench.bench import PowerOn
 from pyhrg.bench.dead_zone import dead_zone
 from pyhrg.bench.dead_zone.lock import read_run
-from pyhrg.bench.estimation.harmonic_amplitude import compute_length_interval
+from pyhrg.bench.estimation.sizes import compute_length_interval
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.device.ready_devices import TYPICAL

@@ -61,7 +61,7 @@ def test_sentence_has_value_interval_limit_and_word() -> None:
 
 
 def test_only_findings_that_are_limited_are_judged() -> None:
-    outcome = Outcome("test", (finding(0.5, 0.4, 0.9), Finding("bias", 1.0, "deg/h")), "")
+    outcome = Outcome((finding(0.5, 0.4, 0.9), Finding("bias", 1.0, "deg/h")), "")
     limits = {"bias_stability_deg_per_h": 1.0, "range_deg_per_s": 300.0}
     assert [j.finding.name for j in judge_findings(outcome, limits)] == ["bias stability"]
     (sentence,) = describe_unmatched_limits([outcome], limits)
@@ -74,4 +74,4 @@ def test_two_findings_of_one_key_are_a_mistake() -> None:
     twice = (Finding("bias, at 8 x 22.5 deg", 1.0, "deg/h"),) * 2
     assert twice[0].key == "bias_at_8_x_22_5_deg_deg_per_h"
     with pytest.raises(ValueError, match="findings of one name"):
-        Outcome("test", twice, "")
+        Outcome(twice, "")

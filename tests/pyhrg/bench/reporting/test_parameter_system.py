@@ -42,7 +42,7 @@ def test_terms_that_procedures_claim_are_rows() -> None:
 
 def test_a_figure_stands_in_its_row() -> None:
     finding = Finding("threshold", 1.745e-5, "deg/s", 0.0, 1.745e-5, 5)
-    rows = {cells[0]: cells for cells in make_table_1([Outcome("threshold", (finding,), "")]).rows}
+    rows = {cells[0]: cells for cells in make_table_1({"threshold": Outcome((finding,), "")}).rows}
     assert rows["threshold (阈值)"][1] == "0.00100"
     assert rows["measuring range (测量范围)"][4] == "hrg bench range"
     assert rows["mass (质量)"][1] == "-"

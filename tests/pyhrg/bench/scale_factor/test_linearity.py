@@ -8,9 +8,9 @@ from matplotlib.figure import Figure
 
 from benchmarks.intervals.linearity import RATES, repeat
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.estimation.line import Line
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.scale_factor import linearity
+from pyhrg.bench.scale_factor.linearity import Line
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.device.ready_devices import TYPICAL, Device
 from pyhrg.fmu import GyroFmu

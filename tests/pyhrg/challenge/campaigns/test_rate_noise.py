@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pyhrg.challenge.campaigns.rate_noise import draw_rate_noise
+from pyhrg.challenge.campaigns.gyro import draw_rate_noise
 from pyhrg.device.device import Device
 from pyhrg.noise.fitting import estimate_noise
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.stats import binom
 
-from pyhrg.challenge.scoring.calibration import find_squared_calibration_error, score_calibration
+from pyhrg.challenge.scoring.calibration import compute_squared_error, score_calibration
 
 
 def claims(n: int, seed: int, excess: float = 0.0) -> list[tuple[float, bool]]:
@@ -16,12 +16,12 @@ def claims(n: int, seed: int, excess: float = 0.0) -> list[tuple[float, bool]]:
 
 
 def test_right_probabilities_have_none_on_average() -> None:
-    squares = [find_squared_calibration_error(claims(400, seed)) for seed in range(200)]
+    squares = [compute_squared_error(np.array(claims(400, seed))) for seed in range(200)]
     assert abs(np.mean(squares)) < 4 * np.std(squares) / np.sqrt(len(squares))
 
 
 def test_an_excess_is_measured() -> None:
-    squares = [find_squared_calibration_error(claims(1000, seed, 0.15)) for seed in range(40)]
+    squares = [compute_squared_error(np.array(claims(1000, seed, 0.15))) for seed in range(40)]
     assert np.mean(squares) == pytest.approx(0.15**2, abs=4 * np.std(squares) / np.sqrt(40))
 
 

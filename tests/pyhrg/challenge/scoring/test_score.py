@@ -1,24 +1,23 @@
 """What is right, by cases that say so."""
 
 import math
+from dataclasses import replace
 
 import pytest
 
 from pyhrg.challenge.scoring import score
-from pyhrg.challenge.scoring.coordinates import COORDINATES
-from pyhrg.challenge.scoring.diagnosis import ScoredDiagnosis
-from pyhrg.challenge.scoring.score import ScoredCase
+from pyhrg.challenge.scoring.score import COORDINATES, ScoredCase
 from pyhrg.challenge.truths.truth import Truth
 from pyhrg.gap.effects.catalogue import EFFECT_NAMES
-from pyhrg.gap.findings.diagnosis import Cause
+from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, Verdict
+from pyhrg.gap.findings.localisation import Place
+from tests.pyhrg.challenge.test_run import FIGURE, NO_GAP
 
 DAMPING = "damping_anisotropy"
 GAIN = "drive_gain_mismatch"
 
 
-def judged(
-    truth: Truth, diagnosis: ScoredDiagnosis, then: ScoredDiagnosis | None = None
-) -> ScoredCase:
+def judged(truth: Truth, diagnosis: Diagnosis, then: Diagnosis | None = None) -> ScoredCase:
     return ScoredCase("unit", truth, diagnosis, then)
 
 
@@ -26,8 +25,14 @@ def single(effect: str = DAMPING, **parameters: float) -> Truth:
     return Truth("single", (effect,), parameters, (8.0,))
 
 
-def said(*causes: Cause, verdict: str = "explained") -> ScoredDiagnosis:
-    return ScoredDiagnosis(verdict, causes)
+def said(*causes: Cause, verdict: Verdict = "explained", unknown: float = 0.0) -> Diagnosis:
+    return replace(NO_GAP, verdict=verdict, causes=causes, unknown_probability=unknown)
+
+
+def unexplained(*shares: tuple[str, float]) -> Diagnosis:
+    """With shares of the gap by coordinate."""
+    where = tuple(Place("a", "amplitude", name, share, 12.0) for name, share in shares)
+    return replace(NO_GAP, verdict="unexplained", where=where)
 
 
 @pytest.mark.parametrize(
@@ -43,9 +48,7 @@ def said(*causes: Cause, verdict: str = "explained") -> ScoredDiagnosis:
         (said(verdict="no_gap"), False),
     ],
 )
-def test_a_single_effect_is_right_alone_or_in_its_class(
-    diagnosis: ScoredDiagnosis, right: bool
-) -> None:
+def test_a_single_effect_is_right_alone_or_in_its_class(diagnosis: Diagnosis, right: bool) -> None:
     assert score.is_right(judged(single(), diagnosis)) is right
 
 
@@ -55,7 +58,7 @@ def test_members_of_a_class_share_its_probability() -> None:
         Cause(GAIN, 0.4, equivalents=(DAMPING,)),
         verdict="ambiguous",
     )
-    assert halves.named == [frozenset({DAMPING, GAIN})]
+    assert score.list_named(halves) == [frozenset({DAMPING, GAIN})]
     assert score.is_right(judged(single(), halves))
 
 
@@ -103,12 +106,9 @@ def test_a_magnitude_does_not_wrap() -> None:
 @pytest.mark.parametrize(
     ("diagnosis", "owned"),
     [
-        (ScoredDiagnosis("unexplained", where=(("wave_angle", 0.7), ("time", 0.3))), True),
-        (
-            ScoredDiagnosis("unexplained", where=(("time", 0.4), ("rate", 0.3), ("time", 0.1))),
-            False,
-        ),
-        (ScoredDiagnosis("unexplained"), False),
+        (unexplained(("wave_angle", 0.7), ("time", 0.3)), True),
+        (unexplained(("time", 0.4), ("wave_angle", 0.45), ("time", 0.1)), False),
+        (unexplained(), False),
         (said(Cause(GAIN, 0.9)), True),
         (said(Cause("duffing_stiffness", 0.9)), False),
         (said(verdict="ambiguous"), False),
@@ -116,7 +116,7 @@ def test_a_magnitude_does_not_wrap() -> None:
     ],
 )
 def test_an_effect_left_out_is_none_of_these_or_a_stand_in(
-    diagnosis: ScoredDiagnosis, owned: bool
+    diagnosis: Diagnosis, owned: bool
 ) -> None:
     truth = Truth("left_out", (DAMPING,), {}, (8.0,), stand_ins=(GAIN,))
     assert score.is_owned(judged(truth, diagnosis)) is owned
@@ -131,7 +131,7 @@ def test_next_test_settles_what_is_then_named_alone() -> None:
 
 
 def test_probabilities_are_held_against_the_truth() -> None:
-    diagnosis = ScoredDiagnosis("explained", (Cause(DAMPING, 0.7), Cause(GAIN, 0.2)), 0.1)
+    diagnosis = said(Cause(DAMPING, 0.7), Cause(GAIN, 0.2), unknown=0.1)
     assert score.list_claims(judged(single(), diagnosis)) == [
         (0.7, True),
         (0.2, False),
@@ -142,9 +142,8 @@ def test_probabilities_are_held_against_the_truth() -> None:
 
 
 def test_every_figure_counts_its_own_kind() -> None:
-    no_gap = ScoredDiagnosis("no_gap")
-    cases = [judged(Truth("none"), no_gap)] * 30 + [judged(Truth("none"), said(Cause(GAIN, 0.9)))]
-    cases += [judged(Truth("outside"), ScoredDiagnosis("unexplained"))] * 4
+    cases = [judged(Truth("none"), NO_GAP)] * 30 + [judged(Truth("none"), said(Cause(GAIN, 0.9)))]
+    cases += [judged(Truth("outside"), unexplained())] * 4
     cases += [judged(single(), said(Cause(DAMPING, 0.9)))] * 5
     figures = {figure.name: figure for figure in score.score_figures(cases, 1)}
     assert figures["false alarm without a gap"].n == 31
@@ -157,7 +156,7 @@ def test_every_figure_counts_its_own_kind() -> None:
 
 def test_curve_has_every_single_once() -> None:
     weak = Truth("weak", (DAMPING,), {}, (1.2,))
-    cases = [judged(weak, ScoredDiagnosis("no_gap")), judged(single(), said(Cause(DAMPING, 0.9)))]
+    cases = [judged(weak, NO_GAP), judged(single(), said(Cause(DAMPING, 0.9)))]
     points = score.score_curve(cases)
     assert sum(point.right.n for point in points) == 2
     assert [p.right.value for p in points if p.right.n] == [0.0, 1.0]
@@ -170,6 +169,7 @@ def test_every_effect_shows_in_some_coordinate() -> None:
 
 def test_closing_is_measured_by_the_noise_of_the_same_records() -> None:
     truth = Truth("single", (DAMPING,), {}, (8.0,), holdout_noise_arcsec=2.0)
-    said = ScoredDiagnosis("explained", holdout_after_arcsec=2.2)
-    assert score.find_residual_over_noise(ScoredCase("", truth, said)) == pytest.approx(1.1)
-    assert score.find_residual_over_noise(ScoredCase("", truth, ScoredDiagnosis("no_gap"))) is None
+    gap = replace(NO_GAP.gap, holdout_angle_arcsec=replace(FIGURE, after=2.2))
+    found = score.find_residual_over_noise(judged(truth, replace(NO_GAP, gap=gap)))
+    assert found == pytest.approx(1.1)
+    assert score.find_residual_over_noise(judged(truth, NO_GAP)) is None

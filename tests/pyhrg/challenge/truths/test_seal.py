@@ -20,10 +20,10 @@ def test_another_truth_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "truth.json"
     published = seal.seal_truth(TRUTH, path)
     path.write_text(path.read_text().replace("7.5", "7.6"))
-    with pytest.raises(seal.SealError, match=r"truth\.json: SHA-256 is .* was published"):
+    with pytest.raises(seal.ChallengeError, match=r"truth\.json: SHA-256 is .* was published"):
         seal.open_truth(path, published)
 
 
 def test_a_missing_truth_is_said(tmp_path: Path) -> None:
-    with pytest.raises(seal.SealError, match=r"gone\.json: can't be read: No such file"):
+    with pytest.raises(seal.ChallengeError, match=r"gone\.json: can't be read: No such file"):
         seal.hash_truth(tmp_path / "gone.json")

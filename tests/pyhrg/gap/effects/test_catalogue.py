@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pyhrg.challenge.scoring.coordinates import COORDINATES
+from pyhrg.challenge.scoring.score import COORDINATES
 from pyhrg.common.units import DEG
 from pyhrg.device.declarations import read_declarations
 from pyhrg.device.device import Device

@@ -7,8 +7,7 @@ from scipy.integrate import quad
 
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import EFFECTS
-from pyhrg.gap.evidence.equivalents import find_equivalents
-from pyhrg.gap.evidence.evidence import MAX_SIGMA, fit
+from pyhrg.gap.evidence.evidence import MAX_SIGMA, find_equivalents, fit
 from tests.pyhrg.gap.made_up import design_of
 
 Array = NDArray[np.float64]
@@ -39,7 +38,7 @@ def test_one_dimension(size: float) -> None:
     expected = size**2 / 2 + np.log(near)
     assert found.log_evidence == pytest.approx(expected, abs=1.5 / size**2)
     assert found.values[0][0] == pytest.approx(size / np.linalg.norm(column))
-    assert found.covariance[0, 0] == pytest.approx(1 / np.linalg.norm(column) ** 2)
+    assert found.covariances[0][0, 0] == pytest.approx(1 / np.linalg.norm(column) ** 2)
 
 
 @pytest.mark.parametrize("size", [6.0, 30.0])

@@ -21,8 +21,7 @@ from pyhrg.gap.evidence.posterior import Posterior, compare_noises
 from pyhrg.gap.evidence.search import Ranking
 from pyhrg.gap.replay.observations import CHANNELS, observe_test
 from pyhrg.gap.whitening.channel_noise import build_angle_noise
-from pyhrg.gap.whitening.noise_draws import draw_noise
-from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel
+from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel, draw_noise
 from pyhrg.records.campaign import Test
 from tests.pyhrg.records.made_up import made_up_log
 
@@ -34,7 +33,7 @@ ROWS = 3000
 TIME = np.arange(ROWS) * 1.0
 NOTHING = np.zeros(ROWS)
 WALKING = replace(build_angle_noise(BELIEVED), rate_random_walk=0.03 * DEG_PER_H / HOUR**0.5)
-NO_FIT = Fit((), 0.0, 0.0, (), np.zeros((0, 0)))
+NO_FIT = Fit((), 0.0, 0.0, (), ())
 WHITE = 1e-6
 """Noise of the other channels."""
 
@@ -130,7 +129,7 @@ def test_probabilities_are_those_of_all_hypotheses() -> None:
         NoiseHypothesis(build_angle_noise(BELIEVED), ()), BELIEVED, parts_of(WALKING, 1, NOTHING)
     )
     walk = AddedNoise(NOISES[1], 1.0, (0.5, 2.0), math.log(9.0), 0.0)
-    named = Ranking((Fit((SILENT,), 0.0, 0.0, (np.ones(1),), np.eye(1)),), (1.0,), 0.0)
+    named = Ranking((Fit((SILENT,), 0.0, 0.0, (np.ones(1),), (np.eye(1),)),), (1.0,), 0.0)
     walks = replace(
         plain, noise=NoiseHypothesis(WALKING, (walk,)), ranking=Ranking((NO_FIT,), (1.0,), 0.0)
     )

@@ -28,7 +28,7 @@ from pyhrg.gap.next_test.next_test import (
 from pyhrg.gap.next_test.rivals import Rival, find_rivals, make_rival
 from pyhrg.gap.replay.observations import ObservedTest, observe_test
 from pyhrg.gap.replay.simulation import Simulation
-from pyhrg.gap.whitening.noise_draws import draw_noise
+from pyhrg.gap.whitening.whitening import draw_noise
 from pyhrg.records.campaign import Test
 
 BELIEVED = Device(

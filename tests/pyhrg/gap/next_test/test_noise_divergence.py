@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR
-from pyhrg.gap.evidence.noise.noise_levels import AngleResidual, log_likelihood
+from pyhrg.gap.evidence.noise.noise_levels import log_likelihood
+from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.next_test.candidate_tests import LONG_ROWS
 from pyhrg.gap.next_test.noise_divergence import compute_divergence, increment_spectrum
-from pyhrg.gap.whitening.noise_draws import draw_noise
-from pyhrg.gap.whitening.whitening import NoiseModel
+from pyhrg.gap.whitening.whitening import NoiseModel, draw_noise
 
 BELIEVED = NoiseModel(0.036 * ARCSEC, 3e-4 * DEG_PER_SQRT_H)
 WALKING = replace(BELIEVED, rate_random_walk=0.0008 * DEG_PER_H / HOUR**0.5)
@@ -44,7 +44,14 @@ def test_divergence_is_the_mean_log_likelihood_ratio_of_draws(
     generator = np.random.default_rng(2)
     gained = []
     for _ in range(200):
-        record = AngleResidual(draw_noise(BELIEVED, n, interval, generator), np.full(n, interval))
+        record = Residual(
+            "",
+            "gyro_angle",
+            draw_noise(BELIEVED, n, interval, generator),
+            np.full(n, interval),
+            interval,
+            BELIEVED,
+        )
         own, other = (log_likelihood([record], noise) for noise in (BELIEVED, rival))
         gained.append(own - other)
     error = np.std(gained) / np.sqrt(len(gained))

@@ -8,25 +8,24 @@ import pytest
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR
 from pyhrg.gap.effects.catalogue import NOISES
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
-from pyhrg.gap.evidence.noise.noise_levels import AngleResidual
 from pyhrg.gap.evidence.noise.noise_search import find_noise_equivalents, fit_noise
+from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.next_test.candidate_tests import LONG_ROWS
 from pyhrg.gap.next_test.static_test import suggest_static_test
-from pyhrg.gap.whitening.noise_draws import draw_noise
-from pyhrg.gap.whitening.whitening import NoiseModel
+from pyhrg.gap.whitening.whitening import NoiseModel, draw_noise
 
 BELIEVED = NoiseModel(0.036 * ARCSEC, 3e-4 * DEG_PER_SQRT_H)
 WALKING = replace(BELIEVED, rate_random_walk=0.0008 * DEG_PER_H / HOUR**0.5)
 FLICKERING = replace(BELIEVED, bias_instability=0.001 * DEG_PER_H)
 
 
-def recorded(noise: NoiseModel, hours: float, seed: int) -> AngleResidual:
+def recorded(noise: NoiseModel, hours: float, seed: int) -> Residual:
     n = round(hours * HOUR / LONG_ROWS)
     angle = draw_noise(noise, n, LONG_ROWS, np.random.default_rng(seed))
-    return AngleResidual(angle, np.full(n, LONG_ROWS))
+    return Residual("", "gyro_angle", angle, np.full(n, LONG_ROWS), LONG_ROWS, BELIEVED)
 
 
-def found(records: list[AngleResidual]) -> NoiseHypothesis:
+def found(records: list[Residual]) -> NoiseHypothesis:
     return find_noise_equivalents(fit_noise(records, BELIEVED), records, BELIEVED)
 
 

@@ -5,7 +5,7 @@ import pytest
 from numpy.typing import NDArray
 
 from pyhrg.common.units import ARCSEC, DEG
-from pyhrg.gap.replay.encoder import describe_encoder_noise, estimate_encoder_noise
+from pyhrg.gap.replay.instruments import describe_encoder_noise, estimate_encoder_noise
 
 Array = NDArray[np.float64]
 

@@ -7,8 +7,8 @@ import pytest
 from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
+from pyhrg.gap.replay.instruments import estimate_reading_steps, estimate_toggling_step
 from pyhrg.gap.replay.observations import CHANNELS, observe_test
-from pyhrg.gap.replay.thermometer import estimate_reading_steps, estimate_toggling_step
 from pyhrg.gap.whitening.channel_noise import estimate_campaign_noise
 from pyhrg.records.campaign import Test
 from tests.pyhrg.records.made_up import made_up_log

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from pyhrg.gap.diagnose import FILES, CampaignDiagnosis
-from pyhrg.gap.report import folder
+from pyhrg.gap.report import page
 from pyhrg.gap.report.sections import Section
 
 
@@ -15,7 +15,7 @@ def names(path: Path) -> set[str]:
 
 
 def test_with_the_report(with_gap: CampaignDiagnosis, tmp_path: Path) -> None:
-    folder.write_report(with_gap, tmp_path / "out")
+    page.write_report(with_gap, tmp_path / "out")
     assert names(tmp_path / "out") == {*FILES, "report.html"}
 
 
@@ -28,7 +28,7 @@ def test_added_sections_have_files_of_their_own(
     with_gap: CampaignDiagnosis, tmp_path: Path
 ) -> None:
     section = Section("position", "Position", "<p>12 m</p>", {"metres": 12})
-    folder.write_report(with_gap, tmp_path, [section])
+    page.write_report(with_gap, tmp_path, [section])
     assert names(tmp_path) == {*FILES, "position.json", "report.html"}
     assert json.loads((tmp_path / "position.json").read_text()) == {"metres": 12}
     assert "<p>12 m</p>" in (tmp_path / "report.html").read_text()
@@ -43,11 +43,11 @@ def test_nothing_is_left_where_the_page_fails(
     with_gap.write(tmp_path)
     before = names(tmp_path)
     (tmp_path / "diagnosis.json").write_text("of before")
-    monkeypatch.setattr(folder, "build_page", fail)
+    monkeypatch.setattr(page, "build_page", fail)
     with pytest.raises(RuntimeError):
-        folder.write_report(with_gap, tmp_path)
+        page.write_report(with_gap, tmp_path)
     assert names(tmp_path) == before
     assert (tmp_path / "diagnosis.json").read_text() == "of before"
     with pytest.raises(RuntimeError):
-        folder.write_report(with_gap, tmp_path / "new")
+        page.write_report(with_gap, tmp_path / "new")
     assert not (tmp_path / "new").exists()

@@ -6,12 +6,12 @@ from dataclasses import replace
 import pytest
 
 from pyhrg.gap.diagnose import CampaignDiagnosis
-from pyhrg.gap.evidence.noise.unnamed_noise import UnnamedNoise
+from pyhrg.gap.evidence.noise.noise_hypothesis import UnnamedNoise
 from pyhrg.gap.evidence.posterior import Posterior
 from pyhrg.gap.findings.diagnosis import UNSETTLED, WORSE, Cause, NextTest
 from pyhrg.gap.report.page import build_page
 from pyhrg.gap.report.sections import Section
-from pyhrg.gap.report.summary import summarize_diagnosis
+from pyhrg.gap.report.verdict import summarize_diagnosis
 from pyhrg.gap.whitening.whitening import CorrelatedNoise
 from tests.elements import elements
 

@@ -6,7 +6,8 @@ from numpy.typing import NDArray
 
 from pyhrg.common.units import ARCSEC
 from pyhrg.gap.soundness import screen_campaign
-from pyhrg.gap.soundness.glitches import INPUTS, MAX_GLITCHES, MIN_ROWS, find_glitches
+from pyhrg.gap.soundness.glitches import MAX_GLITCHES, MIN_ROWS, find_glitches
+from pyhrg.gap.soundness.inputs import CONTINUOUS_INPUTS
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign
 from tests.pyhrg.gap.soundness.spoil import added, change_logs
@@ -115,7 +116,7 @@ def test_a_glitch_is_excluded_and_reported(
     before, after = (_log(each, test) for each in (quiet, screened))
     others = np.arange(len(log.time)) != row
     np.testing.assert_array_equal(getattr(before, field)[others], getattr(after, field)[others])
-    if field in INPUTS:
+    if field in CONTINUOUS_INPUTS:
         assert getattr(after, field)[row] == pytest.approx(
             getattr(before, field)[row], abs=0.05 * size
         )

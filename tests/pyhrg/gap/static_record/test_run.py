@@ -9,8 +9,14 @@ import pytest
 
 from pyhrg.gap.static_record import BeliefError, RecordError, StaticRecord, diagnose_record
 from pyhrg.gap.static_record.belief import Belief, parse_belief, read_beliefs
-from pyhrg.gap.static_record.reading import read_static_record as read_record
-from pyhrg.gap.static_record.record import Channel, channel_from_increments, find_quantization_step
+from pyhrg.gap.static_record.record import (
+    Channel,
+    channel_from_increments,
+    find_quantization_step,
+)
+from pyhrg.gap.static_record.record import (
+    read_static_record as read_record,
+)
 from pyhrg.gap.static_record.shared_motion import compute_shared_power
 from pyhrg.gap.static_record.terms import ACCELEROMETER, GYRO
 from tests.pyhrg.noises import noisy_angle

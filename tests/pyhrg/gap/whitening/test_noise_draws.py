@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from pyhrg.gap.whitening.noise_draws import draw_noise
-from pyhrg.gap.whitening.whitening import NoiseModel
+from pyhrg.gap.whitening.whitening import NoiseModel, draw_noise
 
 N, INTERVAL, DRAWS = 400, 2.0, 2000
 TIME = N * INTERVAL

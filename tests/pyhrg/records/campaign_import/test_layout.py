@@ -48,5 +48,5 @@ def test_a_name_that_is_there_twice_is_not_guessed(tmp_path: Path) -> None:
 
 
 def test_another_encoding_is_an_error(tmp_path: Path) -> None:
-    with pytest.raises(LogError, match=r"log\.txt: can't be read"):
+    with pytest.raises(LogError, match=r"log\.txt: found what is no text in utf-8"):
         cells_of(tmp_path, "°\n1\n".encode("latin-1"), Layout())

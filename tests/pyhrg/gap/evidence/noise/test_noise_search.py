@@ -7,18 +7,21 @@ import pytest
 
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR
 from pyhrg.gap.effects.catalogue import NOISES
-from pyhrg.gap.evidence.noise.noise_levels import AngleResidual, are_equal
+from pyhrg.gap.evidence.noise.noise_levels import are_equal
 from pyhrg.gap.evidence.noise.noise_search import find_noise_equivalents, fit_noise
-from pyhrg.gap.whitening.noise_draws import draw_noise
-from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel
+from pyhrg.gap.evidence.residuals import Residual
+from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel, draw_noise
 
 BELIEVED = NoiseModel(0.036 * ARCSEC, angle_random_walk=3e-4 * DEG_PER_SQRT_H)
 ROWS = (3000, 2000)
 
 
-def records(noise: NoiseModel, seed: int) -> list[AngleResidual]:
+def records(noise: NoiseModel, seed: int) -> list[Residual]:
     generator = np.random.default_rng(seed)
-    return [AngleResidual(draw_noise(noise, n, 1.0, generator), np.ones(n)) for n in ROWS]
+    return [
+        Residual("", "gyro_angle", draw_noise(noise, n, 1.0, generator), np.ones(n), 1.0, noise)
+        for n in ROWS
+    ]
 
 
 PLANTED = [

@@ -12,8 +12,7 @@ from pyhrg.fmu import GyroFmu
 from pyhrg.gap.evidence.noise.unstated_noise import complete_stated_noise
 from pyhrg.gap.replay.observations import ObservedTest, observe_test
 from pyhrg.gap.replay.simulation import Simulation
-from pyhrg.gap.whitening.noise_draws import draw_noise
-from pyhrg.gap.whitening.whitening import NoiseModel
+from pyhrg.gap.whitening.whitening import NoiseModel, draw_noise
 from pyhrg.records.campaign import CampaignError, Test
 
 WHITE, WALK = 0.04 * ARCSEC, 4e-4 * DEG_PER_SQRT_H

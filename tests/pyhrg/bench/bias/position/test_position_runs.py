@@ -5,8 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pyhrg.bench.bias.position.position_runs import describe_leakage
-from pyhrg.bench.bias.position.position_variances import estimate_between, estimate_within
+from pyhrg.bench.bias.position.position_runs import (
+    describe_leakage,
+    estimate_between,
+    estimate_within,
+)
 from pyhrg.bench.estimation.harmonics import Fit, fit
 from pyhrg.bench.readings.segments import Segments
 

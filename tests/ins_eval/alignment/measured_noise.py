@@ -2,24 +2,22 @@
 
 The Allan deviation of a gyro there is that of the vehicle's motion. The innovations of the fine
 alignment are differences of gyros and accelerometers, which only their own noise causes.
-docs/methods/alignment.md, Eq. 12.
+docs/methods/alignment.md, Eq. 10.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import minimize
 
-from ins_eval.alignment.inertial.inertial_frame import fit_inertial_frame
+from ins_eval.alignment.inertial_frame import fit_inertial_frame
 from ins_eval.alignment.kalman.dead_reckoning import Reckoning
 from ins_eval.alignment.kalman.fine import reckon_until_linear, run_filter
 from ins_eval.alignment.result import AlignmentError
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 MIN_DURATION = 1200.0
 """Shortest record, s, that separates the gyros' random walk from the accelerometers' noise.

@@ -1,4 +1,4 @@
-"""Closed forms of an inertial navigator's errors at rest, for tests and predictions.
+"""Closed forms of an inertial navigator's errors at rest.
 
 The vehicle is at rest and its height is clamped, so that the linear error equations have constant
 coefficients (Britting 1971, chapter 8; Titterton and Weston 2004, section 12.3;
@@ -9,13 +9,11 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import expm
 
+from ins_eval.alignment.kalman import standing
 from ins_eval.common import earth
-from ins_eval.common.rotation import skew
-
-Array = NDArray[np.float64]
+from ins_eval.common.arrays import Array
 
 STATES = 7
 """Attitude about north, east and down (rad), velocity north and east (m/s), position north and
@@ -55,20 +53,8 @@ class AtRest:
     height: float = 0.0
 
     def dynamics(self) -> Array:
-        """Return F (7, 7) of dx/dt = F x + u, in the order of `STATES`."""
-        gravity = earth.gravity(self.latitude, self.height)
-        omega_ie = earth.rotation_rate(self.latitude)
-        north, _, down = omega_ie
-        radius_n = _radius_n(self.latitude, self.height)
-        radius_e = _radius_e(self.latitude, self.height)
-        f = np.zeros((STATES, STATES))
-        f[:3, :3] = -skew(omega_ie)
-        f[0, 4], f[1, 3], f[2, 4] = -1 / radius_e, 1 / radius_n, np.tan(self.latitude) / radius_e
-        f[0, 5], f[2, 5] = -down / radius_n, north / radius_n
-        f[3, 1], f[4, 0] = -gravity, gravity
-        f[3, 4], f[4, 3] = 2 * down, -2 * down
-        f[5, 3] = f[6, 4] = 1.0
-        return f
+        """Return F (7, 7) of dx/dt = F x + u, in the order of `STATES`: the alignment filter's."""
+        return standing.dynamics(self.latitude, self.height)[:STATES, :STATES]
 
     def errors(self, time: Array, start: Array, gyro_bias: Array, force_bias: Array) -> Array:
         """Return the errors (m, 7) at equally spaced times (m,), s, the first of which is 0.

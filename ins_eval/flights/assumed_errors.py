@@ -1,12 +1,12 @@
-"""What the linear model believes of an IMU: effects, and the standard deviations of each."""
+"""What the linear model assumes of an IMU: effects, and the standard deviations of each."""
 
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.error_model.effects import (
     Effect,
@@ -17,15 +17,13 @@ from ins_eval.error_model.effects import (
     gyro_bias,
     gyro_scale_factor,
 )
+from ins_eval.error_model.linear_model import AXES
 from ins_eval.error_model.motion import Motion
 from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.sensor_error_model import IDEAL_SENSORS
 from ins_eval.imu.stated_gyros import StatedGyros
 
-Array = NDArray[np.float64]
-
-AXES = 3
 HARMONIC = 4
 """Harmonic of the pattern angle that a calibrated whole-angle gyro's bias mainly follows."""
 DECADES = (1e1, 1e2, 1e3, 1e4, 1e5)
@@ -34,7 +32,7 @@ to 5 % for times from 100 s to 30 000 s."""
 
 
 @dataclass(frozen=True)
-class Beliefs:
+class AssumedErrors:
     """effects: of sensors; deviations: (e, 3) of their coefficients, SI; noise: random walks."""
 
     effects: tuple[Effect, ...]
@@ -42,21 +40,19 @@ class Beliefs:
     noise: SensorErrors
 
     @property
-    def constant(self) -> "Beliefs":
-        """The beliefs without effects that wander."""
+    def constant(self) -> "AssumedErrors":
+        """The assumed errors without effects that wander."""
         stays = [i for i, effect in enumerate(self.effects) if math.isinf(effect.correlation_time)]
-        return Beliefs(tuple(self.effects[i] for i in stays), self.deviations[stays], self.noise)
+        return AssumedErrors(
+            tuple(self.effects[i] for i in stays), self.deviations[stays], self.noise
+        )
 
 
-def state_beliefs(imu: Imu, first_angle: Array | None = None) -> Beliefs:
-    """Effects of an IMU whose constants nobody knows.
+def assume_errors(imu: Imu, first_angle: Array | None = None) -> AssumedErrors:
+    """Effects of an IMU whose constants nobody knows; variances do not depend on the first angle.
 
     A calibrated whole-angle gyro's bias is cosine and sine of four times its pattern angle, of
     equal deviation: the same at every angle.
-
-    Args:
-        imu: any.
-        first_angle: (3,) pattern angles at the motion's start, rad; variances don't depend on them.
     """
     errors, force = imu.errors, imu.accelerometers
     triad = imu.gyros.error_model if isinstance(imu.gyros, StatedGyros) else IDEAL_SENSORS
@@ -76,7 +72,7 @@ def state_beliefs(imu: Imu, first_angle: Array | None = None) -> Beliefs:
     ]
     effects = tuple(effect for effect, size in sized if size > 0)
     sizes = np.array([size for _, size in sized if size > 0])
-    return Beliefs(effects, np.tile(sizes[:, None], (1, AXES)), errors)
+    return AssumedErrors(effects, np.tile(sizes[:, None], (1, AXES)), errors)
 
 
 def size_gauss_markov(coefficient: float) -> float:
@@ -100,8 +96,8 @@ def model_misalignment(sensor: Sensor) -> tuple[Effect, Effect]:
 
     family = f"{sensor} misalignment"
     return (
-        Effect(f"{family}, next axis", sensor, "rad", felt(1), family=family),
-        Effect(f"{family}, axis after", sensor, "rad", felt(2), family=family),
+        Effect(f"{family}, next axis", sensor, felt(1), family=family),
+        Effect(f"{family}, axis after", sensor, felt(2), family=family),
     )
 
 

@@ -1,4 +1,4 @@
-"""What the linear model believes of IMUs."""
+"""What the linear model assumes of IMUs."""
 
 import math
 
@@ -6,7 +6,12 @@ import numpy as np
 import pytest
 
 from ins_eval.error_model.motion import sample_motion
-from ins_eval.flights.beliefs import DECADES, model_misalignment, size_gauss_markov, state_beliefs
+from ins_eval.flights.assumed_errors import (
+    DECADES,
+    assume_errors,
+    model_misalignment,
+    size_gauss_markov,
+)
 from ins_eval.imu import specification
 from ins_eval.trajectories import catalogue
 
@@ -23,23 +28,23 @@ def test_processes_a_decade_apart_have_flickers_allan_deviation(time: float) -> 
     assert math.sqrt(variance) == pytest.approx(math.sqrt(2 * math.log(2) / math.pi), rel=0.05)
 
 
-def test_simple_imu_is_believed_as_its_file_says() -> None:
+def test_simple_imu_is_assumed_as_its_file_says() -> None:
     imu = specification.load_imu("simple")
-    believed = state_beliefs(imu)
-    sizes = dict(zip((e.name for e in believed.effects), believed.deviations[:, 0], strict=True))
+    assumed = assume_errors(imu)
+    sizes = dict(zip((e.name for e in assumed.effects), assumed.deviations[:, 0], strict=True))
     assert sizes["gyro bias"] == imu.errors.gyro_bias
     assert sizes["gyro bias instability"] == size_gauss_markov(imu.errors.gyro_bias_instability)
     assert sizes["accelerometer bias"] == imu.accelerometers.bias.deviation
     assert sizes["accelerometer scale factor"] == imu.accelerometers.scale_factor.deviation
-    assert all("instability" not in effect.name for effect in believed.constant.effects)
+    assert all("instability" not in effect.name for effect in assumed.constant.effects)
 
 
 def test_ideal_imu_has_no_effects() -> None:
-    assert state_beliefs(specification.load_imu("ideal")).effects == ()
+    assert assume_errors(specification.load_imu("ideal")).effects == ()
 
 
 def test_calibrated_whole_angle_gyros_have_a_map() -> None:
-    names = [effect.name for effect in state_beliefs(specification.load_imu("typical-hrg")).effects]
+    names = [effect.name for effect in assume_errors(specification.load_imu("typical-hrg")).effects]
     assert sum(name.startswith("bias map") for name in names) == 2
     assert "gyro bias" not in names
 

@@ -1,9 +1,9 @@
-"""Intervals of a length."""
+"""Intervals of a length, and of the largest of several means."""
 
 import numpy as np
 import pytest
 
-from pyhrg.bench.estimation.magnitude import estimate_magnitude
+from pyhrg.bench.estimation.sizes import estimate_largest, estimate_magnitude
 
 REPEATS = 1000
 
@@ -33,3 +33,25 @@ def test_noise_is_taken_off() -> None:
 
 def test_without_noise_it_is_the_length() -> None:
     assert estimate_magnitude(np.array([3.0, 4.0]), np.zeros((2, 2))) == (5.0, 5.0, 5.0)
+
+
+@pytest.mark.parametrize("largest", [0.0, 3.0, 100.0])
+def test_intervals_of_the_largest_cover(largest: float) -> None:
+    """At least 950 - 4 sigma of 1000; with one mean that stands out no more than 950 + 4 sigma."""
+    generator = np.random.default_rng(3)
+    true = np.zeros(22)
+    true[4] = -largest
+    hits = 0
+    for _ in range(REPEATS):
+        value, low, high = estimate_largest(true + generator.normal(size=(7, 22)))
+        assert low <= value <= high
+        hits += low <= largest <= high
+    assert hits >= 922
+    if largest == 100.0:
+        assert hits <= 978
+
+
+def test_one_sample_has_no_interval() -> None:
+    value, low, high = estimate_largest(np.array([[1.0, -3.0]]))
+    assert value == 3.0
+    assert np.isnan([low, high]).all()

@@ -1,12 +1,10 @@
 """Ensembles of error histories, drawn from the linear model."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ins_eval.common.arrays import Array
 from ins_eval.error_model.linear_model import AXES, LinearModel
 from ins_eval.error_model.states import COUNT
-
-Array = NDArray[np.float64]
 
 
 def draw_ensemble(
@@ -18,7 +16,7 @@ def draw_ensemble(
     keep_every: int = 1,
 ) -> Array:
     """Draw error histories (n / keep_every + 1, members, 10) with the moments of
-    `propagate_covariance` (docs/methods/error_model.md, Eq. 14).
+    `propagate_covariance` (docs/methods/error_model.md, Eq. 13).
 
     Args:
         model: with its noise.

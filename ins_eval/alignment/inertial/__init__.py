@@ -1,1 +1,0 @@
-"""Coarse alignment in the inertial frame."""

@@ -1,0 +1,164 @@
+"""Sizes that are measured with noise: lengths, amplitudes, anisotropies, the largest of means.
+
+Their 95 % intervals are also correct near zero.
+"""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from scipy import optimize, special, stats
+
+from pyhrg.bench.estimation.harmonics import Fit
+from pyhrg.bench.outcome import Finding
+from pyhrg.common.arrays import Array
+
+
+def estimate_magnitude(
+    values: Array, covariance: Array, confidence: float = 0.95
+) -> tuple[float, float, float]:
+    """Length of the true vector and the bounds of its interval.
+
+    The squared length of the measured vector is approximated by a scaled noncentral chi-square
+    variable of the same mean and variance (exact where the covariance is a multiple of a
+    projection). The interval inverts its distribution for the noncentrality. Components (n,) are
+    normal and unbiased, their covariance is (n, n). The noise's expectation is subtracted from the
+    estimate's square (at least 0). All is in the unit of the values.
+    """
+    square = float(values @ values)
+    trace = float(np.trace(covariance))
+    if trace <= 0.0:
+        return (float(np.sqrt(square)),) * 3
+    scale = float(np.trace(covariance @ covariance)) / trace
+    along = float(values @ covariance @ values) / square if square > trace else scale
+    scale = scale if square <= 9 * trace else along
+    freedom = trace / scale
+
+    def bound(probability: float) -> float:
+        def excess(noncentrality: float) -> float:
+            return float(special.chndtr(square / scale, freedom, noncentrality)) - probability
+
+        if square / scale > 1e4:
+            # far from zero the measured length is normally distributed
+            reach = float(stats.norm.ppf(probability)) * np.sqrt(scale)
+            return float(np.sqrt(square) - reach)
+        if excess(0.0) <= 0.0:
+            return 0.0
+        upper = (np.sqrt(square / scale) + 6.0) ** 2
+        return float(np.sqrt(scale * optimize.brentq(excess, 0.0, upper)))
+
+    tail = (1 - confidence) / 2
+    return float(np.sqrt(max(square - trace, 0.0))), bound(1 - tail), bound(tail)
+
+
+def estimate_largest(samples: Array, confidence: float = 0.95) -> tuple[float, float, float]:
+    """Largest absolute value of m means, and the bounds of its interval.
+
+    Every mean has a Student's interval; the intervals hold simultaneously (Bonferroni) for all
+    means that may be the largest. Means whose intervals show that they are not the largest are
+    dropped, and the intervals are computed again, until none can be dropped. Samples are (n, m), n
+    independent ones of the m means. The bounds are NaN where n is 1.
+    """
+    n, count = samples.shape
+    means = np.abs(np.mean(samples, axis=0))
+    if n < 2:
+        return float(np.max(means)), np.nan, np.nan
+    errors = np.std(samples, axis=0, ddof=1) / np.sqrt(n)
+    while True:
+        reach = errors * stats.t.ppf(1 - (1 - confidence) / (2 * count), n - 1)
+        low = max(0.0, float(np.max(means - reach)))
+        high = means + reach
+        candidates = int(np.sum(high >= low))
+        if candidates >= count:
+            return float(np.max(means)), low, float(np.max(high))
+        count = candidates
+
+
+NORMAL_RATIO = 20.0
+"""Ratio of an amplitude to its standard error above which its estimate is taken as normal."""
+
+
+def estimate_amplitude(name: str, fitted: Fit, terms: tuple[str, str], unit: str) -> Finding:
+    """Amplitude of a harmonic: length of the vector of its two terms.
+
+    The squared estimate over its variance has a noncentral F distribution. The interval holds every
+    length for which the estimate lies between the 2.5 % and 97.5 % quantiles.
+    """
+    rows = [fitted.names.index(term) for term in terms]
+    vector = fitted.values[rows]
+    length = math.hypot(*vector)
+    covariance = fitted.covariance[rows][:, rows]
+    direction = vector / length if length > 0 else vector
+    along = float(direction @ covariance @ direction) or float(covariance.trace()) / 2
+    low, high = compute_length_interval(length, math.sqrt(along), fitted.freedom_of(*terms))
+    return Finding(name, length, unit, low, high, len(fitted.residual))
+
+
+def compute_length_interval(length: float, deviation: float, freedom: float) -> tuple[float, float]:
+    """95 % interval of a true length, from its estimate and the standard error of a component."""
+    if deviation == 0.0:
+        return length, length
+    if length > NORMAL_RATIO * deviation:
+        reach = float(stats.t.ppf(0.975, freedom)) * deviation
+        return length - reach, length + reach
+    statistic = (length / deviation) ** 2 / 2
+
+    def below(true: float) -> float:
+        return float(stats.ncf.cdf(statistic, 2, freedom, true**2))
+
+    ratio, reach = length / deviation, 10.0
+    return (
+        deviation * _find_crossing(below, 0.975, ratio + reach),
+        deviation * _find_crossing(below, 0.025, ratio + reach),
+    )
+
+
+def _find_crossing(falling: Callable[[float], float], level: float, end: float) -> float:
+    """Argument at which a falling function meets a level; zero where it begins below the level."""
+    start = 1e-6
+    if falling(start) <= level:
+        return 0.0
+    return float(optimize.brentq(lambda x: falling(x) - level, start, end))
+
+
+def estimate_anisotropy(
+    fit: Fit, components: tuple[str, str], name: str, axis: str, unit: str
+) -> tuple[Finding, Finding]:
+    """Size m and axis th of an anisotropy with the components m cos 4th and m sin 4th.
+
+    Where the components' 95 % confidence ellipse holds zero, the size has an upper bound only and
+    the axis has no value.
+    """
+    index = [fit.names.index(component) for component in components]
+    value = fit.values[index]
+    covariance = fit.covariance[np.ix_(index, index)]
+    n = len(fit.residual)
+    size = float(np.hypot(*value))
+    distance = float(value @ np.linalg.pinv(covariance) @ value)
+    reach = float(stats.t.ppf(0.975, fit.freedom))
+    if distance <= 2 * stats.f.ppf(0.95, 2, fit.freedom):
+        bound = size + reach * float(np.sqrt(np.linalg.eigvalsh(covariance)[-1]))
+        note = "not different from zero: upper bound"
+        return (
+            Finding(name, size, unit, 0.0, bound, n, note),
+            Finding(axis, np.nan, "deg", n=n, note=f"{name} is not different from zero"),
+        )
+    along = value / size
+    across = np.array([-along[1], along[0]])
+    radial = reach * float(np.sqrt(along @ covariance @ along))
+    turned = reach * float(np.sqrt(across @ covariance @ across)) / size / 4
+    angle = float(np.arctan2(value[1], value[0])) / 4 % (np.pi / 2)
+    return (
+        Finding(name, size, unit, max(0.0, size - radial), size + radial, n),
+        Finding(axis, angle, "deg", angle - turned, angle + turned, n, "modulo 90 deg"),
+    )
+
+
+def make_component_findings(
+    fit: Fit, components: tuple[str, str], name: str, unit: str
+) -> tuple[Finding, ...]:
+    """Findings of the two components m cos 4th and m sin 4th."""
+    return tuple(
+        fit.finding(term, f"{name} {trig}4", unit)
+        for term, trig in zip(components, ("cos", "sin"), strict=True)
+    )

@@ -235,7 +235,7 @@ class _Iteration:
 
     def step_length(self, hypothesis: Hypothesis) -> float:
         """Mahalanobis distance (Eq. (11)) by which a hypothesis moves the gyro."""
-        moved = hypothesis.put_effects(self._nominal)
+        moved = _moved(self._nominal, self.device, hypothesis)
         return _distance(self.device, moved, hypothesis.known.whole)
 
     def has_converged(self, hypothesis: Hypothesis) -> bool:
@@ -247,7 +247,7 @@ class _Iteration:
     def move(self, hypothesis: Hypothesis) -> None:
         """Move the gyro to where the hypothesis has it."""
         best, design = hypothesis.ranking.best, hypothesis.known.whole
-        moved = hypothesis.put_effects(self._nominal)
+        moved = _moved(self._nominal, self.device, hypothesis)
         is_near = self._has_near_sensitivities(hypothesis)
         self._to_differentiate = [] if is_near else list(best.named)
         is_far = _distance(self._differentiated_at, moved, design) >= SENSITIVITY_DISTANCE
@@ -261,6 +261,19 @@ class _Iteration:
     def _has_near_sensitivities(self, hypothesis: Hypothesis) -> bool:
         distance = _distance(self._differentiated_at, self.device, hypothesis.known.whole)
         return distance < SENSITIVITY_DISTANCE
+
+
+def _moved(nominal: Device, device: Device, hypothesis: Hypothesis) -> Device:
+    """The nominal gyro with the parameters of the most probable set. One whose power is below the
+    linearization error of this step (Eq. (10)) is left out."""
+    design = hypothesis.known.whole
+    error = LINEARIZATION_ERROR * _distance(device, hypothesis.put_effects(nominal), design) ** 2
+    moved = nominal
+    for effect, size in hypothesis.effect_sizes.items():
+        vector = effect.vector(nominal) + size
+        if _distance(nominal, effect.put(nominal, vector), design) ** 2 > error:
+            moved = effect.put(moved, vector)
+    return moved
 
 
 def _midway(old: Device, new: Device, effects: Sequence[Effect]) -> Device:

@@ -173,7 +173,7 @@ def draw(figure: Figure, states: Mapping[str, Noise]) -> None:
 
 
 def _measure_allan_deviation(record: NoiseRecord) -> AllanDeviation:
-    """That of a record without its trends, as far as two clusters a trend leave it what it was."""
+    """Allan deviation of a record without its trends, where taking them out hardly changes it."""
     measured = estimate_allan_deviation(record.spectrum.rest, record.interval)
     trends = 1 + len(record.spectrum.products)
     return measured.up_to(record.n * record.interval / (2 * trends))

@@ -71,7 +71,7 @@ class ResonatorParameters:
         limits=(-1e-3, 1e-3),
         fmu="resonator.material.frequencyPerKelvin",
         known=ToleranceDeclaration(
-            "nominal_frequency_temperature_coefficient", "nominal", 1e-6, 1e-7, 0.01
+            "nominal_frequency_temperature_coefficient", "nominal", 1e-6, 1e-8, 0.01
         ),
     )
     """Relative change of the modal frequency with temperature, 1/K."""

@@ -27,8 +27,9 @@ from pyhrg.gap.evidence.noise.quantization import add_quantization
 from pyhrg.gap.evidence.noise.unstated_noise import complete_stated_noise
 from pyhrg.gap.evidence.residuals import compute_residuals
 from pyhrg.gap.findings import diagnosis as diagnosis_file
-from pyhrg.gap.findings.diagnosis import Diagnosis, Verdict
+from pyhrg.gap.findings.diagnosis import Diagnosis, Leftover, Verdict
 from pyhrg.gap.findings.localisation import locate_gap
+from pyhrg.gap.findings.materiality import IMMATERIAL, measure_leftover
 from pyhrg.gap.findings.quantity import measure_sizes
 from pyhrg.gap.findings.verdict import (
     check_residuals,
@@ -173,6 +174,7 @@ def diagnose(
     campaign: Campaign | Path | str,
     *,
     catalogue: Catalogue = FULL_CATALOGUE,
+    bound: Leftover = IMMATERIAL,
     simulation: Simulation | None = None,
     progress: Progress = None,
 ) -> CampaignDiagnosis:
@@ -181,6 +183,7 @@ def diagnose(
     Args:
         campaign: a campaign or its folder. Held-out tests are never fitted to.
         catalogue: effects that may be named.
+        bound: sizes below which what is left unexplained does not matter.
         simulation: both fidelities of the gyro; by default they are built, or taken from the cache.
         progress: True prints each step to standard error; a function is called with it.
 
@@ -208,8 +211,11 @@ def diagnose(
     report("closing")
     closing = close_gap(simulation, attribution, tests)
     report("verifying, and looking for the next test")
+    summary = _summarize(
+        campaign.device, simulation, catalogue, attribution, tests, closing, excluded, bound
+    )
     return CampaignDiagnosis(
-        _summarize(campaign.device, simulation, catalogue, attribution, tests, closing, excluded),
+        summary,
         attribution,
         nominal,
         closing.device,
@@ -267,13 +273,18 @@ def _summarize(
     tests: Sequence[ObservedTest],
     closing: Closing,
     excluded: tuple[str, ...],
+    bound: Leftover,
 ) -> Diagnosis:
     features = check_residuals(attribution)
-    verdict, causes, unknown_probability = reach_verdict(attribution, catalogue.effects, features)
+    before, after = ([of["gyro_angle"] for of in r] for r in (closing.before, closing.after))
+    gap = compute_gap_figures(tests, before, after, attribution.noise.noise)
+    left = measure_leftover(attribution, gap)
+    verdict, causes, unknown_probability = reach_verdict(
+        attribution, catalogue.effects, features, left.exceeds(bound)
+    )
     stated = build_angle_noise(attribution.nominal)
     stated_noise = replace(attribution.channel_noise, angle=stated)
     count = len(attribution.parts)
-    before, after = ([of["gyro_angle"] for of in r] for r in (closing.before, closing.after))
     return Diagnosis(
         device,
         verdict,
@@ -283,7 +294,7 @@ def _summarize(
         sizes=measure_sizes(
             attribution.parts, closing.before[:count], closing.after[:count], stated_noise
         ),
-        gap=compute_gap_figures(tests, before, after, attribution.noise.noise),
+        gap=gap,
         next_test=suggest_next_test(
             simulation, attribution, find_rivals(attribution, catalogue.effects)
         )
@@ -292,4 +303,6 @@ def _summarize(
         excluded=excluded,
         settled=attribution.settled,
         within_tolerance=list_known_values(attribution),
+        left=left,
+        bound=bound,
     )

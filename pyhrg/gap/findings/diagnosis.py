@@ -10,6 +10,7 @@ from typing import Any, Literal, cast, get_args
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
 from pyhrg.common.toml_table import TomlTable, read_json_table
+from pyhrg.common.units import NAUTICAL_MILE
 from pyhrg.device.declarations import Family
 from pyhrg.gap.findings.localisation import Place
 from pyhrg.gap.findings.quantity import Size
@@ -24,6 +25,8 @@ WORSE = (
     "Closing takes the simulation further away from the records: the named causes stand in for "
     "something that the catalogue does not hold."
 )
+METRES_PER_DEG_H = NAUTICAL_MILE / 0.01
+"""Position error after an hour over a bias, m/(deg/h): the usual rule, 0.01 deg/h is 1 nmi/h."""
 Verdict = Literal["no_gap", "explained", "ambiguous", "unexplained"]
 
 
@@ -115,6 +118,32 @@ class Gap:
 
 
 @dataclass(frozen=True)
+class Leftover:
+    """Sizes of what an explanation leaves, or the bound below which they don't matter.
+
+    angle_arcsec: rms in the output angle: of candidate terms over the fitted tests, or of the
+        residual beyond the noise floor.
+    rate_deg_h: largest mean rate of candidate terms over a test.
+    loop_share: largest rms of candidate terms in another channel, over its scale: the nominal
+        amplitude, 1/tau for forces, 1e-4 of the nominal frequency.
+    """
+
+    angle_arcsec: float
+    rate_deg_h: float
+    loop_share: float
+
+    def exceeds(self, bound: "Leftover") -> bool:
+        """Whether any size is above the bound's."""
+        sizes, limits = asdict(self), asdict(bound)
+        return any(sizes[name] > limit for name, limit in limits.items())
+
+    def document(self) -> dict[str, Any]:
+        """Sizes by name, and the position error after an hour that the rate makes by the usual
+        rule, m."""
+        return {**asdict(self), "position_m": self.rate_deg_h * METRES_PER_DEG_H}
+
+
+@dataclass(frozen=True)
 class NextTest:
     """The test that would best separate what is still confounded.
 
@@ -137,6 +166,7 @@ class Diagnosis:
     excluded: what of the campaign was missing or left out, a sentence each.
     settled: whether the search converged; everything is uncertain where it did not.
     within_tolerance: known parameters that are off, but by no more than their tolerance.
+    left, bound: size of what is left unexplained, and the one below which it does not matter.
     """
 
     device: str
@@ -151,6 +181,8 @@ class Diagnosis:
     excluded: tuple[str, ...]
     settled: bool = True
     within_tolerance: tuple[KnownValue, ...] = ()
+    left: Leftover = Leftover(0.0, 0.0, 0.0)
+    bound: Leftover = Leftover(0.0, 0.0, 0.0)
 
     @property
     def caveats(self) -> list[str]:
@@ -167,7 +199,13 @@ class Diagnosis:
             if place["harmonic"] is None:
                 del place["harmonic"]
         gap = values.pop("gap")
-        return {"schema": SCHEMA, **values, "gap": _gap_table(gap)}
+        del values["left"], values["bound"]
+        material = {
+            "is_material": self.left.exceeds(self.bound),
+            "bound": self.bound.document(),
+            "left": self.left.document(),
+        }
+        return {"schema": SCHEMA, **values, "material": material, "gap": _gap_table(gap)}
 
 
 STAGES = ("before", "after", "floor", "floor_95")
@@ -230,7 +268,13 @@ def _parse(index: TomlTable) -> Diagnosis:
         _texts(index, "excluded"),
         index.flag("settled", True),
         tuple(map(_parse_known, index.tables("within_tolerance"))),
+        *(_parse_leftover(index.table("material").table(key)) for key in ("left", "bound")),
     )
+
+
+def _parse_leftover(table: TomlTable) -> Leftover:
+    names = ("angle_arcsec", "rate_deg_h", "loop_share")
+    return Leftover(*(table.finite_number(name) if table.values else 0.0 for name in names))
 
 
 def _parse_cause(table: TomlTable) -> Cause:

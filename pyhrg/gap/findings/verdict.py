@@ -50,11 +50,14 @@ def check_residuals(attribution: Attribution) -> tuple[ResidualFeature, ...]:
 
 
 def reach_verdict(
-    attribution: Attribution, effects: Sequence[Effect], features: Sequence[ResidualFeature]
+    attribution: Attribution,
+    effects: Sequence[Effect],
+    features: Sequence[ResidualFeature],
+    is_material: bool,
 ) -> tuple[Verdict, tuple[Cause, ...], float]:
     """Verdict, causes among the effects of the catalogue and the noises, and the probability that
-    something outside the catalogue takes part (Eq. (1)). Features are what the residuals may show
-    besides steady noise."""
+    something outside the catalogue takes part (Eq. (1)), which counts for the verdict only if it
+    is material. Features are what the residuals may show besides steady noise."""
     causes = [
         *_effect_causes(attribution, effects),
         *_find_known_causes(attribution),
@@ -62,7 +65,7 @@ def reach_verdict(
     ]
     known = [1 - attribution.posterior.unknown_probability, *(1 - f.probability for f in features)]
     unknown = 1 - math.prod(known)
-    if unknown >= UNEXPLAINED_PROBABILITY:
+    if unknown >= UNEXPLAINED_PROBABILITY and is_material:
         verdict: Verdict = "unexplained"
     elif not causes:
         verdict = "no_gap"

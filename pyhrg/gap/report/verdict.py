@@ -2,7 +2,7 @@
 
 from pyhrg.common.pages.svg import format_number
 from pyhrg.gap.diagnose import CampaignDiagnosis
-from pyhrg.gap.findings.diagnosis import Cause, Diagnosis
+from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, KnownValue
 from pyhrg.gap.report.closing import describe_closing
 from pyhrg.gap.report.words import (
     format_effect,
@@ -14,15 +14,27 @@ from pyhrg.gap.report.words import (
     parse_parameter,
 )
 
+FAMILIES = {
+    "gyro": "the gyro",
+    "nominal": "the nominal values",
+    "bench": "the bench",
+    "record": "the record",
+}
+"""Where a cause lies, in words."""
+
 
 def write_headline(diagnosis: Diagnosis) -> str:
     """The verdict in one sentence."""
     names = join_words([format_effect(c.effect) for c in diagnosis.causes])
     is_single = len(diagnosis.causes) == 1
     if diagnosis.verdict == "no_gap":
+        if diagnosis.within_tolerance or diagnosis.left.angle_arcsec:
+            return "No gap: the records agree with the simulation within tolerances and noise."
         return "No gap: the records agree with the simulation of the nominal gyro within the noise."
     if diagnosis.verdict == "explained":
-        return f"The gap is explained: {'its cause is' if is_single else 'its causes are'} {names}."
+        where = join_words(list(dict.fromkeys(FAMILIES[c.family] for c in diagnosis.causes)))
+        causes = "its cause is" if is_single else "its causes are"
+        return f"The gap is explained, and lies in {where}: {causes} {names}."
     if diagnosis.verdict == "ambiguous":
         others = "effects that these records can't separate from it"
         return f"The gap is explained by {names}, or by {others}."
@@ -37,6 +49,8 @@ def describe_diagnosis(result: CampaignDiagnosis) -> list[str]:
         *(_describe_cause(cause) for cause in diagnosis.causes),
         f"Probability that a cause outside the catalogue takes part: "
         f"{format_percent(diagnosis.unknown_probability)}.",
+        describe_leftover(diagnosis),
+        *(_describe_known(known) for known in diagnosis.within_tolerance),
         *diagnosis.caveats,
         *_describe_residual(diagnosis),
         *describe_closing(diagnosis.gap),
@@ -53,8 +67,14 @@ def summarize_diagnosis(result: CampaignDiagnosis) -> str:
         lines.append(f"  {cause.effect}: probability {cause.probability:.3f}  {values}")
         if cause.equivalents:
             lines.append(f"    confounded with {', '.join(cause.equivalents)}")
+    for known in diagnosis.within_tolerance:
+        lines.append(
+            f"  within tolerance: {known.name}: {known.parameter} {known.value:.6g}, "
+            f"told {known.told:.6g}"
+        )
     unknown = diagnosis.unknown_probability
     lines.append(f"  a cause outside the catalogue: probability {unknown:.3f}")
+    lines.append(f"  {describe_leftover(diagnosis)}")
     lines += [f"  {caveat}" for caveat in diagnosis.caveats]
     gap = diagnosis.gap
     figures = (("fitted", gap.fit_angle_arcsec), ("held-out", gap.holdout_angle_arcsec))
@@ -69,6 +89,28 @@ def summarize_diagnosis(result: CampaignDiagnosis) -> str:
         test = diagnosis.next_test
         lines.append(f"  next test: {test.kind}, {test.hours:g} h - {test.why}")
     return "\n".join(lines)
+
+
+def describe_leftover(diagnosis: Diagnosis) -> str:
+    """What the explanation leaves, and whether it matters, in a sentence."""
+    left, bound = diagnosis.left, diagnosis.bound
+    sizes = (
+        f"{format_number(left.angle_arcsec)} arcsec, {format_number(left.rate_deg_h)} deg/h "
+        f"({format_number(left.document()['position_m'])} m after an hour)"
+    )
+    limits = f"{bound.angle_arcsec:g} arcsec, {bound.rate_deg_h:g} deg/h"
+    role = "material" if left.exceeds(bound) else "immaterial"
+    return f"Left unexplained: {sizes}; {role} by the bound of {limits}."
+
+
+def _describe_known(known: KnownValue) -> str:
+    words, unit, scale = parse_parameter(known.parameter)
+    low, high = (scale * end for end in known.interval_95)
+    value = format_value(scale * known.value, low, high)
+    return (
+        f"Within its tolerance: {format_name(known.name)}: {words} {value} {unit}, told "
+        f"{format_number(scale * known.told)} {unit}."
+    )
 
 
 def _describe_cause(cause: Cause) -> str:

@@ -23,6 +23,7 @@ SUFFIXES = {
     "_rad": "rad",
     "_deg": "deg",
     "_Hz": "Hz",
+    "_K": "K",
     "_s": "s",
 }
 """Unit of a parameter by the end of its name, longer endings first. A name without one

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from pyhrg.challenge.campaigns.course import make_course
 from pyhrg.challenge.campaigns.gyro import TrueGyro
 from pyhrg.challenge.campaigns.instruments import Instruments
+from pyhrg.challenge.campaigns.laboratory import LEVELS, Laboratory, draw_laboratory
 from pyhrg.challenge.campaigns.nominal import draw_nominal, draw_site
 from pyhrg.challenge.campaigns.plans import Plan, plan_further_tests, plan_tests
 from pyhrg.challenge.truths.meter import Meter, make_measured_course
@@ -33,6 +34,7 @@ class Case:
 
     strengths: range that strengths of effects are drawn from, sigmas.
     without: effects that are removed from the diagnosis' catalogue; the true effect is one of them.
+    level: of `LEVELS`: how far nominal values and bench are off.
     """
 
     name: str
@@ -40,6 +42,7 @@ class Case:
     seed: int
     strengths: tuple[float, float]
     without: tuple[str, ...] = ()
+    level: str = "ideal"
 
 
 @dataclass(frozen=True)
@@ -67,18 +70,26 @@ class PreparedCase:
     own: Instruments
     plans: list[Plan]
     state: TrueState
+    laboratory: Laboratory
 
     def recorded(
         self, plans: Sequence[tuple[Plan, GyroFmu]], stream: int
     ) -> list[tuple[Test, Array]]:
         """Tests of the true gyro, each by its model, and (n,) the part of noise in each output
         angle, rad."""
-        noise, state = _generator(self.case, stream), self.state
+        noise, state, laboratory = _generator(self.case, stream), self.state, self.laboratory
+        faults = _generator(self.case, stream + len(STREAMS))
+        device, reference = laboratory.true_device(state.device), self.device.reference_temperature
+        shown = state.disturbance.shown
+        disturbance = replace(
+            state.disturbance, shown=lambda log: laboratory.read(shown(log), reference)
+        )
         made = []
         for plan, fmu in plans:
-            gyro = TrueGyro(fmu, state.device, self.own, state.disturbance)
+            gyro = TrueGyro(fmu, device, self.own, disturbance)
             course = make_course(plan.programme, plan.programme.interval / STEPS)
             log, angle_noise = gyro.log(plan.id, course, plan.start_angle, noise)
+            log = laboratory.record(log, faults)
             made.append((Test(plan.id, plan.kind, plan.role, log), angle_noise))
         return made
 
@@ -87,7 +98,8 @@ class PreparedCase:
         return Campaign(self.case.name, self.site, self.nominal, tuple(tests))
 
 
-GYRO, BENCH, EFFECT, NOISE, NEXT_BENCH, NEXT_NOISE = range(6)
+STREAMS = range(7)
+GYRO, BENCH, EFFECT, NOISE, NEXT_BENCH, NEXT_NOISE, LABORATORY = STREAMS
 """Random streams. Gyro, tests and noise have streams of their own, so that they carry no
 information about the effect."""
 
@@ -103,7 +115,9 @@ def prepare_case(case: Case, simulation: Simulation) -> PreparedCase:
     meter = Meter(simulation, device, fitted, own)
     effects = case.without or EFFECT_NAMES
     drawing = Drawing(meter, _generator(case, EFFECT), case.strengths, effects)
-    return PreparedCase(case, nominal, site, device, own, made, drawing.state(case.kind))
+    laboratory = draw_laboratory(device, LEVELS[case.level], _generator(case, LABORATORY))
+    state = drawing.state(case.kind)
+    return PreparedCase(case, nominal, site, device, own, made, state, laboratory)
 
 
 def generate_case(case: Case, fmus: Fmus) -> tuple[Campaign, Truth]:

@@ -30,11 +30,12 @@ errors at once."""
 @dataclass(frozen=True)
 class Settings:
     """The settings that determine a challenge: number of cases by kind, seed of everything, and
-    strength that effects are drawn up to, sigmas."""
+    strength that effects are drawn up to, sigmas; level of realism, of `LEVELS`."""
 
     counts: Mapping[str, int]
     seed: int
     strongest: float = STRONGEST_SIGMAS
+    level: str = "ideal"
 
     def cases(self) -> list[Case]:
         """All cases. Names and order do not depend on the kinds."""
@@ -50,6 +51,7 @@ class Settings:
                 seed=int(seed),
                 strengths=self._get_strengths(kinds[i]),
                 without=(effects[i],) if i in effects else (),
+                level=self.level,
             )
             for place, (i, seed) in enumerate(zip(order, seeds.tolist(), strict=True), 1)
         ]
@@ -104,6 +106,7 @@ class Folder:
         for folder in (self.root / "campaigns", self.root / "truths", self.root / "diagnoses"):
             folder.mkdir(parents=True, exist_ok=True)
         asked = {"seed": settings.seed, "counts": dict(settings.counts), "to": settings.strongest}
+        asked["level"] = settings.level
         text = encode_json({**asked, MADE_BY: list_versions()})
         if self.settings.exists() and self.settings.read_bytes() != text:
             found = _read(self.settings, *asked, MADE_BY)
@@ -121,8 +124,8 @@ class Folder:
 
     def begun(self) -> Settings:
         """The settings that the folder was begun with."""
-        values = _read(self.settings, "seed", "counts", "to")
-        return Settings(values["counts"], values["seed"], values["to"])
+        values = _read(self.settings, "seed", "counts", "to", "level")
+        return Settings(values["counts"], values["seed"], values["to"], values["level"])
 
     def published(self) -> dict[str, str]:
         """The published hash of each truth, by case."""

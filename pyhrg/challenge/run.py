@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import cache, partial
 from pathlib import Path
 
+from pyhrg.challenge.campaigns.laboratory import LEVELS
 from pyhrg.challenge.case import Case, Fmus, add_next_test, generate_case
 from pyhrg.challenge.roster import STRONGEST_SIGMAS, Folder, Settings
 from pyhrg.challenge.scoring.report import Finished, Score, write
@@ -81,6 +82,7 @@ def run_challenge(
     several: int = 0,
     left_out: int = 0,
     strongest: float = STRONGEST_SIGMAS,
+    level: str = "ideal",
     seed: int = 1,
     others: Sequence[Path | str] = (),
     workers: int | None = None,
@@ -99,6 +101,8 @@ def run_challenge(
         several: number with three to seven effects, up to ten times as strong.
         left_out: number with an effect that is removed from the catalogue, each in turn.
         strongest: strengths are drawn from 6 sigma up to this.
+        level: "ideal", "good-lab" (each nominal value and each property of the bench is off within
+            its tolerance) or "rough-lab" (within three times that).
         seed: of everything random; the same seed gives the same bytes on any number of workers.
         others: folders of finished challenges of other seeds, scored together with this one.
         workers: campaigns at a time; all cores if None.
@@ -118,7 +122,9 @@ def run_challenge(
         raise HrgError(
             f"strongest: found {strongest:g}, expected a number above {DETECTION_SIGMAS:g}"
         )
-    settings = Settings(counts, check_seed(seed), strongest)
+    if level not in LEVELS:
+        raise HrgError(f"level: found {level!r}, expected {', '.join(LEVELS)}")
+    settings = Settings(counts, check_seed(seed), strongest, level)
     challenge = Challenge(Folder(Path(out)), settings, diagnose or diagnose_folder, progress)
     try:
         return challenge.run(choose_workers(workers), [Folder(Path(other)) for other in others])

@@ -17,7 +17,7 @@ COUNTS = {
     "left-out": "with an effect that is removed from the catalogue, each in turn",
 }
 """What the campaigns of each kind have; their counts are options."""
-ARGUMENTS = (*(name.replace("-", "_") for name in COUNTS), "strongest", "seed", "workers")
+ARGUMENTS = (*(name.replace("-", "_") for name in COUNTS), "strongest", "level", "seed", "workers")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -32,6 +32,12 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         type=float,
         metavar="SIGMAS",
         help="strengths are drawn from 6 sigma up to this (default 60)",
+    )
+    parser.add_argument(
+        "--level",
+        metavar="LEVEL",
+        help="ideal (default); good-lab: nominal values and bench are off within their "
+        "tolerances; rough-lab: within three times that",
     )
     parser.add_argument("--seed", type=int, metavar="N", help="of everything random (default 1)")
     parser.add_argument(

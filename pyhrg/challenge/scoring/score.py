@@ -98,10 +98,10 @@ def _share(
 
 
 def merge_classes(diagnosis: Diagnosis) -> list[tuple[frozenset[str], float]]:
-    """Equivalence classes of effects with their probabilities; causes that share an effect are
-    merged."""
+    """Equivalence classes of the gyro's effects with their probabilities; causes that share an
+    effect are merged."""
     merged: list[tuple[frozenset[str], float]] = []
-    for cause in diagnosis.causes:
+    for cause in (cause for cause in diagnosis.causes if cause.family == "gyro"):
         effects, probability = cause.equivalence_class, cause.probability
         for other in [entry for entry in merged if entry[0] & effects]:
             merged.remove(other)
@@ -116,8 +116,8 @@ def list_named(diagnosis: Diagnosis) -> list[frozenset[str]]:
 
 
 def is_alarm(case: ScoredCase) -> bool:
-    """The diagnosis states a gap."""
-    return case.diagnosis.verdict != "no_gap"
+    """The diagnosis states a gap of the gyro."""
+    return bool(list_named(case.diagnosis)) or is_unexplained(case)
 
 
 def is_unexplained(case: ScoredCase) -> bool:
@@ -126,8 +126,8 @@ def is_unexplained(case: ScoredCase) -> bool:
 
 
 def is_blamed(case: ScoredCase) -> bool:
-    """The diagnosis explains the gap by named effects alone."""
-    return case.diagnosis.verdict in ANSWERS
+    """The diagnosis explains the gap by named effects of the gyro alone."""
+    return case.diagnosis.verdict in ANSWERS and bool(list_named(case.diagnosis))
 
 
 def is_right(case: ScoredCase) -> bool:

@@ -77,11 +77,18 @@ def check_glitches(log: Log, nominal: Device) -> list[Exclusion]:
     inputs = prepare_inputs(log, nominal)
     changed = find_command_changes(log) | find_table_acceleration(inputs)
     steady = find_undisturbed_rows(log, changed, compute_settling_time(nominal))
+    driven = log.drive_on > 0
     exclusions = []
     for field in CHANNELS:
         series = getattr(log, field)
-        driven = (log.drive_on > 0) | (field not in FORCES)
-        glitches = find_glitches(series, steady & driven & np.isfinite(series))
+        known = np.isfinite(series)
+        if not known.any():
+            continue
+        filled = _interpolate(series, ~known, known)
+        glitches = find_glitches(filled, steady & (driven | (field not in FORCES)))
+        if field == "gyro_angle":  # less the table's angle it is steady while the table is not
+            glitches |= find_glitches(filled - log.table_angle, driven)
+        glitches &= known
         if glitches.any():
             fields = ("gyro_angle", "wave_angle") if field == "gyro_angle" else (field,)
             sentence = f"{_describe(log, field, glitches)}: left out"

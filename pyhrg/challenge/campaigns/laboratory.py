@@ -1,0 +1,112 @@
+"""How a laboratory differs from an ideal one: nominal values and bench are a little wrong.
+
+Written without use of the replay that a diagnosis makes of such records.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.common.units import ARCSEC, DEG
+from pyhrg.device.device import Device
+from pyhrg.gap.effects.catalogue import KNOWN
+from pyhrg.records import Log
+
+Array = NDArray[np.float64]
+
+LEVELS = {"ideal": 0.0, "good-lab": 1.0, "rough-lab": 3.0}
+"""Levels of realism: the largest error of each value, in its tolerance."""
+LOST_SHARE, OUTLIER_SHARE = 1e-3, 3e-4
+"""Shares of rows that a good laboratory's recorder loses, and that hold a wrong angle. Chosen."""
+OUTLIER_SIZE = 0.05 * DEG
+"""Largest error of such an angle, rad. Chosen."""
+ENCODER_NOISE = 0.03 * ARCSEC
+"""Standard deviation of the encoder's white noise, rad. Chosen."""
+TEMPERATURE_STEP = 0.01
+"""Resolution of the thermometer, K. Chosen."""
+
+
+@dataclass(frozen=True)
+class Laboratory:
+    """One laboratory; an ideal one by default.
+
+    level: largest error of each value, in its tolerance; it scales the recorder's faults too.
+    errors: true less told value of a field of a device, by field, SI.
+    """
+
+    level: float = 0.0
+    errors: Mapping[str, float] = field(default_factory=dict)
+
+    def true_device(self, told: Device) -> Device:
+        """The gyro that differs from the told one in its nominal values."""
+        fields = {"decay_time", "frequency_per_kelvin", "thermal_lag"}
+        fields |= {"amplitude_loop", "quadrature_loop", "phase_loop"}
+        own: dict[str, Any] = {f: getattr(told, f) + self.errors.get(f, 0.0) for f in fields}
+        frequency = told.frequency + self.errors.get("frequency_error", 0.0)
+        latitude = told.site.latitude + self.errors.get("latitude_error", 0.0)
+        site = replace(told.site, latitude=latitude)
+        return replace(told, frequency=frequency, site=site, **own)
+
+    def read(self, log: Log, reference_temperature: float) -> Log:
+        """A true log as the instruments of this laboratory read it, without noise."""
+        if not self.level:
+            return log
+        of = self.errors
+        late = of["clock_latency"] + of["clock_rate"] * log.time
+        turned = log.table_angle + of["encoder_eccentricity_phase"]
+        run_out = np.sin(turned) - np.sin(of["encoder_eccentricity_phase"])
+        warm = np.interp(log.time - of["thermometer_lag"], log.time, log.temperature)
+        change = (warm - reference_temperature) * (1 + of["thermometer_gain"])
+        return replace(
+            log,
+            table_angle=log.table_angle - of["encoder_eccentricity"] * run_out,
+            temperature=reference_temperature + change + of["thermometer_offset"],
+            frequency_offset=log.frequency_offset + of["frequency_error"],
+            gyro_angle=_read_late(log.gyro_angle, log.time, late),
+            wave_angle=_read_late(log.wave_angle, log.time, late),
+        )
+
+    def record(self, log: Log, generator: np.random.Generator) -> Log:
+        """A noisy log as the recorder of this laboratory writes it: with noise of the encoder, a
+        coarse thermometer, lost rows and wrong angles."""
+        if not self.level:
+            return log
+        count = len(log.time)
+        noise = self.level * ENCODER_NOISE * generator.standard_normal(count)
+        steps = np.round(log.temperature / TEMPERATURE_STEP) * TEMPERATURE_STEP
+        outliers = generator.random(count) < self.level * OUTLIER_SHARE
+        wrong = outliers * OUTLIER_SIZE * generator.uniform(-1, 1, count)
+        kept = generator.random(count) >= self.level * LOST_SHARE
+        kept[[0, -1]] = True
+        log = replace(
+            log,
+            table_angle=log.table_angle + noise,
+            temperature=steps,
+            gyro_angle=log.gyro_angle + wrong,
+        )
+        columns: dict[str, Any] = {
+            name: values[kept]
+            for name, values in vars(log).items()
+            if isinstance(values, np.ndarray) and len(values) == count
+        }
+        return replace(log, **columns)
+
+
+def draw_laboratory(told: Device, level: float, generator: np.random.Generator) -> Laboratory:
+    """A laboratory each of whose values is off by up to its tolerance, times the level."""
+    errors: dict[str, float] = {}
+    for known in KNOWN:
+        size = level * known.tolerance_of(told)
+        errors[known.fields[0]] = float(size * generator.uniform(-1, 1))
+        if known.periods:
+            errors[known.fields[0]] = abs(errors[known.fields[0]])
+            errors[known.fields[1]] = float(generator.uniform(0, 2 * np.pi))
+    return Laboratory(level, errors)
+
+
+def _read_late(angle: Array, time: Array, late: Array) -> Array:
+    """(n,) an angle read later than at the rows' ends; the last rate goes on."""
+    return np.asarray(angle + late * np.gradient(angle, time))

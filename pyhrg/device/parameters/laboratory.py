@@ -28,7 +28,7 @@ class LaboratoryParameters:
         limits=(-3600, 3600),
         known=ToleranceDeclaration("thermometer_lag", "bench", 60.0, 20.0),
     )
-    """Delay of the thermometer's reading behind the case, s."""
+    """Time constant of the thermometer's reading behind the case, s."""
     thermometer_gain: float = parameter(
         key="thermometer_gain",
         limits=(-0.5, 0.5),

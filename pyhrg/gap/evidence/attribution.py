@@ -250,7 +250,9 @@ class _Iteration:
         moved = _moved(self._nominal, self.device, hypothesis)
         is_near = self._has_near_sensitivities(hypothesis)
         self._to_differentiate = [] if is_near else list(best.named)
-        is_far = _distance(self._differentiated_at, moved, design) >= SENSITIVITY_DISTANCE
+        is_far = (
+            _distance(self._differentiated_at, moved, hypothesis.design) >= SENSITIVITY_DISTANCE
+        )
         if is_far and self.step_length(hypothesis) < LINEAR_DISTANCE:
             self._differentiated_at, self._to_differentiate = moved, self._catalogue.parameters
         before = self._simulated_at
@@ -259,7 +261,7 @@ class _Iteration:
         self.device = moved
 
     def _has_near_sensitivities(self, hypothesis: Hypothesis) -> bool:
-        distance = _distance(self._differentiated_at, self.device, hypothesis.known.whole)
+        distance = _distance(self._differentiated_at, self.device, hypothesis.design)
         return distance < SENSITIVITY_DISTANCE
 
 

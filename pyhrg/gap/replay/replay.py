@@ -1,6 +1,7 @@
 """A test's inputs, as its log has them, put to the simulated gyro."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -31,6 +32,8 @@ MIN_READINGS = 10
 """Fewest temperature readings from which a thermometer's noise is estimated. Chosen."""
 ANGLES = ("gyro_angle", "wave_angle")
 """Fields of a log that are read at the end of a row."""
+READ_OUT_FIELDS = ("frequency_error", "clock_latency", "clock_rate")
+"""Fields of a device that change what a recorder reads, and not what the gyro does."""
 STEP_ROUNDING = 1e-9
 """Excess of a row over a whole number of steps, in steps, that is rounding. Chosen."""
 STEADY_RATIO = 2.0
@@ -134,23 +137,33 @@ def replay_inputs(
     }
     with fmu.power_on(parameters, seed=0, start_angle=inputs.start_angle) as on:
         rows = record_rows(on, varying, held, step, LOOP_OUTPUTS)
-    return _read_rows(rows, device, inputs.log)
+    change = read_change(rows, Device(), device, inputs.log)
+    return {name: values + change.get(name, 0.0) for name, values in rows.items()}
 
 
 def _correct_temperatures(device: Device, inputs: ReplayInputs) -> Array:
-    """(n + 1,) temperatures of the case at the rows' bounds, from the thermometer's readings, K."""
+    """(n + 1,) temperatures of the case at the rows' bounds, from the thermometer's readings, K.
+
+    A first-order lag is undone by the slope of the readings, over a quarter of the lag either way:
+    a slope over less would be that of their noise."""
     bounds = np.append(inputs.log.time[0] - inputs.log.interval, inputs.log.time)
-    readings = np.interp(bounds + device.thermometer_lag, bounds, inputs.temperatures)
+    readings, last = inputs.temperatures, len(bounds) - 1
+    half = max(1, round(abs(device.thermometer_lag) / (4 * inputs.log.interval)))
+    rows = np.arange(len(bounds))
+    low, high = np.maximum(rows - half, 0), np.minimum(rows + half, last)
+    slopes = (readings[high] - readings[low]) / (bounds[high] - bounds[low])
+    readings = readings + device.thermometer_lag * slopes
     reference = device.reference_temperature
     change = readings - device.thermometer_offset - reference
     return np.asarray(reference + change / (1 + device.thermometer_gain))
 
 
-def _read_rows(rows: dict[str, Array], device: Device, log: Log) -> dict[str, Array]:
-    """Outputs as the recorder has them: angles at its times, the frequency from the told one."""
-    late = device.clock_latency + device.clock_rate * log.time
-    if late.any():
-        for name in ANGLES:
-            rows[name] = rows[name] + late * np.gradient(rows[name], log.interval)
-    rows["frequency_offset"] = rows["frequency_offset"] + device.frequency_error
-    return rows
+def read_change(rows: Mapping[str, Array], old: Device, new: Device, log: Log) -> dict[str, Array]:
+    """(n,) by field of a log: what another recorder makes of the same outputs. It reads angles
+    later, and counts the frequency from another one; `READ_OUT_FIELDS` state both."""
+    late = new.clock_latency - old.clock_latency + (new.clock_rate - old.clock_rate) * log.time
+    change = {name: np.zeros(len(log.time)) for name in rows}
+    for name in ANGLES if late.any() else ():
+        change[name] = late * np.gradient(rows[name], log.interval)
+    change["frequency_offset"] += new.frequency_error - old.frequency_error
+    return change

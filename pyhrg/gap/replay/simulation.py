@@ -4,6 +4,7 @@ import math
 from collections import OrderedDict
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,13 +22,21 @@ from pyhrg.gap.replay.observations import (
     ObservedTest,
     compute_settling_time,
 )
-from pyhrg.gap.replay.replay import ANGLES, ReplayInputs, replay_inputs
+from pyhrg.gap.replay.replay import (
+    ANGLES,
+    READ_OUT_FIELDS,
+    ReplayInputs,
+    read_change,
+    replay_inputs,
+)
 from pyhrg.theory.closed_forms import beyond_the_average
 
 Array = NDArray[np.float64]
 ChannelValues = Mapping[str, Array]
 """(n,) values in SI by field of a log."""
 
+LOOP_FIELDS = ("amplitude_loop", "quadrature_loop", "phase_loop")
+"""Parameters that quasi-steady loops do not have."""
 STEPS_PER_ROW = 100
 """Communication steps of the sampled gyro in a row, where the row has so many control periods.
 Chosen."""
@@ -158,7 +167,17 @@ class Simulation:
     ) -> Callable[[Device], dict[str, Array]]:
         """`compute_difference` from one device on, which is simulated once."""
         first = self._run_cached(device, test.inputs)
-        return lambda other: _subtract(first, self._run_coarse(other, test.inputs), other, test)
+        is_quasi_steady = not is_short(len(test.log.time), test.log.interval)
+        unseen = (*READ_OUT_FIELDS, *(LOOP_FIELDS if is_quasi_steady else ()))
+
+        def change_to(other: Device) -> dict[str, Array]:
+            kept: dict[str, Any] = {name: getattr(device, name) for name in unseen}
+            if replace(other, **kept) == device:  # no other run is needed
+                change = read_change(first, device, other, test.log)
+                return {name: change[name] for name in CHANNELS}
+            return _subtract(first, self._run_coarse(other, test.inputs), other, test)
+
+        return change_to
 
     def differentiate_by_angle(self, device: Device, test: ObservedTest) -> AngleDerivatives:
         """Derivatives of a replay by the pattern angle, by central differences of the start angle

@@ -1,6 +1,7 @@
 """Motion of the turntable between the rows of a log."""
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -74,7 +75,13 @@ def estimate_table_motion(table_angle: Array, interval: float) -> TableMotion:
     rounding of the encoder, and after a move that ends within a row. Then the motion with the
     fewest rows with a bend or a parabola is taken (docs/methods/replay.md, Eqs. 2 and 3).
     """
-    means = np.diff(table_angle, prepend=0.0) / interval
+    return _estimate_once(table_angle.tobytes(), interval)
+
+
+@lru_cache(maxsize=64)
+def _estimate_once(encoder: bytes, interval: float) -> TableMotion:
+    """The same, of readings as bytes: a test is prepared several times."""
+    means = np.diff(np.frombuffer(encoder), prepend=0.0) / interval
     signs = (-1.0) ** np.arange(len(means))
     linear = _build_motion(means, interval, np.asarray(2 * signs * np.cumsum(signs * means)))
     if _median_bend(linear) <= ALTERNATION_RATIO * ENCODER_RESOLUTION / interval:

@@ -49,7 +49,7 @@ REACH = 2 * CONTEXT + MAX_LENGTH
 """Rows that a glitch influences: derived from the window's length."""
 MIN_ROWS = 50
 """Fewest rows in which glitches are looked for. Chosen."""
-MAX_GLITCHES, MAX_GLITCH_SHARE = 3, 2e-3
+MAX_GLITCHES, MAX_GLITCH_SHARE = 6, 4e-3
 """A column with more glitches than both, rows or share of rows, has noise instead. Chosen."""
 MAX_REPORTED = 3
 """Glitches of a column that are reported one by one."""

@@ -5,7 +5,7 @@ from .device.device import Device
 from .device.ready_devices import load_device
 from .gap.closing.prediction import predict
 from .gap.diagnose import CampaignDiagnosis, diagnose
-from .gap.findings.diagnosis import read_diagnosis
+from .gap.findings.diagnosis_reader import read_diagnosis
 from .gap.static_record import diagnose_record
 from .noise.allan import allan_deviation
 from .playback import simulate

@@ -7,7 +7,8 @@ from pathlib import Path
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.device import device_file
 from pyhrg.device.device import Device
-from pyhrg.gap.findings.diagnosis import GapFigure, read_diagnosis
+from pyhrg.gap.findings.diagnosis import GapFigure
+from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,8 @@ from pyhrg.common.files import replace_folder
 from pyhrg.fmu import GyroError
 from pyhrg.gap.diagnose import diagnose as diagnose_campaign
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE
-from pyhrg.gap.findings.diagnosis import FILE, read_diagnosis
+from pyhrg.gap.findings.diagnosis import FILE
+from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 from pyhrg.gap.replay.simulation import Simulation, load_model, load_simulation
 from pyhrg.records import campaign as campaigns
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
@@ -27,16 +28,11 @@ from pyhrg.gap.evidence.noise.quantization import add_quantization
 from pyhrg.gap.evidence.noise.unstated_noise import complete_stated_noise
 from pyhrg.gap.evidence.residuals import compute_residuals
 from pyhrg.gap.findings import diagnosis as diagnosis_file
+from pyhrg.gap.findings import verdict as verdicts
 from pyhrg.gap.findings.diagnosis import Diagnosis, Leftover, Verdict
 from pyhrg.gap.findings.localisation import locate_gap
 from pyhrg.gap.findings.materiality import IMMATERIAL, measure_leftover
 from pyhrg.gap.findings.quantity import measure_sizes
-from pyhrg.gap.findings.verdict import (
-    check_residuals,
-    list_known_values,
-    list_unnamed,
-    reach_verdict,
-)
 from pyhrg.gap.next_test.next_test import suggest_next_test
 from pyhrg.gap.next_test.rivals import find_rivals
 from pyhrg.gap.next_test.static_test import suggest_static_test
@@ -145,9 +141,7 @@ class CampaignDiagnosis:
         test_id = self.tests[-1].test.id if test_id is None else test_id
         table = self.residuals(test_id)
         if axes is None:
-            from matplotlib import pyplot  # slow, and needed here alone
-
-            axes = pyplot.subplots()[1]
+            axes = import_module("matplotlib.pyplot").subplots()[1]  # slow, and needed here alone
         for stage in ("before", "after"):
             axes.plot(table["time_s"], table[f"gyro_angle_{stage}_arcsec"], label=stage, lw=0.8)
         axes.set(title=test_id, xlabel="time, s", ylabel="residual of the output angle, arcsec")
@@ -188,10 +182,8 @@ def diagnose(
         progress: True prints each step to standard error; a function is called with it.
 
     Raises:
-        CampaignError: the folder is no campaign, or no test of it can be used.
-        DeviceError: the nominal values are no gyro's.
-        LogError: a log can't be used.
-        GyroError: the FMU refuses the nominal device.
+        CampaignError, LogError: no test of the folder can be used, or a log can't be.
+        DeviceError, GyroError: the nominal values are no gyro's, or none that the FMU takes.
         BuildError, TranslationError: the FMUs can't be built.
     """
     report = make_progress_reporter(progress)
@@ -275,11 +267,11 @@ def _summarize(
     excluded: tuple[str, ...],
     bound: Leftover,
 ) -> Diagnosis:
-    features = check_residuals(attribution)
+    features = verdicts.check_residuals(attribution)
     before, after = ([of["gyro_angle"] for of in r] for r in (closing.before, closing.after))
     gap = compute_gap_figures(tests, before, after, attribution.noise.noise)
     left = measure_leftover(attribution, gap)
-    verdict, causes, unknown_probability = reach_verdict(
+    verdict, causes, unknown_probability = verdicts.reach_verdict(
         attribution, catalogue.effects, features, left.exceeds(bound)
     )
     stated = build_angle_noise(attribution.nominal)
@@ -299,10 +291,10 @@ def _summarize(
             simulation, attribution, find_rivals(attribution, catalogue.effects)
         )
         or suggest_static_test(attribution.noise, stated),
-        unnamed=list_unnamed(attribution, features),
+        unnamed=verdicts.list_unnamed(attribution, features),
         excluded=excluded,
         settled=attribution.settled,
-        within_tolerance=list_known_values(attribution),
+        within_tolerance=verdicts.list_known_values(attribution),
         left=left,
         bound=bound,
     )

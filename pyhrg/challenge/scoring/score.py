@@ -117,17 +117,17 @@ def list_named(diagnosis: Diagnosis) -> list[frozenset[str]]:
 
 def is_alarm(case: ScoredCase) -> bool:
     """The diagnosis states a gap of the gyro."""
-    return bool(list_named(case.diagnosis)) or is_unexplained(case)
+    return bool(list_named(case.diagnosis)) or case.diagnosis.verdict == "unexplained"
 
 
 def is_unexplained(case: ScoredCase) -> bool:
-    """The diagnosis states a cause outside the catalogue."""
-    return case.diagnosis.verdict == "unexplained"
+    """The diagnosis states a cause outside the catalogue, whether it is material or not."""
+    return case.diagnosis.unknown_probability >= NAMED_PROBABILITY
 
 
 def is_blamed(case: ScoredCase) -> bool:
     """The diagnosis explains the gap by named effects of the gyro alone."""
-    return case.diagnosis.verdict in ANSWERS and bool(list_named(case.diagnosis))
+    return not is_unexplained(case) and bool(list_named(case.diagnosis))
 
 
 def is_right(case: ScoredCase) -> bool:

@@ -11,7 +11,8 @@ from pyhrg.common.progress import Progress, make_progress_reporter
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
 from pyhrg.gap.closing.closing import device_with_causes
-from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, DiagnosisError, read_diagnosis
+from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, DiagnosisError
+from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 from pyhrg.gap.replay.observations import observe_test
 from pyhrg.gap.replay.replay import has_start_angle
 from pyhrg.gap.replay.simulation import Simulation, load_simulation

@@ -22,9 +22,9 @@ MIN_RATE_TIME = 600.0
 """Shortest test over which the mean rate of what is left is taken, s. Chosen."""
 
 
-IMMATERIAL = Leftover(angle_arcsec=0.2, rate_deg_h=2e-4, loop_share=1e-3)
-"""Bound below which a leftover does not matter, unless the user states another. Chosen: 2e-4 deg/h
-is 0.02 nmi after an hour by the usual rule; 1e-3 is a tenth of a percent of what loops hold."""
+IMMATERIAL = Leftover(angle_arcsec=0.1, rate_deg_h=1e-4, loop_share=1e-3)
+"""Bound below which a leftover does not matter, unless the user states another. Chosen: 1e-4 deg/h
+is 0.01 nmi after an hour by the usual rule; 1e-3 is a tenth of a percent of what loops hold."""
 
 
 def measure_leftover(attribution: Attribution, gap: Gap) -> Leftover:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from fmu_build.bundle import build_fmu
 from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
+from pyhrg.gap.replay import replay as replays
 from pyhrg.gap.replay.loop_response import compute_loop_error, compute_loop_force
 from pyhrg.gap.replay.observations import (
     CHANNELS,
@@ -22,13 +23,7 @@ from pyhrg.gap.replay.observations import (
     ObservedTest,
     compute_settling_time,
 )
-from pyhrg.gap.replay.replay import (
-    ANGLES,
-    READ_OUT_FIELDS,
-    ReplayInputs,
-    read_change,
-    replay_inputs,
-)
+from pyhrg.gap.replay.replay import ANGLES, ReplayInputs, replay_inputs
 from pyhrg.theory.closed_forms import beyond_the_average
 
 Array = NDArray[np.float64]
@@ -168,12 +163,12 @@ class Simulation:
         """`compute_difference` from one device on, which is simulated once."""
         first = self._run_cached(device, test.inputs)
         is_quasi_steady = not is_short(len(test.log.time), test.log.interval)
-        unseen = (*READ_OUT_FIELDS, *(LOOP_FIELDS if is_quasi_steady else ()))
+        unseen = (*replays.READ_OUT_FIELDS, *(LOOP_FIELDS if is_quasi_steady else ()))
 
         def change_to(other: Device) -> dict[str, Array]:
             kept: dict[str, Any] = {name: getattr(device, name) for name in unseen}
             if replace(other, **kept) == device:  # no other run is needed
-                change = read_change(first, device, other, test.log)
+                change = replays.read_change(first, device, other, test.log)
                 return {name: change[name] for name in CHANNELS}
             return _subtract(first, self._run_coarse(other, test.inputs), other, test)
 

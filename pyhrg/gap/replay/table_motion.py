@@ -80,7 +80,7 @@ def estimate_table_motion(table_angle: Array, interval: float) -> TableMotion:
 
 @lru_cache(maxsize=64)
 def _estimate_once(encoder: bytes, interval: float) -> TableMotion:
-    """The same, of readings as bytes: a test is prepared several times."""
+    """Motion of readings as bytes; kept, because a test is prepared several times."""
     means = np.diff(np.frombuffer(encoder), prepend=0.0) / interval
     signs = (-1.0) ** np.arange(len(means))
     linear = _build_motion(means, interval, np.asarray(2 * signs * np.cumsum(signs * means)))

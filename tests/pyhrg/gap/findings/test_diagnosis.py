@@ -18,9 +18,9 @@ from pyhrg.gap.findings.diagnosis import (
     Gap,
     GapFigure,
     NextTest,
-    read_diagnosis,
     write,
 )
+from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 from pyhrg.gap.findings.localisation import Place
 from pyhrg.gap.findings.quantity import Size
 

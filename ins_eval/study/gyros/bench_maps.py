@@ -1,9 +1,9 @@
 """Bias and scale-factor maps from bench tests, one least-squares fit for each power-on.
 
-The bench's own fits (`pyhrg.bench.calibration`) weight the angle noise by its likelihood and
-estimate tilt. The study has thousands of gyros, whose input axes are exact and whose rate errors
-are dominated by random walk. Least squares on rates are as accurate there, at a hundredth of the
-cost.
+The bench's own fit of the scale factor (`pyhrg.bench.calibration`) weights the angle noise by its
+likelihood and estimates tilt. The study has thousands of gyros, whose input axes are exact and
+whose rate errors are dominated by random walk. Least squares on rates are as accurate there, at a
+hundredth of the cost.
 """
 
 import numpy as np

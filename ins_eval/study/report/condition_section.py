@@ -1,11 +1,18 @@
-"""Conditions in which the thesis may fail, scored apart from the classes: a table and panels."""
+"""Claim (d), where the other claims fail: by mission class, and in conditions scored apart."""
 
 import html
-from collections.abc import Sequence
 
 import numpy as np
 
+from ins_eval.study.report.claims import (
+    CLAIMS,
+    format_score,
+    judge_claims,
+    judge_condition,
+    list_conditions,
+)
 from ins_eval.study.report.figures.dots import LARGE, draw_path, scale_dots, select_positive
+from ins_eval.study.report.figures.filters import name_calibration
 from ins_eval.study.report.figures.parts import (
     Panel,
     draw_axes,
@@ -13,7 +20,6 @@ from ins_eval.study.report.figures.parts import (
     join_panels,
     make_legend,
 )
-from ins_eval.study.report.requirements import format_score
 from ins_eval.study.study_data import CONDITIONS_KEY, StudyData
 from ins_eval.study.tables import columns as c
 from ins_eval.study.tables.columns import (
@@ -22,67 +28,44 @@ from ins_eval.study.tables.columns import (
     FIXED_RULE,
     PREDICTOR_OF,
 )
-from ins_eval.study.tables.score import (
-    ADVANTAGE,
-    COVERAGE,
-    MEDIAN_RATIO,
-    R2_RADIAL,
-    SPEARMAN,
-    VARIANCE_REMOVED,
-    Score,
-)
+from ins_eval.study.tables.score import Score
 from pyhrg.common.pages import svg
 from pyhrg.common.pages.markup import Table, make_paragraph, make_wide_table
 
 COLOURS = {FIXED_RULE: "c1", CIRCUMFERENCE_RULE: "c0", FITTED_MAP: "c2"}
-THESIS = ((ADVANTAGE, CIRCUMFERENCE_RULE), (VARIANCE_REMOVED, FITTED_MAP))
-"""The thesis holds where both scores are above 0: the circumference predicts better than the fixed
-position, and the fitted map better than the circumference."""
-SHOWN_SCORES = (
-    ((MEDIAN_RATIO, FIXED_RULE), "flown / predicted, fixed position"),
-    ((MEDIAN_RATIO, CIRCUMFERENCE_RULE), "flown / predicted, full circumference"),
-    ((SPEARMAN, CIRCUMFERENCE_RULE), "rank correlation, full circumference"),
-    ((ADVANTAGE, CIRCUMFERENCE_RULE), "advantage of the circumference, |ln|"),
-    ((R2_RADIAL, FITTED_MAP), "R2, fitted map"),
-    ((VARIANCE_REMOVED, FITTED_MAP), "residual variance that the fitted map removes"),
-    ((COVERAGE, FITTED_MAP), "coverage of the fitted map's intervals"),
+CHANCE = (
+    "Where a 95 % interval decides, one valid requirement or control in twenty fails by chance. "
+    "Undecided: the interval lies partly within what is required."
 )
 
 
-def does_thesis_hold(scores: Sequence[Score]) -> bool:
-    """Whether the thesis holds in a condition with these scores."""
-    return {(s.score, s.predictor) for s in scores if s.holds}.issuperset(THESIS)
-
-
-def group_by_condition(data: StudyData) -> dict[str, list[Score]]:
-    """Scores of each condition, in the order of the study; without negative controls."""
-    if data.conditions is None:
-        return {}
-    scores = [s for s in data.conditions.scores if not s.shuffled]
-    names = dict.fromkeys(data.conditions.table[c.CLASS])
-    return {name: [s for s in scores if s.mission_class == name] for name in names}
-
-
-def summarize_conditions(data: StudyData) -> str:
-    """In which conditions the thesis does not hold, and in which it does; "" without conditions."""
-    grouped = group_by_condition(data)
-    failing = [name for name, scores in grouped.items() if not does_thesis_hold(scores)]
-    holding = [name for name in grouped if name not in failing]
-    parts = []
-    if failing:
-        parts.append(f"the thesis does not hold for: {'; '.join(failing)}.")
-    if holding:
-        parts.append(f"The thesis holds for: {'; '.join(holding)}.")
-    return " ".join(["Conditions scored apart:", *parts]) if parts else ""
+def render_classes(data: StudyData) -> str:
+    """A table of all requirements by class, and their verdicts."""
+    header = ("Claim", "Requirement", "Calibration", "Class", "Score", "Required", "Verdict", "n")
+    rows = [
+        (
+            each.claim.letter,
+            _name_part(s),
+            name_calibration(calibration),
+            s.mission_class,
+            format_score(s),
+            s.asked,
+            s.verdict,
+            f"{s.n}",
+        )
+        for calibration in data.list_values(c.CALIBRATION)
+        for each in judge_claims(data, calibration)
+        for s in each.by_class
+    ]
+    table = Table("Requirements by mission class", header, tuple(rows))
+    return make_wide_table(table, "words") + make_paragraph(CHANCE, "weak")
 
 
 def render_conditions(data: StudyData) -> str:
     """A table of scores, and a panel of flights for each condition."""
-    grouped = group_by_condition(data)
-    if not grouped or data.conditions is None:
-        return make_paragraph(
-            "This study has no flights in conditions in which the thesis may fail."
-        )
+    names = list_conditions(data)
+    if not names or data.conditions is None:
+        return make_paragraph("This study has no flights in conditions in which a claim may fail.")
     conditions = data.conditions
     shown = (c.FLOWN_RADIAL, *(PREDICTOR_OF[key].median for key in COLOURS))
     limits = svg.find_decades(np.concatenate([conditions.table[name] for name in shown]))
@@ -90,34 +73,32 @@ def render_conditions(data: StudyData) -> str:
         (("", colour, PREDICTOR_OF[key].title) for key, colour in COLOURS.items()),
         "Colours of predictors",
     )
-    panels = join_panels(_make_panel(conditions, name, limits) for name in grouped)
-    return make_wide_table(_tabulate(grouped), "words") + legend + panels
+    panels = join_panels(_make_panel(conditions, name, limits) for name in names)
+    return make_wide_table(_tabulate(data, names), "words") + legend + panels
 
 
-def _tabulate(grouped: dict[str, list[Score]]) -> Table:
-    first = next(iter(grouped.values()))[0]
-    header = ("Condition", "Thesis", *(title for _, title in SHOWN_SCORES), "triads")
+def _tabulate(data: StudyData, names: list[str]) -> Table:
+    header = ("Condition", "Claim", "Requirement", "Score", "Required", "Verdict", "n")
     rows = tuple(
-        (
-            name,
-            "holds" if does_thesis_hold(scores) else "does not hold",
-            *(_format_chosen(scores, *key) for key, _ in SHOWN_SCORES),
-            f"{scores[0].n:,}",
-        )
-        for name, scores in grouped.items()
+        (name, each.claim.letter, _name_part(s), format_score(s), s.asked, s.verdict, f"{s.n}")
+        for name in names
+        for each in judge_condition(data, name)
+        for s in each.by_class
     )
     title = (
-        "Gyros calibrated at the mean; the predictors are the study's and do not know the "
-        "condition. The thesis holds where the advantage and the removed variance are above 0 "
-        f"with their {100 * first.confidence:g} % intervals: bootstrap over triads (coverage: "
-        f"exact binomial), seed {first.seed}"
+        "Gyros calibrated at the mean, flown by the linear model; the predictors are the study's "
+        "and do not know the condition"
     )
     return Table(title, header, rows)
 
 
-def _format_chosen(scores: Sequence[Score], name: str, predictor: str) -> str:
-    chosen = [s for s in scores if (s.score, s.predictor) == (name, predictor)]
-    return format_score(chosen[0]) if chosen else "–"
+def _name_part(score: Score) -> str:
+    return next(
+        words
+        for claim in CLAIMS
+        for key, predictor, words in claim.parts
+        if (key, predictor) == (score.score, score.predictor)
+    )
 
 
 def _make_panel(conditions: StudyData, name: str, limits: tuple[float, float]) -> Panel:
@@ -134,7 +115,7 @@ def _make_panel(conditions: StudyData, name: str, limits: tuple[float, float]) -
         body=draw_axes(
             x,
             y,
-            ("predicted, m", "flown, m"),
+            ("predicted, nmi", "flown, nmi"),
             draw_equality(x, y) + scale_dots(paths, LARGE),
             f"{name}: flown against predicted error; the table above has its figures",
         ),

@@ -29,18 +29,15 @@ from pyhrg.common.pages.markup import make_paragraph
 Array = NDArray[np.float64]
 
 SHARES = (0.05, 0.5, 0.95)
-HEADER = ("Class", "Calibration", "hours", "median, m", "95 % interval", "5 to 95 %, m", "n")
-CAPTION = (
-    "Horizontal error at the end; the median's interval from order statistics; n flights, both "
-    "halves"
-)
+HEADER = ("Class", "Calibration", "hours", "median, nmi", "95 % interval", "5 to 95 %, nmi", "n")
+CAPTION = "Horizontal error at the end; the median's interval from order statistics; n flights"
 
 
 @dataclass(frozen=True)
 class Growth:
     """Quantiles of the error over time.
 
-    hours: (k,); quantiles: (k, 3) m at `SHARES`; low, high: 95 % interval of the last median, NaN
+    hours: (k,); quantiles: (k, 3) at `SHARES`; low, high: 95 % interval of the last median, NaN
     with too few flights; n: number of flights that reach the last hour.
     """
 
@@ -93,7 +90,7 @@ def _make_panel(
     label = f"{name}: growth of the error over time; the table below has its figures"
     return Panel(
         title=name,
-        body=draw_axes(x, y, ("navigating, h", "horizontal error, m"), curves, label),
+        body=draw_axes(x, y, ("navigating, h", "horizontal error, nmi"), curves, label),
         attributes=f'{make_filter_attributes(name)} class="growth {choose_colour(data, name)}"',
     )
 

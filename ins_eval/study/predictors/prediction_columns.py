@@ -16,7 +16,7 @@ from ins_eval.study.predictors.parts import map_drift
 from ins_eval.study.predictors.parts.map_drift import MapDrift
 from ins_eval.study.predictors.parts.turned_maps import undo_start
 from ins_eval.study.predictors.prediction import Prediction
-from ins_eval.study.predictors.rms_over_angles import compute_gyro_rms, compute_triad_rms
+from ins_eval.study.predictors.rms_over_angles import compute_gyro_rms
 from ins_eval.study.predictors.unpredictable import compute_unpredictable_covariance
 from ins_eval.study.tables import columns
 from pyhrg.common.units import DEG_PER_H
@@ -147,10 +147,9 @@ def tabulate_predictions(predicted: dict[str, Prediction], inside: float) -> dic
 
 
 def tabulate_rankings(weights: MissionWeights, triads: TriadBlock) -> dict[str, Array]:
-    """(r,) and (r, 3) values of the columns that rank triads and gyros, at one time."""
+    """(r, 3) values of the columns that rank gyros, at one time."""
     true = undo_start(triads.in_flight, triads.start_angle)
     return {
-        columns.RMS_OVER_ANGLES: compute_triad_rms(weights.maps, true)[:, 0],
         columns.GYROS_FLOWN: compute_gyro_rms(weights.maps, true)[:, 0],
         columns.GYROS_FITTED: compute_gyro_rms(weights.gyros, triads.fitted_map)[:, 0],
         columns.GYROS_FIXED: triads.fixed_stability / DEG_PER_H,

@@ -109,7 +109,7 @@ class JudgedClaim:
     def find_exceptions(self) -> list[str]:
         """Class, requirement and figure of each score that does not hold."""
         return [
-            f"{s.mission_class}: {_name_part(self.claim, s)} {format_score(s)}, required "
+            f"{s.mission_class}: {name_requirement(self.claim, s)} {format_score(s)}, required "
             f"{s.asked}: {s.verdict}"
             for s in self.by_class
             if s.verdict != HOLDS
@@ -140,7 +140,7 @@ def list_conditions(data: StudyData) -> list[str]:
 def describe_claim(judged: JudgedClaim) -> str:
     """A claim, its verdict, its figures over all classes, and where it does not hold."""
     figures = "; ".join(
-        f"{_name_part(judged.claim, s)} {format_score(s)}"
+        f"{name_requirement(judged.claim, s)} {format_score(s)}"
         for s in judged.overall or judged.by_class
     )
     kinds = f"{len(judged.classes)} class{'es' if len(judged.classes) > 1 else ''}"
@@ -159,7 +159,7 @@ def describe_conditions(data: StudyData) -> list[str]:
         judged = judge_condition(data, name)
         failing = [s for each in judged for s in each.by_class if s.verdict == FAILS]
         parts = [
-            f"({each.claim.letter}) {_name_part(each.claim, s)} {format_score(s)}"
+            f"({each.claim.letter}) {name_requirement(each.claim, s)} {format_score(s)}"
             for each in judged
             for s in each.by_class
             if s in failing
@@ -179,6 +179,15 @@ def format_score(score: Score) -> str:
     return f"{text}, worse than the mean" if worse else text
 
 
+def name_requirement(claim: Claim, score: Score) -> str:
+    """The requirement of a claim that a score answers, in words."""
+    return next(
+        words
+        for key, predictor, words in claim.parts
+        if (key, predictor) == (score.score, score.predictor)
+    )
+
+
 def _select(data: StudyData, calibration: str) -> list[Score]:
     return [s for s in data.scores if s.calibration == calibration and not s.shuffled]
 
@@ -191,12 +200,4 @@ def _judge(claim: Claim, scores: Sequence[Score]) -> JudgedClaim:
         claim,
         [s for s in asked if s.mission_class != ALL],
         [s for s in asked if s.mission_class == ALL],
-    )
-
-
-def _name_part(claim: Claim, score: Score) -> str:
-    return next(
-        words
-        for key, predictor, words in claim.parts
-        if (key, predictor) == (score.score, score.predictor)
     )

@@ -43,12 +43,8 @@ def render_page(data: StudyData) -> str:
 
 
 def select_shown(data: StudyData) -> StudyData:
-    """The judged triads, and those in conditions, with all distances in nautical miles."""
-    judged = data.table[data.table[c.ROLE] == TEST]
-    conditions = data.conditions
-    if conditions is not None:
-        conditions = replace(conditions, table=_convert_distances(conditions.table))
-    return replace(data, table=_convert_distances(judged), conditions=conditions)
+    """The study with its judged triads alone, and with distances in nautical miles."""
+    return replace(data, table=_convert_distances(data.table[data.table[c.ROLE] == TEST]))
 
 
 def _convert_distances(table: pd.DataFrame) -> pd.DataFrame:

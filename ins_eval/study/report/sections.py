@@ -4,7 +4,6 @@ from typing import Any
 
 from ins_eval.study.report.condition_section import render_classes, render_conditions
 from ins_eval.study.report.figures.budget import render_budget
-from ins_eval.study.report.figures.growth import render_growth
 from ins_eval.study.report.figures.matrix import IntervalAxis, render_matrices
 from ins_eval.study.report.figures.parts import make_fold
 from ins_eval.study.report.figures.ranking import render_ranking
@@ -29,7 +28,6 @@ def make_sections(data: StudyData) -> list[PageSection]:
         PageSection("ranking", "Ranking of gyros", _render_ranking(data)),
         PageSection("coverage", "Intervals and their coverage", _render_coverage(data)),
         PageSection("breaks", "Where the claims fail", _render_failures(data)),
-        PageSection("growth", "Growth of the error", _render_growth(data)),
         PageSection("budget", "Error budget", _render_budget(data)),
         PageSection("control", "Negative control", _render_control(data)),
         PageSection("method", "What was studied, and how", _render_method(data)),
@@ -61,11 +59,6 @@ def _render_ratios(data: StudyData) -> str:
     )
     constants = render_matrices(data, score.CLASS_CONSTANT, RATIO)
     return make_paragraph(lead) + render_matrices(data, score.MEDIAN_RATIO, RATIO) + constants
-
-
-def _render_growth(data: StudyData) -> str:
-    lead = "Median and 5 to 95 % of flights over time, by class and calibration."
-    return make_paragraph(lead) + render_growth(data)
 
 
 def _render_ranking(data: StudyData) -> str:

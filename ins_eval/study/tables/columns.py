@@ -96,7 +96,6 @@ TRIAD, CALIBRATION, MISSION, CLASS = "triad", "calibration", "mission", "mission
 ROLE, HOURS = "role", "hours"
 FLOWN_NORTH, FLOWN_EAST, FLOWN_RADIAL = "flown_north_m", "flown_east_m", "flown_radial_m"
 GROWTH = "growth_radial_m"
-RMS_OVER_ANGLES = "rms_over_angles_m"
 FLOWN_BY, LINEAR_RADIAL = "flown_by", "linear_radial_m"
 COSIMULATED, LINEAR = "co-simulated", "linear"
 """How a flight was flown: values of `FLOWN_BY`."""
@@ -133,7 +132,6 @@ COLUMNS = (
         for axis in ("north", "east")
     ),
     Column(GROWTH, "numbers", "m", "horizontal position error every 10 min of navigation"),
-    Column(RMS_OVER_ANGLES, "number", "m", "rms horizontal error over power-on angles"),
     Column(LINEAR_RADIAL, "number", "m", "horizontal error by the linear model, noise of its own"),
     Column(FIXED_STABILITY, "number", "deg/h", "bench: fixed-position stability, rms of the gyros"),
     Column(CIRCUMFERENCE_STABILITY, "number", "deg/h", "bench: full-circumference stability, rms"),

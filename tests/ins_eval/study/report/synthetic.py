@@ -90,7 +90,6 @@ def _flights(
         c.FLOWN_EAST: flown[:, 1],
         c.FLOWN_RADIAL: radial,
         c.GROWTH: list(radial[:, None] * (np.arange(1, 13) / 12) ** 1.4),
-        c.RMS_OVER_ANGLES: np.sqrt(2) * spread[:, 0],
         c.LINEAR_RADIAL: 1.004 * radial,
         c.FIXED_STABILITY: 0.004 * generator.lognormal(0, 0.8, triads),
         c.CIRCUMFERENCE_STABILITY: 0.1 * quality * SPREAD[calibration] / SPREAD["mean"],
@@ -173,7 +172,7 @@ def _of_class(flights: pd.DataFrame, name: str) -> list[dict[str, Any]]:
         ("fixed_rule", c.FIXED_STABILITY, "0 within its interval"),
         ("circumference_rule", c.CIRCUMFERENCE_STABILITY, ">= 0.95"),
     ):
-        rank = float(stats.spearmanr(flights[bench], flights[c.RMS_OVER_ANGLES])[0])
+        rank = float(stats.spearmanr(flights[bench], flights[c.FLOWN_RADIAL])[0])
         verdict = {"asked": asked, "verdict": "holds"}
         told.append(_entry(scored.SPEARMAN, key, rank, 0.1) | verdict)
         told.append(_entry(scored.FLIGHT_SPEARMAN, key, rank, 0.2))

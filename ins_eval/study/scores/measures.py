@@ -1,4 +1,4 @@
-"""Statistics of flown and predicted errors (..., r, m) of r triads in m missions (Eqs. 11 to 16).
+"""Statistics of flown and predicted errors (..., r, m) of r triads in m missions (Eqs. 11 to 14).
 
 A statistic that is not defined for a sample is NaN, such as R2 of a resample whose triads are all
 the same.
@@ -28,7 +28,7 @@ def compute_median_ratio(flown: Array, predicted: Array) -> Array:
 
 
 def compute_spearman(flown: Array, figure: Array) -> Array:
-    """(...,) Spearman's rank correlation over gyros (..., r, m, 3), mean over missions (Eq. 16)."""
+    """(...,) Spearman's rank correlation over gyros (..., r, m, 3), mean over missions (Eq. 14)."""
     return np.asarray(np.mean(_correlate(_rank_gyros(flown), _rank_gyros(figure)), axis=-1))
 
 

@@ -24,7 +24,7 @@ SCORES = {
     CLASS_CONSTANT: "class constant: median linear error / usual rule (0.01 deg/h = 1 nmi/h)",
     AGREEMENT: "rms of linear less co-simulated / rms co-simulated",
 }
-"""Definitions by key; all are pure numbers (docs/methods/study_predictors.md, Eqs. 11 to 16)."""
+"""Definitions by key; all are pure numbers (docs/methods/study_predictors.md, Eqs. 11 to 15)."""
 
 HOLDS, FAILS, UNDECIDED = "holds", "fails", "undecided"
 """Verdicts: the whole interval meets the requirement; none of it does; or part of it does."""

@@ -8,7 +8,6 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ins_eval.study.report.claims import format_score
 from ins_eval.study.report.figures.filters import name_calibration
 from ins_eval.study.report.lead_case import LeadCase, read_lead_case
 from ins_eval.study.specification import TEST
@@ -25,7 +24,7 @@ from pyhrg.common.units import HOUR, NAUTICAL_MILE
 
 COLOURS = {FIXED_RULE: "tab:red", CIRCUMFERENCE_CLASS: "tab:blue", FITTED_MAP: "tab:green"}
 NAMES = {
-    FIXED_RULE: "fixed position, 0.01 deg/h = 1 nmi/h",
+    FIXED_RULE: "fixed position, usual rule",
     CIRCUMFERENCE_CLASS: "full circumference, class constant",
     FITTED_MAP: "fitted map and trajectory",
 }
@@ -105,11 +104,13 @@ def draw_scatter(axes: Axes, data: StudyData, calibration: str) -> None:
 
 
 def _describe(data: StudyData, calibration: str, key: str) -> str:
-    """Rank correlation of the bench figure, or R2 of the fitted map."""
+    """Rank correlation of the bench figure over start angles, or R2 of the fitted map."""
     name, predictor = (SPEARMAN, RANKING[key]) if key in RANKING else (R2_RADIAL, key)
     found = data.select(name, predictor=predictor, calibration=calibration, mission_class=ALL)
-    word = "Spearman over start angles" if name == SPEARMAN else "R2"
-    return f"{word} {format_score(found[0])}" if found else ""
+    word = "Spearman" if name == SPEARMAN else "R2"
+    return (
+        f"{word} {found[0].value:.2f} ({found[0].low:.2f} to {found[0].high:.2f})" if found else ""
+    )
 
 
 def _read(rows: pd.DataFrame, name: str) -> np.ndarray:

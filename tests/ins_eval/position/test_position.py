@@ -153,6 +153,7 @@ def test_error_parts_add_up_to_those_of_the_study(
         in_flight=in_flight[0],
         turning=in_flight[1],
         accelerometers=np.zeros((5, 3)),
+        mounting=np.zeros((5, 2, 3)),
         noise=np.zeros((5, 4, 3)),
         seeds=np.zeros((5, 2), dtype=np.uint64),
     )

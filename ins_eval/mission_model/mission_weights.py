@@ -100,7 +100,7 @@ def list_mounting_effects() -> list[Effect]:
     """Effects of input axes that lean towards the next body axis, and towards the one after: a gyro
     measures a share of the rate about that axis."""
     return [
-        Effect(f"mounting, axis {ahead} ahead", "gyro", "rad", partial(_read_rate_ahead, ahead))
+        Effect(f"mounting, axis {ahead} ahead", "gyro", partial(_read_rate_ahead, ahead))
         for ahead in (1, 2)
     ]
 

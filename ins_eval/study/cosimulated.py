@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from ins_eval.alignment.analytic import level_and_gyrocompass
 from ins_eval.common.state import State, position_error
-from ins_eval.imu.accelerometers import TYPICAL_ACCELEROMETERS
 from ins_eval.imu.gyros import resolve_force_in_case
 from ins_eval.imu.mounting import normalize_rows
+from ins_eval.imu.sensor_error_model import TYPICAL_ACCELEROMETERS
 from ins_eval.mission_model.missions import SETTLING, STILL, StudyMission
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate

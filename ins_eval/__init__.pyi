@@ -7,6 +7,7 @@ from .parking.parking import ParkingComparison, compare_parking
 from .position.front import PositionGap, compute_position_gap
 from .study.run_study import StudyResult, run_study
 from .study.study_file import load_study
+from .study.summary.predict_error import predict_error
 from .study.validation.validate import validate
 from .trajectories.catalogue import list_trajectories, load_trajectory
 
@@ -27,6 +28,7 @@ __all__ = [
     "load_study",
     "load_trajectory",
     "navigate",
+    "predict_error",
     "read_record",
     "run_study",
     "validate",

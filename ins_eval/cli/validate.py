@@ -1,4 +1,4 @@
-"""`hrg validate`: the small study with one test mission, and its verdict."""
+"""`hrg validate`: the small study, its lead case and its verdict."""
 
 import argparse
 from pathlib import Path
@@ -14,12 +14,11 @@ OPTIONS = ("seed", "hours", "triads", "calibration", "trajectory", "workers", "s
 def add_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("--seed", type=int, metavar="N", help="of everything random (default 1)")
-    add("--hours", type=float, metavar="H", help="duration of the missions (default 2)")
-    add("--triads", type=int, metavar="N", help="triads that fly; half of them are judged (default "
-        "80)")  # fmt: skip
+    add("--hours", type=float, metavar="H", help="duration of the missions (default 1)")
+    add("--triads", type=int, metavar="N", help="triads that are judged (default 40)")
     add("--calibration", choices=("mean", "map"), help="what the maker calibrates (default mean)")
-    add("--trajectory", metavar="NAME|FILE", help="judged mission: a ready one, a mission (TOML) "
-        "or a recorded drive (CSV, may be gzipped) (default aircraft)")  # fmt: skip
+    add("--trajectory", metavar="NAME|FILE", help="mission beside the car: a ready one, a mission "
+        "(TOML) or a recorded drive (CSV, may be gzipped) (default aircraft)")  # fmt: skip
     add("--out", type=Path, default=Path("hrg-validation"), metavar="DIR", help="output folder "
         "(default hrg-validation)")  # fmt: skip
     add_cluster_options(parser)

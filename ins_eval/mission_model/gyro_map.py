@@ -51,6 +51,12 @@ def evaluate_terms(angle: Array) -> Array:
     return np.stack([np.ones_like(angle), *waves], axis=-1)
 
 
+def fit_coefficients(rows: Array, values: Array) -> Array:
+    """(c,) least-squares coefficients of values (n,) by the normal equations, which suffice: the
+    columns of rows (n, c) are harmonics over whole periods, nearly orthogonal."""
+    return np.asarray(np.linalg.solve(rows.T @ rows, rows.T @ values))
+
+
 def _turn(coefficients: Array, angle: float) -> Array:
     turned = np.array(coefficients, dtype=float)
     for place, h in enumerate(HARMONICS):
@@ -114,5 +120,5 @@ def measure_gyro_map(
         errors.append(np.diff(ends[:, 0]) / sweep.interval - rate)
         at = evaluate_terms(0.5 * (ends[1:, 1] + ends[:-1, 1]))
         rows.append(np.hstack([at, np.sign(rate) * at]))
-    fitted = np.linalg.lstsq(np.vstack(rows), np.concatenate(errors), rcond=None)[0]
+    fitted = fit_coefficients(np.vstack(rows), np.concatenate(errors))
     return GyroMap(fitted[:TERMS], fitted[TERMS:] / sweep.rate)

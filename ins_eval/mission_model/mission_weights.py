@@ -8,6 +8,7 @@ weighted sum of its coefficients (`position_errors`).
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,6 +43,8 @@ class MissionWeights:
     pattern starts at angle 0;
     drift: (k, 2, pattern_drift.COUNT, 3) m per product of `pattern_drift`;
     accelerometers: (k, 2, 3) m per m/s^2 of bias;
+    mounting: (k, 2, 2, 3) m per rad by which the input axis along each body axis leans towards the
+    next body axis, and towards the one after;
     noise: (KINDS, 3, 2 k, 2 k) covariance of the errors, m^2, north and east at each time in turn,
     per squared unit of each kind of noise (`noise_weights`) of each gyro;
     alignment: the alignment, for its second-order error.
@@ -52,6 +55,7 @@ class MissionWeights:
     maps: Array
     drift: Array
     accelerometers: Array
+    mounting: Array
     noise: Array
     alignment: AlignmentAtRest
 
@@ -68,6 +72,7 @@ def compute_mission_weights(mission: StudyMission) -> MissionWeights:
     effects = [
         *signals.list_signal_effects(),
         *pattern_drift.list_drift_effects(integrals),
+        *list_mounting_effects(),
         accelerometer_bias(),
     ]
     aligning = round((STILL - SETTLING) / STEP)
@@ -83,11 +88,25 @@ def compute_mission_weights(mission: StudyMission) -> MissionWeights:
         name=mission.name,
         time=mission.interval * np.arange(1.0, len(kept) + 1),
         maps=by_effect[:, :, : signals.COUNT],
-        drift=by_effect[:, :, signals.COUNT : -1],
+        drift=by_effect[:, :, signals.COUNT : -3],
+        mounting=by_effect[:, :, -3:-1],
         accelerometers=by_effect[:, :, -1],
         noise=compute_noise_covariances(weights, STEP, round(SETTLING / STEP)),
         alignment=_describe_alignment(trajectory, effects[: signals.COUNT], attitude),
     )
+
+
+def list_mounting_effects() -> list[Effect]:
+    """Effects of input axes that lean towards the next body axis, and towards the one after: a gyro
+    measures a share of the rate about that axis."""
+    return [
+        Effect(f"mounting, axis {ahead} ahead", "gyro", partial(_read_rate_ahead, ahead))
+        for ahead in (1, 2)
+    ]
+
+
+def _read_rate_ahead(ahead: int, motion: Motion) -> Array:
+    return np.roll(motion.rate, -ahead, axis=1)
 
 
 def _linearize_mission(

@@ -27,6 +27,7 @@ class PositionErrors:
     turning;
     drift: made by the patterns' own drift (`pattern_drift`);
     accelerometers: made by accelerometer biases;
+    mounting: made by input axes that are not where the navigator believes them;
     noise: made by the gyros' noise;
     alignment: second-order error of the alignment (`alignment_at_rest`).
     """
@@ -36,6 +37,7 @@ class PositionErrors:
     environment: Array
     drift: Array
     accelerometers: Array
+    mounting: Array
     noise: Array
     alignment: Array
 
@@ -70,6 +72,7 @@ def compute_position_errors(
             weights.drift, compute_drift_products(triads.in_flight, triads.turning)
         ),
         accelerometers=compute_accelerometer_errors(weights, triads.accelerometers),
+        mounting=compute_map_errors(weights.mounting, triads.mounting),
         noise=draw_noise_errors(weights, triads.noise, triads.seeds, mission),
         alignment=compute_alignment_errors(weights, triads),
     )

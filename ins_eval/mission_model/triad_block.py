@@ -14,15 +14,11 @@ class TriadBlock:
     """r triads of three gyros, along forward, right, down; SI.
 
     What the bench measured of each gyro after calibration (`study.gyros.measured_gyro`):
-    fixed_stability, circumference_stability, instability: (r, 3) rad/s;
+    fixed_stability, fixed_repeatability, circumference_stability, instability: (r, 3) rad/s;
     random_walk: (r, 3) rad/sqrt(s);
     fitted_map: (r, 2 TERMS, 3) coefficients of its map over the pattern angle itself;
     map_per_kelvin: (r, 2 TERMS, 3) their change per kelvin;
     map_variance: (r, 2 TERMS, 3) variance of their errors in another power-on.
-
-    What the bench looked for:
-    true_map: (r, COUNT, 3) coefficients in flight of the gyro as it was on the bench, without
-    noise, age and scatter between power-ons, over the pattern angle itself.
 
     What flies:
     start_angle: (r, 3) pattern angle at power-on, rad;
@@ -32,23 +28,26 @@ class TriadBlock:
     rad/s;
     noise: (r, KINDS, 3) strengths of the noises in the units of `noise_weights.KINDS`;
     accelerometers: (r, 3) biases, m/s^2;
+    mounting: (r, 2, 3) angles by which the input axis along each body axis leans towards the next
+    body axis, and towards the one after, rad;
     seeds: (r, 2) entropy of each triad's noise in flight.
     """
 
     fixed_stability: Array
+    fixed_repeatability: Array
     circumference_stability: Array
     instability: Array
     random_walk: Array
     fitted_map: Array
     map_per_kelvin: Array
     map_variance: Array
-    true_map: Array
     start_angle: Array
     rise: Array
     in_flight: Array
     turning: Array
     noise: Array
     accelerometers: Array
+    mounting: Array
     seeds: NDArray[np.uint64]
 
     def __len__(self) -> int:

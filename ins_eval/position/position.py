@@ -148,7 +148,8 @@ def _check_linearity(
 
     def fly(gyro: Gyro, start: Array) -> Array:
         flights, seeds = gyro.make_flights(start), np.zeros(2, dtype=np.uint64)
-        return cosimulate(fmu, truth, DrawnTriad((), (), flights, np.zeros(3), seeds))
+        triad = DrawnTriad((), flights, np.zeros(3), np.zeros((2, 3)), seeds)
+        return cosimulate(fmu, truth, triad)
 
     nominal, identified = (np.stack([fly(gyro, start) for start in angles]) for gyro in gyros)
     linear = [

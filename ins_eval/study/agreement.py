@@ -5,9 +5,15 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study.experiment import list_methods, select_cosimulated, select_errors
+from ins_eval.study.experiment import (
+    NOISELESS,
+    list_methods,
+    select_cosimulated,
+    select_errors,
+)
 from ins_eval.study.gyros.maker import Method
 from ins_eval.study.run.block import Arrays
+from ins_eval.study.scores.judge import judge_bounds
 from ins_eval.study.scores.resampling import CONFIDENCE, bootstrap
 from ins_eval.study.specification import Study
 from ins_eval.study.tables import score
@@ -21,7 +27,7 @@ LARGEST_RELATIVE_DIFFERENCE = 0.01
 
 def score_agreement(study: Study, arrays: Arrays) -> list[Score]:
     """Scores by calibration and mission class, at the end; none without a sample."""
-    return list(_score_groups(study, arrays)) if study.cosimulated else []
+    return list(_score_groups(study, arrays)) if study.agreement else []
 
 
 def compute_relative_difference(linear: Array, nonlinear: Array) -> Array:
@@ -55,7 +61,7 @@ def _score_group(
         predictor="",
         calibration=method,
         mission_class=mission_class,
-        half=ALL,
+        role=ALL,
         value=estimate.value,
         low=estimate.low,
         high=estimate.high,
@@ -63,7 +69,7 @@ def _score_group(
         n=len(samples[0]),
         seed=study.seed,
         asked=f"<= {LARGEST_RELATIVE_DIFFERENCE:g}",
-        holds=estimate.value <= LARGEST_RELATIVE_DIFFERENCE,
+        verdict=judge_bounds(estimate, high=LARGEST_RELATIVE_DIFFERENCE),
     )
 
 
@@ -72,7 +78,7 @@ def _select_final_errors(
 ) -> Iterator[tuple[Array, Array]]:
     """(r, 2) linear and nonlinear error of the sample at the end, for each mission."""
     for number in missions:
-        nonlinear = select_cosimulated(arrays, method, number)[:, -1]
+        nonlinear = select_cosimulated(arrays, method, number, NOISELESS)[:, -1]
         done = np.isfinite(nonlinear).all(axis=-1)
         error = select_errors(arrays, method, number)
         yield (error.error - error.noise)[done, -1], nonlinear[done]

@@ -1,29 +1,40 @@
 """The files of a study, from the results of all its triads: table, scores, report."""
 
 import json
-import math
-from collections.abc import Iterator
-from dataclasses import asdict
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pandas as pd
 
+from ins_eval.study import lead
 from ins_eval.study.agreement import score_agreement
 from ins_eval.study.conditions import CONDITIONS
-from ins_eval.study.flight_table import tabulate_flights
+from ins_eval.study.experiment import FLOWN, LEAD
+from ins_eval.study.flight_table import Training, tabulate_flights, train_methods
+from ins_eval.study.gyros.maker import Method
+from ins_eval.study.predictors.class_constants import compute_constant
 from ins_eval.study.report import page
 from ins_eval.study.run.block import Arrays
+from ins_eval.study.scores.resampling import CONFIDENCE, bootstrap
 from ins_eval.study.scores.score_flights import score_flights
 from ins_eval.study.specification import CONDITION, TEST, TRAIN, Study
-from ins_eval.study.study_data import CONDITIONS_KEY, DOCUMENT, INTERVAL_PERCENT, check_study_data
-from ins_eval.study.tables import columns
+from ins_eval.study.study_data import (
+    CONDITIONS_KEY,
+    DOCUMENT,
+    INTERVAL_PERCENT,
+    LEAD_KEY,
+    check_study_data,
+)
+from ins_eval.study.tables import columns, score
 from ins_eval.study.tables.score import ALL, Score
 from ins_eval.study.tables.table import TABLE, write_table
 from pyhrg.common.made_by import list_versions
+from pyhrg.common.units import DEG, DEG_PER_H
 
 FILES = (TABLE, page.PAGE, DOCUMENT)
-SCHEMA = "hrg-study/1"
+SCHEMA = "hrg-study/2"
 
 
 def write_conclusion(study: Study, arrays: Arrays, folder: Path) -> None:
@@ -34,48 +45,82 @@ def write_conclusion(study: Study, arrays: Arrays, folder: Path) -> None:
         arrays: results of `experiment.compute_block` for all triads.
         folder: an existing folder.
     """
-    rows = tabulate_flights(study, arrays)
+    trained = train_methods(study, arrays)
+    rows = tabulate_flights(study, arrays, trained)
     write_table(rows, folder / TABLE)
     frame = rows.to_pandas()
-    document = _make_document(study, frame, score_agreement(study, arrays))
+    scores = [
+        *score_flights(
+            frame[frame[columns.ROLE] == TEST], study.seed, study.interval_percent / 100
+        ),
+        *_score_conditions(frame, study.seed, study.interval_percent / 100),
+        *_score_constants(study, trained),
+        *score_agreement(study, arrays),
+    ]
+    document = _make_document(study, scores, _describe_lead(study, arrays))
     (folder / DOCUMENT).write_text(json.dumps(document, indent=1, allow_nan=False) + "\n")
     page.write_page(check_study_data(frame, document), folder)
 
 
-def _make_document(study: Study, flights: pd.DataFrame, agreement: list[Score]) -> dict[str, Any]:
-    """Content of study.json: what was studied, with which versions, and all scores. Flights whose
-    triad and class are in different halves are not scored."""
-    judged = flights[flights[columns.HALF].isin((TRAIN, TEST))]
-    inside = study.interval_percent / 100
-    scores = [
-        *score_flights(judged, study.seed, inside),
-        *_score_conditions(flights, study.seed, inside),
-        *agreement,
-    ]
+def _make_document(study: Study, scores: list[Score], lead_case: dict[str, Any]) -> dict[str, Any]:
+    """Content of study.json: what was studied, with which versions, and all scores."""
     return {
         "schema": SCHEMA,
         "seed": study.seed,
         "triads": study.triads,
+        "training": study.training,
         "missions": len(study.missions),
         "hours": study.hours,
         "left_out": list(study.left_out),
         "calibrations": list(study.calibrations),
         INTERVAL_PERCENT: study.interval_percent,
         CONDITIONS_KEY: {c.title: c.what for c in CONDITIONS} if study.conditions else {},
+        LEAD_KEY: lead_case,
         "made_by": list_versions(),
-        "scores": [_replace_nan(asdict(score)) for score in scores],
+        "scores": [each.describe() for each in scores],
+    }
+
+
+def _describe_lead(study: Study, arrays: Arrays) -> dict[str, Any]:
+    """The lead case: bench figures, and the horizontal errors of all its flights over time."""
+    if not study.lead:
+        return {}
+    radial = np.linalg.norm(arrays[f"{LEAD}/{FLOWN}"], axis=-1)
+    fixed, circumference = (arrays[f"{LEAD}/bench"][0] / DEG_PER_H).tolist()
+    return {
+        "device": lead.DEVICE,
+        "mission": lead.MISSION,
+        "fixed_stability_deg_h": fixed,
+        "circumference_stability_deg_h": circumference,
+        "time_s": (lead.plan_lead().interval * np.arange(1.0, radial.shape[1] + 1)).tolist(),
+        "flown_m": radial.tolist(),
+        "start_angles_deg": (arrays[f"{LEAD}/angle"] / DEG).tolist(),
     }
 
 
 def _score_conditions(flights: pd.DataFrame, seed: int, inside: float) -> Iterator[Score]:
     """Scores of each condition by itself."""
-    in_conditions = flights[flights[columns.HALF] == CONDITION]
+    in_conditions = flights[flights[columns.ROLE] == CONDITION]
     for _, rows in in_conditions.groupby(columns.CLASS, sort=False):
         yield from (s for s in score_flights(rows, seed, inside) if s.mission_class != ALL)
 
 
-def _replace_nan(values: dict[str, Any]) -> dict[str, Any]:
-    return {
-        key: None if isinstance(value, float) and not math.isfinite(value) else value
-        for key, value in values.items()
-    }
+def _score_constants(study: Study, trained: Mapping[Method, Training]) -> Iterator[Score]:
+    """The constant of each class for both bench tests, with its interval over training triads."""
+    for method, training in trained.items():
+        for mission_class, rules in training.rules.items():
+            for key, rule in rules.items():
+                constant = bootstrap(compute_constant, [rule.ratios], study.seed)
+                yield Score(
+                    score=score.CLASS_CONSTANT,
+                    predictor=key,
+                    calibration=method,
+                    mission_class=mission_class,
+                    role=TRAIN,
+                    value=constant.value,
+                    low=constant.low,
+                    high=constant.high,
+                    confidence=CONFIDENCE,
+                    n=len(rule.ratios),
+                    seed=study.seed,
+                )

@@ -1,7 +1,7 @@
 """Conditions in which the thesis is not expected to hold; they are scored apart from the classes.
 
 The gyros are the study's own, calibrated at the mean. The predictors are those of the study, made
-on its training half; they do not know the condition.
+on its training triads; they do not know the condition.
 """
 
 from collections.abc import Callable, Mapping

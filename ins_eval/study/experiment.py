@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import fields, replace
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 import numpy as np
@@ -15,7 +15,7 @@ from ins_eval.mission_model.position_errors import PositionErrors, compute_posit
 from ins_eval.mission_model.triad_block import TriadBlock
 from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.study.conditions import CONDITIONS, ConditionSample
-from ins_eval.study.cosimulated import cosimulate, sample_truth
+from ins_eval.study.cosimulated import MissionTruth, cosimulate, sample_truth
 from ins_eval.study.gyros.bench_plan import CALIBRATION, BenchPlan
 from ins_eval.study.gyros.drawn_triad import (
     DrawnTriad,
@@ -27,9 +27,10 @@ from ins_eval.study.gyros.drawn_triad import (
 from ins_eval.study.gyros.drift import Drift
 from ins_eval.study.gyros.maker import METHODS, Method
 from ins_eval.study.gyros.population import RAW, TRIMMED
+from ins_eval.study.lead import bench_lead, fly_lead, plan_lead
 from ins_eval.study.run.block import Arrays
-from ins_eval.study.specification import CONDITION, MEAN, Study
-from pyhrg.common.units import MICRO_G
+from ins_eval.study.specification import CONDITION, MEAN, TEST, PlannedMission, Study
+from pyhrg.common.units import ARCSEC, MICRO_G
 from pyhrg.fmu import GyroFmu
 
 Array = NDArray[np.float64]
@@ -45,8 +46,11 @@ DEFAULT_SETTINGS: dict[str, Any] = {
 POPULATION_TABLE: dict[Method, str] = {"mean": "trimmed", "map": "raw"}
 """Table of the population that is calibrated by each method: a gyro that is calibrated at the mean
 has been trimmed before."""
-COSIMULATED = "cosimulated"
+COSIMULATED, NOISELESS = "cosimulated", "noiseless"
 NUMBERS, FLOWN = "numbers", "flown"
+LEAD = "lead"
+NOISE_IN_FLIGHT = 1
+"""Number, in the seed of a co-simulation's noise, that sets it apart from the linear model's."""
 
 
 def make_distribution(study: Study, method: Method) -> TriadDistribution:
@@ -59,31 +63,38 @@ def make_distribution(study: Study, method: Method) -> TriadDistribution:
         bench=own["bench"],
         drift=own["drift"],
         accelerometer_bias=study.accelerometer_bias_micro_g * MICRO_G,
+        mounting=study.mounting_arcsec * ARCSEC,
     )
 
 
 def compute_block(study: Study, triads: range) -> Arrays:
-    """Results of a block of triads by name: the fields of `TriadBlock` for each calibration, and of
-    `PositionErrors` for each calibration and mission.
+    """Results of a block of triads by name: the fields of `TriadBlock` for each calibration; for
+    each calibration and mission the fields of `PositionErrors`, by the linear model, and the errors
+    of the co-simulations.
 
     Args:
         study: the study.
         triads: numbers of the block's triads.
     """
     arrays: dict[str, NDArray[Any]] = {}
+    drawn = {method: _draw_triads(study, method, triads) for method in list_methods(study)}
+    blocks = {m: tabulate_triads(load_fmu("HRGSlow"), each) for m, each in drawn.items()}
+    for method, block in blocks.items():
+        arrays |= _name_arrays(block, method)
     with open_missions(study) as missions:
-        for method in list_methods(study):
-            drawn = _draw_triads(study, method, triads)
-            block = tabulate_triads(load_fmu("HRGSlow"), drawn)
-            arrays |= _name_arrays(block, method)
-            for number, mission in enumerate(missions):
+        for number, mission in enumerate(missions):
+            weights = load_mission_weights(mission)
+            for method, block in blocks.items():
                 path = f"{method}/{number}"
-                errors = compute_position_errors(block, load_mission_weights(mission), number)
-                arrays |= _name_arrays(errors, path)
-                arrays[f"{path}/{COSIMULATED}"] = _cosimulate_sample(study, mission, triads, drawn)
-            if method == MEAN:
-                arrays |= _fly_conditions(study, dict(zip(triads, drawn, strict=True)), block)
-    return arrays
+                arrays |= _name_arrays(compute_position_errors(block, weights, number), path)
+                flown = _cosimulate_triads(
+                    study, number, dict(zip(triads, drawn[method], strict=True))
+                )
+                for name, errors in flown.items():
+                    arrays[f"{path}/{name}"] = _fill_block(triads, errors, len(weights.time))
+    if MEAN in blocks:
+        arrays |= _fly_conditions(study, dict(zip(triads, drawn[MEAN], strict=True)), blocks[MEAN])
+    return arrays | _fly_lead(study, triads)
 
 
 def list_methods(study: Study) -> list[Method]:
@@ -101,9 +112,16 @@ def select_errors(arrays: Arrays, method: Method, mission: int) -> PositionError
     return PositionErrors(**_select_fields(PositionErrors, arrays, f"{method}/{mission}"))
 
 
-def select_cosimulated(arrays: Arrays, method: Method, mission: int) -> Array:
-    """(r, k, 2) co-simulated errors, m; NaN where a triad was not co-simulated."""
-    return arrays[f"{method}/{mission}/{COSIMULATED}"]
+def select_cosimulated(
+    arrays: Arrays, method: Method, mission: int, name: str = COSIMULATED
+) -> Array:
+    """(r, k, 2) co-simulated errors, m; NaN where a triad was not co-simulated.
+
+    Args:
+        arrays, method, mission: as in `select_errors`.
+        name: `COSIMULATED` with all noise, `NOISELESS` without.
+    """
+    return arrays[f"{method}/{mission}/{name}"]
 
 
 def select_condition(arrays: Arrays, place: int) -> tuple[list[int], TriadBlock, PositionErrors]:
@@ -142,14 +160,26 @@ def prepare(study: Study) -> None:
     for method in list_methods(study):
         make_distribution(study, method)
     load_fmu("HRGSlow")
-    if study.cosimulated:
-        load_fmu("HRG")
+    load_fmu("HRG")
     with open_missions(study) as missions:
         for mission in missions:
             load_mission_weights(mission)
     if study.conditions:
         for condition in CONDITIONS:
             load_mission_weights(condition.plan(study))
+
+
+@lru_cache(maxsize=2)
+def load_truth(planned: PlannedMission) -> MissionTruth:
+    """The truth of a mission, kept in this process; two hours of it take 100 MB."""
+    with planned.as_file() as path:
+        return sample_truth(plan_mission(path, planned.hours))
+
+
+@cache
+def load_lead_truth() -> MissionTruth:
+    """The truth of the lead case's mission, kept in this process."""
+    return sample_truth(plan_lead())
 
 
 @cache
@@ -187,13 +217,36 @@ def _name_arrays(block: TriadBlock | PositionErrors, path: str) -> dict[str, NDA
     return {f"{path}/{f.name}": getattr(block, f.name) for f in fields(block)}
 
 
-def _cosimulate_sample(
-    study: Study, mission: StudyMission, triads: range, drawn: list[DrawnTriad]
-) -> Array:
-    """(r, k, 2) co-simulated errors, m; NaN for triads that are not in the sample."""
-    errors = np.full((len(triads), len(load_mission_weights(mission).time), 2), np.nan)
-    sample = [place for place, number in enumerate(triads) if study.is_cosimulated(number)]
-    if sample:
-        truth = sample_truth(mission)
-        errors[sample] = [cosimulate(load_fmu("HRG"), truth, drawn[place]) for place in sample]
-    return errors
+def _cosimulate_triads(
+    study: Study, number: int, drawn: dict[int, DrawnTriad]
+) -> dict[str, dict[int, Array]]:
+    """(k, 2) co-simulated errors, m, of triads by number, in a mission of the study: with noise of
+    those that are judged, without noise of the sample for the agreement."""
+    flown: dict[str, dict[int, Array]] = {COSIMULATED: {}, NOISELESS: {}}
+    for triad, each in drawn.items():
+        if study.role_of(triad) == TEST:
+            key = (number, NOISE_IN_FLIGHT)
+            noise = np.random.SeedSequence(each.seed.tolist(), spawn_key=key)
+            truth = load_truth(study.missions[number])
+            flown[COSIMULATED][triad] = cosimulate(load_fmu("HRG"), truth, each, noise)
+            if study.is_in_agreement(triad):
+                flown[NOISELESS][triad] = cosimulate(load_fmu("HRG"), truth, each)
+    return flown
+
+
+def _fill_block(triads: range, errors: dict[int, Array], times: int) -> Array:
+    """(r, times, 2) errors of a block's triads, NaN where there are none."""
+    return np.stack([errors.get(triad, np.full((times, 2), np.nan)) for triad in triads])
+
+
+def _fly_lead(study: Study, triads: range) -> dict[str, NDArray[Any]]:
+    """Flights of the lead case that a block makes: those with the numbers of its triads."""
+    numbers = [number for number in triads if number < study.lead]
+    if not numbers:
+        return {}
+    slow, seed = load_fmu("HRGSlow"), study.seed
+    errors, angles = fly_lead(slow, load_fmu("HRG"), load_lead_truth(), seed, numbers, study.lead)
+    arrays = {f"{LEAD}/{FLOWN}": errors, f"{LEAD}/angle": angles}
+    if 0 in numbers:
+        arrays[f"{LEAD}/bench"] = bench_lead(slow, seed)[None]
+    return arrays

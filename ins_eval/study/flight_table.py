@@ -1,6 +1,7 @@
 """The rows of study.parquet: flown errors, bench figures and predictions of all triads."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -21,8 +22,11 @@ from ins_eval.study.experiment import (
     select_errors,
     select_triads,
 )
+from ins_eval.study.gyros.maker import Method
+from ins_eval.study.predictors.class_constants import ConstantRule, join_missions
 from ins_eval.study.predictors.prediction_columns import (
     TrainedModel,
+    compute_class_ratios,
     predict_all,
     select_time,
     tabulate_predictions,
@@ -30,71 +34,106 @@ from ins_eval.study.predictors.prediction_columns import (
     train,
 )
 from ins_eval.study.run.block import Arrays
-from ins_eval.study.specification import CONDITION, MEAN, TRAIN, Study
+from ins_eval.study.specification import CONDITION, MEAN, Study
 from ins_eval.study.tables import columns
 from ins_eval.study.tables.table import make_table
-from pyhrg.common.units import DEG_PER_H, HOUR, MICRO_G
+from pyhrg.common.units import ARCSEC, DEG_PER_H, HOUR, MICRO_G
 
 Array = NDArray[np.float64]
+Rules = Mapping[str, ConstantRule]
+"""Rules of a class by predictor."""
 
-MIXED_HALVES = "neither"
-"""Half of a training triad in a test class of missions, or the other way round."""
+
+@dataclass(frozen=True)
+class Training:
+    """What the training triads of a calibration teach.
+
+    model: of the drift of maps; rules: constant rules of each mission class.
+    """
+
+    model: TrainedModel
+    rules: Mapping[str, Rules]
 
 
-def tabulate_flights(study: Study, arrays: Arrays) -> pa.Table:
+def train_methods(study: Study, arrays: Arrays) -> dict[Method, Training]:
+    """What is learned from the training triads, for each calibration."""
+    with open_missions(study) as missions:
+        weights = [load_mission_weights(mission) for mission in missions]
+    trained = {}
+    for method in list_methods(study):
+        training = select_triads(arrays, method).select(slice(study.training))
+        biases = study.accelerometer_bias_micro_g * MICRO_G, study.mounting_arcsec * ARCSEC
+        model = train(training, *biases)
+        flown: dict[str, list[dict[str, Array]]] = {
+            planned.mission_class: [] for planned in study.missions
+        }
+        for planned, each in zip(study.missions, weights, strict=True):
+            ratios = compute_class_ratios(select_time(each, -1), training, model, study.seed)
+            flown[planned.mission_class].append(ratios)
+        trained[method] = Training(model, {name: _join(each) for name, each in flown.items()})
+    return trained
+
+
+def _join(missions: Sequence[Mapping[str, Array]]) -> Rules:
+    return {key: join_missions([each[key] for each in missions]) for key in missions[0]}
+
+
+def tabulate_flights(study: Study, arrays: Arrays, trained: Mapping[Method, Training]) -> pa.Table:
     """A row for each triad, calibration and mission, then those of the conditions.
 
     Args:
         study: the study.
         arrays: results of `experiment.compute_block` for all triads.
+        trained: result of `train_methods`.
     """
-    return pa.concat_tables(list(_tabulate(study, arrays)))
+    return pa.concat_tables(list(_tabulate(study, arrays, trained)))
 
 
-def _tabulate(study: Study, arrays: Arrays) -> Iterator[pa.Table]:
+def _tabulate(
+    study: Study, arrays: Arrays, trained: Mapping[Method, Training]
+) -> Iterator[pa.Table]:
     with open_missions(study) as missions:
         weights = [load_mission_weights(mission) for mission in missions]
-    accelerometer_bias = study.accelerometer_bias_micro_g * MICRO_G
-    halves = [study.half_of(triad) for triad in range(study.triads)]
-    for method in list_methods(study):
+    roles = [study.role_of(triad) for triad in range(study.triads)]
+    for method, training in trained.items():
         triads = select_triads(arrays, method)
-        model = train(triads.select(slice(halves.count(TRAIN))), accelerometer_bias)
         for number, mission in enumerate(study.missions):
+            rules = training.rules[mission.mission_class]
             yield _make_rows(
-                {
-                    columns.TRIAD: list(range(study.triads)),
-                    columns.HALF: [h if h == mission.half else MIXED_HALVES for h in halves],
-                },
+                {columns.TRIAD: list(range(study.triads)), columns.ROLE: roles},
                 {
                     columns.CALIBRATION: method,
                     columns.MISSION: mission.name,
                     columns.CLASS: mission.mission_class,
                 },
                 select_errors(arrays, method, number),
-                select_cosimulated(arrays, method, number)[:, -1],
-                _list_predictions(study, triads, weights[number], model),
+                select_cosimulated(arrays, method, number),
+                _list_predictions(study, triads, weights[number], training.model, rules),
                 weights[number],
             )
         if method == MEAN and study.conditions:
-            yield from _tabulate_conditions(study, arrays, model)
+            yield from _tabulate_conditions(study, arrays, training)
 
 
-def _tabulate_conditions(study: Study, arrays: Arrays, model: TrainedModel) -> Iterator[pa.Table]:
+def _tabulate_conditions(study: Study, arrays: Arrays, training: Training) -> Iterator[pa.Table]:
     for place, condition in enumerate(CONDITIONS):
         numbers, triads, errors = select_condition(arrays, place)
         mission = condition.plan(study)
         weights = load_mission_weights(mission)
+        learned = select_triads(arrays, MEAN).select(slice(study.training))
+        ratios = compute_class_ratios(select_time(weights, -1), learned, training.model, study.seed)
+        rules = _join([ratios])
         yield _make_rows(
             {columns.TRIAD: numbers},
             {
-                columns.HALF: CONDITION,
+                columns.ROLE: CONDITION,
                 columns.CALIBRATION: MEAN,
                 columns.MISSION: mission.name,
                 columns.CLASS: condition.title,
             },
             errors,
-            np.full((len(numbers), 2), np.nan),
-            _list_predictions(study, triads, weights, model),
+            np.full((*errors.radial.shape, 2), np.nan),
+            _list_predictions(study, triads, weights, training.model, rules),
             weights,
         )
 
@@ -112,24 +151,30 @@ def _make_rows(
     return make_table(
         own
         | {name: [value] * count for name, value in common.items()}
-        | _list_flown_errors(errors, weights)
-        | {columns.COSIMULATED: np.hypot(cosimulated[:, 0], cosimulated[:, 1])}
+        | _list_flown_errors(errors, cosimulated, weights)
         | predicted
     )
 
 
-def _list_flown_errors(errors: PositionErrors, weights: MissionWeights) -> dict[str, Any]:
-    """Errors at the end, and the horizontal error at the times of `columns.GROWTH`."""
-    total = errors.error
+def _list_flown_errors(
+    errors: PositionErrors, cosimulated: Array, weights: MissionWeights
+) -> dict[str, Any]:
+    """Errors at the end, and the horizontal error at the times of `columns.GROWTH`: of the
+    co-simulation where there is one, else of the linear model."""
+    done = np.asarray(np.isfinite(cosimulated).all(axis=(1, 2)))
+    total = np.where(done[:, None, None], cosimulated, errors.error)
+    radial = np.linalg.norm(total, axis=-1)
     parts = {name: getattr(errors, name)[:, -1] for name in columns.PARTS}
     steps = weights.time / HOUR / columns.GROWTH_STEP_HOURS
     growth = np.isclose(np.remainder(steps, 1.0), 0.0)
     return {
         columns.HOURS: [float(weights.time[-1] / HOUR)] * len(total),
+        columns.FLOWN_BY: [columns.COSIMULATED if each else columns.LINEAR for each in done],
         columns.FLOWN_NORTH: total[:, -1, 0],
         columns.FLOWN_EAST: total[:, -1, 1],
-        columns.FLOWN_RADIAL: errors.radial[:, -1],
-        columns.GROWTH: list(errors.radial[:, growth]),
+        columns.FLOWN_RADIAL: radial[:, -1],
+        columns.LINEAR_RADIAL: errors.radial[:, -1],
+        columns.GROWTH: list(radial[:, growth]),
     } | {
         columns.name_part(name, axis): final[:, place]
         for name, final in parts.items()
@@ -138,12 +183,16 @@ def _list_flown_errors(errors: PositionErrors, weights: MissionWeights) -> dict[
 
 
 def _list_predictions(
-    study: Study, triads: TriadBlock, weights: MissionWeights, model: TrainedModel
+    study: Study,
+    triads: TriadBlock,
+    weights: MissionWeights,
+    model: TrainedModel,
+    rules: Rules,
 ) -> dict[str, Any]:
     """Bench figures, and what predictors make of them for the end of the mission."""
     end = select_time(weights, -1)
-    predicted = predict_all(end, triads, model, study.seed)
-    ranked = tabulate_rankings(end, triads, model)
+    predicted = predict_all(end, triads, model, rules, study.seed)
+    ranked = tabulate_rankings(end, triads)
     return (
         _list_bench_figures(triads)
         | tabulate_predictions(predicted, study.interval_percent / 100)

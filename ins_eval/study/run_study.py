@@ -10,17 +10,13 @@ from matplotlib.figure import Figure
 
 from ins_eval.study import experiment
 from ins_eval.study.conclusion import FILES, write_conclusion
-from ins_eval.study.report.condition_section import summarize_conditions
-from ins_eval.study.report.figures.filters import name_calibration
-from ins_eval.study.report.verdict import count_requirements
 from ins_eval.study.run.run import Cluster, Experiment, Progress, run_experiment
 from ins_eval.study.specification import Study
 from ins_eval.study.study_data import StudyData, StudyDataError, read_study_data
 from ins_eval.study.study_file import load_study
 from ins_eval.study.summary.figure import draw_scatter
-from ins_eval.study.summary.outcome import list_outcomes
-from ins_eval.study.summary.text import summarize
-from ins_eval.study.tables.columns import COLUMNS
+from ins_eval.study.summary.text import state_verdict, summarize
+from ins_eval.study.tables.columns import CALIBRATION, COLUMNS
 from pyhrg.common.arguments import check_seed
 
 
@@ -57,23 +53,16 @@ class StudyResult:
 
     @property
     def verdict(self) -> str:
-        """Which bench test predicts the flown error, in words; first whether all requirements are
-        met, last in which conditions this does not hold."""
-        outcomes = list_outcomes(self._data)
-        lines = [count_requirements(self._data)]
-        for outcome in outcomes:
-            if len(outcomes) > 1:
-                lines.append(f"{name_calibration(outcome.calibration).capitalize()}:")
-            lines.append(outcome.verdict)
-        return "\n".join([*lines, *filter(None, [summarize_conditions(self._data)])])
+        """Each claim with its verdict, interval and number of triads, and where claims fail."""
+        return state_verdict(self._data)
 
     @property
     def summary(self) -> str:
-        """Stabilities, predicted and flown errors, verdict and conditions in words."""
+        """The lead case, predicted and flown errors of each mission, and the verdict, in words."""
         return summarize(self._data)
 
     def plot(self, ax: Axes | None = None, calibration: str | None = None) -> Axes:
-        """Flown against predicted error of the test triads, on logarithmic axes in nmi.
+        """Flown against predicted error of the judged triads, on logarithmic axes in nmi.
 
         Args:
             ax: axes to draw on; new ones if None.
@@ -82,14 +71,14 @@ class StudyResult:
         Raises:
             HrgError: the study has no such calibration.
         """
-        outcomes = {outcome.calibration: outcome for outcome in list_outcomes(self._data)}
-        chosen = calibration or next(iter(outcomes))
-        if chosen not in outcomes:
+        known = self._data.list_values(CALIBRATION)
+        chosen = calibration or known[0]
+        if chosen not in known:
             raise StudyDataError(
-                f"calibration: found {chosen!r}, expected {' or '.join(map(repr, outcomes))}"
+                f"calibration: found {chosen!r}, expected {' or '.join(map(repr, known))}"
             )
         axes = ax if ax is not None else Figure(layout="constrained").subplots()
-        draw_scatter(axes, outcomes[chosen])
+        draw_scatter(axes, self._data, chosen)
         return axes
 
 

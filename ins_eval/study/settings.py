@@ -20,6 +20,7 @@ _POPULATION = (
 )
 _PLAN = (
     Key("runs", "runs", 1, 1, 100, whole=True),
+    Key("fixed_runs", "fixed_runs", 1, 2, 100, whole=True),
     Key("positions", "positions", 1, 16, 720, whole=True),  # nine terms of a map
     Key("segments", "segments", 1, 1, 36, whole=True),
     Key("fixed_segments", "fixed_segments", 1, 2, 360, whole=True),

@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import Final
 
 from ins_eval.study.settings import Settings
-from ins_eval.trajectories.keys import Checked, quantity, required_choice, whole
+from ins_eval.trajectories.keys import Checked, quantity, whole
 
 TRAIN, TEST, CONDITION = "train", "test", "condition"
-"""Halves of triads and mission classes: predictors are made on the training half and judged on the
-test half. Conditions belong to neither."""
+"""Roles of triads: predictors are made on the training triads and judged on the test triads. A
+test triad in a condition is scored apart. Mission classes have no role: all are judged."""
 MEAN: Final = "mean"
 CALIBRATIONS = (MEAN, "map")
 """What the maker calibrates: the means of bias and scale factor, or their whole maps."""
@@ -29,8 +29,7 @@ class PlannedMission(Checked):
 
     Attributes:
         name: a name that no other mission of the study has.
-        mission_class: class of manoeuvre; all missions of a class are in the same half.
-        half: "train", on which predictors are made, or "test", on which they are judged.
+        mission_class: class of manoeuvre.
         hours: duration of the navigation.
         file_name: name of the file, whose suffix says its kind.
         content: content of the file.
@@ -38,7 +37,6 @@ class PlannedMission(Checked):
 
     name: str
     mission_class: str
-    half: str = required_choice(TRAIN, TEST)
     hours: float = quantity("", 0.1, LONGEST_HOURS)
     file_name: str
     content: bytes = field(repr=False)
@@ -58,11 +56,17 @@ class Study(Checked):
 
     Attributes:
         seed: seed of everything random.
-        triads: number of triads; predictors are made on the first half of them.
+        triads: number of triads that are benched.
+        training: number of the first of them, which are flown by the linear model and on which
+            predictors are made; the others are co-simulated and judged.
         hours: duration of the navigation, where a mission does not state its own.
         interval_percent: probability of the predicted intervals, whose coverage is judged.
         accelerometer_bias_micro_g: standard deviation of each accelerometer's bias.
-        cosimulated: number of triads, for each calibration, that are also co-simulated.
+        mounting_arcsec: standard deviation of the angle by which each gyro's input axis leans, in
+            each of two directions.
+        agreement: number of test triads, for each calibration, that are also co-simulated without
+            noise, to be compared with the linear model.
+        lead: number of flights of the lead case, the gyro of the paper's Table 2.
         conditions: number of test triads that also fly in each of `conditions.CONDITIONS`.
         missions: missions in the order of the results.
         left_out: recorded drives that the study names and that are not on this machine.
@@ -73,30 +77,40 @@ class Study(Checked):
 
     seed: int = whole(0, 2**63 - 1)
     triads: int = whole(2, LARGEST_TRIADS)
+    training: int = whole(1, LARGEST_TRIADS)
     hours: float = quantity("", 0.1, LONGEST_HOURS, 2.0)
     interval_percent: float = quantity("", 50.0, 99.0, 90.0)
     accelerometer_bias_micro_g: float = quantity("", 0.0, 1e4, 10.0)
-    cosimulated: int = whole(0, LARGEST_TRIADS, 0)
+    mounting_arcsec: float = quantity("", 0.0, 3600.0, 10.0)
+    agreement: int = whole(0, LARGEST_TRIADS, 0)
+    lead: int = whole(0, 10_000, 0)
     conditions: int = whole(0, LARGEST_TRIADS, 0)
     missions: tuple[PlannedMission, ...]
     left_out: tuple[str, ...] = ()
     calibrations: tuple[str, ...] = CALIBRATIONS
     settings: Mapping[str, Settings] = field(default_factory=dict)
 
-    def half_of(self, triad: int) -> str:
-        """The half of a triad, counted from 0."""
-        return TRAIN if triad < self.triads // 2 else TEST
+    def role_of(self, triad: int) -> str:
+        """The role of a triad, counted from 0."""
+        return TRAIN if triad < self.training else TEST
 
-    def is_cosimulated(self, triad: int) -> bool:
-        """Whether a triad is in the co-simulated sample, which is spread evenly over all."""
-        return triad * self.cosimulated % self.triads < self.cosimulated
+    @property
+    def judged(self) -> int:
+        """Number of test triads."""
+        return self.triads - self.training
+
+    def is_in_agreement(self, triad: int) -> bool:
+        """Whether a triad is in the sample that is also co-simulated without noise."""
+        return self._is_in_sample(triad, self.agreement)
 
     def is_in_conditions(self, triad: int) -> bool:
-        """Whether a triad is in the sample of the test half that flies in conditions."""
-        first = self.triads // 2
-        judged = self.triads - first
-        place = triad - first
-        return place >= 0 and place * self.conditions % judged < self.conditions
+        """Whether a triad is in the sample that also flies in conditions."""
+        return self._is_in_sample(triad, self.conditions)
+
+    def _is_in_sample(self, triad: int, size: int) -> bool:
+        """Whether a triad is in a sample that is spread evenly over the test triads."""
+        place = triad - self.training
+        return place >= 0 and place * size % self.judged < size
 
 
 def compute_fewest_judged(interval_percent: float) -> int:
@@ -105,8 +119,3 @@ def compute_fewest_judged(interval_percent: float) -> int:
     With fewer, even full coverage has a probability share^n above half of `SIGNIFICANCE`.
     """
     return math.ceil(math.log(SIGNIFICANCE / 2) / math.log(interval_percent / 100))
-
-
-def compute_fewest_triads(interval_percent: float) -> int:
-    """Smallest number of triads of a study, half of which is judged."""
-    return 2 * compute_fewest_judged(interval_percent)

@@ -21,6 +21,8 @@ INTERVAL_PERCENT = "interval_percent"
 """Key of study.json: probability of the predicted intervals, percent."""
 CONDITIONS_KEY = "conditions"
 """Key of study.json: what differs in each condition, by its title."""
+LEAD_KEY = "lead"
+"""Key of study.json: the lead case, empty without one."""
 KINDS = {"int": "iu", "number": "f", "text": "OUT", "numbers": "O"}
 """Kinds of numpy arrays in which each kind of column may be stored."""
 
@@ -83,11 +85,11 @@ def check_study_data(
     about = {k: v for k, v in document.items() if k != "scores"}
     scores = _read_scores(document, source)
     _check_level(about.get(INTERVAL_PERCENT), source)
-    within = table[columns.HALF] == CONDITION
-    conditions = StudyData(table[within], [s for s in scores if s.half == CONDITION], about)
+    within = table[columns.ROLE] == CONDITION
+    conditions = StudyData(table[within], [s for s in scores if s.role == CONDITION], about)
     return StudyData(
         table[~within],
-        [s for s in scores if s.half != CONDITION],
+        [s for s in scores if s.role != CONDITION],
         about,
         conditions if within.any() else None,
     )
@@ -153,7 +155,7 @@ def _read_score(entry: Any, place: str) -> Score:
         score = Score(**{**entry, **numbers})
     except TypeError as error:
         raise StudyDataError(f"{place}: {error}") from error
-    predictors = ["", *(p.key for p in columns.PREDICTORS)]
+    predictors = ["", *(p.key for p in columns.PREDICTORS), *columns.FIGURE_TITLES]
     _check_known("score", score.score, list(scored.SCORES), place)
     _check_known("predictor", score.predictor, predictors, place)
     return score

@@ -9,11 +9,9 @@ from ins_eval.study.settings import SETTING_TABLES, read_settings
 from ins_eval.study.specification import (
     CALIBRATIONS,
     MEAN,
-    TEST,
-    TRAIN,
     PlannedMission,
     Study,
-    compute_fewest_triads,
+    compute_fewest_judged,
 )
 from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.keys import build_from_table, keys
@@ -24,7 +22,7 @@ _FOLDER = Path(__file__).with_name("ready")
 READY = tuple(sorted(path.stem for path in _FOLDER.glob("*.toml")))
 """Names of the studies that come with the package; each is a file in the folder `ready`."""
 
-MISSION_KEYS = ("name", "file", "recorded", "class", "half", "hours")
+MISSION_KEYS = ("name", "file", "recorded", "class", "hours")
 
 
 def load_study(name_or_path: str | Path, seed: int | None = None) -> Study:
@@ -52,13 +50,13 @@ def read_study(path: Path, seed: int | None = None) -> Study:
     Args:
         path: TOML. The top has the keys of `Study`. Each of `[[missions]]` has `name` (of a ready
             mission), `file` (relative to this one's folder) or `recorded` (a recorded drive, which
-            is left out where it does not exist); further `class`, `half` and, if it differs from
-            the study's, `hours`. Tables are those of `settings.SETTING_TABLES`.
+            is left out where it does not exist); further `class` and, if it differs
+            from the study's, `hours`. Tables are those of `settings.SETTING_TABLES`.
         seed: seed instead of the file's.
 
     Raises:
         SpecificationError: an unreadable file; a key that is unknown or missing; a value out of
-            range; a class in both halves, a half without missions; too few triads for the interval.
+            range; too few triads for the interval.
     """
     document = dict(read_table(path).values)
     if seed is not None:
@@ -76,7 +74,6 @@ def read_study(path: Path, seed: int | None = None) -> Study:
     left_out = tuple(
         values["recorded"] for values in top.values["missions"] if _is_missing_recording(values)
     )
-    _check_halves(top, missions)
     check_triads(bare, top.source)
     return replace(bare, missions=missions, left_out=left_out, settings=read_settings(top))
 
@@ -89,21 +86,24 @@ def check_triads(study: Study, source: str) -> None:
         source: name of the file in messages.
 
     Raises:
-        SpecificationError: too few triads for the interval; conditions with too few triads, with
-            more than the test half has, or without gyros that are calibrated at the mean.
+        SpecificationError: too few triads for the interval; conditions or a sample for agreement
+            with more triads than are judged, or with one; conditions without gyros that are
+            calibrated at the mean.
     """
     top = TomlTable(source, "", {})
-    few = compute_fewest_triads(study.interval_percent)
-    refutes = f"with fewer, nothing refutes intervals of {study.interval_percent:g} % that are"
-    if study.triads < few:
-        raise top.error("triads", study.triads, f"{few} or more: {refutes} too wide")
-    judged, fewest = study.triads - study.triads // 2, few // 2
-    if study.conditions and not fewest <= study.conditions <= judged:
+    fewest = study.training + compute_fewest_judged(study.interval_percent)
+    if study.triads < fewest:
         raise top.error(
-            "conditions",
-            study.conditions,
-            f"0, or {fewest} to {judged}, the half that is judged: {refutes} too wide",
+            "triads",
+            study.triads,
+            f"{fewest} or more with training {study.training}: with fewer that are judged, nothing "
+            f"refutes intervals of {study.interval_percent:g} % that are too wide",
         )
+    for key, found in (("conditions", study.conditions), ("agreement", study.agreement)):
+        if found > study.judged or found == 1:
+            raise top.error(key, found, f"0, or 2 to {study.judged}, the triads that are judged")
+    if study.lead > study.triads:
+        raise top.error("lead", study.lead, f"0 to {study.triads}, the number of triads")
     if study.conditions and MEAN not in study.calibrations:
         raise top.error(
             "conditions", study.conditions, f"0 without {MEAN!r} among the calibrations"
@@ -142,11 +142,13 @@ def _read_missions(top: TomlTable, folder: Path, hours: float) -> Iterator[Plann
 
 def _read_mission(table: TomlTable, folder: Path, hours: float) -> PlannedMission:
     """The mission of a table with `MISSION_KEYS`."""
+    if "half" in table.values:
+        raise table.error("half", table.values["half"], "no such key: all classes are judged")
     table.check_known(MISSION_KEYS)
     if "class" not in table.values:
         raise table.missing("class", "the class of manoeuvre, text")
     path = _find_file(table, folder)
-    chosen = {key: table.values[key] for key in ("half", "hours") if key in table.values}
+    chosen = {key: table.values[key] for key in ("hours",) if key in table.values}
     try:
         content = path.read_bytes()
     except OSError as error:
@@ -175,19 +177,3 @@ def _find_file(table: TomlTable, folder: Path) -> Path:
     if "name" not in table.values:
         raise table.missing("name", f"{' or '.join(catalogue.list_trajectories())}, or a file")
     return catalogue.READY_FOLDER / f"{table.text('name', '', catalogue.list_trajectories())}.toml"
-
-
-def _check_halves(top: TomlTable, missions: tuple[PlannedMission, ...]) -> None:
-    """Refuse a class in both halves, and a half without missions."""
-    halves: dict[str, str] = {}
-    for number, mission in enumerate(missions, 1):
-        half = halves.setdefault(mission.mission_class, mission.half)
-        if half != mission.half:
-            raise TomlTable(top.source, f"missions {number}: ", {}).error(
-                "half",
-                mission.half,
-                f"{half!r} as of every mission of class {mission.mission_class!r}",
-            )
-    for half in (TRAIN, TEST):
-        if half not in halves.values():
-            raise top.missing(f"missions of half {half!r}", "at least one")

@@ -1,16 +1,16 @@
 """Bias and scale-factor maps from bench tests, one least-squares fit for each power-on.
 
-The bench's own fits (`pyhrg.bench.calibration`) weight the angle noise by its likelihood and
-estimate tilt. The study has thousands of gyros, whose input axes are exact and whose rate errors
-are dominated by random walk. Least squares on rates are as accurate there, at a hundredth of the
-cost.
+The bench's own fit of the scale factor (`pyhrg.bench.calibration`) weights the angle noise by its
+likelihood and estimates tilt. The study has thousands of gyros, whose input axes are exact and
+whose rate errors are dominated by random walk. Least squares on rates are as accurate there, at a
+hundredth of the cost.
 """
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.error_model.effects import ANGULAR_GAIN
-from ins_eval.mission_model.gyro_map import HARMONICS, TERMS, evaluate_terms
+from ins_eval.mission_model.gyro_map import HARMONICS, TERMS, evaluate_terms, fit_coefficients
 from pyhrg.bench.bias.position import full_circumference
 from pyhrg.bench.readings.turns import Turn
 from pyhrg.bench.scale_factor.rate_tests import read_rate_turns
@@ -41,7 +41,7 @@ def fit_bias_maps(tests: Campaign, scale: Array) -> Array:
         BenchError: there are no position tests, or they are not complete.
     """
     fits = [
-        np.linalg.lstsq(evaluate_terms(run.pattern_angle), run.rate, rcond=None)[0]
+        fit_coefficients(evaluate_terms(run.pattern_angle), run.rate)
         for run in full_circumference.read_runs(tests)
     ]
     return np.array(fits) - tests.site.vertical_rate * scale
@@ -54,7 +54,7 @@ def _fit_scale_map(pair: tuple[Turn, ...]) -> Array:
         scale = np.diff(_integrate_terms(turn), axis=0) / turn.interval
         rows.append(np.hstack([bias, scale]))
         errors.append(np.diff(turn.excess) / turn.interval)
-    fitted = np.linalg.lstsq(np.vstack(rows), np.concatenate(errors), rcond=None)[0]
+    fitted = fit_coefficients(np.vstack(rows), np.concatenate(errors))
     return np.asarray(fitted[TERMS:])
 
 

@@ -1,7 +1,7 @@
 """The bench of the study: the paper's tests, shortened, on the fast gyro.
 
 test                  here                               full procedure
-fixed position        3 power-ons of 20 min              7 of an hour
+fixed position        7 power-ons of 20 min              7 of an hour
 full circumference    3 power-ons, 24 positions (8N),    7 power-ons, 24 positions,
                       100 s at each                      300 s at each
 scale factor          3 power-ons each way at 5 deg/s,   7 each way
@@ -35,12 +35,13 @@ TABLE_RATE = 5 * DEG
 class BenchPlan:
     """Length of the bench's tests.
 
-    runs: power-ons of each test; positions: positions around the circumference, 8N; segments,
-    fixed_segments: segments of 100 s at each of these and at the fixed position; periods: periods
-    of the map in a scale-factor test.
+    runs: power-ons of each map test; fixed_runs: power-ons of the fixed-position test; positions:
+    positions around the circumference, 8N; segments, fixed_segments: segments of 100 s at each of
+    these and at the fixed position; periods: periods of the map in a scale-factor test.
     """
 
     runs: int = 3
+    fixed_runs: int = 7
     positions: int = 24
     segments: int = 1
     fixed_segments: int = 12
@@ -66,7 +67,7 @@ def record_campaign(
     bench = Bench(fmu, device, seed=seed, step=SAMPLE_INTERVAL)
     power_ons = _plan_map_tests(bench, plan)
     if fixed:
-        power_ons += fixed_position.make_power_ons(bench, plan.runs, plan.fixed_segments)
+        power_ons += fixed_position.make_power_ons(bench, plan.fixed_runs, plan.fixed_segments)
     return bench.campaign([bench.log(power_on) for power_on in power_ons])
 
 

@@ -17,7 +17,7 @@ from ins_eval.study.gyros.measured_gyro import MeasuredGyro, measure_gyro
 from ins_eval.study.gyros.population import TRIMMED, Population
 from ins_eval.study.gyros.true_maps import compute_turning_bias, read_flight_coefficients, start_at
 from pyhrg.common.errors import HrgError
-from pyhrg.common.units import MICRO_G
+from pyhrg.common.units import ARCSEC, MICRO_G
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 
@@ -30,7 +30,8 @@ AXES = 3
 class TriadDistribution:
     """What triads are drawn from: gyros, the maker's calibration, the bench, the drift.
 
-    accelerometer_bias: standard deviation of each accelerometer's bias, m/s^2.
+    accelerometer_bias: standard deviation of each accelerometer's bias, m/s^2; mounting: standard
+    deviation of the angle by which each input axis leans, in each of two directions, rad.
 
     Raises:
         HrgError: a bench with a single power-on.
@@ -42,6 +43,7 @@ class TriadDistribution:
     bench: BenchPlan = field(default_factory=BenchPlan)
     drift: Drift = field(default_factory=Drift)
     accelerometer_bias: float = 10 * MICRO_G
+    mounting: float = 10 * ARCSEC
 
     def __post_init__(self) -> None:
         if self.bench.runs < 2:
@@ -55,14 +57,15 @@ class TriadDistribution:
 class DrawnTriad:
     """Three gyros in one flight, and what the bench measured of them.
 
-    measured: the bench's results; benched: the gyros as they were on the bench; flights: the gyros
-    as they fly; accelerometers: (3,) biases, m/s^2; seed: (2,) entropy of the noise in flight.
+    measured: the bench's results; flights: the gyros as they fly; accelerometers: (3,) biases,
+    m/s^2; mounting: (2, 3) angles by which input axes lean (`TriadBlock`), rad; seed: (2,) entropy
+    of the noise in flight.
     """
 
     measured: tuple[MeasuredGyro, ...]
-    benched: tuple[Device, ...]
     flights: tuple[Flight, ...]
     accelerometers: Array
+    mounting: Array
     seed: NDArray[np.uint64]
 
 
@@ -93,24 +96,24 @@ def draw_triad(
     generator = np.random.default_rng(seed)
     gyros = [_draw_gyro(fmu, distribution, generator) for _ in range(AXES)]
     return DrawnTriad(
-        measured=tuple(measured for measured, _, _ in gyros),
-        benched=tuple(device for _, device, _ in gyros),
-        flights=tuple(flight for _, _, flight in gyros),
+        measured=tuple(measured for measured, _ in gyros),
+        flights=tuple(flight for _, flight in gyros),
         accelerometers=generator.normal(0.0, distribution.accelerometer_bias, AXES),
         seed=generator.integers(2**63, size=2).astype(np.uint64),
+        mounting=generator.normal(0.0, distribution.mounting, (2, AXES)),
     )
 
 
 def _draw_gyro(
     fmu: GyroFmu, distribution: TriadDistribution, generator: np.random.Generator
-) -> tuple[MeasuredGyro, Device, Flight]:
+) -> tuple[MeasuredGyro, Flight]:
     built = distribution.population.draw(generator)
     maker, bench = generator.integers(2**63, size=2).tolist()
     device: Device = calibrate_gyro(
         fmu, built, distribution.method, maker, distribution.calibration
     )
     measured = measure_gyro(fmu, device, distribution.bench, bench)
-    return measured, device, draw_flight(device, distribution.drift, generator)
+    return measured, draw_flight(device, distribution.drift, generator)
 
 
 def tabulate_triads(fmu: GyroFmu, triads: list[DrawnTriad]) -> TriadBlock:
@@ -128,26 +131,22 @@ def tabulate_triads(fmu: GyroFmu, triads: list[DrawnTriad]) -> TriadBlock:
 
     return TriadBlock(
         fixed_stability=measured("fixed_stability"),
+        fixed_repeatability=measured("fixed_repeatability"),
         circumference_stability=measured("circumference_stability"),
         instability=measured("instability"),
         random_walk=measured("random_walk"),
         fitted_map=rates("fitted_map"),
         map_per_kelvin=rates("map_per_kelvin"),
         map_variance=stacked([[gyro.map_variance for gyro in each.measured] for each in triads]),
-        true_map=stacked([_read_bench_maps(fmu, each) for each in triads]),
         start_angle=np.array([[f.power_on_angle for f in each.flights] for each in triads]),
         rise=np.array([[f.rise for f in each.flights] for each in triads]),
         in_flight=stacked([[coefficients for coefficients, _ in each] for each in flights]),
         turning=stacked([[turning for _, turning in each] for each in flights]),
         noise=stacked([[_list_noise(f.device) for f in each.flights] for each in triads]),
         accelerometers=np.array([each.accelerometers for each in triads]),
+        mounting=np.array([each.mounting for each in triads]),
         seeds=np.array([each.seed for each in triads]),
     )
-
-
-def _read_bench_maps(fmu: GyroFmu, drawn: DrawnTriad) -> list[Array]:
-    gyros = zip(drawn.benched, drawn.flights, strict=True)
-    return [read_flight_coefficients(fmu, device, flight.rise) for device, flight in gyros]
 
 
 def _read_flight_map(fmu: GyroFmu, flight: Flight) -> tuple[Array, Array]:

@@ -58,10 +58,11 @@ class Flight:
 
 
 def draw_flight(device: Device, drift: Drift, generator: np.random.Generator) -> Flight:
-    """A calibrated gyro in a flight: aged, powered on once more, its pattern at any angle."""
+    """A calibrated gyro in a flight: aged, powered on once more. Its electronics start the pattern
+    where they started it on the bench, with the same scatter."""
     old = age_gyro(device, drift.age, generator)
     rise = generator.uniform(drift.coolest, drift.warmest)
-    angle = generator.uniform(0.0, np.pi)
+    angle = old.power_on_angle + generator.normal(0.0, old.power_on_scatter)
     parameters = old.turned_on(generator)
     drawn = {name: parameters[name] for name in old.turn_on_scatter}
     return Flight(

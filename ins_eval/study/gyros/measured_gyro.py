@@ -32,7 +32,9 @@ FLICKER_FLOOR = np.sqrt(2 * np.log(2) / np.pi)
 class MeasuredGyro:
     """Results of the bench for one gyro, SI.
 
-    fixed_stability, circumference_stability: bias stability at one position and over all, rad/s;
+    fixed_stability: in-run bias stability at one position, rad/s;
+    fixed_repeatability: standard deviation of the mean bias there between power-ons, rad/s;
+    circumference_stability: bias stability over all positions, rad/s;
     fitted_map: mean over the power-ons; map_per_kelvin: its change per kelvin;
     map_variance: (2 TERMS,) variance of the errors of the map's coefficients in another power-on.
     It is the scatter over power-ons, pooled in two groups of terms for bias and scale factor each:
@@ -42,6 +44,7 @@ class MeasuredGyro:
     """
 
     fixed_stability: float
+    fixed_repeatability: float
     circumference_stability: float
     fitted_map: GyroMap
     map_per_kelvin: GyroMap
@@ -72,12 +75,14 @@ def evaluate_campaigns(tests: Campaign, warm: Campaign) -> MeasuredGyro:
         BenchError: a test is missing or incomplete.
     """
     fixed = fixed_position.read_runs(tests)
+    at_rest = summarize_runs(fixed)
     scale = fit_scale_maps(tests)
     bias = fit_bias_maps(tests, scale.mean(axis=0))
     fitted = GyroMap(bias.mean(axis=0), scale.mean(axis=0))
     walk = _estimate_random_walk(tests)
     return MeasuredGyro(
-        fixed_stability=summarize_runs(fixed).stability,
+        fixed_stability=at_rest.stability,
+        fixed_repeatability=at_rest.repeatability,
         circumference_stability=full_circumference.measure_bias(tests).stability,
         fitted_map=fitted,
         map_per_kelvin=_estimate_warming(fitted, warm),

@@ -13,7 +13,7 @@ from ins_eval.study.predictors.bench_figures import BenchFigures
 from ins_eval.study.predictors.parts.drawn_errors import draw_at_angles, draw_at_any_angle
 from ins_eval.study.predictors.parts.expected_error import compute_expected_error
 from ins_eval.study.predictors.parts.map_drift import MapDrift
-from ins_eval.study.predictors.parts.turned_maps import start_maps, turn_weights
+from ins_eval.study.predictors.parts.turned_maps import start_maps
 from ins_eval.study.predictors.prediction import SampledPrediction
 
 Array = NDArray[np.float64]
@@ -52,13 +52,3 @@ def predict_any_angle(
     """Errors of triads whose gyros' power-on angles are unknown; arguments as `predict`."""
     sigma = drift.missed(bench)
     return draw_at_any_angle(weights.maps, bench.maps, sigma, drift.standard, other, seed)
-
-
-def compute_drift_covariance(
-    bench: BenchFigures, weights: MissionWeights, drift: MapDrift, start_angle: Array
-) -> Array:
-    """(r, k, 2, 2) covariance of the error by drift of the maps, m^2; arguments as `predict`."""
-    sigma = drift.sigma(bench)[:, None, None]
-    carried = np.moveaxis(turn_weights(weights.maps, start_angle) * sigma, -1, 0)
-    together = carried @ drift.together @ np.swapaxes(carried, -1, -2)
-    return np.asarray(np.sum(together, axis=0))

@@ -1,48 +1,68 @@
 """All predictors, for a block of triads in one mission, as columns of the study's table."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ins_eval.mission_model.gyro_map import TERMS, evaluate_terms
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.triad_block import TriadBlock
-from ins_eval.study.predictors import fitted_map, manoeuvre_theory, oracle, stability_rule
+from ins_eval.study.predictors import fitted_map, stability_rule, true_parameters
 from ins_eval.study.predictors.bench_figures import collect_bench_figures
+from ins_eval.study.predictors.class_constants import ConstantRule, compute_ratios
 from ins_eval.study.predictors.parts import map_drift
 from ins_eval.study.predictors.parts.map_drift import MapDrift
 from ins_eval.study.predictors.parts.turned_maps import undo_start
 from ins_eval.study.predictors.prediction import Prediction
-from ins_eval.study.predictors.rms_over_angles import compute_gyro_rms, compute_triad_rms
+from ins_eval.study.predictors.rms_over_angles import compute_gyro_rms
 from ins_eval.study.predictors.unpredictable import compute_unpredictable_covariance
 from ins_eval.study.tables import columns
 from pyhrg.common.units import DEG_PER_H
 
 Array = NDArray[np.float64]
 
+TURN_ONS = 7
+"""Number of turn-ons of the test whose patterns start anywhere, as the paper's (4.1)."""
+
 
 @dataclass(frozen=True)
 class TrainedModel:
-    """What predictors take from the training half of the triads, and from a data sheet.
+    """What predictors take from the training triads, and from data sheets.
 
     drift: distribution of the maps' change between bench and flight;
-    shares: (4,) share of each harmonic in the variance of bias maps;
-    accelerometer_bias: standard deviation from the data sheet, m/s^2.
+    accelerometer_bias: standard deviation from the data sheet, m/s^2;
+    mounting: standard deviation of each input axis' lean, in each of two directions, rad.
     """
 
     drift: MapDrift
-    shares: Array
     accelerometer_bias: float
+    mounting: float
 
 
-def train(training: TriadBlock, accelerometer_bias: float) -> TrainedModel:
-    """The model from triads of the training half, whose maps in flight are known."""
+def train(training: TriadBlock, accelerometer_bias: float, mounting: float) -> TrainedModel:
+    """The model from training triads, whose maps in flight are known."""
     bench = collect_bench_figures(training)
-    return TrainedModel(
-        drift=map_drift.estimate_map_drift(bench, training.in_flight, training.start_angle),
-        shares=manoeuvre_theory.estimate_harmonic_shares(bench.maps),
-        accelerometer_bias=accelerometer_bias,
-    )
+    drift = map_drift.estimate_map_drift(bench, training.in_flight, training.start_angle)
+    return TrainedModel(drift, accelerometer_bias, mounting)
+
+
+def compute_class_ratios(
+    weights: MissionWeights, training: TriadBlock, model: TrainedModel, seed: int
+) -> dict[str, Array]:
+    """`compute_ratios` in a mission, by the predictor whose stability it takes; weights at the end
+    alone."""
+    stabilities = {
+        columns.FIXED_CLASS: training.fixed_stability,
+        columns.CIRCUMFERENCE_CLASS: training.circumference_stability,
+    }
+    return {
+        key: compute_ratios(
+            weights, training, stability, model.accelerometer_bias, model.mounting, seed
+        )
+        for key, stability in stabilities.items()
+    }
 
 
 def select_time(weights: MissionWeights, k: int) -> MissionWeights:
@@ -59,37 +79,53 @@ def select_time(weights: MissionWeights, k: int) -> MissionWeights:
         maps=weights.maps[at],
         drift=weights.drift[at],
         accelerometers=weights.accelerometers[at],
+        mounting=weights.mounting[at],
         noise=weights.noise[:, :, rows, rows],
         alignment=replace(weights.alignment, attitude=weights.alignment.attitude[at]),
     )
 
 
 def predict_all(
-    weights: MissionWeights, triads: TriadBlock, model: TrainedModel, seed: int
+    weights: MissionWeights,
+    triads: TriadBlock,
+    model: TrainedModel,
+    rules: Mapping[str, ConstantRule],
+    seed: int,
 ) -> dict[str, Prediction]:
-    """Predictions by key of `columns.PREDICTORS`; only the oracles use true maps.
+    """Predictions by key of `columns.PREDICTORS`; only the true parameters' use true maps.
 
     Args:
         weights: weights of the mission.
         triads: the block.
-        model: the model from other triads.
+        model: the model from training triads.
+        rules: rules of the mission's class by predictor.
         seed: seed of the samples.
     """
     bench, drift, angle = collect_bench_figures(triads), model.drift, triads.start_angle
-    other = compute_unpredictable_covariance(weights, bench.noise, model.accelerometer_bias)
-    true_other = compute_unpredictable_covariance(weights, triads.noise, model.accelerometer_bias)
-    true_bench = replace(bench, maps=triads.true_map)
-    in_flight, stability = triads.in_flight, bench.circumference_stability
+    other = _compute_other_covariance(weights, bench.noise, model)
+    true_other = _compute_other_covariance(weights, triads.noise, model)
+    fixed, circumference, time = (
+        bench.fixed_stability,
+        bench.circumference_stability,
+        weights.time,
+    )
     return {
-        "fixed_rule": stability_rule.predict(bench.fixed_stability, weights.time),
-        "circumference_rule": stability_rule.predict(stability, weights.time),
-        "manoeuvre_theory": manoeuvre_theory.predict(stability, weights, other, model.shares),
-        "fitted_map": fitted_map.predict(bench, weights, drift, other, angle, seed),
-        "fitted_map_any_angle": fitted_map.predict_any_angle(bench, weights, drift, other, seed),
-        "bench_oracle": fitted_map.predict(true_bench, weights, drift, other, angle, seed),
-        "oracle": oracle.predict(weights, in_flight, true_other),
-        "oracle_any_angle": oracle.predict_any_angle(weights, in_flight, true_other, angle, seed),
+        columns.FIXED_RULE: stability_rule.predict(fixed, time),
+        columns.CIRCUMFERENCE_RULE: stability_rule.predict(circumference, time),
+        columns.FIXED_CLASS: rules[columns.FIXED_CLASS].predict(fixed, time),
+        columns.CIRCUMFERENCE_CLASS: rules[columns.CIRCUMFERENCE_CLASS].predict(
+            circumference, time
+        ),
+        columns.FITTED_MAP: fitted_map.predict(bench, weights, drift, other, angle, seed),
+        columns.ANY_ANGLE: fitted_map.predict_any_angle(bench, weights, drift, other, seed),
+        columns.TRUE_PARAMETERS: true_parameters.predict(weights, triads.in_flight, true_other),
     }
+
+
+def _compute_other_covariance(weights: MissionWeights, noise: Array, model: TrainedModel) -> Array:
+    return compute_unpredictable_covariance(
+        weights, noise, model.accelerometer_bias, model.mounting
+    )
 
 
 def tabulate_predictions(predicted: dict[str, Prediction], inside: float) -> dict[str, Array]:
@@ -104,33 +140,33 @@ def tabulate_predictions(predicted: dict[str, Prediction], inside: float) -> dic
         radius = predicted[predictor.key].radius
         table[predictor.median] = radius(0.5)[:, 0]
         table[predictor.low], table[predictor.high] = (radius(end)[:, 0] for end in ends)
-    for key in ("fitted_map", "oracle"):
+    for key in (columns.FITTED_MAP, columns.TRUE_PARAMETERS):
         for place, axis in enumerate(("north", "east")):
             table[f"{key}_{axis}_m"] = predicted[key].expected[:, 0, place]
     return table
 
 
-def tabulate_rankings(
-    weights: MissionWeights, triads: TriadBlock, model: TrainedModel
-) -> dict[str, Array]:
-    """(r,) and (r, 3) values of the columns that rank triads and gyros, and of the unpredictable
-    error, at one time; arguments as `predict_all`."""
+def tabulate_rankings(weights: MissionWeights, triads: TriadBlock) -> dict[str, Array]:
+    """(r, 3) values of the columns that rank gyros, at one time."""
     true = undo_start(triads.in_flight, triads.start_angle)
     return {
-        columns.UNPREDICTABLE: _compute_unpredictable_rms(weights, triads, model),
-        columns.RMS_OVER_ANGLES: compute_triad_rms(weights.maps, true)[:, 0],
         columns.GYROS_FLOWN: compute_gyro_rms(weights.maps, true)[:, 0],
         columns.GYROS_FITTED: compute_gyro_rms(weights.gyros, triads.fitted_map)[:, 0],
         columns.GYROS_FIXED: triads.fixed_stability / DEG_PER_H,
+        columns.GYROS_TURN_ON: triads.fixed_repeatability / DEG_PER_H,
+        columns.GYROS_TURN_ON_ANYWHERE: compute_turn_on_scatter(triads) / DEG_PER_H,
         columns.GYROS_CIRCUMFERENCE: triads.circumference_stability / DEG_PER_H,
     }
 
 
-def _compute_unpredictable_rms(
-    weights: MissionWeights, triads: TriadBlock, model: TrainedModel
-) -> Array:
-    """(r,) rms error by drift, noise and accelerometers, m, without the bench's uncertainty."""
-    bench = collect_bench_figures(triads)
-    other = compute_unpredictable_covariance(weights, bench.noise, model.accelerometer_bias)
-    drift = fitted_map.compute_drift_covariance(bench, weights, model.drift, triads.start_angle)
-    return np.asarray(np.sqrt(np.trace((drift + other)[:, 0], axis1=-2, axis2=-1)))
+def compute_turn_on_scatter(triads: TriadBlock) -> Array:
+    """(r, 3) bias repeatability over `TURN_ONS` turn-ons if the pattern started anywhere, rad/s.
+
+    The fitted map is read at random angles; their scatter between turn-ons that the electronics
+    start at one angle adds. Each triad's own seed decides its angles.
+    """
+    angles = np.stack(
+        [np.random.default_rng(seed).uniform(0, np.pi, (TURN_ONS, 3)) for seed in triads.seeds]
+    )
+    bias = np.einsum("rnat,rta->rna", evaluate_terms(angles), triads.fitted_map[:, :TERMS])
+    return np.asarray(np.hypot(bias.std(axis=1, ddof=1), triads.fixed_repeatability))

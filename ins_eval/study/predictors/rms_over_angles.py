@@ -25,13 +25,3 @@ def compute_gyro_rms(weights: Array, maps: Array) -> Array:
     turned = turn_weights(weights, np.repeat(_ANGLES[:, None], 3, axis=1))
     errors = np.einsum("nkica,rcg->nkiarg", turned, maps)
     return np.asarray(np.sqrt(np.moveaxis((errors**2).mean(axis=0).sum(axis=(1, 2)), 0, 1)))
-
-
-def compute_triad_rms(weights: Array, maps: Array) -> Array:
-    """(r, k) rms horizontal error of triads whose gyros' angles are independent, m; arguments as
-    `compute_gyro_rms`. Means over the angles add as vectors, variances add as squares."""
-    turned = turn_weights(weights, np.repeat(_ANGLES[:, None], 3, axis=1))
-    errors = np.einsum("nkica,rca->nrkia", turned, maps)
-    steady = errors.mean(axis=0)
-    power = (errors - steady).var(axis=0).sum(axis=-1) + steady.sum(axis=-1) ** 2
-    return np.asarray(np.sqrt(power.sum(axis=-1)))

@@ -18,6 +18,12 @@ _CIRCULAR_MEDIAN = np.sqrt(2 * np.log(2))
 """Median distance from zero of a circular normal distribution with unit standard deviation."""
 
 
+def compute_rule_distance(stability: Array, time: Array) -> Array:
+    """(r, k) distance that the rule makes of stabilities (r, 3), rad/s, at times (k,), s; m."""
+    triad = np.sqrt(np.mean(np.square(stability), axis=1))
+    return np.asarray(DRIFT_PER_STABILITY * triad[:, None] * time)
+
+
 def predict(stability: Array, time: Array) -> NormalPrediction:
     """Errors of triads, by a circular normal distribution about zero.
 
@@ -26,7 +32,6 @@ def predict(stability: Array, time: Array) -> NormalPrediction:
             rad/s; the rms of the three is the triad's.
         time: (k,) s since alignment.
     """
-    triad = np.sqrt(np.mean(np.square(stability), axis=1))
-    sigma = DRIFT_PER_STABILITY * triad[:, None] * time / _CIRCULAR_MEDIAN
+    sigma = compute_rule_distance(stability, time) / _CIRCULAR_MEDIAN
     covariance = sigma[..., None, None] ** 2 * np.eye(2)
     return NormalPrediction(np.zeros((*sigma.shape, 2)), covariance)

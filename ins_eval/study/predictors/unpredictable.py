@@ -1,4 +1,4 @@
-"""Error of a mission by noise and accelerometers, which no gyro map predicts (Eq. 8)."""
+"""Error of a mission by noise, accelerometers and mounting, which no gyro map predicts (Eq. 8)."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +9,7 @@ Array = NDArray[np.float64]
 
 
 def compute_unpredictable_covariance(
-    weights: MissionWeights, noise: Array, accelerometer_bias: float
+    weights: MissionWeights, noise: Array, accelerometer_bias: float, mounting: float
 ) -> Array:
     """(r, k, 2, 2) covariance of the error, m^2.
 
@@ -17,10 +17,14 @@ def compute_unpredictable_covariance(
         weights: weights of the mission.
         noise: (r, KINDS, 3) strengths of each gyro's noise.
         accelerometer_bias: standard deviation of each accelerometer's bias, m/s^2.
+        mounting: standard deviation of the angle by which each input axis leans, in each of two
+            directions, rad.
     """
     kinds, axes, k = *weights.noise.shape[:2], len(weights.time)
     times = np.arange(k)
     pairs = weights.noise.reshape(kinds, axes, k, 2, k, 2)[:, :, times, :, times, :]
     gyros = np.einsum("knaij,rna->rkij", pairs, noise**2)
-    carried = weights.accelerometers
-    return np.asarray(gyros + accelerometer_bias**2 * carried @ np.swapaxes(carried, 1, 2))
+    by_force, by_mounting = weights.accelerometers, weights.mounting.reshape(k, 2, 6)
+    force = accelerometer_bias**2 * by_force @ np.swapaxes(by_force, 1, 2)
+    leaning = mounting**2 * by_mounting @ np.swapaxes(by_mounting, 1, 2)
+    return np.asarray(gyros + force + leaning)

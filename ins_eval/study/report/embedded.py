@@ -7,14 +7,14 @@ from typing import Any
 
 import pandas as pd
 
-from ins_eval.study.report.requirements import format_score
+from ins_eval.study.report.claims import format_score
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
 from ins_eval.study.tables.score import MEDIAN_RATIO, R2_RADIAL, SPEARMAN, Score
 
 DIGITS = 4
 """Significant digits of a point's numbers. Chosen: more are not visible."""
-NAMES = (c.CALIBRATION, c.HALF, c.CLASS, c.MISSION)
+NAMES = (c.CALIBRATION, c.CLASS, c.MISSION, c.FLOWN_BY)
 NUMBERS = (c.FLOWN_RADIAL, *(p.median for p in c.PREDICTORS))
 SHORT_NAMES = {R2_RADIAL: "R²", MEDIAN_RATIO: "flown/predicted", SPEARMAN: "Spearman"}
 
@@ -33,13 +33,13 @@ def embed_study(data: StudyData) -> str:
 
 
 def list_captions(scores: Iterable[Score]) -> dict[str, str]:
-    """Scores with intervals, by panel, calibration, half and class, which are joined by "|"."""
+    """Scores with intervals, by panel, calibration and class, which are joined by "|"."""
     captions: dict[str, list[str]] = {}
     for s in scores:
         if s.score in SHORT_NAMES and not s.shuffled and s.predictor:
             panel = f"rank_{s.predictor}" if s.score == SPEARMAN else s.predictor
-            key = "|".join((panel, s.calibration, s.half, s.mission_class))
-            text = f"{SHORT_NAMES[s.score]} {format_score(s).removesuffix(')')}, n {s.n:,})"
+            key = "|".join((panel, s.calibration, s.mission_class))
+            text = f"{SHORT_NAMES[s.score]} {format_score(s)}, n {s.n:,}"
             captions.setdefault(key, []).append(text)
     return {key: "; ".join(parts) for key, parts in sorted(captions.items())}
 

@@ -5,14 +5,15 @@
   const tip = document.getElementById("tip");
   const panels = [...document.querySelectorAll("figure[data-panel]")];
   const charts = [...document.querySelectorAll("svg[data-x]")];
-  const KEYS = { calibration: "calibration", half: "half", class: "mission_class" };
+  const KEYS = { calibration: "calibration", class: "mission_class" };
   const chosen = () => Object.fromEntries(new FormData(form));
   const name = (column, row) => {
     const { levels, codes } = study.names[column];
     return levels[codes[row]];
   };
-  const metres = (value) =>
-    value === null ? "none" : `${Number(value.toPrecision(3)).toLocaleString("en")} m`;
+  const rounded = (value) => Number(value.toPrecision(3)).toLocaleString("en");
+  const distance = (value) =>
+    value === null ? "none" : `${rounded(value)} nmi (${rounded(1.852 * value)} km)`;
 
   let rows = [];
 
@@ -25,7 +26,7 @@
 
   function filter() {
     const choice = chosen();
-    for (const element of document.querySelectorAll("[data-class],[data-calibration],[data-half]"))
+    for (const element of document.querySelectorAll("[data-class],[data-calibration]"))
       element.toggleAttribute("hidden", !applies(element, choice));
     rows = study.triad
       .map((_, row) => row)
@@ -43,7 +44,7 @@
       !ranking && choice.predictor !== "all" && choice.predictor !== own);
     const svg = panel.querySelector("svg[data-x]");
     const count = svg ? rows.filter((row) => place(svg, row)).length : 0;
-    const scores = study.captions[[own, choice.calibration, choice.half, choice.class].join("|")];
+    const scores = study.captions[[own, choice.calibration, choice.class].join("|")];
     panel.querySelector(".live").textContent =
       [ranking ? "" : `${count.toLocaleString("en")} flights`, scores].filter(Boolean).join("; ");
   }
@@ -78,9 +79,9 @@
     for (const svg of charts) mark(svg, row);
     tip.textContent = [
       `Triad ${study.triad[row]}, ${name("mission", row)} (${name("mission_class", row)})`,
-      `${name("calibration", row)} calibrated, ${name("half", row)} half`,
-      `predicted ${metres(study.numbers[svg.dataset.x][row])}`,
-      `flown ${metres(study.numbers[svg.dataset.y][row])}`,
+      `${name("calibration", row)} calibrated, ${name("flown_by", row)}`,
+      `predicted ${distance(study.numbers[svg.dataset.x][row])}`,
+      `flown ${distance(study.numbers[svg.dataset.y][row])}`,
     ].join("\n");
     tip.hidden = false;
     const at = place(svg, row);

@@ -14,10 +14,10 @@ from ins_eval.study.run.identity import Identity
 from ins_eval.study.specification import Study
 from pyhrg.common.made_by import find_difference, list_versions
 
-LARGEST_BLOCK = 20
-"""Largest number of triads of a block. Chosen: the bench takes a minute for them, which is the work
-that a killed command loses."""
-SMALL_STUDY_BLOCKS = 16
+LARGEST_BLOCK = 2
+"""Largest number of triads of a block. Chosen: with nine missions of two hours their co-simulation
+takes a core five minutes, which is the work that a killed command loses."""
+SMALL_STUDY_BLOCKS = 32
 """Number of blocks of a small study. Chosen: enough for many workers and for visible progress."""
 MARK = "made_for"
 """Name of the array in a block's file that identifies the study and the block."""

@@ -1,4 +1,4 @@
-"""Coverage of predicted intervals, with exact binomial intervals (Eq. 17)."""
+"""Coverage of predicted intervals, with exact binomial intervals (Eq. 15)."""
 
 import numpy as np
 from numpy.typing import NDArray

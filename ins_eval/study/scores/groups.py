@@ -19,7 +19,7 @@ class FlightGroup:
 
     calibration: str
     mission_class: str
-    half: str
+    role: str
     rows: pd.DataFrame
     missions: tuple[str, ...]
 
@@ -41,7 +41,7 @@ class FlightGroup:
 
 
 def group_flights(table: pd.DataFrame) -> Iterator[FlightGroup]:
-    """Groups by calibration and half: all classes together, then each class.
+    """Groups by calibration and role: all classes together, then each class.
 
     Args:
         table: a table with the columns of `columns`.
@@ -49,13 +49,13 @@ def group_flights(table: pd.DataFrame) -> Iterator[FlightGroup]:
     Raises:
         ValueError: a triad lacks a mission, or has one twice.
     """
-    for (calibration, half), rows in table.groupby([columns.CALIBRATION, columns.HALF]):
-        yield _make_group(str(calibration), ALL, str(half), rows)
+    for (calibration, role), rows in table.groupby([columns.CALIBRATION, columns.ROLE]):
+        yield _make_group(str(calibration), ALL, str(role), rows)
         for name, part in rows.groupby(columns.CLASS):
-            yield _make_group(str(calibration), str(name), str(half), part)
+            yield _make_group(str(calibration), str(name), str(role), part)
 
 
-def _make_group(calibration: str, mission_class: str, half: str, rows: pd.DataFrame) -> FlightGroup:
+def _make_group(calibration: str, mission_class: str, role: str, rows: pd.DataFrame) -> FlightGroup:
     ordered = rows.sort_values([columns.TRIAD, columns.MISSION], kind="stable")
     missions = tuple(sorted(set(ordered[columns.MISSION])))
     flown = ordered[columns.MISSION].to_numpy()
@@ -64,7 +64,7 @@ def _make_group(calibration: str, mission_class: str, half: str, rows: pd.DataFr
     whole = len(flown) % count == 0 and np.all(flown.reshape(-1, count) == np.array(missions))
     if not whole or np.any(np.diff(triads[::count]) <= 0):
         raise ValueError(
-            f"{calibration}, {mission_class}, {half}: {len(set(triads))} triads, {count} missions "
+            f"{calibration}, {mission_class}, {role}: {len(set(triads))} triads, {count} missions "
             f"and {len(flown)} rows; expected one row for each triad and mission"
         )
-    return FlightGroup(calibration, mission_class, half, ordered, missions)
+    return FlightGroup(calibration, mission_class, role, ordered, missions)

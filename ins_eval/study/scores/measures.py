@@ -1,4 +1,4 @@
-"""Statistics of flown and predicted errors (..., r, m) of r triads in m missions (Eqs. 11 to 16).
+"""Statistics of flown and predicted errors (..., r, m) of r triads in m missions (Eqs. 11 to 14).
 
 A statistic that is not defined for a sample is NaN, such as R2 of a resample whose triads are all
 the same.
@@ -27,51 +27,15 @@ def compute_median_ratio(flown: Array, predicted: Array) -> Array:
     return np.asarray(np.median(_divide(flown, predicted), axis=(-2, -1)))
 
 
-def compute_optimism(flown: Array, predicted: Array) -> Array:
-    """(...,) rms of flown over rms of predicted; above 1 the prediction is too optimistic."""
-    return np.sqrt(_divide(_compute_mean_square(flown), _compute_mean_square(predicted)))
-
-
-def compute_variance_removed(flown: Array, predicted: Array, reference: Array) -> Array:
-    """(...,) share of a refitted reference's residual variance that a prediction removes (Eq. 14).
-
-    The reference is refitted with scale and offset for each mission; the prediction is taken as it
-    is. Neither a bias of the reference, nor the spread between missions, nor a wide spread of
-    devices, which the reference describes too, counts for the prediction.
-    """
-    centred = flown - flown.mean(axis=-2, keepdims=True)
-    regressor = reference - reference.mean(axis=-2, keepdims=True)
-    power = np.sum(regressor**2, axis=-2, keepdims=True)
-    slope = np.sum(centred * regressor, axis=-2, keepdims=True) / np.where(power > 0, power, 1.0)
-    residual = centred - slope * regressor
-    return 1 - _divide(_compute_mean_square(flown - predicted), _compute_mean_square(residual))
-
-
-def compute_log_error(flown: Array, predicted: Array) -> Array:
-    """(...,) mean |ln(flown / predicted)|; 0.7 is a factor of 2."""
-    return np.asarray(np.mean(np.abs(np.log(_divide(flown, predicted))), axis=(-2, -1)))
-
-
-def compute_advantage(flown: Array, predicted: Array, reference: Array) -> Array:
-    """(...,) log error of a reference less that of a prediction (Eq. 15)."""
-    return np.asarray(compute_log_error(flown, reference) - compute_log_error(flown, predicted))
-
-
-def compute_width_ratio(low: Array, high: Array, other_low: Array, other_high: Array) -> Array:
-    """(...,) median width of intervals over the median width of other intervals."""
-    own, other = high - low, other_high - other_low
-    return _divide(np.median(own, axis=(-2, -1)), np.median(other, axis=(-2, -1)))
-
-
-def compute_unpredictable_share(unpredictable: Array, expected: Array) -> Array:
-    """(...,) rms of the unpredictable error over rms of expected errors (..., r, m, 2)."""
-    power = np.mean(np.sum(expected**2, axis=-1), axis=(-2, -1))
-    return np.sqrt(_divide(_compute_mean_square(unpredictable), power))
-
-
 def compute_spearman(flown: Array, figure: Array) -> Array:
-    """(...,) Spearman's rank correlation over gyros (..., r, m, 3), mean over missions (Eq. 16)."""
+    """(...,) Spearman's rank correlation over gyros (..., r, m, 3), mean over missions (Eq. 14)."""
     return np.asarray(np.mean(_correlate(_rank_gyros(flown), _rank_gyros(figure)), axis=-1))
+
+
+def compute_flight_spearman(flown: Array, figure: Array) -> Array:
+    """(...,) Spearman's rank correlation over triads (..., r, m), mean over missions."""
+    ranked = (np.swapaxes(rankdata(each, axis=-2), -1, -2) for each in (flown, figure))
+    return np.asarray(np.mean(_correlate(*ranked), axis=-1))
 
 
 def _rank_gyros(values: Array) -> Array:

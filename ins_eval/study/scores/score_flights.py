@@ -1,39 +1,55 @@
 """All scores of a study's table, with their intervals and requirements."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import pandas as pd
 
 from ins_eval.study.scores import measures
 from ins_eval.study.scores.coverage import estimate_coverage
 from ins_eval.study.scores.groups import group_flights
+from ins_eval.study.scores.judge import judge_bounds, judge_contains, judge_outside
 from ins_eval.study.scores.resampling import bootstrap, shuffle_devices
 from ins_eval.study.scores.scorer import Scorer
 from ins_eval.study.tables import columns, score
+from ins_eval.study.tables.columns import (
+    CIRCUMFERENCE_CLASS,
+    CIRCUMFERENCE_RULE,
+    FITTED_MAP,
+    FIXED_RULE,
+    PREDICTORS,
+    TRUE_PARAMETERS,
+    TURN_ON,
+    TURN_ON_ANYWHERE,
+)
 from ins_eval.study.tables.score import Score
 
-FIXED, CIRCUMFERENCE, THEORY = "fixed_rule", "circumference_rule", "manoeuvre_theory"
-FITTED, BENCH_ORACLE, ORACLE = "fitted_map", "bench_oracle", "oracle"
-STABILITIES = (FIXED, CIRCUMFERENCE, THEORY)
-ORACLE_OF = {FITTED: ORACLE, "fitted_map_any_angle": "oracle_any_angle"}
-"""Fitted maps, and the oracles with the same knowledge of the power-on angle."""
-RANKED_BY = {
-    FIXED: columns.GYROS_FIXED,
-    CIRCUMFERENCE: columns.GYROS_CIRCUMFERENCE,
-    FITTED: columns.GYROS_FITTED,
+RANKED_BY: Mapping[str, str] = {
+    FIXED_RULE: columns.GYROS_FIXED,
+    TURN_ON: columns.GYROS_TURN_ON,
+    TURN_ON_ANYWHERE: columns.GYROS_TURN_ON_ANYWHERE,
+    CIRCUMFERENCE_RULE: columns.GYROS_CIRCUMFERENCE,
+    FITTED_MAP: columns.GYROS_FITTED,
 }
-PREDICTABLE_SHARE = 0.1
-"""Ratio of unpredictable to expected rms error below which the fitted map must reach `SMALLEST_R2`.
+"""Column of the bench figure of each gyro, by the key of its score."""
+RANKED_TRIADS: Mapping[str, str] = {
+    FIXED_RULE: columns.FIXED_STABILITY,
+    CIRCUMFERENCE_RULE: columns.CIRCUMFERENCE_STABILITY,
+}
+"""Column of the bench figure of each triad, for the ranking of single flights."""
+SMALLEST_R2 = 0.97
+"""Smallest accepted R2 of the fitted map. Chosen."""
+SMALLEST_SPEARMAN = 0.95
+"""Smallest accepted rank correlation of the circumference's stability. Chosen."""
+SIZE_FACTOR = 1.3
+"""Largest accepted factor between flown and predicted error, median, of the circumference with the
+constant of the class. Chosen."""
+WRONG_FACTOR = 2.0
+"""Factor between flown and predicted error beyond which the fixed position's size is wrong.
 Chosen."""
-SMALLEST_R2 = 0.95
-"""Smallest accepted R2 of the fitted map in predictable groups. Chosen."""
-ORACLE_MARGIN = 0.03
-"""Elsewhere the fitted map's R2 may be smaller by this than that of the oracle on the bench, which
-does not know the drift either. Chosen."""
 
 
 def score_flights(table: pd.DataFrame, seed: int, inside: float = 0.9) -> list[Score]:
-    """Scores of a table of flights, by calibration, half and class.
+    """Scores of a table of flights, by calibration, role and class.
 
     Args:
         table: columns of `columns`; one row for each triad, calibration and mission.
@@ -43,111 +59,89 @@ def score_flights(table: pd.DataFrame, seed: int, inside: float = 0.9) -> list[S
     Raises:
         ValueError: a triad lacks a mission or has one twice, or a group has fewer than two triads.
     """
-    parts = (
-        _score_r2,
-        _score_control,
-        _score_ratios,
-        _score_intervals,
-        _score_ranking,
-        _score_advantages,
-    )
+    parts = (_score_r2, _score_control, _score_ratios, _score_coverage, _score_ranking)
     scorers = [Scorer(group, seed, inside) for group in group_flights(table)]
     return [found for scorer in scorers for part in parts for found in part(scorer)]
 
 
 def _score_r2(scorer: Scorer) -> Iterator[Score]:
     """R2 of predicted = flown; the fitted map has a requirement."""
-    for key in (*STABILITIES, BENCH_ORACLE, ORACLE):
-        yield scorer.make_score(
-            score.R2_RADIAL, key, measures.compute_r2, [scorer.flown, scorer.median(key)]
-        )
-    r2 = bootstrap(measures.compute_r2, [scorer.flown, scorer.median(FITTED)], scorer.seed)
-    bound, asked = _choose_r2_bound(scorer)
-    yield scorer.fill_score(score.R2_RADIAL, FITTED, r2, asked=asked, holds=r2.value >= bound)
-    for key in (FITTED, ORACLE):
-        pairs = [scorer.group.select_pair("flown"), scorer.group.select_pair(key)]
-        yield scorer.make_score(score.R2_COMPONENTS, key, measures.compute_component_r2, pairs)
-
-
-def _choose_r2_bound(scorer: Scorer) -> tuple[float, str]:
-    """Smallest accepted R2 of the fitted map, as a number and in words."""
-    if float(measures.compute_unpredictable_share(*_select_shares(scorer))) < PREDICTABLE_SHARE:
-        return SMALLEST_R2, f">= {SMALLEST_R2:g}"
-    bound = float(measures.compute_r2(scorer.flown, scorer.median(BENCH_ORACLE))) - ORACLE_MARGIN
-    return bound, f">= {bound:.3f}, the oracle's on the bench less {ORACLE_MARGIN:g}"
+    for predictor in PREDICTORS:
+        samples = [scorer.flown, scorer.median(predictor.key)]
+        r2 = bootstrap(measures.compute_r2, samples, scorer.seed)
+        if predictor.key == FITTED_MAP:
+            verdict, asked = judge_bounds(r2, SMALLEST_R2), f">= {SMALLEST_R2:g}"
+            yield scorer.fill_score(score.R2_RADIAL, FITTED_MAP, r2, asked=asked, verdict=verdict)
+        else:
+            yield scorer.fill_score(score.R2_RADIAL, predictor.key, r2)
+    flown, leaning = scorer.group.select_pair("flown"), scorer.group.select_pair("mounting")
+    for key in (FITTED_MAP, TRUE_PARAMETERS):
+        expected, statistic = scorer.group.select_pair(key), measures.compute_component_r2
+        yield scorer.make_score(score.R2_COMPONENTS, key, statistic, [flown, expected])
+        yield scorer.make_score(score.R2_MOUNTED, key, statistic, [flown - leaning, expected])
 
 
 def _score_control(scorer: Scorer) -> Iterator[Score]:
     """Negative control: the fitted map of another triad must not predict the error."""
-    flown, predicted = scorer.group.select_pair("flown"), scorer.group.select_pair(FITTED)
+    flown, predicted = scorer.group.select_pair("flown"), scorer.group.select_pair(FITTED_MAP)
     r2 = shuffle_devices(measures.compute_component_r2, flown, [predicted], scorer.seed)
+    verdict = judge_bounds(r2, high=0.0)
     yield scorer.fill_score(
-        score.R2_COMPONENTS, FITTED, r2, shuffled=True, asked="<= 0", holds=r2.low <= 0
+        score.R2_COMPONENTS, FITTED_MAP, r2, shuffled=True, asked="<= 0", verdict=verdict
     )
 
 
 def _score_ratios(scorer: Scorer) -> Iterator[Score]:
-    for key in (*STABILITIES, FITTED, ORACLE):
-        samples = [scorer.flown, scorer.median(key)]
-        yield scorer.make_score(score.MEDIAN_RATIO, key, measures.compute_median_ratio, samples)
-        yield scorer.make_score(score.OPTIMISM, key, measures.compute_optimism, samples)
-
-
-def _score_intervals(scorer: Scorer) -> Iterator[Score]:
-    """Coverage and width; only predictors that model the spread have a requirement of coverage."""
-    for key in STABILITIES:
-        coverage = estimate_coverage(scorer.flown, *scorer.interval(key), seed=scorer.seed)
-        yield scorer.fill_score(score.COVERAGE, key, coverage)
-    for key in (*ORACLE_OF, *ORACLE_OF.values()):
-        coverage = estimate_coverage(scorer.flown, *scorer.interval(key), seed=scorer.seed)
-        holds = coverage.low <= scorer.inside <= coverage.high
-        asked = f"{scorer.inside:g} within its interval"
-        yield scorer.fill_score(score.COVERAGE, key, coverage, asked=asked, holds=holds)
-    for key, oracle in ORACLE_OF.items():
-        ends = [*scorer.interval(key), *scorer.interval(oracle)]
-        yield scorer.make_score(score.WIDTH, key, measures.compute_width_ratio, ends)
-
-
-def _score_ranking(scorer: Scorer) -> Iterator[Score]:
-    """Rank correlation of bench figures with the rms over power-on angles, and its negative
-    control."""
-    flown = scorer.group.select(columns.GYROS_FLOWN)
-    for key, column in RANKED_BY.items():
-        figure = scorer.group.select(column)
-        yield scorer.make_score(score.SPEARMAN, key, measures.compute_spearman, [flown, figure])
-        control = shuffle_devices(measures.compute_spearman, flown, [figure], scorer.seed)
-        holds, asked = control.low <= 0 <= control.high, "0 within its interval"
+    """Flown over predicted; requirements on the size by both bench tests."""
+    for predictor in PREDICTORS:
+        samples = [scorer.flown, scorer.median(predictor.key)]
+        ratio = bootstrap(measures.compute_median_ratio, samples, scorer.seed)
+        asked, verdict = "", ""
+        if predictor.key == FIXED_RULE:
+            asked = f"wrong by a factor of {WRONG_FACTOR:g}"
+            verdict = judge_outside(ratio, 1 / WRONG_FACTOR, WRONG_FACTOR)
+        if predictor.key == CIRCUMFERENCE_CLASS:
+            asked = f"within a factor of {SIZE_FACTOR:g}"
+            verdict = judge_bounds(ratio, 1 / SIZE_FACTOR, SIZE_FACTOR)
         yield scorer.fill_score(
-            score.SPEARMAN, key, control, shuffled=True, asked=asked, holds=holds
+            score.MEDIAN_RATIO, predictor.key, ratio, asked=asked, verdict=verdict
         )
 
 
-def _score_advantages(scorer: Scorer) -> Iterator[Score]:
-    """The two scores of the thesis: the circumference predicts better than the fixed position, and
-    the fitted map better than the circumference."""
-    flown, fixed = scorer.flown, scorer.median(FIXED)
-    circumference = scorer.median(CIRCUMFERENCE)
-    yield scorer.make_score(
-        score.UNPREDICTABLE_SHARE,
-        FITTED,
-        measures.compute_unpredictable_share,
-        _select_shares(scorer),
-    )
-    yield scorer.make_positive_score(
-        score.ADVANTAGE,
-        CIRCUMFERENCE,
-        measures.compute_advantage,
-        [flown, circumference, fixed],
-        "Here the fixed-position rule predicts as well as the full circumference.",
-    )
-    yield scorer.make_positive_score(
-        score.VARIANCE_REMOVED,
-        FITTED,
-        measures.compute_variance_removed,
-        [flown, scorer.median(FITTED), circumference],
-        "Here the fitted map predicts no better than the full-circumference figure.",
-    )
+def _score_coverage(scorer: Scorer) -> Iterator[Score]:
+    """Coverage of intervals; only the fitted map's have a requirement."""
+    for predictor in PREDICTORS:
+        ends = scorer.interval(predictor.key)
+        coverage = estimate_coverage(scorer.flown, *ends, seed=scorer.seed)
+        asked, verdict = "", ""
+        if predictor.key == FITTED_MAP:
+            asked = f"{scorer.inside:g} within its interval"
+            verdict = judge_contains(coverage, scorer.inside)
+        yield scorer.fill_score(
+            score.COVERAGE, predictor.key, coverage, asked=asked, verdict=verdict
+        )
 
 
-def _select_shares(scorer: Scorer) -> list[measures.Array]:
-    return [scorer.group.select(columns.UNPREDICTABLE), scorer.group.select_pair(FITTED)]
+def _score_ranking(scorer: Scorer) -> Iterator[Score]:
+    """Rank correlation of bench figures with the rms over power-on angles, its negative control,
+    and that of triads with their single flights."""
+    flown, statistic = scorer.group.select(columns.GYROS_FLOWN), measures.compute_spearman
+    for key, column in RANKED_BY.items():
+        figure = scorer.group.select(column)
+        rank = bootstrap(statistic, [flown, figure], scorer.seed)
+        asked, verdict = "", ""
+        if key == FIXED_RULE:
+            asked, verdict = "0 within its interval", judge_contains(rank, 0.0)
+        if key == CIRCUMFERENCE_RULE:
+            asked, verdict = f">= {SMALLEST_SPEARMAN:g}", judge_bounds(rank, SMALLEST_SPEARMAN)
+        yield scorer.fill_score(score.SPEARMAN, key, rank, asked=asked, verdict=verdict)
+        control = shuffle_devices(statistic, flown, [figure], scorer.seed)
+        asked, verdict = "0 within its interval", judge_contains(control, 0.0)
+        yield scorer.fill_score(
+            score.SPEARMAN, key, control, shuffled=True, asked=asked, verdict=verdict
+        )
+    for key, column in RANKED_TRIADS.items():
+        samples = [scorer.flown, scorer.group.select(column)]
+        yield scorer.make_score(
+            score.FLIGHT_SPEARMAN, key, measures.compute_flight_spearman, samples
+        )

@@ -45,14 +45,6 @@ class Scorer:
         """A score with its bootstrap interval and without a requirement."""
         return self.fill_score(name, key, bootstrap(statistic, samples, self.seed))
 
-    def make_positive_score(
-        self, name: str, key: str, statistic: Statistic, samples: Sequence[Array], otherwise: str
-    ) -> Score:
-        """A score whose whole interval must be above 0; `otherwise` is the note if it is not."""
-        estimate = bootstrap(statistic, samples, self.seed)
-        note = "" if estimate.low > 0 else otherwise
-        return self.fill_score(name, key, estimate, asked="> 0", holds=estimate.low > 0, note=note)
-
     def fill_score(
         self,
         name: str,
@@ -61,8 +53,7 @@ class Scorer:
         *,
         shuffled: bool = False,
         asked: str = "",
-        holds: bool | None = None,
-        note: str = "",
+        verdict: str = "",
     ) -> Score:
         """The score of this group from an estimate; arguments are fields of `Score`."""
         return Score(
@@ -70,7 +61,7 @@ class Scorer:
             predictor=key,
             calibration=self.group.calibration,
             mission_class=self.group.mission_class,
-            half=self.group.half,
+            role=self.group.role,
             value=estimate.value,
             low=estimate.low,
             high=estimate.high,
@@ -79,6 +70,5 @@ class Scorer:
             seed=self.seed,
             shuffled=shuffled,
             asked=asked,
-            holds=holds,
-            note=note,
+            verdict=verdict,
         )

@@ -1,80 +1,120 @@
-"""Figures of position errors, predicted and flown: over time, and triad by triad."""
+"""Figures of position errors: the lead case over time, and all judged flights one by one."""
 
 from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ins_eval.common.metrics import median_interval
 from ins_eval.study.report.figures.filters import name_calibration
-from ins_eval.study.summary.outcome import Outcome
+from ins_eval.study.report.lead_case import LeadCase, read_lead_case
+from ins_eval.study.specification import TEST
+from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
-from ins_eval.study.tables.columns import CIRCUMFERENCE_RULE, FITTED_MAP, FIXED_RULE
+from ins_eval.study.tables.columns import (
+    CIRCUMFERENCE_CLASS,
+    CIRCUMFERENCE_RULE,
+    FITTED_MAP,
+    FIXED_RULE,
+)
+from ins_eval.study.tables.score import ALL, R2_RADIAL, SPEARMAN
 from pyhrg.common.units import HOUR, NAUTICAL_MILE
 
-COLOURS = {FIXED_RULE: "tab:red", CIRCUMFERENCE_RULE: "tab:blue", FITTED_MAP: "tab:green"}
+COLOURS = {FIXED_RULE: "tab:red", CIRCUMFERENCE_CLASS: "tab:blue", FITTED_MAP: "tab:green"}
 NAMES = {
-    FIXED_RULE: "fixed position",
-    CIRCUMFERENCE_RULE: "full circumference",
-    FITTED_MAP: "fitted map",
+    FIXED_RULE: "fixed position, usual rule",
+    CIRCUMFERENCE_CLASS: "full circumference, class constant",
+    FITTED_MAP: "fitted map and trajectory",
 }
-STABILITIES = {FIXED_RULE: c.FIXED_STABILITY, CIRCUMFERENCE_RULE: c.CIRCUMFERENCE_STABILITY}
+RANKING = {FIXED_RULE: FIXED_RULE, CIRCUMFERENCE_CLASS: CIRCUMFERENCE_RULE}
+"""Bench figure whose rank correlation stands beside a predictor."""
+MARKERS = "o^sDvP*X<"
 
 
-def draw_figure(outcomes: Sequence[Outcome], path: Path) -> None:
-    """Write the figure as PNG; a row of two axes for each calibration."""
-    figure = Figure(figsize=(11, 6 * len(outcomes)), layout="constrained")
-    rows = figure.subplots(len(outcomes), 2, squeeze=False, width_ratios=(1.25, 1))
-    for (growth, scatter), outcome in zip(rows, outcomes, strict=True):
-        draw_growth(growth, outcome)
-        draw_scatter(scatter, outcome)
+def draw_figure(data: StudyData, path: Path) -> None:
+    """Write the figure as PNG: the lead case, if there is one, and the flights of the first
+    calibration."""
+    case, calibration = read_lead_case(data.about), data.list_values(c.CALIBRATION)[0]
+    count = 1 if case is None else 2
+    figure = Figure(figsize=(6.2 * count, 6.2), layout="constrained")
+    axes: Sequence[Axes] = figure.subplots(1, count, squeeze=False)[0]
+    if case is not None:
+        draw_lead(axes[0], case)
+    draw_scatter(axes[-1], data, calibration)
     figure.savefig(path, dpi=120, metadata={"Software": None})
 
 
-def draw_growth(axes: Axes, outcome: Outcome) -> None:
-    """Flown and predicted error over time, for a single judged mission."""
-    hours, flown = outcome.time / HOUR, outcome.growth / NAUTICAL_MILE
-    n = len(flown)
-    for number, triad in enumerate(flown):
-        label = f"flown, {n} triads" if number == 0 else None
-        axes.plot(hours, triad, color="0.75", linewidth=0.8, label=label)
+def draw_lead(axes: Axes, case: LeadCase) -> None:
+    """Flown and promised error of the lead case over time, nmi."""
+    hours, flown = case.time / HOUR, case.flown / NAUTICAL_MILE
+    label = f"flown, co-simulated, {len(flown)} start angles"
+    for number, each in enumerate(flown):
+        axes.plot(hours, each, color="0.7", linewidth=0.8, label=None if number else label)
     median = np.median(flown, axis=0)
-    axes.plot(hours, median, color="black", linewidth=2.2, label="flown, median (band: 95 %)")
-    band = np.array([median_interval(radial) for radial in flown.T])
-    axes.fill_between(hours, band[:, 0], band[:, 1], color="black", alpha=0.15, linewidth=0)
-    for key, column in STABILITIES.items():
-        stability = outcome.flights[column].median()
-        label = f"predicted from the {NAMES[key]} ({stability:.2g} deg/h)"
-        predicted = outcome.predicted_growth(key) / NAUTICAL_MILE
-        axes.plot(hours, predicted, COLOURS[key], linestyle="--", linewidth=2, label=label)
-    smallest = min(outcome.predicted_growth(FIXED_RULE)[-1], outcome.flown.min())
+    axes.plot(hours, median, color="black", linewidth=2.2, label=f"their median: {median[-1]:.2g}")
+    for stability, name, colour in (
+        (case.circumference_stability, "full circumference", "tab:blue"),
+        (case.fixed_stability, "fixed position", "tab:red"),
+    ):
+        promised = case.promise(stability) / NAUTICAL_MILE
+        label = f"promised by the {name}, {stability:.2g} deg/h: {promised[-1]:.2g}"
+        axes.plot(hours, promised, colour, linestyle="--", linewidth=2, label=label)
     axes.set_yscale("log")
-    axes.set_ylim(bottom=smallest / NAUTICAL_MILE / 10)
     axes.set_xlabel("time since alignment, h")
-    axes.set_ylabel("horizontal position error, nmi")
-    title = f"{outcome.missions[0]}, {name_calibration(outcome.calibration)}"
+    axes.set_ylabel("horizontal position error, nmi (1 nmi = 1.852 km)")
+    axes.set_title(f"The gyro of the paper's Table 2, mean removed: {case.mission}", fontsize=11)
+    _finish(axes)
+
+
+def draw_scatter(axes: Axes, data: StudyData, calibration: str) -> None:
+    """Flown against predicted error of each judged triad at the end, in nmi on logarithmic axes; a
+    marker for each mission class."""
+    table = data.table
+    judged = table[(table[c.ROLE] == TEST) & (table[c.CALIBRATION] == calibration)]
+    classes = list(dict.fromkeys(judged[c.CLASS]))
+    for key, colour in COLOURS.items():
+        label = f"{NAMES[key]}; {_describe(data, calibration, key)}"
+        for place, name in enumerate(classes):
+            rows = judged[judged[c.CLASS] == name]
+            predicted, flown = _read(rows, c.PREDICTOR_OF[key].median), _read(rows, c.FLOWN_RADIAL)
+            axes.plot(
+                predicted,
+                flown,
+                MARKERS[place % len(MARKERS)],
+                color=colour,
+                markersize=4,
+                alpha=0.7,
+                label=None if place else label,
+            )
+    flown = _read(judged, c.FLOWN_RADIAL)
+    ends = np.array([flown.min() / 3, flown.max() * 3])
+    axes.plot(ends, ends, color="black", linestyle=":", linewidth=1)
+    for place, name in enumerate(classes):
+        axes.plot([], [], MARKERS[place % len(MARKERS)], color="0.4", markersize=4, label=name)
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_xlabel("predicted from the bench, nmi")
+    axes.set_ylabel("flown, nmi (1 nmi = 1.852 km)")
+    by = " and ".join(dict.fromkeys(judged[c.FLOWN_BY]))
+    title = f"{len(judged)} flights, {by}; {name_calibration(calibration)}"
     axes.set_title(title, fontsize=11)
     _finish(axes)
 
 
-def draw_scatter(axes: Axes, outcome: Outcome) -> None:
-    """Flown against predicted error of each triad at the end, in nmi on logarithmic axes."""
-    flown = outcome.flown / NAUTICAL_MILE
-    for key, name in NAMES.items():
-        predicted, ratio = outcome.predicted(key) / NAUTICAL_MILE, outcome.ratio(key)
-        label = f"{name}: {ratio}"
-        axes.plot(predicted, flown, ".", color=COLOURS[key], alpha=0.75, label=label)
-    ends = np.array([*axes.get_xlim(), *axes.get_ylim()])
-    ends = np.array([max(ends.min(), flown.min() / 3), ends.max()])
-    axes.plot(ends, ends, color="black", linestyle=":", linewidth=1)
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    axes.set_xlabel(f"predicted from the bench, nmi, at {outcome.hours:g} h")
-    axes.set_ylabel("flown, nmi")
-    axes.set_title(f"{len(flown)} flights; flown / predicted below", fontsize=11)
-    _finish(axes)
+def _describe(data: StudyData, calibration: str, key: str) -> str:
+    """Rank correlation of the bench figure over start angles, or R2 of the fitted map."""
+    name, predictor = (SPEARMAN, RANKING[key]) if key in RANKING else (R2_RADIAL, key)
+    found = data.select(name, predictor=predictor, calibration=calibration, mission_class=ALL)
+    word = "Spearman" if name == SPEARMAN else "R2"
+    return (
+        f"{word} {found[0].value:.2f} ({found[0].low:.2f} to {found[0].high:.2f})" if found else ""
+    )
+
+
+def _read(rows: pd.DataFrame, name: str) -> np.ndarray:
+    return rows[name].to_numpy(float) / NAUTICAL_MILE
 
 
 def _finish(axes: Axes) -> None:

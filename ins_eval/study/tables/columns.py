@@ -47,32 +47,38 @@ class Predictor:
         return f"{self.key}_high_m"
 
 
+FIXED_RULE, CIRCUMFERENCE_RULE = "fixed_rule", "circumference_rule"
+FIXED_CLASS, CIRCUMFERENCE_CLASS = "fixed_class", "circumference_class"
+FITTED_MAP, ANY_ANGLE, TRUE_PARAMETERS = "fitted_map", "fitted_map_any_angle", "true_parameters"
 PREDICTORS = (
-    Predictor("fixed_rule", "Fixed position", "fixed-position stability, 0.01 deg/h ~ 1 nmi/h"),
+    Predictor(FIXED_RULE, "Fixed position", "fixed-position stability, 0.01 deg/h ~ 1 nmi/h"),
     Predictor(
-        "circumference_rule", "Full circumference", "8N full-circumference stability, same rule"
+        CIRCUMFERENCE_RULE, "Full circumference", "8N full-circumference stability, same rule"
     ),
     Predictor(
-        "manoeuvre_theory",
-        "Manoeuvre theory",
-        "full-circumference stability through a theory that knows the manoeuvre",
-    ),
-    Predictor("fitted_map", "Fitted map", "the bench's maps; temperature and power-on angle known"),
-    Predictor(
-        "fitted_map_any_angle", "Fitted map, any angle", "the bench's maps; power-on angle unknown"
+        FIXED_CLASS,
+        "Fixed position, class constant",
+        "fixed-position stability times the constant of the mission class",
     ),
     Predictor(
-        "bench_oracle", "Oracle, drift unknown", "the true maps on the bench, spread as the fit's"
+        CIRCUMFERENCE_CLASS,
+        "Full circumference, class constant",
+        "full-circumference stability times the constant of the mission class",
     ),
-    Predictor("oracle", "Oracle", "the true maps in flight, which no bench measures"),
+    Predictor(FITTED_MAP, "Fitted map", "the bench's maps; temperature and power-on angle known"),
+    Predictor(ANY_ANGLE, "Fitted map, start anywhere", "the bench's maps; power-on angle unknown"),
     Predictor(
-        "oracle_any_angle", "Oracle, any angle", "the true maps in flight; power-on angle unknown"
+        TRUE_PARAMETERS, "True parameters", "the true maps in flight, which no bench measures"
     ),
 )
-"""All predictors, from simple to best. The oracles are the yardstick of the others."""
+"""All predictors, from simple to best. The true parameters are the yardstick of the others."""
 PREDICTOR_OF = {predictor.key: predictor for predictor in PREDICTORS}
-FIXED_RULE, CIRCUMFERENCE_RULE, FITTED_MAP = "fixed_rule", "circumference_rule", "fitted_map"
-"""Keys of the predictors that the verdict compares."""
+TURN_ON, TURN_ON_ANYWHERE = "turn_on", "turn_on_anywhere"
+FIGURE_TITLES = {
+    TURN_ON: "Fixed position, repeatability over turn-ons",
+    TURN_ON_ANYWHERE: "Repeatability if patterns start anywhere",
+}
+"""Bench figures that rank gyros and predict no error."""
 
 PARTS = {
     "map": "bias and scale-factor maps at power-on",
@@ -80,22 +86,25 @@ PARTS = {
     "environment": "sensitivity of the maps to specific force, heating and fast turning",
     "drift": "the patterns' own drift",
     "accelerometers": "accelerometer biases",
+    "mounting": "input axes that lean",
     "noise": "gyro noise: white, flicker, random walk",
     "alignment": "second-order error of the alignment",
 }
-"""Parts of the flown error, which is their sum as vectors."""
+"""Parts of the error by the linear model, which is their sum as vectors."""
 
 TRIAD, CALIBRATION, MISSION, CLASS = "triad", "calibration", "mission", "mission_class"
-HALF, HOURS = "half", "hours"
+ROLE, HOURS = "role", "hours"
 FLOWN_NORTH, FLOWN_EAST, FLOWN_RADIAL = "flown_north_m", "flown_east_m", "flown_radial_m"
 GROWTH = "growth_radial_m"
-RMS_OVER_ANGLES = "rms_over_angles_m"
-COSIMULATED = "cosimulated_radial_m"
+FLOWN_BY, LINEAR_RADIAL = "flown_by", "linear_radial_m"
+COSIMULATED, LINEAR = "co-simulated", "linear"
+"""How a flight was flown: values of `FLOWN_BY`."""
 FIXED_STABILITY, CIRCUMFERENCE_STABILITY = "fixed_stability_deg_h", "circumference_stability_deg_h"
 MAP_RMS = "map_rms_deg_h"
-UNPREDICTABLE = "unpredictable_rms_m"
 GYROS_FLOWN, GYROS_FITTED = "gyros_flown_rms_over_angles_m", "gyros_fitted_rms_over_angles_m"
 GYROS_FIXED, GYROS_CIRCUMFERENCE = "gyros_fixed_stability_deg_h", "gyros_circumference_deg_h"
+GYROS_TURN_ON = "gyros_turn_on_repeatability_deg_h"
+GYROS_TURN_ON_ANYWHERE = "gyros_turn_on_anywhere_deg_h"
 
 GROWTH_STEP_HOURS = 1 / 6
 """Time between the elements of `GROWTH`; the first is one step after the alignment."""
@@ -111,26 +120,32 @@ COLUMNS = (
     Column(CALIBRATION, "text", "", "what the maker calibrates: mean or map"),
     Column(MISSION, "text", "", "name of the mission"),
     Column(CLASS, "text", "", "mission class: car, ship, ..."),
-    Column(HALF, "text", "", "train, or test: triads and classes that no predictor was made on"),
+    Column(ROLE, "text", "", "train; test: triads that no predictor was made on; or condition"),
     Column(HOURS, "number", "h", "time of navigation at which the error is judged"),
+    Column(FLOWN_BY, "text", "", "co-simulated (FMUs at 1 kHz, navigator) or linear (error model)"),
     Column(FLOWN_NORTH, "number", "m", "position error north, navigated less true"),
     Column(FLOWN_EAST, "number", "m", "position error east"),
     Column(FLOWN_RADIAL, "number", "m", "horizontal position error"),
     *(
-        Column(name_part(name, axis), "number", "m", f"{axis} part of the error: {what}")
+        Column(name_part(name, axis), "number", "m", f"{axis} part, linear model: {what}")
         for name, what in PARTS.items()
         for axis in ("north", "east")
     ),
     Column(GROWTH, "numbers", "m", "horizontal position error every 10 min of navigation"),
-    Column(RMS_OVER_ANGLES, "number", "m", "rms horizontal error over power-on angles"),
-    Column(COSIMULATED, "number", "m", "horizontal error of the co-simulation; NaN where not done"),
+    Column(LINEAR_RADIAL, "number", "m", "horizontal error by the linear model, noise of its own"),
     Column(FIXED_STABILITY, "number", "deg/h", "bench: fixed-position stability, rms of the gyros"),
     Column(CIRCUMFERENCE_STABILITY, "number", "deg/h", "bench: full-circumference stability, rms"),
     Column(MAP_RMS, "number", "deg/h", "bench: rms of the fitted bias maps over the circumference"),
-    Column(UNPREDICTABLE, "number", "m", "rms error by drift of maps, noise and accelerometers"),
     Column(GYROS_FLOWN, "numbers", "m", "each gyro: rms error over power-on angles and mountings"),
     Column(GYROS_FITTED, "numbers", "m", "each gyro: the same rms error by the bench's maps"),
     Column(GYROS_FIXED, "numbers", "deg/h", "bench: fixed-position stability of each gyro"),
+    Column(GYROS_TURN_ON, "numbers", "deg/h", "bench: repeatability over turn-ons of each gyro"),
+    Column(
+        GYROS_TURN_ON_ANYWHERE,
+        "numbers",
+        "deg/h",
+        "fitted map: repeatability of each gyro if its pattern started anywhere",
+    ),
     Column(GYROS_CIRCUMFERENCE, "numbers", "deg/h", "bench: full-circumference stability of each"),
     *(
         column
@@ -143,7 +158,7 @@ COLUMNS = (
     ),
     *(
         Column(f"{key}_{axis}_m", "number", "m", f"predicted {axis} error, mean: {key}")
-        for key in ("fitted_map", "oracle")
+        for key in (FITTED_MAP, TRUE_PARAMETERS)
         for axis in ("north", "east")
     ),
 )

@@ -1,49 +1,53 @@
 """A score of the study with its interval, as study.json lists them under "scores"."""
 
-from dataclasses import dataclass
+import math
+from dataclasses import asdict, dataclass
+from typing import Any
 
 ALL = "all"
-"""Mission class or half of a score that covers all of them."""
+"""Mission class or role of a score that covers all of them."""
 
-R2_RADIAL, R2_COMPONENTS = "r2_radial", "r2_components"
-MEDIAN_RATIO, OPTIMISM = "median_ratio", "optimism"
-VARIANCE_REMOVED, COVERAGE, WIDTH = "variance_removed", "coverage", "width_to_oracle"
-SPEARMAN, AGREEMENT = "spearman", "linear_to_cosimulated"
-ADVANTAGE, UNPREDICTABLE_SHARE = "advantage_of_circumference", "unpredictable_share"
+R2_RADIAL, R2_COMPONENTS, R2_MOUNTED = "r2_radial", "r2_components", "r2_without_mounting"
+MEDIAN_RATIO, COVERAGE = "median_ratio", "coverage"
+SPEARMAN, FLIGHT_SPEARMAN = "spearman", "spearman_of_flights"
+AGREEMENT = "linear_to_cosimulated"
+CLASS_CONSTANT = "class_constant"
 
 SCORES = {
     R2_RADIAL: "R2 of predicted = flown, horizontal error, no refit",
     R2_COMPONENTS: "R2 of predicted = flown, north and east, no refit",
+    R2_MOUNTED: "R2, north and east, if the mounting were known: its part is taken out",
     MEDIAN_RATIO: "median of flown / predicted",
-    OPTIMISM: "rms flown / rms predicted",
-    VARIANCE_REMOVED: "share removed of the residual variance of the refitted circumference rule",
     COVERAGE: "share of flown errors inside the predicted interval",
-    WIDTH: "median width of the predicted interval / the oracle's",
-    SPEARMAN: "rank correlation of the bench's figure and the flown rms over power-on angles",
-    ADVANTAGE: "mean |ln(flown / predicted)| of the fixed rule less that of the circumference rule",
-    UNPREDICTABLE_SHARE: "rms error by drift, noise, accelerometers / rms of the predicted error",
+    SPEARMAN: "rank correlation of the bench's figure and the linear rms over power-on angles",
+    FLIGHT_SPEARMAN: "rank correlation of a triad's bench figure and its flown error",
+    CLASS_CONSTANT: "class constant: median linear error / usual rule (0.01 deg/h = 1 nmi/h)",
     AGREEMENT: "rms of linear less co-simulated / rms co-simulated",
 }
-"""Definitions by key; all are pure numbers (docs/methods/study_predictors.md, Eqs. 11 to 17)."""
+"""Definitions by key; all are pure numbers (docs/methods/study_predictors.md, Eqs. 11 to 15)."""
+
+HOLDS, FAILS, UNDECIDED = "holds", "fails", "undecided"
+"""Verdicts: the whole interval meets the requirement; none of it does; or part of it does."""
 
 
 @dataclass(frozen=True)
 class Score:
     """A score of one group of flights.
 
-    score: key of `SCORES`; predictor: key of `columns.PREDICTORS`, or "";
+    score: key of `SCORES`; predictor: key of `columns.PREDICTORS`, of
+    `columns.FIGURE_TITLES`, or "";
     value, low, high: the score and its interval at `confidence`; NaN where there is none;
     n: number of triads; seed: seed of the bootstrap, None for an exact interval;
     shuffled: whether it is the negative control, with predictions of shuffled devices;
-    asked: the requirement, such as ">= 0.95", or ""; holds: whether it is met, None without one;
-    note: a sentence on what the score means, or "".
+    asked: the requirement, such as ">= 0.95", or ""; verdict: `HOLDS`, `FAILS`, `UNDECIDED`, or ""
+    without a requirement.
     """
 
     score: str
     predictor: str
     calibration: str
     mission_class: str
-    half: str
+    role: str
     value: float
     low: float
     high: float
@@ -52,5 +56,11 @@ class Score:
     seed: int | None = None
     shuffled: bool = False
     asked: str = ""
-    holds: bool | None = None
-    note: str = ""
+    verdict: str = ""
+
+    def describe(self) -> dict[str, Any]:
+        """The score as JSON values; null where a number is NaN."""
+        return {
+            key: None if isinstance(value, float) and not math.isfinite(value) else value
+            for key, value in asdict(self).items()
+        }

@@ -3,7 +3,6 @@
 import csv
 import json
 from collections.abc import Sequence
-from dataclasses import asdict
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -11,14 +10,16 @@ from typing import Any
 import numpy as np
 
 from ins_eval.common.metrics import median_interval
+from ins_eval.study.report.claims import describe_conditions, judge_claims
+from ins_eval.study.report.lead_case import LeadCase, read_lead_case
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.summary.figure import draw_figure
 from ins_eval.study.summary.outcome import SHOWN_PREDICTORS, Outcome, list_outcomes
-from ins_eval.study.tables.columns import CIRCUMFERENCE_RULE, FIXED_RULE, TRIAD
-from ins_eval.study.tables.score import AGREEMENT
+from ins_eval.study.tables.columns import CALIBRATION, CIRCUMFERENCE_RULE, FIXED_RULE, TRIAD
+from ins_eval.study.tables.score import AGREEMENT, CLASS_CONSTANT
 from pyhrg.common.units import NAUTICAL_MILE
 
-SCHEMA = "hrg-validation/2"
+SCHEMA = "hrg-validation/3"
 DOCUMENT, TABLE, FIGURE = "validation.json", "position_error.csv", "validation.png"
 FILES = (DOCUMENT, TABLE, FIGURE)
 
@@ -29,31 +30,77 @@ def write_files(data: StudyData, folder: Path) -> None:
     text = json.dumps(_make_document(data, outcomes), indent=2) + "\n"
     (folder / DOCUMENT).write_text(text)
     _write_table(outcomes, folder / TABLE)
-    draw_figure(outcomes, folder / FIGURE)
+    draw_figure(data, folder / FIGURE)
 
 
 def _make_document(data: StudyData, outcomes: Sequence[Outcome]) -> dict[str, Any]:
+    case = read_lead_case(data.about)
     return {
         "schema": SCHEMA,
         "hrg": version("hrg"),
         "seed": data.about["seed"],
-        "calibrations": {outcome.calibration: _describe(outcome) for outcome in outcomes},
-        "cosimulated": [asdict(score) for score in data.select(AGREEMENT)],
+        **({} if case is None else _describe_lead(case)),
+        "claims": {key: _describe_claims(data, key) for key in data.list_values(CALIBRATION)},
+        "where_claims_fail": describe_conditions(data),
+        "class_constants": [score.describe() for score in data.select(CLASS_CONSTANT)],
+        "flights": [_describe(outcome) for outcome in outcomes],
+        "linear_to_cosimulated": [score.describe() for score in data.select(AGREEMENT)],
     }
+
+
+def _describe_lead(case: LeadCase) -> dict[str, Any]:
+    """The lead case; all its flights are co-simulated."""
+    flown = case.final / NAUTICAL_MILE
+    return {
+        "case": f"{case.device}, mean removed, {case.mission}, {case.time[-1] / 3600:g} h",
+        "predicted": {
+            "fixed_position": {
+                "bias_stability_deg_h": case.fixed_stability,
+                "radial_error_nmi": case.promised_fixed / NAUTICAL_MILE,
+            },
+            "full_circumference": {
+                "bias_stability_deg_h": case.circumference_stability,
+                "radial_error_nmi": case.promised_circumference / NAUTICAL_MILE,
+            },
+        },
+        "flown": {
+            "radial_error_nmi": float(np.median(flown)),
+            "smallest_nmi": float(flown.min()),
+            "largest_nmi": float(flown.max()),
+            "n": len(flown),
+            "co_simulated": len(flown),
+        },
+        "sentences": list(case.sentences),
+    }
+
+
+def _describe_claims(data: StudyData, calibration: str) -> list[dict[str, Any]]:
+    return [
+        {
+            "claim": each.claim.letter,
+            "statement": each.claim.statement,
+            "verdict": each.verdict,
+            "n": each.n,
+            "overall": [score.describe() for score in each.overall],
+            "by_class": [score.describe() for score in each.by_class],
+        }
+        for each in judge_claims(data, calibration)
+    ]
 
 
 def _describe(outcome: Outcome) -> dict[str, Any]:
     low, high = outcome.flown_interval
     return {
-        "mission": outcome.missions[0],
+        "calibration": outcome.calibration,
+        "mission": outcome.mission,
         "hours": outcome.hours,
         "predicted": {key: _describe_prediction(outcome, key) for key in SHOWN_PREDICTORS},
         "flown": {
             "radial_error_nmi": float(np.median(outcome.flown)) / NAUTICAL_MILE,
             "interval_95_nmi": [low / NAUTICAL_MILE, high / NAUTICAL_MILE],
             "n": len(outcome.flown),
+            "co_simulated": outcome.cosimulated,
         },
-        "verdict": outcome.verdict,
     }
 
 
@@ -63,14 +110,14 @@ def _describe_prediction(outcome: Outcome, key: str) -> dict[str, Any]:
         "radial_error_nmi": float(np.median(outcome.predicted(key))) / NAUTICAL_MILE,
         "flown_over_predicted": ratio.value,
         "flown_over_predicted_interval_95": [ratio.low, ratio.high],
-        "judged": ratio.judgement,
     }
 
 
 def _write_table(outcomes: Sequence[Outcome], path: Path) -> None:
-    """A row for each calibration and time, a column for each triad."""
+    """A row for each calibration, mission and time, a column for each triad."""
     columns = [
         "calibration",
+        "mission",
         "time_s",
         "predicted_fixed_position_m",
         "predicted_full_circumference_m",
@@ -86,4 +133,5 @@ def _write_table(outcomes: Sequence[Outcome], path: Path) -> None:
             predicted = [outcome.predicted_growth(key) for key in (FIXED_RULE, CIRCUMFERENCE_RULE)]
             for time, *rules, flown in zip(outcome.time, *predicted, outcome.growth.T, strict=True):
                 numbers = [time, *rules, np.median(flown), *median_interval(flown), *flown]
-                writer.writerow([outcome.calibration, *(f"{value:.6g}" for value in numbers)])
+                texts = (f"{value:.6g}" for value in numbers)
+                writer.writerow([outcome.calibration, outcome.mission, *texts])

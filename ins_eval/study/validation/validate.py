@@ -1,4 +1,4 @@
-"""The front door of the validation: the small study with one test mission."""
+"""The front door of the validation: the small study, with options in place of some keys."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -12,11 +12,9 @@ from ins_eval.study.specification import (
     LARGEST_TRIADS,
     LONGEST_HOURS,
     MEAN,
-    TEST,
-    TRAIN,
     PlannedMission,
     Study,
-    compute_fewest_triads,
+    compute_fewest_judged,
 )
 from ins_eval.study.study_data import read_study_data
 from ins_eval.study.study_file import load_study
@@ -33,8 +31,8 @@ def validate(
     out: Path | str,
     *,
     seed: int = 1,
-    hours: float = 2.0,
-    triads: int = 80,
+    hours: float = 1.0,
+    triads: int = 40,
     calibration: str = MEAN,
     trajectory: Path | str | None = None,
     workers: int | None = None,
@@ -46,11 +44,11 @@ def validate(
     Args:
         out: output folder; new, empty, or of the same validation, which is continued.
         seed: seed of everything random.
-        hours: duration of the missions.
-        triads: number of triads; half of them are judged.
+        hours: duration of the missions; the lead case lasts an hour.
+        triads: number of triads that are judged; the preset's training triads come on top.
         calibration: what the maker calibrates: "mean" or "map".
-        trajectory: the judged mission: a ready one, a mission file (TOML) or a recorded drive
-            (CSV); the preset's if None.
+        trajectory: the mission beside the car: a ready one, a mission file (TOML) or a recorded
+            drive (CSV); the preset's if None.
         workers, scheduler, progress: as in `run_study`.
 
     Raises:
@@ -75,8 +73,8 @@ def validate(
 def plan_validation(
     *,
     seed: int = 1,
-    hours: float = 2.0,
-    triads: int = 80,
+    hours: float = 1.0,
+    triads: int = 40,
     calibration: str = MEAN,
     trajectory: Path | str | None = None,
 ) -> Study:
@@ -89,23 +87,23 @@ def plan_validation(
     if calibration not in CALIBRATIONS:
         expected = " or ".join(CALIBRATIONS)
         raise HrgError(f"calibration: found {calibration!r}, expected {expected}")
-    fewest = compute_fewest_triads(preset.interval_percent)
+    fewest = compute_fewest_judged(preset.interval_percent)
     check_whole_number("triads", triads, fewest, LARGEST_TRIADS)
     check_number("hours", hours, 0.1, LONGEST_HOURS)
     study = replace(
         preset,
         seed=check_seed(seed),
         hours=hours,
-        triads=triads,
+        triads=preset.training + triads,
         calibrations=(calibration,),
-        conditions=min(preset.conditions, triads - triads // 2) if calibration == MEAN else 0,
+        conditions=preset.conditions if calibration == MEAN else 0,
         missions=tuple(replace(mission, hours=hours) for mission in preset.missions),
     )
-    return study if trajectory is None else _judge_in(study, trajectory)
+    return study if trajectory is None else _fly_trajectory(study, trajectory)
 
 
-def _judge_in(study: Study, trajectory: Path | str) -> Study:
-    """The study with this test mission, and its first other mission for training.
+def _fly_trajectory(study: Study, trajectory: Path | str) -> Study:
+    """The study with this mission beside its first one; alone if it is that one.
 
     Raises:
         HrgError: the trajectory can't be used, or does not start at rest.
@@ -114,13 +112,12 @@ def _judge_in(study: Study, trajectory: Path | str) -> Study:
     path = find_mission_file(trajectory)
     name = path.name.split(".")[0]
     classes = {mission.name: mission.mission_class for mission in study.missions}
-    test = PlannedMission(
+    chosen = PlannedMission(
         name=name,
         mission_class=classes.get(name, name),
-        half=TEST,
         hours=study.hours,
         file_name=path.name,
         content=path.read_bytes(),
     )
-    training = next(mission for mission in study.missions if mission.name != name)
-    return replace(study, missions=(replace(training, half=TRAIN), test))
+    first = study.missions[0]
+    return replace(study, missions=(chosen,) if name == first.name else (first, chosen))

@@ -47,8 +47,8 @@ UNNAMED_ODDS = 0.05
 """Something outside the catalogue takes part: a candidate term, shared equally among these; the
 same odds for an unnamed noise, shared among its correlation times."""
 HALF_UNNAMED_ODDS = UNNAMED_ODDS / 2
-"""Pairs of events that no coordinate predicts have the odds of one candidate term: a jump of the
-bias and a step of an angle; a line in the residual and a stretch of other noise."""
+"""Events that no coordinate predicts share `UNNAMED_ODDS` in pairs, half each: a jump of the bias
+and a step of an angle; a line in the residual and a stretch of other noise."""
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,7 @@ from pyhrg.gap.whitening.channel_noise import build_angle_noise
 
 EVIDENT_CHI2 = 1e4
 """Explained power, as chi-square, above which the effects are there whatever the noise is: the
-noise is then not fitted to the residual with all of them in it. Chosen."""
+noise is then not fitted to the residual with nothing removed. Chosen."""
 _LOG_POSTERIOR = attrgetter("log_posterior")
 
 

@@ -24,8 +24,8 @@ from pyhrg.gap.replay.observations import CHANNELS
 Array = NDArray[np.float64]
 
 UNEXPLAINED_PROBABILITY = 0.5
-"""The verdict is `unexplained` from this probability of something outside the catalogue on: more
-probable than not."""
+"""The verdict is `unexplained` where something outside the catalogue takes part with at least this
+probability: more probable than not."""
 MENTIONED_PROBABILITY = 0.01
 """What may take part outside the catalogue is listed above this probability. Chosen."""
 

@@ -15,13 +15,13 @@ from pyhrg.common.cli import main
 from tests.ins_eval.study import made_up
 from tests.ins_eval.study.test_experiment import PLAN
 
-OPTIONS = ["--hours", "0.2", "--triads", "72", "--seed", "3"]
+OPTIONS = ["--hours", "0.2", "--triads", "36", "--seed", "3"]
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Blocks of the study that `OPTIONS` ask for, of gyros that were benched in a hurry."""
-    study = plan_validation(hours=0.2, triads=72, seed=3)
+    study = plan_validation(hours=0.2, triads=36, seed=3)
     hurried = replace(study, settings={"bench": PLAN, "calibration": {**PLAN, "runs": 1}})
     out = tmp_path_factory.mktemp("validation") / "out"
     arrays = made_up.many(study, made_up.few(hurried))
@@ -35,33 +35,39 @@ def test_validate_writes_its_files(folder: Path, capsys: pytest.CaptureFixture[s
     assert main(["validate", *OPTIONS, "--out", str(folder)]) == 0
     said = capsys.readouterr().out
     document = json.loads((folder / "validation.json").read_text())
-    found = document["calibrations"]["mean"]
-    assert (document["seed"], found["mission"], found["flown"]["n"]) == (3, "aircraft", 36)
-    assert found["verdict"] in said
-    scores = json.loads((folder / "study.json").read_text())["scores"]
-    for key in ("fixed_rule", "circumference_rule", "fitted_map"):
-        (score,) = (
-            s
-            for s in scores
-            if (s["score"], s["predictor"], s["half"], s["mission_class"])
-            == ("median_ratio", key, "test", "all")
-        )
-        promise = found["predicted"][key]
-        assert promise["flown_over_predicted"] == score["value"]
-        assert promise["flown_over_predicted_interval_95"] == [score["low"], score["high"]]
-    conditions = said.split("In other conditions")[1].splitlines()[1:5]
-    assert all("(36 triads)" in line and "the thesis " in line for line in conditions)
+    assert document["seed"] == 3
+    assert document["flown"]["n"] == document["flown"]["co_simulated"] == 16
+    assert document["predicted"]["fixed_position"]["radial_error_nmi"] == pytest.approx(0.09)
+    assert document["predicted"]["full_circumference"]["radial_error_nmi"] == pytest.approx(10)
+    for sentence in document["sentences"]:
+        assert sentence in said
+    flights = {each["mission"]: each for each in document["flights"]}
+    assert list(flights) == ["car", "aircraft"]
+    assert flights["car"]["flown"]["n"] == flights["car"]["flown"]["co_simulated"] == 36
+    claims = document["claims"]["mean"]
+    assert [each["claim"] for each in claims] == ["a", "b", "c"]
+    for each in claims:
+        assert f"({each['claim']}) {each['statement']}: {each['verdict'].upper()}." in said
+        assert each["n"] == 36
+        assert {score["mission_class"] for score in each["by_class"]} == {
+            "car",
+            "aircraft with rolls",
+        }
+    lines = said.split("(d) Claims that fail in conditions:")[1].splitlines()[1:5]
+    assert all("(12 triads, linear flights): " in line for line in lines)
 
 
 def test_views_are_of_the_judged_triads(folder: Path) -> None:
     """The CSV's last row is the end, whose median the document has."""
     assert main(["validate", *OPTIONS, "--out", str(folder)]) == 0
     rows = list(csv.DictReader((folder / "position_error.csv").read_text().splitlines()))
-    assert [float(row["time_s"]) for row in rows] == [600, 720]
-    assert {"triad_36_m", "triad_71_m"} <= set(rows[0])
-    assert "triad_35_m" not in rows[0]
+    assert [(row["mission"], float(row["time_s"])) for row in rows] == [
+        (mission, time) for mission in ("car", "aircraft") for time in (600, 720)
+    ]
+    assert {"triad_24_m", "triad_59_m"} <= set(rows[0])
+    assert "triad_23_m" not in rows[0]
     document = json.loads((folder / "validation.json").read_text())
-    median = document["calibrations"]["mean"]["flown"]["radial_error_nmi"] * 1852
+    median = document["flights"][-1]["flown"]["radial_error_nmi"] * 1852
     assert float(rows[-1]["flown_median_m"]) == pytest.approx(median, rel=1e-5)
     assert (folder / "validation.png").read_bytes().startswith(b"\x89PNG")
 
@@ -81,7 +87,7 @@ def test_again_is_told_without_work(folder: Path, capsys: pytest.CaptureFixture[
         (["--hours", "0"], "hours: found 0, expected a number from 0.1 to 10"),
         (["--hours", "nan"], "hours: found nan, expected a number"),
         (["--hours", "1e9"], "hours: found 1e+09, expected a number"),
-        (["--triads", "5"], "triads: found 5, expected a whole number from 72 to 1000000"),
+        (["--triads", "5"], "triads: found 5, expected a whole number from 36 to 1000000"),
         (["--calibration", "best"], "--calibration: invalid choice: 'best'"),
         (["--trajectory", "nowhere.csv"], "nowhere.csv: can't be read: No such file"),
         (["--trajectory", "nowhere"], "nowhere: found no such mission, expected aircraft, "),

@@ -5,30 +5,35 @@ from pathlib import Path
 from ins_eval.study.specification import PlannedMission, Study
 
 
-def planned(name: str, half: str) -> PlannedMission:
+def planned(name: str) -> PlannedMission:
     return PlannedMission(
         name=name,
         mission_class=name,
-        half=half,
         hours=1.0,
         file_name=f"{name}.toml",
         content=b"",
     )
 
 
-def study(seed: int = 3, triads: int = 75, cosimulated: int = 0) -> Study:
-    """Fifteen blocks of five."""
-    missions = (planned("car", "train"), planned("ship", "test"))
-    return Study(seed=seed, triads=triads, cosimulated=cosimulated, missions=missions)
+def study(seed: int = 3, triads: int = 75, agreement: int = 0) -> Study:
+    """Blocks of two triads, the last of one; half of the triads are training triads."""
+    return Study(
+        seed=seed,
+        triads=triads,
+        training=max(1, triads // 2),
+        agreement=agreement,
+        missions=(planned("car"), planned("ship")),
+    )
 
 
 FILE = """\
 seed = 3
 triads = 75
+training = 37
 hours = 1
 missions = [
-  { name = "car", class = "car", half = "train" },
-  { name = "ship", class = "ship", half = "test" },
+  { name = "car", class = "car" },
+  { name = "ship", class = "ship" },
 ]
 """
 

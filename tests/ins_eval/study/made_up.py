@@ -6,17 +6,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.study.experiment import NUMBERS, compute_block
+from ins_eval.study.experiment import FLOWN, LEAD, NUMBERS, compute_block
 from ins_eval.study.run import block
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.specification import CONDITION, Study
+from pyhrg.common.units import DEG_PER_H
 
 FEW = 3
 
 
 def few(study: Study) -> Arrays:
     """Of the first that are judged; in conditions too, if the study has any."""
-    first = study.triads // 2
+    first = study.training
     return compute_block(study, range(first, first + FEW))
 
 
@@ -28,13 +29,19 @@ def many(study: Study, few: Arrays) -> Arrays:
     sizes[False] = random.uniform(0.5, 2.0, study.triads)
     for name, values in few.items():
         arrays[name] = _sized(values, sizes[name.startswith(f"{CONDITION}/")])
+    if study.lead:
+        arrays |= {
+            f"{LEAD}/{FLOWN}": random.normal(0.0, 5000.0, (study.lead, 6, 2)),
+            f"{LEAD}/angle": random.uniform(0.0, np.pi, (study.lead, 3)),
+            f"{LEAD}/bench": np.array([[0.0009, 0.1]]) * DEG_PER_H,
+        }
     if study.conditions:
         arrays[f"{CONDITION}/{NUMBERS}"] = np.array(_numbers(study, range(study.triads)))
     return arrays
 
 
 def blocks(study: Study, arrays: Arrays) -> Iterator[dict[str, NDArray[Any]]]:
-    """Of a study, as its workers would make them."""
+    """Of a study, as its workers would make them; the lead case is in the first."""
     conditioned = 0
     for number in range(block.count_blocks(study)):
         triads = block.list_triads(study, number)
@@ -42,12 +49,15 @@ def blocks(study: Study, arrays: Arrays) -> Iterator[dict[str, NDArray[Any]]]:
         rows = {True: slice(conditioned, conditioned + count)}
         rows[False] = slice(triads.start, triads.stop)
         conditioned += count
-        yield {
+        flown = {
             name: values[rows[apart]]
             for name, values in arrays.items()
             if count or not name.startswith(f"{CONDITION}/")
+            if not name.startswith(f"{LEAD}/")
             for apart in [name.startswith(f"{CONDITION}/")]
         }
+        lead = {name: values for name, values in arrays.items() if name.startswith(f"{LEAD}/")}
+        yield flown if number else flown | lead
 
 
 def _numbers(study: Study, triads: range) -> list[int]:

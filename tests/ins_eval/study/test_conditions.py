@@ -97,9 +97,9 @@ def test_a_constant_taken_out_of_the_electronics_is_the_maps_mean(
     )
 
 
-def test_sample_is_of_the_judged_half() -> None:
+def test_sample_is_of_the_judged_triads() -> None:
     for conditions in (0, 36, 40):
         chosen = replace(STUDY, conditions=conditions)
         numbers = [n for n in range(chosen.triads) if chosen.is_in_conditions(n)]
         assert len(numbers) == conditions
-        assert all(chosen.half_of(n) == TEST for n in numbers)
+        assert all(chosen.role_of(n) == TEST for n in numbers)

@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 
 from ins_eval.study import agreement
 from ins_eval.study.conclusion import FILES, write_conclusion
-from ins_eval.study.experiment import COSIMULATED, compute_block, prepare, select_errors
-from ins_eval.study.flight_table import MIXED_HALVES
+from ins_eval.study.experiment import NOISELESS, compute_block, prepare, select_errors
 from ins_eval.study.gyros.maker import METHODS
 from ins_eval.study.run import block
 from ins_eval.study.run.block import Arrays
@@ -23,15 +22,21 @@ from ins_eval.study.tables import columns as c
 from ins_eval.trajectories import catalogue
 from pyhrg.common.errors import HrgError
 
-PLAN = {"runs": 2, "positions": 16, "segments": 1, "fixed_segments": 2, "periods": 1}
+PLAN = {
+    "runs": 2,
+    "fixed_runs": 2,
+    "positions": 16,
+    "segments": 1,
+    "fixed_segments": 2,
+    "periods": 1,
+}
 
 
-def planned(name: str, half: str) -> PlannedMission:
+def planned(name: str) -> PlannedMission:
     path = catalogue.READY_FOLDER / f"{name}.toml"
     return PlannedMission(
         name=name,
         mission_class=name,
-        half=half,
         hours=0.2,
         file_name=path.name,
         content=path.read_bytes(),
@@ -41,7 +46,8 @@ def planned(name: str, half: str) -> PlannedMission:
 STUDY = Study(
     seed=5,
     triads=24,
-    missions=(planned("car", TRAIN), planned("static-table", TEST)),
+    training=2,
+    missions=(planned("car"), planned("static-table")),
     settings={"bench": PLAN, "calibration": {**PLAN, "runs": 1}},
 )
 
@@ -88,24 +94,27 @@ def test_triads_are_the_same_in_any_block(three: Arrays) -> None:
 def test_one_row_a_triad_calibration_and_mission(table: pd.DataFrame) -> None:
     keys = table[[c.TRIAD, c.CALIBRATION, c.MISSION]]
     assert len(table) == len(keys.drop_duplicates()) == STUDY.triads * len(METHODS) * 2
-    assert np.isfinite(table.select_dtypes("number").drop(columns=c.COSIMULATED)).all(axis=None)
+    assert np.isfinite(table.select_dtypes("number")).all(axis=None)
 
 
 def test_parts_add_up(table: pd.DataFrame) -> None:
     for axis, flown in (("north", c.FLOWN_NORTH), ("east", c.FLOWN_EAST)):
         total = sum(table[c.name_part(name, axis)] for name in c.PARTS)
-        np.testing.assert_allclose(total, table[flown], rtol=1e-9, atol=1e-9)
+        linear = table[c.FLOWN_BY] == c.LINEAR
+        np.testing.assert_allclose(total[linear], table[flown][linear], rtol=1e-9, atol=1e-9)
     np.testing.assert_allclose(
         np.hypot(table[c.FLOWN_NORTH], table[c.FLOWN_EAST]), table[c.FLOWN_RADIAL]
     )
 
 
-def test_halves_are_of_triads_and_classes(table: pd.DataFrame) -> None:
-    halves = table[table[c.CALIBRATION] == "map"].pivot(
-        index=c.TRIAD, columns=c.MISSION, values=c.HALF
-    )
-    assert halves["car"].tolist() == [TRAIN] * 12 + [MIXED_HALVES] * 12
-    assert halves["static-table"].tolist() == [MIXED_HALVES] * 12 + [TEST] * 12
+def test_judged_triads_are_co_simulated_in_every_class(table: pd.DataFrame) -> None:
+    """Of each three triads two are training triads: the others are as the third."""
+    for name in ("car", "static-table"):
+        rows = table[(table[c.CALIBRATION] == "map") & (table[c.MISSION] == name)]
+        assert rows[c.ROLE].tolist() == [TRAIN] * 2 + [TEST] * 22
+        assert rows[c.FLOWN_BY].tolist() == [c.LINEAR, c.LINEAR, c.COSIMULATED] * 8
+        same = np.isclose(rows[c.FLOWN_RADIAL], rows[c.LINEAR_RADIAL], rtol=1e-9)
+        assert same.tolist() == (rows[c.FLOWN_BY] == c.LINEAR).tolist()
 
 
 def test_growth_ends_every_ten_minutes(table: pd.DataFrame) -> None:
@@ -114,10 +123,12 @@ def test_growth_ends_every_ten_minutes(table: pd.DataFrame) -> None:
     assert {len(values) for values in table[c.GROWTH]} == {1}
 
 
-def test_scores_are_of_those_on_either_side_alone(folder: Path) -> None:
+def test_only_judged_triads_are_scored(folder: Path) -> None:
+    """Constants of classes are of the training triads."""
     document = json.loads((folder / "study.json").read_text())
-    assert {score["half"] for score in document["scores"]} == {TRAIN, TEST}
-    assert (document["seed"], document["triads"]) == (5, 24)
+    roles = {(score["role"], score["score"] == "class_constant") for score in document["scores"]}
+    assert roles == {(TEST, False), (TRAIN, True)}
+    assert (document["seed"], document["triads"], document["training"]) == (5, 24, 2)
     assert read_study_data(folder).scores
 
 
@@ -129,21 +140,21 @@ def test_same_arrays_give_the_same_bytes(arrays: Arrays, folder: Path, tmp_path:
 
 def test_agreement_is_of_the_sample_without_noise(arrays: Arrays) -> None:
     """Co-simulated errors that are 1 % larger than linear ones: 1/101 apart."""
-    study = replace(STUDY, cosimulated=6)
-    chosen = [study.is_cosimulated(triad) for triad in range(study.triads)]
+    study = replace(STUDY, agreement=6)
+    chosen = [study.is_in_agreement(triad) for triad in range(study.triads)]
     flown = dict(arrays)
     for method in METHODS:
         for number in range(len(study.missions)):
             error = select_errors(arrays, method, number)
             sample = np.where(np.array(chosen)[:, None, None], 1.01, np.nan)
-            flown[f"{method}/{number}/{COSIMULATED}"] = sample * (error.error - error.noise)
+            flown[f"{method}/{number}/{NOISELESS}"] = sample * (error.error - error.noise)
     found = agreement.score_agreement(study, flown)
     assert {(s.calibration, s.mission_class) for s in found} == {
         (method, name) for method in METHODS for name in ("all", "car", "static-table")
     }
     for s in found:
         assert (s.value, s.low, s.high) == pytest.approx((1 / 101,) * 3)
-        assert (s.n, s.holds) == (6, True)
+        assert (s.n, s.verdict) == (6, "holds")
     assert agreement.score_agreement(STUDY, arrays) == []
 
 

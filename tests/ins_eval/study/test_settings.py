@@ -71,8 +71,8 @@ def test_what_is_wrong_is_named(tmp_path: Path, text: str, message: str) -> None
     assert message in str(raised.value)
 
 
-def test_sample_is_spread_over_all_triads() -> None:
-    study = cases.study(cosimulated=5)
-    chosen = [triad for triad in range(study.triads) if study.is_cosimulated(triad)]
-    assert chosen == [0, 15, 30, 45, 60]
-    assert not any(map(cases.study().is_cosimulated, range(75)))
+def test_sample_is_spread_over_the_judged_triads() -> None:
+    study = cases.study(triads=112, agreement=7)
+    chosen = [triad for triad in range(study.triads) if study.is_in_agreement(triad)]
+    assert chosen == [56, 64, 72, 80, 88, 96, 104]
+    assert not any(map(cases.study().is_in_agreement, range(75)))

@@ -7,7 +7,7 @@ import pytest
 
 from ins_eval.study import study_file
 from ins_eval.study.run.identity import identify_study
-from ins_eval.study.specification import TEST, TRAIN, compute_fewest_triads
+from ins_eval.study.specification import TEST, TRAIN, compute_fewest_judged
 from ins_eval.trajectories import catalogue
 from pyhrg.common.toml_table import SpecificationError
 from tests.ins_eval.study import cases
@@ -16,12 +16,9 @@ from tests.ins_eval.study import cases
 def test_study_is_read(tmp_path: Path) -> None:
     study = study_file.read_study(cases.study_file(tmp_path))
     assert (study.seed, study.triads, study.interval_percent) == (3, 75, 90.0)
-    assert [(m.name, m.half, m.hours) for m in study.missions] == [
-        ("car", TRAIN, 1.0),
-        ("ship", TEST, 1.0),
-    ]
+    assert [(m.name, m.hours) for m in study.missions] == [("car", 1.0), ("ship", 1.0)]
     assert study.missions[0].content == (catalogue.READY_FOLDER / "car.toml").read_bytes()
-    assert [study.half_of(triad) for triad in (0, 36, 37, 74)] == [TRAIN, TRAIN, TEST, TEST]
+    assert [study.role_of(triad) for triad in (0, 36, 37, 74)] == [TRAIN, TRAIN, TEST, TEST]
 
 
 def test_calibrations_may_be_chosen(tmp_path: Path) -> None:
@@ -49,9 +46,9 @@ def test_mission_from_a_file_is_placed_as_it_was(tmp_path: Path) -> None:
 def test_recorded_drive_is_flown_where_it_is(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Else it is left out, which makes another study of it; half without missions is refused."""
+    """Else it is left out, which makes another study of it."""
     monkeypatch.setenv("HRG_REAL", str(tmp_path))
-    drive = '{ recorded = "drive.csv.gz", class = "drive", half = "test" },\n]'
+    drive = '{ recorded = "drive.csv.gz", class = "drive" },\n]'
     path = cases.study_file(tmp_path, ("]\n", f"  {drive}\n"))
     less = study_file.read_study(path)
     assert (len(less.missions), less.left_out) == (2, ("drive.csv.gz",))
@@ -78,26 +75,34 @@ def test_ready_study_can_be_flown(name: str) -> None:
         ("seed = 3", "sed = 3", "sed: found an unknown key, expected seed"),
         ("triads = 75\n", "", "triads: found no such key"),
         ("triads = 75", 'triads = "many"', "triads: found 'many', expected a whole number"),
-        ("triads = 75", "triads = 71", "triads: found 71, expected 72 or more: with fewer"),
+        ("triads = 75", "triads = 72", "triads: found 72, expected 73 or more with training 37"),
+        ("training = 37\n", "", "training: found no such key"),
         ("hours = 1", "hours = 11", "hours: found 11, expected 0.1 to 10"),
         ("hours = 1", "hours = nan", "hours: found nan, expected 0.1 to 10"),
-        ("hours = 1", "interval_percent = 99", "triads: found 75, expected 736 or more"),
+        ("hours = 1", "interval_percent = 99", "triads: found 75, expected 405 or more"),
         ("hours = 1", "[population]", "population: found an unknown key"),
         ('"car", class', '"cart", class', "missions 1: name: found 'cart', expected aircraft or"),
-        ('class = "car", ', "", "missions 1: class: found no such key, expected the class"),
-        ('"train"', '"both"', "missions 1: half: found 'both', expected"),
-        (', half = "test"', "", "missions 2: half: found no such key"),
-        ('"test"', '"train"', "missions of half 'test': found no such key, expected at least one"),
-        ('class = "ship"', 'class = "car"', "missions 2: half: found 'test', expected 'train' as"),
+        (', class = "car"', "", "missions 1: class: found no such key, expected the class"),
+        (
+            'class = "ship"',
+            'class = "ship", half = "test"',
+            "missions 2: half: found 'test', expected no such key: all classes are judged",
+        ),
         ('name = "ship"', 'name = "car"', "missions 2: name: found 'car', expected a name that"),
         ('name = "ship"', 'file = "no.toml"', "no.toml', expected a file: No such file"),
         ('name = "ship", ', "", "missions 2: name: found no such key, expected aircraft"),
-        ('half = "test"', 'half = "test", hour = 2', "missions 2: hour: found an unknown key"),
-        ('half = "test"', 'half = "test", hours = 0', "missions 2: hours: found 0, expected 0.1"),
+        ('class = "ship"', 'class = "ship", hour = 2', "missions 2: hour: found an unknown key"),
+        ('class = "ship"', 'class = "ship", hours = 0', "missions 2: hours: found 0, expected 0.1"),
         ("missions = [", "missions = 3\nx = [", "x: found an unknown key"),
         ("hours = 1", "hours 1", "found what is no TOML"),
-        ("hours = 1", "conditions = 35", "conditions: found 35, expected 0, or 36 to 38, the half"),
-        ("hours = 1", "conditions = 39", "conditions: found 39, expected 0, or 36 to 38, the half"),
+        ("hours = 1", "conditions = 1", "conditions: found 1, expected 0, or 2 to 38, the triads"),
+        (
+            "hours = 1",
+            "conditions = 39",
+            "conditions: found 39, expected 0, or 2 to 38, the triads",
+        ),
+        ("hours = 1", "agreement = 39", "agreement: found 39, expected 0, or 2 to 38, the triads"),
+        ("hours = 1", "lead = 76", "lead: found 76, expected 0 to 75, the number of triads"),
         (
             "hours = 1",
             'conditions = 38\ncalibrations = ["map"]',
@@ -118,7 +123,7 @@ def test_what_is_wrong_is_named(tmp_path: Path, old: str, new: str, message: str
 @pytest.mark.parametrize("missions", ["", "missions = []", "missions = 3", "missions = [3]"])
 def test_study_without_missions_is_refused(tmp_path: Path, missions: str) -> None:
     path = tmp_path / "study.toml"
-    path.write_text(f"seed = 1\ntriads = 80\n{missions}\n")
+    path.write_text(f"seed = 1\ntriads = 80\ntraining = 40\n{missions}\n")
     with pytest.raises(SpecificationError, match=r"missions: found .*, expected tables"):
         study_file.read_study(path)
 
@@ -128,10 +133,9 @@ def test_neither_name_nor_file_is_refused() -> None:
         study_file.load_study("huge")
 
 
-@pytest.mark.parametrize(("percent", "triads"), [(50.0, 12), (90.0, 72), (99.0, 736)])
+@pytest.mark.parametrize(("percent", "triads"), [(50.0, 6), (90.0, 36), (99.0, 368)])
 def test_fewest_triads_let_full_coverage_be_refuted(percent: float, triads: int) -> None:
-    """In half of them all covered is rarer than 2.5 % where the interval is what it says."""
-    assert compute_fewest_triads(percent) == triads
+    """All of them covered is rarer than 2.5 % where the interval is what it says."""
+    assert compute_fewest_judged(percent) == triads
     share = percent / 100
-    if percent > 50:
-        assert share ** (triads // 2) < 0.025 <= share ** (triads // 2 - 1)
+    assert share**triads < 0.025 <= share ** (triads - 1)

@@ -1,9 +1,9 @@
-"""Distribution of the maps' change from bench to flight, from the training half (Eq. 6).
+"""Distribution of the maps' change from bench to flight, from the training triads (Eq. 6).
 
 Some mechanisms age, warm and scatter in proportion to their size, which the bench's bias map shows;
 others do not depend on it. The variance of each coefficient therefore has a relative and a common
 part. Temperatures and mechanisms differ from gyro to gyro, so that the drift is far from normal.
-Its distribution is that of the training half's drifts in units of their standard deviations.
+Its distribution is that of the training triads's drifts in units of their standard deviations.
 """
 
 from dataclasses import dataclass
@@ -26,7 +26,7 @@ class MapDrift:
 
     common: (COUNT,) variance that is the same in all gyros;
     relative: (COUNT,) variance per squared `compute_map_size`;
-    standard: (n, COUNT) drifts of the training half's gyros, bench errors included, in units of
+    standard: (n, COUNT) drifts of the training triads's gyros, bench errors included, in units of
     their standard deviations; a row is one gyro's.
     """
 
@@ -42,11 +42,6 @@ class MapDrift:
     def missed(self, bench: BenchFigures) -> Array:
         """(r, COUNT, 3) standard deviations of drift and bench error together."""
         return np.sqrt(self.sigma(bench) ** 2 + bench.variance)
-
-    @property
-    def together(self) -> Array:
-        """(COUNT, COUNT) second moments of the standardized drifts."""
-        return np.asarray(self.standard.T @ self.standard / len(self.standard))
 
 
 NO_DRIFT = MapDrift(np.zeros(COUNT), np.zeros(COUNT), np.zeros((1, COUNT)))
@@ -66,7 +61,7 @@ def estimate_map_drift(bench: BenchFigures, in_flight: Array, start_angle: Array
     Large squares scatter more and have smaller weights.
 
     Args:
-        bench: figures of the training half.
+        bench: figures of the training triads.
         in_flight: (r, COUNT, 3) true coefficients in flight.
         start_angle: (r, 3) pattern angles at power-on, rad.
     """

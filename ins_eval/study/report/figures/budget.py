@@ -22,15 +22,15 @@ SEED = 0
 BAR = 140
 """Width of a stacked bar, px."""
 CAPTION = (
-    "rms of each part and of the flown error, m, with 95 % intervals (bootstrap over triads, "
-    f"{RESAMPLES:,} draws, seed {SEED}); both halves. Parts add as vectors: shares are of the sum "
+    "rms of each part and of the flown error, nmi, with 95 % intervals (bootstrap over triads, "
+    f"{RESAMPLES:,} draws, seed {SEED}). Parts add as vectors: shares are of the sum "
     "of their mean squares."
 )
 
 
 @dataclass(frozen=True)
 class Rms:
-    """Root mean square over flights with its 95 % interval, m."""
+    """Root mean square over flights with its 95 % interval."""
 
     value: float
     low: float

@@ -1,4 +1,4 @@
-"""Flights as dots on log axes; one path for each calibration, half and mission class."""
+"""Flights as dots on log axes; one path for each calibration and mission class."""
 
 import pandas as pd
 
@@ -7,7 +7,7 @@ from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
 from pyhrg.common.pages import svg
 
-KEYS = [c.CALIBRATION, c.HALF, c.CLASS]
+KEYS = [c.CALIBRATION, c.CLASS]
 SMALL, LARGE = 2.5, 5.0
 """Diameters of dots, user units: for more flights than `MANY`, and for fewer. Chosen."""
 MANY = 3000
@@ -34,9 +34,9 @@ def draw_dots(
             x,
             y,
             choose_colour(data, mission_class),
-            make_filter_attributes(mission_class, calibration, half),
+            make_filter_attributes(mission_class, calibration),
         )
-        for (calibration, half, mission_class), flights in rows.groupby(KEYS, sort=True)
+        for (calibration, mission_class), flights in rows.groupby(KEYS, sort=True)
     )
     return scale_dots(paths, SMALL if len(rows) > MANY else LARGE)
 

@@ -12,11 +12,9 @@ COLOURS = 8
 """Number of colours in the page's style."""
 
 
-def make_filter_attributes(
-    mission_class: str = ALL, calibration: str = ALL, half: str = ALL
-) -> str:
+def make_filter_attributes(mission_class: str = ALL, calibration: str = ALL) -> str:
     """Attributes of an element that shows only these."""
-    given = {"class": mission_class, "calibration": calibration, "half": half}
+    given = {"class": mission_class, "calibration": calibration}
     return "".join(
         f' data-{key}="{html.escape(value)}"' for key, value in given.items() if value != ALL
     )

@@ -9,13 +9,13 @@ from ins_eval.study.report.figures.filters import make_filter_attributes, name_c
 from ins_eval.study.report.figures.parts import Row, format_interval, make_table
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
-from ins_eval.study.tables.score import ALL, COVERAGE, SCORES, WIDTH, Score
+from ins_eval.study.tables.score import ALL, COVERAGE, SCORES, Score
 from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.common.pages.svg import Scale
 
 BAR = 96
 """Width of a drawn interval, px."""
-TITLES = {p.key: p.title for p in c.PREDICTORS} | {"": "Figure"}
+TITLES = {p.key: p.title for p in c.PREDICTORS} | c.FIGURE_TITLES | {"": "Figure"}
 """Headings of the columns by predictor; "" for scores without one."""
 
 
@@ -35,13 +35,13 @@ class IntervalAxis:
 
 
 def render_matrices(data: StudyData, score: str, axis: IntervalAxis, shuffled: bool = False) -> str:
-    """Tables of a score, one for each calibration and half."""
+    """Tables of a score, one for each calibration."""
     scores = data.select(score, shuffled=shuffled)
-    kinds = sorted({(s.calibration, s.half) for s in scores})
+    kinds = sorted({s.calibration for s in scores})
     if not kinds:
         what = SCORES[score] + (", devices shuffled" if shuffled else "")
         return make_paragraph(f"Not scored in this study: {what}.")
-    groups = ([s for s in scores if (s.calibration, s.half) == kind] for kind in kinds)
+    groups = ([s for s in scores if s.calibration == kind] for kind in kinds)
     return "".join(_render(group, axis, data.interval_percent) for group in groups)
 
 
@@ -53,14 +53,14 @@ def _render(scores: Sequence[Score], axis: IntervalAxis, interval_percent: float
         _make_caption(scores, interval_percent),
         ("Class", *(TITLES[key] for key in order), "triads"),
         (_make_row(scores, name, order, axis) for name in classes),
-        make_filter_attributes(ALL, first.calibration, first.half),
+        make_filter_attributes(ALL, first.calibration),
     )
 
 
 def _make_caption(scores: Sequence[Score], interval_percent: float) -> str:
     first = scores[0]
     parts = [SCORES[first.score]]
-    if first.score in (COVERAGE, WIDTH):
+    if first.score == COVERAGE:
         parts.append(f"{interval_percent:g} % required")
     if first.shuffled:
         parts.append("devices shuffled")
@@ -68,7 +68,7 @@ def _make_caption(scores: Sequence[Score], interval_percent: float) -> str:
     seeds = sorted({s.seed for s in scores if s.seed is not None})
     if seeds:
         intervals.append(f"seed {', '.join(map(str, seeds))}")
-    group = f"{name_calibration(first.calibration)}, {first.half} half"
+    group = name_calibration(first.calibration)
     return "; ".join([", ".join(parts), group, ", ".join(intervals)])
 
 
@@ -89,11 +89,10 @@ def _render_cell(score: Score | None, axis: IntervalAxis) -> str:
     if score is None or math.isnan(score.value):
         return "–"
     cell = f"{format_interval(score.value, score.low, score.high)}<br>{_draw_bar(score, axis)}"
-    if score.holds is not None:
-        word = "met" if score.holds else "not met"
-        style = "holds" if score.holds else "fails"
-        cell += f'<br><span class="{style}">{html.escape(score.asked)}: {word}</span>'
-    return f'<span title="{html.escape(score.note)}">{cell}</span>' if score.note else cell
+    if score.verdict:
+        asked = f"{html.escape(score.asked)}: {score.verdict}"
+        cell += f'<br><span class="{score.verdict}">{asked}</span>'
+    return cell
 
 
 def _draw_bar(score: Score, axis: IntervalAxis) -> str:

@@ -8,8 +8,9 @@ from pyhrg.common.pages import svg
 
 RANKED_BY = {
     c.FIXED_RULE: (c.GYROS_FIXED, "Fixed-position stability", "deg/h"),
+    c.TURN_ON_ANYWHERE: (c.GYROS_TURN_ON_ANYWHERE, c.FIGURE_TITLES[c.TURN_ON_ANYWHERE], "deg/h"),
     c.CIRCUMFERENCE_RULE: (c.GYROS_CIRCUMFERENCE, "Full-circumference stability", "deg/h"),
-    c.FITTED_MAP: (c.GYROS_FITTED, "Fitted map", "predicted rms, m"),
+    c.FITTED_MAP: (c.GYROS_FITTED, "Fitted map", "predicted rms, nmi"),
 }
 """Column, title and axis of each bench figure, by the predictor whose rank correlation it shows."""
 
@@ -33,9 +34,9 @@ def _make_panel(data: StudyData, predictor: str) -> Panel:
         body=draw_axes(
             x,
             y,
-            (axis, "flown rms over angles, m"),
+            (axis, "linear rms over angles, nmi"),
             draw_dots(data, gyros, (column, x), (c.GYROS_FLOWN, y)),
-            f"{title} against flown rms error, {len(gyros)} gyros and missions",
+            f"{title} against rms error, {len(gyros)} gyros and missions",
         ),
         notes=[f'<span class="live">{len(gyros):,} gyros in missions</span>'],
         attributes=f' data-panel="rank_{predictor}"',

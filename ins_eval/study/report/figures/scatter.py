@@ -42,7 +42,7 @@ def _draw(
     return draw_axes(
         x,
         y,
-        ("predicted, m", "flown, m"),
+        ("predicted, nmi", "flown, nmi (1 nmi = 1.852 km)"),
         f'{draw_equality(x, y)}{dots}<circle class="mark" r="7" visibility="hidden"/>',
         f"{predictor.title}: flown against predicted horizontal error, {len(rows)} flights. "
         "Arrow keys step through them.",

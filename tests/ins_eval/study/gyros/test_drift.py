@@ -29,6 +29,9 @@ def test_flight_is_its_seeds() -> None:
     one, same, other = (draw_flight(device, Drift(), np.random.default_rng(s)) for s in (1, 1, 2))
     assert one == same
     assert one.power_on_angle != other.power_on_angle
+    for flight in (one, other):
+        moved = flight.power_on_angle - device.power_on_angle
+        assert abs(moved) < 5 * device.power_on_scatter, "the electronics start it where they did"
     assert one.device.turn_on_scatter == {}
     assert one.device.angle_random_walk == device.angle_random_walk
 

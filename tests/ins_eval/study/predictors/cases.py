@@ -11,8 +11,10 @@ from ins_eval.mission_model.noise_weights import KINDS
 from ins_eval.mission_model.signals import COUNT
 from ins_eval.mission_model.triad_block import TriadBlock
 from ins_eval.study.gyros.bench_plan import WARM_RISE
+from ins_eval.study.predictors import prediction_columns
+from ins_eval.study.predictors.class_constants import ConstantRule
 from ins_eval.study.predictors.parts.turned_maps import start_maps
-from pyhrg.common.units import DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G
+from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G
 
 Array = NDArray[np.float64]
 
@@ -30,6 +32,9 @@ FIT = 0.03 * SPREAD
 EXACT = 0 * FIT
 WALK = 1e-4 * DEG_PER_SQRT_H
 ACCELEROMETER_BIAS = 10 * MICRO_G
+MOUNTING = 10 * ARCSEC
+SHEETS = (ACCELEROMETER_BIAS, MOUNTING)
+"""What predictors take from data sheets."""
 
 
 def mission(seed: int, times: int = 1) -> MissionWeights:
@@ -43,6 +48,7 @@ def mission(seed: int, times: int = 1) -> MissionWeights:
         maps=np.tile(size, (len(signals.SIGNALS), 1)) * random.normal(size=(times, 2, COUNT, 3)),
         drift=np.zeros((times, 2, pattern_drift.COUNT, 3)),
         accelerometers=random.normal(size=(times, 2, 3)) / MICRO_G,
+        mounting=random.normal(size=(times, 2, 2, 3)) * 10 / ARCSEC,
         noise=(noise @ np.swapaxes(noise, -1, -2)) * (100 / WALK) ** 2,
         alignment=AlignmentAtRest(
             latitude=0.7,
@@ -76,13 +82,13 @@ def triads(seed: int, count: int, spread: Array = SPREAD, fit: Array = FIT) -> T
     noise[:, 1] = WALK
     return TriadBlock(
         fixed_stability=0.01 * stability[::-1],
+        fixed_repeatability=0.001 * stability[::-1],
         circumference_stability=stability,
         instability=np.zeros((count, 3)),
         random_walk=noise[:, 1],
         fitted_map=known,
         map_per_kelvin=told,
         map_variance=variance,
-        true_map=true,
         start_angle=start_angle,
         rise=rise,
         in_flight=start_maps(drifted, start_angle),
@@ -90,4 +96,13 @@ def triads(seed: int, count: int, spread: Array = SPREAD, fit: Array = FIT) -> T
         noise=noise,
         accelerometers=ACCELEROMETER_BIAS * random.normal(size=(count, 3)),
         seeds=random.integers(2**63, size=(count, 2), dtype=np.uint64),
+        mounting=MOUNTING * random.normal(size=(count, 2, 3)),
     )
+
+
+def rules(training: TriadBlock, weights: MissionWeights) -> dict[str, ConstantRule]:
+    """Of a class that is this mission."""
+    model = prediction_columns.train(training, *SHEETS)
+    end = prediction_columns.select_time(weights, -1)
+    ratios = prediction_columns.compute_class_ratios(end, training, model, seed=1)
+    return {key: ConstantRule(each) for key, each in ratios.items()}

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.stats import binom
 
-from ins_eval.study.predictors import fitted_map, oracle
+from ins_eval.study.predictors import fitted_map, true_parameters
 from ins_eval.study.predictors import prediction_columns as block
 from ins_eval.study.predictors.bench_figures import collect_bench_figures
 from ins_eval.study.predictors.parts.map_drift import NO_DRIFT
@@ -17,25 +17,13 @@ from tests.ins_eval.study.predictors import cases, flights
 COUNT = 1000
 WEIGHTS = cases.mission(seed=5)
 TRIADS = cases.triads(seed=2, count=COUNT)
-LEARNT = block.train(cases.triads(seed=1, count=1000), cases.ACCELEROMETER_BIAS)
-PREDICTED = block.predict_all(WEIGHTS, TRIADS, LEARNT, seed=3)
+TRAINING = cases.triads(seed=1, count=1000)
+LEARNT = block.train(TRAINING, *cases.SHEETS)
+RULES = cases.rules(cases.triads(seed=1, count=50), WEIGHTS)
+PREDICTED = block.predict_all(WEIGHTS, TRIADS, LEARNT, RULES, seed=3)
 
 
-def test_draws_have_the_closed_forms_covariance() -> None:
-    """Of normal drift: 2048 draws of each of 20 triads, summed over them, within 10 %."""
-    few = cases.triads(seed=4, count=20)
-    bench, angle = collect_bench_figures(few), few.start_angle
-    rest = compute_unpredictable_covariance(WEIGHTS, bench.noise, cases.ACCELEROMETER_BIAS)
-    sure = replace(bench, variance=np.zeros_like(bench.variance))
-    drawn = fitted_map.predict(sure, WEIGHTS, LEARNT.drift, rest, angle, seed=1).samples[:, :, 0]
-    found = np.mean([np.cov(errors.T) for errors in drawn], axis=0)
-    closed = rest + fitted_map.compute_drift_covariance(sure, WEIGHTS, LEARNT.drift, angle)
-    np.testing.assert_allclose(found, closed[:, 0].mean(axis=0), atol=0.1 * np.max(found))
-
-
-@pytest.mark.parametrize(
-    "key", ["fitted_map", "fitted_map_any_angle", "oracle", "oracle_any_angle"]
-)
+@pytest.mark.parametrize("key", ["fitted_map", "fitted_map_any_angle", "true_parameters"])
 @pytest.mark.parametrize("share", [0.05, 0.5, 0.95])
 def test_quantiles_hold_their_share(key: str, share: float) -> None:
     """Of 1000 triads, each once: binomial, one in 10^5 outside."""
@@ -46,7 +34,7 @@ def test_quantiles_hold_their_share(key: str, share: float) -> None:
 def test_a_blind_predictor_would_fail_these_tests() -> None:
     """Without the drift that it learnt, the fitted map is too sure."""
     bench = collect_bench_figures(TRIADS)
-    rest = compute_unpredictable_covariance(WEIGHTS, bench.noise, cases.ACCELEROMETER_BIAS)
+    rest = compute_unpredictable_covariance(WEIGHTS, bench.noise, *cases.SHEETS)
     sure = fitted_map.predict(bench, WEIGHTS, NO_DRIFT, rest, TRIADS.start_angle, 3)
     radial = flights.radial(TRIADS, WEIGHTS)
     inside = np.sum((sure.radius(0.05) <= radial) & (radial <= sure.radius(0.95)))
@@ -57,7 +45,7 @@ def test_unknown_angles_are_known_angles_averaged() -> None:
     """Mean square radius: of the draws, and of `predict` over a grid of angles, within 5 %."""
     one = cases.triads(seed=4, count=1)
     bench = collect_bench_figures(one)
-    rest = compute_unpredictable_covariance(WEIGHTS, bench.noise, cases.ACCELEROMETER_BIAS)
+    rest = compute_unpredictable_covariance(WEIGHTS, bench.noise, *cases.SHEETS)
     drawn = fitted_map.predict_any_angle(bench, WEIGHTS, LEARNT.drift, rest, seed=1)
     axis = np.pi * np.arange(9) / 9
     grid = np.stack(np.meshgrid(axis, axis, axis), axis=-1).reshape(-1, 3)
@@ -68,33 +56,32 @@ def test_unknown_angles_are_known_angles_averaged() -> None:
     assert np.mean(np.sum(drawn.samples**2, axis=-1)) == pytest.approx(np.mean(power), rel=0.05)
 
 
-def test_with_the_true_map_and_no_drift_it_is_the_oracle() -> None:
+def test_with_the_true_map_and_no_drift_it_is_that_of_the_true_parameters() -> None:
     known = collect_bench_figures(TRIADS)
     bench = replace(
         known,
         maps=undo_start(TRIADS.in_flight, TRIADS.start_angle),
         variance=np.zeros_like(known.variance),
     )
-    rest = compute_unpredictable_covariance(WEIGHTS, TRIADS.noise, cases.ACCELEROMETER_BIAS)
+    rest = compute_unpredictable_covariance(WEIGHTS, TRIADS.noise, *cases.SHEETS)
     found = fitted_map.predict(bench, WEIGHTS, NO_DRIFT, rest, TRIADS.start_angle, 3)
-    best = oracle.predict(WEIGHTS, TRIADS.in_flight, rest)
+    best = true_parameters.predict(WEIGHTS, TRIADS.in_flight, rest)
     middle = found.expected - best.expected
     sigma = np.sqrt(np.trace(best.covariance, axis1=-2, axis2=-1) / len(found.samples[0]))
     assert np.max(np.abs(middle) / sigma[..., None]) < 5
     np.testing.assert_allclose(found.radius(0.95), best.radius(0.95), rtol=0.1)
 
 
-def test_only_oracles_see_what_is_true_of_the_flights() -> None:
+def test_only_true_parameters_see_what_is_true_of_the_flights() -> None:
     few, other = cases.triads(seed=4, count=20), cases.triads(seed=9, count=20)
     swapped = replace(
         few,
         in_flight=other.in_flight,
         turning=other.turning,
-        true_map=other.true_map,
         accelerometers=other.accelerometers,
         noise=2 * few.noise,
     )
-    before, after = (block.predict_all(WEIGHTS, t, LEARNT, seed=3) for t in (few, swapped))
+    before, after = (block.predict_all(WEIGHTS, t, LEARNT, RULES, seed=3) for t in (few, swapped))
     for key, prediction in before.items():
         same = np.array_equal(prediction.radius(0.5), after[key].radius(0.5))
-        assert same != ("oracle" in key), key
+        assert same != (key == "true_parameters"), key

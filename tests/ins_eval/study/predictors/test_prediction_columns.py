@@ -3,15 +3,15 @@
 import numpy as np
 import pytest
 
-from ins_eval.mission_model.position_errors import compute_map_errors
+from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.study.predictors import prediction_columns as block
-from ins_eval.study.predictors.parts.turned_maps import start_maps
 from ins_eval.study.predictors.prediction import SampledPrediction
 from ins_eval.study.tables import columns
-from tests.ins_eval.study.predictors import cases, flights
+from tests.ins_eval.study.predictors import cases
 
 TRIADS = cases.triads(seed=2, count=6)
-LEARNT = block.train(cases.triads(seed=1, count=20), cases.ACCELEROMETER_BIAS)
+TRAINING = cases.triads(seed=1, count=20)
+LEARNT = block.train(TRAINING, *cases.SHEETS)
 
 
 @pytest.mark.parametrize("k", [0, 1, 2, -1, -3])
@@ -20,8 +20,9 @@ def test_one_time_is_that_of_all(k: int) -> None:
     weights = cases.mission(seed=1, times=3)
     one = block.select_time(weights, k)
     assert one.time == weights.time[[k]]
-    every = block.predict_all(weights, TRIADS, LEARNT, seed=1)
-    alone = block.predict_all(one, TRIADS, LEARNT, seed=1)
+    rules = cases.rules(TRAINING, weights)
+    every = block.predict_all(weights, TRIADS, LEARNT, rules, seed=1)
+    alone = block.predict_all(one, TRIADS, LEARNT, rules, seed=1)
     assert set(every) == {p.key for p in columns.PREDICTORS}
     for key, prediction in every.items():
         radius = prediction.radius(0.5)[:, [k]]
@@ -35,10 +36,11 @@ def test_no_such_time() -> None:
 
 def test_columns_are_those_of_the_table() -> None:
     weights = cases.mission(seed=1)
-    predicted = block.predict_all(weights, TRIADS, LEARNT, seed=1)
+    rules = cases.rules(TRAINING, weights)
+    predicted = block.predict_all(weights, TRIADS, LEARNT, rules, seed=1)
     table = {
         **block.tabulate_predictions(predicted, 0.9),
-        **block.tabulate_rankings(weights, TRIADS, LEARNT),
+        **block.tabulate_rankings(weights, TRIADS),
     }
     kinds = {column.name: column.kind for column in columns.COLUMNS}
     for name, values in table.items():
@@ -48,25 +50,25 @@ def test_columns_are_those_of_the_table() -> None:
 
 def test_intervals_are_of_the_level_asked() -> None:
     """Half of what is drawn inside 50 %, as much outside on either side."""
-    predicted = block.predict_all(cases.mission(seed=1), TRIADS, LEARNT, seed=1)
-    wide, half = (block.tabulate_predictions(predicted, inside) for inside in (0.9, 0.5))
+    weights = cases.mission(seed=1)
+    rules = cases.rules(TRAINING, weights)
+    predicted = block.predict_all(weights, TRIADS, LEARNT, rules, seed=1)
+    wide, narrow = (block.tabulate_predictions(predicted, inside) for inside in (0.9, 0.5))
     for p in columns.PREDICTORS:
-        assert np.all(wide[p.low] < half[p.low])
-        assert np.all(half[p.high] < wide[p.high])
+        assert np.all(wide[p.low] < narrow[p.low])
+        assert np.all(narrow[p.high] < wide[p.high])
     fitted = predicted["fitted_map"]
     assert isinstance(fitted, SampledPrediction)
     draws = np.linalg.norm(fitted.samples[:, :, 0], axis=-1)
     for name, share in (("fitted_map_low_m", 0.25), ("fitted_map_high_m", 0.75)):
-        found = np.mean(draws <= half[name][:, None], axis=1)
+        found = np.mean(draws <= narrow[name][:, None], axis=1)
         np.testing.assert_allclose(found, share, atol=0.001)
 
 
-def test_what_cannot_be_predicted_is_drift_and_noise() -> None:
-    """Flown less what the true map on the bench says: rms over 2000 triads within 5 %."""
-    weights, many = cases.mission(seed=1), cases.triads(seed=3, count=2000, fit=cases.EXACT)
-    learnt = block.train(cases.triads(seed=1, count=500), cases.ACCELEROMETER_BIAS)
-    on_bench = compute_map_errors(weights.maps, start_maps(many.true_map, many.start_angle))
-    missed = np.linalg.norm(flights.errors(many, weights) - on_bench, axis=-1)
-    found = block.tabulate_rankings(weights, many, learnt)[columns.UNPREDICTABLE]
-    rms = np.sqrt(np.mean(found**2))
-    assert rms == pytest.approx(np.sqrt(np.mean(missed**2)), rel=0.05)
+def test_turn_ons_that_start_anywhere_show_the_map() -> None:
+    """2000 triads, seven turn-ons each: the mean variance is that of the map's harmonics."""
+    many = cases.triads(seed=3, count=2000)
+    found = np.mean(block.compute_turn_on_scatter(many) ** 2)
+    harmonics = np.sum(many.fitted_map[:, 1:TERMS] ** 2, axis=1) / 2
+    expected = np.mean(harmonics + many.fixed_repeatability**2)
+    assert found == pytest.approx(expected, rel=0.05)

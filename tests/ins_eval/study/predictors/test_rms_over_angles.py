@@ -3,9 +3,8 @@
 import numpy as np
 
 from ins_eval.mission_model.gyro_map import TERMS
-from ins_eval.mission_model.position_errors import compute_map_errors
 from ins_eval.study.predictors.parts.turned_maps import start_maps
-from ins_eval.study.predictors.rms_over_angles import compute_gyro_rms, compute_triad_rms
+from ins_eval.study.predictors.rms_over_angles import compute_gyro_rms
 
 WEIGHTS = np.random.default_rng(1).normal(size=(1, 2, 2 * TERMS, 3))
 MAPS = np.random.default_rng(2).normal(size=(1, 2 * TERMS, 3))
@@ -18,21 +17,9 @@ def _within(found: float, errors: np.ndarray) -> None:
     assert abs(found**2 - power.mean()) < 4 * power.std() / np.sqrt(len(power))
 
 
-def test_triad_with_independent_angles() -> None:
-    errors = compute_map_errors(WEIGHTS, start_maps(MAPS, ANGLES))[:, 0]
-    _within(float(compute_triad_rms(WEIGHTS, MAPS)[0, 0]), errors)
-
-
 def test_gyro_on_each_axis_in_turn() -> None:
     gyro = 1
     everywhere = np.repeat(MAPS[:, :, [gyro]], 3, axis=2)
     turned = start_maps(everywhere, np.repeat(ANGLES[:, [0]], 3, axis=1))
     by_axis = np.einsum("kica,rca->rkia", WEIGHTS, turned)[:, 0]
     _within(float(compute_gyro_rms(WEIGHTS, MAPS)[0, 0, gyro]), by_axis.reshape(len(ANGLES), -1))
-
-
-def test_a_mean_has_no_luck() -> None:
-    mean = np.zeros_like(MAPS)
-    mean[:, 0] = MAPS[:, 0]
-    errors = compute_map_errors(WEIGHTS, mean)[0, 0]
-    np.testing.assert_allclose(compute_triad_rms(WEIGHTS, mean)[0, 0], np.hypot(*errors))

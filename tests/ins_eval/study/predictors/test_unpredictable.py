@@ -1,4 +1,4 @@
-"""Noise and accelerometers against flights that have nothing else."""
+"""Noise, accelerometers and mounting against flights that have nothing else."""
 
 from dataclasses import replace
 
@@ -23,11 +23,11 @@ def test_covariance_of_flights_without_maps(noisy: float, biased: float) -> None
         in_flight=none,
         noise=noise,
         accelerometers=biased * triads.accelerometers,
+        mounting=biased * triads.mounting,
     )
     errors = flights.errors(bare, weights)
-    found = compute_unpredictable_covariance(
-        weights, noise, biased * cases.ACCELEROMETER_BIAS
-    ).mean(axis=0)
+    sheets = (biased * sheet for sheet in cases.SHEETS)
+    found = compute_unpredictable_covariance(weights, noise, *sheets).mean(axis=0)
     products = errors[..., :, None] * errors[..., None, :]
     scatter = products.std(axis=0) / np.sqrt(COUNT)
     assert np.all(np.abs(products.mean(axis=0) - found) <= 5 * scatter)

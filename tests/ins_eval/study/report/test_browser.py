@@ -7,7 +7,7 @@ from typing import Any
 import pandas as pd
 import pytest
 
-from ins_eval.study.report.page import write_page
+from ins_eval.study.report.page import select_shown, write_page
 from ins_eval.study.report.sections import make_sections
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
@@ -22,6 +22,12 @@ pytestmark = pytest.mark.needs("chromium")
 @pytest.fixture(scope="module")
 def result() -> StudyData:
     return synthetic(20)
+
+
+@pytest.fixture(scope="module")
+def shown(result: StudyData) -> pd.DataFrame:
+    """The rows of the page, in nmi."""
+    return select_shown(result).table
 
 
 @pytest.fixture(scope="module")
@@ -60,8 +66,8 @@ def chosen(table: pd.DataFrame, **wanted: str) -> pd.DataFrame:
     return table
 
 
-def test_the_page_opens_on_the_unseen_half(page: Any, result: StudyData) -> None:
-    rows = chosen(result.table, calibration="map", half="test")
+def test_the_page_opens_on_the_first_calibration(page: Any, shown: pd.DataFrame) -> None:
+    rows = chosen(shown, calibration="map")
     assert page.locator("h1").is_visible()
     live = page.locator("[data-panel=fitted_map] .live").inner_text()
     assert live.startswith(f"{len(rows)} flights; R² ")
@@ -69,20 +75,19 @@ def test_the_page_opens_on_the_unseen_half(page: Any, result: StudyData) -> None
     assert shown == rows[c.CLASS].nunique()
 
 
-def test_every_choice_can_be_made(page: Any, result: StudyData) -> None:
-    for name in ("calibration", "half", "class", "predictor"):
+def test_every_choice_can_be_made(page: Any, shown: pd.DataFrame) -> None:
+    for name in ("calibration", "class", "predictor"):
         select = page.locator(f"select[name={name}]")
         for value in select.locator("option").evaluate_all("all => all.map(o => o.value)"):
             select.select_option(value)
         select.select_option("all")
-    live = page.locator("[data-panel=oracle] .live").inner_text()
-    assert live.startswith(f"{len(result.table)} flights")
+    live = page.locator("[data-panel=true_parameters] .live").inner_text()
+    assert live.startswith(f"{len(shown)} flights")
 
 
-def test_a_class_alone(page: Any, result: StudyData) -> None:
-    page.locator("select[name=half]").select_option("all")
+def test_a_class_alone(page: Any, shown: pd.DataFrame) -> None:
     page.locator("select[name=class]").select_option("car")
-    rows = chosen(result.table, calibration="map", mission_class="car")
+    rows = chosen(shown, calibration="map", mission_class="car")
     for predictor in c.PREDICTORS:
         live = page.locator(f"[data-panel={predictor.key}] .live").inner_text()
         assert live.startswith(f"{len(rows)} flights")
@@ -97,9 +102,9 @@ def test_a_predictor_alone(page: Any) -> None:
     assert visible.locator("svg").bounding_box()["width"] > 600
 
 
-def test_hovering_a_dot_tells_its_flight(page: Any, result: StudyData) -> None:
+def test_hovering_a_dot_tells_its_flight(page: Any, shown: pd.DataFrame) -> None:
     page.locator("select[name=predictor]").select_option("fitted_map")
-    rows = chosen(result.table, calibration="map", half="test")
+    rows = chosen(shown, calibration="map")
     row = rows.loc[rows[c.FLOWN_RADIAL].idxmax()]
     svg = page.locator("[data-panel=fitted_map] svg")
     svg.scroll_into_view_if_needed()
@@ -117,17 +122,17 @@ def test_hovering_a_dot_tells_its_flight(page: Any, result: StudyData) -> None:
     page.mouse.move(*place)
     tip = page.locator("#tip").inner_text()
     assert f"Triad {row[c.TRIAD]}, {row[c.MISSION]} ({row[c.CLASS]})" in tip
-    assert "map calibrated, test half" in tip
-    assert f"flown {float(f'{row[c.FLOWN_RADIAL]:.3g}'):,g} m" in tip
+    assert "map calibrated, co-simulated" in tip
+    assert f"flown {float(f'{row[c.FLOWN_RADIAL]:.3g}'):,g} nmi (" in tip
     assert svg.locator(".mark").get_attribute("visibility") == "visible"
     page.mouse.move(2, 2)
     assert not page.locator("#tip").is_visible()
 
 
-def test_dots_can_be_stepped_through_with_the_keyboard(page: Any, result: StudyData) -> None:
-    rows = chosen(result.table, calibration="map", half="test")
+def test_dots_can_be_stepped_through_with_the_keyboard(page: Any, shown: pd.DataFrame) -> None:
+    rows = chosen(shown, calibration="map")
     order = rows.sort_values(c.FLOWN_RADIAL)[c.TRIAD].tolist()
-    page.locator("[data-panel=oracle] svg").focus()
+    page.locator("[data-panel=true_parameters] svg").focus()
     for triad in (order[0], order[1]):
         page.keyboard.press("ArrowRight")
         assert page.locator("#tip").inner_text().startswith(f"Triad {triad},")
@@ -138,7 +143,7 @@ def test_dots_can_be_stepped_through_with_the_keyboard(page: Any, result: StudyD
 
 
 def test_links_and_folds_open(page: Any, result: StudyData) -> None:
-    for section in make_sections(result):
+    for section in make_sections(select_shown(result)):
         page.locator(f'nav a[href="#{section.name}"]').click()
         assert page.locator(f"#{section.name} h2").is_visible()
     for fold in page.locator("details:visible").all():
@@ -147,15 +152,15 @@ def test_links_and_folds_open(page: Any, result: StudyData) -> None:
 
 
 def test_without_scripts_every_figure_and_table_is_there(
-    browser: Any, address: str, result: StudyData
+    browser: Any, address: str, shown: pd.DataFrame
 ) -> None:
     context = browser.new_context(java_script_enabled=False)
     opened = context.new_page()
     opened.goto(address)
     assert not opened.locator("#filters").is_visible()
     assert opened.locator("#predictions svg:visible").count() == len(c.PREDICTORS)
-    groups = result.table.groupby([c.CALIBRATION, c.HALF, c.CLASS]).ngroups
-    assert opened.locator("[data-panel=oracle] .dots").count() == groups
+    groups = shown.groupby([c.CALIBRATION, c.CLASS]).ngroups
+    assert opened.locator("[data-panel=true_parameters] .dots").count() == groups
     assert opened.locator("#coverage table:visible").count() > 1
     context.close()
 

@@ -1,4 +1,4 @@
-"""The figures that the report works out itself: growth and budget."""
+"""The figures that the report works out itself: the budget."""
 
 from dataclasses import astuple
 
@@ -8,7 +8,6 @@ import pytest
 from scipy.stats import binom
 
 from ins_eval.study.report.figures.budget import compute_shares, estimate_rms
-from ins_eval.study.report.figures.growth import compute_growth
 from ins_eval.study.tables import columns as c
 
 
@@ -49,19 +48,3 @@ def test_shares_add_up() -> None:
     part = estimate_rms(rows, "north", "east")
     held = compute_shares({"map": part, "noise": part})
     assert held == {"map": 0.5, "noise": 0.5}
-
-
-def test_growth_is_the_quantiles_at_each_time() -> None:
-    errors = np.random.default_rng(4).rayleigh(1.0, (400, 1)) * np.arange(1, 13)
-    found = compute_growth(pd.Series(list(errors)))
-    np.testing.assert_allclose(found.hours[[0, -1]], [1 / 6, 2])
-    np.testing.assert_allclose(found.quantiles[:, 1], np.median(errors, axis=0))
-    assert found.low < 12 * np.sqrt(2 * np.log(2)) < found.high
-    assert found.n == 400
-
-
-def test_a_flight_that_ends_sooner_counts_while_it_lasts() -> None:
-    found = compute_growth(pd.Series([[1.0, 2.0], [3.0]]))
-    np.testing.assert_allclose(found.quantiles[:, 1], [2.0, 2.0])
-    assert found.n == 1
-    assert np.isnan(found.low)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from ins_eval.study.report.page import render_page, write_page
+from ins_eval.study.report.page import render_page, select_shown, write_page
 from ins_eval.study.report.sections import make_sections
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
@@ -63,16 +63,26 @@ def test_embedded_points_are_those_of_the_table(result: StudyData, text: str) ->
     embedded = re.search(r'<script type="application/json" id="study">(.*?)</script>', text)
     assert embedded
     study = json.loads(embedded[1])
-    assert study["triad"] == result.table[c.TRIAD].tolist()
+    judged = result.table[result.table[c.ROLE] == "test"]
+    assert study["triad"] == judged[c.TRIAD].tolist()
     assert study["numbers"][c.FLOWN_RADIAL] == pytest.approx(
-        result.table[c.FLOWN_RADIAL].tolist(), rel=6e-4
+        (judged[c.FLOWN_RADIAL] / 1852).tolist(), rel=6e-4
     )
     named = study["names"][c.MISSION]
-    assert [named["levels"][code] for code in named["codes"]] == result.table[c.MISSION].tolist()
+    assert [named["levels"][code] for code in named["codes"]] == judged[c.MISSION].tolist()
+
+
+def test_the_page_shows_judged_triads_in_nautical_miles(result: StudyData) -> None:
+    shown = select_shown(result).table
+    assert set(shown[c.ROLE]) == {"test"}
+    row = shown.index[0]
+    assert shown[c.FLOWN_RADIAL][row] == result.table[c.FLOWN_RADIAL][row] / 1852
+    assert shown[c.GROWTH][row][-1] == result.table[c.GROWTH][row][-1] / 1852
+    assert shown[c.HOURS][row] == result.table[c.HOURS][row]
 
 
 def test_missing_predictions_leave_a_word(result: StudyData) -> None:
-    gone = {p: float("nan") for p in ("oracle_median_m", "oracle_low_m", "oracle_high_m")}
+    gone = {p: float("nan") for p in ("true_parameters_median_m", "true_parameters_low_m")}
     text = render_page(replace(result, table=result.table.assign(**gone)))
     assert "No predictions." in text
     elements(text)
@@ -80,7 +90,6 @@ def test_missing_predictions_leave_a_word(result: StudyData) -> None:
 
 def test_a_study_without_scores_says_so(result: StudyData) -> None:
     text = render_page(replace(result, scores=[]))
-    assert "This study has no requirements" in text
     assert "Not scored in this study" in text
     elements(text)
 

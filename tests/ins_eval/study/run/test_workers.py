@@ -12,11 +12,13 @@ from tests.ins_eval.study.test_experiment import STUDY
 SMALL = replace(
     STUDY,
     triads=4,
-    cosimulated=1,
+    training=2,
+    agreement=2,
+    lead=1,
     calibrations=("mean",),
     missions=tuple(replace(mission, hours=0.1) for mission in STUDY.missions),
 )
-"""Four blocks."""
+"""Four blocks: two of training triads, two of judged ones."""
 
 
 def test_same_bytes_by_any_number_of_workers(tmp_path: Path) -> None:

@@ -44,54 +44,41 @@ def test_every_figure_has_its_interval_number_and_seed(judged: list[Score]) -> N
         assert (s.n, s.seed, s.confidence) == (80, 7, 0.95)
 
 
-def test_the_fitted_map_is_held_to_its_oracle_and_holds(judged: list[Score]) -> None:
+def test_claims_have_requirements(judged: list[Score]) -> None:
+    """The maps of these gyros drift a lot: the interval of R2 holds 0.97; intervals are right."""
     fitted = _one(judged, score.R2_RADIAL, "fitted_map")
-    oracle = _one(judged, score.R2_RADIAL, "oracle")
-    bench = _one(judged, score.R2_RADIAL, "bench_oracle")
-    assert fitted.asked.startswith(f">= {bench.value - 0.03:.3f}")
-    assert 0.9 < fitted.value < bench.value < oracle.value
-    assert fitted.holds
-    assert _one(judged, score.VARIANCE_REMOVED, "fitted_map").low > 0.8
-    for key in ("fitted_map", "fitted_map_any_angle", "oracle", "oracle_any_angle"):
-        assert _one(judged, score.COVERAGE, key).holds
-    assert _one(judged, score.WIDTH, "fitted_map").low > 1
+    true = _one(judged, score.R2_RADIAL, "true_parameters")
+    assert (fitted.asked, fitted.verdict, true.verdict) == (">= 0.97", "undecided", "")
+    assert 0.8 < fitted.value < true.value
+    assert _one(judged, score.COVERAGE, "fitted_map").verdict == "holds"
+    known = _one(judged, score.R2_MOUNTED, "fitted_map")
+    assert known.value > _one(judged, score.R2_COMPONENTS, "fitted_map").value
+    size = _one(judged, score.MEDIAN_RATIO, "circumference_class")
+    assert (size.asked, size.verdict) == ("within a factor of 1.3", "holds")
+    wrong = _one(judged, score.MEDIAN_RATIO, "fixed_rule")
+    assert (wrong.asked, wrong.verdict) == ("wrong by a factor of 2", "holds")
 
 
 def test_coverage_is_held_to_the_level_asked(flown: pd.DataFrame) -> None:
     """Intervals of 90 % are no intervals of 50 %."""
     found = _one(score_flights(flown, seed=7, inside=0.5), score.COVERAGE, "fitted_map")
-    assert (found.asked, found.holds) == ("0.5 within its interval", False)
+    assert (found.asked, found.verdict) == ("0.5 within its interval", "fails")
 
 
 def test_shuffled_devices_show_nothing(judged: list[Score]) -> None:
     for key in ("fixed_rule", "circumference_rule", "fitted_map"):
         none = _one(judged, score.SPEARMAN, key, shuffled=True)
-        assert none.holds
+        assert none.verdict == "holds"
     assert _one(judged, score.SPEARMAN, "fitted_map").low > none.high
     none = _one(judged, score.R2_COMPONENTS, "fitted_map", shuffled=True)
-    assert none.holds
+    assert none.verdict == "holds"
     assert none.high < 0 < _one(judged, score.R2_COMPONENTS, "fitted_map").low
 
 
-def test_a_predictable_class_is_held_to_more(flown: pd.DataFrame) -> None:
-    sure = flown.assign(**{columns.UNPREDICTABLE: 1e-3 * flown[columns.UNPREDICTABLE]})
-    assert _one(score_flights(sure, seed=7), score.R2_RADIAL, "fitted_map").asked == ">= 0.95"
-
-
-def test_where_noise_dominates_the_thesis_does_not_hold() -> None:
-    """Maps a thousand times smaller than noise and the bench's fit: what it found tells nothing."""
+def test_where_noise_dominates_no_map_predicts() -> None:
+    """Maps a thousand times smaller than noise and the bench's fit."""
     found = score_flights(table(60, spread=1e-3), seed=7)
-    removed = _one(found, score.VARIANCE_REMOVED, "fitted_map")
-    assert not removed.holds
-    assert "predicts no better" in removed.note
-    assert _one(found, score.UNPREDICTABLE_SHARE, "fitted_map").low > 1
-
-
-def test_where_both_rules_say_the_same_there_is_no_advantage(flown: pd.DataFrame) -> None:
-    same = {f"fixed_rule_{q}_m": flown[f"circumference_rule_{q}_m"] for q in ("median", "low")}
-    found = _one(score_flights(flown.assign(**same), seed=7), score.ADVANTAGE, "circumference_rule")
-    assert (found.value, found.holds) == (0.0, False)
-    assert "as well as the full" in found.note
+    assert _one(found, score.R2_RADIAL, "fitted_map").verdict == "fails"
 
 
 def test_order_of_rows_is_no_matter(flown: pd.DataFrame, judged: list[Score]) -> None:

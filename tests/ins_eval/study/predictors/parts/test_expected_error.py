@@ -23,6 +23,7 @@ def test_it_is_flown_without_noise_and_accelerometers(car: MissionWeights) -> No
         triads,
         noise=np.zeros_like(triads.noise),
         accelerometers=np.zeros_like(triads.accelerometers),
+        mounting=np.zeros_like(triads.mounting),
     )
     parts = compute_position_errors(quiet, car, mission=0)
     found = compute_expected_error(car, triads.in_flight)

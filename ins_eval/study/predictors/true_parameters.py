@@ -1,7 +1,7 @@
-"""The oracle: the linear error model with the true maps in flight (Eq. 9).
+"""The yardstick: the linear error model with the true maps in flight (Eq. 9).
 
-Its spread is by noise and accelerometers alone, and by the power-on angle where that is unknown. No
-predictor from a bench can do better.
+Its spread is by noise, accelerometers and mounting alone, and by the start angle where that is
+unknown. No predictor from a bench can do better.
 """
 
 import numpy as np
@@ -22,20 +22,20 @@ def predict(weights: MissionWeights, maps: Array, other: Array) -> NormalPredict
     Args:
         weights: weights of the mission.
         maps: (r, COUNT, 3) true coefficients in flight.
-        other: (r, k, 2, 2) covariance of the error by noise and accelerometers, m^2.
+        other: (r, k, 2, 2) covariance of the error by noise, accelerometers and mounting, m^2.
     """
     return NormalPrediction(compute_expected_error(weights, maps), other)
 
 
-def predict_any_angle(
+def fly_from_any_angle(
     weights: MissionWeights, maps: Array, other: Array, start_angle: Array, seed: int
 ) -> SampledPrediction:
-    """Errors of triads whose maps are known and whose power-on angles are not.
+    """Linear flights of triads from many start angles, with the same true maps.
 
     Args:
         weights, maps, other: as in `predict`.
-        start_angle: (r, 3) angles at which the maps begin, rad; removed before the prediction.
-        seed: seed of the angles.
+        start_angle: (r, 3) angles at which the maps begin, rad; removed before the flights.
+        seed: seed of the angles and of the noise.
     """
     known = undo_start(maps, start_angle)
     none = np.zeros((1, maps.shape[1]))

@@ -1,0 +1,89 @@
+"""Predictor by a constant for each class of manoeuvre: error = constant x stability x time (Eq. 3).
+
+The usual rule has one constant for all: 0.01 deg/h makes 1 nmi/h. Here the constant of a class is
+the median, over the training triads and many start angles, of the linear flights' error in units of
+that rule. Other quantiles of the same flights are the ends of the predicted interval.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ins_eval.mission_model.mission_weights import MissionWeights
+from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.study.predictors import true_parameters
+from ins_eval.study.predictors.stability_rule import compute_rule_distance
+from ins_eval.study.predictors.unpredictable import compute_unpredictable_covariance
+
+Array = NDArray[np.float64]
+
+FLIGHTS = 256
+"""Number of start angles from which each training triad flies. Chosen."""
+
+
+@dataclass(frozen=True)
+class ConstantRule:
+    """The rule of a class. ratios: (r, n) errors of the training triads' flights in units of the
+    usual rule."""
+
+    ratios: Array
+
+    def predict(self, stability: Array, time: Array) -> "ScaledPrediction":
+        """Errors of triads; arguments as `stability_rule.predict`."""
+        return ScaledPrediction(compute_rule_distance(stability, time), self.ratios)
+
+
+@dataclass(frozen=True)
+class ScaledPrediction:
+    """A distribution of the horizontal error: a distance (r, k), m, times these ratios."""
+
+    distance: Array
+    ratios: Array
+
+    @property
+    def expected(self) -> Array:
+        """(r, k, 2) zeros: the rule knows no direction."""
+        return np.zeros((*self.distance.shape, 2))
+
+    def radius(self, share: float) -> Array:
+        """(r, k) quantile of the horizontal error, m."""
+        return np.asarray(self.distance * np.quantile(self.ratios, share))
+
+
+def compute_ratios(
+    weights: MissionWeights,
+    training: TriadBlock,
+    stability: Array,
+    accelerometer_bias: float,
+    mounting: float,
+    seed: int,
+) -> Array:
+    """(r, `FLIGHTS`) errors of linear flights of the training triads, in units of the usual rule.
+
+    Args:
+        weights: weights of the mission at its end alone.
+        training: the triads.
+        stability: (r, 3) their stabilities, rad/s.
+        accelerometer_bias: standard deviation of each accelerometer's bias, m/s^2.
+        mounting: standard deviation of each input axis' lean in each of two directions, rad.
+        seed: seed of the start angles and of the noise.
+    """
+    other = compute_unpredictable_covariance(weights, training.noise, accelerometer_bias, mounting)
+    flown = true_parameters.fly_from_any_angle(
+        weights, training.in_flight, other, training.start_angle, seed
+    )
+    step = flown.samples.shape[1] // FLIGHTS
+    errors = np.linalg.norm(flown.samples[:, ::step, -1], axis=-1)
+    return np.asarray(errors / compute_rule_distance(stability, weights.time)[:, -1:])
+
+
+def join_missions(ratios: Sequence[Array]) -> ConstantRule:
+    """The rule of a class from the ratios of its missions."""
+    return ConstantRule(np.concatenate(ratios, axis=1))
+
+
+def compute_constant(ratios: Array) -> Array:
+    """(...,) constant of a class from ratios (..., r, n), in units of the usual rule."""
+    return np.asarray(np.median(ratios, axis=(-2, -1)))

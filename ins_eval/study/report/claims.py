@@ -1,0 +1,203 @@
+"""The claims that a study decides, each with its own verdict, in words and by mission class."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ins_eval.study.study_data import StudyData
+from ins_eval.study.tables.columns import (
+    CIRCUMFERENCE_CLASS,
+    CIRCUMFERENCE_RULE,
+    CLASS,
+    FITTED_MAP,
+    FIXED_RULE,
+)
+from ins_eval.study.tables.score import (
+    ALL,
+    COVERAGE,
+    FAILS,
+    HOLDS,
+    MEDIAN_RATIO,
+    R2_COMPONENTS,
+    R2_MOUNTED,
+    R2_RADIAL,
+    SPEARMAN,
+    UNDECIDED,
+    Score,
+)
+from pyhrg.common.pages.svg import format_number
+
+IN_PART = "holds in part"
+R2_SCORES = (R2_RADIAL, R2_COMPONENTS, R2_MOUNTED)
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A claim. letter: its name; statement: a sentence; parts: score, predictor and words of each
+    requirement."""
+
+    letter: str
+    statement: str
+    parts: tuple[tuple[str, str, str], ...]
+
+
+CLAIMS = (
+    Claim(
+        "a",
+        "In-run stability at a fixed position says nothing of the flight",
+        (
+            (SPEARMAN, FIXED_RULE, "rank correlation with the gyros' errors over start angles"),
+            (MEDIAN_RATIO, FIXED_RULE, "flown / predicted by 0.01 deg/h = 1 nmi/h"),
+        ),
+    ),
+    Claim(
+        "b",
+        "The full circumference ranks gyros and gives the size of the error",
+        (
+            (
+                SPEARMAN,
+                CIRCUMFERENCE_RULE,
+                "rank correlation with the gyros' errors over start angles",
+            ),
+            (MEDIAN_RATIO, CIRCUMFERENCE_CLASS, "flown / predicted by the class constant"),
+        ),
+    ),
+    Claim(
+        "c",
+        "The fitted map and the trajectory predict each flight",
+        (
+            (R2_RADIAL, FITTED_MAP, "R2 of single flights"),
+            (COVERAGE, FITTED_MAP, "share inside the predicted intervals"),
+        ),
+    ),
+)
+
+
+@dataclass(frozen=True)
+class JudgedClaim:
+    """A claim and its scores: those of each class, which decide, and those over all classes."""
+
+    claim: Claim
+    by_class: Sequence[Score]
+    overall: Sequence[Score]
+
+    @property
+    def verdict(self) -> str:
+        """`HOLDS` where it holds in all classes, `IN_PART` where in some; where in none, `FAILS` if
+        it fails in any, else `UNDECIDED`."""
+        found = [self.judge_class(name) for name in self.classes]
+        if HOLDS in found:
+            return HOLDS if set(found) == {HOLDS} else IN_PART
+        return FAILS if FAILS in found else UNDECIDED
+
+    def judge_class(self, name: str) -> str:
+        """The verdict in a class: `HOLDS` if all requirements do, `FAILS` if one fails."""
+        found = {score.verdict for score in self.by_class if score.mission_class == name}
+        if found == {HOLDS}:
+            return HOLDS
+        return FAILS if FAILS in found else UNDECIDED
+
+    @property
+    def n(self) -> int:
+        """Number of judged triads."""
+        return max((score.n for score in self.by_class), default=0)
+
+    @property
+    def classes(self) -> list[str]:
+        """Names of the classes that decide."""
+        return list(dict.fromkeys(score.mission_class for score in self.by_class))
+
+    def find_exceptions(self) -> list[str]:
+        """Class, requirement and figure of each score that does not hold."""
+        return [
+            f"{s.mission_class}: {name_requirement(self.claim, s)} {format_score(s)}, required "
+            f"{s.asked}: {s.verdict}"
+            for s in self.by_class
+            if s.verdict != HOLDS
+        ]
+
+
+def judge_claims(data: StudyData, calibration: str) -> list[JudgedClaim]:
+    """The claims on the judged triads of a calibration; none without scores."""
+    judged = [_judge(claim, _select(data, calibration)) for claim in CLAIMS]
+    return [each for each in judged if each.by_class]
+
+
+def judge_condition(data: StudyData, name: str) -> list[JudgedClaim]:
+    """The claims in a condition; none without it."""
+    if data.conditions is None:
+        return []
+    scores = [s for s in data.conditions.scores if s.mission_class == name and not s.shuffled]
+    return [_judge(claim, scores) for claim in CLAIMS]
+
+
+def list_conditions(data: StudyData) -> list[str]:
+    """Names of the conditions, in the order of the study."""
+    if data.conditions is None:
+        return []
+    return list(map(str, dict.fromkeys(data.conditions.table[CLASS])))
+
+
+def describe_claim(judged: JudgedClaim) -> str:
+    """A claim, its verdict, its figures over all classes, and where it does not hold."""
+    figures = "; ".join(
+        f"{name_requirement(judged.claim, s)} {format_score(s)}"
+        for s in judged.overall or judged.by_class
+    )
+    kinds = f"{len(judged.classes)} class{'es' if len(judged.classes) > 1 else ''}"
+    line = (
+        f"({judged.claim.letter}) {judged.claim.statement}: {judged.verdict.upper()}. "
+        f"{figures[:1].upper()}{figures[1:]} (n = {judged.n} triads, {kinds})."
+    )
+    exceptions = judged.find_exceptions()
+    return f"{line} Not shown in {'; '.join(exceptions)}." if exceptions else line
+
+
+def describe_conditions(data: StudyData) -> list[str]:
+    """Claim (d): for each condition, the claims that fail there, with their figures."""
+    lines = []
+    for name in list_conditions(data):
+        judged = judge_condition(data, name)
+        failing = [s for each in judged for s in each.by_class if s.verdict == FAILS]
+        parts = [
+            f"({each.claim.letter}) {name_requirement(each.claim, s)} {format_score(s)}"
+            for each in judged
+            for s in each.by_class
+            if s in failing
+        ]
+        n = max(each.n for each in judged)
+        what = "; ".join(parts) if parts else "no claim fails"
+        lines.append(f"{name} ({n} triads, linear flights): {what}.")
+    return lines
+
+
+def format_score(score: Score) -> str:
+    """A score with its interval; an R2 below zero in words too."""
+    text = (
+        f"{format_number(score.value)} ({format_number(score.low)} to {format_number(score.high)})"
+    )
+    worse = score.score in R2_SCORES and score.value < 0
+    return f"{text}, worse than the mean" if worse else text
+
+
+def name_requirement(claim: Claim, score: Score) -> str:
+    """The requirement of a claim that a score answers, in words."""
+    return next(
+        words
+        for key, predictor, words in claim.parts
+        if (key, predictor) == (score.score, score.predictor)
+    )
+
+
+def _select(data: StudyData, calibration: str) -> list[Score]:
+    return [s for s in data.scores if s.calibration == calibration and not s.shuffled]
+
+
+def _judge(claim: Claim, scores: Sequence[Score]) -> JudgedClaim:
+    kinds = [(score, predictor) for score, predictor, _ in claim.parts]
+    asked = [s for s in scores if s.verdict and (s.score, s.predictor) in kinds]
+    asked.sort(key=lambda s: kinds.index((s.score, s.predictor)))
+    return JudgedClaim(
+        claim,
+        [s for s in asked if s.mission_class != ALL],
+        [s for s in asked if s.mission_class == ALL],
+    )

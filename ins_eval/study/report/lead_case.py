@@ -1,0 +1,134 @@
+"""The lead case in words and as a drawing: what each bench test promises, and what is flown."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ins_eval.study.predictors.stability_rule import DRIFT_PER_STABILITY
+from ins_eval.study.report.figures.parts import draw_axes
+from ins_eval.study.study_data import LEAD_KEY
+from pyhrg.common.pages import svg
+from pyhrg.common.units import DEG_PER_H, HOUR, NAUTICAL_MILE
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class LeadCase:
+    """Results of the lead case.
+
+    device, mission: names; fixed_stability, circumference_stability: bench figures, deg/h; time:
+    (k,) s; flown: (n, k) horizontal errors, m.
+    """
+
+    device: str
+    mission: str
+    fixed_stability: float
+    circumference_stability: float
+    time: Array
+    flown: Array
+
+    @property
+    def final(self) -> Array:
+        """(n,) horizontal errors at the end, m."""
+        return np.asarray(self.flown[:, -1])
+
+    def promise(self, stability: float) -> Array:
+        """(k,) error by the usual rule from a stability, deg/h; m."""
+        return np.asarray(DRIFT_PER_STABILITY * stability * DEG_PER_H * self.time)
+
+    @property
+    def promised_fixed(self) -> float:
+        """Error at the end that the fixed position promises, m."""
+        return float(self.promise(self.fixed_stability)[-1])
+
+    @property
+    def promised_circumference(self) -> float:
+        """Error at the end that the full circumference promises, m."""
+        return float(self.promise(self.circumference_stability)[-1])
+
+    @property
+    def sentences(self) -> tuple[str, str, str]:
+        """What the two tests promise, and what is flown."""
+        median = float(np.median(self.final))
+        hours = self.time[-1] / HOUR
+        over = median / self.promised_fixed
+        against = self.promised_circumference / median
+        size = f"{against:.2g} times as much" if against >= 1 else f"{against:.2g} of it"
+        return (
+            f"The gyro of the paper's Table 2, its mean taken out, has {self.fixed_stability:.2g} "
+            f"deg/h at a fixed position, which promises {format_distance(self.promised_fixed)} "
+            f"after {hours:g} h in a {self.mission}.",
+            f"Over the full circumference it has {self.circumference_stability:.2g} deg/h, which "
+            f"promises {format_distance(self.promised_circumference)}.",
+            f"Three such gyros, co-simulated from {len(self.final)} start angles, err by "
+            f"{format_distance(median)} (median; {self.final.min() / NAUTICAL_MILE:.2g} to "
+            f"{self.final.max() / NAUTICAL_MILE:.2g} nmi): {over:.2g} times what the fixed "
+            f"position promises; the circumference promises {size}.",
+        )
+
+    @property
+    def headline(self) -> str:
+        """All of it in one sentence."""
+        promised = (self.promised_fixed, self.promised_circumference, float(np.median(self.final)))
+        fixed, circumference, flown = map(format_distance, promised)
+        return (
+            f"The gyro of the paper's Table 2 promises {fixed} by the fixed-position test and "
+            f"{circumference} by the full circumference; in {self.time[-1] / HOUR:g} h of a "
+            f"{self.mission} it errs by {flown}."
+        )
+
+    @property
+    def drawing(self) -> str:
+        """Markup: errors over time, promised and flown, nmi on a log axis."""
+        hours, flown = self.time / HOUR, self.flown / NAUTICAL_MILE
+        promised = [
+            self.promise(stability) / NAUTICAL_MILE
+            for stability in (self.fixed_stability, self.circumference_stability)
+        ]
+        x = svg.make_horizontal_scale(0.0, float(hours[-1]), log=False)
+        y = svg.make_vertical_scale(*svg.find_decades(np.concatenate([*promised, *flown])))
+        lines = "".join(
+            f'<path class="flight" d="{svg.draw_line(x(hours), y(each))}"/>' for each in flown
+        )
+        lines += _draw_named(x(hours), y(np.median(flown, axis=0)), "flown, median", "flown")
+        names = ("promised, fixed position", "promised, full circumference")
+        for name, line, colour in zip(names, promised, ("c1", "c0"), strict=True):
+            lines += _draw_named(x(hours), y(line), name, colour)
+        return draw_axes(
+            x,
+            y,
+            ("navigating, h", "horizontal error, nmi (1.852 km)"),
+            lines,
+            " ".join(self.sentences),
+        )
+
+
+def read_lead_case(about: Mapping[str, Any]) -> LeadCase | None:
+    """The lead case of a study's facts; None where the study has none."""
+    found = about.get(LEAD_KEY)
+    if not found:
+        return None
+    return LeadCase(
+        device=found["device"],
+        mission=found["mission"],
+        fixed_stability=found["fixed_stability_deg_h"],
+        circumference_stability=found["circumference_stability_deg_h"],
+        time=np.array(found["time_s"]),
+        flown=np.array(found["flown_m"]),
+    )
+
+
+def format_distance(metres: float) -> str:
+    """A distance in nautical miles and kilometres."""
+    return f"{metres / NAUTICAL_MILE:.2g} nmi ({metres / 1000:.2g} km)"
+
+
+def _draw_named(across: Array, up: Array, name: str, colour: str) -> str:
+    return (
+        f'<g class="lead {colour}"><path d="{svg.draw_line(across, up)}"/>'
+        f'<text x="{across[-1] - 4:.0f}" y="{up[-1] - 8:.0f}" text-anchor="end">{name}</text></g>'
+    )

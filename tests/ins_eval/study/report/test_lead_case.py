@@ -1,0 +1,26 @@
+"""The lead case in words: distances by the usual rule, and what is flown."""
+
+import pytest
+
+from ins_eval.study.report.lead_case import format_distance, read_lead_case
+from tests.ins_eval.study.report.synthetic import LEAD
+
+
+def test_sentences_are_of_the_promises_and_the_flights() -> None:
+    """0.0009 and 0.1 deg/h promise 0.09 and 10 nmi in an hour; flown are 2, 5 and 10 nmi."""
+    case = read_lead_case({"lead": LEAD})
+    assert case
+    assert case.promised_fixed == pytest.approx(0.09 * 1852)
+    assert case.promised_circumference == pytest.approx(10 * 1852)
+    first, second, third = case.sentences
+    assert "promises 0.09 nmi (0.17 km) by the fixed-position test and 10 nmi" in case.headline
+    assert "0.0009 deg/h at a fixed position, which promises 0.09 nmi (0.17 km)" in first
+    assert "promises 10 nmi (19 km)" in second
+    assert "3 start angles, err by 5 nmi (9.3 km) (median; 2 to 10 nmi): 56 times" in third
+    assert third.endswith("the circumference promises 2 times as much.")
+    assert case.drawing.count('class="flight"') == 3
+
+
+def test_a_study_without_one() -> None:
+    assert read_lead_case({"lead": {}}) is read_lead_case({}) is None
+    assert format_distance(1852.0) == "1 nmi (1.9 km)"

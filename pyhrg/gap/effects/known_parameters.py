@@ -42,6 +42,8 @@ class KnownParameters:
     def marginal(self) -> Design:
         """Normal equations of all other groups, with the known parameters integrated out."""
         whole, known, others = self.whole, self._known, self._others
+        if not self.tolerances:
+            return whole
         cross = whole.gram[np.ix_(known, others)]
         gain = self._solve(cross)
         own = self._solve(whole.projection[known])
@@ -65,7 +67,9 @@ class KnownParameters:
             unit = size * whole.norms[own]
             projection = projection - whole.gram[np.ix_(self._known, own)] @ unit
         values = self._solve(projection) / whole.norms[self._known]
-        return dict(zip(self.effects, np.split(values, self._ends[:-1]), strict=True))
+        return {
+            e: values[end - e.size : end] for e, end in zip(self.effects, self._ends, strict=True)
+        }
 
     def compute_covariances(self, groups: Sequence[Group]) -> dict[Effect, Array]:
         """(d, d) covariance of each known parameter beside fitted groups, SI."""

@@ -32,7 +32,7 @@ def said(*causes: Cause, verdict: Verdict = "explained", unknown: float = 0.0) -
 def unexplained(*shares: tuple[str, float]) -> Diagnosis:
     """With shares of the gap by coordinate."""
     where = tuple(Place("a", "amplitude", name, share, 12.0) for name, share in shares)
-    return replace(NO_GAP, verdict="unexplained", where=where)
+    return replace(NO_GAP, verdict="unexplained", where=where, unknown_probability=0.99)
 
 
 @pytest.mark.parametrize(

@@ -60,7 +60,7 @@ class LaboratoryParameters:
     encoder_eccentricity_phase: float = parameter(
         key="encoder_eccentricity_phase_deg", unit=DEG, limits=(-360, 360)
     )
-    """Phase of that error [phi], rad: the true rate is the read one times 1 + a cos(reading + phi)."""
+    """Phase of that error, rad: the true rate is the one read times 1 + a cos(reading + phase)."""
     clock_latency: float = parameter(
         key="clock_latency_s",
         limits=(-1, 1),

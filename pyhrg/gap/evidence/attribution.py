@@ -103,14 +103,22 @@ def attribute_gap(
     report: Callable[[str], None] = lambda text: None,
 ) -> Attribution:
     """Find the effects and noises of the catalogue that make the gap in tests that may be fitted
-    to. `report` is called with a line of text at each step."""
+    to. `report` is called with a line of text at each step.
+
+    Something outside the catalogue may drag the known parameters along, far from their tolerances.
+    Then steps grow, and the search begins again with these parameters as they were told."""
     iteration = _Iteration(simulation, nominal, tests, catalogue)
+    length = math.inf
     for number in range(1, MAX_ROUNDS + 1):
         report(f"round {number}: simulating")
         iteration.simulate()
         report(f"round {number}: searching")
         hypothesis = iteration.search()
-        report(f"round {number}: step of {iteration.step_length(hypothesis):.3g} sigma")
+        length, previous = iteration.step_length(hypothesis), length
+        report(f"round {number}: step of {length:.3g} sigma")
+        if catalogue.known and length > max(previous, LINEAR_DISTANCE):
+            report("the search diverges: what is known within a tolerance is taken as told")
+            return attribute_gap(simulation, nominal, tests, replace(catalogue, known=()), report)
         has_converged = iteration.has_converged(hypothesis)
         iteration.noise = hypothesis.noise
         if has_converged or number == MAX_ROUNDS:

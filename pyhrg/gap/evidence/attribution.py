@@ -46,11 +46,9 @@ LINEARIZATION_DECAY = 4.0
 """Factor by which the allowed linearization error falls from round to round at least, so that all
 records separate, in the end, sets which explain the residual in turn. Chosen."""
 NEGLIGIBLE_CHI2 = 1.0
-"""Linearization error, as chi-square, below which it counts as zero: the power of one row's noise.
-Chosen."""
+"""Linearization error, as chi-square, that counts as zero: the power of a row's noise. Chosen."""
 LINEAR_DISTANCE = math.sqrt(NEGLIGIBLE_CHI2 / LINEARIZATION_ERROR)
-"""Mahalanobis length of a step up to which the linearization error is negligible: 32 sigma.
-Derived."""
+"""Mahalanobis length of a step with a negligible linearization error: 32 sigma. Derived."""
 MAX_ROUNDS = 20
 """Number of iterations after which the search ends without convergence. Chosen."""
 
@@ -105,8 +103,8 @@ def attribute_gap(
     """Find the effects and noises of the catalogue that make the gap in tests that may be fitted
     to. `report` is called with a line of text at each step.
 
-    Something outside the catalogue may drag the known parameters along, far from their tolerances.
-    Then steps grow, and the search begins again with these parameters as they were told."""
+    Something outside the catalogue may drag known parameters far from their tolerances. Then steps
+    grow, and the search begins again with these parameters as told."""
     iteration = _Iteration(simulation, nominal, tests, catalogue)
     length = math.inf
     for number in range(1, MAX_ROUNDS + 1):

@@ -35,8 +35,7 @@ SENSITIVITY_DISTANCE = 300.0
 """Mahalanobis distance from where all sensitivities were taken beyond which they are taken again.
 Chosen."""
 RESIMULATION_DISTANCE = 10.0
-"""Mahalanobis distance from the last full simulation (loops in transient) beyond which it is run
-again. Chosen."""
+"""Mahalanobis distance from the last full simulation beyond which it is run again. Chosen."""
 MAX_HALVINGS = 8
 """Number of times that a step to a gyro which the FMU refuses is halved. Chosen."""
 LINEARIZATION_ERROR = 1e-3

@@ -55,7 +55,7 @@ def close_gap(
     simulated is then taken for the identified one.
     """
     levels: dict[str, Any] = {added.effect.field: added.total for added in attribution.noise.added}
-    identified = replace(attribution.posterior.best.put_effects(attribution.nominal), **levels)
+    identified = replace(attribution.posterior.best.identify_device(attribution.nominal), **levels)
     try:
         return _compare(simulation, attribution, identified, tests)
     except GyroError:

@@ -14,6 +14,7 @@ from pyhrg.common.keys import Key
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.evidence import find_equivalents
+from pyhrg.gap.evidence.hypothesis import sigma_along
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise
 from pyhrg.gap.evidence.noise.quantization import is_coarsely_quantized
 from pyhrg.gap.evidence.residual_features import ResidualFeature, find_residual_features
@@ -97,7 +98,7 @@ def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[
 def _find_known_causes(attribution: Attribution) -> list[Cause]:
     """Known parameters that are, more probably than not, off by more than their tolerance."""
     causes = []
-    for effect, size, covariance in _list_departures(attribution):
+    for effect, (size, covariance) in attribution.posterior.best.list_departures().items():
         total = effect.vector(attribution.nominal) + size
         probability = _compute_beyond(effect.tolerance_of(attribution.nominal), size, covariance)
         if probability > UNEXPLAINED_PROBABILITY:
@@ -111,10 +112,9 @@ def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
     """Known parameters that the tests show to be off, but by no more than their tolerance."""
     values = []
     nominal = attribution.nominal
-    for effect, size, covariance in _list_departures(attribution):
+    for effect, (size, covariance) in attribution.posterior.best.list_departures().items():
         tolerance = effect.tolerance_of(nominal)
-        is_off = float(np.linalg.norm(size)) > NORMAL_95 * _sigma_along(size, covariance)
-        if is_off and _compute_beyond(tolerance, size, covariance) <= UNEXPLAINED_PROBABILITY:
+        if _compute_beyond(tolerance, size, covariance) <= UNEXPLAINED_PROBABILITY:
             told = effect.vector(nominal)
             total = told + size
             key = effect.keys[0]
@@ -132,22 +132,10 @@ def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
     return tuple(values)
 
 
-def _list_departures(attribution: Attribution) -> list[tuple[Effect, Array, Array]]:
-    """Known parameters with their departures from the told values, and the covariances of these."""
-    hypothesis = attribution.posterior.best
-    covariances = hypothesis.known.compute_covariances(hypothesis.ranking.best.groups)
-    return [(e, size, covariances[e]) for e, size in hypothesis.known_sizes.items()]
-
-
 def _compute_beyond(tolerance: float, size: Array, covariance: Array) -> float:
     """Probability that the length of a departure exceeds the tolerance; normal along it."""
     length = float(np.linalg.norm(size))
-    return float(norm.cdf((length - tolerance) / _sigma_along(size, covariance)))
-
-
-def _sigma_along(size: Array, covariance: Array) -> float:
-    along = size / (float(np.linalg.norm(size)) or 1.0)
-    return math.sqrt(float(along @ covariance @ along)) or math.ulp(0.0)
+    return float(norm.cdf((length - tolerance) / sigma_along(size, covariance)))
 
 
 def _intervals(effect: Effect, vector: Array, covariance: Array) -> dict[str, tuple[float, float]]:

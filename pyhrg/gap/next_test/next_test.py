@@ -121,7 +121,7 @@ def compute_separations(
 ) -> list[Separation]:
     """What each kind of test would separate in this much time, s, in the order of
     `list_candidates`."""
-    unit = attribution.design
+    unit = attribution.posterior.best.known.whole
     sizes = [{g: v for g, v in h.fit.sizes.items() if _is_predictive(g)} for h in hypotheses]
     groups = list(dict.fromkeys(group for own in sizes for group in own))
     bench = Bench(simulation.quasi_steady, attribution.device.without_noise())

@@ -66,4 +66,4 @@ def find_rivals(attribution: Attribution, effects: Sequence[Effect]) -> list[Riv
 def make_rival(hypothesis: Hypothesis, fit: Fit) -> Rival:
     """A fitted set under the noise of a hypothesis."""
     noises = tuple(added.effect.name for added in hypothesis.noise.added)
-    return Rival(fit, hypothesis.channel_noise, noises, hypothesis.design)
+    return Rival(fit, hypothesis.channel_noise, noises, hypothesis.known.whole)

@@ -61,7 +61,7 @@ def test_no_value_is_undefined(text: str) -> None:
 
 
 def test_the_cause_is_told_with_its_interval(text: str) -> None:
-    assert "The gap is explained: its cause is damping anisotropy." in text
+    assert "The gap is explained, and lies in the gyro: its cause is damping anisotropy." in text
     told = re.search(r"Damping anisotropy: ([\d.e−]+) \(", text)
     assert told
     assert float(told[1].replace("−", "-")) == pytest.approx(3e-6, rel=0.02)

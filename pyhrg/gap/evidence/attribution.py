@@ -113,7 +113,7 @@ def attribute_gap(
         hypothesis = iteration.search()
         length, previous = iteration.step_length(hypothesis), length
         report(f"round {number}: step of {length:.3g} sigma")
-        if catalogue.known and length > max(previous, LINEAR_DISTANCE):
+        if catalogue.known and length > max(previous, LINEAR_DISTANCE) and number > 3:
             report("the search diverges: what is known within a tolerance is taken as told")
             return attribute_gap(simulation, nominal, tests, replace(catalogue, known=()), report)
         has_converged = iteration.has_converged(hypothesis)
@@ -241,7 +241,7 @@ class _Iteration:
     def step_length(self, hypothesis: Hypothesis) -> float:
         """Mahalanobis distance (Eq. (11)) by which a hypothesis moves the gyro."""
         moved = _moved(self._nominal, self.device, hypothesis)
-        return _distance(self.device, moved, hypothesis.known.whole)
+        return _distance(self.device, moved, hypothesis.exact.whole)
 
     def has_converged(self, hypothesis: Hypothesis) -> bool:
         """Whether it moves neither gyro nor noise, and the sensitivities were taken nearby."""
@@ -251,7 +251,7 @@ class _Iteration:
 
     def move(self, hypothesis: Hypothesis) -> None:
         """Move the gyro to where the hypothesis has it."""
-        best, design = hypothesis.ranking.best, hypothesis.known.whole
+        best, design = hypothesis.ranking.best, hypothesis.exact.whole
         moved = _moved(self._nominal, self.device, hypothesis)
         is_near = self._has_near_sensitivities(hypothesis)
         self._to_differentiate = [] if is_near else list(best.named)
@@ -273,7 +273,7 @@ class _Iteration:
 def _moved(nominal: Device, device: Device, hypothesis: Hypothesis) -> Device:
     """The nominal gyro with the parameters of the most probable set. One whose power is below the
     linearization error of this step (Eq. (10)) is left out."""
-    design = hypothesis.known.whole
+    design = hypothesis.exact.whole
     error = LINEARIZATION_ERROR * _distance(device, hypothesis.put_effects(nominal), design) ** 2
     moved = nominal
     for effect, size in hypothesis.effect_sizes.items():

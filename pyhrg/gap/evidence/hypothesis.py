@@ -46,17 +46,19 @@ class Hypothesis:
 
     channel_noise: noise of all channels.
     known: normal equations, whitened with it, and the parameters that are known within a tolerance.
+    exact: the same without the linearization error, which measures distances.
     """
 
     noise: NoiseHypothesis
     channel_noise: CampaignNoise
     known: KnownParameters
     ranking: Ranking
+    exact: KnownParameters
 
     @property
     def design(self) -> Design:
         """Normal equations of effects and candidate terms, known parameters integrated out."""
-        return self.known.marginal
+        return self.exact.marginal
 
     @cached_property
     def known_sizes(self) -> dict[Effect, Array]:
@@ -172,10 +174,12 @@ def rank_under_noise(
     if linearization_error:
         error = {where: linearization_error + power for where, power in model_error.items()}
         rough = KnownParameters(discount_model_error(exact, error), tolerances)
-        return Hypothesis(noise, channel_noise, rough, rank_sets(rough.marginal))
+        exact_known = KnownParameters(discount_model_error(exact, model_error), tolerances)
+        return Hypothesis(noise, channel_noise, rough, rank_sets(rough.marginal), exact_known)
     is_feasible = make_feasibility_check(nominal, parts[0].sensitivities)
     known = KnownParameters(discount_model_error(exact, model_error), tolerances)
-    hypothesis = Hypothesis(noise, channel_noise, known, rank_sets(known.marginal, is_feasible))
+    ranking = rank_sets(known.marginal, is_feasible)
+    hypothesis = Hypothesis(noise, channel_noise, known, ranking, known)
     removed = distinct_by_groups(hypothesis.sizes, hypothesis.effect_sizes)
     residuals = [
         compute_residuals(parts, r, channel_noise, nominal, ("gyro_angle",)) for r in removed
@@ -184,7 +188,7 @@ def rank_under_noise(
         exact = build_design(parts, channel_noise, sorted(jumps, key=lambda jump: jump.words))
         known = KnownParameters(discount_model_error(exact, model_error), tolerances)
         ranking = rank_sets(known.marginal, is_feasible)
-        hypothesis = Hypothesis(noise, channel_noise, known, ranking)
+        hypothesis = Hypothesis(noise, channel_noise, known, ranking, known)
     return hypothesis
 
 

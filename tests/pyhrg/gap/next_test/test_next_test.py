@@ -88,7 +88,7 @@ def static(simulation: Simulation) -> Static:
 
 
 def alone(found: Attribution, *names: str) -> Rival:
-    fitted = fit(found.design, [EFFECTS[name] for name in names])
+    fitted = fit(found.posterior.best.known.whole, [EFFECTS[name] for name in names])
     assert fitted is not None
     return make_rival(found.posterior.best, fitted)
 

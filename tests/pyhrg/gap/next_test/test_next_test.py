@@ -81,7 +81,10 @@ def static(simulation: Simulation) -> Static:
         rest = Bench(simulation.quasi_steady, truth).programme(10.0).rest(HOUR / 2)
         test = recorded(simulation, truth, PowerOn("still", "static", rest, START))
         return attribute_gap(
-            simulation, BELIEVED, [test], Catalogue(tuple(EFFECTS[name] for name in names))
+            simulation,
+            BELIEVED,
+            [test],
+            Catalogue(tuple(EFFECTS[name] for name in names), known=()),
         )
 
     return found

@@ -16,9 +16,13 @@ from pyhrg.common.units import ARCSEC
 from pyhrg.device import device_file
 from pyhrg.device.device import Device
 from pyhrg.gap.closing.closing import Closing, Residuals, close_gap
+from pyhrg.gap.closing.term_verification import verify_terms
 from pyhrg.gap.closing.verification import compute_gap_figures
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue, NoiseEffect
 from pyhrg.gap.effects.design import build_design
+from pyhrg.gap.equation.closed_file import write_closed_files
+from pyhrg.gap.equation.closed_fmu import FMU_FILE, MODEL_FILE
+from pyhrg.gap.equation.proposal import propose_terms
 from pyhrg.gap.evidence.attribution import Attribution, attribute_gap
 from pyhrg.gap.evidence.hypothesis import Hypothesis
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
@@ -56,7 +60,7 @@ NO_START = (
 )
 BEFORE_FILE, AFTER_FILE = "before.toml", "after.toml"
 """Device files of the nominal and of the identified device."""
-FILES = (BEFORE_FILE, AFTER_FILE, diagnosis_file.FILE)
+FILES = (BEFORE_FILE, AFTER_FILE, MODEL_FILE, FMU_FILE, diagnosis_file.FILE)
 
 
 @dataclass(frozen=True)
@@ -68,7 +72,8 @@ class CampaignDiagnosis:
     nominal: the device as the campaign states it.
     identified: the nominal device with the causes put in.
     tests: all tests that were used, held-out ones last.
-    before, after: residuals of each test with the nominal and the identified device.
+    before, after: residuals of each test with the nominal device, and with the identified device
+        and its proposed terms.
     """
 
     diagnosis: Diagnosis
@@ -154,9 +159,12 @@ class CampaignDiagnosis:
         return axes
 
     def write(self, folder: Path | str) -> None:
-        """Write `diagnosis.json`, `before.toml` and `after.toml`: all of them or none.
+        """Write `diagnosis.json`, `before.toml`, `after.toml`, `closed.mo` and `closed.fmu`: all of
+        them or none. The last two are the identified gyro with its terms, as a Modelica class and
+        as an FMU.
 
         Raises:
+            BuildError, TranslationError: the FMU can't be built.
             OSError: the folder can't be written.
         """
         with stage_files(Path(folder), FILES) as aside:
@@ -166,6 +174,7 @@ class CampaignDiagnosis:
         """Write the same files one after the other into a folder that exists."""
         device_file.write(self.nominal, folder / BEFORE_FILE)
         device_file.write(self.identified, folder / AFTER_FILE)
+        write_closed_files(self.identified, self.diagnosis, folder)
         diagnosis_file.write(self.diagnosis, folder)
 
 
@@ -208,8 +217,15 @@ def diagnose(
     report("closing")
     closing = close_gap(simulation, attribution, tests)
     report("verifying, and looking for the next test")
+    proposed = propose_terms(attribution.posterior)
+    closing, terms = verify_terms(simulation, closing, tests, attribution.channel_noise, proposed)
     return CampaignDiagnosis(
-        _summarize(campaign.device, simulation, catalogue, attribution, tests, closing, excluded),
+        replace(
+            _summarize(
+                campaign.device, simulation, catalogue, attribution, tests, closing, excluded
+            ),
+            terms=terms,
+        ),
         attribution,
         nominal,
         closing.device,

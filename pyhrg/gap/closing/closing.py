@@ -83,12 +83,17 @@ def _compare(
         after.append(before[-1] if is_unchanged else simulation.simulate(identified, test))
     return Closing(
         identified,
-        tuple(_residuals(simulation, nominal, *pair) for pair in zip(tests, before, strict=True)),
-        tuple(_residuals(simulation, identified, *pair) for pair in zip(tests, after, strict=True)),
+        *(
+            tuple(compute_record_residuals(simulation, device, *pair) for pair in pairs)
+            for device, pairs in (
+                (nominal, zip(tests, before, strict=True)),
+                (identified, zip(tests, after, strict=True)),
+            )
+        ),
     )
 
 
-def _residuals(
+def compute_record_residuals(
     simulation: Simulation, device: Device, test: ObservedTest, answers: ChannelValues
 ) -> Residuals:
     """Record less simulation, channels other than the angle where the pattern is as measured."""

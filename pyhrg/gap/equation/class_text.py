@@ -66,7 +66,7 @@ SAMPLED = {
     "started": ("1 from the first sample on", "1"),
 }  # fmt: skip
 """Meaning and equation, every 10 ms, of variables with a memory; they are steady at power-on."""
-TEXT = '''model {name} "{title}"
+TEXT = """model {name} "{title}"
   extends HRG.Interfaces.PartialGyro{starts};
 {parameters}{variables}  HRG.Gyroscopes.HRG gyro(
     seed = seed,
@@ -80,7 +80,7 @@ equation
 {documentation}
 </html>"));
 end {name};
-'''
+"""
 
 
 def write_class(device: Device, terms: Sequence[Term], title: str, notes: Sequence[str]) -> str:
@@ -175,7 +175,9 @@ def _declare_parameters(term: Term) -> str:
 def _declare_variables(used: Sequence[str], added: Sequence[str]) -> str:
     lines = []
     if "tableAngle" in used:
-        lines.append('  input HRG.Units.Angle tableAngle(start = 0) "Reading of the table encoder";')
+        lines.append(
+            '  input HRG.Units.Angle tableAngle(start = 0) "Reading of the table encoder";'
+        )
     for name in used:
         if name in COORDINATES:
             kind, meaning, _ = COORDINATES[name]

@@ -34,7 +34,9 @@ class ClosedFmu(GyroFmu):
     def __init__(self, path: Path, device: Device, off: Iterable[Term] = ()) -> None:
         super().__init__(path)
         silent = ("noise.", "controller.readout.quantum")
-        self._overrides = {f"gyro.{n}": 0.0 for n in device.fmu_parameters() if n.startswith(silent)}
+        self._overrides = {
+            f"gyro.{n}": 0.0 for n in device.fmu_parameters() if n.startswith(silent)
+        }
         for term in off:
             names = (c.variable for c in list_coefficients(as_candidate(term)))
             self._overrides |= dict.fromkeys(names, 0.0)

@@ -97,9 +97,7 @@ def _power(coordinate: Coordinate, stem: str, power: int, unit_scale: float) -> 
     number = str(power) if power != 1 else ""
     name = coordinate.name
     product = "*".join([name] * power)  # of powers, the C generator takes squares alone
-    return Basis(
-        f"{stem}{number}", f"{name}{raised}", product, unit_scale**power, suffix, (name,)
-    )
+    return Basis(f"{stem}{number}", f"{name}{raised}", product, unit_scale**power, suffix, (name,))
 
 
 def _single(coordinate: Coordinate, stem: str, expression: str, scale: float, per: str) -> Basis:

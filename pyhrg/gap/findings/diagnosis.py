@@ -13,6 +13,7 @@ from pyhrg.common.toml_table import TomlTable, read_json_table
 from pyhrg.device.declarations import Family
 from pyhrg.gap.findings.localisation import Place
 from pyhrg.gap.findings.quantity import Size
+from pyhrg.gap.findings.term import Term, parse_term
 
 SCHEMA = "hrg-diagnosis/1"
 FILE = "diagnosis.json"
@@ -137,6 +138,7 @@ class Diagnosis:
     excluded: what of the campaign was missing or left out, a sentence each.
     settled: whether the search converged; everything is uncertain where it did not.
     within_tolerance: known parameters that are off, but by no more than their tolerance.
+    terms: proposed equations for what has no name.
     """
 
     device: str
@@ -151,6 +153,7 @@ class Diagnosis:
     excluded: tuple[str, ...]
     settled: bool = True
     within_tolerance: tuple[KnownValue, ...] = ()
+    terms: tuple[Term, ...] = ()
 
     @property
     def caveats(self) -> list[str]:
@@ -230,6 +233,7 @@ def _parse(index: TomlTable) -> Diagnosis:
         _texts(index, "excluded"),
         index.flag("settled", True),
         tuple(map(_parse_known, index.tables("within_tolerance"))),
+        tuple(map(parse_term, index.tables("terms"))),
     )
 
 

@@ -16,13 +16,11 @@ from pyhrg.common.units import ARCSEC
 from pyhrg.device import device_file
 from pyhrg.device.device import Device
 from pyhrg.gap.closing.closing import Closing, Residuals, close_gap
+from pyhrg.gap.closing.equation.closed_file import CLOSED_FILES, write_closed_files
 from pyhrg.gap.closing.term_verification import verify_terms
 from pyhrg.gap.closing.verification import compute_gap_figures
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue, NoiseEffect
 from pyhrg.gap.effects.design import build_design
-from pyhrg.gap.equation.closed_file import write_closed_files
-from pyhrg.gap.equation.closed_fmu import FMU_FILE, MODEL_FILE
-from pyhrg.gap.equation.proposal import propose_terms
 from pyhrg.gap.evidence.attribution import Attribution, attribute_gap
 from pyhrg.gap.evidence.hypothesis import Hypothesis
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
@@ -60,7 +58,7 @@ NO_START = (
 )
 BEFORE_FILE, AFTER_FILE = "before.toml", "after.toml"
 """Device files of the nominal and of the identified device."""
-FILES = (BEFORE_FILE, AFTER_FILE, MODEL_FILE, FMU_FILE, diagnosis_file.FILE)
+FILES = (BEFORE_FILE, AFTER_FILE, *CLOSED_FILES, diagnosis_file.FILE)
 
 
 @dataclass(frozen=True)
@@ -72,8 +70,7 @@ class CampaignDiagnosis:
     nominal: the device as the campaign states it.
     identified: the nominal device with the causes put in.
     tests: all tests that were used, held-out ones last.
-    before, after: residuals of each test with the nominal device, and with the identified device
-        and its proposed terms.
+    before, after: residuals of each test with the nominal, and with the identified and its terms.
     """
 
     diagnosis: Diagnosis
@@ -159,9 +156,8 @@ class CampaignDiagnosis:
         return axes
 
     def write(self, folder: Path | str) -> None:
-        """Write `diagnosis.json`, `before.toml`, `after.toml`, `closed.mo` and `closed.fmu`: all of
-        them or none. The last two are the identified gyro with its terms, as a Modelica class and
-        as an FMU.
+        """Write `diagnosis.json`, `before.toml`, `after.toml`, and `closed.mo` and `closed.fmu` of
+        the identified gyro with its terms: all of them or none.
 
         Raises:
             BuildError, TranslationError: the FMU can't be built.
@@ -195,15 +191,13 @@ def diagnose(
 
     Raises:
         CampaignError: the folder is no campaign, or no test of it can be used.
-        DeviceError: the nominal values are no gyro's.
-        LogError: a log can't be used.
+        DeviceError, LogError: the nominal values are no gyro's; a log can't be used.
         GyroError: the FMU refuses the nominal device.
         BuildError, TranslationError: the FMUs can't be built.
     """
     report = make_progress_reporter(progress)
-    campaign = (
-        campaign if isinstance(campaign, Campaign) else campaigns.read_campaign(Path(campaign))
-    )
+    if not isinstance(campaign, Campaign):
+        campaign = campaigns.read_campaign(Path(campaign))
     simulation = simulation or load_simulation(report)
     nominal, tests, excluded = _prepare(campaign, simulation)
     fitted = [test for test in tests if not test.test.is_holdout]
@@ -217,15 +211,9 @@ def diagnose(
     report("closing")
     closing = close_gap(simulation, attribution, tests)
     report("verifying, and looking for the next test")
-    proposed = propose_terms(attribution.posterior)
-    closing, terms = verify_terms(simulation, closing, tests, attribution.channel_noise, proposed)
+    closing = verify_terms(simulation, attribution, tests, closing)
     return CampaignDiagnosis(
-        replace(
-            _summarize(
-                campaign.device, simulation, catalogue, attribution, tests, closing, excluded
-            ),
-            terms=terms,
-        ),
+        _summarize(campaign.device, simulation, catalogue, attribution, tests, closing, excluded),
         attribution,
         nominal,
         closing.device,
@@ -308,4 +296,5 @@ def _summarize(
         excluded=excluded,
         settled=attribution.settled,
         within_tolerance=list_known_values(attribution),
+        terms=closing.terms,
     )

@@ -12,6 +12,7 @@ from pyhrg.fmu import GyroError
 from pyhrg.gap.effects.catalogue import EFFECT_NAMES, EFFECTS
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.findings.diagnosis import Cause, DiagnosisError
+from pyhrg.gap.findings.term import Term
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels
 
@@ -22,11 +23,15 @@ Residuals = Mapping[str, Array]
 
 @dataclass(frozen=True)
 class Closing:
-    """The identified device, and the residuals of each test before and after closing."""
+    """The identified device, and the residuals of each test before and after closing.
+
+    terms: verified terms, which then act in the residuals after closing.
+    """
 
     device: Device
     before: tuple[Residuals, ...]
     after: tuple[Residuals, ...]
+    terms: tuple[Term, ...] = ()
 
 
 def device_with_causes(nominal: Device, causes: Iterable[Cause]) -> Device:
@@ -81,16 +86,12 @@ def _compare(
     for test in tests[len(attribution.parts) :]:
         before.append(simulation.simulate(nominal, test))
         after.append(before[-1] if is_unchanged else simulation.simulate(identified, test))
-    return Closing(
-        identified,
-        *(
-            tuple(compute_record_residuals(simulation, device, *pair) for pair in pairs)
-            for device, pairs in (
-                (nominal, zip(tests, before, strict=True)),
-                (identified, zip(tests, after, strict=True)),
-            )
-        ),
-    )
+
+    def compare(device: Device, answers: Sequence[ChannelValues]) -> tuple[Residuals, ...]:
+        pairs = zip(tests, answers, strict=True)
+        return tuple(compute_record_residuals(simulation, device, *pair) for pair in pairs)
+
+    return Closing(identified, compare(nominal, before), compare(identified, after))
 
 
 def compute_record_residuals(

@@ -11,7 +11,7 @@ from pyhrg.common.progress import Progress, make_progress_reporter
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
 from pyhrg.gap.closing.closing import device_with_causes
-from pyhrg.gap.equation.closed_fmu import load_closed_fmu, replay_closed
+from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu, replay_closed
 from pyhrg.gap.findings.diagnosis import Diagnosis, DiagnosisError, read_diagnosis
 from pyhrg.gap.replay.observations import observe_test
 from pyhrg.gap.replay.replay import has_start_angle
@@ -41,8 +41,8 @@ def predict(
 ) -> pd.DataFrame:
     """Predict the output angle that the closed simulation gives to the inputs of a log.
 
-    Inputs that the recorder lost are filled in as in a diagnosis. Where the diagnosis proposes terms,
-    the FMU of the gyro with them is run.
+    Inputs that the recorder lost are filled in as in a diagnosis. Where the diagnosis proposes
+    terms, the FMU of the gyro with them is run.
 
     Args:
         diagnosis: of the campaign: a `CampaignDiagnosis`, its `diagnosis`, or the path of its

@@ -8,8 +8,10 @@ from numpy.typing import NDArray
 from scipy.stats import chi2
 
 from pyhrg.gap.closing.closing import Closing, Residuals, compute_record_residuals
+from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu, replay_closed
+from pyhrg.gap.closing.equation.proposal import propose_terms
 from pyhrg.gap.closing.verification import SEED, estimate_noise_floor, measure_distance
-from pyhrg.gap.equation.closed_fmu import load_closed_fmu, replay_closed
+from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.findings.term import Term
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.simulation import Simulation
@@ -24,18 +26,19 @@ UPPER_QUANTILE = 0.975
 
 def verify_terms(
     simulation: Simulation,
-    closing: Closing,
+    attribution: Attribution,
     tests: Sequence[ObservedTest],
-    noise: CampaignNoise,
-    terms: Sequence[Term],
-) -> tuple[Closing, tuple[Term, ...]]:
-    """Closing by causes and terms, and the terms with what each removes of the excess on held-out
-    tests that the causes leave (docs/methods/equation.md, Eq. 6).
+    closing: Closing,
+) -> Closing:
+    """Closing by causes alone, made one by causes and proposed terms, each with what it removes of
+    the excess on held-out tests that the causes leave (docs/methods/equation.md, Eq. 6).
 
     The residuals after closing are those of the FMU that is written as `closed.fmu`.
     """
+    terms = propose_terms(attribution.posterior)
+    noise = attribution.channel_noise
     if not terms:
-        return closing, ()
+        return closing
     after = _run(simulation, closing, tests, terms, ())
     held_out = [i for i, test in enumerate(tests) if test.test.is_holdout]
     chosen = [tests[i] for i in held_out]
@@ -48,7 +51,7 @@ def verify_terms(
             alone = _run(simulation, closing, chosen, terms, others)
         shrink = _compute_shrink(chosen, causes_alone, alone, noise, term.channel)
         verified.append(replace(term, shrink_percent=shrink))
-    return replace(closing, after=tuple(after)), tuple(verified)
+    return replace(closing, after=tuple(after), terms=tuple(verified))
 
 
 def _run(

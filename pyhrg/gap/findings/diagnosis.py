@@ -1,7 +1,6 @@
 """A diagnosis as data, and its file: the campaign format's `diagnosis.json`, written and read."""
 
 import json
-import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
@@ -14,6 +13,16 @@ from pyhrg.device.declarations import Family
 from pyhrg.gap.findings.localisation import Place
 from pyhrg.gap.findings.quantity import Size
 from pyhrg.gap.findings.term import Term, parse_term
+from pyhrg.gap.findings.values import (
+    FIGURE_UNITS,
+    ROLES,
+    STAGES,
+    make_gap_table,
+    parse_interval,
+    parse_numbers,
+    parse_optional_number,
+    parse_texts,
+)
 
 SCHEMA = "hrg-diagnosis/1"
 FILE = "diagnosis.json"
@@ -170,28 +179,7 @@ class Diagnosis:
             if place["harmonic"] is None:
                 del place["harmonic"]
         gap = values.pop("gap")
-        return {"schema": SCHEMA, **values, "gap": _gap_table(gap)}
-
-
-STAGES = ("before", "after", "floor", "floor_95")
-ROLES = ("fit", "holdout")
-FIGURE_UNITS = ("angle_arcsec", "rate_deg_h")
-
-
-def _gap_table(gap: dict[str, Any]) -> dict[str, Any]:
-    """Tables of stages, in them tables of roles, in them figures by their units."""
-    document: dict[str, Any] = {
-        stage: {
-            role: {
-                unit: gap[f"{role}_{unit}"][stage]
-                for unit in FIGURE_UNITS
-                if gap[f"{role}_{unit}"] is not None
-            }
-            for role in ROLES
-        }
-        for stage in STAGES
-    }
-    return {**document, "shrink_percent": gap["shrink_percent"], "whiteness": gap["whiteness"]}
+        return {"schema": SCHEMA, **values, "gap": make_gap_table(gap)}
 
 
 def write(diagnosis: Diagnosis, folder: Path) -> None:
@@ -229,8 +217,8 @@ def _parse(index: TomlTable) -> Diagnosis:
         tuple(map(_parse_size, index.tables("sizes"))),
         _parse_gap(index.table("gap")),
         _parse_next_test(index),
-        _numbers(index.table("unnamed")),
-        _texts(index, "excluded"),
+        parse_numbers(index.table("unnamed")),
+        parse_texts(index, "excluded"),
         index.flag("settled", True),
         tuple(map(_parse_known, index.tables("within_tolerance"))),
         tuple(map(parse_term, index.tables("terms"))),
@@ -242,9 +230,9 @@ def _parse_cause(table: TomlTable) -> Cause:
     return Cause(
         table.text("effect", None),
         table.number("probability", None, 0.0, 1.0),
-        _numbers(table.table("parameters")),
-        {name: _interval(intervals, name) for name in intervals.values},
-        _texts(table, "equivalents"),
+        parse_numbers(table.table("parameters")),
+        {name: parse_interval(intervals, name) for name in intervals.values},
+        parse_texts(table, "equivalents"),
         _parse_family(table),
     )
 
@@ -260,7 +248,7 @@ def _parse_known(table: TomlTable) -> KnownValue:
         table.text("parameter", None),
         table.finite_number("value"),
         table.finite_number("told"),
-        _interval(table, "interval_95"),
+        parse_interval(table, "interval_95"),
         table.finite_number("tolerance"),
     )
 
@@ -287,7 +275,7 @@ def _parse_gap(table: TomlTable) -> Gap:
     )
     if fit_angle is None:
         raise table.table("before").table("fit").missing("angle_arcsec", "a number")
-    ends = (_optional_number(table, key) for key in ("shrink_percent", "whiteness"))
+    ends = (parse_optional_number(table, key) for key in ("shrink_percent", "whiteness"))
     return Gap(fit_angle, fit_rate, holdout_angle, holdout_rate, *ends)
 
 
@@ -296,7 +284,7 @@ def _parse_figure(gap: TomlTable, role: str, unit: str) -> GapFigure | None:
     if unit not in tables["before"].values:
         return None
     before, after, floor = (tables[stage].finite_number(unit) for stage in STAGES[:3])
-    return GapFigure(before, after, floor, _interval(tables["floor_95"], unit))
+    return GapFigure(before, after, floor, parse_interval(tables["floor_95"], unit))
 
 
 def _parse_next_test(index: TomlTable) -> NextTest | None:
@@ -304,25 +292,3 @@ def _parse_next_test(index: TomlTable) -> NextTest | None:
         return None
     test = index.table("next_test")
     return NextTest(test.text("kind", None), test.text("why", None), test.finite_number("hours"))
-
-
-def _numbers(table: TomlTable) -> dict[str, float]:
-    return {name: table.finite_number(name) for name in table.values}
-
-
-def _optional_number(table: TomlTable, key: str) -> float | None:
-    return None if table.values.get(key) is None else table.finite_number(key)
-
-
-def _interval(table: TomlTable, key: str) -> tuple[float, float]:
-    low, high = table.numbers(key, 2, -math.inf, math.inf)
-    if low > high:
-        raise table.error(key, table.values[key], "[low, high]")
-    return low, high
-
-
-def _texts(table: TomlTable, key: str) -> tuple[str, ...]:
-    texts = table.values.get(key)
-    if not isinstance(texts, list) or not all(isinstance(text, str) for text in texts):
-        raise table.error(key, texts, "a list of texts")
-    return tuple(texts)

@@ -5,6 +5,12 @@ from dataclasses import dataclass, field
 from typing import Literal, cast, get_args
 
 from pyhrg.common.toml_table import TomlTable
+from pyhrg.gap.findings.values import (
+    parse_interval,
+    parse_numbers,
+    parse_optional_number,
+    parse_texts,
+)
 
 Location = Literal[
     "bias", "readout", "damping", "stiffness", "pickoff", "drive", "electronics", "bench"
@@ -53,32 +59,14 @@ def parse_term(table: TomlTable) -> Term:
     intervals = table.table("interval_95")
     return Term(
         cast(Location, table.text("place", None, get_args(Location))),
-        _parse_texts(table, "coordinates"),
+        parse_texts(table, "coordinates"),
         Formula(formula.text("text", None), formula.text("modelica", None)),
-        _parse_numbers(table.table("parameters")),
-        {name: _parse_interval(intervals, name) for name in intervals.values},
+        parse_numbers(table.table("parameters")),
+        {name: parse_interval(intervals, name) for name in intervals.values},
         table.number("probability", None, 0.0, 1.0),
         table.number("discovery_probability", None, 0.0, 1.0),
         table.text("channel", None),
         table.text("function", None),
-        _parse_numbers(table.table("rivals")),
-        None
-        if table.values.get("shrink_percent") is None
-        else table.finite_number("shrink_percent"),
+        parse_numbers(table.table("rivals")),
+        parse_optional_number(table, "shrink_percent"),
     )
-
-
-def _parse_numbers(table: TomlTable) -> dict[str, float]:
-    return {name: table.finite_number(name) for name in table.values}
-
-
-def _parse_interval(table: TomlTable, key: str) -> tuple[float, float]:
-    low, high = table.numbers(key, 2, float("-inf"), float("inf"))
-    return low, high
-
-
-def _parse_texts(table: TomlTable, key: str) -> tuple[str, ...]:
-    texts = table.values.get(key)
-    if not isinstance(texts, list) or not all(isinstance(text, str) for text in texts):
-        raise table.error(key, texts, "a list of texts")
-    return tuple(texts)

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from pyhrg.device.device import Device
-from pyhrg.gap.equation.places import find_acting
-from pyhrg.gap.equation.proposal import as_candidate, list_coefficients
+from pyhrg.gap.closing.equation.places import find_acting
+from pyhrg.gap.closing.equation.proposal import as_candidate, list_coefficients
 from pyhrg.gap.findings.term import Term
 
 CLASS = "closed"

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pyhrg.gap.closing.equation.forms import Basis, express_term
+from pyhrg.gap.closing.equation.places import Acting, find_acting
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
-from pyhrg.gap.equation.forms import Basis, express_term
-from pyhrg.gap.equation.places import Acting, find_acting
 from pyhrg.gap.evidence.evidence import Fit
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95
 from pyhrg.gap.evidence.posterior import Posterior

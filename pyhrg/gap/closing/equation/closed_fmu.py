@@ -12,8 +12,8 @@ from fmu_build.bundle import build_fmu
 from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
 from pyhrg.fmu.gyro import Gyro
-from pyhrg.gap.equation.class_text import CLASS, write_class
-from pyhrg.gap.equation.proposal import as_candidate, list_coefficients
+from pyhrg.gap.closing.equation.class_text import CLASS, write_class
+from pyhrg.gap.closing.equation.proposal import as_candidate, list_coefficients
 from pyhrg.gap.findings.term import Term
 from pyhrg.gap.replay.replay import ReplayInputs, replay_inputs
 

@@ -3,10 +3,12 @@
 from pathlib import Path
 
 from pyhrg.device.device import Device
-from pyhrg.gap.equation.class_text import write_class
-from pyhrg.gap.equation.closed_fmu import FMU_FILE, MODEL_FILE, build_closed_fmu
+from pyhrg.gap.closing.equation.class_text import write_class
+from pyhrg.gap.closing.equation.closed_fmu import FMU_FILE, MODEL_FILE, build_closed_fmu
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis
 
+CLOSED_FILES = (MODEL_FILE, FMU_FILE)
+"""Names of the files that are written."""
 NO_CHANGE = "No cause and no term was found: this is the gyro as the campaign states it."
 BENCH = (
     "Causes of the families bench and record lie outside the gyro and are not part of this class."

@@ -17,6 +17,7 @@ from pyhrg.device import device_file
 from pyhrg.device.device import Device
 from pyhrg.gap.closing.closing import Closing, Residuals, close_gap
 from pyhrg.gap.closing.equation.closed_file import CLOSED_FILES, write_closed_files
+from pyhrg.gap.closing.equation.refinement import refine_terms
 from pyhrg.gap.closing.term_verification import verify_terms
 from pyhrg.gap.closing.verification import compute_gap_figures
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue, NoiseEffect
@@ -202,6 +203,7 @@ def diagnose(
     nominal, tests, excluded = _prepare(campaign, simulation)
     fitted = [test for test in tests if not test.test.is_holdout]
     attribution = attribute_gap(simulation, nominal, fitted, catalogue, report)
+    attribution = refine_terms(simulation, attribution, catalogue.noises)
     hypotheses = tuple(
         replace(h, noise=_complete_noise(attribution, fitted, catalogue.noises, h))
         for h in attribution.posterior.hypotheses

@@ -69,9 +69,15 @@ def propose_terms(posterior: Posterior) -> tuple[Term, ...]:
     each power-on and noise are none."""
     best = posterior.best.ranking.best
     written = [g for g in best.groups if isinstance(g, CandidateTerm) and list_coefficients(g)]
-    terms = [_make_term(posterior, best, term) for term in written]
+    terms = make_terms(posterior, written)
     chosen = select_discoveries([term.discovery_probability for term in terms])
     return tuple(terms[i] for i in chosen)
+
+
+def make_terms(posterior: Posterior, groups: Sequence[CandidateTerm]) -> list[Term]:
+    """Candidate terms of the most probable set as proposed terms, whatever their probability."""
+    best = posterior.best.ranking.best
+    return [_make_term(posterior, best, group) for group in groups]
 
 
 def _make_term(posterior: Posterior, best: Fit, term: CandidateTerm) -> Term:

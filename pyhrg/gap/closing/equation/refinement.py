@@ -16,9 +16,9 @@ from pyhrg.gap.closing.equation.closed_fmu import ClosedFmu, load_closed_fmu, re
 from pyhrg.gap.closing.equation.proposal import list_coefficients, make_terms
 from pyhrg.gap.effects.candidate_terms import CandidateTerm, build_term_columns
 from pyhrg.gap.effects.catalogue import NoiseEffect
-from pyhrg.gap.effects.design import LinearTest
+from pyhrg.gap.effects.design import LinearTest, whiten_rows
 from pyhrg.gap.effects.sensitivities import linearize_test
-from pyhrg.gap.evidence.attribution import Attribution
+from pyhrg.gap.evidence.attribution import NEGLIGIBLE_CHI2, Attribution
 from pyhrg.gap.evidence.hypothesis import rank_under_noise
 from pyhrg.gap.evidence.posterior import Posterior, compare_noises
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels
@@ -54,10 +54,14 @@ def refine_terms(
             add_channels(own, {name: on[name] - off[name] for name in off})
             for own, on, off in zip(simulated, changed, without, strict=True)
         ]
-        moved = _search_around(simulation, attribution, noises, sizes, answers)
-        is_settled = _have_converged(moved.posterior, sizes)
-        attribution = moved
-        if is_settled:
+        parts = tuple(
+            _linearize(simulation, attribution.nominal, part, own, sizes)
+            for part, own in zip(attribution.parts, answers, strict=True)
+        )
+        if _measure_change(attribution, parts, sizes) < NEGLIGIBLE_CHI2:
+            break
+        attribution = _search_around(attribution, parts, noises)
+        if _have_converged(attribution.posterior, sizes):
             break
     return attribution
 
@@ -76,23 +80,33 @@ def _replay(fmu: ClosedFmu, attribution: Attribution) -> list[ChannelValues]:
 
 
 def _search_around(
-    simulation: Simulation,
-    attribution: Attribution,
-    noises: Sequence[NoiseEffect],
-    sizes: Sizes,
-    answers: Sequence[ChannelValues],
+    attribution: Attribution, parts: tuple[LinearTest, ...], noises: Sequence[NoiseEffect]
 ) -> Attribution:
-    """The search with all tests linearized around the device with terms of these sizes, which gives
-    the answers."""
-    nominal, posterior = attribution.nominal, attribution.posterior
-    parts = tuple(
-        _linearize(simulation, nominal, part, own, sizes)
-        for part, own in zip(attribution.parts, answers, strict=True)
-    )
-    first = rank_under_noise(posterior.best.noise, nominal, parts)
-    return replace(
-        attribution, parts=parts, posterior=compare_noises(first, nominal, parts, noises)
-    )
+    """The search with newly linearized tests."""
+    nominal = attribution.nominal
+    first = rank_under_noise(attribution.posterior.best.noise, nominal, parts)
+    posterior = compare_noises(first, nominal, parts, noises)
+    return replace(attribution, parts=parts, posterior=posterior)
+
+
+def _measure_change(attribution: Attribution, parts: Sequence[LinearTest], sizes: Sizes) -> float:
+    """Chi-square, over all tests, of what the new linearization changes in the output angle's
+    residual beside the terms."""
+    total = 0.0
+    for old, new in zip(attribution.parts, parts, strict=True):
+        left = [part.residual["gyro_angle"] - _respond(part, "gyro_angle", sizes)
+                for part in (old, new)]  # fmt: skip
+        change = (left[1] - left[0])[:, None]
+        white = whiten_rows(new, "gyro_angle", change, attribution.channel_noise).series
+        total += float((white**2).sum())
+    return total
+
+
+def _respond(part: LinearTest, channel: str, sizes: Sizes) -> Array:
+    """(n,) response of the terms in a channel."""
+    columns = dict(build_term_columns(part.where, channel))
+    own = [columns[term] @ size for term, size in sizes.items() if term.channel == channel]
+    return np.asarray(sum(own, np.zeros(len(part.residual[channel]))))
 
 
 def _linearize(
@@ -112,9 +126,7 @@ def _linearize(
     )
     residual = dict(around.residual)
     for channel in residual:
-        columns = dict(build_term_columns(around.where, channel))
-        own = [columns[term] @ size for term, size in sizes.items() if term.channel == channel]
-        residual[channel] = residual[channel] + sum(own, np.zeros(len(residual[channel])))
+        residual[channel] = residual[channel] + _respond(around, channel, sizes)
     turned = residual["gyro_angle"] - around.residual["gyro_angle"]
     for channel in residual:
         if channel != "gyro_angle":

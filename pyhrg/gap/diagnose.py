@@ -54,9 +54,7 @@ from pyhrg.records.columns import BY_FIELD
 
 Array = NDArray[np.float64]
 
-NO_START = (
-    "{}: not used: no row with both gyro_angle_deg and wave_angle_deg, which give the start angle"
-)
+NO_START = "{}: not used: no row with both gyro_angle_deg and wave_angle_deg: no start angle"
 BEFORE_FILE, AFTER_FILE = "before.toml", "after.toml"
 """Device files of the nominal and of the identified device."""
 FILES = (BEFORE_FILE, AFTER_FILE, *CLOSED_FILES, diagnosis_file.FILE)

@@ -38,12 +38,12 @@ def refine_terms(
     simulation: Simulation, attribution: Attribution, noises: Sequence[NoiseEffect]
 ) -> Attribution:
     """Repeat the search around the device with the written terms of its most probable set, until
-    the terms stay."""
+    the terms stay. A search that did not converge is left as it is."""
     without: list[ChannelValues] = []
     simulated = [part.simulated for part in attribution.parts]
     for _ in range(MAX_ROUNDS):
         sizes = _list_sizes(attribution.posterior)
-        if not sizes:
+        if not sizes or not attribution.settled:
             break
         if not without:
             plain = load_closed_fmu(attribution.device, ())

@@ -30,6 +30,7 @@ from fmu_build.binaries.platforms import (
 )
 from fmu_build.code.generate import generate_header, generate_source
 from fmu_build.equations.dae import Dae
+from fmu_build.equations.modelica import read_page
 from fmu_build.equations.scalars import find_causality
 from fmu_build.equations.sorting import sort_equations
 from fmu_build.equations.translate import COMPILER_VERSION, translate
@@ -61,12 +62,15 @@ def build_fmu(
     fmi: int = 2,
     platforms: Sequence[str] = (),
     out: Path | str | None = None,
+    class_file: Path | str | None = None,
     progress: Progress = lambda text: None,
 ) -> Path:
     """Path of an FMU of the present sources: from the user's cache, built if it isn't there.
 
     Args:
         model: a key of `fmu_build.roots.ROOTS`: HRG, HRGCarrier or HRGSlow.
+        class_file: a Modelica file that holds one class, named as the file, that is a gyro with
+            sampled loops and uses the library HRG; it takes the place of `model`.
         fmi: version of the standard, 2 or 3.
         platforms: keys of `PLATFORMS`; "all" for those that the standard knows; none for this
             machine's.
@@ -77,8 +81,7 @@ def build_fmu(
         TranslationError, BuildError: the message says what is wrong.
         OSError: the cache or `out` can't be written.
     """
-    if model not in ROOTS:
-        raise BuildError(f"model: found {model!r}, expected {', '.join(ROOTS)}")
+    root = _find_root(model) if class_file is None else _make_root(Path(class_file))
     if out is not None and Path(out).is_dir():
         raise BuildError(f"can't write {out}: it is a folder; expected the name of a file")
     if "all" in platforms:
@@ -86,16 +89,42 @@ def build_fmu(
             progress(f"{name} is left out: FMI {fmi}.0 has no folder for it")
         platforms = list_platforms(fmi)
     platforms = choose_platforms(platforms, fmi)
-    folder = f"{digest_sources()[:16]}-fmi{fmi}-{'+'.join(platforms)}"
-    path = platformdirs.user_cache_path("hrg") / folder / f"{model}.fmu"
+    folder = f"{_digest_build(root)[:16]}-fmi{fmi}-{'+'.join(platforms)}"
+    path = platformdirs.user_cache_path("hrg") / folder / f"{root.identifier}.fmu"
     if path.exists():
         progress("unchanged, from cache")
     else:
-        write_fmu(path, ROOTS[model], fmi, platforms, progress)
+        write_fmu(path, root, fmi, platforms, progress)
     if out is None:
         return path
     write_whole(Path(out), path.read_bytes())
     return Path(out)
+
+
+def _find_root(model: str) -> Root:
+    if model not in ROOTS:
+        raise BuildError(f"model: found {model!r}, expected {', '.join(ROOTS)}")
+    return ROOTS[model]
+
+
+def _make_root(file: Path) -> Root:
+    """The root of a file's class: it runs as `HRG` does."""
+    if not file.is_file() or not file.stem.isidentifier() or file.suffix != ".mo":
+        raise BuildError(f"class file: found {str(file)!r}, expected a file named CLASS.mo")
+    if file.stem in ROOTS:
+        raise BuildError(f"class file: {file.stem}: the library has this name; expected another")
+    description = read_page(file).description or f"Gyro of the class {file.stem}"
+    usual = ROOTS["HRG"]
+    return Root(
+        file.stem, file.stem, description, usual.integrator, usual.step, file=file.resolve()
+    )
+
+
+def _digest_build(root: Root) -> str:
+    """Digest of the sources, and of the file of a class that is not the library's."""
+    if root.file is None:
+        return digest_sources()
+    return hashlib.sha256(digest_sources().encode() + root.file.read_bytes()).hexdigest()
 
 
 def write_fmu(
@@ -108,7 +137,7 @@ def write_fmu(
     """Translate, compile and pack a model; `path` appears only when all is done."""
     platforms = choose_platforms(platforms, fmi)
     progress(f"translating {root.model}")
-    dae = translate(find_modelica_library(), root.model)
+    dae = translate(find_modelica_library(), root.model, file=root.file)
     sources = [*SOURCES, SHELLS[fmi]]
     with tempfile.TemporaryDirectory(prefix="hrg-build-") as name:
         folder = Path(name)

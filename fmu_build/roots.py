@@ -1,6 +1,7 @@
 """The models that become FMUs."""
 
 from dataclasses import dataclass
+from pathlib import Path
 
 METHODS = {
     "runge_kutta_4": "the classical Runge-Kutta method of fourth order",
@@ -17,6 +18,7 @@ class Root:
     identifier: name of the FMU and of its libraries.
     integrator: one of `METHODS`.
     step: default communication step, s.
+    file: Modelica file that holds the model, where it is not in the library.
     """
 
     identifier: str
@@ -24,6 +26,7 @@ class Root:
     description: str
     integrator: str
     step: str
+    file: Path | None = None
 
 
 ROOTS = {

@@ -16,6 +16,14 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         default="HRG",
         help="the gyro at 1 kHz, at its carrier, or with quasi-steady loops",
     )
+    parser.add_argument(
+        "--class",
+        dest="class_file",
+        type=Path,
+        metavar="FILE.mo",
+        help="file of a Modelica class that is a gyro, such as the closed.mo of a diagnosis; it "
+        "takes the place of --model",
+    )
     parser.add_argument("--out", type=Path, help="file to write (default: MODEL.fmu)")
     parser.add_argument(
         "--fmi", type=int, choices=(2, 3), default=2, help="version of the standard"
@@ -30,11 +38,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> None:
+    name = options.model if options.class_file is None else options.class_file.stem
     out = fmu_build.build_fmu(
         options.model,
         fmi=options.fmi,
         platforms=options.platform,
-        out=options.out or Path(f"{options.model}.fmu"),
+        class_file=options.class_file,
+        out=options.out or Path(f"{name}.fmu"),
         progress=lambda text: print(text, file=sys.stderr),
     )
     print(out)

@@ -16,16 +16,19 @@ class TranslationError(HrgError):
     """The Modelica text, or what the compiler made of it, can't be translated."""
 
 
-def translate(library: Path, model: str, source: str = "") -> Dae:
+def translate(library: Path, model: str, source: str = "", file: Path | None = None) -> Dae:
     """Flat equations of a model of a library (the folder of `package.mo`) by its full name, e.g.
-    `HRG.Gyroscopes.HRG`; `source` is its Modelica text, where it is not the library's own."""
+    `HRG.Gyroscopes.HRG`. A model that is not the library's own but uses it is given as its Modelica
+    text, `source`, or as the `file` that holds it."""
     if rumoca.version() != COMPILER_VERSION:
         raise TranslationError(
             f"rumoca {rumoca.version()} is installed; expected {COMPILER_VERSION}, "
             "for which the generator is written"
         )
     try:
-        if source:
+        if file is not None:
+            loaded = rumoca.Session([str(library)]).load(str(file), model=model)
+        elif source:
             loaded = rumoca.Session([str(library)]).loads(source, model=model)
         else:
             loaded = rumoca.Session().load(str(library / "package.mo"), model=model)

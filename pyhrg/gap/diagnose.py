@@ -17,6 +17,9 @@ from pyhrg.common.units import ARCSEC
 from pyhrg.device import device_file
 from pyhrg.device.device import Device
 from pyhrg.gap.closing.closing import Closing, Residuals, close_gap
+from pyhrg.gap.closing.equation.closed_file import CLOSED_FILES, write_closed_files
+from pyhrg.gap.closing.equation.refinement import refine_terms
+from pyhrg.gap.closing.term_verification import verify_terms
 from pyhrg.gap.closing.verification import compute_gap_figures
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE, Catalogue, NoiseEffect
 from pyhrg.gap.effects.design import build_design
@@ -48,12 +51,10 @@ from pyhrg.records.columns import BY_FIELD
 
 Array = NDArray[np.float64]
 
-NO_START = (
-    "{}: not used: no row with both gyro_angle_deg and wave_angle_deg, which give the start angle"
-)
+NO_START = "{}: not used: no row with both gyro_angle_deg and wave_angle_deg: no start angle"
 BEFORE_FILE, AFTER_FILE = "before.toml", "after.toml"
 """Device files of the nominal and of the identified device."""
-FILES = (BEFORE_FILE, AFTER_FILE, diagnosis_file.FILE)
+FILES = (BEFORE_FILE, AFTER_FILE, *CLOSED_FILES, diagnosis_file.FILE)
 
 
 @dataclass(frozen=True)
@@ -65,7 +66,7 @@ class CampaignDiagnosis:
     nominal: the device as the campaign states it.
     identified: the nominal device with the causes put in.
     tests: all tests that were used, held-out ones last.
-    before, after: residuals of each test with the nominal and the identified device.
+    before, after: residuals of each test with the nominal, and with the identified and its terms.
     """
 
     diagnosis: Diagnosis
@@ -149,9 +150,11 @@ class CampaignDiagnosis:
         return axes
 
     def write(self, folder: Path | str) -> None:
-        """Write `diagnosis.json`, `before.toml` and `after.toml`: all of them or none.
+        """Write `diagnosis.json`, `before.toml`, `after.toml`, and `closed.mo` and `closed.fmu` of
+        the identified gyro with its terms: all of them or none.
 
         Raises:
+            BuildError, TranslationError: the FMU can't be built.
             OSError: the folder can't be written.
         """
         with stage_files(Path(folder), FILES) as aside:
@@ -161,6 +164,7 @@ class CampaignDiagnosis:
         """Write the same files one after the other into a folder that exists."""
         device_file.write(self.nominal, folder / BEFORE_FILE)
         device_file.write(self.identified, folder / AFTER_FILE)
+        write_closed_files(self.identified, self.diagnosis, folder)
         diagnosis_file.write(self.diagnosis, folder)
 
 
@@ -187,13 +191,13 @@ def diagnose(
         BuildError, TranslationError: the FMUs can't be built.
     """
     report = make_progress_reporter(progress)
-    campaign = (
-        campaign if isinstance(campaign, Campaign) else campaigns.read_campaign(Path(campaign))
-    )
+    if not isinstance(campaign, Campaign):
+        campaign = campaigns.read_campaign(Path(campaign))
     simulation = simulation or load_simulation(report)
     nominal, tests, excluded = _prepare(campaign, simulation)
     fitted = [test for test in tests if not test.test.is_holdout]
     attribution = attribute_gap(simulation, nominal, fitted, catalogue, report)
+    attribution = refine_terms(simulation, attribution, catalogue.noises)
     hypotheses = tuple(
         replace(h, noise=_complete_noise(attribution, fitted, catalogue.noises, h))
         for h in attribution.posterior.hypotheses
@@ -203,18 +207,12 @@ def diagnose(
     report("closing")
     closing = close_gap(simulation, attribution, tests)
     report("verifying, and looking for the next test")
+    closing = verify_terms(simulation, attribution, tests, closing)
     summary = _summarize(
         campaign.device, simulation, catalogue, attribution, tests, closing, excluded, bound
     )
-    return CampaignDiagnosis(
-        summary,
-        attribution,
-        nominal,
-        closing.device,
-        tuple(tests),
-        closing.before,
-        closing.after,
-    )
+    ends = closing.device, tuple(tests), closing.before, closing.after
+    return CampaignDiagnosis(summary, attribution, nominal, *ends)
 
 
 def _prepare(
@@ -246,13 +244,8 @@ def _complete_noise(
     hypothesis also with the noises that are confounded with its own."""
     noise, nominal = hypothesis.noise, attribution.nominal
     if hypothesis is attribution.posterior.best:
-        residuals = compute_residuals(
-            attribution.parts,
-            hypothesis.sizes,
-            attribution.channel_noise,
-            nominal,
-            ("gyro_angle",),
-        )
+        parts, channels = attribution.parts, attribution.channel_noise
+        residuals = compute_residuals(parts, hypothesis.sizes, channels, nominal, ("gyro_angle",))
         noise = find_noise_equivalents(noise, residuals, build_angle_noise(nominal), noises)
     return add_quantization(noise, tests, nominal.quantization_step, noises)
 
@@ -297,4 +290,5 @@ def _summarize(
         within_tolerance=verdicts.list_known_values(attribution),
         left=left,
         bound=bound,
+        terms=closing.terms,
     )

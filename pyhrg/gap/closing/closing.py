@@ -12,6 +12,7 @@ from pyhrg.fmu import GyroError
 from pyhrg.gap.effects.catalogue import EFFECT_NAMES, EFFECTS
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.findings.diagnosis import Cause, DiagnosisError
+from pyhrg.gap.findings.term import Term
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels
 
@@ -22,11 +23,15 @@ Residuals = Mapping[str, Array]
 
 @dataclass(frozen=True)
 class Closing:
-    """The identified device, and the residuals of each test before and after closing."""
+    """The identified device, and the residuals of each test before and after closing.
+
+    terms: verified terms, which then act in the residuals after closing.
+    """
 
     device: Device
     before: tuple[Residuals, ...]
     after: tuple[Residuals, ...]
+    terms: tuple[Term, ...] = ()
 
 
 def device_with_causes(nominal: Device, causes: Iterable[Cause]) -> Device:
@@ -81,14 +86,15 @@ def _compare(
     for test in tests[len(attribution.parts) :]:
         before.append(simulation.simulate(nominal, test))
         after.append(before[-1] if is_unchanged else simulation.simulate(identified, test))
-    return Closing(
-        identified,
-        tuple(_residuals(simulation, nominal, *pair) for pair in zip(tests, before, strict=True)),
-        tuple(_residuals(simulation, identified, *pair) for pair in zip(tests, after, strict=True)),
-    )
+
+    def compare(device: Device, answers: Sequence[ChannelValues]) -> tuple[Residuals, ...]:
+        pairs = zip(tests, answers, strict=True)
+        return tuple(compute_record_residuals(simulation, device, *pair) for pair in pairs)
+
+    return Closing(identified, compare(nominal, before), compare(identified, after))
 
 
-def _residuals(
+def compute_record_residuals(
     simulation: Simulation, device: Device, test: ObservedTest, answers: ChannelValues
 ) -> Residuals:
     """Record less simulation, channels other than the angle where the pattern is as measured."""

@@ -11,7 +11,8 @@ from pyhrg.common.progress import Progress, make_progress_reporter
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
 from pyhrg.gap.closing.closing import device_with_causes
-from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, DiagnosisError
+from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu, replay_closed
+from pyhrg.gap.findings.diagnosis import Diagnosis, DiagnosisError
 from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 from pyhrg.gap.replay.observations import observe_test
 from pyhrg.gap.replay.replay import has_start_angle
@@ -41,7 +42,8 @@ def predict(
 ) -> pd.DataFrame:
     """Predict the output angle that the closed simulation gives to the inputs of a log.
 
-    Inputs that the recorder lost are filled in as in a diagnosis.
+    Inputs that the recorder lost are filled in as in a diagnosis. Where the diagnosis proposes
+    terms, the FMU of the gyro with them is run.
 
     Args:
         diagnosis: of the campaign: a `CampaignDiagnosis`, its `diagnosis`, or the path of its
@@ -61,26 +63,32 @@ def predict(
         DeviceError: the nominal values are no gyro's.
         LogError: the log can't be used, or its inputs can't be determined.
         GyroError: the FMU refuses the identified device.
+        BuildError, TranslationError: the FMU of the gyro with terms can't be built.
     """
     report = make_progress_reporter(progress)
     campaign = (
         campaign if isinstance(campaign, Campaign) else campaigns.read_campaign(Path(campaign))
     )
     nominal = nominal_device(campaign)
-    identified = device_with_causes(nominal, _causes(diagnosis, campaign.device))
+    found = _read(diagnosis, campaign.device)
+    identified = device_with_causes(nominal, found.causes)
     if not isinstance(log, Log):
         log = records.read_log(Path(log), latitude_deg=campaign.site.latitude_deg)
     log, notes = _repair_inputs(log, nominal)
     for note in notes:
         report(note)
     test = observe_test(Test("prediction", "manoeuvre", "holdout", log), nominal)
-    answers = (simulation or load_simulation(report)).simulate(identified, test)
+    if found.terms:
+        fmu = load_closed_fmu(identified, found.terms)
+        answers = replay_closed(fmu, identified, test.inputs)
+    else:
+        answers = (simulation or load_simulation(report)).simulate(identified, test)
     table = pd.DataFrame({"time_s": log.time, "gyro_angle_deg": answers["gyro_angle"] / DEG})
     table.attrs = {"units": {"time_s": "s", "gyro_angle_deg": "deg"}, "notes": notes}
     return table
 
 
-def _causes(diagnosis: _HoldsDiagnosis | Diagnosis | Path | str, device: str) -> tuple[Cause, ...]:
+def _read(diagnosis: _HoldsDiagnosis | Diagnosis | Path | str, device: str) -> Diagnosis:
     source = "diagnosis"
     if isinstance(diagnosis, Path | str):
         source, diagnosis = str(diagnosis), read_diagnosis(diagnosis)
@@ -90,7 +98,7 @@ def _causes(diagnosis: _HoldsDiagnosis | Diagnosis | Path | str, device: str) ->
         raise DiagnosisError(
             f"{source}: device: found {diagnosis.device!r}, expected {device!r} as in the campaign"
         )
-    return diagnosis.causes
+    return diagnosis
 
 
 def write_prediction(prediction: pd.DataFrame, path: Path) -> None:

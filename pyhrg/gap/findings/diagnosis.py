@@ -12,6 +12,8 @@ from pyhrg.common.units import NAUTICAL_MILE
 from pyhrg.device.declarations import Family
 from pyhrg.gap.findings.localisation import Place
 from pyhrg.gap.findings.quantity import Size
+from pyhrg.gap.findings.term import Term
+from pyhrg.gap.findings.values import make_gap_table
 
 SCHEMA = "hrg-diagnosis/1"
 FILE = "diagnosis.json"
@@ -165,6 +167,7 @@ class Diagnosis:
     settled: whether the search converged; everything is uncertain where it did not.
     within_tolerance: known parameters that are off, but by no more than their tolerance.
     left, bound: size of what is left unexplained, and the one below which it does not matter.
+    terms: proposed equations for what has no name.
     """
 
     device: str
@@ -181,6 +184,7 @@ class Diagnosis:
     within_tolerance: tuple[KnownValue, ...] = ()
     left: Leftover = Leftover(0.0, 0.0, 0.0)
     bound: Leftover = Leftover(0.0, 0.0, 0.0)
+    terms: tuple[Term, ...] = ()
 
     @property
     def caveats(self) -> list[str]:
@@ -203,28 +207,7 @@ class Diagnosis:
             "bound": self.bound.document(),
             "left": self.left.document(),
         }
-        return {"schema": SCHEMA, **values, "material": material, "gap": _gap_table(gap)}
-
-
-STAGES = ("before", "after", "floor", "floor_95")
-ROLES = ("fit", "holdout")
-FIGURE_UNITS = ("angle_arcsec", "rate_deg_h")
-
-
-def _gap_table(gap: dict[str, Any]) -> dict[str, Any]:
-    """Tables of stages, in them tables of roles, in them figures by their units."""
-    document: dict[str, Any] = {
-        stage: {
-            role: {
-                unit: gap[f"{role}_{unit}"][stage]
-                for unit in FIGURE_UNITS
-                if gap[f"{role}_{unit}"] is not None
-            }
-            for role in ROLES
-        }
-        for stage in STAGES
-    }
-    return {**document, "shrink_percent": gap["shrink_percent"], "whiteness": gap["whiteness"]}
+        return {"schema": SCHEMA, **values, "material": material, "gap": make_gap_table(gap)}
 
 
 def write(diagnosis: Diagnosis, folder: Path) -> None:

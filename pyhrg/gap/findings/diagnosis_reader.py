@@ -1,17 +1,13 @@
 """Reads a `diagnosis.json` back into a `Diagnosis`."""
 
-import math
 from pathlib import Path
 from typing import cast, get_args
 
 from pyhrg.common.toml_table import TomlTable, read_json_table
 from pyhrg.device.declarations import Family
 from pyhrg.gap.findings.diagnosis import (
-    FIGURE_UNITS,
     FILE,
-    ROLES,
     SCHEMA,
-    STAGES,
     Cause,
     Diagnosis,
     DiagnosisError,
@@ -24,6 +20,16 @@ from pyhrg.gap.findings.diagnosis import (
 )
 from pyhrg.gap.findings.localisation import Place
 from pyhrg.gap.findings.quantity import Size
+from pyhrg.gap.findings.term import parse_term
+from pyhrg.gap.findings.values import (
+    FIGURE_UNITS,
+    ROLES,
+    STAGES,
+    parse_interval,
+    parse_numbers,
+    parse_optional_number,
+    parse_texts,
+)
 
 
 def read_diagnosis(path: Path | str) -> Diagnosis:
@@ -55,11 +61,13 @@ def _parse(index: TomlTable) -> Diagnosis:
         tuple(map(_parse_size, index.tables("sizes"))),
         _parse_gap(index.table("gap")),
         _parse_next_test(index),
-        _numbers(index.table("unnamed")),
-        _texts(index, "excluded"),
+        parse_numbers(index.table("unnamed")),
+        parse_texts(index, "excluded"),
         index.flag("settled", True),
         tuple(map(_parse_known, index.tables("within_tolerance"))),
-        *(_parse_leftover(index.table("material").table(key)) for key in ("left", "bound")),
+        _parse_leftover(index.table("material").table("left")),
+        _parse_leftover(index.table("material").table("bound")),
+        tuple(map(parse_term, index.tables("terms"))),
     )
 
 
@@ -73,9 +81,9 @@ def _parse_cause(table: TomlTable) -> Cause:
     return Cause(
         table.text("effect", None),
         table.number("probability", None, 0.0, 1.0),
-        _numbers(table.table("parameters")),
-        {name: _interval(intervals, name) for name in intervals.values},
-        _texts(table, "equivalents"),
+        parse_numbers(table.table("parameters")),
+        {name: parse_interval(intervals, name) for name in intervals.values},
+        parse_texts(table, "equivalents"),
         _parse_family(table),
     )
 
@@ -91,7 +99,7 @@ def _parse_known(table: TomlTable) -> KnownValue:
         table.text("parameter", None),
         table.finite_number("value"),
         table.finite_number("told"),
-        _interval(table, "interval_95"),
+        parse_interval(table, "interval_95"),
         table.finite_number("tolerance"),
     )
 
@@ -118,7 +126,7 @@ def _parse_gap(table: TomlTable) -> Gap:
     )
     if fit_angle is None:
         raise table.table("before").table("fit").missing("angle_arcsec", "a number")
-    ends = (_optional_number(table, key) for key in ("shrink_percent", "whiteness"))
+    ends = (parse_optional_number(table, key) for key in ("shrink_percent", "whiteness"))
     return Gap(fit_angle, fit_rate, holdout_angle, holdout_rate, *ends)
 
 
@@ -127,7 +135,7 @@ def _parse_figure(gap: TomlTable, role: str, unit: str) -> GapFigure | None:
     if unit not in tables["before"].values:
         return None
     before, after, floor = (tables[stage].finite_number(unit) for stage in STAGES[:3])
-    return GapFigure(before, after, floor, _interval(tables["floor_95"], unit))
+    return GapFigure(before, after, floor, parse_interval(tables["floor_95"], unit))
 
 
 def _parse_next_test(index: TomlTable) -> NextTest | None:
@@ -135,25 +143,3 @@ def _parse_next_test(index: TomlTable) -> NextTest | None:
         return None
     test = index.table("next_test")
     return NextTest(test.text("kind", None), test.text("why", None), test.finite_number("hours"))
-
-
-def _numbers(table: TomlTable) -> dict[str, float]:
-    return {name: table.finite_number(name) for name in table.values}
-
-
-def _optional_number(table: TomlTable, key: str) -> float | None:
-    return None if table.values.get(key) is None else table.finite_number(key)
-
-
-def _interval(table: TomlTable, key: str) -> tuple[float, float]:
-    low, high = table.numbers(key, 2, -math.inf, math.inf)
-    if low > high:
-        raise table.error(key, table.values[key], "[low, high]")
-    return low, high
-
-
-def _texts(table: TomlTable, key: str) -> tuple[str, ...]:
-    texts = table.values.get(key)
-    if not isinstance(texts, list) or not all(isinstance(text, str) for text in texts):
-        raise table.error(key, texts, "a list of texts")
-    return tuple(texts)

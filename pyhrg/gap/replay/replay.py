@@ -135,6 +135,8 @@ def replay_inputs(
         "angularRate": inputs.table.rates_in(steps) * (1 + eccentric) + earth,
         "caseTemperature": interpolate_rows(temperatures, compute_step_middles(steps)),
     }
+    if "tableAngle" in fmu.references:  # the FMU of a diagnosis with a term of the table angle
+        varying["tableAngle"] = angle
     with fmu.power_on(parameters, seed=0, start_angle=inputs.start_angle) as on:
         rows = record_rows(on, varying, held, step, LOOP_OUTPUTS)
     change = read_change(rows, Device(), device, inputs.log)

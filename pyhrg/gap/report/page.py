@@ -16,6 +16,7 @@ from pyhrg.gap.report.held_out import build_held_out
 from pyhrg.gap.report.places import build_places, build_scales
 from pyhrg.gap.report.residuals import build_residuals
 from pyhrg.gap.report.sections import Section
+from pyhrg.gap.report.terms import build_terms
 from pyhrg.gap.report.verdict import describe_diagnosis, write_headline
 from pyhrg.gap.report.words import build_table, format_name
 
@@ -27,7 +28,7 @@ def write_report(
     diagnosis: CampaignDiagnosis, out: Path | str, sections: Sequence[Section] = ()
 ) -> None:
     """Write a diagnosis with its page: `diagnosis.json`, `before.toml`, `after.toml`,
-    `report.html`, and the document of each added section.
+    `closed.mo`, `closed.fmu`, `report.html`, and the document of each added section.
 
     Args:
         diagnosis: of a campaign.
@@ -52,6 +53,7 @@ def build_page(result: CampaignDiagnosis, sections: Sequence[Section] = ()) -> s
     closing = build_closing(result) + build_scales(result)
     shown = [
         PageSection("causes", "Causes of the gap", build_causes(result)),
+        PageSection("terms", "Proposed terms", build_terms(result)),
         PageSection("ranking", "Hypotheses by posterior probability", build_ranking(result)),
         PageSection("where", "Where the gap is", build_places(result)),
         PageSection("residuals", "Residuals by coordinate", build_residuals(result)),

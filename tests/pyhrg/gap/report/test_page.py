@@ -16,7 +16,17 @@ from pyhrg.gap.whitening.whitening import CorrelatedNoise
 from tests.elements import elements
 
 MOST_BYTES = 3_000_000
-SECTIONS = ("causes", "ranking", "where", "residuals", "held-out", "closing", "next", "data")
+SECTIONS = (
+    "causes",
+    "terms",
+    "ranking",
+    "where",
+    "residuals",
+    "held-out",
+    "closing",
+    "next",
+    "data",
+)
 
 
 @pytest.fixture(scope="module")

@@ -1,0 +1,236 @@
+"""The identified gyro and its proposed terms as a Modelica class, `closed.mo`."""
+
+import html
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from pyhrg.device.device import Device
+from pyhrg.gap.closing.equation.places import find_acting
+from pyhrg.gap.closing.equation.proposal import as_candidate, list_coefficients
+from pyhrg.gap.findings.term import Term
+
+CLASS = "closed"
+"""Name of the class and of the FMU."""
+INPUTS = (
+    "virtualRotation", "accelerationX", "accelerationY", "accelerationZ", "caseTemperature",
+    "biasVoltage", "vibration", "amplitudeSetpoint", "phaseOffset", "driveOn",
+)  # fmt: skip
+"""Inputs that the inner gyro takes as they are; the angular rate gets the bias terms."""
+OUTPUTS = {
+    "gyroAngle": " + addedAngle",
+    "gyroRate": "",
+    "patternAngle": " - gyro.controller.readout.bryanFactor*addedAngle",
+    "amplitude": " + addedAmplitude",
+    "quadrature": "",
+    "amplitudeForce": " + addedAmplitudeForce",
+    "quadratureForce": " + addedQuadratureForce",
+    "frequencyOffset": " + addedFrequency",
+    "valid": "",
+}
+"""Outputs, with what the terms add."""
+ADDED = {
+    "addedRate": ("AngularRate", "Bias, as an input rate"),
+    "addedAngle": ("Angle", "Error of the measured angle"),
+    "addedAmplitude": ("Displacement", "Error of the detected amplitude"),
+    "addedAmplitudeForce": ("Rate", "Damping that the amplitude loop balances"),
+    "addedQuadratureForce": ("Force", "Stiffness that the quadrature loop balances"),
+    "addedFrequency": ("AngularFrequency", "Stiffness that the phase loop follows"),
+}
+"""Type and meaning of what the terms add to."""
+_TEMPERATURE = "gyro.resonator.environment"
+COORDINATES = {
+    "pattern": ("Units.Angle", "Pattern angle theta", "gyro.patternAngle"),
+    "warmth": ("Units.Ratio", "Resonator above the reference temperature, over 1 K",
+               f"{_TEMPERATURE}.temperature/1.0"),
+    "caseWarmth": ("Units.Ratio", "Case above the reference temperature, over 1 K",
+                   f"caseTemperature - {_TEMPERATURE}.referenceTemperature"),
+    "turnRate": ("Units.Ratio", "Input rate, over 1 deg/s", "angularRate*57.29577951308232"),
+    "commandedRate": ("Units.Ratio", "Commanded rotation, over 1 deg/s",
+                      "virtualRotation*57.29577951308232"),
+    "hours": ("Units.Ratio", "Time since power-on, over 1 h", f"{_TEMPERATURE}.age/3600"),
+    **{f"force{a}": ("Units.Ratio", f"Specific force {a.lower()}, over 1 m/s2",
+                     f"acceleration{a}/1.0") for a in "XYZ"},
+}  # fmt: skip
+"""Type, meaning and equation of a coordinate's variable."""
+SAMPLED = {
+    "slowWarmth": ("Temperature of the case behind a lag of 30 s, over 1 K",
+                   "pre(slowWarmth) + (caseWarmth - pre(slowWarmth))"
+                   "*(1 - 0.9996666666666667*pre(started))"),
+    "warming": ("Rate of the case's temperature behind that lag, over 1 K/min",
+                "2*pre(started)*(caseWarmth - slowWarmth)"),
+    **{f"play{width}": (f"Temperature of the case with a play of {width} K, over 1 K",
+                        f"caseWarmth + pre(started)*(abs(pre(play{width}) - caseWarmth + {width}/2)"
+                        f" - abs(pre(play{width}) - caseWarmth - {width}/2))/2")
+       for width in (2, 10)},
+    "started": ("1 from the first sample on", "1"),
+}  # fmt: skip
+"""Meaning and equation, every 10 ms, of variables with a memory; they are steady at power-on."""
+TEXT = """model {name} "{title}"
+  extends HRG.Interfaces.PartialGyro{starts};
+{parameters}{variables}  HRG.Gyroscopes.HRG gyro(
+    seed = seed,
+    startAngle = startAngle,
+    startAmplitude = startAmplitude,
+    angularRate = angularRate{rate},
+{held}{modifiers}) "The identified gyro, its causes put in";
+equation
+{equations}
+  annotation (Documentation(info="<html>
+{documentation}
+</html>"));
+end {name};
+"""
+
+
+def write_class(device: Device, terms: Sequence[Term], title: str, notes: Sequence[str]) -> str:
+    """Text of the class: the device with its terms; notes are sentences for its documentation."""
+    own = _split_values(device)
+    used = _list_uses(terms)
+    added = [v for v in ADDED if any(_acting(t).variable == v for t in terms)]
+    started = ", ".join(f"{n}(start = {v!r})" for n, v in own["inputs"].items())
+    fixed = ", ".join(f"{n} = {v!r}" for n, v in own["start"].items())
+    starts = ", ".join(part for part in (fixed, started) if part)
+    modifiers = _format_modifiers(own["gyro"])
+    return TEXT.format(
+        name=CLASS,
+        title=_plain(title),
+        starts=f"({starts})" if starts else "",
+        parameters="".join(_declare_parameters(t) for t in terms),
+        variables=_declare_variables(used, added),
+        rate=" + addedRate" if "addedRate" in added else "",
+        held=",\n".join(f"    {name} = {name}" for name in INPUTS),
+        modifiers=f",\n    {modifiers}" if modifiers else "",
+        equations=_write_equations(device, terms, used, added),
+        documentation=_document(terms, notes),
+    )
+
+
+def _split_values(device: Device) -> dict[str, dict[str, float]]:
+    """The FMU's values that differ from its defaults: of inputs, of power-on, of the gyro."""
+    values = dict(device.fmu_parameters())
+    split: dict[str, dict[str, float]] = {"inputs": {}, "start": {}, "gyro": {}}
+    for name, value in values.items():
+        kind = "gyro" if "." in name else "start" if name.startswith("start") else "inputs"
+        split[kind][name] = float(value)
+    return split
+
+
+def _format_modifiers(values: Mapping[str, float]) -> str:
+    """Nested modifiers of dotted names; elements of a vector make a whole vector of three."""
+    tree: dict[str, Any] = {}
+    for name, value in values.items():
+        *path, last = name.split(".")
+        node = tree
+        for part in path:
+            node = node.setdefault(part, {})
+        if match := re.fullmatch(r"(\w+)\[(\d)\]", last):
+            node.setdefault(match[1], [0.0, 0.0, 0.0])[int(match[2]) - 1] = value
+        else:
+            node[last] = value
+
+    def write(node: Mapping[str, Any]) -> str:
+        parts = []
+        for key, value in node.items():
+            if isinstance(value, dict):
+                parts.append(f"{key}({write(value)})")
+            elif isinstance(value, list):
+                parts.append(f"{key} = {{{', '.join(map(repr, value))}}}")
+            else:
+                parts.append(f"{key} = {value!r}")
+        return ", ".join(parts)
+
+    return ",\n    ".join(write({key: value}) for key, value in tree.items())
+
+
+def _acting(term: Term) -> Any:
+    return find_acting(as_candidate(term))
+
+
+def _list_uses(terms: Sequence[Term]) -> list[str]:
+    """Names of all coordinates' variables that the terms need, in the order of the equations."""
+    coefficients = [c for t in terms for c in list_coefficients(as_candidate(t))]
+    used = {name for c in coefficients for name in c.basis.uses}
+    if "warming" in used:
+        used |= {"caseWarmth", "slowWarmth"}
+    if used & SAMPLED.keys():
+        used.add("started")
+    return [name for name in (*COORDINATES, "tableAngle", "amplitudeExcess", *SAMPLED)
+            if name in used]  # fmt: skip
+
+
+def _declare_parameters(term: Term) -> str:
+    """Parameters of a term, SI, with their meaning and value in the unit of the diagnosis."""
+    lines = []
+    for c in list_coefficients(as_candidate(term)):
+        value = term.parameters[c.name]
+        si = value * c.factor
+        meaning = f"Coefficient of {c.basis.text}: {c.name} = {value:.6g}"
+        lines.append(
+            f'  parameter HRG.Units.{_acting(term).type} {c.variable} = {si!r} "{meaning}";\n'
+        )
+    return "".join(lines)
+
+
+def _declare_variables(used: Sequence[str], added: Sequence[str]) -> str:
+    lines = []
+    if "tableAngle" in used:
+        lines.append(
+            '  input HRG.Units.Angle tableAngle(start = 0) "Reading of the table encoder";'
+        )
+    for name in used:
+        if name in COORDINATES:
+            kind, meaning, _ = COORDINATES[name]
+            lines.append(f'  HRG.{kind} {name} "{meaning}";')
+    if "amplitudeExcess" in used:
+        lines.append('  HRG.Units.Ratio amplitudeExcess "Amplitude over the nominal one, less 1";')
+    lines += [
+        f'  discrete HRG.Units.Ratio {name}(start = 0, fixed = true) "{meaning}";'
+        for name, (meaning, _) in SAMPLED.items()
+        if name in used
+    ]
+    lines += [f'  HRG.Units.{ADDED[name][0]} {name} "{ADDED[name][1]}";' for name in added]
+    return "".join(f"{line}\n" for line in lines)
+
+
+def _write_equations(
+    device: Device, terms: Sequence[Term], used: Sequence[str], added: Sequence[str]
+) -> str:
+    lines = [f"  {name} = {COORDINATES[name][2]};" for name in used if name in COORDINATES]
+    if "amplitudeExcess" in used:
+        lines.append(
+            "  amplitudeExcess = (driveOn*amplitudeSetpoint + (1 - driveOn)*gyro.amplitude)"
+            f"/{device.amplitude!r} - 1;"
+        )
+    if "started" in used:
+        lines.append("  when sample(0, 1e-2) then")
+        lines += [f"    {n} = {text};" for n, (_, text) in SAMPLED.items() if n in used]
+        lines.append("  end when;")
+    for name in added:
+        sums = [t.formula.modelica for t in terms if _acting(t).variable == name]
+        lines.append(f"  {name} = {' + '.join(sums)};")
+    for name, more in OUTPUTS.items():
+        is_used = any(re.search(rf"\b{variable}\b", more) for variable in added)
+        lines.append(f"  {name} = gyro.{name}{more if is_used else ''};")
+    return "\n".join(lines)
+
+
+def _document(terms: Sequence[Term], notes: Sequence[str]) -> str:
+    parts = [f"<p>{_plain(html.escape(note, quote=False))}</p>" for note in notes]
+    for term in terms:
+        low_high = "; ".join(
+            f"{n} = {v:.6g} (95 %: {term.interval_95[n][0]:.6g} to {term.interval_95[n][1]:.6g})"
+            for n, v in term.parameters.items()
+        )
+        variable = _acting(term).variable
+        parts.append(f"<pre>{variable} = {html.escape(term.formula.modelica, quote=False)}</pre>")
+        parts.append(
+            f"<p>Acts at: {term.place}. {html.escape(low_high, quote=False)}. Posterior "
+            f"probability of this form {term.probability:.3f}.</p>"
+        )
+    return "\n".join(parts)
+
+
+def _plain(text: str) -> str:
+    """Text for a Modelica string."""
+    return text.replace("\\", "/").replace('"', "'")

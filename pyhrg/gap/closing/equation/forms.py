@@ -1,0 +1,168 @@
+"""Candidate terms as expressions: one basis function a parameter, in text and in Modelica.
+
+Coordinates are pure numbers: a quantity over a unit. A parameter then has the unit of its channel
+(docs/methods/equation.md, Eqs. 1 to 3).
+"""
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from pyhrg.common.units import DEG
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
+
+TERM_SCALE = 10.0
+"""Temperature, K, and specific force, m/s^2, over which candidate terms are taken."""
+
+
+class Coordinate(NamedTuple):
+    """A coordinate as the written class computes it.
+
+    name: of its variable in Modelica, and in the text.
+    units: suffixes of parameters that are per unit of its powers 1, 2 and 3.
+    """
+
+    name: str
+    units: tuple[str, ...]
+
+
+PATTERN = Coordinate("pattern", ())
+TABLE = Coordinate("tableAngle", ())
+WARMTH = Coordinate("warmth", ("K", "K2", "K3"))
+CASE = Coordinate("caseWarmth", ("K",))
+WARMING = Coordinate("warming", ("K_min", "K2_min2"))
+TURN = Coordinate("turnRate", ("deg_s", "deg2_s2", "deg3_s3"))
+COMMANDED = Coordinate("commandedRate", ("deg_s",))
+STRETCH = Coordinate("amplitudeExcess", ("", ""))
+HOURS = Coordinate("hours", ("h",))
+_FORCE_UNITS = ("m_s2", "m2_s4")
+FORCES = {axis: Coordinate(f"force{axis.upper()}", _FORCE_UNITS) for axis in "xyz"}
+
+
+@dataclass(frozen=True)
+class Basis:
+    """One basis function of a term.
+
+    stem: end of its parameter's name before the unit, such as `cos6`.
+    text: plain text; modelica: expression in the variables of the written class.
+    scale: the term's column over this function.
+    per: suffix of the unit that the function has as a power of a coordinate; empty if none.
+    uses: names of the coordinates' variables.
+    """
+
+    stem: str
+    text: str
+    modelica: str
+    scale: float
+    per: str
+    uses: tuple[str, ...]
+
+
+def express_term(term: CandidateTerm) -> tuple[Basis, ...]:
+    """Basis functions of a term in the order of its columns; none if it can't be written: a value
+    for each power-on."""
+    function = re.sub("^(bias|angle): ", "", term.function)
+    for pattern, make in _FORMS:
+        if match := re.fullmatch(pattern, function):
+            return make(match)
+    return ()
+
+
+def _angle(coordinate: Coordinate, harmonic: int, factor: Basis | None = None) -> tuple[Basis, ...]:
+    """Cosine and sine of a harmonic of an angle, each times a factor."""
+    name = coordinate.name
+    shown = {"pattern": "theta", "tableAngle": "psi"}[name]
+    of = f"{harmonic}*{name}" if harmonic != 1 else name
+    text = f"{harmonic} {shown}" if harmonic != 1 else shown
+    uses = (name, *(factor.uses if factor else ()))
+    return tuple(
+        Basis(
+            f"{f}{harmonic}" + ("_table" if coordinate is TABLE else "")
+            + (f"_{factor.stem}" if factor else ""),
+            f"{f}({text})" + (f" {factor.text}" if factor else ""),
+            f"{f}({of})" + (f"*{factor.modelica}" if factor else ""),
+            factor.scale if factor else 1.0,
+            factor.per if factor else "",
+            uses,
+        )
+        for f in ("cos", "sin")
+    )  # fmt: skip
+
+
+def _power(coordinate: Coordinate, stem: str, power: int, unit_scale: float) -> Basis:
+    """A power of a coordinate; `unit_scale` is the column's value at one unit of it, power 1."""
+    raised = f"^{power}" if power != 1 else ""
+    suffix = coordinate.units[power - 1]
+    number = str(power) if power != 1 else ""
+    name = coordinate.name
+    product = "*".join([name] * power)  # of powers, the C generator takes squares alone
+    return Basis(f"{stem}{number}", f"{name}{raised}", product, unit_scale**power, suffix, (name,))
+
+
+def _single(coordinate: Coordinate, stem: str, expression: str, scale: float, per: str) -> Basis:
+    return Basis(stem, expression, expression, scale, per, (coordinate.name,))
+
+
+Match = re.Match[str]
+_TENTH = 1 / TERM_SCALE
+_WARM = _power(WARMTH, "temperature", 1, _TENTH)
+
+
+def _rate_power(words: str) -> int:
+    return {"": 1, " squared": 2, " cubed": 3}[words]
+
+
+def _force_power(axis: str, words: str) -> Basis:
+    return _power(FORCES[axis], f"acceleration_{axis}", _rate_power(words), _TENTH)
+
+
+def _product(match: Match) -> tuple[Basis, ...]:
+    first, second = FORCES[match[1]], FORCES[match[2]]
+    expression = f"{first.name}*{second.name}"
+    stem = f"acceleration_{match[1]}{match[2]}"
+    uses = (first.name, second.name)
+    return (Basis(stem, expression, expression, _TENTH**2, "m2_s4", uses),)
+
+
+_FORMS: tuple[tuple[str, Callable[[Match], tuple[Basis, ...]]], ...] = (
+    ("mean over the pattern angle", lambda m: (Basis("mean", "1", "1", 1.0, "", ()),)),
+    (r"harmonic (\d+) of the pattern angle", lambda m: _angle(PATTERN, int(m[1]))),
+    (r"harmonic (\d+) of the table angle", lambda m: _angle(TABLE, int(m[1]))),
+    (
+        r"harmonic (\d+) of the pattern angle, times the rate",
+        lambda m: _angle(PATTERN, int(m[1]), _power(TURN, "rate", 1, DEG)),
+    ),
+    (r"temperature\^(\d)", lambda m: (_power(WARMTH, "temperature", int(m[1]), _TENTH),)),
+    ("temperature, 4th harmonic", lambda m: _angle(PATTERN, 4, _WARM)),
+    ("2nd harmonic of the pattern angle, times the temperature",
+     lambda m: _angle(PATTERN, 2, _WARM)),
+    ("temperature of the case", lambda m: (_power(CASE, "case_temperature", 1, _TENTH),)),
+    (r"temperature with a hysteresis of (\d+) K",
+     lambda m: (Basis(f"hysteresis{m[1]}K", f"play{m[1]}", f"play{m[1]}", _TENTH, "K",
+                      ("caseWarmth", f"play{m[1]}")),)),
+    ("temperature rate", lambda m: (_power(WARMING, "temperature_rate", 1, 1.0),)),
+    ("magnitude of the temperature rate",
+     lambda m: (_single(WARMING, "temperature_rate_magnitude", "abs(warming)", 1.0, "K_min"),)),
+    ("square of the temperature rate", lambda m: (_power(WARMING, "temperature_rate", 2, 1.0),)),
+    ("direction of the temperature rate",
+     lambda m: (_single(WARMING, "temperature_rate_direction",
+                        "warming/sqrt(warming^2 + 0.05^2)", 1.0, ""),)),
+    (r"rate( squared| cubed|)", lambda m: (_power(TURN, "rate", _rate_power(m[1]), DEG),)),
+    ("magnitude of the rate",
+     lambda m: (_single(TURN, "rate_magnitude", "abs(turnRate)", DEG, "deg_s"),)),
+    ("commanded rotation", lambda m: (_power(COMMANDED, "commanded_rotation", 1, DEG),)),
+    ("magnitude of the commanded rotation",
+     lambda m: (_single(COMMANDED, "commanded_rotation_magnitude", "abs(commandedRate)", DEG,
+                        "deg_s"),)),
+    (r"acceleration ([xyz])( squared|)", lambda m: (_force_power(m[1], m[2]),)),
+    (r"acceleration ([xyz]) times ([xyz])", _product),
+    (r"2nd harmonic of the pattern angle, times acceleration ([xyz])( squared|)",
+     lambda m: _angle(PATTERN, 2, _force_power(m[1], m[2]))),
+    (r"amplitude( squared|)", lambda m: (_power(STRETCH, "amplitude", _rate_power(m[1]), 1.0),)),
+    ("time since power-on", lambda m: (_power(HOURS, "time", 1, 1.0),)),
+    (r"settling in (\d+) s",
+     lambda m: (Basis(f"settling_{m[1]}s", f"exp(-t/{m[1]} s)", f"exp(-hours*3600/{m[1]})", 1.0,
+                      "", ("hours",)),)),
+)  # fmt: skip
+"""What the words of a term's function mean: basis functions by the words."""

@@ -1,0 +1,149 @@
+"""The search repeated around the gyro with its terms, whose responses are linear only nearby.
+
+A bias that depends on the pattern angle turns the pattern, and so changes itself. The candidate
+terms of the search lack this (docs/methods/equation.md, Eq. 4). What they miss of a large term must
+not be read as other terms.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.device.device import Device
+from pyhrg.gap.closing.equation.closed_fmu import ClosedFmu, load_closed_fmu, replay_closed
+from pyhrg.gap.closing.equation.proposal import list_coefficients, make_terms
+from pyhrg.gap.effects.candidate_terms import CandidateTerm, build_term_columns
+from pyhrg.gap.effects.catalogue import NoiseEffect
+from pyhrg.gap.effects.design import LinearTest, whiten_rows
+from pyhrg.gap.effects.sensitivities import linearize_test
+from pyhrg.gap.evidence.attribution import NEGLIGIBLE_CHI2, Attribution
+from pyhrg.gap.evidence.hypothesis import rank_under_noise
+from pyhrg.gap.evidence.posterior import Posterior, compare_noises
+from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels
+
+Array = NDArray[np.float64]
+Sizes = Mapping[CandidateTerm, Array]
+"""(d,) size of each term that can be written, in units of its columns."""
+
+MAX_ROUNDS = 4
+"""Number of searches around the gyro with its terms after which the last is taken. Chosen."""
+CONVERGENCE_SIGMA = 0.1
+"""The terms have converged when none moves by more than this many standard deviations. Chosen: as
+for effects."""
+
+
+def refine_terms(
+    simulation: Simulation, attribution: Attribution, noises: Sequence[NoiseEffect]
+) -> Attribution:
+    """Repeat the search around the device with the written terms of its most probable set, until
+    the terms stay. A search that did not converge is left as it is."""
+    without: list[ChannelValues] = []
+    simulated = [part.simulated for part in attribution.parts]
+    for _ in range(MAX_ROUNDS):
+        sizes = _list_sizes(attribution.posterior)
+        if not sizes or not attribution.settled:
+            break
+        if not without:
+            plain = load_closed_fmu(attribution.device, ())
+            without = _replay(plain, attribution)
+        terms = make_terms(attribution.posterior, list(sizes))
+        changed = _replay(load_closed_fmu(attribution.device, terms), attribution)
+        answers = [
+            add_channels(own, {name: on[name] - off[name] for name in off})
+            for own, on, off in zip(simulated, changed, without, strict=True)
+        ]
+        parts = tuple(
+            _linearize(simulation, attribution.nominal, part, own, sizes)
+            for part, own in zip(attribution.parts, answers, strict=True)
+        )
+        if _measure_change(attribution, parts, sizes) < NEGLIGIBLE_CHI2:
+            break
+        attribution = _search_around(attribution, parts, noises)
+        if _have_converged(attribution.posterior, sizes):
+            break
+    return attribution
+
+
+def _list_sizes(posterior: Posterior) -> dict[CandidateTerm, Array]:
+    best = posterior.best.ranking.best
+    return {
+        group: size
+        for group, size in best.sizes.items()
+        if isinstance(group, CandidateTerm) and list_coefficients(group)
+    }
+
+
+def _replay(fmu: ClosedFmu, attribution: Attribution) -> list[ChannelValues]:
+    return [replay_closed(fmu, part.device, part.test.inputs) for part in attribution.parts]
+
+
+def _search_around(
+    attribution: Attribution, parts: tuple[LinearTest, ...], noises: Sequence[NoiseEffect]
+) -> Attribution:
+    """The search with newly linearized tests."""
+    nominal = attribution.nominal
+    first = rank_under_noise(attribution.posterior.best.noise, nominal, parts)
+    posterior = compare_noises(first, nominal, parts, noises)
+    return replace(attribution, parts=parts, posterior=posterior)
+
+
+def _measure_change(attribution: Attribution, parts: Sequence[LinearTest], sizes: Sizes) -> float:
+    """Chi-square, over all tests, of what the new linearization changes in the output angle's
+    residual beside the terms."""
+    total = 0.0
+    for old, new in zip(attribution.parts, parts, strict=True):
+        left = [part.residual["gyro_angle"] - _respond(part, "gyro_angle", sizes)
+                for part in (old, new)]  # fmt: skip
+        change = (left[1] - left[0])[:, None]
+        white = whiten_rows(new, "gyro_angle", change, attribution.channel_noise).series
+        total += float((white**2).sum())
+    return total
+
+
+def _respond(part: LinearTest, channel: str, sizes: Sizes) -> Array:
+    """(n,) response of the terms in a channel."""
+    columns = dict(build_term_columns(part.where, channel))
+    own = [columns[term] @ size for term, size in sizes.items() if term.channel == channel]
+    return np.asarray(sum(own, np.zeros(len(part.residual[channel]))))
+
+
+def _linearize(
+    simulation: Simulation,
+    nominal: Device,
+    part: LinearTest,
+    answers: ChannelValues,
+    sizes: Sizes,
+) -> LinearTest:
+    """A test linearized around a device with terms; its residual is referred to no terms.
+
+    Other channels are compared at the measured angle, to which the terms have turned the pattern.
+    What the terms add to the output angle's residual is therefore taken out of them again.
+    """
+    around = linearize_test(
+        simulation, nominal, part.device, part.test, answers, part.sensitivities
+    )
+    residual = dict(around.residual)
+    for channel in residual:
+        residual[channel] = residual[channel] + _respond(around, channel, sizes)
+    turned = residual["gyro_angle"] - around.residual["gyro_angle"]
+    for channel in residual:
+        if channel != "gyro_angle":
+            slope = around.bryan_factor * around.slopes[channel]
+            residual[channel] = residual[channel] - slope * turned
+    return replace(around, residual=residual, simulated=part.simulated)
+
+
+def _have_converged(posterior: Posterior, before: Sizes) -> bool:
+    """Whether the most probable set has the same terms, each where it was."""
+    after, best = _list_sizes(posterior), posterior.best.ranking.best
+    if after.keys() != before.keys():
+        return False
+    return all(
+        np.all(
+            np.abs(size - before[term])
+            <= CONVERGENCE_SIGMA * np.sqrt(np.diag(best.covariances[best.groups.index(term)]))
+        )
+        for term, size in after.items()
+    )

@@ -1,0 +1,107 @@
+"""Proposed terms verified: the FMU of the identified gyro with them, run on the tests."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import chi2
+
+from pyhrg.gap.closing.closing import Closing, Residuals, compute_record_residuals
+from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu, replay_closed
+from pyhrg.gap.closing.equation.proposal import propose_terms
+from pyhrg.gap.closing.verification import SEED, estimate_noise_floor, measure_distance
+from pyhrg.gap.evidence.attribution import Attribution
+from pyhrg.gap.findings.term import Term
+from pyhrg.gap.replay.observations import ObservedTest
+from pyhrg.gap.replay.simulation import Simulation
+from pyhrg.gap.whitening.channel_noise import CampaignNoise
+from pyhrg.gap.whitening.whitening import whiten
+
+Array = NDArray[np.float64]
+
+UPPER_QUANTILE = 0.975
+"""Quantile of the noise floor above which a residual has an excess: that of a 95 % interval."""
+
+
+def verify_terms(
+    simulation: Simulation,
+    attribution: Attribution,
+    tests: Sequence[ObservedTest],
+    closing: Closing,
+) -> Closing:
+    """Closing by causes alone, made one by causes and proposed terms, each with what it removes of
+    the excess on held-out tests that the causes leave (docs/methods/equation.md, Eq. 6).
+
+    The residuals after closing are those of the FMU that is written as `closed.fmu`.
+    """
+    terms = propose_terms(attribution.posterior)
+    noise = attribution.channel_noise
+    if not terms:
+        return closing
+    after = _run(simulation, closing, tests, terms, ())
+    held_out = [i for i, test in enumerate(tests) if test.test.is_holdout]
+    chosen = [tests[i] for i in held_out]
+    causes_alone = [closing.after[i] for i in held_out]
+    verified = []
+    for term in terms:
+        others = [other for other in terms if other is not term]
+        alone = [after[i] for i in held_out]
+        if others:
+            alone = _run(simulation, closing, chosen, terms, others)
+        shrink = _compute_shrink(chosen, causes_alone, alone, noise, term.channel)
+        verified.append(replace(term, shrink_percent=shrink))
+    return replace(closing, after=tuple(after), terms=tuple(verified))
+
+
+def _run(
+    simulation: Simulation,
+    closing: Closing,
+    tests: Sequence[ObservedTest],
+    terms: Sequence[Term],
+    off: Sequence[Term],
+) -> list[Residuals]:
+    """Residuals of the FMU in tests, some of its terms off."""
+    device = closing.device
+    fmu = load_closed_fmu(device, terms, off)
+    answers = (replay_closed(fmu, device, test.inputs) for test in tests)
+    return [
+        compute_record_residuals(simulation, device, test, answer)
+        for test, answer in zip(tests, answers, strict=True)
+    ]
+
+
+def _compute_shrink(
+    tests: Sequence[ObservedTest],
+    before: Sequence[Residuals],
+    after: Sequence[Residuals],
+    noise: CampaignNoise,
+    channel: str,
+) -> float | None:
+    """Share of the excess over the noise floor that is removed in a channel, per cent; None where
+    the residual before has no excess."""
+    if not tests:
+        return None
+    if channel == "gyro_angle":
+        own = [[r[channel] for r in stage] for stage in (before, after)]
+        first, last = (float(measure_distance(tests, series)[0]) for series in own)
+        floor, upper = estimate_noise_floor(tests, noise.angle, SEED)[1:, 0].tolist()
+    else:
+        first, last = (_measure_whitened(tests, s, noise, channel) for s in (before, after))
+        n = sum(int(np.isfinite(r[channel]).sum()) for r in before)
+        floor, upper = 1.0, float(np.sqrt(chi2.ppf(UPPER_QUANTILE, max(n, 1)) / max(n, 1)))
+    return 100 * (first - last) / (first - floor) if first > upper else None
+
+
+def _measure_whitened(
+    tests: Sequence[ObservedTest], residuals: Sequence[Residuals], noise: CampaignNoise, name: str
+) -> float:
+    """Root mean square of a channel's whitened residual in tests, in sigma."""
+    white = []
+    for test, residual in zip(tests, residuals, strict=True):
+        rows = np.isfinite(residual[name])
+        if rows.any():
+            steps = np.diff(test.log.time[rows], prepend=0.0)
+            series = residual[name][rows][:, None]
+            white.append(whiten(series, steps, noise.get_model(name, test)).series[:, 0])
+    return float(np.sqrt(np.mean(np.concatenate(white) ** 2))) if white else 0.0

@@ -1,0 +1,54 @@
+"""A gyro of a Modelica file of one's own becomes an FMU."""
+
+from pathlib import Path
+
+import fmpy
+import pytest
+
+from fmu_build import BuildError, build_fmu
+
+TEXT = """model tilted "A gyro with a bias"
+  extends HRG.Interfaces.PartialGyro;
+  parameter HRG.Units.AngularRate bias = {bias!r} "Bias";
+  HRG.Gyroscopes.HRG gyro(
+    seed = seed, startAngle = startAngle, startAmplitude = startAmplitude,
+    angularRate = angularRate + bias,
+    virtualRotation = virtualRotation, accelerationX = accelerationX,
+    accelerationY = accelerationY, accelerationZ = accelerationZ,
+    caseTemperature = caseTemperature, biasVoltage = biasVoltage, vibration = vibration,
+    amplitudeSetpoint = amplitudeSetpoint, phaseOffset = phaseOffset, driveOn = driveOn) "Gyro";
+equation
+  gyroAngle = gyro.gyroAngle;
+  gyroRate = gyro.gyroRate;
+  patternAngle = gyro.patternAngle;
+  amplitude = gyro.amplitude;
+  quadrature = gyro.quadrature;
+  amplitudeForce = gyro.amplitudeForce;
+  quadratureForce = gyro.quadratureForce;
+  frequencyOffset = gyro.frequencyOffset;
+  valid = gyro.valid;
+end tilted;
+"""
+
+
+def build(folder: Path, bias: float) -> Path:
+    file = folder / "tilted.mo"
+    file.write_text(TEXT.format(bias=bias))
+    return build_fmu(class_file=file)
+
+
+def test_each_text_has_an_fmu_of_its_own(tmp_path: Path) -> None:
+    """The cache tells the files apart; the bias is the slope of the measured angle."""
+    paths = [build(tmp_path, bias) for bias in (1e-3, 2e-3)]
+    assert paths[0] != paths[1]
+    for path, bias in zip(paths, (1e-3, 2e-3), strict=True):
+        run = fmpy.simulate_fmu(str(path), stop_time=10, step_size=0.01, output=["gyroAngle"])
+        assert run["gyroAngle"][-1] - run["gyroAngle"][-101] == pytest.approx(bias, rel=1e-3)
+
+
+@pytest.mark.parametrize("name", ["missing.mo", "no-name.mo", "HRG.mo", "text.txt"])
+def test_a_file_that_is_no_class_is_refused(tmp_path: Path, name: str) -> None:
+    if name != "missing.mo":
+        (tmp_path / name).write_text("model M end M;")
+    with pytest.raises(BuildError, match=r"class file: .*expected"):
+        build_fmu(class_file=tmp_path / name)

@@ -1,0 +1,159 @@
+"""A sixth harmonic of the bias: proposed, written, built, verified; FMPy runs what was built."""
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+
+import fmpy
+import numpy as np
+import pytest
+
+from fmu_build import build_fmu, check_fmu
+from pyhrg.common.units import ARCSEC, DEG
+from pyhrg.gap.closing.equation.class_text import write_class
+from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu, replay_closed
+from pyhrg.gap.closing.equation.places import find_acting
+from pyhrg.gap.closing.equation.proposal import Coefficient, list_coefficients
+from pyhrg.gap.closing.prediction import predict
+from pyhrg.gap.diagnose import CampaignDiagnosis, diagnose
+from pyhrg.gap.effects.candidate_terms import CandidateTerm, build_term_columns
+from pyhrg.gap.effects.catalogue import Catalogue
+from pyhrg.gap.findings.diagnosis import read_diagnosis
+from pyhrg.gap.findings.term import Formula, Term
+from pyhrg.gap.replay.observations import CHANNELS
+from pyhrg.gap.replay.simulation import Simulation
+from tests.pyhrg.gap.closing.equation.planted import COS6, SIN6, record_sixth_harmonic
+from tests.pyhrg.gap.soundness.conftest import NOMINAL
+from tests.pyhrg.gap.test_diagnose import FEW, tiny
+
+AGREEMENT = 0.05 * ARCSEC
+"""Largest difference of two runs of one gyro."""
+
+
+@pytest.fixture(scope="module")
+def diagnosed(simulation: Simulation) -> CampaignDiagnosis:
+    campaign = record_sixth_harmonic(simulation.sampled)
+    return diagnose(campaign, catalogue=Catalogue(FEW), simulation=simulation)
+
+
+@pytest.fixture(scope="module")
+def written(diagnosed: CampaignDiagnosis, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("diagnosis")
+    diagnosed.write(folder)
+    return folder
+
+
+def test_the_sixth_harmonic_is_proposed_alone(diagnosed: CampaignDiagnosis) -> None:
+    (term,) = diagnosed.diagnosis.terms
+    assert (term.place, term.coordinates) == ("bias", ("wave_angle",))
+    assert term.function == "bias: harmonic 6 of the pattern angle"
+    assert term.probability > 0.95
+    for name, truth in (("bias_cos6_deg_h", COS6), ("bias_sin6_deg_h", SIN6)):
+        low, high = term.interval_95[name]
+        assert low <= truth <= high
+        assert high - low < 0.02
+
+
+def test_the_held_out_gap_shrinks(diagnosed: CampaignDiagnosis) -> None:
+    (term,) = diagnosed.diagnosis.terms
+    assert (term.shrink_percent or 0.0) > 90
+    assert (diagnosed.diagnosis.gap.shrink_percent or 0.0) > 90
+
+
+def test_the_file_says_the_same(diagnosed: CampaignDiagnosis, written: Path) -> None:
+    assert read_diagnosis(written) == diagnosed.diagnosis
+    (entry,) = json.loads((written / "diagnosis.json").read_text())["terms"]
+    assert entry["formula"]["modelica"] == "biasCos6*cos(6*pattern) + biasSin6*sin(6*pattern)"
+
+
+def test_closed_mo_builds_to_closed_fmu_without_findings(written: Path) -> None:
+    built = build_fmu(class_file=written / "closed.mo")
+    assert built.read_bytes() == (written / "closed.fmu").read_bytes()
+    assert check_fmu(built).finding_count == 0
+
+
+def test_fmpy_alone_gives_what_the_prediction_gives(
+    diagnosed: CampaignDiagnosis, written: Path, simulation: Simulation
+) -> None:
+    """The held-out log, its inputs at 10 ms, the defaults of `closed.fmu` but for noise."""
+    test = diagnosed.tests[-1]
+    inputs, steps = test.inputs, 50
+    rates = inputs.table.rates_in(steps)
+    latitude = NOMINAL.site.compute_earth_rate(1.0, 0.0, np.zeros(1))
+    table = np.zeros(rates.size, dtype=[("time", float), ("angularRate", float)])
+    table["time"] = np.arange(rates.size) * inputs.log.interval / steps
+    table["angularRate"] = rates.ravel() + float(np.ravel(latitude)[0])
+    silent = {"gyro.noise.angleRandomWalk": 0.0, "gyro.noise.pickOff": 0.0}
+    run = fmpy.simulate_fmu(
+        str(written / "closed.fmu"),
+        stop_time=len(inputs.log.time) * inputs.log.interval,
+        step_size=inputs.log.interval / steps,
+        output_interval=inputs.log.interval / steps,
+        start_values={"startAngle": inputs.start_angle, **silent},
+        input=_hold(table),
+        output=["gyroAngle"],
+    )
+    rows = np.arange(1, len(inputs.log.time) + 1) * steps
+    predicted = diagnosed_angle(diagnosed, written, simulation)
+    np.testing.assert_allclose(run["gyroAngle"][rows], predicted, rtol=0, atol=AGREEMENT)
+
+
+def _hold(table: np.ndarray) -> np.ndarray:
+    """Values that hold from their time on: FMPy interpolates between rows."""
+    held = np.repeat(table, 2)
+    held["time"][1:-1:2] = table["time"][1:] - 1e-7
+    held["time"][-1] = table["time"][-1] + 1.0
+    return held
+
+
+def diagnosed_angle(
+    diagnosed: CampaignDiagnosis, written: Path, simulation: Simulation
+) -> np.ndarray:
+    log = diagnosed.tests[-1].log
+    campaign = record_sixth_harmonic(simulation.sampled)
+    table = predict(written / "diagnosis.json", log, campaign, simulation=simulation)
+    return np.asarray(table["gyro_angle_deg"] * DEG)
+
+
+def test_no_gap_no_term_but_an_fmu(simulation: Simulation, tmp_path: Path) -> None:
+    found = diagnose(tiny(simulation), catalogue=Catalogue(FEW), simulation=simulation)
+    assert found.diagnosis.terms == ()
+    found.write(tmp_path)
+    assert "closed.fmu" in {file.name for file in tmp_path.iterdir()}
+    assert fmpy.read_model_description(str(tmp_path / "closed.fmu")).modelName == "closed"
+
+
+def test_every_candidate_term_can_be_written_at_once(
+    diagnosed: CampaignDiagnosis, simulation: Simulation
+) -> None:
+    """All terms at once build; without sizes they change nothing."""
+    part = diagnosed.attribution.parts[-1]
+    terms = []
+    for channel in CHANNELS:
+        for candidate, columns in build_term_columns(part.where, channel):
+            own = list_coefficients(candidate)
+            assert len(own) == (0 if candidate.is_of_each_power_on else columns.shape[1])
+            if own:
+                terms.append(_make_term(candidate, own))
+    names = [name for term in terms for name in term.parameters]
+    assert len(names) == len(set(names))
+    everything = load_closed_fmu(NOMINAL, terms)
+    plain = replay_closed(load_closed_fmu(NOMINAL, ()), NOMINAL, part.test.inputs)
+    same = replay_closed(everything, NOMINAL, part.test.inputs)
+    for channel in CHANNELS:
+        np.testing.assert_allclose(same[channel], plain[channel], rtol=0, atol=1e-15)
+    assert "parameter" in write_class(NOMINAL, terms, "All", ())
+
+
+def _make_term(candidate: CandidateTerm, own: Sequence[Coefficient]) -> Term:
+    return Term(
+        find_acting(candidate).place,
+        (candidate.coordinate,),
+        Formula("", " + ".join(f"{c.variable}*{c.basis.modelica}" for c in own)),
+        {c.name: 0.0 for c in own},
+        {c.name: (0.0, 0.0) for c in own},
+        1.0,
+        1.0,
+        candidate.channel,
+        candidate.function,
+    )

@@ -1,0 +1,61 @@
+"""Which terms are proposed: the false discovery rate, names, and every candidate term written."""
+
+import numpy as np
+import pytest
+
+from pyhrg.gap.closing.equation.forms import express_term
+from pyhrg.gap.closing.equation.places import find_acting
+from pyhrg.gap.closing.equation.proposal import list_coefficients, select_discoveries
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
+
+
+def test_the_expected_share_of_false_terms_is_bounded() -> None:
+    """0.99, 0.96 and 0.91 have a mean probability of being false of 0.047; with 0.9 it is 0.06."""
+    assert select_discoveries([0.91, 0.99, 0.9, 0.96]) == [1, 3, 0]
+    assert select_discoveries([0.94]) == []
+    assert select_discoveries([0.951]) == [0]
+    assert select_discoveries([]) == []
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_of_drawn_terms_few_are_false(seed: int) -> None:
+    """Terms that are true with their stated probability: the share of false ones among 20 000."""
+    generator = np.random.default_rng(seed)
+    probabilities = generator.uniform(0, 1, 20_000)
+    is_true = generator.uniform(size=20_000) < probabilities
+    chosen = select_discoveries(probabilities.tolist())
+    share = 1 - is_true[chosen].mean()
+    assert len(chosen) > 1000
+    assert share == pytest.approx(0.05, abs=4 * np.sqrt(0.05 * 0.95 / len(chosen)))
+
+
+@pytest.mark.parametrize(
+    ("channel", "coordinate", "function", "place", "names"),
+    [
+        ("gyro_angle", "wave_angle", "bias: harmonic 6 of the pattern angle", "bias",
+         ["bias_cos6_deg_h", "bias_sin6_deg_h"]),
+        ("gyro_angle", "wave_angle", "angle: harmonic 2 of the pattern angle", "readout",
+         ["readout_cos2_arcsec", "readout_sin2_arcsec"]),
+        ("gyro_angle", "table_angle", "angle: harmonic 1 of the table angle", "bench",
+         ["readout_cos1_table_arcsec", "readout_sin1_table_arcsec"]),
+        ("gyro_angle", "rate", "bias: rate cubed", "bias", ["bias_rate3_deg_h_per_deg3_s3"]),
+        ("amplitude_force", "amplitude", "amplitude squared", "damping",
+         ["damping_amplitude2_per_s"]),
+        ("quadrature_force", "temperature", "temperature^2", "stiffness",
+         ["stiffness_temperature2_per_s_per_K2"]),
+        ("frequency_offset", "time", "settling in 300 s", "stiffness",
+         ["frequency_settling_300s_Hz"]),
+        ("amplitude", "time", "time since power-on", "electronics",
+         ["electronics_time_amplitude_per_h"]),
+    ],
+)  # fmt: skip
+def test_place_and_names(
+    channel: str, coordinate: str, function: str, place: str, names: list[str]
+) -> None:
+    term = CandidateTerm(channel, coordinate, function)
+    assert find_acting(term).place == place
+    assert [c.name for c in list_coefficients(term)] == names
+
+
+def test_a_value_for_each_power_on_is_no_equation() -> None:
+    assert express_term(CandidateTerm("amplitude", "time", "a value for each power-on")) == ()

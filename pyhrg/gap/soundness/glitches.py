@@ -50,7 +50,7 @@ REACH = 2 * CONTEXT + MAX_LENGTH
 MIN_ROWS = 50
 """Fewest rows in which glitches are looked for. Chosen."""
 MAX_GLITCHES, MAX_GLITCH_SHARE = 6, 4e-3
-"""A column with more glitches than both, rows or share of rows, has noise instead. Chosen."""
+"""A column with more glitches than both, a number and a share of its rows, has noise. Chosen."""
 MAX_REPORTED = 3
 """Glitches of a column that are reported one by one."""
 

@@ -18,7 +18,7 @@ from pyhrg.gap.closing.prediction import predict
 from pyhrg.gap.diagnose import CampaignDiagnosis, diagnose
 from pyhrg.gap.effects.candidate_terms import CandidateTerm, build_term_columns
 from pyhrg.gap.effects.catalogue import Catalogue
-from pyhrg.gap.findings.diagnosis import read_diagnosis
+from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 from pyhrg.gap.findings.term import Formula, Term
 from pyhrg.gap.replay.observations import CHANNELS
 from pyhrg.gap.replay.simulation import Simulation

@@ -48,8 +48,9 @@ NEGLIGIBLE_CHI2 = 1.0
 """Linearization error, as chi-square, that counts as zero: the power of a row's noise. Chosen."""
 LINEAR_DISTANCE = math.sqrt(NEGLIGIBLE_CHI2 / LINEARIZATION_ERROR)
 """Mahalanobis length of a step with a negligible linearization error: 32 sigma. Derived."""
-MAX_ROUNDS = 20
-"""Number of iterations after which the search ends without convergence. Chosen."""
+KNOWN_ROUNDS, MAX_ROUNDS = 8, 20
+"""Iterations in which a search with known parameters must come near its end, and any must end.
+Chosen."""
 
 
 @dataclass(frozen=True)
@@ -102,18 +103,17 @@ def attribute_gap(
     """Find the effects and noises of the catalogue that make the gap in tests that may be fitted
     to. `report` is called with a line of text at each step.
 
-    Something outside the catalogue may drag known parameters far from their tolerances. Then steps
-    grow, and the search begins again with these parameters as told."""
+    Something outside the catalogue may drag known parameters far from their tolerances. Then the
+    search does not end, and begins again with these parameters as told."""
     iteration = _Iteration(simulation, nominal, tests, catalogue)
-    length = math.inf
     for number in range(1, MAX_ROUNDS + 1):
         report(f"round {number}: simulating")
         iteration.simulate()
         report(f"round {number}: searching")
         hypothesis = iteration.search()
-        length, previous = iteration.step_length(hypothesis), length
+        length = iteration.step_length(hypothesis)
         report(f"round {number}: step of {length:.3g} sigma")
-        if catalogue.known and length > max(previous, LINEAR_DISTANCE) and number > 3:
+        if catalogue.known and number >= KNOWN_ROUNDS and length > LINEAR_DISTANCE:
             report("the search diverges: what is known within a tolerance is taken as told")
             return attribute_gap(simulation, nominal, tests, replace(catalogue, known=()), report)
         has_converged = iteration.has_converged(hypothesis)

@@ -11,12 +11,12 @@ from pyhrg.common.progress import Progress, make_progress_reporter
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
 from pyhrg.gap.closing.closing import device_with_causes
-from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu, replay_closed
+from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu
 from pyhrg.gap.findings.diagnosis import Diagnosis, DiagnosisError
 from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 from pyhrg.gap.replay.observations import observe_test
 from pyhrg.gap.replay.replay import has_start_angle
-from pyhrg.gap.replay.simulation import Simulation, load_simulation
+from pyhrg.gap.replay.simulation import Simulation, load_simulation, replay_sampled
 from pyhrg.gap.soundness import nominal_device
 from pyhrg.gap.soundness.glitches import mend_inputs
 from pyhrg.gap.soundness.inputs import complete_inputs
@@ -80,7 +80,7 @@ def predict(
     test = observe_test(Test("prediction", "manoeuvre", "holdout", log), nominal)
     if found.terms:
         fmu = load_closed_fmu(identified, found.terms)
-        answers = replay_closed(fmu, identified, test.inputs)
+        answers = replay_sampled(fmu, identified, test.inputs)
     else:
         answers = (simulation or load_simulation(report)).simulate(identified, test)
     table = pd.DataFrame({"time_s": log.time, "gyro_angle_deg": answers["gyro_angle"] / DEG})

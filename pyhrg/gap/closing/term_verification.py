@@ -8,13 +8,13 @@ from numpy.typing import NDArray
 from scipy.stats import chi2
 
 from pyhrg.gap.closing.closing import Closing, Residuals, compute_record_residuals
-from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu, replay_closed
+from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu
 from pyhrg.gap.closing.equation.proposal import propose_terms
 from pyhrg.gap.closing.verification import SEED, estimate_noise_floor, measure_distance
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.findings.term import Term
 from pyhrg.gap.replay.observations import ObservedTest
-from pyhrg.gap.replay.simulation import Simulation
+from pyhrg.gap.replay.simulation import Simulation, replay_sampled
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
 from pyhrg.gap.whitening.whitening import whiten
 
@@ -64,7 +64,7 @@ def _run(
     """Residuals of the FMU in tests, some of its terms off."""
     device = closing.device
     fmu = load_closed_fmu(device, terms, off)
-    answers = (replay_closed(fmu, device, test.inputs) for test in tests)
+    answers = (replay_sampled(fmu, device, test.inputs) for test in tests)
     return [
         compute_record_residuals(simulation, device, test, answer)
         for test, answer in zip(tests, answers, strict=True)

@@ -41,9 +41,9 @@ class KnownParameters:
     @cached_property
     def marginal(self) -> Design:
         """Normal equations of all other groups, with the known parameters integrated out."""
-        whole, known, others = self.whole, self._known, self._others
         if not self.tolerances:
-            return whole
+            return self.whole
+        whole, known, others = self.whole, self._known, self._others
         cross = whole.gram[np.ix_(known, others)]
         gain = self._solve(cross)
         own = self._solve(whole.projection[known])

@@ -81,10 +81,11 @@ class Hypothesis:
 
     def identify_device(self, nominal: Device) -> Device:
         """The nominal device with the named effects, and the known parameters that are off."""
-        off = {effect: size for effect, (size, _) in self.list_departures().items()}
+        off = {effect: size for effect, (size, _) in self.departures.items()}
         return _put(nominal, {**self.ranking.best.named, **off})
 
-    def list_departures(self) -> dict[Effect, tuple[Array, Array]]:
+    @cached_property
+    def departures(self) -> dict[Effect, tuple[Array, Array]]:
         """(d,) departure and (d, d) covariance of each known parameter that is significantly off,
         SI."""
         covariances = self.known.compute_covariances(self.ranking.best.groups)
@@ -171,13 +172,12 @@ def rank_under_noise(
     channel_noise = replace(nominal_noise, angle=noise.noise)
     exact = build_design(parts, channel_noise)
     tolerances = _list_tolerances(nominal, parts)
+    known = KnownParameters(discount_model_error(exact, model_error), tolerances)
     if linearization_error:
         error = {where: linearization_error + power for where, power in model_error.items()}
         rough = KnownParameters(discount_model_error(exact, error), tolerances)
-        exact_known = KnownParameters(discount_model_error(exact, model_error), tolerances)
-        return Hypothesis(noise, channel_noise, rough, rank_sets(rough.marginal), exact_known)
+        return Hypothesis(noise, channel_noise, rough, rank_sets(rough.marginal), known)
     is_feasible = make_feasibility_check(nominal, parts[0].sensitivities)
-    known = KnownParameters(discount_model_error(exact, model_error), tolerances)
     ranking = rank_sets(known.marginal, is_feasible)
     hypothesis = Hypothesis(noise, channel_noise, known, ranking, known)
     removed = distinct_by_groups(hypothesis.sizes, hypothesis.effect_sizes)
@@ -210,10 +210,7 @@ def make_feasibility_check(nominal: Device, effects: Collection[Effect]) -> Call
             excess = math.hypot(*total) - high
         else:
             excess = max(low - float(total[0]), float(total[0]) - high)
-        if excess <= 0:
-            return True
-        along = size / (math.hypot(*size) or 1.0)
-        return excess <= NORMAL_95 * math.sqrt(float(along @ covariance @ along))
+        return excess <= 0 or excess <= NORMAL_95 * sigma_along(size, covariance)
 
     def is_feasible(fit: Fit) -> bool:
         groups = zip(fit.groups, fit.values, fit.covariances, strict=True)

@@ -98,7 +98,7 @@ def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[
 def _find_known_causes(attribution: Attribution) -> list[Cause]:
     """Known parameters that are, more probably than not, off by more than their tolerance."""
     causes = []
-    for effect, (size, covariance) in attribution.posterior.best.list_departures().items():
+    for effect, (size, covariance) in attribution.posterior.best.departures.items():
         total = effect.vector(attribution.nominal) + size
         probability = _compute_beyond(effect.tolerance_of(attribution.nominal), size, covariance)
         if probability > UNEXPLAINED_PROBABILITY:
@@ -112,7 +112,7 @@ def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
     """Known parameters that the tests show to be off, but by no more than their tolerance."""
     values = []
     nominal = attribution.nominal
-    for effect, (size, covariance) in attribution.posterior.best.list_departures().items():
+    for effect, (size, covariance) in attribution.posterior.best.departures.items():
         tolerance = effect.tolerance_of(nominal)
         if _compute_beyond(tolerance, size, covariance) <= UNEXPLAINED_PROBABILITY:
             told = effect.vector(nominal)

@@ -140,7 +140,7 @@ def replay_inputs(
     with fmu.power_on(parameters, seed=0, start_angle=inputs.start_angle) as on:
         rows = record_rows(on, varying, held, step, LOOP_OUTPUTS)
     change = read_change(rows, Device(), device, inputs.log)
-    return {name: values + change.get(name, 0.0) for name, values in rows.items()}
+    return {name: values + change[name] for name, values in rows.items()}
 
 
 def _correct_temperatures(device: Device, inputs: ReplayInputs) -> Array:

@@ -101,21 +101,13 @@ class Simulation:
         parameters or inputs; so do the methods below.
         """
         if np.mean(test.transient) > MAX_TRANSIENT_SHARE:
-            return self._run_sampled(device, test.inputs)
+            return replay_sampled(self.sampled, device, test.inputs)
         settled = self._run_with_phase_lag(device, test.inputs)
         corrected = self._correct_angles(settled, device, test)
         turned = corrected["wave_angle"] - settled["wave_angle"]
         slopes = self.differentiate_by_angle(device, test).slopes
         shifted = {name: slopes[name] * turned for name in CHANNELS if name not in ANGLES}
         return add_channels(_apply_loop_response(corrected, device, test), shifted)
-
-    def _run_sampled(
-        self, device: Device, inputs: ReplayInputs, steps: int = STEPS_PER_ROW
-    ) -> dict[str, Array]:
-        """With sampled loops; communication steps are whole numbers of control periods."""
-        periods = round(inputs.log.interval / CONTROL_PERIOD)
-        each = next(n for n in range(max(periods // steps, 1), 0, -1) if periods % n == 0)
-        return replay_inputs(self.sampled, device, inputs, each * CONTROL_PERIOD)
 
     def _run_with_phase_lag(self, device: Device, inputs: ReplayInputs) -> dict[str, Array]:
         """With quasi-steady loops, and the phase loop's lag behind a frequency that drifts."""
@@ -141,7 +133,7 @@ class Simulation:
                 turned = settled["wave_angle"][begin - 1] + corrections["wave_angle"][begin - 1]
                 angle = math.remainder(turned, math.pi)
             inputs = test.inputs.section(slice(begin, rows.stop), angle)
-            sampled = self._run_sampled(device, inputs)
+            sampled = replay_sampled(self.sampled, device, inputs)
             quasi_steady = self._run_with_phase_lag(device, inputs)
             for name in ANGLES:
                 apart = sampled[name] - quasi_steady[name]
@@ -208,10 +200,19 @@ class Simulation:
         """With quasi-steady loops unless the test is short, in steps that suffice for small
         differences."""
         if is_short(len(inputs.log.time), inputs.log.interval):
-            return self._run_sampled(device, inputs, STEPS_PER_FINE_ROW)
+            return replay_sampled(self.sampled, device, inputs, STEPS_PER_FINE_ROW)
         interval = inputs.log.interval
         step = interval / STEPS_PER_FINE_ROW if interval < FINE_ROW else COARSE_STEP
         return replay_inputs(self.quasi_steady, device, inputs, step)
+
+
+def replay_sampled(
+    fmu: GyroFmu, device: Device, inputs: ReplayInputs, steps: int = STEPS_PER_ROW
+) -> dict[str, Array]:
+    """A replay with sampled loops; communication steps are whole numbers of control periods."""
+    periods = round(inputs.log.interval / CONTROL_PERIOD)
+    each = next(n for n in range(max(periods // steps, 1), 0, -1) if periods % n == 0)
+    return replay_inputs(fmu, device, inputs, each * CONTROL_PERIOD)
 
 
 def is_short(rows: int, interval: float) -> bool:

@@ -1,27 +1,18 @@
-"""The FMU of the identified gyro with its terms: built from `closed.mo`, run on a test's inputs."""
+"""The FMU of the identified gyro with its terms: built from `closed.mo`."""
 
 import tempfile
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
-
-import numpy as np
-from numpy.typing import NDArray
 
 from fmu_build.bundle import build_fmu
 from pyhrg.device.device import Device
-from pyhrg.fmu import CONTROL_PERIOD, GyroFmu
+from pyhrg.fmu import GyroFmu
 from pyhrg.fmu.gyro import Gyro
 from pyhrg.gap.closing.equation.class_text import CLASS, write_class
 from pyhrg.gap.closing.equation.proposal import as_candidate, list_coefficients
 from pyhrg.gap.findings.term import Term
-from pyhrg.gap.replay.replay import ReplayInputs, replay_inputs
-
-Array = NDArray[np.float64]
 
 MODEL_FILE, FMU_FILE = f"{CLASS}.mo", f"{CLASS}.fmu"
-STEPS_PER_ROW = 100
-"""Communication steps in a row, where it has so many control periods. Chosen: as in a replay."""
 
 
 class ClosedFmu(GyroFmu):
@@ -61,14 +52,5 @@ def build_closed_fmu(text: str) -> Path:
 
 
 def load_closed_fmu(device: Device, terms: Sequence[Term], off: Sequence[Term] = ()) -> ClosedFmu:
-    """The FMU of a device with terms, ready to be run, some of the terms off."""
+    """The FMU of a device with terms, ready for `replay_sampled`, some of the terms off."""
     return ClosedFmu(build_closed_fmu(write_class(device, terms, "Verified gyro", ())), device, off)
-
-
-def replay_closed(fmu: ClosedFmu, device: Device, inputs: ReplayInputs) -> dict[str, Array]:
-    """Noise-free outputs for a test's inputs, (n,) SI by field of a log."""
-    periods = round(inputs.log.interval / CONTROL_PERIOD)
-    least = max(periods // STEPS_PER_ROW, 1)
-    each = next(n for n in range(least, 0, -1) if periods % n == 0)
-    silent = replace(device.without_noise(), quantization_step=0.0)
-    return replay_inputs(fmu, silent, inputs, each * CONTROL_PERIOD)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
-from pyhrg.gap.closing.equation.closed_fmu import ClosedFmu, load_closed_fmu, replay_closed
+from pyhrg.gap.closing.equation.closed_fmu import ClosedFmu, load_closed_fmu
 from pyhrg.gap.closing.equation.proposal import list_coefficients, make_terms
 from pyhrg.gap.effects.candidate_terms import CandidateTerm, build_term_columns
 from pyhrg.gap.effects.catalogue import NoiseEffect
@@ -21,7 +21,7 @@ from pyhrg.gap.effects.sensitivities import linearize_test
 from pyhrg.gap.evidence.attribution import NEGLIGIBLE_CHI2, Attribution
 from pyhrg.gap.evidence.hypothesis import rank_under_noise
 from pyhrg.gap.evidence.posterior import Posterior, compare_noises
-from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels
+from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels, replay_sampled
 
 Array = NDArray[np.float64]
 Sizes = Mapping[CandidateTerm, Array]
@@ -76,7 +76,7 @@ def _list_sizes(posterior: Posterior) -> dict[CandidateTerm, Array]:
 
 
 def _replay(fmu: ClosedFmu, attribution: Attribution) -> list[ChannelValues]:
-    return [replay_closed(fmu, part.device, part.test.inputs) for part in attribution.parts]
+    return [replay_sampled(fmu, part.device, part.test.inputs) for part in attribution.parts]
 
 
 def _search_around(

@@ -11,7 +11,7 @@ import pytest
 from fmu_build import build_fmu, check_fmu
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.gap.closing.equation.class_text import write_class
-from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu, replay_closed
+from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu
 from pyhrg.gap.closing.equation.places import find_acting
 from pyhrg.gap.closing.equation.proposal import Coefficient, list_coefficients
 from pyhrg.gap.closing.prediction import predict
@@ -21,7 +21,7 @@ from pyhrg.gap.effects.catalogue import Catalogue
 from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 from pyhrg.gap.findings.term import Formula, Term
 from pyhrg.gap.replay.observations import CHANNELS
-from pyhrg.gap.replay.simulation import Simulation
+from pyhrg.gap.replay.simulation import Simulation, replay_sampled
 from tests.pyhrg.gap.closing.equation.planted import COS6, SIN6, record_sixth_harmonic
 from tests.pyhrg.gap.soundness.conftest import NOMINAL
 from tests.pyhrg.gap.test_diagnose import FEW, tiny
@@ -138,8 +138,8 @@ def test_every_candidate_term_can_be_written_at_once(
     names = [name for term in terms for name in term.parameters]
     assert len(names) == len(set(names))
     everything = load_closed_fmu(NOMINAL, terms)
-    plain = replay_closed(load_closed_fmu(NOMINAL, ()), NOMINAL, part.test.inputs)
-    same = replay_closed(everything, NOMINAL, part.test.inputs)
+    plain = replay_sampled(load_closed_fmu(NOMINAL, ()), NOMINAL, part.test.inputs)
+    same = replay_sampled(everything, NOMINAL, part.test.inputs)
     for channel in CHANNELS:
         np.testing.assert_allclose(same[channel], plain[channel], rtol=0, atol=1e-15)
     assert "parameter" in write_class(NOMINAL, terms, "All", ())

@@ -14,7 +14,7 @@ from ins_eval.study.experiment import (
 from ins_eval.study.gyros.maker import Method
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.scores.judge import judge_bounds
-from ins_eval.study.scores.resampling import CONFIDENCE, bootstrap
+from ins_eval.study.scores.resampling import bootstrap
 from ins_eval.study.specification import Study
 from ins_eval.study.tables import score
 from ins_eval.study.tables.score import ALL, Score
@@ -56,16 +56,12 @@ def _score_group(
         for errors in zip(*_select_final_errors(arrays, method, missions), strict=True)
     ]
     estimate = bootstrap(compute_relative_difference, samples, study.seed)
-    return Score(
+    return estimate.score(
         score=score.AGREEMENT,
         predictor="",
         calibration=method,
         mission_class=mission_class,
         role=ALL,
-        value=estimate.value,
-        low=estimate.low,
-        high=estimate.high,
-        confidence=CONFIDENCE,
         n=len(samples[0]),
         seed=study.seed,
         asked=f"<= {LARGEST_RELATIVE_DIFFERENCE:g}",

@@ -17,7 +17,7 @@ from ins_eval.study.gyros.maker import Method
 from ins_eval.study.predictors.class_constants import compute_constant
 from ins_eval.study.report import page
 from ins_eval.study.run.block import Arrays
-from ins_eval.study.scores.resampling import CONFIDENCE, bootstrap
+from ins_eval.study.scores.resampling import bootstrap
 from ins_eval.study.scores.score_flights import score_flights
 from ins_eval.study.specification import CONDITION, TEST, TRAIN, Study
 from ins_eval.study.study_data import (
@@ -111,16 +111,12 @@ def _score_constants(study: Study, trained: Mapping[Method, Training]) -> Iterat
         for mission_class, rules in training.rules.items():
             for key, rule in rules.items():
                 constant = bootstrap(compute_constant, [rule.ratios], study.seed)
-                yield Score(
+                yield constant.score(
                     score=score.CLASS_CONSTANT,
                     predictor=key,
                     calibration=method,
                     mission_class=mission_class,
                     role=TRAIN,
-                    value=constant.value,
-                    low=constant.low,
-                    high=constant.high,
-                    confidence=CONFIDENCE,
                     n=len(rule.ratios),
                     seed=study.seed,
                 )

@@ -34,14 +34,12 @@ AXES = 3
 class Agreement:
     """Linear and nonlinear position error compared, rms over triads and times, m.
 
-    triads: number of triads; flown: rms of the nonlinear error; difference: rms of the difference;
-    worst: largest ratio of the two for a single triad.
+    triads: number of triads; flown: rms of the nonlinear error; difference: rms of the difference.
     """
 
     triads: int
     flown: float
     difference: float
-    worst: float
 
     @property
     def share(self) -> float:
@@ -114,14 +112,11 @@ def cosimulate(
 
 def compare_errors(linear: Array, nonlinear: Array) -> Agreement:
     """Comparison of errors (r, k, 2), m, of the same triads."""
-    difference = np.square(linear - nonlinear).sum(-1)
-    size = np.square(nonlinear).sum(-1)
-    return Agreement(
-        triads=len(linear),
-        flown=float(np.sqrt(size.mean())),
-        difference=float(np.sqrt(difference.mean())),
-        worst=float(np.sqrt((difference.mean(-1) / size.mean(-1)).max())),
-    )
+
+    def rms(errors: Array) -> float:
+        return float(np.sqrt(np.square(errors).sum(-1).mean()))
+
+    return Agreement(len(linear), rms(nonlinear), rms(linear - nonlinear))
 
 
 def tilt_input_axes(mounting: Array) -> Array:

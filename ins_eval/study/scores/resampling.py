@@ -6,9 +6,12 @@ in front, and gives one number for each resample.
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from ins_eval.study.tables.score import Score
 
 Array = NDArray[np.float64]
 Statistic = Callable[..., Array]
@@ -26,6 +29,12 @@ class Estimate:
     value: float
     low: float
     high: float
+
+    def score(self, **fields: Any) -> Score:
+        """The score that this estimate gives; `fields` are the others of `Score`."""
+        return Score(
+            value=self.value, low=self.low, high=self.high, confidence=CONFIDENCE, **fields
+        )
 
 
 def bootstrap(

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.study.scores.groups import FlightGroup
-from ins_eval.study.scores.resampling import CONFIDENCE, Estimate, Statistic, bootstrap
+from ins_eval.study.scores.resampling import Estimate, Statistic, bootstrap
 from ins_eval.study.tables import columns
 from ins_eval.study.tables.score import Score
 
@@ -56,16 +56,12 @@ class Scorer:
         verdict: str = "",
     ) -> Score:
         """The score of this group from an estimate; arguments are fields of `Score`."""
-        return Score(
+        return estimate.score(
             score=name,
             predictor=key,
             calibration=self.group.calibration,
             mission_class=self.group.mission_class,
             role=self.group.role,
-            value=estimate.value,
-            low=estimate.low,
-            high=estimate.high,
-            confidence=CONFIDENCE,
             n=self.group.triads,
             seed=self.seed,
             shuffled=shuffled,

@@ -19,6 +19,10 @@ Array = NDArray[np.float64]
 
 LEVELS = {"ideal": 0.0, "good-lab": 1.0, "rough-lab": 3.0}
 """Levels of realism: the largest error of each value, in its tolerance."""
+NOMINAL = tuple(
+    k.fields[0] for k in KNOWN if k.family == "nominal" and k.fields[0] != "frequency_error"
+)
+"""Fields of a device that a campaign tells; the frequency is told as an error of its own."""
 LOST_SHARE, OUTLIER_SHARE = 1e-3, 3e-4
 """Shares of rows that a good laboratory's recorder loses, and that hold a wrong angle. Chosen."""
 OUTLIER_SIZE = 0.05 * DEG
@@ -42,9 +46,7 @@ class Laboratory:
 
     def true_device(self, told: Device) -> Device:
         """The gyro that differs from the told one in its nominal values."""
-        fields = {"decay_time", "frequency_per_kelvin", "thermal_lag"}
-        fields |= {"amplitude_loop", "quadrature_loop", "phase_loop"}
-        own: dict[str, Any] = {f: getattr(told, f) + self.errors.get(f, 0.0) for f in fields}
+        own: dict[str, Any] = {f: getattr(told, f) + self.errors.get(f, 0.0) for f in NOMINAL}
         frequency = told.frequency + self.errors.get("frequency_error", 0.0)
         latitude = told.site.latitude + self.errors.get("latitude_error", 0.0)
         site = replace(told.site, latitude=latitude)

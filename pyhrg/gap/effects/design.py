@@ -19,6 +19,8 @@ from pyhrg.gap.whitening.whitening import WhitenedSeries, whiten
 Array = NDArray[np.float64]
 Group = Effect | CandidateTerm
 """What a group of the design's columns stands for."""
+Sizes = Mapping[Group, Array]
+"""Size of each group, in units of its columns."""
 TestChannel = tuple[str, str]
 """Id of a test, and a channel."""
 

@@ -14,11 +14,9 @@ from numpy.typing import NDArray
 from scipy.linalg import cho_factor, cho_solve
 
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.design import Design, Group
+from pyhrg.gap.effects.design import Design, Group, Sizes
 
 Array = NDArray[np.float64]
-Sizes = Mapping[Group, Array]
-"""Size of each group, in units of its columns."""
 
 
 @dataclass(frozen=True)

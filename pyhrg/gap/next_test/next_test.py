@@ -24,6 +24,7 @@ from pyhrg.gap.effects.design import (
     Design,
     Group,
     LinearTest,
+    Sizes,
     build_design,
     compute_excess_power,
     discount_model_error,
@@ -41,8 +42,6 @@ from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.gap.whitening.whitening import NoiseModel
 
 Array = NDArray[np.float64]
-Sizes = Mapping[Group, Array]
-"""Size of each group, in units of its columns."""
 Pair = tuple[int, int]
 """Indices of two hypotheses."""
 

@@ -5,7 +5,7 @@
 #include "model.h"
 
 typedef struct {
-  double v[MODEL_VARIABLES];
+  real v[MODEL_VARIABLES];
   double start;      /* time of the first tick */
   double offset;     /* time since the last tick */
   long long ticks;   /* ticks executed */

@@ -1,7 +1,7 @@
 /* Dormand-Prince step of eighth order, without its error estimate (E. Hairer, S. P. Norsett, G. Wanner,
    Solving Ordinary Differential Equations I, DOP853); included where STATES and derivatives() are
    known. Its amplitude error per radian of an oscillation is below 1e-13 at 30 steps a cycle. */
-static inline void dormand_prince_8(const double *v, double *x, double h) {
+static inline void dormand_prince_8(const real *v, real *x, double h) {
   static const double a[12][11] = {
       {0.0},
       {0.05260015195876773},
@@ -17,7 +17,7 @@ static inline void dormand_prince_8(const double *v, double *x, double h) {
       {2.273310147516538, 0.0, 0.0, -10.53449546673725, -2.0008720582248625, -17.9589318631188, 27.94888452941996, -2.8589982771350235, -8.87285693353063, 12.360567175794303, 0.6433927460157636},
   };
   static const double b[12] = {0.054293734116568765, 0.0, 0.0, 0.0, 0.0, 4.450312892752409, 1.8915178993145003, -5.801203960010585, 0.3111643669578199, -0.1521609496625161, 0.20136540080403034, 0.04471061572777259};
-  double k[12][STATES], y[STATES], sum[STATES] = {0.0};
+  real k[12][STATES], y[STATES], sum[STATES] = {0.0};
   for (int stage = 0; stage < 12; stage++) {
     for (int i = 0; i < STATES; i++) y[i] = x[i];
     for (int j = 0; j < stage; j++)

@@ -1,6 +1,6 @@
 /* Explicit midpoint step, second order; included where STATES and derivatives() are known. */
-static inline void midpoint(const double *v, double *x, double h) {
-  double k[STATES], y[STATES];
+static inline void midpoint(const real *v, real *x, double h) {
+  real k[STATES], y[STATES];
   derivatives(v, x, k);
   for (int i = 0; i < STATES; i++) y[i] = x[i] + 0.5 * h * k[i];
   derivatives(v, y, k);

@@ -4,25 +4,24 @@
 #define MODEL_H
 
 #include "model_constants.h"
-
-#include <math.h>
+#include "real.h"
 
 /* Default values of settable parameters and inputs. */
-void model_defaults(double *v);
+void model_defaults(real *v);
 /* Dependent parameters, from the settable ones. */
-void model_parameters(double *v);
+void model_parameters(real *v);
 /* Start values of states and sampled variables, from the parameters. */
-void model_start(double *v);
+void model_start(real *v);
 /* What depends on inputs and sampled variables, no state: after inputs were set. Samples keep up
    what they change themselves. */
-void model_held(double *v);
+void model_held(real *v);
 /* Continuous states over a step h, inputs and sampled variables held. */
-void model_step(double *v, double h);
+void model_step(real *v, double h);
 /* One sample of the clocks that are due at this multiple of the base period MODEL_PERIOD(v). */
-void model_tick(double *v, long long index);
+void model_tick(real *v, long long index);
 /* Continuous variables at the present state. */
-void model_outputs(double *v);
+void model_outputs(real *v);
 /* Whether the continuous states, the samples that act on them, and the sampled outputs are finite. */
-int model_is_finite(const double *v);
+int model_is_finite(const real *v);
 
 #endif

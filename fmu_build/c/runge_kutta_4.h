@@ -1,6 +1,6 @@
 /* Classical Runge-Kutta step of fourth order; included where STATES and derivatives() are known. */
-static inline void runge_kutta_4(const double *v, double *x, double h) {
-  double k1[STATES], k2[STATES], k3[STATES], k4[STATES], y[STATES];
+static inline void runge_kutta_4(const real *v, real *x, double h) {
+  real k1[STATES], k2[STATES], k3[STATES], k4[STATES], y[STATES];
   derivatives(v, x, k1);
   for (int i = 0; i < STATES; i++) y[i] = x[i] + 0.5 * h * k1[i];
   derivatives(v, y, k2);

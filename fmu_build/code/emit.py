@@ -1,6 +1,7 @@
 """Expressions of the flat model as C."""
 
 import math
+import re
 from collections.abc import Collection
 
 from fmu_build.equations.dae import Dae, Function, Node
@@ -20,14 +21,17 @@ _BINARY = {
 _BUILTIN = {
     "floor": "m_floor",
     "integer": "m_floor",
-    "abs": "fabs",
-    "sqrt": "sqrt",
+    "abs": "m_abs",
+    "sqrt": "m_sqrt",
     "sin": "m_sin",
     "cos": "m_cos",
     "atan2": "m_atan2",
     "log": "m_log",
     "exp": "m_exp",
 }
+
+_COSTLY = re.compile(r" / |\b(?!m_abs\b|m_square\b)\w+\(")
+"""A division or a call. Gyros side by side (`c/real.h`) leave out what none of them needs."""
 
 
 class Emitter:
@@ -154,7 +158,13 @@ class Emitter:
         before = len(self.statements)
         text = self.scalar(fallback, element)
         for condition, branch in zip(reversed(pairs[::2]), reversed(pairs[1::2]), strict=True):
-            text = f"({self.scalar(condition)} ? {self.scalar(branch, element)} : {text})"
+            either = self.scalar(condition), self.scalar(branch, element), text
+            is_costly = _COSTLY.search(" ".join(either[1:]))
+            text = (
+                "CHOOSE({}, {}, {})".format(*either)
+                if is_costly
+                else "({} ? {} : {})".format(*either)
+            )
         if len(self.statements) != before:
             raise ValueError("a vector-valued call within a conditional is not supported")
         return text
@@ -165,12 +175,17 @@ class Emitter:
             return f"{name_function(function)}({', '.join(self._arguments(n))})"
         if node not in self._calls:
             result = f"r{node}"
-            self.statements.append(f"double {result}[{function.values[0].size}];")
-            arguments = ", ".join([*self._arguments(n), result])
-            self.statements.append(f"{name_function(function)}({arguments});")
-            self._calls[node] = result
+            self.statements.append(f"real {result}[{function.values[0].size}];")
+            self.call_onto(node, result)
         assert element is not None
         return f"{self._calls[node]}[{element}]"
+
+    def call_onto(self, node: int, storage: str) -> None:
+        """Add the statement that writes a vector-valued call's result where `storage` points."""
+        n = self.dae.nodes[node]
+        arguments = ", ".join([*self._arguments(n), storage])
+        self.statements.append(f"{name_function(self.dae.functions[n.value])}({arguments});")
+        self._calls[node] = storage
 
     def _arguments(self, n: Node) -> list[str]:
         result = []
@@ -189,7 +204,7 @@ class Emitter:
             variable = self.dae.variables[n.value]
             if variable.role != "state" and n.value not in self._registers:
                 return f"&v[{variable.offset}]"
-        return f"(const double[]){{{', '.join(self.elements(argument))}}}"
+        return f"(const real[]){{{', '.join(self.elements(argument))}}}"
 
 
 def name_function(function: Function) -> str:

@@ -1,7 +1,8 @@
 """Functions of the flat model as C: their statements, and vectors that are one of several."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 
+from fmu_build.code.accesses import list_statements
 from fmu_build.code.emit import Emitter, name_function
 from fmu_build.equations.dae import Dae, Function, Json
 
@@ -9,13 +10,12 @@ from fmu_build.equations.dae import Dae, Function, Json
 def write_signature(function: Function, linkage: str) -> str:
     """C declaration of a Modelica function; a vector result is written through a last pointer."""
     parameters = [
-        f"double a_{p.name}" if p.size is None else f"const double *a_{p.name}"
-        for p in function.inputs
+        f"real a_{p.name}" if p.size is None else f"const real *a_{p.name}" for p in function.inputs
     ]
     output = function.values[0]
     if output.size is not None:
-        parameters.append(f"double *restrict l_{output.name}")
-    kind = "double" if output.size is None else "void"
+        parameters.append(f"real *l_{output.name}")
+    kind = "real" if output.size is None else "void"
     return f"{linkage} {kind} {name_function(function)}({', '.join(parameters)})"
 
 
@@ -24,34 +24,12 @@ def write_function(dae: Dae, function: Function, linkage: str) -> list[str]:
     output, *rest = function.values
     lines = [f"{write_signature(function, linkage)} {{"]
     for local in rest if output.size is not None else function.values:
-        lines.append(f"  double l_{local.name}{f'[{local.size}]' if local.size else ''};")
-    for statement in _without_refills(dae, function.statements):
+        lines.append(f"  real l_{local.name}{f'[{local.size}]' if local.size else ''};")
+    for statement in list_statements(dae, function):
         lines.extend(_statement(dae, function, statement, "  ", nested=False))
     if output.size is None:
         lines.append(f"  return l_{output.name};")
     return [*lines, "}"]
-
-
-def _without_refills(dae: Dae, statements: Iterable[Json]) -> list[Json]:
-    """Leave out initial values that the next statements overwrite with initial values again."""
-    result: list[Json] = []
-    run: dict[int, Json] = {}
-    for statement in statements:
-        if _is_fill(dae, statement):
-            run[statement["assignment"]["target"]] = statement
-        else:
-            result += [*run.values(), statement]
-            run.clear()
-    return [*result, *run.values()]
-
-
-def _is_fill(dae: Dae, statement: Json) -> bool:
-    if "assignment" not in statement:
-        return False
-    node = dae.nodes[statement["assignment"]["rhs"]]
-    if node.kind == "comprehension":
-        node = dae.nodes[node.args[0]]
-    return node.kind == "literal"
 
 
 def _statement(
@@ -119,7 +97,7 @@ def write_alternatives(
     lines: list[str] = []
     for condition, branch in zip(pairs[::2], pairs[1::2], strict=True):
         emitter = Emitter(dae)
-        head = f"{'} else if' if lines else 'if'} ({emitter.scalar(condition)}) {{"
+        head = f"{'} else if' if lines else 'if'} (GO({emitter.scalar(condition)})) {{"
         if emitter.statements:
             raise ValueError("a vector-valued call within a condition is not supported")
         lines += [head, *assigned(branch)]

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from functools import partial
 from itertools import groupby
 
+from fmu_build.code.accesses import can_replace
 from fmu_build.code.emit import Emitter, name_function
 from fmu_build.code.functions import write_alternatives, write_function
 from fmu_build.equations.dae import Dae
@@ -24,15 +25,15 @@ def generate_source(dae: Dae, integrator: str = "runge_kutta_4") -> str:
         '#include "arithmetic.h"',
         '#include "model.h"',
         *_functions(dae, "\n".join(derivatives)),
-        *_procedure("void model_parameters(double *v)", _stores(dae, plan.parameters)),
-        *_procedure("void model_defaults(double *v)", _defaults(dae)),
-        *_procedure("void model_start(double *v)", _stores(dae, plan.starts)),
-        *_procedure("void model_held(double *v)", _stores(dae, plan.held)),
+        *_procedure("void model_parameters(real *v)", _stores(dae, plan.parameters)),
+        *_procedure("void model_defaults(real *v)", _defaults(dae)),
+        *_procedure("void model_start(real *v)", _stores(dae, plan.starts)),
+        *_procedure("void model_held(real *v)", _stores(dae, plan.held)),
         *derivatives,
         *_step(dae, integrator),
-        *_procedure("void model_tick(double *v, long long index)", _tick(dae, plan)),
-        *_procedure("int model_is_finite(const double *v)", _finite(dae, plan)),
-        *_procedure("void model_outputs(double *v)", outputs),
+        *_procedure("void model_tick(real *v, long long index)", _tick(dae, plan)),
+        *_procedure("int model_is_finite(const real *v)", _finite(dae, plan)),
+        *_procedure("void model_outputs(real *v)", outputs),
     ]
     return "\n".join(parts) + "\n"
 
@@ -90,6 +91,11 @@ def _stores(dae: Dae, assignments: Iterable[Assignment]) -> list[str]:
 def _stored(emitter: Emitter, expression: int, target: int) -> list[str]:
     emitter.target = target
     variable = emitter.dae.variables[target]
+    if _is_in_place(emitter.dae, expression, target):
+        emitter.call_onto(expression, f"(v + {variable.offset})")
+        lines = emitter.statements.copy()
+        emitter.statements.clear()
+        return lines
     is_scalar = emitter.size(expression) is None
     lines = []
     for element in range(variable.count):
@@ -98,6 +104,18 @@ def _stored(emitter: Emitter, expression: int, target: int) -> list[str]:
         emitter.statements.clear()
         lines.append(f"v[{variable.offset + element}] = {text};")
     return lines
+
+
+def _is_in_place(dae: Dae, expression: int, target: int) -> bool:
+    """Whether an expression is a call of a function that can write its result over the target's
+    `pre` value, which it reads."""
+    node = dae.nodes[expression]
+    if node.kind != "call":
+        return False
+    function = dae.functions[node.value]
+    arguments = [dae.nodes[argument] for argument in node.args]
+    given = [i for i, n in enumerate(arguments) if n.kind == "pre" and n.value == target]
+    return bool(given) and all(can_replace(dae, function, ordinal) for ordinal in given)
 
 
 def _branch(dae: Dae, target: int, expression: int) -> list[str]:
@@ -114,7 +132,7 @@ def _scalars(dae: Dae, role: str) -> list[int]:
 def _states(dae: Dae, lines: Iterable[str]) -> list[str]:
     """C variables of the states that the lines read."""
     used = set(re.findall(r"\bx\d+\b", "\n".join(lines)))
-    return [f"const double x{i} = v[{i}];" for i in _scalars(dae, "state") if f"x{i}" in used]
+    return [f"const real x{i} = v[{i}];" for i in _scalars(dae, "state") if f"x{i}" in used]
 
 
 def _derivatives(dae: Dae, plan: Schedule) -> list[str]:
@@ -122,7 +140,7 @@ def _derivatives(dae: Dae, plan: Schedule) -> list[str]:
     states = _scalars(dae, "state")
     between = [a.target[1] for a in plan.derivatives if a.target[0] == "variable"]
     emitter = Emitter(dae, registers=between)
-    lines = [f"const double x{i} = x[{n}];" for n, i in enumerate(states)]
+    lines = [f"const real x{i} = x[{n}];" for n, i in enumerate(states)]
     for assignment in plan.derivatives:
         kind, index = assignment.target
         for element in range(dae.variables[index].count):
@@ -130,11 +148,11 @@ def _derivatives(dae: Dae, plan: Schedule) -> list[str]:
             lines += emitter.statements
             emitter.statements.clear()
             if kind == "variable":
-                lines.append(f"const double {emitter.reference(kind, index, element)} = {text};")
+                lines.append(f"const real {emitter.reference(kind, index, element)} = {text};")
             else:
                 position = states.index(dae.variables[index].offset + element)
                 lines.append(f"dx[{position}] = {text};")
-    signature = "INLINE void derivatives(const double *v, const double *x, double *dx)"
+    signature = "INLINE void derivatives(const real *v, const real *x, real *dx)"
     return [
         f"#define STATES {len(states)}",
         *_procedure(signature, lines),
@@ -146,8 +164,8 @@ def _step(dae: Dae, integrator: str) -> list[str]:
     states = _scalars(dae, "state")
     load = [f"x[{n}] = v[{i}];" for n, i in enumerate(states)]
     store = [f"v[{i}] = x[{n}];" for n, i in enumerate(states)]
-    lines = ["double x[STATES];", *load, f"{integrator}(v, x, h);", *store]
-    step = _procedure("void model_step(double *v, double h)", lines)
+    lines = ["real x[STATES];", *load, f"{integrator}(v, x, h);", *store]
+    step = _procedure("void model_step(real *v, double h)", lines)
     return [f'#include "{integrator}.h"', *step]
 
 
@@ -161,7 +179,7 @@ def _finite(dae: Dae, plan: Schedule) -> list[str]:
     terms = [f"0.0 * v[{i}]" for i in (*_scalars(dae, "state"), *samples)]
     # several sums side by side: one long sum would wait for itself
     sums = [" + ".join(terms[first::8]) for first in range(min(8, len(terms)))]
-    return [f"return isfinite(({') + ('.join(sums)}));"]
+    return [f"return m_is_finite(({') + ('.join(sums)}));"]
 
 
 def _tick(dae: Dae, plan: Schedule) -> list[str]:
@@ -173,7 +191,7 @@ def _tick(dae: Dae, plan: Schedule) -> list[str]:
     names = Emitter(dae)
     used = set(re.findall(r"\bp\d+\b", "\n".join(stores)))
     before = [
-        f"const double {name} = v[{variable.offset + element}];"
+        f"const real {name} = v[{variable.offset + element}];"
         for index, variable in enumerate(dae.variables)
         for element in range(variable.count)
         if (name := names.reference("pre", index, element)) in used

@@ -8,13 +8,10 @@ from numpy.typing import NDArray
 
 from pyhrg.fmu.archive import GyroError
 from pyhrg.fmu.instance import Instance
+from pyhrg.fmu.rows import Layout, Rows, arrange_rows
 
 Array = NDArray[np.float64]
 
-CONTROL_PERIOD = 1e-3
-"""Control period of the gyro's electronics, s."""
-COMMANDS = frozenset({"virtualRotation", "amplitudeSetpoint", "phaseOffset", "driveOn"})
-"""Inputs that the electronics take; all others act on the gyro itself, at once."""
 CHUNK = 20_000
 """Number of communication steps after which a drive looks whether it was stopped. Chosen: a second
 or two of computing at steps of 10 ms."""
@@ -25,6 +22,7 @@ class Gyro:
 
     Attributes:
         time: since power-on, s.
+        instance: of the FMU.
     """
 
     def __init__(
@@ -35,7 +33,7 @@ class Gyro:
     ) -> None:
         """Take over an instance that is set up and given back when it was reset; `is_stopped` says
         whether drives under way are to end with `GyroError`."""
-        self._instance = instance
+        self.instance = instance
         self._give_back = give_back
         self._is_stopped = is_stopped
         self.time = 0.0
@@ -50,10 +48,10 @@ class Gyro:
         trace: TracebackType | None,
     ) -> None:
         if error is not None:
-            self._instance.slave.freeInstance()
+            self.instance.slave.freeInstance()
             return
-        self._instance.reset()
-        self._give_back(self._instance)
+        self.instance.reset()
+        self._give_back(self.instance)
 
     def advance(self, rate: float, duration: float) -> float:
         """Turn the case at a constant inertial rate about the input axis, rad/s, for a duration, s;
@@ -75,8 +73,8 @@ class Gyro:
         """
         rates = np.ascontiguousarray(rates, dtype=np.float64)
         angles = np.empty_like(rates)
-        references = self._instance.archive.find_references(["angularRate", "gyroAngle"])
-        component, loop = self._instance.slave.component, self._instance.loops.drive
+        references = self.instance.archive.find_references(["angularRate", "gyroAngle"])
+        component, loop = self.instance.slave.component, self.instance.loops.drive
 
         def run(part: slice) -> int:
             begin = self.time + part.start * step
@@ -114,30 +112,25 @@ class Gyro:
         Raises:
             GyroError: an unknown name, a value that the FMU refuses, or `GyroFmu.stop`.
         """
-        archive, component = self._instance.archive, self._instance.slave.component
-        moving_values = np.ascontiguousarray(np.stack(list(moving.values()), axis=-1))
-        rows, steps, _ = moving_values.shape
-        names = sorted(held, key=lambda name: name not in COMMANDS)
-        n_commands = sum(name in COMMANDS for name in names)
-        held_values, is_new = _arrange_held([held[name] for name in names], rows)
-        at_end, averaged = (np.zeros((rows, len(each))) for each in (ends, means))
-        references = [archive.find_references(each) for each in (moving, names, ends, means)]
-        tick = CONTROL_PERIOD if archive.is_sampled else 0.0
+        layout, rows = arrange_rows(self.instance.archive, moving, held, step, ends, means)
+        self.fill(layout, rows)
+        return rows.ends, rows.means
+
+    def fill(self, layout: Layout, rows: Rows) -> None:
+        """Record rows that are arranged already; see `record`."""
+        component, loop = self.instance.slave.component, self.instance.loops.record
+        n, steps = rows.moving.shape[:2]
 
         def run(part: slice) -> int:
-            begin = self.time + part.start * steps * step
-            inputs = moving_values[part], held_values[part.start : part.stop + 1], is_new[part]
-            place = component, begin, step, tick, n_commands
-            loop = self._instance.loops.record
-            return loop(*place, *references, *inputs, at_end[part], averaged[part])
+            begin = self.time + part.start * steps * layout.step
+            return loop(component, begin, *layout, *rows.take(part))
 
-        self._run_in_parts(run, "row", rows, max(1, CHUNK // steps))
-        self.time += step * steps * rows
-        return at_end, averaged
+        self._run_in_parts(run, "row", n, max(1, CHUNK // steps))
+        self.time += layout.step * steps * n
 
     def read(self, name: str) -> float:
         """Present value of a variable, SI."""
-        return float(self._instance.slave.getReal([self._instance.archive.references[name]])[0])
+        return float(self.instance.slave.getReal([self.instance.archive.references[name]])[0])
 
     def command(self, name: str, value: float) -> None:
         """Set an input, SI.
@@ -145,25 +138,21 @@ class Gyro:
         Raises:
             GyroError: an unknown name, or a value that the FMU refuses.
         """
-        self._instance.set_value(name, value)
+        self.instance.set_value(name, value)
+
+    def check_stop(self) -> None:
+        """Raise `GyroError` if drives under way are to end."""
+        if self._is_stopped():
+            raise GyroError("the drive was stopped")
 
     def _run_in_parts(
         self, run: Callable[[slice], int], unit: str, count: int, part_length: int
     ) -> None:
         """Run a loop over `count` rows or steps; `run` returns how many of a part succeeded."""
         for first in range(0, count, part_length):
-            if self._is_stopped():
-                raise GyroError("the drive was stopped")
+            self.check_stop()
             part = slice(first, min(first + part_length, count))
             done = run(part)
             if done != part.stop - part.start:
                 trouble = f"{unit} {first + done} of {count} failed"
-                raise GyroError(self._instance.explain(trouble))
-
-
-def _arrange_held(values: Sequence[Array], rows: int) -> tuple[Array, NDArray[np.bool_]]:
-    """(n + 1, k) values of k held inputs, the last row repeated, and (n + 1,) whether a row's
-    values differ from the row before."""
-    columns = [np.append(column, column[-1:]) for column in values]
-    table = np.column_stack([*columns, np.empty((rows + 1, 0))])
-    return table, np.append(True, (np.diff(table, axis=0) != 0).any(axis=1))
+                raise GyroError(self.instance.explain(trouble))

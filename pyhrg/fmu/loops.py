@@ -121,15 +121,19 @@ def _make_record(functions: _Functions) -> Loop:
     ) -> int:
         """Fill rows of outputs at the end and outputs averaged; see `Gyro.record`.
 
-        The first four arrays are value references, of which the first `n_commands` of `held` are
-        the electronics'. `is_new` says which rows begin with other held values than the row before.
+        After component and start come a `Layout`, then `Rows`.
         """
         rows, steps = moving_values.shape[:2]
         now = np.empty(len(mean))
         if get_real(component, mean.ctypes, len(mean), now.ctypes) != ok:
             return 0
+        # an average is taken tick by tick at the end of a row, where commands are set, too
+        ends_early = tick > 0.0 and n_commands + len(mean) > 0
         for i in range(rows):
-            if set_real(component, held.ctypes, len(held), held_values[i].ctypes) != ok:
+            if (
+                len(held) > 0
+                and set_real(component, held.ctypes, len(held), held_values[i].ctypes) != ok
+            ):
                 return i
             for j in range(steps):
                 time, rest = start + (i * steps + j) * step, step
@@ -138,14 +142,18 @@ def _make_record(functions: _Functions) -> Loop:
                     != ok
                 ):
                     return i
-                last = tick > 0.0 and j == steps - 1
+                last = ends_early and j == steps - 1
                 while rest > 1.5 * tick > 0.0 and (last or is_new[i]):
                     part = tick if is_new[i] else rest - tick
                     if not integrate(component, time, part, tick, mean, now, mean_values[i]):
                         return i
                     time, rest = time + part, rest - part
                 coming = held_values[i + 1]
-                if last and set_real(component, held.ctypes, n_commands, coming.ctypes) != ok:
+                if (
+                    last
+                    and n_commands > 0
+                    and set_real(component, held.ctypes, n_commands, coming.ctypes) != ok
+                ):
                     return i
                 if not integrate(component, time, rest, tick, mean, now, mean_values[i]):
                     return i

@@ -1,6 +1,7 @@
 """Three gyros that are simulated by their FMU."""
 
 from collections.abc import Mapping, Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -19,7 +20,7 @@ from pyhrg.common.errors import HrgError
 from pyhrg.device import device_file
 from pyhrg.device.keys import KEYS
 from pyhrg.device.ready_devices import TYPICAL, Device
-from pyhrg.fmu import GyroFmu
+from pyhrg.fmu import GyroFmu, record_together
 from pyhrg.records.imu.increments import Increments
 from pyhrg.theory import closed_forms as theory
 
@@ -113,16 +114,14 @@ def simulate_gyros(
     calibrated: whether each gyro's mean bias is measured on the bench and subtracted.
     """
     benches = [Bench(fmu, device, seed=int(generator.integers(2**63))) for device in devices]
+    forces = [resolve_force_in_case(truth, axis) for axis in mounting.axes]
     components = mounting.project(truth.rotation)
-    rotation, pattern = np.empty_like(components), np.empty_like(components)
-    ready = np.ones(len(truth), dtype=bool)
-    for axis, bench in enumerate(benches):
-        force = resolve_force_in_case(truth, mounting.axes[axis])
-        bias = calibrate_mean_bias(bench) if calibrated else 0.0
-        output = simulate_gyro(bench, components[:, axis], force, truth.interval)
-        rotation[:, axis] = output.rotation - bias * truth.interval
-        pattern[:, axis] = output.pattern_angle
-        ready &= output.ready
+    outputs = simulate_together(benches, components, forces, truth.interval)
+    rotation = np.stack([output.rotation for output in outputs], axis=1)
+    if calibrated:
+        rotation -= [calibrate_mean_bias(bench) * truth.interval for bench in benches]
+    pattern = np.stack([output.pattern_angle for output in outputs], axis=1)
+    ready = np.logical_and.reduce([output.ready for output in outputs])
     return GyroReading(rotation, pattern, ready)
 
 
@@ -163,12 +162,31 @@ def simulate_gyro(bench: Bench, rotation: Array, force: Array, interval: float) 
     rotation: (n,) true rotation about the input axis in each interval, rad; force: (n, 3) mean
     specific force along the axes of the case, m/s^2; the third axis is the input axis; interval: s.
     """
-    inputs = {"angularRate": rotation / interval}
-    inputs |= {f"acceleration{axis}": force[:, i] for i, axis in enumerate("XYZ")}
-    moving = {name: values[:, None] for name, values in inputs.items()}
-    with bench.power_on("flight") as gyro:
-        outputs = ["gyroAngle", "patternAngle", "valid", "amplitude"]
-        ends, _ = gyro.record(moving, {}, interval, outputs)
+    (output,) = simulate_together([bench], rotation[:, None], [force], interval)
+    return output
+
+
+def simulate_together(
+    benches: Sequence[Bench], rotation: Array, forces: Sequence[Array], interval: float
+) -> list[GyroOutput]:
+    """Switch several gyros on at the same time and simulate each on its motion: `simulate_gyro` of
+    each, sooner.
+
+    rotation: (n, gyros), rad; forces: (n, 3) of each gyro, m/s^2.
+    """
+    moving = []
+    for rate, force in zip(rotation.T / interval, forces, strict=True):
+        inputs = {"angularRate": rate}
+        inputs |= {f"acceleration{axis}": force[:, i] for i, axis in enumerate("XYZ")}
+        moving.append({name: values[:, None] for name, values in inputs.items()})
+    names = ["gyroAngle", "patternAngle", "valid", "amplitude"]
+    with ExitStack() as stack:
+        gyros = [stack.enter_context(bench.power_on("flight")) for bench in benches]
+        recorded = record_together(gyros, moving, [{}] * len(gyros), interval, names)
+    return [_read_output(bench, ends) for bench, (ends, _) in zip(benches, recorded, strict=True)]
+
+
+def _read_output(bench: Bench, ends: Array) -> GyroOutput:
     angle, pattern, valid, amplitude = ends.T
     grown = np.abs(amplitude / bench.device.amplitude - 1) <= AMPLITUDE_TOLERANCE
     is_valid = valid == 1

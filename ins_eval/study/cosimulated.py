@@ -4,6 +4,7 @@ With noise this is how a judged triad flies. Without noise it checks the linear 
 predictor: how it treats the gyros' maps, their warming, mounting and accelerometers.
 """
 
+from contextlib import ExitStack
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,7 +21,7 @@ from ins_eval.navigation.strapdown import navigate
 from ins_eval.study.gyros.drawn_triad import DrawnTriad
 from ins_eval.study.gyros.drift import Flight
 from ins_eval.study.gyros.true_maps import list_slow_parameters
-from pyhrg.fmu import GyroFmu
+from pyhrg.fmu import Gyro, GyroFmu, record_together
 from pyhrg.records.imu.increments import Increments
 
 Array = NDArray[np.float64]
@@ -132,13 +133,19 @@ def _measure(
     true = truth.increments
     rates = true.rotation @ tilt_input_axes(triad.mounting).T / true.interval
     gyros, accelerometers = _make_noise_seeds(noise) if noise else ([None] * AXES, None)
-    rotation = np.empty_like(rates)
-    for axis, (flown, seed) in enumerate(zip(triad.flights, gyros, strict=True)):
-        inputs = {
-            "angularRate": rates[:, axis],
-            "caseTemperature": flown.case_temperature(true.bounds[:-1]),
-        } | {f"acceleration{name}": truth.forces[axis][:, i] for i, name in enumerate("XYZ")}
-        rotation[:, axis] = _simulate_gyro(fmu, flown, inputs, true.interval, seed)
+    time = true.bounds[:-1]
+    moving = []
+    for axis, flown in enumerate(triad.flights):
+        inputs = {"angularRate": rates[:, axis], "caseTemperature": flown.case_temperature(time)}
+        inputs |= {f"acceleration{x}": truth.forces[axis][:, i] for i, x in enumerate("XYZ")}
+        moving.append({name: values[:, None] for name, values in inputs.items()})
+    with ExitStack() as stack:
+        on = [
+            stack.enter_context(_power_on(fmu, flown, true.interval, seed))
+            for flown, seed in zip(triad.flights, gyros, strict=True)
+        ]
+        recorded = record_together(on, moving, [{}] * AXES, true.interval, ["gyroAngle"])
+    rotation = np.diff(np.hstack([angle for angle, _ in recorded]), axis=0, prepend=0.0)
     velocity = true.velocity + true.interval * triad.accelerometers
     if accelerometers is not None:
         deviation = TYPICAL_ACCELEROMETERS.white * np.sqrt(true.interval)
@@ -153,19 +160,10 @@ def _make_noise_seeds(noise: np.random.SeedSequence) -> tuple[list[int], np.rand
     return (seeds[:AXES] >> 1).tolist(), np.random.default_rng(int(seeds[AXES]))
 
 
-def _simulate_gyro(
-    fmu: GyroFmu, flown: Flight, inputs: dict[str, Array], interval: float, seed: int | None
-) -> Array:
-    """(n,) increments of a gyro's angle, rad, while its case warms; without noise if seed is None.
-
-    Args:
-        inputs: (n,) values of the FMU's inputs by name, SI.
-    """
+def _power_on(fmu: GyroFmu, flown: Flight, interval: float, seed: int | None) -> Gyro:
+    """A gyro of a triad, switched on; without noise if seed is None."""
     device = flown.device if seed is not None else flown.device.without_noise()
     parameters = device.fmu_parameters()
     if not fmu.is_sampled:
         parameters = {**list_slow_parameters(device), "samplePeriod": interval}
-    moving = {name: values[:, None] for name, values in inputs.items()}
-    with fmu.power_on(parameters, seed=seed or 0, start_angle=flown.power_on_angle) as gyro:
-        angle = gyro.record(moving, {}, interval, ["gyroAngle"])[0][:, 0]
-    return np.diff(angle, prepend=0.0)
+    return fmu.power_on(parameters, seed=seed or 0, start_angle=flown.power_on_angle)

@@ -1,4 +1,4 @@
-"""Vectors that a function advances where they stand; the front end fills them with zeros first."""
+"""Vectors that a function advances where they stand."""
 
 from pathlib import Path
 
@@ -10,10 +10,13 @@ SHIFTED = """
     input Real before[4];
     output Real after[4];
   algorithm
+    after := {{0 for i in 1:4}};
     for i in 1:3 loop
       after[{to}] := before[{of}];
     end for;
-    after[{end}] := 1;
+    for i in {end}:{end} loop
+      after[i] := {last};
+    end for;
   end shifted;
   model M
     input Real u(start = 0) "u";
@@ -36,17 +39,17 @@ def generate(folder: Path, **subscripts: str) -> str:
 
 
 def test_a_result_is_written_over_what_was_read_before(tmp_path: Path) -> None:
-    source = generate(tmp_path, to="i", of="i + 1", end="4")
-    assert "f_shifted(&v[1], (v + 1));" in source
+    source = generate(tmp_path, to="i", of="i + 1", end="4", last="1")
+    assert "f_shifted(&v[2], (v + 2));" in source
     assert "= 0.0" not in source.split("void model_parameters")[0]
 
 
 def test_a_result_is_not_written_over_what_is_read_later(tmp_path: Path) -> None:
-    source = generate(tmp_path, to="i + 1", of="i", end="1")
+    source = generate(tmp_path, to="i + 1", of="i", end="1", last="1")
     assert "(v + " not in source
     assert "real r" in source
 
 
 def test_an_initial_value_that_is_read_stays(tmp_path: Path) -> None:
-    source = generate(tmp_path, to="i", of="i + 1", end="3")
+    source = generate(tmp_path, to="i", of="i + 1", end="4", last="after[i]")
     assert "= 0.0" in source.split("void model_parameters")[0]

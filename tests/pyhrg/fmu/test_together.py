@@ -165,13 +165,12 @@ def test_a_refusal_is_that_of_the_single_gyro(
     moving[1]["angularRate"][2, 5] = rate
 
     def fly(*, together: bool) -> str:
-        with pytest.raises(GyroError, match=message) as error, ExitStack() as stack:
-            each = [{}, parameters, {}]
-            on = [stack.enter_context(fmu.power_on(p, 1, 0.3)) for p in each]
+        gyros = [fmu.power_on(each, 1, 0.3) for each in ({}, parameters, {})]
+        with pytest.raises(GyroError, match=message) as error:
             if together:
-                record_together(on, moving, held, 0.01, ENDS)
+                record_together(gyros, moving, held, 0.01, ENDS)
             else:
-                on[1].record(moving[1], held[1], 0.01, ENDS)
+                gyros[1].record(moving[1], held[1], 0.01, ENDS)
         return str(error.value)
 
     assert fly(together=True) == fly(together=False)

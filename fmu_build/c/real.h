@@ -16,10 +16,10 @@ typedef __typeof__((real)0.0 < (real)0.0) truth;
 #define ANY(condition) (__builtin_reduce_or(condition) != 0)
 #define ALL(condition) (__builtin_reduce_and(condition) != 0)
 
-/* Set where lanes must go different ways, which they can't. */
-static _Thread_local int lanes_part;
+/* How often lanes had to go different ways, which they can't, in all threads. */
+static unsigned long long partings;
 static inline int go_together(truth condition) {
-  lanes_part |= ANY(condition) && !ALL(condition);
+  if (ANY(condition) && !ALL(condition)) __atomic_fetch_add(&partings, 1, __ATOMIC_RELAXED);
   return ANY(condition);
 }
 

@@ -32,6 +32,7 @@ typedef struct {
   const Plan *plan;
   const Gyro *gyros;
   size_t n;
+  Lanes *lanes;
   double *now; /* (MEANS, lanes) */
 } Flight;
 
@@ -70,16 +71,16 @@ static void load(const Flight *flight) {
   const Core *first = &flight->gyros[0].instance->now.core;
   for (unsigned i = 0; i < MODEL_VARIABLES; i++)
     for (size_t lane = 0; lane < WIDTH; lane++)
-      lanes_values(i)[lane] = gyro_in(flight, lane)->instance->now.core.v[i];
-  lanes_begin(first->start, first->offset, first->ticks);
+      lanes_values(flight->lanes, i)[lane] = gyro_in(flight, lane)->instance->now.core.v[i];
+  lanes_begin(flight->lanes, first->start, first->offset, first->ticks);
 }
 
 static void store(const Flight *flight, double time) {
   for (size_t lane = 0; lane < flight->n; lane++) {
     Situation *now = &flight->gyros[lane].instance->now;
-    for (unsigned i = 0; i < MODEL_VARIABLES; i++) now->core.v[i] = lanes_values(i)[lane];
-    now->core.offset = lanes_offset();
-    now->core.ticks = lanes_ticks();
+    for (unsigned i = 0; i < MODEL_VARIABLES; i++) now->core.v[i] = lanes_values(flight->lanes, i)[lane];
+    now->core.offset = lanes_offset(flight->lanes);
+    now->core.ticks = lanes_ticks(flight->lanes);
     now->core.held_fresh = now->core.outputs_fresh = 0;
     now->time = time;
   }
@@ -93,17 +94,17 @@ static int set(const Flight *flight, Group group, size_t row, size_t count) {
     for (size_t lane = 0; lane < WIDTH; lane++) {
       double value = gyro_in(flight, lane)->values[group][row * plan->counts[group] + k];
       if (!(value >= limits[reference].minimum && value <= limits[reference].maximum)) return 0;
-      lanes_values(reference)[lane] = value;
+      lanes_values(flight->lanes, reference)[lane] = value;
     }
   }
-  if (count) lanes_touch();
+  if (count) lanes_touch(flight->lanes);
   return 1;
 }
 
-/* Present values of a variable; NULL if one is not finite. */
-static const double *get(unsigned reference) {
-  if (limits[reference].continuous) lanes_refresh();
-  const double *values = lanes_values(reference);
+/* Present values of a variable; NULL if one is not finite, or lanes had to go different ways. */
+static const double *get(const Flight *flight, unsigned reference) {
+  if (limits[reference].continuous && !lanes_refresh(flight->lanes)) return NULL;
+  const double *values = lanes_values(flight->lanes, reference);
   for (size_t lane = 0; lane < WIDTH; lane++)
     if (!isfinite(values[lane])) return NULL;
   return values;
@@ -111,7 +112,7 @@ static const double *get(unsigned reference) {
 
 static int get_now(const Flight *flight) {
   for (size_t k = 0; k < flight->plan->counts[MEANS]; k++) {
-    const double *values = get(flight->plan->references[MEANS][k]);
+    const double *values = get(flight, flight->plan->references[MEANS][k]);
     if (!values) return 0;
     for (size_t lane = 0; lane < flight->n; lane++) flight->now[k * WIDTH + lane] = values[lane];
   }
@@ -121,7 +122,7 @@ static int get_now(const Flight *flight) {
 static int get_ends(const Flight *flight, size_t row) {
   size_t count = flight->plan->counts[ENDS];
   for (size_t k = 0; k < count; k++) {
-    const double *values = get(flight->plan->references[ENDS][k]);
+    const double *values = get(flight, flight->plan->references[ENDS][k]);
     if (!values) return 0;
     for (size_t lane = 0; lane < flight->n; lane++)
       flight->gyros[lane].values[ENDS][row * count + k] = values[lane];
@@ -139,7 +140,7 @@ static void add(const Flight *flight, size_t row, double weight) {
 
 static int integrate(const Flight *flight, size_t row, double time, double step) {
   add(flight, row, step + flight->plan->tick);
-  if (!lanes_advance(time + step) || !get_now(flight)) return 0;
+  if (!lanes_advance(flight->lanes, time + step) || !get_now(flight)) return 0;
   add(flight, row, step - flight->plan->tick);
   return 1;
 }
@@ -172,15 +173,17 @@ static int fly_row(const Flight *flight, size_t row, double *end) {
 /* All rows of up to WIDTH gyros: 1. Or 0, with the instances as they were, where that is impossible:
    each by itself will then say why, or do it. */
 API int record_together(const Plan *plan, const Gyro *gyros, size_t n) {
-  Flight flight = {plan, gyros, n, NULL};
+  Flight flight = {plan, gyros, n, NULL, NULL};
   if (n < 1 || n > WIDTH || !are_inputs_and_outputs(plan) || !can_start(&flight)) return 0;
+  flight.lanes = lanes_create();
   flight.now = calloc(plan->counts[MEANS] * WIDTH + 1, sizeof *flight.now);
-  if (!flight.now) return 0;
-  load(&flight);
+  int done = flight.lanes && flight.now;
   double end = plan->start;
-  int done = get_now(&flight);
+  if (done) load(&flight);
+  done = done && get_now(&flight);
   for (size_t row = 0; done && row < plan->rows; row++) done = fly_row(&flight, row, &end);
-  free(flight.now);
   if (done) store(&flight, end);
+  free(flight.now);
+  if (flight.lanes) lanes_free(flight.lanes);
   return done;
 }

@@ -10,7 +10,7 @@ from fmu_build.binaries.platforms import BuildError
 from pyhrg.fmu.rows import Layout, Rows
 
 _Addresses = ctypes.c_void_p * 4
-"""Of moving and held inputs, outputs at the end and outputs averaged."""
+"""Addresses of what belongs to moving and held inputs, outputs at the end and outputs averaged."""
 
 
 class _Plan(ctypes.Structure):

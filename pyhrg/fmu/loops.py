@@ -127,13 +127,10 @@ def _make_record(functions: _Functions) -> Loop:
         now = np.empty(len(mean))
         if get_real(component, mean.ctypes, len(mean), now.ctypes) != ok:
             return 0
-        # an average is taken tick by tick at the end of a row, where commands are set, too
+        # the last tick of a row: its commands are those of the next, and averages end there
         ends_early = tick > 0.0 and n_commands + len(mean) > 0
         for i in range(rows):
-            if (
-                len(held) > 0
-                and set_real(component, held.ctypes, len(held), held_values[i].ctypes) != ok
-            ):
+            if set_real(component, held.ctypes, len(held), held_values[i].ctypes) != ok:
                 return i
             for j in range(steps):
                 time, rest = start + (i * steps + j) * step, step
@@ -149,11 +146,7 @@ def _make_record(functions: _Functions) -> Loop:
                         return i
                     time, rest = time + part, rest - part
                 coming = held_values[i + 1]
-                if (
-                    last
-                    and n_commands > 0
-                    and set_real(component, held.ctypes, n_commands, coming.ctypes) != ok
-                ):
+                if last and set_real(component, held.ctypes, n_commands, coming.ctypes) != ok:
                     return i
                 if not integrate(component, time, rest, tick, mean, now, mean_values[i]):
                     return i

@@ -6,7 +6,7 @@ from pyhrg.fmu.gyro import CHUNK, Gyro
 from pyhrg.fmu.lanes import Lanes, load_lanes
 from pyhrg.fmu.rows import Array, Layout, Rows, arrange_rows
 
-FEW, MANY = 4, 8
+NARROW, WIDE = 4, 8
 """Numbers of lanes: a vector of AVX2 or two of NEON, and twice as many, of which each half computes
 while the other waits. `benchmarks/speed.py` compares them."""
 
@@ -48,16 +48,16 @@ def record_together(
 
 
 def _split(count: int) -> Iterator[slice]:
-    """Groups of at most `MANY`."""
-    for first in range(0, count, MANY):
-        yield slice(first, min(first + MANY, count))
+    """Groups of at most `WIDE`."""
+    for first in range(0, count, WIDE):
+        yield slice(first, min(first + WIDE, count))
 
 
 def _fill(gyros: Sequence[Gyro], layout: Layout, rows: Sequence[Rows]) -> None:
     done = 0
     archive = gyros[0].instance.archive
     if len(gyros) > 1 and archive.is_sampled:
-        lanes = load_lanes(archive.folder, FEW if len(gyros) <= FEW else MANY)
+        lanes = load_lanes(archive.folder, NARROW if len(gyros) <= NARROW else WIDE)
         done = _fill_lanes(lanes, gyros, layout, rows) if lanes else 0
     n = len(rows[0].moving)
     for gyro, each in zip(gyros, rows, strict=True):

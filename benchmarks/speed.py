@@ -20,7 +20,7 @@ from pathlib import Path
 import fmpy
 import numpy as np
 
-from fmu_build.binaries.platforms import COMPILER, FLAGS
+from fmu_build.binaries.platforms import COMPILER, FLAGS, PLATFORMS, find_host_platform
 from fmu_build.bundle import build_fmu, find_modelica_library, write_sources
 from fmu_build.equations.translate import translate
 from fmu_build.roots import ROOTS
@@ -36,10 +36,20 @@ TICKS = 400_000
 
 
 def compiled(folder: Path, source: str, *others: str) -> Path:
-    """A program of this folder's, with the FMU's own flags."""
+    """A program of this folder's, for the FMU's target and with its flags."""
     (folder / source).write_bytes((HERE / source).read_bytes())
     program = folder / source.removesuffix(".c")
-    command = [*COMPILER, *FLAGS, "-D_POSIX_C_SOURCE=199309L", source, *others, "-lm"]
+    target = PLATFORMS[find_host_platform()].target
+    command = [
+        *COMPILER,
+        "-target",
+        target,
+        *FLAGS,
+        "-D_POSIX_C_SOURCE=199309L",
+        source,
+        *others,
+        "-lm",
+    ]
     subprocess.run([*command, "-o", program.name], cwd=folder, check=True, capture_output=True)
     return program
 

@@ -127,7 +127,7 @@ def _make_record(functions: _Functions) -> Loop:
         now = np.empty(len(mean))
         if get_real(component, mean.ctypes, len(mean), now.ctypes) != ok:
             return 0
-        # the last tick of a row: its commands are those of the next, and averages end there
+        # the last tick of a row goes by itself where it gets commands or ends an average
         ends_early = tick > 0.0 and n_commands + len(mean) > 0
         for i in range(rows):
             if set_real(component, held.ctypes, len(held), held_values[i].ctypes) != ok:

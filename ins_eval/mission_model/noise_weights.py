@@ -15,9 +15,10 @@ from ins_eval.common.arrays import Array
 KINDS = ("angle white noise", "angle random walk", "bias instability", "rate random walk")
 """Kinds of noise; their strengths are in rad (of one sample of the output), rad/sqrt(s), rad/s and
 rad/s/sqrt(s)."""
-FLICKER_TIME_CONSTANTS = 0.01 * 8.0 ** np.arange(8)
-"""Time constants of the first-order lags whose sum is flicker noise, s; those of the FMU."""
-FLICKER_SCALE = np.log(8) / np.pi
+FMU_FLICKER_LAGS = 0.01 * 8.0 ** np.arange(8)
+"""Time constants of the first-order lags of one white noise whose sum is the FMU's flicker noise,
+s (`HRG.Noise.ElectronicsNoise`)."""
+FMU_FLICKER_SCALE = np.log(8) / np.pi
 """Factor of their sum that makes its power spectral density B^2/(2 pi f)."""
 
 
@@ -66,8 +67,7 @@ def _compute_responses(weights: Array, step: float, before: int) -> list[Array]:
     return [
         -np.diff(weights, prepend=0.0, append=0.0) / step,
         weights / np.sqrt(step),
-        FLICKER_SCALE
-        * sum(_weigh_lag(since, step, constant) for constant in FLICKER_TIME_CONSTANTS),
+        FMU_FLICKER_SCALE * sum(_weigh_lag(since, step, constant) for constant in FMU_FLICKER_LAGS),
         np.sqrt(step) * _sum_backwards(since, 1.0),
     ]
 

@@ -127,7 +127,8 @@ def run_filter(
 ) -> FilterResult:
     """Run the Kalman filter; `tilting` adds the rotation since the start as a measurement."""
     size = aligning_model.STATES
-    walk, white = (tilting.walk, tilting.white) if tilting else (0.0, 0.0)
+    tilting = tilting or Tilting(0.0, 0.0)
+    walk, white = tilting.angle_random_walk, tilting.angle_white_noise
     turned = np.eye(2) if tilting else np.empty((0, 2))
     h = np.zeros((2 + len(turned), size))
     h[:2, standing.DISPLACEMENT] = np.eye(2)

@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 from scipy import stats
 
 from ins_eval.mission_model.noise_weights import (
-    FLICKER_SCALE,
-    FLICKER_TIME_CONSTANTS,
+    FMU_FLICKER_LAGS,
+    FMU_FLICKER_SCALE,
     KINDS,
     compute_error_weights,
     compute_noise_covariances,
@@ -38,11 +38,11 @@ def rates(kind: str, deviates: Array) -> Array:
         return deviates / np.sqrt(STEP)
     if kind == "rate random walk":
         return np.sqrt(STEP) * np.cumsum(deviates)[BEFORE:]
-    decays = np.exp(-STEP / FLICKER_TIME_CONSTANTS)
+    decays = np.exp(-STEP / FMU_FLICKER_LAGS)
     lags, total = np.zeros(len(decays)), []
     for deviate in deviates:
-        lags = decays * lags + (1 - decays) * np.sqrt(FLICKER_TIME_CONSTANTS / STEP) * deviate
-        total.append(FLICKER_SCALE * lags.sum())
+        lags = decays * lags + (1 - decays) * np.sqrt(FMU_FLICKER_LAGS / STEP) * deviate
+        total.append(FMU_FLICKER_SCALE * lags.sum())
     return np.array(total)[BEFORE:]
 
 

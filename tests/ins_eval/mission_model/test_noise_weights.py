@@ -10,7 +10,6 @@ from scipy import stats
 from ins_eval.mission_model.noise_weights import (
     FMU_FLICKER_LAGS,
     FMU_FLICKER_SCALE,
-    KINDS,
     compute_error_weights,
     compute_noise_covariances,
     factor_covariances,
@@ -18,6 +17,7 @@ from ins_eval.mission_model.noise_weights import (
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
+from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
 Array = NDArray[np.float64]
 STEP, BEFORE, STEPS = 0.5, 3, 12
@@ -46,7 +46,7 @@ def rates(kind: str, deviates: Array) -> Array:
     return np.array(total)[BEFORE:]
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", COEFFICIENT_NAMES)
 def test_covariance_is_that_of_every_deviate(kind: str) -> None:
     transition, per_rate = system()
     found = compute_noise_covariances(
@@ -61,7 +61,7 @@ def test_covariance_is_that_of_every_deviate(kind: str) -> None:
             if k + 1 in KEPT:
                 told += [x[0], x[1]]
         total += np.outer(told, told)
-    assert found[KINDS.index(kind), 1] == pytest.approx(total, rel=1e-9, abs=1e-9)
+    assert found[COEFFICIENT_NAMES.index(kind), 1] == pytest.approx(total, rel=1e-9, abs=1e-9)
 
 
 def test_factors_square_to_a_singular_covariance() -> None:

@@ -48,14 +48,14 @@ class TableMotion:
         rates = self.rates[rows.start : rows.stop + 1]
         return replace(self, rates=rates, parabola_means=self.parabola_means[rows])
 
-    def rates_in(self, steps: int) -> Array:
+    def compute_rates(self, steps: int) -> Array:
         """(n, steps) mean rates over equal steps of each row, rad/s."""
         bounds = np.arange(steps + 1) / steps
         parabola = np.diff(_integrate_parabola(bounds)) * steps
         linear = interpolate_rows(self.rates, compute_step_middles(steps))
         return linear + self.parabola_means[:, None] * parabola
 
-    def turned_in(self, steps: int) -> Array:
+    def compute_turns(self, steps: int) -> Array:
         """(n, steps) turn from each row's begin to the middles of equal steps of it, rad."""
         share = compute_step_middles(steps)
         linear = share * interpolate_rows(self.rates, share / 2)

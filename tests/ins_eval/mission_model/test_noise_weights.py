@@ -32,11 +32,11 @@ def system() -> tuple[Array, Array]:
 
 def rates(kind: str, deviates: Array) -> Array:
     """(STEPS,) of one gyro whose noise of a kind has these deviates, from power-on."""
-    if kind == "angle white noise":
+    if kind == "angle_white_noise":
         return np.diff(deviates) / STEP
-    if kind == "angle random walk":
+    if kind == "angle_random_walk":
         return deviates / np.sqrt(STEP)
-    if kind == "rate random walk":
+    if kind == "rate_random_walk":
         return np.sqrt(STEP) * np.cumsum(deviates)[BEFORE:]
     decays = np.exp(-STEP / FMU_FLICKER_LAGS)
     lags, total = np.zeros(len(decays)), []
@@ -52,7 +52,7 @@ def test_covariance_is_that_of_every_deviate(kind: str) -> None:
     found = compute_noise_covariances(
         compute_error_weights(transition, per_rate, KEPT), STEP, BEFORE
     )
-    count = {"angle white noise": STEPS + 1, "angle random walk": STEPS}
+    count = {"angle_white_noise": STEPS + 1, "angle_random_walk": STEPS}
     total = np.zeros((4, 4))
     for impulse in np.eye(count.get(kind, STEPS + BEFORE)):
         x, told = np.zeros(4), []

@@ -148,7 +148,7 @@ def _measure(
     rotation = np.diff(np.hstack([angle for angle, _ in recorded]), axis=0, prepend=0.0)
     velocity = true.velocity + true.interval * triad.accelerometers
     if accelerometers is not None:
-        deviation = TYPICAL_ACCELEROMETERS.white * np.sqrt(true.interval)
+        deviation = TYPICAL_ACCELEROMETERS.random_walk * np.sqrt(true.interval)
         velocity += deviation * accelerometers.standard_normal(velocity.shape)
     return Increments(true.interval, rotation, velocity, -STILL)
 

@@ -34,11 +34,13 @@ def record_together(
 
     Raises:
         GyroError: see `Gyro.record`.
-        ValueError: inputs of different names.
+        ValueError: gyros of different FMUs, or inputs of different names.
     """
+    archive = gyros[0].instance.archive
+    if any(gyro.instance.archive is not archive for gyro in gyros):
+        raise ValueError("found gyros of different FMUs")
     if any([*each] != [*every[0]] for every in (moving, held) for each in every):
         raise ValueError("found gyros whose inputs have different names")
-    archive = gyros[0].instance.archive
     inputs = zip(moving, held, strict=True)
     arranged = [arrange_rows(archive, *each, step, ends, means) for each in inputs]
     rows = [each for _, each in arranged]
@@ -59,9 +61,8 @@ def _fill(gyros: Sequence[Gyro], layout: Layout, rows: Sequence[Rows]) -> None:
     if len(gyros) > 1 and archive.is_sampled:
         lanes = load_lanes(archive.folder, NARROW if len(gyros) <= NARROW else WIDE)
         done = _fill_lanes(lanes, gyros, layout, rows) if lanes else 0
-    n = len(rows[0].moving)
     for gyro, each in zip(gyros, rows, strict=True):
-        rest = each.take(slice(done, n))
+        rest = each.take(slice(done, len(each.moving)))
         rest.means[:] = 0.0  # an attempt together may have begun to sum
         gyro.fill(layout, rest)
 

@@ -176,6 +176,32 @@ def test_a_refusal_is_that_of_the_single_gyro(
     assert tries == [False]
 
 
+@pytest.mark.parametrize("numbers", [(6, 9), (9, 6)])
+def test_a_record_that_is_longer_is_whole(fmu: GyroFmu, numbers: tuple[int, int]) -> None:
+    moving, held = (
+        [{name: values[:n] for name, values in each.items()} for each in every for n in numbers]
+        for every in draw_inputs(1, 9)
+    )
+    with ExitStack() as stack:
+        gyros = [stack.enter_context(fmu.power_on({}, 0, 0.3)) for _ in numbers]
+        short, long = sorted(
+            record_together(gyros, moving, held, 0.01, ENDS), key=lambda x: len(x[0])
+        )
+    assert len(long[0]) == 9
+    assert long[0][:6].tobytes() == short[0].tobytes()
+    assert (long[0][6:] != 0).any(axis=1).all()
+
+
+def test_gyros_are_of_one_fmu(fmu: GyroFmu, fmu_path: Path) -> None:
+    moving, held = draw_inputs(2, 4)
+    with ExitStack() as stack:
+        gyros = [
+            stack.enter_context(each.power_on({}, 0, 0.3)) for each in (fmu, GyroFmu(fmu_path))
+        ]
+        with pytest.raises(ValueError, match="different FMUs"):
+            record_together(gyros, moving, held, 0.01, ENDS)
+
+
 def test_inputs_have_the_same_names(fmu: GyroFmu) -> None:
     moving, held = draw_inputs(2, 4)
     del moving[1]["caseTemperature"]

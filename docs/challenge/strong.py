@@ -51,8 +51,8 @@ def fit_maps(folder):
             span, turned = time[end] - time[begin], table[end] - table[begin]
             input_rate = turned / span + up
             # the table either rests or turns steadily during a piece of the record
-            steady = np.abs(np.diff(table)).reshape(-1)
-            even = np.array([np.ptp(steady[a:b]) < 1e-6 for a, b in zip(begin, end, strict=True)])
+            moved = np.diff(table)
+            even = np.array([np.ptp(moved[a:b]) < 1e-6 for a, b in zip(begin, end, strict=True)])
             middle = (pattern[begin] + pattern[end]) / 2
             waves = evaluate_terms(middle)
             # a mean over the piece is less than the value at its middle

@@ -41,7 +41,10 @@ def _turn_patterns() -> dict[str, float]:
         name = mission.replace("-", "_")
         found[f"level_share_{name}"] = float(np.sqrt(np.mean(share[:2])))
         found[f"vertical_share_{name}"] = float(np.sqrt(share[2]))
-    return found
+    return found | {
+        "level_factor_ship": 1 / found["level_share_ship"],
+        "level_factor_straight": 1 / found["level_share_straight_and_level"],
+    }
 
 
 def _drive() -> dict[str, float]:
@@ -54,6 +57,7 @@ def _drive() -> dict[str, float]:
     flown = np.linalg.norm(errors[:, -1], axis=-1) / NAUTICAL_MILE
     promised = DRIFT_PER_STABILITY * HOURS * HOUR / NAUTICAL_MILE
     return {
+        "car_flights": float(FLIGHTS),
         "car_bench_fixed_deg_h": fixed / DEG_PER_H,
         "car_bench_circumference_deg_h": circumference / DEG_PER_H,
         "car_promised_fixed_nmi": promised * fixed,

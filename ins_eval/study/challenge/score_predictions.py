@@ -133,10 +133,10 @@ def _name_ends(name: str, estimate: Estimate) -> dict[str, float]:
 def _format_class(name: str, rows: pd.DataFrame) -> Iterator[str]:
     width = max(map(len, rows["predictor"]))
     yield f"{name}: n = {rows['n'].iloc[0]} triads; in brackets 95 % intervals"
-    yield " ".join(["".ljust(width), *(title.ljust(24) for title in SCORES.values())]).rstrip()
+    yield " ".join(["".ljust(width), *(title.ljust(28) for title in SCORES.values())]).rstrip()
     for _, row in rows.iterrows():
         cells = (_format_score(*row[[key, f"{key}_low", f"{key}_high"]]) for key in SCORES)
-        yield " ".join([row["predictor"].ljust(width), *(c.ljust(24) for c in cells)]).rstrip()
+        yield " ".join([row["predictor"].ljust(width), *(c.ljust(28) for c in cells)]).rstrip()
 
 
 def _format_score(value: float, low: float, high: float) -> str:

@@ -1,6 +1,5 @@
 """A finished study as its files hold it: flights, scores, facts; read and checked."""
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
@@ -15,6 +14,8 @@ from ins_eval.study.tables import score as scored
 from ins_eval.study.tables.score import Score
 from ins_eval.study.tables.table import TABLE
 from pyhrg.common.errors import HrgError
+from pyhrg.common.reading.documents import read_json
+from pyhrg.common.reading.tables import read_parquet
 
 DOCUMENT = "study.json"
 INTERVAL_PERCENT = "interval_percent"
@@ -74,8 +75,6 @@ def check_study_data(
     Raises:
         StudyDataError: a column or key is missing or of another kind; there are no rows.
     """
-    if not isinstance(document, dict):
-        raise StudyDataError(f"{source}{DOCUMENT}: found {document!r}, expected an object")
     if not len(table):
         raise StudyDataError(
             f"{source}{TABLE}: found no rows, expected one for each triad and mission"
@@ -109,13 +108,8 @@ def read_study_data(folder: Path) -> StudyData:
     Raises:
         StudyDataError: a file is missing or can't be read; or as `check_study_data`.
     """
-    try:
-        table = pd.read_parquet(folder / TABLE)
-        document = json.loads((folder / DOCUMENT).read_text())
-    except (OSError, ValueError) as error:
-        raise StudyDataError(
-            f"{folder}: expected {TABLE} and {DOCUMENT} of a study: {error}"
-        ) from error
+    table = read_parquet(folder / TABLE, StudyDataError)
+    document = read_json(folder / DOCUMENT, StudyDataError)
     return check_study_data(table, document, f"{folder}/")
 
 

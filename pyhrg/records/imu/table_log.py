@@ -11,6 +11,7 @@ import pyarrow.csv
 
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
+from pyhrg.common.reading.tables import parse_parquet
 from pyhrg.records.columns import LogError
 from pyhrg.records.imu.columns import (
     ACCELEROMETERS,
@@ -54,10 +55,7 @@ def read_csv(source: str, lines: list[str], trusted: bool) -> RecordedImu:
 
 def read_parquet(source: str, data: bytes, trusted: bool) -> RecordedImu:
     """The log of a Parquet file, whose first row of values is row 1."""
-    try:
-        frame = pd.read_parquet(io.BytesIO(data))
-    except (pyarrow.ArrowException, OSError, ValueError) as error:
-        raise LogError(f"{source}: found damaged Parquet: {error}") from error
+    frame = parse_parquet(source, data, LogError)
     kinds = _choose_quantities(source, [str(name) for name in frame.columns])
     columns = _list_columns(kinds)
     for name in columns:

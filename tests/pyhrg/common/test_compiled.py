@@ -9,7 +9,8 @@ from pathlib import Path
 import pytest
 
 import ins_eval
-from ins_eval.common import compiled, earth
+from ins_eval.common import earth
+from pyhrg.common.caches import compiled
 
 PACKAGES = Path(ins_eval.__file__).parents[1]
 CALL = """

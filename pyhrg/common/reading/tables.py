@@ -1,0 +1,44 @@
+"""CSV and Parquet."""
+
+import csv
+import io
+from collections.abc import Iterator
+from pathlib import Path
+
+import pandas as pd
+import pyarrow.parquet as pq
+
+from pyhrg.common.errors import HrgError
+from pyhrg.common.reading.failures import refuse_unreadable
+from pyhrg.common.reading.files import read_unpacked
+from pyhrg.common.reading.limits import check_size, compute_expanded_limit
+
+
+def parse_csv(
+    source: object, text: str, delimiter: str = ",", error_class: type[HrgError] = HrgError
+) -> Iterator[tuple[int, list[str]]]:
+    """Number and fields of each row that has any; the number counts lines from 1."""
+    reader = csv.reader(io.StringIO(text), delimiter=delimiter)
+    while True:
+        with refuse_unreadable(f"{source}: row {reader.line_num + 1}", "CSV", error_class):
+            row = next(reader, None)
+        if row is None:
+            return
+        if row:
+            yield reader.line_num, row
+
+
+def read_parquet(path: Path, error_class: type[HrgError] = HrgError) -> pd.DataFrame:
+    """The table that a Parquet file holds."""
+    return parse_parquet(path, read_unpacked(path, error_class), error_class)
+
+
+def parse_parquet(
+    source: object, data: bytes, error_class: type[HrgError] = HrgError
+) -> pd.DataFrame:
+    """The table of a Parquet file's bytes."""
+    with refuse_unreadable(source, "Parquet", error_class):
+        shape = pq.read_metadata(io.BytesIO(data))
+        cells = shape.num_rows * shape.num_columns
+        check_size(source, 8 * cells, compute_expanded_limit(len(data)), error_class)
+        return pd.read_parquet(io.BytesIO(data))

@@ -16,6 +16,7 @@ from ins_eval.study.specification import (
 from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.keys import build_from_table, keys
 from ins_eval.trajectories.recordings import find_recording
+from pyhrg.common.errors import HrgError
 from pyhrg.common.reading.files import read_bytes
 from pyhrg.common.reading.limits import LOG_BYTES
 from pyhrg.common.toml_table import SpecificationError, TomlTable, read_table
@@ -150,6 +151,10 @@ def _read_mission(table: TomlTable, folder: Path, hours: float) -> PlannedMissio
     if "class" not in table.values:
         raise table.missing("class", "the class of manoeuvre, text")
     path = _find_file(table, folder)
+    try:
+        content = read_bytes(path, LOG_BYTES)
+    except HrgError as error:
+        raise table.error("file", str(path), f"a file: {error}") from error
     chosen = {key: table.values[key] for key in ("hours",) if key in table.values}
     return build_from_table(
         PlannedMission,
@@ -157,7 +162,7 @@ def _read_mission(table: TomlTable, folder: Path, hours: float) -> PlannedMissio
         name=table.text("name", path.name.split(".")[0]),
         mission_class=table.text("class", ""),
         file_name=path.name,
-        content=read_bytes(path, LOG_BYTES, table.error_class),
+        content=content,
     )
 
 

@@ -69,15 +69,13 @@ def _make_spoilt_case(chance: random.Random, name: str, sample: Sample) -> Case:
     mutations = [chance.choice(sample.mutations) for _ in range(chance.choice((1, 1, 1, 2)))]
 
     def prepare(folder: Path) -> None:
-        sample.write(folder)
-        path = folder / sample.spoilt
-        data = path.read_bytes()
+        data = sample.content[sample.spoilt]
         for mutation in mutations:
             try:
                 data = mutation(data, chance)
             except Exception:  # spoilt before, it can't be spoilt that way
                 continue
-        path.write_bytes(data)
+        sample.put(folder, data)
 
     return Case(f"{name}, {', '.join(m.__name__ for m in mutations)}", prepare, sample.read)
 
@@ -87,12 +85,10 @@ def _make_path_case(chance: random.Random, name: str, sample: Sample) -> Case:
     target = chance.choice(PATHS)
 
     def prepare(folder: Path) -> None:
-        sample.write(folder)
-        path = folder / sample.spoilt
-        path.unlink()
+        sample.put(folder, None)
         os.mkfifo(folder / "pipe")
         if target and len(target) < 100 and "\0" not in target:
-            path.symlink_to(target)
+            (folder / sample.spoilt).symlink_to(target)
 
     return Case(f"{name} at {target[:20]!r}", prepare, sample.read)
 

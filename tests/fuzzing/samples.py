@@ -4,6 +4,7 @@ import json
 import tempfile
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
+from functools import cached_property
 from importlib import resources
 from pathlib import Path
 
@@ -52,7 +53,7 @@ PSINS = """\
 """
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Sample:
     """A format.
 
@@ -66,6 +67,23 @@ class Sample:
     spoilt: str
     mutations: tuple[Mutation, ...]
     read: Callable[[Path], object]
+
+    @cached_property
+    def content(self) -> dict[str, bytes]:
+        """Right files by name, made once."""
+        with tempfile.TemporaryDirectory() as name:
+            self.write(Path(name))
+            files = (path for path in Path(name).rglob("*") if path.is_file())
+            return {str(path.relative_to(name)): path.read_bytes() for path in files}
+
+    def put(self, folder: Path, spoilt: bytes | None) -> None:
+        """Put the input into a folder, its spoilt file with these bytes; None: without it."""
+        for name, data in self.content.items():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            if name != self.spoilt:
+                (folder / name).write_bytes(data)
+            elif spoilt is not None:
+                (folder / name).write_bytes(spoilt)
 
 
 def _copy(package: str, name: str) -> Callable[[Path], object]:
@@ -258,5 +276,5 @@ def read_all() -> None:
     """Read every right input once, so that what is compiled and loaded is there for all cases."""
     for sample in SAMPLES.values():
         with tempfile.TemporaryDirectory() as folder:
-            sample.write(Path(folder))
+            sample.put(Path(folder), sample.content[sample.spoilt])
             sample.read(Path(folder))

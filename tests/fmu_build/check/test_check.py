@@ -78,7 +78,7 @@ def test_a_finding_gives_status_1(tmp_path: Path) -> None:
 def test_unusable_input_gives_status_2(tmp_path: Path) -> None:
     run = checked(tmp_path / "nowhere.fmu")
     assert run.returncode == 2
-    assert "nowhere.fmu: No such file" in run.stderr
+    assert "nowhere.fmu: can't be read: No such file" in run.stderr
 
 
 def test_a_missing_importer_is_skipped_and_says_how_to_install_it() -> None:

@@ -29,7 +29,7 @@ def test_a_folder_gives_back_what_was_written(tmp_path: Path) -> None:
 
 
 def test_a_folder_without_results_is_named(tmp_path: Path) -> None:
-    with pytest.raises(StudyDataError, match=r"expected study\.parquet and study\.json"):
+    with pytest.raises(StudyDataError, match=r"study\.parquet: can't be read: No such file"):
         read_study_data(tmp_path)
 
 
@@ -57,7 +57,6 @@ def test_no_rows_are_refused() -> None:
     [
         ({}, "scores: found nothing, expected a list"),
         ({"scores": {}}, "scores: found dict, expected a list"),
-        ([], r"found \[\], expected an object"),
         ({"scores": [{"colour": 1}]}, r"scores\[0\]: found colour, expected only"),
         ({"scores": [{"score": "spearman"}]}, r"scores\[0\]: .*missing"),
         ({"scores": ["spearman"]}, r"scores\[0\]: found 'spearman', expected an object"),

@@ -4,7 +4,7 @@ import hashlib
 import io
 import tempfile
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import cache
 from pathlib import Path
 from typing import Any, Literal
@@ -61,6 +61,10 @@ class _CheckedFile(caching.IndexDataCacheFile):
         if read_cached(Path(self._data_path(name))) is None:
             raise FileNotFoundError(name)  # numba compiles it anew
         return super()._load_data(name)
+
+    def save(self, key: Any, data: Any) -> None:
+        with suppress(OSError):  # a full disk: the next process compiles again
+            super().save(key, data)
 
     @contextmanager
     def _open_for_write(self, filepath: str) -> Iterator[Any]:

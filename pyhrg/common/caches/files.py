@@ -21,10 +21,12 @@ def find_cache_folder() -> Path:
     Compiled code in it is loaded and run, so that nobody else may write there.
 
     Raises:
-        HrgError: the folder is another user's, or others may write it.
+        HrgError: there is no home; or the folder is another user's, or others may write it.
         OSError: it can't be made.
     """
     folder = platformdirs.user_cache_path("hrg")
+    if not folder.is_absolute():
+        raise HrgError("cache: found no home folder, expected $HOME or $XDG_CACHE_HOME")
     folder.mkdir(mode=OF_USER_ALONE, parents=True, exist_ok=True)
     found = folder.stat()
     if found.st_uid != os.geteuid() or found.st_mode & OTHERS_MAY_WRITE:

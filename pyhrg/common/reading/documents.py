@@ -9,7 +9,7 @@ from typing import Any
 from pyhrg.common.errors import HrgError
 from pyhrg.common.reading.failures import refuse_unreadable
 from pyhrg.common.reading.files import decode, read_bytes
-from pyhrg.common.reading.limits import DOCUMENT_BYTES, check_size
+from pyhrg.common.reading.limits import DOCUMENT_BYTES, XML_BYTES, check_size
 
 
 def read_json(path: Path, error_class: type[HrgError] = HrgError) -> dict[str, Any]:
@@ -37,6 +37,6 @@ def read_toml(path: Path, error_class: type[HrgError] = HrgError) -> dict[str, A
 
 def parse_xml(source: object, data: bytes, error_class: type[HrgError] = HrgError) -> ET.Element:
     """The root of an XML document."""
-    check_size(source, len(data), DOCUMENT_BYTES, error_class)
+    check_size(source, len(data), XML_BYTES, error_class)
     with refuse_unreadable(source, "XML", error_class):
         return ET.fromstring(data)

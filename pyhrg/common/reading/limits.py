@@ -5,8 +5,10 @@ from pyhrg.common.errors import HrgError
 MEBIBYTE = 2**20
 
 DOCUMENT_BYTES = 16 * MEBIBYTE
-"""Largest TOML, JSON or XML document. Chosen: a hundred times those of a study of 1000 triads; as
-objects of Python it takes about thirty times as much memory."""
+"""Largest TOML or JSON document. Chosen: a hundred times those of a study of 1000 triads; as
+objects of Python it takes up to thirty times as much memory."""
+XML_BYTES = 32 * MEBIBYTE
+"""Largest XML document. Chosen: the description of an FMU with 150 000 variables."""
 LOG_BYTES = 512 * MEBIBYTE
 """Largest log, unpacked. Chosen: 12 h of an IMU at 200 Hz as text; parsed it takes about eight
 times as much memory. Longer records are split, or stored as Parquet."""

@@ -12,7 +12,7 @@ from fmu_build.bundle import build_fmu
 from pyhrg.common.caches import files
 from pyhrg.common.errors import HrgError
 from pyhrg.fmu import GyroFmu
-from tests.pyhrg.common.test_compiled import read_output, start_process
+from tests.pyhrg.common.test_compiled import CALL, read_output, start_process
 
 
 def test_a_file_reads_back(tmp_path: Path) -> None:
@@ -93,3 +93,19 @@ def test_a_damaged_library_of_an_extracted_fmu_is_extracted_anew(tmp_path: Path)
     library.write_bytes(right[:5000] + b"x" + right[5001:])
     assert GyroFmu(path).folder in library.parents
     assert library.read_bytes() == right
+
+
+def test_no_home_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where the user has no entry either, the home's name is not expanded."""
+    monkeypatch.setattr(platformdirs, "user_cache_path", lambda name: Path("~/.cache") / name)
+    with pytest.raises(HrgError, match=r"found no home folder, expected \$HOME"):
+        files.find_cache_folder()
+
+
+def test_a_full_disk_does_no_harm(tmp_path: Path) -> None:
+    """No file can be longer than 100 bytes: nothing half-written is left, the number is right."""
+    code = f"import resource; resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))\n{CALL}"
+    found = read_output(start_process(tmp_path, code=code))
+    assert not list(tmp_path.rglob("*.nb?*"))
+    assert found == read_output(start_process(tmp_path))
+    assert list(tmp_path.rglob("*.nbc"))

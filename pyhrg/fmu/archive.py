@@ -66,8 +66,9 @@ def _extract(path: Path) -> Path:
         aside = Path(tempfile.mkdtemp(prefix=".partial-", dir=path.parent))
         try:
             fmpy.extract(str(path), str(aside))
-            shutil.rmtree(folder, ignore_errors=True)
-            with contextlib.suppress(OSError):  # another process was faster
+            if not _is_extracted(path, folder):  # another process may have been faster
+                shutil.rmtree(folder, ignore_errors=True)
+            with contextlib.suppress(OSError):  # it was
                 aside.rename(folder)
         finally:
             shutil.rmtree(aside, ignore_errors=True)

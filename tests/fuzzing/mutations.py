@@ -7,6 +7,8 @@ import re
 import zipfile
 from collections.abc import Callable
 
+ZEROS = gzip.compress(bytes(100_000_000), 1)
+"""A member of gzipped data that unpacks to 230 times its size."""
 Mutation = Callable[[bytes, random.Random], bytes]
 
 DIGITS = "9" * 5000
@@ -76,7 +78,7 @@ def recode(data: bytes, chance: random.Random) -> bytes:
             *(text.encode(name) for name in ("utf-16", "utf-32", "utf-8-sig", "utf-7")),
             gzip.compress(data)[:-9],
             gzip.compress(flip(data, chance)),
-            gzip.compress(data + bytes(200_000_000), 1),
+            gzip.compress(data) + ZEROS,
             gzip.compress(gzip.compress(data)),
         )
     )

@@ -15,7 +15,7 @@ from ins_eval.study.tables.score import Score
 from ins_eval.study.tables.table import TABLE
 from pyhrg.common.errors import HrgError
 from pyhrg.common.reading.documents import read_json
-from pyhrg.common.reading.tables import read_parquet
+from pyhrg.common.reading.parquet import read_parquet
 
 DOCUMENT = "study.json"
 INTERVAL_PERCENT = "interval_percent"

@@ -11,9 +11,9 @@ from ins_eval.common.arrays import Array
 from ins_eval.trajectories.errors import TrajectoryError, check_durations
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 from pyhrg.common.errors import quote
+from pyhrg.common.reading.csv_rows import parse_csv
 from pyhrg.common.reading.files import decode, read_unpacked
 from pyhrg.common.reading.limits import LARGEST_NUMBER
-from pyhrg.common.reading.tables import parse_csv
 
 COLUMNS = (
     "time_s",

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.common.errors import quote
+from pyhrg.common.reading.csv_rows import parse_csv
 from pyhrg.common.reading.files import decode, read_unpacked
-from pyhrg.common.reading.tables import parse_csv
 from pyhrg.records.columns import BY_FIELD, COLUMNS, Column, LogError, find_mislabelled_column
 
 Array = NDArray[np.float64]

@@ -11,7 +11,7 @@ import pyarrow.csv
 
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
-from pyhrg.common.reading.tables import parse_parquet
+from pyhrg.common.reading.parquet import parse_parquet
 from pyhrg.records.columns import LogError
 from pyhrg.records.imu.columns import (
     ACCELEROMETERS,

@@ -12,7 +12,7 @@ import pandas as pd
 import pytest
 
 from pyhrg.common.errors import LONGEST_MESSAGE, HrgError, fold_line, quote
-from pyhrg.common.reading import archives, documents, files, limits, tables
+from pyhrg.common.reading import archives, csv_rows, documents, files, limits, parquet
 
 
 class OwnError(HrgError):
@@ -20,7 +20,9 @@ class OwnError(HrgError):
 
 
 def read_csv(path: Path) -> object:
-    return list(tables.parse_csv(path, files.decode(path, path.read_bytes()), error_class=OwnError))
+    return list(
+        csv_rows.parse_csv(path, files.decode(path, path.read_bytes()), error_class=OwnError)
+    )
 
 
 def read_xml(path: Path) -> object:
@@ -64,7 +66,7 @@ CASES = [
     (read_archive, lying(10, b"\x63"), "found compression method 99, expected stored or deflated"),
     (read_archive, lying(24, b"\0\0\0\x7f"), "found 2032.0 MiB or more, expected at most"),
     (read_archive, lying(24, b"\xc8"), "found 100 bytes of 200"),
-    (tables.read_parquet, b"PAR1" + bytes(100) + b"PAR1", "found what is no Parquet"),
+    (parquet.read_parquet, b"PAR1" + bytes(100) + b"PAR1", "found what is no Parquet"),
     (files.read_unpacked, gzip.compress(b"x" * 100)[:-9], "found what is no whole gzipped data"),
     (files.read_unpacked, gzip.compress(bytes(100_000_000)), "64.0 MiB or more, expected at most"),
 ]
@@ -128,14 +130,14 @@ def test_a_parquet_file_of_many_repeated_rows_is_refused(tmp_path: Path) -> None
     path = tmp_path / "table.parquet"
     pd.DataFrame({"a": [0.0] * 10_000_000}).to_parquet(path)
     with pytest.raises(HrgError, match="expected at most 64 MiB"):
-        tables.read_parquet(path)
+        parquet.read_parquet(path)
 
 
 def test_right_content_is_read(tmp_path: Path) -> None:
     path = tmp_path / "file"
     path.write_text(json.dumps({"a": 1}))
     assert documents.read_json(path) == {"a": 1}
-    assert list(tables.parse_csv("file", 'a,"b\nc"\n\n1,2\n')) == [
+    assert list(csv_rows.parse_csv("file", 'a,"b\nc"\n\n1,2\n')) == [
         (2, ["a", "b\nc"]),
         (4, ["1", "2"]),
     ]

@@ -1,8 +1,6 @@
-"""CSV and Parquet."""
+"""Parquet."""
 
-import csv
 import io
-from collections.abc import Iterator
 from pathlib import Path
 
 import pandas as pd
@@ -12,20 +10,6 @@ from pyhrg.common.errors import HrgError
 from pyhrg.common.reading.failures import refuse_unreadable
 from pyhrg.common.reading.files import read_unpacked
 from pyhrg.common.reading.limits import check_size, compute_expanded_limit
-
-
-def parse_csv(
-    source: object, text: str, delimiter: str = ",", error_class: type[HrgError] = HrgError
-) -> Iterator[tuple[int, list[str]]]:
-    """Number and fields of each row that has any; the number counts lines from 1."""
-    reader = csv.reader(io.StringIO(text), delimiter=delimiter)
-    while True:
-        with refuse_unreadable(f"{source}: row {reader.line_num + 1}", "CSV", error_class):
-            row = next(reader, None)
-        if row is None:
-            return
-        if row:
-            yield reader.line_num, row
 
 
 def read_parquet(path: Path, error_class: type[HrgError] = HrgError) -> pd.DataFrame:

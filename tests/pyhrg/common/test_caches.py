@@ -14,6 +14,13 @@ from pyhrg.common.errors import HrgError
 from pyhrg.fmu import GyroFmu
 from tests.pyhrg.common.test_compiled import CALL, read_output, start_process
 
+TURN = """
+from fmu_build.bundle import build_fmu
+from pyhrg.fmu import GyroFmu
+with GyroFmu(build_fmu()).power_on({}, seed=1, start_angle=0.0) as gyro:
+    print(gyro.advance(1.0, 0.1))
+"""
+
 
 def test_a_file_reads_back(tmp_path: Path) -> None:
     path = tmp_path / "folder" / "file"
@@ -69,11 +76,25 @@ def test_damaged_compiled_code_is_made_anew(tmp_path: Path) -> None:
         assert read_output(start_process(tmp_path)) == right
 
 
-def test_a_damaged_fmu_is_built_anew(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def prepare_cache(folder: Path) -> Path:
+    """A cache that holds compiled libraries alone; returns the file where its FMU will be."""
     original = build_fmu()
-    cached = tmp_path / "hrg" / original.parent.name / original.name
-    shutil.copytree(original.parents[1] / "libraries", tmp_path / "hrg" / "libraries")
-    (tmp_path / "hrg").chmod(0o700)
+    shutil.copytree(original.parents[1] / "libraries", folder / "hrg" / "libraries")
+    (folder / "hrg").chmod(0o700)
+    return folder / "hrg" / original.parent.name / original.name
+
+
+def test_two_processes_at_once_build_and_load_one_fmu(tmp_path: Path) -> None:
+    cached = prepare_cache(tmp_path)
+    both = [start_process(tmp_path, code=TURN) for _ in range(2)]
+    first, second = (read_output(process) for process in both)
+    assert first == second != 0.0
+    assert files.is_intact(cached)
+    assert not list(cached.parent.glob(".*"))
+
+
+def test_a_damaged_fmu_is_built_anew(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    cached = prepare_cache(tmp_path)
     monkeypatch.setattr(platformdirs, "user_cache_path", lambda name: tmp_path / name)
     assert build_fmu() == cached
     right = cached.read_bytes()

@@ -133,7 +133,9 @@ def _find_interval(source: str, time: Array, first_row: int) -> float:
     """The sampling interval, s."""
     steps = np.diff(time)
     interval = float(np.median(steps))
-    wrong = (steps <= 0) | (np.abs(steps - interval) > MAX_JITTER * interval)
+    wrong = steps <= 0
+    if interval > 0:
+        wrong |= np.abs(steps - interval) > MAX_JITTER * interval
     if wrong.any():
         i = int(np.argmax(wrong))
         trouble = _describe_step(float(steps[i]), interval)

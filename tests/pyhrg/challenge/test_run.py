@@ -165,7 +165,7 @@ def test_challenges_of_other_seeds_are_scored_together(tmp_path: Path) -> None:
     with pytest.raises(ChallengeError, match=r"settings\.json: can't be read: No such file"):
         other.run(1, [begun])
     begun.begin(SETTINGS)
-    with pytest.raises(ChallengeError, match=r"challenge\.json: No such file"):
+    with pytest.raises(ChallengeError, match=r"challenge\.json: can't be read: No such file"):
         other.run(1, [begun])
     begun.index.write_text("{}")
     with pytest.raises(ChallengeError, match=r"challenge\.json: expected cases of a challenge"):

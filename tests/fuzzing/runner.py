@@ -46,7 +46,9 @@ def run_case(case: Case) -> Outcome:
         case.prepare(folder)
         before = _list_content(folder)
         out, into = os.pipe()
-        child = os.fork()
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", DeprecationWarning)  # from Python 3.12 on, of threads
+            child = os.fork()
         if not child:
             os.close(out)
             _read(case, folder, into)

@@ -13,8 +13,9 @@ from ins_eval.study.tables import columns
 from ins_eval.study.tables import score as scored
 from ins_eval.study.tables.score import Score
 from ins_eval.study.tables.table import TABLE
-from pyhrg.common.errors import HrgError
+from pyhrg.common.errors import HrgError, quote
 from pyhrg.common.reading.documents import read_json
+from pyhrg.common.reading.failures import refuse_unreadable
 from pyhrg.common.reading.parquet import read_parquet
 
 DOCUMENT = "study.json"
@@ -145,10 +146,16 @@ def _read_score(entry: Any, place: str) -> Score:
             f"{place}: found {unknown[0]}, expected only {', '.join(sorted(known))}"
         )
     numbers = {k: np.nan if entry.get(k) is None else entry[k] for k in ("value", "low", "high")}
-    try:
+    with refuse_unreadable(place, "score", StudyDataError):
         score = Score(**{**entry, **numbers})
-    except TypeError as error:
-        raise StudyDataError(f"{place}: {error}") from error
+        for field in fields(Score):
+            value = getattr(score, field.name)
+            kind: Any = int | float if field.type is float else field.type
+            if not isinstance(value, kind):
+                found = f"{field.name}: found {quote(value)}"
+                raise StudyDataError(f"{place}: {found}, expected it as a study writes it")
+            if field.type is float:
+                float(value)  # an integer may be too large
     predictors = ["", *(p.key for p in columns.PREDICTORS), *columns.FIGURE_TITLES]
     _check_known("score", score.score, list(scored.SCORES), place)
     _check_known("predictor", score.predictor, predictors, place)

@@ -89,3 +89,14 @@ def test_an_unknown_predictor_is_named() -> None:
     entry = asdict(made.scores[0]) | {"predictor": "tea_leaves"}
     with pytest.raises(StudyDataError, match=r"scores\[0\]: found predictor tea_leaves, expected"):
         check_study_data(made.table, {"scores": [entry]})
+
+
+@pytest.mark.parametrize(
+    ("field", "value"),
+    [("value", "1.5"), ("value", 10**400), ("n", None), ("seed", "1"), ("shuffled", 1)],
+)
+def test_a_field_of_another_type_is_named(field: str, value: object) -> None:
+    made = synthetic(4)
+    entry = asdict(made.scores[0]) | {field: value}
+    with pytest.raises(StudyDataError, match=rf"scores\[0\]: (found what is no score|{field}:)"):
+        check_study_data(made.table, {"scores": [entry]})

@@ -136,7 +136,7 @@ class Folder:
             {kind: counts.whole_number(kind, None, 0, MAX_CASES) for kind in counts.values},
             table.whole_number("seed", None, 0, 2**63 - 1),
             table.number("to", None, DETECTION_SIGMAS, math.inf),
-            table.text("level", None, LEVELS),
+            table.text("level", None, tuple(LEVELS)),
         )
 
     def published(self) -> dict[str, str]:

@@ -89,7 +89,7 @@ def compile_loop(
     before = _SETTINGS.CACHE_DIR
     _SETTINGS.CACHE_DIR = str(cache_folder())
     try:
-        compiled = numba.njit(cache=True, inline=inline)(function)
+        compiled: Any = numba.njit(cache=True, inline=inline)(function)
     finally:
         _SETTINGS.CACHE_DIR = before
     compiled._cache._cache_file.__class__ = _CheckedFile

@@ -139,7 +139,7 @@ class Folder:
             table.text("level", None, tuple(LEVELS)),
         )
 
-    def published(self) -> dict[str, str]:
+    def read_hashes(self) -> dict[str, str]:
         """The published hash of each truth, by case."""
         cases = read_json_table(self.index, ChallengeError).tables("cases")
         return {case.text("name", None): case.text("sha256", None) for case in cases}

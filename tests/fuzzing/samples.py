@@ -159,7 +159,7 @@ def _write_challenge(folder: Path) -> None:
 
 def _read_challenge(folder: Path) -> None:
     challenge = Folder(folder)
-    settings, published = challenge.begun(), challenge.published()
+    settings, published = challenge.begun(), challenge.read_hashes()
     assert {case.name for case in settings.cases()} | set(published)
 
 

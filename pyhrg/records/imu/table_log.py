@@ -1,6 +1,5 @@
 """Logs of IMUs as tables: CSV, gzipped or not, and Parquet."""
 
-
 import numpy as np
 
 from pyhrg.common.reading.parquet import parse_parquet

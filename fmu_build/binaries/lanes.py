@@ -7,14 +7,14 @@ from pathlib import Path
 
 import llvmlite.binding
 
-from fmu_build.binaries.libraries import keep_library
+from fmu_build.binaries.libraries import fetch_library
 from fmu_build.binaries.platforms import FLAGS, PLATFORMS, find_host_platform
 
 OWN_SOURCES = Path(__file__).parent / "side_by_side"
 MODEL_SOURCES = ("model.c", "core.c", "limits.c")
 
 
-def build_lanes(sources: Path, width: int) -> Path:
+def build_lanes(sources: Path, width: int) -> bytes:
     """Library for up to `width` gyros of the FMU whose C sources are in a folder: from the user's
     cache, built if it isn't there.
 
@@ -32,4 +32,4 @@ def build_lanes(sources: Path, width: int) -> Path:
         files = sorted(file.name for file in own if file.suffix == ".c")
         host = PLATFORMS[find_host_platform()]
         names = [*files, "limits.c"]
-        return keep_library(folder, names, "lanes", host, flags=flags, processor=processor)
+        return fetch_library(folder, names, "lanes", host, flags=flags, processor=processor)

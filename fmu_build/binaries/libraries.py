@@ -5,10 +5,8 @@ from collections.abc import Callable, Sequence
 from importlib.metadata import version
 from pathlib import Path
 
-import platformdirs
-
 from fmu_build.binaries.platforms import FLAGS, UCRT, WINDOWS_RUNTIME, Platform, compile_library
-from pyhrg.common.files import write_whole
+from pyhrg.common.caches.files import find_cache_folder, read_cached, write_cached
 
 
 def fetch_library(
@@ -17,36 +15,23 @@ def fetch_library(
     identifier: str,
     target: Platform,
     progress: Callable[[str], None] = lambda text: None,
-) -> bytes:
-    """Shared library of the C sources in a folder, from the user's cache or compiled."""
-    return keep_library(folder, sources, identifier, target, progress).read_bytes()
-
-
-def keep_library(
-    folder: Path,
-    sources: Sequence[str],
-    identifier: str,
-    target: Platform,
-    progress: Callable[[str], None] = lambda text: None,
     *,
     flags: Sequence[str] = FLAGS,
     processor: str = "",
-) -> Path:
-    """Path of the shared library in the user's cache, compiled if it isn't there. Its name is a
-    digest of all files in the folder, and of the processor's features where `flags` use them."""
+) -> bytes:
+    """Shared library of the C sources in a folder, from the user's cache or compiled. What it is
+    kept by is a digest of all of them and, where `flags` use them, of the processor's features."""
     made_of = f"{version('ziglang')} {flags} {processor} {UCRT} {target} {identifier} {sources}"
     digest = hashlib.sha256(made_of.encode())
     digest.update(WINDOWS_RUNTIME.read_bytes())
     for file in sorted(folder.glob("*.[ch]")):
         digest.update(f"{file.name}\0".encode() + file.read_bytes())
-    path = (
-        platformdirs.user_cache_path("hrg") / "libraries" / f"{digest.hexdigest()}{target.suffix}"
-    )
-    if path.exists():
+    library_name = f"{digest.hexdigest()}{target.suffix}"
+    path = find_cache_folder() / "libraries" / library_name
+    if (kept := read_cached(path)) is not None:
         progress(f"unchanged for {target.name}")
-        return path
+        return kept
     progress(f"compiling for {target.name}")
     library = compile_library(folder, sources, identifier, target, flags)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(path, library)
-    return path
+    write_cached(path, library)
+    return library

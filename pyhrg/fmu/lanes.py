@@ -1,12 +1,15 @@
 """Gyros of one FMU side by side in the lanes of a processor's vectors (`record.c`)."""
 
 import ctypes
+import hashlib
 from collections.abc import Sequence
 from functools import lru_cache
 from pathlib import Path
 
 from fmu_build.binaries.lanes import build_lanes
-from fmu_build.binaries.platforms import BuildError
+from fmu_build.binaries.platforms import PLATFORMS, find_host_platform
+from pyhrg.common.errors import HrgError
+from pyhrg.common.files import write_whole
 from pyhrg.fmu.rows import Layout, Rows
 
 _Addresses = ctypes.c_void_p * 4
@@ -74,6 +77,11 @@ class Lanes:
 def load_lanes(folder: Path, width: int) -> Lanes | None:
     """The library for the FMU extracted to a folder; None where it can't be built."""
     try:
-        return Lanes(build_lanes(folder / "sources", width))
-    except (BuildError, OSError):
+        library = build_lanes(folder / "sources", width)
+        suffix = PLATFORMS[find_host_platform()].suffix
+        path = folder / f"lanes-{hashlib.sha256(library).hexdigest()[:16]}{suffix}"
+        if not path.exists() or path.read_bytes() != library:
+            write_whole(path, library)
+        return Lanes(path)
+    except (HrgError, OSError):
         return None

@@ -8,6 +8,7 @@ ALL = "all"
 """Mission class or role of a score that covers all of them."""
 
 R2_RADIAL, R2_COMPONENTS, R2_MOUNTED = "r2_radial", "r2_components", "r2_without_mounting"
+R2_SHORTFALL, MOUNTING_SHARE = "r2_shortfall", "mounting_share"
 MEDIAN_RATIO, COVERAGE = "median_ratio", "coverage"
 SPEARMAN, FLIGHT_SPEARMAN = "spearman", "spearman_of_flights"
 AGREEMENT = "linear_to_cosimulated"
@@ -17,6 +18,8 @@ SCORES = {
     R2_RADIAL: "R2 of predicted = flown, horizontal error, no refit",
     R2_COMPONENTS: "R2 of predicted = flown, north and east, no refit",
     R2_MOUNTED: "R2, north and east, if the mounting were known: its part is taken out",
+    R2_SHORTFALL: "R2 of the true parameters less that of this predictor, horizontal error",
+    MOUNTING_SHARE: "share of the flown mean square error that leaning input axes make, linear",
     MEDIAN_RATIO: "median of flown / predicted",
     COVERAGE: "share of flown errors inside the predicted interval",
     SPEARMAN: "rank correlation of the bench's figure and the linear rms over power-on angles",

@@ -83,6 +83,7 @@ def _describe_claims(data: StudyData, calibration: str) -> list[dict[str, Any]]:
             "n": each.n,
             "overall": [score.describe() for score in each.overall],
             "by_class": [score.describe() for score in each.by_class],
+            "beside": [score.describe() for score in each.beside],
         }
         for each in judge_claims(data, calibration)
     ]

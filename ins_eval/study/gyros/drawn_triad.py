@@ -59,7 +59,7 @@ class DrawnTriad:
 
     measured: the bench's results; flights: the gyros as they fly; accelerometers: (3,) biases,
     m/s^2; mounting: (2, 3) angles by which input axes lean (`TriadBlock`), rad; seed: (2,) entropy
-    of the noise in flight.
+    of the noise in flight; calibrated: the gyros as the bench measured them.
     """
 
     measured: tuple[MeasuredGyro, ...]
@@ -67,6 +67,7 @@ class DrawnTriad:
     accelerometers: Array
     mounting: Array
     seed: NDArray[np.uint64]
+    calibrated: tuple[Device, ...] = ()
 
 
 def make_triad_seed(study_seed: int, number: int) -> np.random.SeedSequence:
@@ -96,8 +97,9 @@ def draw_triad(
     generator = np.random.default_rng(seed)
     gyros = [_draw_gyro(fmu, distribution, generator) for _ in range(AXES)]
     return DrawnTriad(
-        measured=tuple(measured for measured, _ in gyros),
-        flights=tuple(flight for _, flight in gyros),
+        measured=tuple(measured for measured, _, _ in gyros),
+        flights=tuple(flight for _, flight, _ in gyros),
+        calibrated=tuple(device for _, _, device in gyros),
         accelerometers=generator.normal(0.0, distribution.accelerometer_bias, AXES),
         seed=generator.integers(2**63, size=2).astype(np.uint64),
         mounting=generator.normal(0.0, distribution.mounting, (2, AXES)),
@@ -106,14 +108,14 @@ def draw_triad(
 
 def _draw_gyro(
     fmu: GyroFmu, distribution: TriadDistribution, generator: np.random.Generator
-) -> tuple[MeasuredGyro, Flight]:
+) -> tuple[MeasuredGyro, Flight, Device]:
     built = distribution.population.draw(generator)
     maker, bench = generator.integers(2**63, size=2).tolist()
     device: Device = calibrate_gyro(
         fmu, built, distribution.method, maker, distribution.calibration
     )
     measured = measure_gyro(fmu, device, distribution.bench, bench)
-    return measured, draw_flight(device, distribution.drift, generator)
+    return measured, draw_flight(device, distribution.drift, generator), device
 
 
 def tabulate_triads(fmu: GyroFmu, triads: list[DrawnTriad]) -> TriadBlock:

@@ -108,7 +108,10 @@ def _render_method(data: StudyData) -> str:
     columns = make_wide_table(Table("Columns", ("name", "unit", ""), rows))
     return (
         make_wide_table(Table("What was studied", ("", ""), facts))
-        + render_matrices(data, score.AGREEMENT, DIFFERENCE)
+        + "".join(
+            render_matrices(data, key, DIFFERENCE)
+            for key in (score.AGREEMENT, score.STEADY_AGREEMENT)
+        )
         + make_fold("Columns of study.parquet", columns)
     )
 

@@ -11,7 +11,7 @@ R2_RADIAL, R2_COMPONENTS, R2_MOUNTED = "r2_radial", "r2_components", "r2_without
 R2_SHORTFALL, MOUNTING_SHARE = "r2_shortfall", "mounting_share"
 MEDIAN_RATIO, COVERAGE = "median_ratio", "coverage"
 SPEARMAN, FLIGHT_SPEARMAN = "spearman", "spearman_of_flights"
-AGREEMENT = "linear_to_cosimulated"
+AGREEMENT, STEADY_AGREEMENT = "linear_to_cosimulated", "linear_to_steady_loops"
 CLASS_CONSTANT = "class_constant"
 
 SCORES = {
@@ -25,7 +25,8 @@ SCORES = {
     SPEARMAN: "rank correlation of the bench's figure and the linear rms over power-on angles",
     FLIGHT_SPEARMAN: "rank correlation of a triad's bench figure and its flown error",
     CLASS_CONSTANT: "class constant: median linear error / usual rule (0.01 deg/h = 1 nmi/h)",
-    AGREEMENT: "rms of linear less co-simulated / rms co-simulated",
+    AGREEMENT: "rms of linear less co-simulated / rms co-simulated, no noise, FMUs at 1 kHz",
+    STEADY_AGREEMENT: "the same with FMUs whose loops are in their steady state",
 }
 """Definitions by key; all are pure numbers (docs/methods/study_predictors.md, Eqs. 11 to 15)."""
 

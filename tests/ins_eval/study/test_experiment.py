@@ -139,6 +139,12 @@ def test_only_judged_triads_are_scored(folder: Path) -> None:
     assert read_study_data(folder).scores
 
 
+def test_phase_diagram_names_the_missions(folder: Path) -> None:
+    document = json.loads((folder / "study.json").read_text())["phase_diagram"]
+    assert set(document["missions"]) == {"car", "static-table"}
+    assert len(document["rows"]) == len(pd.read_csv(folder / "phase_diagram.csv"))
+
+
 def test_same_arrays_give_the_same_bytes(arrays: Arrays, folder: Path, tmp_path: Path) -> None:
     write_conclusion(STUDY, arrays, tmp_path)
     for name in FILES:

@@ -133,7 +133,7 @@ def _self_calibrate(sample: ConditionSample) -> TriadBlock:
 
 
 def _fly_years_later(sample: ConditionSample) -> TriadBlock:
-    """The same gyros, `STALE_AGE` after their calibration and their bench."""
+    """Triads of the same gyros that fly `STALE_AGE` after their calibration and their bench."""
     drift = replace(sample.distribution.drift, age=STALE_AGE)
 
     def fly(number: int, axis: int, device: Device) -> Flight:

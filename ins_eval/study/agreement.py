@@ -1,4 +1,4 @@
-"""Scores of the linear model against the co-simulated sample, both without noise."""
+"""Scores of the linear model against the co-simulated samples, all without noise."""
 
 from collections.abc import Iterator
 
@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from ins_eval.study.experiment import (
     NOISELESS,
+    STEADY_LOOPS,
     list_methods,
     select_cosimulated,
     select_errors,
@@ -26,8 +27,17 @@ LARGEST_RELATIVE_DIFFERENCE = 0.01
 
 
 def score_agreement(study: Study, arrays: Arrays) -> list[Score]:
-    """Scores by calibration and mission class, at the end; none without a sample."""
-    return list(_score_groups(study, arrays)) if study.agreement else []
+    """Scores by sample, calibration and mission class, at the end; none without a sample."""
+    samples = (
+        (study.agreement, NOISELESS, score.AGREEMENT),
+        (study.steady_agreement, STEADY_LOOPS, score.STEADY_AGREEMENT),
+    )
+    return [
+        found
+        for size, flights, key in samples
+        if size
+        for found in _score_groups(study, arrays, flights, key)
+    ]
 
 
 def compute_relative_difference(linear: Array, nonlinear: Array) -> Array:
@@ -36,7 +46,7 @@ def compute_relative_difference(linear: Array, nonlinear: Array) -> Array:
     return np.asarray(np.sqrt(difference / np.sum(nonlinear**2, axis=(-3, -2, -1))))
 
 
-def _score_groups(study: Study, arrays: Arrays) -> Iterator[Score]:
+def _score_groups(study: Study, arrays: Arrays, flights: str, key: str) -> Iterator[Score]:
     classes = dict.fromkeys(mission.mission_class for mission in study.missions)
     for method in list_methods(study):
         for name in (ALL, *classes):
@@ -45,36 +55,28 @@ def _score_groups(study: Study, arrays: Arrays) -> Iterator[Score]:
                 for number, mission in enumerate(study.missions)
                 if name in (ALL, mission.mission_class)
             ]
-            yield _score_group(study, arrays, method, name, missions)
-
-
-def _score_group(
-    study: Study, arrays: Arrays, method: Method, mission_class: str, missions: list[int]
-) -> Score:
-    samples = [
-        np.stack(errors, axis=1)
-        for errors in zip(*_select_final_errors(arrays, method, missions), strict=True)
-    ]
-    estimate = bootstrap(compute_relative_difference, samples, study.seed)
-    return estimate.score(
-        score=score.AGREEMENT,
-        predictor="",
-        calibration=method,
-        mission_class=mission_class,
-        role=ALL,
-        n=len(samples[0]),
-        seed=study.seed,
-        asked=f"<= {LARGEST_RELATIVE_DIFFERENCE:g}",
-        verdict=judge_bounds(estimate, high=LARGEST_RELATIVE_DIFFERENCE),
-    )
+            errors = zip(*_select_final_errors(arrays, method, missions, flights), strict=True)
+            samples = [np.stack(each, axis=1) for each in errors]
+            estimate = bootstrap(compute_relative_difference, samples, study.seed)
+            yield estimate.score(
+                score=key,
+                predictor="",
+                calibration=method,
+                mission_class=name,
+                role=ALL,
+                n=len(samples[0]),
+                seed=study.seed,
+                asked=f"<= {LARGEST_RELATIVE_DIFFERENCE:g}",
+                verdict=judge_bounds(estimate, high=LARGEST_RELATIVE_DIFFERENCE),
+            )
 
 
 def _select_final_errors(
-    arrays: Arrays, method: Method, missions: list[int]
+    arrays: Arrays, method: Method, missions: list[int], flights: str
 ) -> Iterator[tuple[Array, Array]]:
-    """(r, 2) linear and nonlinear error of the sample at the end, for each mission."""
+    """(r, 2) linear and nonlinear error of a sample at the end, for each mission."""
     for number in missions:
-        nonlinear = select_cosimulated(arrays, method, number, NOISELESS)[:, -1]
+        nonlinear = select_cosimulated(arrays, method, number, flights)[:, -1]
         done = np.isfinite(nonlinear).all(axis=-1)
         error = select_errors(arrays, method, number)
         yield (error.error - error.noise)[done, -1], nonlinear[done]

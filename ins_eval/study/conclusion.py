@@ -11,20 +11,28 @@ import pandas as pd
 from ins_eval.study import lead
 from ins_eval.study.agreement import score_agreement
 from ins_eval.study.conditions import CONDITIONS
-from ins_eval.study.experiment import FLOWN, LEAD
+from ins_eval.study.experiment import FLOWN, LEAD, open_missions, select_triads
 from ins_eval.study.flight_table import Training, tabulate_flights, train_methods
 from ins_eval.study.gyros.maker import Method
+from ins_eval.study.phase.diagram import (
+    compute_map_over_noise,
+    compute_phase_diagram,
+    compute_turning,
+    describe_phase_diagram,
+    write_rows,
+)
 from ins_eval.study.predictors.class_constants import compute_constant
 from ins_eval.study.report import page
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.scores.resampling import bootstrap
 from ins_eval.study.scores.score_flights import score_flights
-from ins_eval.study.specification import CONDITION, TEST, TRAIN, Study
+from ins_eval.study.specification import CONDITION, MEAN, TEST, TRAIN, Study
 from ins_eval.study.study_data import (
     CONDITIONS_KEY,
     DOCUMENT,
     INTERVAL_PERCENT,
     LEAD_KEY,
+    PHASE_KEY,
     check_study_data,
 )
 from ins_eval.study.tables import columns, score
@@ -33,7 +41,8 @@ from ins_eval.study.tables.table import TABLE, write_table
 from pyhrg.common.made_by import list_versions
 from pyhrg.common.units import DEG, DEG_PER_H
 
-FILES = (TABLE, page.PAGE, DOCUMENT)
+PHASE_TABLE = "phase_diagram.csv"
+FILES = (TABLE, PHASE_TABLE, page.PAGE, DOCUMENT)
 SCHEMA = "hrg-study/2"
 
 
@@ -57,12 +66,16 @@ def write_conclusion(study: Study, arrays: Arrays, folder: Path) -> None:
         *_score_constants(study, trained),
         *score_agreement(study, arrays),
     ]
-    document = _make_document(study, scores, _describe_lead(study, arrays))
+    phase = _describe_phase_diagram(study, arrays, trained)
+    write_rows(phase.get("rows", []), folder / PHASE_TABLE)
+    document = _make_document(study, scores, _describe_lead(study, arrays), phase)
     (folder / DOCUMENT).write_text(json.dumps(document, indent=1, allow_nan=False) + "\n")
     page.write_page(check_study_data(frame, document), folder)
 
 
-def _make_document(study: Study, scores: list[Score], lead_case: dict[str, Any]) -> dict[str, Any]:
+def _make_document(
+    study: Study, scores: list[Score], lead_case: dict[str, Any], phase: dict[str, Any]
+) -> dict[str, Any]:
     """Content of study.json: what was studied, with which versions, and all scores."""
     return {
         "schema": SCHEMA,
@@ -76,6 +89,7 @@ def _make_document(study: Study, scores: list[Score], lead_case: dict[str, Any])
         INTERVAL_PERCENT: study.interval_percent,
         CONDITIONS_KEY: {c.title: c.what for c in CONDITIONS} if study.conditions else {},
         LEAD_KEY: lead_case,
+        PHASE_KEY: phase,
         "made_by": list_versions(),
         "scores": [each.describe() for each in scores],
     }
@@ -96,6 +110,26 @@ def _describe_lead(study: Study, arrays: Arrays) -> dict[str, Any]:
         "flown_m": radial.tolist(),
         "start_angles_deg": (arrays[f"{LEAD}/angle"] / DEG).tolist(),
     }
+
+
+def _describe_phase_diagram(
+    study: Study, arrays: Arrays, trained: Mapping[Method, Training]
+) -> dict[str, Any]:
+    """The phase diagram of the training triads, and where the judged ones fly in it."""
+    if MEAN not in trained:
+        return {}
+    triads = select_triads(arrays, MEAN)
+    training, judged = (
+        triads.select(rows) for rows in (slice(study.training), slice(study.training, None))
+    )
+    ratio = float(np.median(compute_map_over_noise(judged)))
+    with open_missions(study) as missions:
+        places = {
+            planned.mission_class: (compute_turning(mission), ratio)
+            for planned, mission in zip(study.missions, missions, strict=True)
+        }
+    rows = compute_phase_diagram(training, trained[MEAN].model.drift, study.seed)
+    return describe_phase_diagram(rows, places)
 
 
 def _score_conditions(flights: pd.DataFrame, seed: int, inside: float) -> Iterator[Score]:

@@ -19,11 +19,11 @@ from ins_eval.study.gyros.drawn_triad import (
     make_triad_seed,
     tabulate_triads,
 )
-from ins_eval.study.gyros.drift import Flight
+from ins_eval.study.gyros.drift import Flight, draw_flight
 from ins_eval.study.gyros.maker import calibrate_gyro
 from ins_eval.study.gyros.population import Population
 from ins_eval.study.specification import Study
-from pyhrg.common.units import DEG_PER_H, DEG_PER_SQRT_H
+from pyhrg.common.units import DEG_PER_H, DEG_PER_SQRT_H, YEAR
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 
@@ -31,6 +31,8 @@ Generator = np.random.Generator
 
 CONSTANT_BIAS = 0
 """Index of a constant bias among the coefficients in flight."""
+STALE_AGE = 5 * YEAR
+"""Time from calibration to flight of a stale calibration, s. Chosen."""
 LEVEL_FLIGHT_HOURS = 1.0
 """Duration of the straight and level flight, h. Chosen."""
 
@@ -130,6 +132,21 @@ def _self_calibrate(sample: ConditionSample) -> TriadBlock:
     return tabulate_triads(sample.fmu, triads)
 
 
+def _fly_years_later(sample: ConditionSample) -> TriadBlock:
+    """Triads of the same gyros that fly `STALE_AGE` after their calibration and their bench."""
+    drift = replace(sample.distribution.drift, age=STALE_AGE)
+
+    def fly(number: int, axis: int, device: Device) -> Flight:
+        seed = _make_calibration_seed(sample.study, number, axis)
+        return draw_flight(device, drift, np.random.default_rng(seed))
+
+    triads = [
+        replace(drawn, flights=tuple(fly(number, *each) for each in enumerate(drawn.calibrated)))
+        for number, drawn in sample.drawn.items()
+    ]
+    return tabulate_triads(sample.fmu, triads)
+
+
 def _draw_noisy_triads(sample: ConditionSample) -> TriadBlock:
     """Gyros with dominant drive noise, from the same seeds."""
     noisy = replace(sample.distribution, population=NOISY_DRIVES)
@@ -138,7 +155,7 @@ def _draw_noisy_triads(sample: ConditionSample) -> TriadBlock:
 
 
 def _make_calibration_seed(study: Study, number: int, axis: int) -> int:
-    """Seed of the noise in a gyro's self-calibration."""
+    """Seed of a gyro's self-calibration, or of its later flight."""
     sequence = np.random.SeedSequence(study.seed, spawn_key=(number, axis))
     return int(sequence.generate_state(1, np.uint64)[0] >> 1)
 
@@ -165,6 +182,13 @@ CONDITIONS = (
         "aircraft",
         None,
         _self_calibrate,
+    ),
+    Condition(
+        "calibration five years old",
+        "five years between bench and flight; the predictors expect the drift of the study",
+        "aircraft",
+        None,
+        _fly_years_later,
     ),
     Condition(
         "drive noise dominating",

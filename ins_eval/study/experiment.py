@@ -14,6 +14,7 @@ from ins_eval.mission_model.missions import StudyMission, plan_mission
 from ins_eval.mission_model.position_errors import PositionErrors, compute_position_errors
 from ins_eval.mission_model.triad_block import TriadBlock
 from ins_eval.mission_model.weights_cache import load_mission_weights
+from ins_eval.study import lead
 from ins_eval.study.conditions import CONDITIONS, ConditionSample
 from ins_eval.study.cosimulated import MissionTruth, cosimulate, sample_truth
 from ins_eval.study.gyros.bench_plan import CALIBRATION, BenchPlan
@@ -27,9 +28,9 @@ from ins_eval.study.gyros.drawn_triad import (
 from ins_eval.study.gyros.drift import Drift
 from ins_eval.study.gyros.maker import METHODS, Method
 from ins_eval.study.gyros.population import RAW, TRIMMED
-from ins_eval.study.lead import bench_lead, fly_lead, plan_lead
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.specification import CONDITION, MEAN, TEST, PlannedMission, Study
+from ins_eval.trajectories.catalogue import find_mission_file
 from pyhrg.common.units import ARCSEC, MICRO_G
 from pyhrg.fmu import GyroFmu
 
@@ -46,9 +47,14 @@ DEFAULT_SETTINGS: dict[str, Any] = {
 POPULATION_TABLE: dict[Method, str] = {"mean": "trimmed", "map": "raw"}
 """Table of the population that is calibrated by each method: a gyro that is calibrated at the mean
 has been trimmed before."""
-COSIMULATED, NOISELESS = "cosimulated", "noiseless"
+COSIMULATED, NOISELESS, STEADY_LOOPS = "cosimulated", "noiseless", "steady_loops"
+"""Names of nonlinear flights: with all noise; without noise; without noise, by `HRGSlow`, whose
+loops are in their steady state."""
 NUMBERS, FLOWN = "numbers", "flown"
 LEAD = "lead"
+TRUTHS_KEPT = 10
+"""Number of missions whose truth a process keeps; two hours of one take 100 MB. Chosen: those of
+`standard`, so that no block computes one again."""
 NOISE_IN_FLIGHT = 1
 """Number, in the seed of a co-simulation's noise, that sets it apart from the linear model's."""
 
@@ -119,7 +125,7 @@ def select_cosimulated(
 
     Args:
         arrays, method, mission: as in `select_errors`.
-        name: `COSIMULATED` with all noise, `NOISELESS` without.
+        name: `COSIMULATED`, `NOISELESS` or `STEADY_LOOPS`.
     """
     return arrays[f"{method}/{mission}/{name}"]
 
@@ -169,17 +175,14 @@ def prepare(study: Study) -> None:
             load_mission_weights(condition.plan(study))
 
 
-@lru_cache(maxsize=2)
-def load_truth(planned: PlannedMission) -> MissionTruth:
-    """The truth of a mission, kept in this process; two hours of it take 100 MB."""
-    with planned.as_file() as path:
-        return sample_truth(plan_mission(path, planned.hours))
-
-
-@cache
-def load_lead_truth() -> MissionTruth:
-    """The truth of the lead case's mission, kept in this process."""
-    return sample_truth(plan_lead())
+@lru_cache(maxsize=TRUTHS_KEPT)
+def load_truth(file_name: str, content: bytes, hours: float) -> MissionTruth:
+    """The truth of a mission, by its file, for these hours; kept in this process."""
+    mission = PlannedMission(
+        name="", mission_class="", hours=hours, file_name=file_name, content=content
+    )
+    with mission.as_file() as path:
+        return sample_truth(plan_mission(path, hours))
 
 
 @cache
@@ -197,7 +200,11 @@ def _fly_conditions(
     study: Study, drawn: dict[int, DrawnTriad], block: TriadBlock
 ) -> dict[str, NDArray[Any]]:
     """Results of a block's triads that also fly in conditions."""
-    sample = {number: each for number, each in drawn.items() if study.is_in_conditions(number)}
+    sample = {
+        number: each
+        for number, each in drawn.items()
+        if study.is_in_sample(number, study.conditions)
+    }
     if not sample:
         return {}
     arrays: dict[str, NDArray[Any]] = {f"{CONDITION}/{NUMBERS}": np.array([*sample])}
@@ -221,16 +228,19 @@ def _cosimulate_triads(
     study: Study, number: int, drawn: dict[int, DrawnTriad]
 ) -> dict[str, dict[int, Array]]:
     """(k, 2) co-simulated errors, m, of triads by number, in a mission of the study: with noise of
-    those that are judged, without noise of the sample for the agreement."""
-    flown: dict[str, dict[int, Array]] = {COSIMULATED: {}, NOISELESS: {}}
+    those that are judged, without noise of the samples for the agreement."""
+    flown: dict[str, dict[int, Array]] = {COSIMULATED: {}, NOISELESS: {}, STEADY_LOOPS: {}}
+    mission = study.missions[number]
     for triad, each in drawn.items():
         if study.role_of(triad) == TEST:
             key = (number, NOISE_IN_FLIGHT)
             noise = np.random.SeedSequence(each.seed.tolist(), spawn_key=key)
-            truth = load_truth(study.missions[number])
+            truth = load_truth(mission.file_name, mission.content, mission.hours)
             flown[COSIMULATED][triad] = cosimulate(load_fmu("HRG"), truth, each, noise)
-            if study.is_in_agreement(triad):
+            if study.is_in_sample(triad, study.agreement):
                 flown[NOISELESS][triad] = cosimulate(load_fmu("HRG"), truth, each)
+            if study.is_in_sample(triad, study.steady_agreement):
+                flown[STEADY_LOOPS][triad] = cosimulate(load_fmu("HRGSlow"), truth, each)
     return flown
 
 
@@ -245,8 +255,10 @@ def _fly_lead(study: Study, triads: range) -> dict[str, NDArray[Any]]:
     if not numbers:
         return {}
     slow, seed = load_fmu("HRGSlow"), study.seed
-    errors, angles = fly_lead(slow, load_fmu("HRG"), load_lead_truth(), seed, numbers, study.lead)
+    path = find_mission_file(lead.MISSION)
+    truth = load_truth(path.name, path.read_bytes(), lead.HOURS)
+    errors, angles = lead.fly_lead(slow, load_fmu("HRG"), truth, seed, numbers, study.lead)
     arrays = {f"{LEAD}/{FLOWN}": errors, f"{LEAD}/angle": angles}
     if 0 in numbers:
-        arrays[f"{LEAD}/bench"] = bench_lead(slow, seed)[None]
+        arrays[f"{LEAD}/bench"] = lead.bench_lead(slow, seed)[None]
     return arrays

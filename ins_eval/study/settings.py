@@ -17,6 +17,7 @@ Settings = Mapping[str, float]
 _POPULATION = (
     Key("smallest_deg_h", "smallest", DEG_PER_H, 1e-4, 100),
     Key("largest_deg_h", "largest", DEG_PER_H, 1e-4, 100),
+    Key("common_share", "common", 1, 0, 1),
 )
 _PLAN = (
     Key("runs", "runs", 1, 1, 100, whole=True),

@@ -66,6 +66,8 @@ class Study(Checked):
             each of two directions.
         agreement: number of test triads, for each calibration, that are also co-simulated without
             noise, to be compared with the linear model.
+        steady_agreement: the same with `HRGSlow`, whose loops are in their steady state: a third of
+            the work.
         lead: number of flights of the lead case, the gyro of the paper's Table 2.
         conditions: number of test triads that also fly in each of `conditions.CONDITIONS`.
         missions: missions in the order of the results.
@@ -83,6 +85,7 @@ class Study(Checked):
     accelerometer_bias_micro_g: float = quantity("", 0.0, 1e4, 10.0)
     mounting_arcsec: float = quantity("", 0.0, 3600.0, 10.0)
     agreement: int = whole(0, LARGEST_TRIADS, 0)
+    steady_agreement: int = whole(0, LARGEST_TRIADS, 0)
     lead: int = whole(0, 10_000, 0)
     conditions: int = whole(0, LARGEST_TRIADS, 0)
     missions: tuple[PlannedMission, ...]
@@ -99,15 +102,7 @@ class Study(Checked):
         """Number of test triads."""
         return self.triads - self.training
 
-    def is_in_agreement(self, triad: int) -> bool:
-        """Whether a triad is in the sample that is also co-simulated without noise."""
-        return self._is_in_sample(triad, self.agreement)
-
-    def is_in_conditions(self, triad: int) -> bool:
-        """Whether a triad is in the sample that also flies in conditions."""
-        return self._is_in_sample(triad, self.conditions)
-
-    def _is_in_sample(self, triad: int, size: int) -> bool:
+    def is_in_sample(self, triad: int, size: int) -> bool:
         """Whether a triad is in a sample that is spread evenly over the test triads."""
         place = triad - self.training
         return place >= 0 and place * size % self.judged < size

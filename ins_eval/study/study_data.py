@@ -25,6 +25,8 @@ CONDITIONS_KEY = "conditions"
 """Key of study.json: what differs in each condition, by its title."""
 LEAD_KEY = "lead"
 """Key of study.json: the lead case, empty without one."""
+PHASE_KEY = "phase_diagram"
+"""Key of study.json: the phase diagram, empty without gyros that are calibrated at the mean."""
 KINDS = {"int": "iu", "number": "f", "text": "OUT", "numbers": "O"}
 """Kinds of numpy arrays in which each kind of column may be stored."""
 

@@ -132,31 +132,37 @@ class Bench:
 
     def log(self, power_on: PowerOn) -> Test:
         """Test of one power-on: simulated, or from the store where an interrupted run kept it."""
+        log = self._recall(power_on, self.store) if self.store else self._simulate(power_on)
+        self.on_power_on(power_on.programme.time)
+        recording = replace(log, source=power_on.id)
+        return Test(id=power_on.id, kind=power_on.kind, role="fit", recording=recording)
+
+    def _recall(self, power_on: PowerOn, store: Store) -> Log:
+        """The log of a power-on from the store, simulated and put there if it is not in it."""
         key = compute_key(
             power_on.programme,
             **{"id": power_on.id, "seed": self.seed, "step": self.step},
             **{"fmu": self.fmu.folder.name, "device": self.device},
             **{"start_angle": power_on.start_angle},
         )
-        log = self.store.load(key) if self.store else None
+        log = store.load(key)
         if log is None:
             log = self._simulate(power_on)
-            if self.store:
-                self.store.keep(key, log)
-        self.on_power_on(power_on.programme.time)
-        recording = replace(log, source=power_on.id)
-        return Test(id=power_on.id, kind=power_on.kind, role="fit", recording=recording)
+            store.keep(key, log)
+        return log
 
     def _simulate(self, power_on: PowerOn) -> Log:
         programme = power_on.programme
+        commands = {name: programme.values(name) for name in ("axis_up", *HELD_INPUTS)}
+        held = {name: commands[name] for name in HELD_INPUTS}
         with self.power_on(power_on.id, power_on.start_angle) as gyro:
-            held = {name: programme.values(name) for name in HELD_INPUTS}
-            outputs = record_rows(gyro, self._moving_inputs(programme), held, self.step)
+            moving = self._moving_inputs(programme, commands["axis_up"])
+            outputs = record_rows(gyro, moving, held, self.step)
         columns: dict[str, Any] = {
             "time": np.arange(1, len(programme) + 1) * programme.interval,
             "table_angle": programme.table_angle,
             "temperature": programme.temperature[1:],
-            **{name: programme.values(name) for name in LOGGED_COMMANDS},
+            **{name: commands[name] for name in LOGGED_COMMANDS},
             **outputs,
         }
         return Log(source=power_on.id, interval=programme.interval, exclusions=(), **columns)
@@ -167,7 +173,7 @@ class Bench:
             self.device.name or NAMELESS, self.device.site, nominal(self.device), tuple(tests)
         )
 
-    def _moving_inputs(self, programme: Programme) -> dict[str, Array]:
+    def _moving_inputs(self, programme: Programme, axis_up: Array) -> dict[str, Array]:
         """(n, m) inputs that change within a row, in each communication step, SI."""
         steps = round(programme.interval / self.step)
         if steps < 1 or abs(steps * self.step - programme.interval) > 1e-9:
@@ -178,7 +184,7 @@ class Bench:
         rate = interpolate_rows(programme.table_rate, share)
         begun = np.concatenate(([0.0], programme.table_angle[:-1]))[:, None]
         swept = programme.interval * share * interpolate_rows(programme.table_rate, share / 2)
-        earth = compute_earth_rate(self.device, programme.values("axis_up")[:, None], begun + swept)
+        earth = compute_earth_rate(self.device, axis_up[:, None], begun + swept)
         return {
             "angularRate": rate + earth,
             "caseTemperature": interpolate_rows(programme.temperature, share),

@@ -1,6 +1,7 @@
 """Programme of a power-on: what the bench does to the gyro, row by row."""
 
 import math
+from operator import itemgetter
 
 import numpy as np
 
@@ -126,7 +127,7 @@ class Programme:
 
     def values(self, name: str) -> Array:
         """(n,) values of a quantity (`COMMANDS`) in each row, SI."""
-        return np.array([row[name] for row in self._rows])
+        return np.fromiter(map(itemgetter(name), self._rows), float, len(self))
 
     @property
     def temperature(self) -> Array:

@@ -73,7 +73,7 @@ class DrawnTriad:
 
     measured: the bench's results; flights: the gyros as they fly; accelerometers: (3,) biases,
     m/s^2; mounting: (2, 3) angles by which input axes lean (`TriadBlock`), rad; seed: (2,) entropy
-    of the noise in flight.
+    of the noise in flight; calibrated: the gyros as the bench measured them.
     """
 
     measured: tuple[MeasuredGyro, ...]
@@ -81,6 +81,7 @@ class DrawnTriad:
     accelerometers: Array
     mounting: Array
     seed: NDArray[np.uint64]
+    calibrated: tuple[Device, ...] = ()
 
 
 def make_triad_seed(study_seed: int, number: int) -> np.random.SeedSequence:
@@ -99,6 +100,7 @@ def draw_triad(
             measure_gyro(fmu, each.device, distribution.bench, each.bench_seed) for each in gyros
         ),
         flights=tuple(each.flight for each in gyros),
+        calibrated=tuple(each.device for each in gyros),
         accelerometers=generator.normal(0.0, distribution.accelerometer_bias, AXES),
         seed=generator.integers(2**63, size=2).astype(np.uint64),
         mounting=generator.normal(0.0, distribution.mounting, (2, AXES)),

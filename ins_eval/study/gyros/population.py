@@ -38,11 +38,12 @@ minute measures them within 3e-5 deg/h per kelvin, without hysteresis.
 """
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from ins_eval.mission_model.missions import WARM_UP
+from ins_eval.study.gyros.makers_generator import MakersGenerator
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import (
     ARCSEC,
@@ -63,11 +64,14 @@ Generator = np.random.Generator
 class Population:
     """A distribution of gyros.
 
-    smallest, largest: bounds of the size of their bias maps as they are built, rad/s.
+    smallest, largest: bounds of the size of their bias maps as they are built, rad/s;
+    common: correlation of each mechanism's deviates from gyro to gyro, 0 to 1: gyros of one maker
+    have maps of one shape.
     """
 
     smallest: float
     largest: float
+    common: float = field(default=0.0, kw_only=True)
 
     def __post_init__(self) -> None:
         if not 0 < self.smallest <= self.largest < math.inf:
@@ -77,6 +81,8 @@ class Population:
     def draw(self, generator: Generator) -> Device:
         """A gyro as it is built, before the maker's calibration."""
         size = _draw_log_uniform(generator, self.smallest, self.largest)
+        if self.common:
+            generator = MakersGenerator(generator, self.common)
         device = Device(
             decay_time=generator.uniform(300.0, 600.0),
             thermal_lag=WARM_UP,

@@ -10,6 +10,7 @@ from ins_eval.study.tables.columns import (
     CLASS,
     FITTED_MAP,
     FIXED_RULE,
+    TRUE_PARAMETERS,
 )
 from ins_eval.study.tables.score import (
     ALL,
@@ -17,9 +18,11 @@ from ins_eval.study.tables.score import (
     FAILS,
     HOLDS,
     MEDIAN_RATIO,
+    MOUNTING_SHARE,
     R2_COMPONENTS,
     R2_MOUNTED,
     R2_RADIAL,
+    R2_SHORTFALL,
     SPEARMAN,
     UNDECIDED,
     Score,
@@ -33,11 +36,12 @@ R2_SCORES = (R2_RADIAL, R2_COMPONENTS, R2_MOUNTED)
 @dataclass(frozen=True)
 class Claim:
     """A claim. letter: its name; statement: a sentence; parts: score, predictor and words of each
-    requirement."""
+    requirement; beside: the same of figures that explain the claim and have no requirement."""
 
     letter: str
     statement: str
     parts: tuple[tuple[str, str, str], ...]
+    beside: tuple[tuple[str, str, str], ...] = ()
 
 
 CLAIMS = (
@@ -68,17 +72,25 @@ CLAIMS = (
             (R2_RADIAL, FITTED_MAP, "R2 of single flights"),
             (COVERAGE, FITTED_MAP, "share inside the predicted intervals"),
         ),
+        (
+            (R2_RADIAL, TRUE_PARAMETERS, "ceiling, R2 of the true maps with the mounting unknown"),
+            (R2_SHORTFALL, FITTED_MAP, "ceiling less R2 of the fitted map"),
+            (MOUNTING_SHARE, "", "share of the mean square error by mounting"),
+            (R2_MOUNTED, FITTED_MAP, "R2 of north and east without the mounting's part"),
+        ),
     ),
 )
 
 
 @dataclass(frozen=True)
 class JudgedClaim:
-    """A claim and its scores: those of each class, which decide, and those over all classes."""
+    """A claim and its scores: those of each class, which decide, those over all classes, and by
+    class those that explain it."""
 
     claim: Claim
     by_class: Sequence[Score]
     overall: Sequence[Score]
+    beside: Sequence[Score]
 
     @property
     def verdict(self) -> str:
@@ -115,6 +127,16 @@ class JudgedClaim:
             if s.verdict != HOLDS
         ]
 
+    def explain_exceptions(self) -> list[str]:
+        """For each class in which the claim does not hold, the figures that explain it."""
+        lines = []
+        for name in self.classes:
+            found = [s for s in self.beside if s.mission_class == name]
+            if found and self.judge_class(name) != HOLDS:
+                words = (f"{name_requirement(self.claim, s)} {format_score(s)}" for s in found)
+                lines.append(f"{name}: {', '.join(words)}")
+        return lines
+
 
 def judge_claims(data: StudyData, calibration: str) -> list[JudgedClaim]:
     """The claims on the judged triads of a calibration; none without scores."""
@@ -148,8 +170,11 @@ def describe_claim(judged: JudgedClaim) -> str:
         f"({judged.claim.letter}) {judged.claim.statement}: {judged.verdict.upper()}. "
         f"{figures[:1].upper()}{figures[1:]} (n = {judged.n} triads, {kinds})."
     )
-    exceptions = judged.find_exceptions()
-    return f"{line} Not shown in {'; '.join(exceptions)}." if exceptions else line
+    if exceptions := judged.find_exceptions():
+        line += f" Not shown in {'; '.join(exceptions)}."
+    if explained := judged.explain_exceptions():
+        line += f" Beside it, {'; '.join(explained)}."
+    return line
 
 
 def describe_conditions(data: StudyData) -> list[str]:
@@ -180,10 +205,10 @@ def format_score(score: Score) -> str:
 
 
 def name_requirement(claim: Claim, score: Score) -> str:
-    """The requirement of a claim that a score answers, in words."""
+    """The requirement of a claim that a score answers, or the figure beside it, in words."""
     return next(
         words
-        for key, predictor, words in claim.parts
+        for key, predictor, words in claim.parts + claim.beside
         if (key, predictor) == (score.score, score.predictor)
     )
 
@@ -193,11 +218,18 @@ def _select(data: StudyData, calibration: str) -> list[Score]:
 
 
 def _judge(claim: Claim, scores: Sequence[Score]) -> JudgedClaim:
-    kinds = [(score, predictor) for score, predictor, _ in claim.parts]
-    asked = [s for s in scores if s.verdict and (s.score, s.predictor) in kinds]
-    asked.sort(key=lambda s: kinds.index((s.score, s.predictor)))
+    asked, beside = (_pick(scores, parts) for parts in (claim.parts, claim.beside))
+    asked = [s for s in asked if s.verdict]
     return JudgedClaim(
         claim,
         [s for s in asked if s.mission_class != ALL],
         [s for s in asked if s.mission_class == ALL],
+        [s for s in beside if s.mission_class != ALL],
     )
+
+
+def _pick(scores: Sequence[Score], parts: Sequence[tuple[str, str, str]]) -> list[Score]:
+    """Scores of these kinds, in the order of the kinds."""
+    kinds = [(score, predictor) for score, predictor, _ in parts]
+    found = [s for s in scores if (s.score, s.predictor) in kinds]
+    return sorted(found, key=lambda s: kinds.index((s.score, s.predictor)))

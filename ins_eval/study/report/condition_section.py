@@ -63,9 +63,9 @@ def _list_rows(judged: JudgedClaim) -> list[tuple[str, ...]]:
             judged.claim.letter,
             name_requirement(judged.claim, score),
             format_score(score),
-            score.asked,
-            score.verdict,
+            score.asked or "–",
+            score.verdict or "beside it",
             f"{score.n}",
         )
-        for score in judged.by_class
+        for score in [*judged.by_class, *judged.beside]
     ]

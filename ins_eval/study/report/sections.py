@@ -6,9 +6,10 @@ from ins_eval.study.report.condition_section import render_classes, render_condi
 from ins_eval.study.report.figures.budget import render_budget
 from ins_eval.study.report.figures.matrix import IntervalAxis, render_matrices
 from ins_eval.study.report.figures.parts import make_fold
+from ins_eval.study.report.figures.phase import render_phase_diagram
 from ins_eval.study.report.figures.ranking import render_ranking
 from ins_eval.study.report.figures.scatter import render_scatter
-from ins_eval.study.study_data import CONDITIONS_KEY, LEAD_KEY, StudyData
+from ins_eval.study.study_data import CONDITIONS_KEY, LEAD_KEY, PHASE_KEY, StudyData
 from ins_eval.study.tables import score
 from ins_eval.study.tables.columns import COLUMNS
 from pyhrg.common.pages.markup import Table, make_paragraph, make_wide_table
@@ -28,6 +29,7 @@ def make_sections(data: StudyData) -> list[PageSection]:
         PageSection("ranking", "Ranking of gyros", _render_ranking(data)),
         PageSection("coverage", "Intervals and their coverage", _render_coverage(data)),
         PageSection("breaks", "Where the claims fail", _render_failures(data)),
+        PageSection("phase", "Where each test tells the truth", render_phase_diagram(data)),
         PageSection("budget", "Error budget", _render_budget(data)),
         PageSection("control", "Negative control", _render_control(data)),
         PageSection("method", "What was studied, and how", _render_method(data)),
@@ -102,13 +104,16 @@ def _render_control(data: StudyData) -> str:
 
 
 def _render_method(data: StudyData) -> str:
-    left_out = (CONDITIONS_KEY, LEAD_KEY)
+    left_out = (CONDITIONS_KEY, LEAD_KEY, PHASE_KEY)
     facts = tuple((k, _format_fact(v)) for k, v in data.about.items() if k not in left_out)
     rows = tuple((column.name, column.unit or "–", column.what) for column in COLUMNS)
     columns = make_wide_table(Table("Columns", ("name", "unit", ""), rows))
     return (
         make_wide_table(Table("What was studied", ("", ""), facts))
-        + render_matrices(data, score.AGREEMENT, DIFFERENCE)
+        + "".join(
+            render_matrices(data, key, DIFFERENCE)
+            for key in (score.AGREEMENT, score.STEADY_AGREEMENT)
+        )
         + make_fold("Columns of study.parquet", columns)
     )
 

@@ -79,6 +79,13 @@ def _score_r2(scorer: Scorer) -> Iterator[Score]:
         expected, statistic = scorer.group.select_pair(key), measures.compute_component_r2
         yield scorer.make_score(score.R2_COMPONENTS, key, statistic, [flown, expected])
         yield scorer.make_score(score.R2_MOUNTED, key, statistic, [flown - leaning, expected])
+    medians = [scorer.median(key) for key in (FITTED_MAP, TRUE_PARAMETERS)]
+    yield scorer.make_score(
+        score.R2_SHORTFALL, FITTED_MAP, measures.compute_r2_shortfall, [scorer.flown, *medians]
+    )
+    yield scorer.make_score(
+        score.MOUNTING_SHARE, "", measures.compute_power_share, [flown, leaning]
+    )
 
 
 def _score_control(scorer: Scorer) -> Iterator[Score]:

@@ -8,21 +8,25 @@ ALL = "all"
 """Mission class or role of a score that covers all of them."""
 
 R2_RADIAL, R2_COMPONENTS, R2_MOUNTED = "r2_radial", "r2_components", "r2_without_mounting"
+R2_SHORTFALL, MOUNTING_SHARE = "r2_shortfall", "mounting_share"
 MEDIAN_RATIO, COVERAGE = "median_ratio", "coverage"
 SPEARMAN, FLIGHT_SPEARMAN = "spearman", "spearman_of_flights"
-AGREEMENT = "linear_to_cosimulated"
+AGREEMENT, STEADY_AGREEMENT = "linear_to_cosimulated", "linear_to_steady_loops"
 CLASS_CONSTANT = "class_constant"
 
 SCORES = {
     R2_RADIAL: "R2 of predicted = flown, horizontal error, no refit",
     R2_COMPONENTS: "R2 of predicted = flown, north and east, no refit",
     R2_MOUNTED: "R2, north and east, if the mounting were known: its part is taken out",
+    R2_SHORTFALL: "R2 of the true parameters less that of this predictor, horizontal error",
+    MOUNTING_SHARE: "share of the flown mean square error that leaning input axes make, linear",
     MEDIAN_RATIO: "median of flown / predicted",
     COVERAGE: "share of flown errors inside the predicted interval",
     SPEARMAN: "rank correlation of the bench's figure and the linear rms over power-on angles",
     FLIGHT_SPEARMAN: "rank correlation of a triad's bench figure and its flown error",
     CLASS_CONSTANT: "class constant: median linear error / usual rule (0.01 deg/h = 1 nmi/h)",
-    AGREEMENT: "rms of linear less co-simulated / rms co-simulated",
+    AGREEMENT: "rms of linear less co-simulated / rms co-simulated, no noise, FMUs at 1 kHz",
+    STEADY_AGREEMENT: "the same with FMUs whose loops are in their steady state",
 }
 """Definitions by key; all are pure numbers (docs/methods/study_predictors.md, Eqs. 11 to 15)."""
 

@@ -16,7 +16,7 @@ from ins_eval.study.study_data import StudyData
 from ins_eval.study.summary.figure import draw_figure
 from ins_eval.study.summary.outcome import SHOWN_PREDICTORS, Outcome, list_outcomes
 from ins_eval.study.tables.columns import CALIBRATION, CIRCUMFERENCE_RULE, FIXED_RULE, TRIAD
-from ins_eval.study.tables.score import AGREEMENT, CLASS_CONSTANT
+from ins_eval.study.tables.score import AGREEMENT, CLASS_CONSTANT, STEADY_AGREEMENT
 from pyhrg.common.units import NAUTICAL_MILE
 
 SCHEMA = "hrg-validation/3"
@@ -44,7 +44,9 @@ def _make_document(data: StudyData, outcomes: Sequence[Outcome]) -> dict[str, An
         "where_claims_fail": describe_conditions(data),
         "class_constants": [score.describe() for score in data.select(CLASS_CONSTANT)],
         "flights": [_describe(outcome) for outcome in outcomes],
-        "linear_to_cosimulated": [score.describe() for score in data.select(AGREEMENT)],
+        "linear_to_cosimulated": [
+            score.describe() for key in (AGREEMENT, STEADY_AGREEMENT) for score in data.select(key)
+        ],
     }
 
 
@@ -83,6 +85,7 @@ def _describe_claims(data: StudyData, calibration: str) -> list[dict[str, Any]]:
             "n": each.n,
             "overall": [score.describe() for score in each.overall],
             "by_class": [score.describe() for score in each.by_class],
+            "beside": [score.describe() for score in each.beside],
         }
         for each in judge_claims(data, calibration)
     ]

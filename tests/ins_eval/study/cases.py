@@ -15,13 +15,12 @@ def planned(name: str) -> PlannedMission:
     )
 
 
-def study(seed: int = 3, triads: int = 75, agreement: int = 0) -> Study:
+def study(seed: int = 3, triads: int = 75) -> Study:
     """Blocks of two triads, the last of one; half of the triads are training triads."""
     return Study(
         seed=seed,
         triads=triads,
         training=max(1, triads // 2),
-        agreement=agreement,
         missions=(planned("car"), planned("ship")),
     )
 

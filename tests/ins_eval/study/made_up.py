@@ -61,7 +61,7 @@ def blocks(study: Study, arrays: Arrays) -> Iterator[dict[str, NDArray[Any]]]:
 
 
 def _numbers(study: Study, triads: range) -> list[int]:
-    return [number for number in triads if study.is_in_conditions(number)]
+    return [number for number in triads if study.is_in_sample(number, study.conditions)]
 
 
 def _sized(values: NDArray[Any], sizes: NDArray[np.float64]) -> NDArray[Any]:

@@ -12,13 +12,20 @@ from numpy.typing import NDArray
 
 from ins_eval.study import agreement
 from ins_eval.study.conclusion import FILES, write_conclusion
-from ins_eval.study.experiment import NOISELESS, compute_block, prepare, select_errors
+from ins_eval.study.experiment import (
+    NOISELESS,
+    STEADY_LOOPS,
+    compute_block,
+    prepare,
+    select_errors,
+)
 from ins_eval.study.gyros.maker import METHODS
 from ins_eval.study.run import block
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.specification import TEST, TRAIN, PlannedMission, Study
 from ins_eval.study.study_data import read_study_data
 from ins_eval.study.tables import columns as c
+from ins_eval.study.tables.score import AGREEMENT, STEADY_AGREEMENT
 from ins_eval.trajectories import catalogue
 from pyhrg.common.errors import HrgError
 
@@ -132,29 +139,44 @@ def test_only_judged_triads_are_scored(folder: Path) -> None:
     assert read_study_data(folder).scores
 
 
+def test_phase_diagram_names_the_missions(folder: Path) -> None:
+    document = json.loads((folder / "study.json").read_text())["phase_diagram"]
+    assert set(document["missions"]) == {"car", "static-table"}
+    assert len(document["rows"]) == len(pd.read_csv(folder / "phase_diagram.csv"))
+
+
 def test_same_arrays_give_the_same_bytes(arrays: Arrays, folder: Path, tmp_path: Path) -> None:
     write_conclusion(STUDY, arrays, tmp_path)
     for name in FILES:
         assert (tmp_path / name).read_bytes() == (folder / name).read_bytes()
 
 
-def test_agreement_is_of_the_sample_without_noise(arrays: Arrays) -> None:
+@pytest.mark.parametrize(
+    ("sample", "flights", "key"),
+    [
+        ("agreement", NOISELESS, AGREEMENT),
+        ("steady_agreement", STEADY_LOOPS, STEADY_AGREEMENT),
+    ],
+)
+def test_agreement_is_of_the_sample_without_noise(
+    arrays: Arrays, sample: str, flights: str, key: str
+) -> None:
     """Co-simulated errors that are 1 % larger than linear ones: 1/101 apart."""
-    study = replace(STUDY, agreement=6)
-    chosen = [study.is_in_agreement(triad) for triad in range(study.triads)]
+    study = replace(STUDY, **{sample: 6})
+    chosen = [study.is_in_sample(triad, 6) for triad in range(study.triads)]
     flown = dict(arrays)
     for method in METHODS:
         for number in range(len(study.missions)):
             error = select_errors(arrays, method, number)
             sample = np.where(np.array(chosen)[:, None, None], 1.01, np.nan)
-            flown[f"{method}/{number}/{NOISELESS}"] = sample * (error.error - error.noise)
+            flown[f"{method}/{number}/{flights}"] = sample * (error.error - error.noise)
     found = agreement.score_agreement(study, flown)
     assert {(s.calibration, s.mission_class) for s in found} == {
         (method, name) for method in METHODS for name in ("all", "car", "static-table")
     }
     for s in found:
         assert (s.value, s.low, s.high) == pytest.approx((1 / 101,) * 3)
-        assert (s.n, s.verdict) == (6, "holds")
+        assert (s.score, s.n, s.verdict) == (key, 6, "holds")
     assert agreement.score_agreement(STUDY, arrays) == []
 
 

@@ -72,7 +72,7 @@ def test_what_is_wrong_is_named(tmp_path: Path, text: str, message: str) -> None
 
 
 def test_sample_is_spread_over_the_judged_triads() -> None:
-    study = cases.study(triads=112, agreement=7)
-    chosen = [triad for triad in range(study.triads) if study.is_in_agreement(triad)]
+    study = cases.study(triads=112)
+    chosen = [triad for triad in range(study.triads) if study.is_in_sample(triad, 7)]
     assert chosen == [56, 64, 72, 80, 88, 96, 104]
-    assert not any(map(cases.study().is_in_agreement, range(75)))
+    assert not any(study.is_in_sample(triad, 0) for triad in range(study.triads))

@@ -10,6 +10,8 @@ from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.fmu import GyroFmu
 
+SIZES = (0.01 * DEG_PER_H, 0.1 * DEG_PER_H)
+
 
 def test_same_seed_same_gyro() -> None:
     one, same, other = (TRIMMED.draw(np.random.default_rng(seed)) for seed in (1, 1, 2))
@@ -25,6 +27,23 @@ def test_maps_are_of_the_stated_size(slow_fmu: GyroFmu, population: Population) 
     maps = [measure_gyro_map(slow_fmu, list_slow_parameters(device)).bias[1:] for device in drawn]
     sizes = [np.linalg.norm(each) / np.sqrt(2) for each in maps]
     assert population.smallest < np.median(sizes) < population.largest
+
+
+def test_gyros_of_one_maker_are_alike_in_shape_not_in_size() -> None:
+    """A fifth of a mechanism's variance is left from gyro to gyro, four fifths are in the mean."""
+    drawn = {
+        common: [
+            Population(*SIZES, common=common).draw(np.random.default_rng(seed))
+            for seed in range(400)
+        ]
+        for common in (0.0, 0.8)
+    }
+    spread = {
+        common: np.std([each.drive_frame_rotation for each in gyros])
+        for common, gyros in drawn.items()
+    }
+    assert spread[0.8] / spread[0.0] == pytest.approx(np.sqrt(0.2), rel=0.15)
+    assert len({each.bias_instability for each in drawn[0.8]}) == 400
 
 
 def test_impossible_sizes_are_refused() -> None:

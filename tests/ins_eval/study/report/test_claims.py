@@ -62,6 +62,18 @@ def test_where_a_claim_fails_is_said_with_its_figure() -> None:
     assert "0.9 (0.85 to 0.94)" in render_classes(study(overall, R2, CAR))
 
 
+def test_ceiling_stands_beside_what_does_not_hold() -> None:
+    """Where the claim holds nothing needs an explanation."""
+    ceiling = replace(R2, predictor="true_parameters", value=0.92, asked="", verdict="")
+    result = study(R2, CAR, ceiling, replace(ceiling, mission_class="car", low=0.88, high=0.95))
+    (judged,) = judge_claims(result, "map")
+    assert judged.verdict == "holds in part"
+    assert describe_claim(judged).endswith(
+        "fails. Beside it, car: ceiling, R2 of the true maps with the mounting unknown 0.92 "
+        "(0.88 to 0.95)."
+    )
+
+
 def test_controls_and_other_calibrations_decide_nothing() -> None:
     control, other = replace(R2, shuffled=True), replace(R2, calibration="mean")
     assert judge_claims(study(control, other), "map") == []

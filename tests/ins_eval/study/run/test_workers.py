@@ -14,6 +14,7 @@ SMALL = replace(
     triads=4,
     training=2,
     agreement=2,
+    steady_agreement=2,
     lead=1,
     calibrations=("mean",),
     missions=tuple(replace(mission, hours=0.1) for mission in STUDY.missions),
@@ -25,7 +26,7 @@ def test_same_bytes_by_any_number_of_workers(tmp_path: Path) -> None:
     for workers in (1, 2):
         run_experiment(SMALL, tmp_path / str(workers), make_experiment(), Cluster(workers=workers))
     one, two = (contents(tmp_path / str(workers)) for workers in (1, 2))
-    assert {"study.parquet", "study.json", "report.html"} < set(one)
+    assert {"study.parquet", "phase_diagram.csv", "study.json", "report.html"} < set(one)
     assert one == two
 
 

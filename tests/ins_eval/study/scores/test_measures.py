@@ -31,6 +31,14 @@ def test_r2_of_components_is_about_zero() -> None:
     assert measures.compute_component_r2(flown, 0.9 * flown) == pytest.approx(0.99)
 
 
+def test_shortfall_and_share_of_a_part() -> None:
+    """The reference alone lacks what is known beyond: 1 of the variance of 5.25."""
+    lacking = measures.compute_r2_shortfall(FLOWN, 10 + 2 * REFERENCE, FLOWN - 0.5 * REST)
+    assert lacking == pytest.approx(1 / 5.25, abs=3e-3)
+    flown, part = np.array([[[3.0, 4.0]]]), np.array([[[0.0, 1.0]]])
+    assert measures.compute_power_share(flown, part) == pytest.approx(1 / 25)
+
+
 def test_ratios() -> None:
     flown, predicted = np.array([[1.0], [2.0], [12.0]]), np.array([[1.0], [1.0], [2.0]])
     assert measures.compute_median_ratio(flown, predicted) == 2.0

@@ -53,6 +53,8 @@ def test_claims_have_requirements(judged: list[Score]) -> None:
     assert _one(judged, score.COVERAGE, "fitted_map").verdict == "holds"
     known = _one(judged, score.R2_MOUNTED, "fitted_map")
     assert known.value > _one(judged, score.R2_COMPONENTS, "fitted_map").value
+    shortfall = _one(judged, score.R2_SHORTFALL, "fitted_map")
+    assert shortfall.value == pytest.approx(true.value - fitted.value)
     size = _one(judged, score.MEDIAN_RATIO, "circumference_class")
     assert (size.asked, size.verdict) == ("within a factor of 1.3", "holds")
     wrong = _one(judged, score.MEDIAN_RATIO, "fixed_rule")

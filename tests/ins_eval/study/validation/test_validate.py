@@ -25,7 +25,7 @@ def test_defaults_are_those_of_the_small_study() -> None:
 
 def test_arguments_replace_keys() -> None:
     study = plan_validation(hours=0.5, triads=100, seed=9)
-    assert (study.hours, study.judged, study.seed, study.conditions) == (0.5, 100, 9, 12)
+    assert (study.hours, study.judged, study.seed, study.conditions) == (0.5, 100, 9, 24)
     assert {mission.hours for mission in study.missions} == {0.5}
     assert plan_validation(triads=36).triads == 60
     mapped = plan_validation(calibration="map")

@@ -1,0 +1,188 @@
+"""Shares of flights whose error a bench test predicts within a factor: study_predictors.md, Eq. 16.
+
+The training triads fly from many start angles by the linear model, on a turntable that turns
+steadily (`turning`). Their maps are scaled to each ratio of map and noise.
+"""
+
+import csv
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ins_eval.common.arrays import Array
+from ins_eval.error_model.effects import ANGULAR_GAIN
+from ins_eval.mission_model.gyro_map import TERMS
+from ins_eval.mission_model.missions import StudyMission
+from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.study.phase.turning import DURATION, compute_turning_weights
+from ins_eval.study.predictors.parts.map_drift import MapDrift
+from ins_eval.study.predictors.parts.turned_maps import turn_weights, undo_start
+from ins_eval.study.predictors.stability_rule import compute_rule_distance
+from ins_eval.study.scores.resampling import bootstrap
+from pyhrg.common.units import HOUR
+
+FACTOR = 2.0
+"""A test tells a flight's truth if flown and predicted error are within this factor. Chosen."""
+TURNING = np.geomspace(0.01, 100.0, 9)
+"""Turns of the vertical gyro's pattern, revolutions per hour. Chosen: 0.01 is the Earth's own turn,
+100 a table at 36 deg/s."""
+RATIOS = np.geomspace(0.1, 100.0, 13)
+"""Rms of the bias map over the in-run stability at a fixed position. Chosen."""
+ANGLES = 64
+"""Number of start angles from which each triad flies. Chosen."""
+FIXED, CIRCUMFERENCE, MAP = "fixed position", "full circumference", "fitted map"
+TESTS = (FIXED, CIRCUMFERENCE, MAP)
+COLUMNS = ("turning_rev_per_h", "map_over_noise", "test", "share", "low", "high", "triads")
+
+
+@dataclass(frozen=True)
+class _Gyros:
+    """Figures of r triads.
+
+    maps: (r, 2 TERMS, 3) true coefficients; drifting, missed: (r, 2 TERMS, 3) standard deviations
+    of their drift, which grows with the map, and of the bench's error, which does not; noise:
+    (r, KINDS, 3) strengths; stability: (r,) at the fixed position, rad/s; size: (r,) rms of the
+    bias map, rad/s.
+    """
+
+    maps: Array
+    drifting: Array
+    missed: Array
+    noise: Array
+    stability: Array
+    size: Array
+
+
+def compute_phase_diagram(training: TriadBlock, drift: MapDrift, seed: int) -> list[dict[str, Any]]:
+    """Rows of `COLUMNS`: the share of flights that each test predicts within `FACTOR`, with its
+    interval over triads.
+
+    The fixed position and the circumference have the constant of the manoeuvre that is right where
+    noise alone, or the map alone, makes the error. The fitted map has its own expected error.
+
+    Args:
+        training: triads whose shapes of maps, noise and bench errors are taken.
+        drift: distribution of the maps' drift.
+        seed: seed of start angles, noise, bench errors and bootstrap.
+    """
+    gyros = _describe_gyros(training, drift)
+    rows: list[dict[str, Any]] = []
+    for turning in TURNING.tolist():
+        for ratio, shares in _fly(gyros, turning, seed):
+            for test, inside in shares.items():
+                found = bootstrap(_average, [inside.mean(axis=1, keepdims=True)], seed)
+                values = (turning, ratio, test, found.value, found.low, found.high, len(inside))
+                rows.append(dict(zip(COLUMNS, values, strict=True)))
+    return rows
+
+
+def compute_turning(mission: StudyMission) -> float:
+    """Turns of the pattern that turns most in a mission, back and forth alike, revolutions per
+    hour."""
+    seconds = round(mission.hours * HOUR)
+    rotation = mission.trajectory().increments(0.0, 1.0, seconds).rotation
+    turned = ANGULAR_GAIN * np.abs(rotation).sum(axis=0).max() / (2 * np.pi)
+    return float(turned / mission.hours)
+
+
+def compute_map_over_noise(triads: TriadBlock) -> Array:
+    """(r,) rms of the fitted bias maps over the in-run stability at the fixed position."""
+    return _compute_size(triads.fitted_map) / _compute_triad_rms(triads.fixed_stability)
+
+
+def _describe_gyros(training: TriadBlock, drift: MapDrift) -> _Gyros:
+    maps = undo_start(training.in_flight[:, : 2 * TERMS], training.start_angle)
+    power = np.mean(maps[:, 1:TERMS] ** 2, axis=1)[:, None]
+    own = slice(0, 2 * TERMS)
+    return _Gyros(
+        maps=maps,
+        drifting=np.sqrt(drift.relative[own, None] * power),
+        missed=np.sqrt(drift.common[own, None] + training.map_variance),
+        noise=training.noise,
+        stability=_compute_triad_rms(training.fixed_stability),
+        size=_compute_size(maps),
+    )
+
+
+def _fly(gyros: _Gyros, turning: float, seed: int) -> Iterator[tuple[float, Mapping[str, Array]]]:
+    """(r, ANGLES) whether each test tells the truth, for each of `RATIOS`."""
+    random = np.random.default_rng(seed)
+    weights = compute_turning_weights(2 * np.pi * turning / HOUR)
+    turned = turn_weights(weights.maps, random.uniform(0.0, np.pi, (ANGLES, 3)))[:, 0]
+    deviates = random.standard_normal((2, len(gyros.maps), ANGLES, *gyros.maps.shape[1:]))
+    covariance = np.einsum("rka,kaij->rij", gyros.noise**2, weights.noise)
+    root = np.linalg.cholesky(covariance)
+    noise = np.einsum("rij,rnj->rni", root, random.standard_normal((*deviates.shape[1:3], 2)))
+    by_map = np.einsum("nica,rca->rni", turned, gyros.maps)
+    drifted, missed = (
+        np.einsum("nica,rnca,rca->rni", turned, each, sigma)
+        for each, sigma in zip(deviates, (gyros.drifting, gyros.missed), strict=True)
+    )
+    rule = _compute_rule(gyros.stability)
+    quiet = np.median(_compute_distance(noise) / rule)
+    turned_map = np.median(_compute_distance(by_map) / _compute_rule(gyros.size))
+    for ratio in RATIOS.tolist():
+        scale = (ratio * gyros.stability / gyros.size)[:, None, None]
+        flown = _compute_distance(scale * by_map + noise)
+        predicted = {
+            FIXED: quiet * rule,
+            CIRCUMFERENCE: turned_map * rule * np.hypot(1.0, ratio),
+            MAP: _compute_distance(scale * (by_map + drifted) + missed),
+        }
+        yield (
+            ratio,
+            {
+                test: (np.abs(np.log(flown / each)) <= np.log(FACTOR)).astype(float)
+                for test, each in predicted.items()
+            },
+        )
+
+
+def _average(shares: Array) -> Array:
+    """(...,) mean of shares (..., r, 1) over triads."""
+    return np.asarray(shares.mean(axis=(-2, -1)))
+
+
+def _compute_rule(stability: Array) -> Array:
+    """(r, 1) distance at the end by the usual rule, m."""
+    return compute_rule_distance(np.repeat(stability[:, None], 3, axis=1), np.array([DURATION]))
+
+
+def _compute_distance(error: Array) -> Array:
+    return np.asarray(np.linalg.norm(error, axis=-1))
+
+
+def _compute_size(maps: Array) -> Array:
+    """(r,) rms over gyros and angles of bias maps without their means, rad/s."""
+    return np.asarray(np.sqrt(np.mean(np.sum(maps[:, 1:TERMS] ** 2, axis=1) / 2, axis=-1)))
+
+
+def _compute_triad_rms(values: Array) -> Array:
+    return np.asarray(np.sqrt(np.mean(values**2, axis=1)))
+
+
+def write_rows(rows: Sequence[Mapping[str, Any]], path: Path) -> None:
+    """Write rows of `COLUMNS` as CSV, with a header."""
+    with path.open("w", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS)
+        writer.writeheader()
+        writer.writerows(
+            {key: f"{value:.6g}" if isinstance(value, float) else value for key, value in r.items()}
+            for r in rows
+        )
+
+
+def describe_phase_diagram(
+    rows: list[dict[str, Any]], missions: Mapping[str, tuple[float, float]]
+) -> dict[str, Any]:
+    """The diagram as JSON values; missions: turning and median map over noise by class."""
+    return {
+        "factor": FACTOR,
+        "hours": DURATION / HOUR,
+        "start_angles": ANGLES,
+        "rows": rows,
+        "missions": {name: list(place) for name, place in missions.items()},
+    }

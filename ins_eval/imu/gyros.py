@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from fmu_build.bundle import build_fmu
 from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
+from ins_eval.imu.map_sizes import MapSizes, size_maps
 from ins_eval.imu.mounting import Mounting
 from ins_eval.imu.stated_gyros import GyroReading
 from pyhrg.bench.bench import Bench
@@ -21,7 +22,6 @@ from pyhrg.device.keys import KEYS
 from pyhrg.device.ready_devices import TYPICAL, Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.records.imu.increments import Increments
-from pyhrg.theory import closed_forms as theory
 
 AMPLITUDE_TOLERANCE = 1e-3
 """Largest relative difference of the amplitude from its set point for a gyro to be ready. Chosen:
@@ -80,11 +80,17 @@ class FmuGyros:
         return replace(self, start_up=True)
 
     @property
+    def map_sizes(self) -> tuple[MapSizes, ...]:
+        """Sizes of the three gyros' errors over the pattern angle."""
+        devices = [replace(self.device, **own) for own in self.differences]
+        return tuple(size_maps(each, self.own_axes, self.calibrated) for each in devices)
+
+    @property
     def errors(self) -> SensorErrors:
-        """See `Gyros`. The bias is the rms of the bias map over the pattern angle."""
+        """See `Gyros`. The bias is that at rest, at any pattern angle."""
         devices = [replace(self.device, **own) for own in self.differences]
         return SensorErrors(
-            gyro_bias=_rms([_bias(device, self.calibrated) for device in devices]),
+            gyro_bias=_rms([sizes.rest_bias for sizes in self.map_sizes]),
             angle_random_walk=_rms([device.angle_random_walk for device in devices]),
             gyro_bias_instability=_rms([device.bias_instability for device in devices]),
             angle_quantization_step=_rms([_quantization_step(device) for device in devices]),
@@ -160,6 +166,8 @@ class GyroOutput:
 def simulate_gyro(bench: Bench, rotation: Array, force: Array, interval: float) -> GyroOutput:
     """Switch a gyro on and simulate it on a motion; the same bench gives the same noise.
 
+    The error of the detected angle when it is switched on is no rotation, and is left out.
+
     rotation: (n,) true rotation about the input axis in each interval, rad; force: (n, 3) mean
     specific force along the axes of the case, m/s^2; the third axis is the input axis; interval: s.
     """
@@ -167,12 +175,13 @@ def simulate_gyro(bench: Bench, rotation: Array, force: Array, interval: float) 
     inputs |= {f"acceleration{axis}": force[:, i] for i, axis in enumerate("XYZ")}
     moving = {name: values[:, None] for name, values in inputs.items()}
     with bench.power_on("flight") as gyro:
+        start = gyro.read("gyroAngle")
         outputs = ["gyroAngle", "patternAngle", "valid", "amplitude"]
         ends, _ = gyro.record(moving, {}, interval, outputs)
     angle, pattern, valid, amplitude = ends.T
     grown = np.abs(amplitude / bench.device.amplitude - 1) <= AMPLITUDE_TOLERANCE
     is_valid = valid == 1
-    return GyroOutput(np.diff(angle, prepend=0.0), pattern.copy(), is_valid, is_valid & grown)
+    return GyroOutput(np.diff(angle, prepend=start), pattern.copy(), is_valid, is_valid & grown)
 
 
 def resolve_force_in_case(truth: Increments, input_axis: Array) -> Array:
@@ -191,11 +200,6 @@ def case_axes(input_axis: Array) -> Array:
     across = nearest - (nearest @ input_axis) * input_axis
     x = across / np.linalg.norm(across)
     return np.stack([x, np.cross(input_axis, x), input_axis])
-
-
-def _bias(device: Device, calibrated: bool) -> float:
-    spread = theory.circumferential_bias_stability(device)
-    return spread if calibrated else float(np.hypot(spread, theory.mean_bias(device)))
 
 
 def _quantization_step(device: Device) -> float:

@@ -38,6 +38,18 @@ class Start(Checked):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Deflection(Checked):
+    """Deflection of the vertical, the same everywhere: the zenith leans to the north and the east.
+
+    The truth has it, the navigator does not. An alignment at rest takes it for a tilt, which
+    cancels most of its effect on the navigation.
+    """
+
+    north: float = quantity("arcsec", -100, 100, 0)
+    east: float = quantity("arcsec", -100, 100, 0)
+
+
+@dataclass(frozen=True, kw_only=True)
 class Mission:
     """Manoeuvres one after another, and overlays that act from time 0.
 
@@ -51,6 +63,7 @@ class Mission:
     departure: tuple[Manoeuvre, ...] = ()
     overlays: tuple[Overlay, ...] = ()
     repeat: int | None = 1
+    deflection: Deflection = Deflection()
 
     def manoeuvres(self) -> Iterator[tuple[str, Manoeuvre]]:
         """Yield all manoeuvres with their places in the file; endless if `repeat` is None."""
@@ -85,7 +98,8 @@ def build_trajectory(mission: Mission, duration: float, still: float = 0.0) -> T
         knots = path.compute_knots(origin, legs, motions, still, until)
     except TrajectoryError as error:
         raise TrajectoryError(f"{mission.name}: {error}") from None
-    trajectory = Trajectory(mission.name, knots)
+    deflection = mission.deflection
+    trajectory = Trajectory(mission.name, knots, (deflection.north, deflection.east))
     _check_ranges(trajectory, knots)
     return trajectory
 

@@ -11,7 +11,7 @@ from ins_eval.common import earth
 from ins_eval.trajectories import path
 from ins_eval.trajectories.errors import MovingStartError, TrajectoryError, check_durations
 from ins_eval.trajectories.keys import Checked, quantity
-from ins_eval.trajectories.manoeuvres.manoeuvre import Entry, Leg, Manoeuvre
+from ins_eval.trajectories.manoeuvres.manoeuvre import Entry, Leg, Manoeuvre, Place
 from ins_eval.trajectories.manoeuvres.overlays import Overlay
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 
@@ -145,7 +145,8 @@ def _sum_durations(legs: Sequence[Leg]) -> float:
 def _build_legs(mission: Mission, until: float) -> list[Leg]:
     start = mission.start
     gravity = float(earth.gravity(start.latitude, start.height))
-    entry = Entry(start.speed, start.climb_angle, 0.0, gravity)
+    place = Place(start.latitude, start.height, start.heading)
+    entry = Entry(start.speed, start.climb_angle, 0.0, gravity, place)
     legs: list[Leg] = []
     time = 0.0
     for place, manoeuvre in mission.manoeuvres():

@@ -108,7 +108,7 @@ def make_leg(entry: Entry, duration: float, **changes: object) -> Leg:
 
 def horizontal_speed(entry: Entry) -> float:
     """Return the speed over ground, m/s, of a vehicle that is about to turn."""
-    speed = entry.speed * math.cos(entry.climb_angle)
+    speed = abs(entry.speed) * math.cos(entry.climb_angle)
     if speed < 0.1:
         raise TrajectoryError(
             f"speed: found {speed:.3g} m/s over ground, expected at least 0.1 m/s to turn at"

@@ -73,16 +73,26 @@ def propagate_flight_covariance(
 ) -> Array:
     """Covariance of the flight's errors at the kept times, (m, 10, 10); what an alignment's holds
     beyond its sensors' constant errors counts as an error of its own."""
-    grid, deviations = choose_steps(plan), assumed.deviations
+    grid = choose_steps(plan)
+    model, initial = prepare_flight_model(plan, truth, assumed, alignment)
+    every = propagate_covariance(model, initial, assumed.deviations)
+    return every[grid.alignment + grid.row :: grid.row]
+
+
+def prepare_flight_model(
+    plan: Plan, truth: Truth, assumed: AssumedErrors, alignment: Alignment | None
+) -> tuple[LinearModel, Array]:
+    """Linear model of a flight, an alignment before it, and the covariance (10, 10) at its
+    beginning."""
     initial = np.zeros((COUNT, COUNT))
     model = _flight(plan, truth, assumed.effects, assumed.noise)
     if alignment:
         before = _alignment(plan, truth, assumed.effects)
-        explained = propagate_covariance(before, initial, deviations)[-1][ATTITUDE, ATTITUDE]
+        every = propagate_covariance(before, initial, assumed.deviations)
+        explained = every[-1][ATTITUDE, ATTITUDE]
         initial[ATTITUDE, ATTITUDE] = clip_negative_eigenvalues(alignment.covariance - explained)
         model = join_models(before, model)
-    every = propagate_covariance(model, initial, deviations)
-    return every[grid.alignment + grid.row :: grid.row]
+    return model, initial
 
 
 def compute_error_budget(plan: Plan, truth: Truth, imu: Imu, run: Run) -> Budget:

@@ -155,7 +155,7 @@ def write_fmu(
         content["sources/buildDescription.xml"] = build_text.encode()
     content |= _make_enclosures(dae, root, fmi, content)
     path.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(path, _zipped(content))
+    write_whole(path, _zip(content))
     progress(f"built {path}")
 
 
@@ -244,7 +244,7 @@ def _limits(dae: Dae, token: str) -> str:
     return "\n".join([*lines, "};", ""])
 
 
-def _zipped(content: dict[str, bytes]) -> bytes:
+def _zip(content: dict[str, bytes]) -> bytes:
     """Sorted names and fixed times: the same content gives the same bytes."""
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:

@@ -72,7 +72,7 @@ def plan_experiment(fmu: Fmu) -> Experiment | None:
         start=_default(fmu, "startTime", 0.0),
         step=_step(fmu, variable_step),
         steps=STEPS,
-        inputs={v.name: _nudged(fmu, v) for v in inputs},
+        inputs={v.name: _nudge_start(fmu, v) for v in inputs},
         outputs={v.name: int(v.reference) for v in floats if v.causality == "output"},
         references={v.name: int(v.reference) for v in inputs},
     )
@@ -104,7 +104,7 @@ def _step(fmu: Fmu, variable: bool) -> float:
     return float(2.0 ** math.floor(math.log2(step))) if variable else step
 
 
-def _nudged(fmu: Fmu, variable: Variable) -> float:
+def _nudge_start(fmu: Fmu, variable: Variable) -> float:
     """The start value and a little more, or less at the upper limit."""
     start = float((variable.given.get("start") or "0").split()[0])
     high = float(fmu.attribute(variable, "max") or math.inf)

@@ -83,12 +83,12 @@ def run_checks(fmu: Fmu) -> Iterator[Check]:
 
     A damaged archive is one finding an entry, and nothing else is asked of it.
     """
-    damaged = _held(RULES[INTACT], fmu)
+    damaged = _apply_rule(RULES[INTACT], fmu)
     if damaged:
         yield Check(INTACT, damaged, "nothing else was checked")
         return
     for name, rule in RULES.items():
-        yield Check(name, _held(rule, fmu))
+        yield Check(name, _apply_rule(rule, fmu))
     yield Check("FMPy validates it", _fmpy_findings(fmu))
     yield from _runs(fmu)
 
@@ -112,7 +112,7 @@ def _runs(fmu: Fmu) -> Iterator[Check]:
     yield _agreement(planned, traces, skipped)
 
 
-def _held(rule: Rule, fmu: Fmu) -> list[str]:
+def _apply_rule(rule: Rule, fmu: Fmu) -> list[str]:
     """Findings of a rule; a number or a document that can't be read is one."""
     try:
         return list(rule(fmu))

@@ -107,8 +107,8 @@ def compute_error_budget(plan: Plan, truth: Truth, imu: Imu, run: Run) -> Budget
     if run.alignment:
         before = _alignment(plan, truth, ())
         turned = Rotation.from_matrix(run.alignment.mat_nb @ truth.start.mat_nb.T)
-        initial[ATTITUDE] = turned.as_rotvec() - _explained(before, error)
-        initial[ATTITUDE] -= _explained(before, deflected)
+        initial[ATTITUDE] = turned.as_rotvec() - _explain_attitude_error(before, error)
+        initial[ATTITUDE] -= _explain_attitude_error(before, deflected)
         model = join_models(before, model)
     assumed = assume_errors(imu, _first_angle(imu, run.measured, motion.start)).constant
     found = compute_weights(model)
@@ -134,7 +134,7 @@ def _deflection_error(motion: Motion, deflection: tuple[float, float]) -> Increm
     return Increments(motion.step, np.zeros_like(force), motion.step * force, motion.start)
 
 
-def _explained(model: LinearModel, error: Increments) -> Array:
+def _explain_attitude_error(model: LinearModel, error: Increments) -> Array:
     """(3,) attitude error that sensors' errors leave an averaging alignment with, rad."""
     mean = sum_over_steps(error, model.time[0], model.step, len(model))
     rates = np.concatenate([mean.rotation, mean.velocity], axis=1) / model.step

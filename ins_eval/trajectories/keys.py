@@ -30,7 +30,7 @@ class Kind(ABC):
         """The value inside of a file's value."""
         return value
 
-    def shown(self, value: object) -> Any:
+    def to_file(self, value: object) -> Any:
         """The file's value of a value inside."""
         return value
 
@@ -52,11 +52,11 @@ class Quantity(Kind):
 
     def holds(self, value: object) -> bool:
         """Whether the SI value is a number within the range, rounding aside."""
-        plain = self.shown(value)
+        plain = self.to_file(value)
         slack = 1e-12 * max(abs(self.low), abs(self.high))
         return _is_number(plain) and self.low - slack <= plain <= self.high + slack
 
-    def shown(self, value: object) -> Any:
+    def to_file(self, value: object) -> Any:
         return value / UNITS[self.unit] if _is_number(value) else value
 
 
@@ -131,7 +131,7 @@ class Checked:
         for key, f, kind in keys(type(self)):
             value = getattr(self, f.name)
             if not (kind.holds(value) or (value is None and f.default is None)):
-                found = kind.shown(value)
+                found = kind.to_file(value)
                 shown = f"{found:.10g}" if isinstance(found, float) else repr(found)
                 raise TrajectoryError(f"{key}: found {shown}, expected {kind.expected}")
 

@@ -116,7 +116,7 @@ class Bench:
         drawn = generator.normal(self.device.power_on_angle, self.device.power_on_scatter)
         angle = drawn if start_angle is None else start_angle
         missing = LOOP_FREQUENCIES - self.fmu.references.keys()
-        values = self.device.turned_on(generator).items()
+        values = self.device.draw_turn_on(generator).items()
         parameters = {name: value for name, value in values if name not in missing}
         return self.fmu.power_on(parameters, seed, angle)
 

@@ -127,7 +127,7 @@ class Folder:
         values = _read(self.settings, "seed", "counts", "to", "level")
         return Settings(values["counts"], values["seed"], values["to"], values["level"])
 
-    def published(self) -> dict[str, str]:
+    def read_hashes(self) -> dict[str, str]:
         """The published hash of each truth, by case."""
         cases = _read(self.index, "cases")["cases"]
         try:

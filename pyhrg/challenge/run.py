@@ -147,7 +147,7 @@ def _load_simulation_once() -> Simulation:
 
 def read_finished(folder: Folder) -> Finished:
     """A finished challenge, read from its folder; its truths are checked by their hashes."""
-    settings, published = folder.begun(), folder.published()
+    settings, published = folder.begun(), folder.read_hashes()
     names = [case.name for case in settings.cases()]
     cases = []
     for name in names:

@@ -39,13 +39,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run `hrg`; returns the exit status: 0, 2 for a user's error, 130 when interrupted, 141 when
     nobody reads the output to its end."""
     try:
-        return _reported(arguments)
+        return _report_errors(arguments)
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141
 
 
-def _reported(arguments: Sequence[str] | None) -> int:
+def _report_errors(arguments: Sequence[str] | None) -> int:
     try:
         return _dispatch(arguments)
     except HrgError as error:

@@ -2,7 +2,7 @@
 
 
 class HrgError(Exception):
-    """Something that the user can mend; the message is one line that names the file, the field,
+    """An error that the user can correct. Its message is one line that names the file, the field,
     what was found and what was expected.
 
     Every package derives its own from it. The command `hrg` prints the message and ends with

@@ -20,6 +20,7 @@ from pyhrg.common.errors import HrgError
 from pyhrg.common.units import ARCSEC, MICRO_G
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
+from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
 Array = NDArray[np.float64]
 
@@ -74,25 +75,10 @@ def make_triad_seed(study_seed: int, number: int) -> np.random.SeedSequence:
     return np.random.SeedSequence(study_seed, spawn_key=(number,))
 
 
-def draw_triad_block(
-    fmu: GyroFmu, distribution: TriadDistribution, study_seed: int, first: int, count: int
-) -> TriadBlock:
-    """Triads first to first + count - 1 of a study.
-
-    Args:
-        fmu: `HRGSlow`.
-        distribution: what they are drawn from.
-        study_seed: seed of the study.
-        first, count: number of the first triad, and number of triads.
-    """
-    seeds = [make_triad_seed(study_seed, n) for n in range(first, first + count)]
-    return tabulate_triads(fmu, [draw_triad(fmu, distribution, seed) for seed in seeds])
-
-
 def draw_triad(
     fmu: GyroFmu, distribution: TriadDistribution, seed: np.random.SeedSequence
 ) -> DrawnTriad:
-    """One triad; its seed decides all of it. Arguments as `draw_triad_block`."""
+    """One triad, from the FMU `HRGSlow`; its seed decides all of it."""
     generator = np.random.default_rng(seed)
     gyros = [_draw_gyro(fmu, distribution, generator) for _ in range(AXES)]
     return DrawnTriad(
@@ -157,12 +143,5 @@ def _read_flight_map(fmu: GyroFmu, flight: Flight) -> tuple[Array, Array]:
 
 
 def _list_noise(device: Device) -> Array:
-    """Strengths in the order of `noise_weights.KINDS`."""
-    return np.array(
-        [
-            device.angle_white_noise,
-            device.angle_random_walk,
-            device.bias_instability,
-            device.rate_random_walk,
-        ]
-    )
+    """(4,) noise coefficients, SI, in the order of `COEFFICIENT_NAMES`."""
+    return np.array([getattr(device, name) for name in COEFFICIENT_NAMES])

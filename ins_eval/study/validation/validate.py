@@ -39,7 +39,7 @@ def validate(
     scheduler: str | None = None,
     progress: Progress | None = None,
 ) -> StudyResult:
-    """Which bench test predicts the position error: the small study, with these options.
+    """Run the small study that says which bench test predicts the position error.
 
     Args:
         out: output folder; new, empty, or of the same validation, which is continued.

@@ -1,23 +1,17 @@
 """Logs of IMUs as tables: CSV, gzipped or not, and Parquet."""
 
-import gzip
 import io
-from pathlib import Path
 
 import numpy as np
 import pandas as pd
 import pyarrow
 import pyarrow.csv
 
-from pyhrg.common.errors import HrgError
-from pyhrg.common.files import write_whole
 from pyhrg.records.columns import LogError
 from pyhrg.records.imu.columns import (
     ACCELEROMETERS,
     GYROS,
-    ROTATION,
     TIME,
-    VELOCITY,
     Quantity,
     choose_quantity,
 )
@@ -68,36 +62,6 @@ def read_parquet(source: str, data: bytes, trusted: bool) -> RecordedImu:
     values = frame[columns].to_numpy(dtype=np.float64)
     check_finite(source, values, 1, columns)
     return _build_log(source, kinds, values, 1, trusted)
-
-
-def write_imu_log(increments: Increments, path: Path) -> None:
-    """Write increments as CSV (`.csv`, `.csv.gz`) or Parquet (`.parquet`), whole or not at all.
-
-    The increments read back to the same bits, interval and start to 1e-12.
-
-    Raises:
-        HrgError: the name has another ending.
-        OSError: the folder can't be written.
-    """
-    columns = _list_columns((ROTATION, VELOCITY))
-    values = (increments.bounds[1:], increments.rotation, increments.velocity)
-    frame = pd.DataFrame(np.column_stack(values), columns=columns)
-    if path.name.endswith(".parquet"):
-        write_whole(path, frame.to_parquet(index=False))
-    elif path.name.endswith((".csv", ".csv.gz")):
-        data = _format_csv(frame)
-        write_whole(path, gzip.compress(data, mtime=0) if path.suffix == ".gz" else data)
-    else:
-        raise HrgError(f"{path}: found {path.suffix!r}, expected .csv, .csv.gz or .parquet")
-
-
-def _format_csv(frame: pd.DataFrame) -> bytes:
-    """Format each number as the shortest text that reads back to the same bits."""
-    buffer = io.BytesIO(f"{','.join(frame.columns)}\n".encode())
-    buffer.seek(0, io.SEEK_END)
-    options = pyarrow.csv.WriteOptions(include_header=False)
-    pyarrow.csv.write_csv(pyarrow.Table.from_pandas(frame), buffer, options)
-    return buffer.getvalue()
 
 
 def _list_columns(kinds: tuple[Quantity, Quantity]) -> list[str]:

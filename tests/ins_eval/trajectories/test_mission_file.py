@@ -127,7 +127,7 @@ def list_rows(kind: type) -> list[str]:
         elif default is None:
             shown = "none"
         else:
-            value = unit.shown(default)
+            value = unit.to_file(default)
             shown = f"{value:g}" if isinstance(value, float) else str(value)
         rows.append(f"| `{key}` | {unit.expected} | {shown} |")
     return rows

@@ -145,8 +145,8 @@ def _sum_durations(legs: Sequence[Leg]) -> float:
 def _build_legs(mission: Mission, until: float) -> list[Leg]:
     start = mission.start
     gravity = float(earth.gravity(start.latitude, start.height))
-    place = Place(start.latitude, start.height, start.heading)
-    entry = Entry(start.speed, start.climb_angle, 0.0, gravity, place)
+    origin = Place(start.latitude, start.height, start.heading)
+    entry = Entry(start.speed, start.climb_angle, 0.0, gravity, origin)
     legs: list[Leg] = []
     time = 0.0
     for place, manoeuvre in mission.manoeuvres():

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fmu_build.binaries.platforms import PLATFORMS, BuildError, find_host_platform
 from fmu_build.check.archive import Fmu, Variable
 from fmu_build.check.rules.capabilities import is_true
+from pyhrg.common.errors import HrgError
 
 STEPS = 25
 
@@ -46,7 +47,7 @@ class Recording:
     remark: str = ""
 
 
-class FailedError(Exception):
+class FailedError(HrgError):
     """The importer refused the FMU, failed or crashed."""
 
 

@@ -7,6 +7,7 @@ from dataclasses import MISSING, Field, dataclass, field, fields
 from typing import Any, TypeGuard, TypeVar
 
 from ins_eval.trajectories.errors import TrajectoryError
+from pyhrg.common.errors import quote
 from pyhrg.common.toml_table import TomlTable
 from pyhrg.common.units import ARCSEC, DEG
 
@@ -132,7 +133,7 @@ class Checked:
             value = getattr(self, f.name)
             if not (kind.holds(value) or (value is None and f.default is None)):
                 found = kind.to_file(value)
-                shown = f"{found:.10g}" if isinstance(found, float) else repr(found)
+                shown = f"{found:.10g}" if isinstance(found, float) else quote(found)
                 raise TrajectoryError(f"{key}: found {shown}, expected {kind.expected}")
 
 

@@ -55,6 +55,19 @@ class TriadDistribution:
 
 
 @dataclass(frozen=True)
+class DrawnGyro:
+    """A gyro of a triad.
+
+    device: as the maker has calibrated it; bench_seed: seed of the bench's noise; flight: the gyro
+    as it flies.
+    """
+
+    device: Device
+    bench_seed: int
+    flight: Flight
+
+
+@dataclass(frozen=True)
 class DrawnTriad:
     """Three gyros in one flight, and what the bench measured of them.
 
@@ -80,26 +93,34 @@ def draw_triad(
 ) -> DrawnTriad:
     """One triad, from the FMU `HRGSlow`; its seed decides all of it."""
     generator = np.random.default_rng(seed)
-    gyros = [_draw_gyro(fmu, distribution, generator) for _ in range(AXES)]
+    gyros = draw_gyros(fmu, distribution, generator)
     return DrawnTriad(
-        measured=tuple(measured for measured, _ in gyros),
-        flights=tuple(flight for _, flight in gyros),
+        measured=tuple(
+            measure_gyro(fmu, each.device, distribution.bench, each.bench_seed) for each in gyros
+        ),
+        flights=tuple(each.flight for each in gyros),
         accelerometers=generator.normal(0.0, distribution.accelerometer_bias, AXES),
         seed=generator.integers(2**63, size=2).astype(np.uint64),
         mounting=generator.normal(0.0, distribution.mounting, (2, AXES)),
     )
 
 
+def draw_gyros(
+    fmu: GyroFmu, distribution: TriadDistribution, generator: np.random.Generator
+) -> list[DrawnGyro]:
+    """The three gyros of a triad, built, calibrated and aged; they are not benched."""
+    return [_draw_gyro(fmu, distribution, generator) for _ in range(AXES)]
+
+
 def _draw_gyro(
     fmu: GyroFmu, distribution: TriadDistribution, generator: np.random.Generator
-) -> tuple[MeasuredGyro, Flight]:
+) -> DrawnGyro:
     built = distribution.population.draw(generator)
     maker, bench = generator.integers(2**63, size=2).tolist()
     device: Device = calibrate_gyro(
         fmu, built, distribution.method, maker, distribution.calibration
     )
-    measured = measure_gyro(fmu, device, distribution.bench, bench)
-    return measured, draw_flight(device, distribution.drift, generator)
+    return DrawnGyro(device, bench, draw_flight(device, distribution.drift, generator))
 
 
 def tabulate_triads(fmu: GyroFmu, triads: list[DrawnTriad]) -> TriadBlock:

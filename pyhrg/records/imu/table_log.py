@@ -1,12 +1,8 @@
 """Logs of IMUs as tables: CSV, gzipped or not, and Parquet."""
 
-import io
-
 import numpy as np
-import pandas as pd
-import pyarrow
-import pyarrow.csv
 
+from pyhrg.common.reading.parquet import parse_parquet
 from pyhrg.records.columns import LogError
 from pyhrg.records.imu.columns import (
     ACCELEROMETERS,
@@ -48,10 +44,7 @@ def read_csv(source: str, lines: list[str], trusted: bool) -> RecordedImu:
 
 def read_parquet(source: str, data: bytes, trusted: bool) -> RecordedImu:
     """The log of a Parquet file, whose first row of values is row 1."""
-    try:
-        frame = pd.read_parquet(io.BytesIO(data))
-    except (pyarrow.ArrowException, OSError, ValueError) as error:
-        raise LogError(f"{source}: found damaged Parquet: {error}") from error
+    frame = parse_parquet(source, data, LogError)
     kinds = _choose_quantities(source, [str(name) for name in frame.columns])
     columns = _list_columns(kinds)
     for name in columns:
@@ -99,7 +92,9 @@ def _find_interval(source: str, time: Array, first_row: int) -> float:
     """The sampling interval, s."""
     steps = np.diff(time)
     interval = float(np.median(steps))
-    wrong = (steps <= 0) | (np.abs(steps - interval) > MAX_JITTER * interval)
+    wrong = steps <= 0
+    if interval > 0:
+        wrong |= np.abs(steps - interval) > MAX_JITTER * interval
     if wrong.any():
         i = int(np.argmax(wrong))
         trouble = _describe_step(float(steps[i]), interval)

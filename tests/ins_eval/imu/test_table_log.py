@@ -94,8 +94,8 @@ def test_what_is_wrong_is_named(tmp_path: Path, table: pd.DataFrame, message: st
     [
         (b"", "found an empty file, expected a header"),
         (b"\xff\xfe\x00", "found what is no text"),
-        (b"\x1f\x8b\x08damaged gzip", "found damaged gzipped data|cut off"),
-        (b"PAR1damaged", "found damaged Parquet"),
+        (b"\x1f\x8b\x08damaged gzip", "found what is no whole gzipped data"),
+        (b"PAR1damaged", "found what is no Parquet"),
         (b"time_s,time_s\n", "column time_s: found more than once|found no column"),
     ],
 )

@@ -22,7 +22,9 @@ LATITUDE = np.deg2rad(45.0)
 HEIGHT = 100.0
 """Where a vehicle at rest is, rad, m."""
 OMEGA_IE = earth.RATE * np.array([np.cos(LATITUDE), 0.0, -np.sin(LATITUDE)])
-FORCE = np.array([0.0, 0.0, -earth.gravity(LATITUDE, HEIGHT)])
+FORCE = -np.array(
+    [*earth.horizontal_gravity(LATITUDE, HEIGHT, (0.0, 0.0)), earth.gravity(LATITUDE, HEIGHT)]
+)
 """What it feels, in navigation axes, rad/s, m/s^2."""
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(6)
 

@@ -66,6 +66,7 @@ def bare_loop(flight: Flight, samples: int) -> float:
         increments.velocity,
         derive_coefficients(samples),
         flight.clamp().make_channel(count, samples, interval),
+        (0.0, 0.0),
         keep,
         np.empty((count // samples // keep, kernel.STATE_SIZE)),
     )

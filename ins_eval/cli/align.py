@@ -18,7 +18,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add("log", nargs="?", type=Path, metavar="FILE", help="recorded log of a standing vehicle; "
         "without it, an IMU is simulated on one")  # fmt: skip
     add("--imu", default="simple", metavar="NAME|FILE", help="ready IMU or IMU TOML: what is "
-        "simulated, or whose errors the one-sigma of a log rests on (default simple)")  # fmt: skip
+        "simulated; of a log, its biases are assumed and its noise is the prior "
+        "(default simple)")  # fmt: skip
     add("--trajectory", metavar="NAME|FILE", help="where an IMU is simulated, before it sets off "
         "(default car)")  # fmt: skip
     add("--from-s", type=float, metavar="S", help="where to begin in a log (default 0)")

@@ -21,6 +21,10 @@ SOMIGLIANA = 0.00193185265241
 GRAVITY_RATIO = 0.00344978650684
 """Centrifugal acceleration over gravitation at the equator, m = RATE^2 a^2 b / GM."""
 
+PLUMB_LINE = 8.08e-9
+"""North component of normal gravity per metre of height and sin 2 phi, with the sign reversed,
+1/s^2: the curvature of the plumb line (Groves 2013, Eq. 2.140)."""
+
 
 @compile_loop
 def meridian_radius(latitude):
@@ -44,6 +48,19 @@ def gravity(latitude, height):
     ratio = height / SEMI_MAJOR
     slope = 1 + FLATTENING + GRAVITY_RATIO - 2 * FLATTENING * s
     return surface * (1 - 2 * slope * ratio + 3 * ratio**2)
+
+
+@compile_loop
+def horizontal_gravity(latitude, height, deflection):
+    """North and east component of gravity, m/s^2, in axes of the ellipsoid.
+
+    The north component of normal gravity is that of the plumb line, which is curved. A deflection
+    of the vertical (xi, eta), rad, turns the zenith to the north and to the east (Heiskanen and
+    Moritz 1967, section 2-23), so that gravity points to the south and to the west.
+    """
+    down = gravity(latitude, height)
+    north = -PLUMB_LINE * height * np.sin(2 * latitude)
+    return north - deflection[0] * down, -deflection[1] * down
 
 
 def rotation_rate(latitude: ArrayLike) -> NDArray[np.float64]:

@@ -116,7 +116,7 @@ def _position_by_position(latitude: Array, altitude: Array, velocity: Array) -> 
 
 
 def _gravity_by_position(latitude: Array, altitude: Array) -> Array:
-    """Return (n, 3, 3) gravity by position, by central differences that are exact to 1e-9."""
+    """Return (n, 3, 3) gravity by position: down by central differences that are exact to 1e-9."""
     radius_n = earth.meridian_radius(latitude) + altitude
     angle, rise = 1e-3, 1e3
     to_north = earth.gravity(latitude + angle, altitude) - earth.gravity(latitude - angle, altitude)
@@ -124,6 +124,8 @@ def _gravity_by_position(latitude: Array, altitude: Array) -> Array:
     f = np.zeros((len(latitude), 3, 3))
     f[:, DOWN, NORTH] = to_north / (2 * angle) / radius_n
     f[:, DOWN, DOWN] = -to_up / (2 * rise)
+    f[:, NORTH, NORTH] = -2 * earth.PLUMB_LINE * altitude * np.cos(2 * latitude) / radius_n
+    f[:, NORTH, DOWN] = earth.PLUMB_LINE * np.sin(2 * latitude)
     return f
 
 

@@ -6,7 +6,7 @@ coefficient: error_i(t) = coefficient_i x regressor_i(t), measured less true, in
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -77,10 +77,26 @@ def bias_map(harmonic: int, first_angle: Array) -> tuple[Effect, Effect]:
     return _follow_pattern("bias map", harmonic, first_angle, _ones)
 
 
-def pick_off_map(harmonic: int, first_angle: Array) -> tuple[Effect, Effect]:
+def pick_off_map(
+    harmonic: int, first_angle: Array, decay_time: float = np.inf
+) -> tuple[Effect, Effect]:
     """Scale-factor map: true rate times the cosine and sine of a multiple of the pattern angle, by
-    pick-offs of unequal gain or that are not orthogonal. Arguments as of `bias_map`."""
-    return _follow_pattern("pick-off map", harmonic, first_angle, lambda motion: motion.rate)
+    pick-offs of unequal gain or that are not orthogonal. Arguments as of `bias_map`.
+
+    With a decay time tau, s, of the resonator there is a bias besides (docs/methods/error_model.md,
+    Eq. 6a): the amplitude force is misaimed by the error of the detected angle.
+    """
+    cosine, sine = _follow_pattern("pick-off map", harmonic, first_angle, lambda m: m.rate)
+    by_force = 1 / (harmonic * ANGULAR_GAIN * decay_time)
+    bias_cosine, bias_sine = _follow_pattern("", harmonic, first_angle, _ones)
+    return (
+        replace(cosine, regressor=_combine(cosine, -by_force, bias_sine)),
+        replace(sine, regressor=_combine(sine, by_force, bias_cosine)),
+    )
+
+
+def _combine(first: Effect, factor: float, then: Effect) -> Callable[[Motion], Array]:
+    return lambda motion: first.regressor(motion) + factor * then.regressor(motion)
 
 
 def _follow_pattern(

@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from ins_eval.alignment.align import MIN_DURATION
 from ins_eval.alignment.align import align as align_increments
 from ins_eval.alignment.alignment_figure import plot_alignment
+from ins_eval.alignment.measured_noise import MeasuredNoise, measure_noise
 from ins_eval.alignment.result import Alignment
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.flights import align_report
@@ -34,11 +35,14 @@ class AlignedRecord:
     record: StandingRecord
     alignment: Alignment
     errors: SensorErrors
+    prior: str
+    noise: MeasuredNoise | None = None
 
     @property
     def summary(self) -> str:
         """Heading, pitch and roll with their one-sigma, in words."""
-        return align_report.summarize(self.record, self.alignment)
+        lines = align_report.describe_prior(self.prior, self.noise)
+        return "\n".join([align_report.summarize(self.record, self.alignment), *lines])
 
     @property
     def files(self) -> tuple[str, ...]:
@@ -56,7 +60,8 @@ class AlignedRecord:
             OSError: the folder can't be written.
         """
         with stage_files(Path(folder), self.files) as aside:
-            align_report.write(self.record, self.alignment, self.errors, aside)
+            prior = align_report.document_prior(self.prior, self.noise)
+            align_report.write(self.record, self.alignment, self.errors, prior, aside)
 
 
 def align(
@@ -75,7 +80,8 @@ def align(
 
     Args:
         log: recorded log of a standing vehicle; None simulates an IMU on one.
-        imu: the IMU that is simulated, or whose errors the one-sigma of a log rests on.
+        imu: the IMU that is simulated; of a log, its biases are assumed, and its random walks are
+            the prior of those that the record itself shows.
         trajectory: mission before whose start the simulated vehicle stands.
         from_s: time in the log at which the record begins, s.
         seconds: duration of the record, s.
@@ -93,7 +99,11 @@ def align(
         place = Place(latitude_deg, longitude_deg, height_m)
         record = read_standing_record(Path(log), place, from_s, seconds)
     alignment = align_increments(record.increments, record.position, loaded.errors)
-    return AlignedRecord(record, alignment, loaded.errors)
+    if log is None:
+        return AlignedRecord(record, alignment, loaded.errors, loaded.name)
+    noise = measure_noise(record.increments, record.position, loaded.errors)
+    alignment = align_increments(record.increments, record.position, noise.errors)
+    return AlignedRecord(record, alignment, noise.errors, loaded.name, noise)
 
 
 def read_standing_record(path: Path, place: Place, from_s: float, seconds: float) -> StandingRecord:

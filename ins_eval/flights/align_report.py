@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.alignment.alignment_figure import plot_alignment
+from ins_eval.alignment.measured_noise import MeasuredNoise
 from ins_eval.alignment.result import Alignment
 from ins_eval.common.rotation import euler_from_mat
 from ins_eval.common.sensor_errors import SensorErrors
@@ -54,8 +55,35 @@ def summarize(record: StandingRecord, alignment: Alignment) -> str:
     return "\n".join([*lines, "", "method: fine", sway])
 
 
+def describe_prior(imu: str, noise: MeasuredNoise | None) -> list[str]:
+    """What the 1-sigma rests on, in words."""
+    if noise is None:
+        return [f"errors assumed: those of the {imu} IMU"]
+    found = document_prior(imu, noise)["measured"]
+    return [
+        f"noise of this record: {found['angle_random_walk_deg_per_sqrt_h']:.2g} deg/sqrt(h) within "
+        f"{found['angle_random_walk_relative_sigma']:.0%}, "
+        f"{found['velocity_random_walk_m_per_s_per_sqrt_s']:.2g} m/s/sqrt(s) within "
+        f"{found['velocity_random_walk_relative_sigma']:.0%}",
+        f"prior: random walks of the {imu} IMU, a decade wide; its biases are assumed",
+    ]
+
+
+def document_prior(imu: str, noise: MeasuredNoise | None) -> dict[str, Any]:
+    """What the 1-sigma rests on, for align.json."""
+    if noise is None:
+        return {"prior": imu}
+    measured = {
+        "angle_random_walk_deg_per_sqrt_h": noise.errors.angle_random_walk / DEG_PER_SQRT_H,
+        "angle_random_walk_relative_sigma": float(noise.relative_sigma[0]),
+        "velocity_random_walk_m_per_s_per_sqrt_s": noise.errors.velocity_random_walk,
+        "velocity_random_walk_relative_sigma": float(noise.relative_sigma[1]),
+    }
+    return {"prior": imu, "measured": measured}
+
+
 def make_document(
-    record: StandingRecord, alignment: Alignment, errors: SensorErrors
+    record: StandingRecord, alignment: Alignment, errors: SensorErrors, prior: dict[str, Any]
 ) -> dict[str, Any]:
     """Content of align.json."""
     increments = record.increments
@@ -68,6 +96,7 @@ def make_document(
         "rate_hz": 1 / increments.interval,
         "latitude_deg": float(np.rad2deg(record.position[0])),
         "believed": list_assumed_errors(errors),
+        **prior,
         "alignment": describe_alignment(alignment),
     }
     if record.mat_nb is not None:
@@ -75,9 +104,15 @@ def make_document(
     return result
 
 
-def write(record: StandingRecord, alignment: Alignment, errors: SensorErrors, folder: Path) -> None:
+def write(
+    record: StandingRecord,
+    alignment: Alignment,
+    errors: SensorErrors,
+    prior: dict[str, Any],
+    folder: Path,
+) -> None:
     """Write `FILES` into an existing folder."""
-    text = json.dumps(make_document(record, alignment, errors), indent=2) + "\n"
+    text = json.dumps(make_document(record, alignment, errors, prior), indent=2) + "\n"
     (folder / "align.json").write_text(text)
     save_png(plot_alignment(alignment, record.name), folder / "align.png")
 

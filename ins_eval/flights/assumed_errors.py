@@ -1,10 +1,11 @@
 """What the linear model assumes of an IMU: effects, and the standard deviations of each."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
@@ -16,17 +17,19 @@ from ins_eval.error_model.effects import (
     bias_map,
     gyro_bias,
     gyro_scale_factor,
+    pick_off_map,
 )
 from ins_eval.error_model.linear_model import AXES
 from ins_eval.error_model.motion import Motion
 from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
-from ins_eval.imu.sensor_error_model import IDEAL_SENSORS
+from ins_eval.imu.map_sizes import MapSizes
+from ins_eval.imu.sensor_error_model import IDEAL_SENSORS, OFF_DIAGONAL, SensorErrorModel
 from ins_eval.imu.stated_gyros import StatedGyros
 from pyhrg.noise.flicker import compute_process_variance
 
-HARMONIC = 4
-"""Harmonic of the pattern angle that a calibrated whole-angle gyro's bias mainly follows."""
+SizedEffect = tuple[Effect, ArrayLike]
+"""An effect and the standard deviation of its coefficient, of all axes or (3,) of each, SI."""
 ASSUMED_FLICKER_TIMES = (1e1, 1e2, 1e3, 1e4, 1e5)
 """Correlation times of the Gauss-Markov processes whose sum approximates flicker noise, s. Chosen:
 the Allan deviation of their sum is flat to 5 % from 100 s to 30 000 s (test_assumed_errors.py)."""
@@ -52,29 +55,29 @@ class AssumedErrors:
 def assume_errors(imu: Imu, first_angle: Array | None = None) -> AssumedErrors:
     """Effects of an IMU whose constants nobody knows; variances do not depend on the first angle.
 
-    A calibrated whole-angle gyro's bias is cosine and sine of four times its pattern angle, of
-    equal deviation: the same at every angle.
+    A whole-angle gyro's bias and scale factor follow harmonics of its pattern angle, with cosine
+    and sine of equal deviation: the same at every angle.
     """
     errors, force = imu.errors, imu.accelerometers
-    triad = imu.gyros.error_model if isinstance(imu.gyros, StatedGyros) else IDEAL_SENSORS
-    crossed = math.hypot(triad.misalignment.size, imu.mounting_deviation)
     gyro_process, force_process = (
         math.sqrt(compute_process_variance(coefficient))
         for coefficient in (errors.gyro_bias_instability, force.bias_instability)
     )
     sized = [
-        *((effect, errors.gyro_bias) for effect in _gyro_bias(imu, first_angle)),
+        *_list_gyro_effects(imu, first_angle),
         *((gyro_bias(time), gyro_process) for time in ASSUMED_FLICKER_TIMES),
-        (gyro_scale_factor(), triad.scale_factor.size),
-        *((effect, crossed) for effect in model_misalignment("gyro")),
-        (accelerometer_bias(), force.bias.size),
+        (accelerometer_bias(), force.bias.sizes(AXES)),
         *((accelerometer_bias(time), force_process) for time in ASSUMED_FLICKER_TIMES),
-        (accelerometer_scale_factor(), force.scale_factor.size),
-        *((effect, force.misalignment.size) for effect in model_misalignment("accelerometer")),
+        (accelerometer_scale_factor(), force.scale_factor.sizes(AXES)),
+        *_size_misalignment("accelerometer", force, 0.0),
     ]
-    effects = tuple(effect for effect, size in sized if size > 0)
-    sizes = np.array([size for _, size in sized if size > 0])
-    return AssumedErrors(effects, np.tile(sizes[:, None], (1, AXES)), errors)
+    sizes = [np.broadcast_to(np.asarray(size, dtype=float), AXES) for _, size in sized]
+    kept = [number for number, size in enumerate(sizes) if np.any(size > 0)]
+    return AssumedErrors(
+        tuple(sized[number][0] for number in kept),
+        np.array([sizes[number] for number in kept]).reshape(-1, AXES),
+        errors,
+    )
 
 
 def model_misalignment(sensor: Sensor) -> tuple[Effect, Effect]:
@@ -93,7 +96,51 @@ def model_misalignment(sensor: Sensor) -> tuple[Effect, Effect]:
     )
 
 
-def _gyro_bias(imu: Imu, first_angle: Array | None) -> tuple[Effect, ...]:
-    if isinstance(imu.gyros, FmuGyros) and imu.gyros.calibrated:
-        return bias_map(HARMONIC, np.zeros(AXES) if first_angle is None else first_angle)
-    return (gyro_bias(),)
+def _list_gyro_effects(imu: Imu, first_angle: Array | None) -> list[SizedEffect]:
+    """Constant effects of the gyros with their deviations, of all axes or of each."""
+    if isinstance(imu.gyros, FmuGyros):
+        angle = np.zeros(AXES) if first_angle is None else first_angle
+        triad = IDEAL_SENSORS
+        own = _list_map_effects(imu.gyros.map_sizes, angle)
+    else:
+        triad = imu.gyros.error_model if isinstance(imu.gyros, StatedGyros) else IDEAL_SENSORS
+        own = [
+            (gyro_bias(), triad.bias.sizes(AXES)),
+            (gyro_scale_factor(), triad.scale_factor.sizes(AXES)),
+        ]
+    return [*own, *_size_misalignment("gyro", triad, imu.mounting_deviation)]
+
+
+def _list_map_effects(gyros: Sequence[MapSizes], angle: Array) -> list[SizedEffect]:
+    """Effects of whole-angle gyros that begin at pattern angles (3,), rad."""
+    (decay_time,) = {sizes.decay_time for sizes in gyros}
+    biases = [
+        (effect, [sizes.bias[harmonic] for sizes in gyros])
+        for harmonic in gyros[0].bias
+        for effect in bias_map(harmonic, angle)
+    ]
+    pick_offs = [
+        (effect, [sizes.pick_off[harmonic] for sizes in gyros])
+        for harmonic in gyros[0].pick_off
+        for effect in pick_off_map(harmonic, angle, decay_time)
+    ]
+    return [
+        (gyro_bias(), [sizes.mean for sizes in gyros]),
+        (gyro_scale_factor(), [sizes.scale_factor for sizes in gyros]),
+        *biases,
+        *pick_offs,
+    ]
+
+
+def _size_misalignment(
+    sensor: Sensor, triad: SensorErrorModel, mounting: float
+) -> list[SizedEffect]:
+    """Misalignments of each axis; `mounting` is the deviation of the input axes, rad."""
+    six = np.hypot(triad.misalignment.sizes(2 * AXES), mounting)
+    matrix = np.zeros((AXES, AXES))
+    matrix[OFF_DIAGONAL] = six
+    axes = np.arange(AXES)
+    return [
+        (effect, matrix[axes, (axes + shift) % AXES])
+        for shift, effect in enumerate(model_misalignment(sensor), start=1)
+    ]

@@ -46,8 +46,9 @@ class FlightData:
 
     start: (3,) position at time 0: latitude, longitude (rad), height (m); alignments: one a run,
     none if the runs start from the truth; dataset: navigated states by run and time; where a truth
-    is known, true states and errors; for simulated IMUs, the linear model's one-sigma and the
-    navigator's own error.
+    is known, true states and errors; the linear model's one-sigma; for simulated IMUs, the
+    navigator's own error; sigma_budget: of a log, the final one-sigma by effect and axis
+    (`compute_sigma_budget`).
     """
 
     plan: Plan
@@ -57,6 +58,7 @@ class FlightData:
     alignments: Sequence[Alignment]
     dataset: xr.Dataset
     budget: Budget | None = None
+    sigma_budget: pd.DataFrame | None = None
 
     @property
     def title(self) -> str:

@@ -43,7 +43,10 @@ class Flight(FlightData):
 
     @property
     def budget_table(self) -> pd.DataFrame:
-        """Contributions to run 1's final position error, m, by effect and axis; empty for a log."""
+        """Contributions to run 1's final position error, m, by effect and axis; of a log, those to
+        its one-sigma."""
+        if self.sigma_budget is not None:
+            return self.sigma_budget
         return self.budget.table if self.budget else pd.DataFrame()
 
     @property
@@ -166,7 +169,7 @@ def fly_log(
     Args:
         log: recorded log of an IMU; it stands until the alignment ends.
         truth: "none", "rest" (the vehicle stood), or a recorded drive that begins with the log.
-        errors_of: IMU whose errors the alignment assumes.
+        errors_of: IMU whose errors the alignment and the one-sigma assume.
         hours: duration in whole minutes; all that follows the alignment if None.
         samples, height: as in `fly`.
         align_s: duration of the alignment.
@@ -182,6 +185,6 @@ def fly_log(
         path.name, record.increments, hours=hours, samples=samples, height=height, align_s=align_s
     )
     reference = find_reference(truth, position, -(plan.alignment or 0.0), plan.duration)
-    errors = load_imu_at_rate(errors_of, None).errors
-    flown = navigate_log(plan, path.name, record.increments, position, errors, reference)
+    imu = load_imu_at_rate(errors_of, None)
+    flown = navigate_log(plan, path.name, record.increments, position, imu, reference)
     return Flight(**vars(flown))

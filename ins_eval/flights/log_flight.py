@@ -4,15 +4,22 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
+import xarray as xr
 
 from ins_eval.alignment.align import align
 from ins_eval.common.arrays import Array
-from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.common.state import State, Track
+from ins_eval.flights.assumed_errors import assume_errors
 from ins_eval.flights.flight import hold_height
 from ins_eval.flights.flown import FlightData
+from ins_eval.flights.log_sigma import (
+    choose_fine_rows,
+    propagate_log_covariance,
+    thin_track,
+)
 from ins_eval.flights.plan import Plan
 from ins_eval.flights.truth import count_still_increments
+from ins_eval.imu.imu import Imu
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.results import flights
 from pyhrg.records.imu.increments import Increments
@@ -37,24 +44,33 @@ def navigate_log(
     name: str,
     log: Increments,
     position: Array,
-    errors: SensorErrors,
+    imu: Imu,
     reference: Reference | None,
 ) -> FlightData:
     """Align on a log's beginning, and navigate.
 
-    position: (3,) at its beginning: latitude, longitude, rad, height, m; errors: of its sensors, as
-    alignment assumes them; reference: the truth, if there is one; it holds the height too.
+    position: (3,) at its beginning: latitude, longitude, rad, height, m; imu: that whose errors are
+    assumed; reference: the truth, if there is one; it holds the height too.
     """
     _, zero = count_still_increments(plan.alignment, plan.interval, warm_up=0.0)
     log = replace(log, start=-zero * log.interval)
-    alignment = align(log.between(0, zero), position, errors)
+    alignment = align(log.between(0, zero), position, imu.errors)
     measured = log.between(zero, zero + plan.count)
     start = State.at_rest(position, alignment.mat_nb)
     heights = np.full(plan.count + 1, start.height)
     if reference:
         heights = reference(measured.bounds).position[:, 2]
-    track = navigate(start, measured, hold_height(plan, heights), plan.keep_every, plan.samples)
+    fine = choose_fine_rows(plan)
+    way = navigate(start, measured, hold_height(plan, heights), fine, plan.samples)
+    track = thin_track(way, plan.keep_every // fine)
     dataset = flights.tabulate_navigated([track])
     if reference:
         dataset = flights.compare_with_truth([track], reference(track.time))
-    return FlightData(plan, "dead reckoning", name, np.asarray(position), [alignment], dataset)
+    sigma, budget = propagate_log_covariance(
+        plan, measured, start, way, heights, assume_errors(imu), alignment
+    )
+    dataset = xr.merge([dataset, flights.tabulate_sigmas(track.time, sigma)])
+    place = np.asarray(position)
+    return FlightData(
+        plan, "dead reckoning", name, place, [alignment], dataset, sigma_budget=budget
+    )

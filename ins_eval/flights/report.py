@@ -14,6 +14,7 @@ import xarray as xr
 from ins_eval.alignment.result import Alignment
 from ins_eval.common.state import position_error
 from ins_eval.error_model.budget.budget_figure import plot_budget
+from ins_eval.error_model.budget.sigma_budget import COLUMNS as SIGMA_COLUMNS
 from ins_eval.flights.flown import COLUMNS, FlightData
 from ins_eval.results import tables
 from ins_eval.results.growth_figure import draw_growth
@@ -45,6 +46,8 @@ def list_writers(flight: FlightData) -> dict[str, Callable[[Path], Any]]:
         writers["budget.png"] = lambda path: save_png(
             plot_budget(budget.weights, budget.shares, flight.title), path
         )
+    if (parts := flight.sigma_budget) is not None:
+        writers["budget.csv"] = lambda path: tables.write_table(parts, path)
     return writers
 
 
@@ -87,6 +90,8 @@ def make_document(flight: FlightData) -> dict[str, Any]:
         result["largest_own_error_mm"] = find_largest_own_error_mm(flight.dataset)
     if flight.budget:
         result["budget_of_run_1"] = flight.budget.table.to_dict("records")
+    if flight.sigma_budget is not None:
+        result["budget_of_one_sigma"] = flight.sigma_budget.to_dict("records")
     return result
 
 
@@ -137,19 +142,22 @@ def _finite(value: Any) -> Any:
 
 def _end_rows(flight: FlightData, last: xr.Dataset) -> list[tuple[str, list[float]]]:
     if "north_error" not in last:
-        return [("from where it was aligned, m", _measure_motion(flight, last))]
+        return [("from where it was aligned, m", _measure_motion(flight, last)), *_sigma_rows(last)]
     errors = [last[f"{name}_error"].values for name in COMPONENTS]
     rms = [float(np.sqrt(np.mean(error**2))) for error in errors]
     rows = [("position error, m", [float(error[0]) for error in errors])]
     if flight.plan.runs > 1:
         rows = [(f"position error, rms of {flight.plan.runs} runs, m", rms)]
-    if "north_sigma" in last:
-        sigma = [float(last["north_sigma"]), float(last["east_sigma"])]
-        rows.append(("1-sigma by the linear model, m", [*sigma, math.hypot(*sigma)]))
+    rows += _sigma_rows(last)
     if "own_north_error" in last:
         own = [1000 * float(last[f"own_{name}_error"]) for name in ("north", "east")]
         rows.append(("navigator's own error, mm", [*own, math.hypot(*own)]))
     return rows
+
+
+def _sigma_rows(last: xr.Dataset) -> list[tuple[str, list[float]]]:
+    sigma = [float(last["north_sigma"]), float(last["east_sigma"])]
+    return [("1-sigma by the linear model, m", [*sigma, math.hypot(*sigma)])]
 
 
 def _measure_motion(flight: FlightData, last: xr.Dataset) -> list[float]:
@@ -167,6 +175,14 @@ def _alignment_lines(flight: FlightData) -> list[str]:
 
 
 def _budget_lines(flight: FlightData) -> list[str]:
+    if flight.sigma_budget is not None:
+        parts = flight.sigma_budget.groupby("effect", sort=False)[list(SIGMA_COLUMNS[2:])]
+        rows = parts.agg(lambda each: float(np.linalg.norm(each)))
+        lines = [
+            _line(str(effect), [*row, math.hypot(*row)])
+            for effect, row in zip(rows.index, rows.to_numpy().tolist(), strict=True)
+        ]
+        return ["", "budget of the 1-sigma, m; squares add up", *lines]
     if not flight.budget:
         return []
     table = flight.budget.table

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from fmu_build.bundle import build_fmu
 from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
+from ins_eval.imu.map_sizes import MapSizes, size_maps
 from ins_eval.imu.mounting import Mounting
 from ins_eval.imu.stated_gyros import GyroReading
 from pyhrg.bench.bench import Bench
@@ -22,7 +23,6 @@ from pyhrg.device.keys import KEYS
 from pyhrg.device.ready_devices import TYPICAL, Device
 from pyhrg.fmu import GyroFmu, record_together
 from pyhrg.records.imu.increments import Increments
-from pyhrg.theory import closed_forms as theory
 
 AMPLITUDE_TOLERANCE = 1e-3
 """Largest relative difference of the amplitude from its set point for a gyro to be ready. Chosen:
@@ -81,11 +81,17 @@ class FmuGyros:
         return replace(self, start_up=True)
 
     @property
+    def map_sizes(self) -> tuple[MapSizes, ...]:
+        """Sizes of the three gyros' errors over the pattern angle."""
+        devices = [replace(self.device, **own) for own in self.differences]
+        return tuple(size_maps(each, self.own_axes, self.calibrated) for each in devices)
+
+    @property
     def errors(self) -> SensorErrors:
-        """See `Gyros`. The bias is the rms of the bias map over the pattern angle."""
+        """See `Gyros`. The bias is that at rest, at any pattern angle."""
         devices = [replace(self.device, **own) for own in self.differences]
         return SensorErrors(
-            gyro_bias=_rms([_bias(device, self.calibrated) for device in devices]),
+            gyro_bias=_rms([sizes.rest_bias for sizes in self.map_sizes]),
             angle_random_walk=_rms([device.angle_random_walk for device in devices]),
             gyro_bias_instability=_rms([device.bias_instability for device in devices]),
             angle_quantization_step=_rms([_quantization_step(device) for device in devices]),
@@ -159,6 +165,8 @@ class GyroOutput:
 def simulate_gyro(bench: Bench, rotation: Array, force: Array, interval: float) -> GyroOutput:
     """Switch a gyro on and simulate it on a motion; the same bench gives the same noise.
 
+    The error of the detected angle when it is switched on is no rotation, and is left out.
+
     rotation: (n,) true rotation about the input axis in each interval, rad; force: (n, 3) mean
     specific force along the axes of the case, m/s^2; the third axis is the input axis; interval: s.
     """
@@ -182,15 +190,19 @@ def simulate_together(
     names = ["gyroAngle", "patternAngle", "valid", "amplitude"]
     with ExitStack() as stack:
         gyros = [stack.enter_context(bench.power_on("flight")) for bench in benches]
+        starts = [gyro.read("gyroAngle") for gyro in gyros]
         recorded = record_together(gyros, moving, [{}] * len(gyros), interval, names)
-    return [_read_output(bench, ends) for bench, (ends, _) in zip(benches, recorded, strict=True)]
+    return [
+        _read_output(bench, start, ends)
+        for bench, start, (ends, _) in zip(benches, starts, recorded, strict=True)
+    ]
 
 
-def _read_output(bench: Bench, ends: Array) -> GyroOutput:
+def _read_output(bench: Bench, start: float, ends: Array) -> GyroOutput:
     angle, pattern, valid, amplitude = ends.T
     grown = np.abs(amplitude / bench.device.amplitude - 1) <= AMPLITUDE_TOLERANCE
     is_valid = valid == 1
-    return GyroOutput(np.diff(angle, prepend=0.0), pattern.copy(), is_valid, is_valid & grown)
+    return GyroOutput(np.diff(angle, prepend=start), pattern.copy(), is_valid, is_valid & grown)
 
 
 def resolve_force_in_case(truth: Increments, input_axis: Array) -> Array:
@@ -209,11 +221,6 @@ def case_axes(input_axis: Array) -> Array:
     across = nearest - (nearest @ input_axis) * input_axis
     x = across / np.linalg.norm(across)
     return np.stack([x, np.cross(input_axis, x), input_axis])
-
-
-def _bias(device: Device, calibrated: bool) -> float:
-    spread = theory.circumferential_bias_stability(device)
-    return spread if calibrated else float(np.hypot(spread, theory.mean_bias(device)))
 
 
 def _quantization_step(device: Device) -> float:

@@ -26,6 +26,10 @@ class AxisConstants:
         given = np.reshape(self.value, shape) if np.ndim(self.value) else self.value
         return np.asarray(given + generator.normal(0.0, self.deviation, size=shape))
 
+    def sizes(self, count: int) -> Array:
+        """Root mean square over units of each of `count` constants."""
+        return np.hypot(self.deviation, np.broadcast_to(self.value, count))
+
     @property
     def size(self) -> float:
         """Root mean square over axes and units."""

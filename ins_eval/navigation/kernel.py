@@ -37,13 +37,16 @@ MAX_LATITUDE = np.deg2rad(89.5)
 MAX_HEIGHT = 1e8
 """Largest height, m. Chosen: beyond it the navigation has diverged."""
 
+Deflection = tuple[float, float]
+"""Deflection of the vertical, north and east, rad."""
+
 STATE_SIZE = 10
 """Columns of a stored state: latitude, longitude, height, velocity (3), quaternion (4)."""
 
 
 class Midpoint(NamedTuple):
     """The middle of a step: sine and cosine of latitude; height, m; radii of curvature of meridian
-    and prime vertical plus height, m; gravity, m/s^2."""
+    and prime vertical plus height, m; gravity down, north and east, m/s^2."""
 
     sin: float
     cos: float
@@ -51,14 +54,19 @@ class Midpoint(NamedTuple):
     radius_n: float
     radius_e: float
     gravity: float
+    gravity_north: float
+    gravity_east: float
 
 
 @compile_loop
-def locate_midpoint(latitude: float, height: float, average: Vector, step: float) -> Midpoint:
+def locate_midpoint(
+    latitude: float, height: float, average: Vector, step: float, deflection: Deflection
+) -> Midpoint:
     """Return the step's middle from its start and its mean velocity."""
     radius_n = earth.meridian_radius(latitude) + height
     latitude = latitude + 0.5 * step * average[0] / radius_n
     height = height - 0.5 * step * average[2]
+    north, east = earth.horizontal_gravity(latitude, height, deflection)
     return Midpoint(
         np.sin(latitude),
         np.cos(latitude),
@@ -66,6 +74,8 @@ def locate_midpoint(latitude: float, height: float, average: Vector, step: float
         earth.meridian_radius(latitude) + height,
         earth.transverse_radius(latitude) + height,
         earth.gravity(latitude, height),
+        north,
+        east,
     )
 
 
@@ -174,18 +184,25 @@ def resolve_step(
     q: Quaternion,
     body: tuple[Vector, Vector, Vector],
     channel: VerticalChannel,
+    deflection: Deflection,
 ) -> tuple[Midpoint, Vector, Vector, Vector]:
     """Resolve the result of `integrate_body_step` in navigation axes: middle of the step, rotation
-    vector of the axes, rad, velocity change without gravity, m/s, and its mean over the step,
+    vector of the axes, rad, velocity change without gravity down, m/s, and its mean over the step,
     m/s."""
     change, moving = rotate(q, body[1]), rotate(q, body[2])
     gravity = earth.gravity(latitude, height)
     down = mean_down_velocity(channel, k, step, vel[2] + moving[2], gravity)
-    average = (vel[0] + moving[0], vel[1] + moving[1], down)
-    place = locate_midpoint(latitude, height, average, step)
+    north, east = earth.horizontal_gravity(latitude, height, deflection)
+    average = (
+        vel[0] + moving[0] + 0.5 * step * north,
+        vel[1] + moving[1] + 0.5 * step * east,
+        down,
+    )
+    place = locate_midpoint(latitude, height, average, step, deflection)
     turn, coriolis = turn_navigation_axes(average, change, place, step, channel.clamped)
     change, moving = transform_to_turning_axes(change, moving, turn)
-    return place, turn, add(change, coriolis), add(moving, scale(0.5, coriolis))
+    pulled = add(coriolis, scale(step, (place.gravity_north, place.gravity_east, 0.0)))
+    return place, turn, add(change, pulled), add(moving, scale(0.5, pulled))
 
 
 @compile_loop
@@ -198,6 +215,7 @@ def run_steps(
     velocity: Array,
     coefficients: StepCoefficients,
     channel: VerticalChannel,
+    deflection: Deflection,
     keep: int,
     out: Array,
 ) -> tuple[int, float, float]:
@@ -215,7 +233,9 @@ def run_steps(
     steps = len(rotation) // samples
     for k in range(steps):
         body = integrate_body_step(rotation, velocity, k * samples, coefficients)
-        place, turn, change, moving = resolve_step(k, step, latitude, height, vel, q, body, channel)
+        place, turn, change, moving = resolve_step(
+            k, step, latitude, height, vel, q, body, channel, deflection
+        )
 
         north = step * (vel[0] + moving[0]) / place.radius_n
         east = step * (vel[1] + moving[1]) / (place.radius_e * place.cos)

@@ -21,7 +21,12 @@ class NavigationError(HrgError):
 
 
 def navigate(
-    start: State, increments: Increments, height: Height, keep_every: int, samples: int = 2
+    start: State,
+    increments: Increments,
+    height: Height,
+    keep_every: int,
+    samples: int = 2,
+    deflection: tuple[float, float] = (0.0, 0.0),
 ) -> Track:
     """Navigate by dead reckoning, and return the states after every `keep_every` increments.
 
@@ -31,6 +36,7 @@ def navigate(
         height: height aiding: `Free()`, `Clamped(heights)` or `BaroDamped(heights)`.
         keep_every: increments between rows of the result, a multiple of `samples`.
         samples: increments a step, 2 to 4.
+        deflection: of the vertical, north and east, rad, as the navigator is told.
 
     Raises:
         HrgError: `samples` out of range; heights of the wrong number or not finite.
@@ -56,6 +62,7 @@ def navigate(
         np.ascontiguousarray(increments.velocity, dtype=float),
         derive_coefficients(samples),
         height.make_channel(count, samples, increments.interval),
+        (float(deflection[0]), float(deflection[1])),
         keep_every // samples,
         rows,
     )

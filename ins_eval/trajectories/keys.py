@@ -9,9 +9,9 @@ from typing import Any, TypeGuard, TypeVar
 from ins_eval.trajectories.errors import TrajectoryError
 from pyhrg.common.errors import quote
 from pyhrg.common.toml_table import TomlTable
-from pyhrg.common.units import DEG
+from pyhrg.common.units import ARCSEC, DEG
 
-UNITS = {"deg": DEG, "deg_s": DEG, "m": 1.0, "m_s": 1.0, "s": 1.0, "": 1.0}
+UNITS = {"arcsec": ARCSEC, "deg": DEG, "deg_s": DEG, "m": 1.0, "m_s": 1.0, "s": 1.0, "": 1.0}
 """SI value of each unit that a key may end in; a number without one has none."""
 
 

@@ -11,7 +11,7 @@ from ins_eval.common import earth
 from ins_eval.trajectories import path
 from ins_eval.trajectories.errors import MovingStartError, TrajectoryError, check_durations
 from ins_eval.trajectories.keys import Checked, quantity
-from ins_eval.trajectories.manoeuvres.manoeuvre import Entry, Leg, Manoeuvre
+from ins_eval.trajectories.manoeuvres.manoeuvre import Entry, Leg, Manoeuvre, Place
 from ins_eval.trajectories.manoeuvres.overlays import Overlay
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 
@@ -38,6 +38,18 @@ class Start(Checked):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Deflection(Checked):
+    """Deflection of the vertical, the same everywhere: the zenith leans to the north and the east.
+
+    The truth has it, the navigator does not. An alignment at rest takes it for a tilt, which
+    cancels most of its effect on the navigation.
+    """
+
+    north: float = quantity("arcsec", -100, 100, 0)
+    east: float = quantity("arcsec", -100, 100, 0)
+
+
+@dataclass(frozen=True, kw_only=True)
 class Mission:
     """Manoeuvres one after another, and overlays that act from time 0.
 
@@ -51,6 +63,7 @@ class Mission:
     departure: tuple[Manoeuvre, ...] = ()
     overlays: tuple[Overlay, ...] = ()
     repeat: int | None = 1
+    deflection: Deflection = Deflection()
 
     def manoeuvres(self) -> Iterator[tuple[str, Manoeuvre]]:
         """Yield all manoeuvres with their places in the file; endless if `repeat` is None."""
@@ -85,7 +98,8 @@ def build_trajectory(mission: Mission, duration: float, still: float = 0.0) -> T
         knots = path.compute_knots(origin, legs, motions, still, until)
     except TrajectoryError as error:
         raise TrajectoryError(f"{mission.name}: {error}") from None
-    trajectory = Trajectory(mission.name, knots)
+    deflection = mission.deflection
+    trajectory = Trajectory(mission.name, knots, (deflection.north, deflection.east))
     _check_ranges(trajectory, knots)
     return trajectory
 
@@ -131,7 +145,8 @@ def _sum_durations(legs: Sequence[Leg]) -> float:
 def _build_legs(mission: Mission, until: float) -> list[Leg]:
     start = mission.start
     gravity = float(earth.gravity(start.latitude, start.height))
-    entry = Entry(start.speed, start.climb_angle, 0.0, gravity)
+    origin = Place(start.latitude, start.height, start.heading)
+    entry = Entry(start.speed, start.climb_angle, 0.0, gravity, origin)
     legs: list[Leg] = []
     time = 0.0
     for place, manoeuvre in mission.manoeuvres():

@@ -8,10 +8,10 @@ from typing import TypeVar
 from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.keys import Checked, build_from_table
 from ins_eval.trajectories.manoeuvres.vocabulary import MANOEUVRES, OVERLAYS
-from ins_eval.trajectories.mission import Mission, Start
+from ins_eval.trajectories.mission import Deflection, Mission, Start
 from pyhrg.common.toml_table import TomlTable, read_table
 
-TOP_LEVEL_KEYS = ("name", "start", "departure", "course", "overlays", "repeat")
+TOP_LEVEL_KEYS = ("name", "start", "deflection", "departure", "course", "overlays", "repeat")
 MAX_REPEATS = 1_000_000
 """Largest number of repetitions of a course. Chosen."""
 
@@ -25,8 +25,9 @@ class MissionError(TrajectoryError):
 def read_mission(path: Path) -> Mission:
     """Read a mission from a TOML file.
 
-    Keys: `name` (the file's by default), `[start]`, `departure` and `course` (arrays of tables,
-    each with its `kind`), `overlays` (likewise), `repeat` (true, or how often; 1 by default).
+    Keys: `name` (the file's by default), `[start]`, `[deflection]`, `departure` and `course`
+    (arrays of tables, each with its `kind`), `overlays` (likewise), `repeat` (true, or how often; 1
+    by default).
 
     Raises:
         MissionError: an unreadable file; a key that is unknown or missing; a value of the wrong
@@ -39,7 +40,8 @@ def read_mission(path: Path) -> Mission:
         raise top.error("course", [], "at least one manoeuvre")
     return Mission(
         name=_read_name(top, path.stem),
-        start=build_from_table(Start, _set_apart(top, "start", top.values.get("start", {}))),
+        start=_read_one(top, "start", Start),
+        deflection=_read_one(top, "deflection", Deflection),
         departure=_build_all(top, "departure", MANOEUVRES),
         course=course,
         overlays=_build_all(top, "overlays", OVERLAYS),
@@ -52,6 +54,10 @@ def _read_name(top: TomlTable, default: str) -> str:
     if not name.isprintable() or not name.strip():
         raise top.error("name", name, "text")
     return name
+
+
+def _read_one(top: TomlTable, key: str, kind: type[T]) -> T:
+    return build_from_table(kind, _set_apart(top, key, top.values.get(key, {})))
 
 
 def _read_repeat(top: TomlTable) -> int | None:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from scipy.integrate import cumulative_simpson
 
 from ins_eval.common import earth
 from ins_eval.common.arrays import Array
@@ -50,8 +51,14 @@ MAX_GAP = 5.0
 """Longest time between rows that is interpolated, s. Chosen."""
 MAX_VELOCITY_DIFFERENCE = 1.0
 """Largest rms difference of recorded velocity and the derivative of position, m/s. Chosen."""
-JOINT_DURATION = 20.0
-"""Time from the end of one repetition to the start of the next, s. Chosen."""
+JOINT_DURATION = 20
+"""Shortest time from the end of one repetition to the start of the next, s. Chosen."""
+JOINT_RADIUS = 6.0
+"""Radius of the bend of a vehicle that must turn where it stands, m. Chosen: that of a car."""
+MAX_JOINT_ACCELERATION = 4.0
+"""Largest lateral acceleration of a joint, m/s^2, which lasts longer instead. Chosen: 0.4 g."""
+SUBSTEPS = 20
+"""Steps a second of the joint's path. Chosen."""
 
 
 class DriveError(TrajectoryError):
@@ -137,14 +144,39 @@ def repeat_drive(drive: Drive, duration: float, still: float = 0.0) -> Trajector
 def _join(
     drive: Drive, position: Array, velocity: Array, euler: Array
 ) -> tuple[Array, Array, Array]:
-    """Return a knot each second from a given state to the drive's first velocity and attitude."""
-    s = np.arange(1, JOINT_DURATION + 0.5) / JOINT_DURATION
-    ramp = s**2 * (3 - 2 * s)
-    ramp_integral = JOINT_DURATION * (s**3 - s**4 / 2)
-    change = drive.velocity[0] - velocity
-    moved = velocity * (s * JOINT_DURATION)[:, None] + change * ramp_integral[:, None]
+    """Return a knot each second from a given state to the drive's first velocity and attitude.
+
+    The velocity keeps its components along the vehicle, forward or backward, and the heading turns
+    by the way driven: there is no sideslip but that recorded at the ends. A vehicle that would turn
+    where it stands drives a bend of `JOINT_RADIUS`.
+    """
+    begin = _turn_to_vehicle(velocity, euler[2])
+    end = _turn_to_vehicle(drive.velocity[0], drive.euler[0, 2])
     turn = np.remainder(drive.euler[0] - euler + math.pi, 2 * math.pi) - math.pi
-    return s * JOINT_DURATION, position + _to_angles(position, moved), euler + turn * ramp[:, None]
+    fastest = max(abs(begin[0]), abs(end[0])) * 1.5 * abs(turn[2])
+    duration = max(JOINT_DURATION, math.ceil(fastest / MAX_JOINT_ACCELERATION))
+    s = np.arange(0, duration * SUBSTEPS + 0.5) / (duration * SUBSTEPS)
+    ramp, bell = s**2 * (3 - 2 * s), 6 * s * (1 - s)
+    along = begin + (end - begin) * ramp[:, None]
+    missing = 1.5 * JOINT_RADIUS * abs(turn[2]) - float(np.mean(abs(along[:, 0]) * bell)) * duration
+    along[:, 0] += math.copysign(max(missing, 0.0) / (1.2 * duration), begin[0] + end[0]) * bell
+    turned = cumulative_simpson(abs(along[:, 0]) * bell, x=s, initial=0.0)
+    yaw = euler[2] + turn[2] * turned / max(turned[-1], 1e-12)
+    cos, sin = np.cos(yaw), np.sin(yaw)
+    north, east = along[:, 0] * cos - along[:, 1] * sin, along[:, 0] * sin + along[:, 1] * cos
+    moving = np.stack([north, east, along[:, 2]], axis=-1)
+    moved = cumulative_simpson(moving, dx=1 / SUBSTEPS, axis=0, initial=0.0)
+    each = slice(SUBSTEPS, None, SUBSTEPS)
+    angles = euler + turn * ramp[:, None]
+    angles[:, 2] = yaw
+    return s[each] * duration, position + _to_angles(position, moved[each]), angles[each]
+
+
+def _turn_to_vehicle(velocity: Array, yaw: float) -> Array:
+    """Return a velocity (3,) north, east, down as forward, right, down."""
+    cos, sin = math.cos(yaw), math.sin(yaw)
+    north, east, down = velocity
+    return np.array([north * cos + east * sin, east * cos - north * sin, down])
 
 
 def _continue_drive(drive: Drive, position: Array, euler: Array) -> tuple[Array, Array, Array]:

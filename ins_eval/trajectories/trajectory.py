@@ -43,10 +43,16 @@ class Knots:
 
 
 class Trajectory:
-    """Motion of a vehicle between the times `start` and `end`, s, of its first and last knot."""
+    """Motion of a vehicle between the times `start` and `end`, s, of its first and last knot.
 
-    def __init__(self, name: str, knots: Knots) -> None:
+    deflection: of the vertical along all of it, north and east, rad.
+    """
+
+    def __init__(
+        self, name: str, knots: Knots, deflection: tuple[float, float] = (0.0, 0.0)
+    ) -> None:
         self.name = name
+        self.deflection = deflection
         self.start = float(knots.time[0])
         self.end = float(knots.time[-1])
         channels = knots.channels()
@@ -110,7 +116,8 @@ class Trajectory:
         force = self._acceleration_n(x, dx, ddx) + np.cross(
             2 * omega_ie + omega_en, self._velocity(x, dx)
         )
-        force[..., 2] -= earth.gravity(latitude, height)
+        north, east = earth.horizontal_gravity(latitude, height, self.deflection)
+        force -= np.stack([north, east, earth.gravity(latitude, height)], axis=-1)
         return omega_ib_b, _to_body(mat_nb, force)
 
     def increments(self, start: float, interval: float, count: int) -> Increments:

@@ -15,7 +15,8 @@ def at_rest(
     """Increments at 100 Hz of a level vehicle at rest whose gyros are biased, rad/s."""
     north = earth.RATE * np.cos(latitude)
     rate = np.array([north * np.cos(yaw), -north * np.sin(yaw), -earth.RATE * np.sin(latitude)])
-    force = np.array([0.0, 0.0, -earth.gravity(latitude, height)])
+    south = -earth.horizontal_gravity(latitude, height, (0.0, 0.0))[0]
+    force = np.array([south * np.cos(yaw), -south * np.sin(yaw), -earth.gravity(latitude, height)])
     count = round(seconds * 100)
     return Increments(
         0.01,

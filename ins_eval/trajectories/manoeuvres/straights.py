@@ -43,9 +43,10 @@ class Straight(Manoeuvre):
 
 @dataclass(frozen=True, kw_only=True)
 class Accelerate(Manoeuvre):
-    """Changes the speed smoothly; the peak acceleration is 1.875 times the mean."""
+    """Changes the speed smoothly; the peak acceleration is 1.875 times the mean. A negative speed
+    reverses."""
 
-    speed: float = quantity("m_s", 0, 4000)
+    speed: float = quantity("m_s", -50, 4000)
     duration: float = quantity("s", 0.1, 1e6)
 
     def leg(self, entry: Entry) -> Leg:

@@ -1,5 +1,6 @@
 """All manoeuvres and overlays by their `kind` in mission files."""
 
+from ins_eval.trajectories.manoeuvres.coast import Coast
 from ins_eval.trajectories.manoeuvres.manoeuvre import Manoeuvre
 from ins_eval.trajectories.manoeuvres.overlays import Hills, Overlay, Sway
 from ins_eval.trajectories.manoeuvres.straights import Accelerate, Rest, Roll, Straight, Turntable
@@ -27,6 +28,7 @@ MANOEUVRES: dict[str, type[Manoeuvre]] = {
     "pitch": Pitch,
     "roll": Roll,
     "boost": Boost,
+    "coast": Coast,
     "turntable": Turntable,
 }
 OVERLAYS: dict[str, type[Overlay]] = {"sway": Sway, "hills": Hills}

@@ -61,6 +61,7 @@ def _build_channel(d: ChannelDiagnosis, shared: Array, source: str) -> tuple[str
             "fit": _build_gap(d.fit),
             "holdout": _build_gap(d.holdout),
             "shrink_percent": _compute_reduction(d.holdout),
+            "halves_p_value": round_digits(d.holdout_p_value),
         },
         "belief": {
             "source": d.belief.source,

@@ -18,6 +18,9 @@ VERDICTS = ("no_gap", "explained", "ambiguous", "unexplained")
 SMALLEST_SHARE = 0.01
 """Share of the excess power below which an octave is not listed (chosen)."""
 
+NOTED_P_VALUE = 0.01
+"""Probability of equal halves below which an unexplained channel's line says it (chosen)."""
+
 
 @dataclass(frozen=True)
 class RecordDiagnosis:
@@ -64,13 +67,28 @@ class RecordDiagnosis:
 
     @property
     def summary(self) -> str:
-        """Verdicts and causes, a line a channel."""
+        """Verdicts, causes, motion and halves that differ, a line a channel."""
         lines = [f"{self.source}: {self.verdict.replace('_', ' ')}"]
-        for d in self.channel_diagnoses:
-            causes = ", ".join(f"{c.term.effect} {c.probability:.3f}" for c in d.causes)
+        for d, shared in zip(self.channel_diagnoses, self.shared, strict=True):
+            found = [f"{c.term.effect} {c.probability:.3f}" for c in d.causes]
+            if d.verdict != "no_gap":
+                found += _describe_motion(d, shared)
+            if d.verdict == "unexplained" and d.holdout_p_value < NOTED_P_VALUE:
+                found.append(f"held-out half differs, p = {d.holdout_p_value:.1g}")
             verdict = d.verdict.replace("_", " ")
-            lines.append(f"  {d.channel.name}: {verdict}{': ' if causes else ''}{causes}")
+            lines.append(f"  {d.channel.name}: {verdict}{': ' if found else ''}{', '.join(found)}")
         return "\n".join(lines)
+
+
+def _describe_motion(d: ChannelDiagnosis, shared: Array) -> list[str]:
+    outside = _name_motion(d)
+    share = sum(size for coordinate, _, size in locate_excess(d, shared) if coordinate == outside)
+    return [f"motion {share:.0%} (other channels show it)"] if share > 0 else []
+
+
+def _name_motion(d: ChannelDiagnosis) -> str:
+    """Coordinate of what moves all sensors."""
+    return "rate" if d.channel.kind is GYRO else "acceleration"
 
 
 def locate_excess(
@@ -88,7 +106,7 @@ def locate_excess(
     motion = np.resize(np.concatenate([shared, np.zeros(len(bands))]), len(bands))
     likeliest = max(d.ranking.unknowns, key=lambda unknown: unknown.log_ratio)
     own = "noise" if d.causes else likeliest.coordinate
-    outside = "rate" if d.channel.kind is GYRO else "acceleration"
+    outside = _name_motion(d)
     places = []
     for band, size, common in zip(bands, power / np.sum(power), motion, strict=True):
         hertz = tuple(x / (2 * (n + 1) * d.channel.interval) for x in (band.start, band.stop))

@@ -25,7 +25,8 @@ MAT_NB = mat_from_euler(*map(np.array, (0.02, -0.03, 1.0)))
 def make_still_record(seconds: float, interval: float, latitude: float = LATITUDE) -> Increments:
     """Ideal increments of a vehicle that stands still at MAT_NB, 100 m high."""
     rate = earth.RATE * np.array([np.cos(latitude), 0.0, -np.sin(latitude)])
-    force = np.array([0.0, 0.0, -earth.gravity(latitude, 100.0)])
+    level = earth.horizontal_gravity(latitude, 100.0, (0.0, 0.0))
+    force = -np.array([*level, earth.gravity(latitude, 100.0)])
     count = round(seconds / interval)
     return Increments(
         interval,

@@ -12,6 +12,7 @@ from ins_eval.alignment.align import align
 from ins_eval.alignment.alignment_figure import plot_alignment
 from ins_eval.alignment.analytic import AlignmentError, level_and_gyrocompass
 from ins_eval.alignment.inertial_frame import fit_inertial_frame
+from ins_eval.alignment.measured_noise import MeasuredNoise, measure_noise
 from ins_eval.common.rotation import euler_from_mat
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.common.state import State
@@ -21,8 +22,6 @@ from ins_eval.navigation.strapdown import navigate
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
 from pyhrg.records.imu.increments import Increments
 from pyhrg.records.imu.log import RecordedImu
-from tests.ins_eval.alignment.cases import make_still_record
-from tests.ins_eval.alignment.measured_noise import MeasuredNoise, measure_noise
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 STATED = SensorErrors(
@@ -130,8 +129,3 @@ def test_figure(log: RecordedImu) -> None:
     titles = [axes.get_title(loc="left") for axes in figure.axes]
     assert [title.split()[0] for title in titles] == ["heading", "pitch", "roll"]
     assert f"{result.heading_deg:.4f}" in titles[0]
-
-
-def test_five_minutes_are_too_short_to_measure_noise_on() -> None:
-    with pytest.raises(AlignmentError, match="300 s: expected at least 1200 s"):
-        measure_noise(make_still_record(300.0, 0.1), np.array([40 * DEG, 0.0, 0.0]), STATED)

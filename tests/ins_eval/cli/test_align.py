@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from ins_eval.flights import align_report
+from ins_eval.imu.specification import load_imu
 from pyhrg.common.cli import main
 from tests.ins_eval.flights.logs import LATITUDE_DEG, ring_laser, written
 
@@ -24,6 +25,7 @@ def test_simulated_imu_is_aligned_within_its_sigma(tmp_path: Path) -> None:
     for angle in ("heading", "pitch", "roll"):
         assert abs(document["error_deg"][angle]) < 4 * found[f"{angle}_sigma_deg"]
     assert document["believed"]["gyro_bias_deg_per_h"] == pytest.approx(0.01)
+    assert "measured" not in document
 
 
 def test_log_is_aligned_where_options_say(
@@ -40,6 +42,12 @@ def test_log_is_aligned_where_options_say(
     assert "standing.csv: 120 s at 100 Hz, from -120 s, at latitude 39.9000 deg" in text
     assert f"{found['heading_deg']:.4f}" in text
     assert "the vehicle sways by" in text
+    assert "prior: random walks of the simple IMU, a decade wide; its biases are assumed" in text
+    assert document["prior"] == "simple"
+    measured = document["measured"]
+    true = load_imu("simple").errors.velocity_random_walk
+    error = abs(measured["velocity_random_walk_m_per_s_per_sqrt_s"] / true - 1)
+    assert error < 4 * measured["velocity_random_walk_relative_sigma"] < 2
 
 
 def test_recorded_ring_laser_is_aligned_on_its_first_300_s(tmp_path: Path) -> None:

@@ -13,8 +13,8 @@ from pyhrg.common.cli import main
 from tests.ins_eval.flights.logs import LATITUDE_DEG, ring_laser, written
 from tests.ins_eval.trajectories import test_recorded_drive as drives
 
-LOG = ("nav.json", "flights.csv", "flights.parquet", "flights.nc", "map.png")
-SIMULATED = (*LOG, "growth.png", "budget.csv", "budget.png")
+LOG = ("nav.json", "flights.csv", "flights.parquet", "flights.nc", "map.png", "budget.csv")
+SIMULATED = (*LOG, "growth.png", "budget.png")
 SHORT = ("--hours", "0.1", "--rate-hz", "20")
 BRIEF = (*SHORT, "--align-s", "60")
 UNALIGNED = (*SHORT, "--start-from-truth")
@@ -127,7 +127,10 @@ def test_log_without_truth_is_dead_reckoned(
     assert files == set(LOG)
     assert document["duration_s"] == pytest.approx(60)
     assert "north_error_m" not in document["at_the_end"]
-    assert "from where it was aligned, m" in capsys.readouterr().out
+    assert document["at_the_end"]["north_sigma_m"] > 0
+    printed = capsys.readouterr().out
+    assert "from where it was aligned, m" in printed
+    assert "budget of the 1-sigma, m; squares add up\ngyro bias " in printed
 
 
 def test_log_of_a_vehicle_at_rest_shows_its_drift(tmp_path: Path) -> None:

@@ -12,6 +12,9 @@ from ins_eval.flights.assumed_errors import (
     model_misalignment,
 )
 from ins_eval.imu import specification
+from ins_eval.imu.imu import Imu
+from ins_eval.imu.sensor_error_model import AxisConstants, SensorErrorModel
+from ins_eval.imu.stated_gyros import StatedGyros
 from ins_eval.trajectories import catalogue
 from pyhrg.noise.flicker import compute_process_variance
 
@@ -49,7 +52,21 @@ def test_ideal_imu_has_no_effects() -> None:
 def test_calibrated_whole_angle_gyros_have_a_map() -> None:
     names = [effect.name for effect in assume_errors(specification.load_imu("typical-hrg")).effects]
     assert sum(name.startswith("bias map") for name in names) == 2
-    assert "gyro bias" not in names
+    assert sum(name.startswith("pick-off map") for name in names) == 2
+
+
+def test_stated_biases_stay_on_their_axes() -> None:
+    """Not spread over all three, as they were."""
+    stated = AxisConstants((2e-8, 0.0, -1e-8), 1e-8)
+    misaligned = AxisConstants((1e-5, 2e-5, 3e-5, 4e-5, 5e-5, 6e-5))
+    triad = SensorErrorModel(bias=stated, misalignment=misaligned)
+    assumed = assume_errors(Imu(gyros=StatedGyros(triad), accelerometers=triad))
+    sizes = dict(zip((e.name for e in assumed.effects), assumed.deviations, strict=True))
+    expected = np.hypot([2e-8, 0.0, 1e-8], 1e-8)
+    np.testing.assert_allclose(sizes["gyro bias"], expected)
+    np.testing.assert_allclose(sizes["accelerometer bias"], expected)
+    np.testing.assert_allclose(sizes["gyro misalignment, next axis"], [1e-5, 4e-5, 5e-5])
+    np.testing.assert_allclose(sizes["gyro misalignment, axis after"], [2e-5, 3e-5, 6e-5])
 
 
 def test_misalignment_feels_the_other_axes() -> None:

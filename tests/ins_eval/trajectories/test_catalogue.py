@@ -11,6 +11,7 @@ from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.trajectory import Trajectory
+from pyhrg.common.units import STANDARD_GRAVITY
 from tests.ins_eval.trajectories.test_recorded_drive import make_drive, write_drive
 
 IN_FLIGHT = ("great-circle", "weaving")
@@ -109,8 +110,35 @@ def test_unknown_name_is_told_the_known_ones() -> None:
         catalogue.load_trajectory("lorry", 60.0)
 
 
+def test_missile_is_one_that_can_fly() -> None:
+    """It coasts at 0 g; elsewhere its lateral force in g stays below dynamic pressure over 4 kPa,
+    what a slender body of 33 kPa wing loading has at a normal-force coefficient of 8; it dives."""
+    path, duration = load_ready("missile")
+    time = np.linspace(0.0, duration, 4000)
+    force = path.rate_and_force(time)[1] / STANDARD_GRAVITY
+    height = path.position(time)[:, 2]
+    speed = np.linalg.norm(path.velocity(time), axis=1)
+    pressure = 0.5 * 1.225 * np.exp(-height / 7200.0) * speed**2
+    lateral = np.hypot(force[:, 1], force[:, 2])
+    assert np.all(lateral < pressure / 4000 + 0.05)
+    coasting = height > 50_000
+    assert np.max(np.linalg.norm(force[coasting], axis=1)) < 1e-3
+    assert np.sum(coasting) * duration / len(time) > 200
+    assert path.velocity(time)[-1, 2] / speed[-1] > 0.7
+    assert 0 < height[-1] < 15_000
+
+
+@pytest.mark.parametrize("name", ["car", "city"])
+def test_corners_can_be_driven(name: str) -> None:
+    """Below 0.5 g level, which dry tyres hold; the car's U-turns were 0.6 g."""
+    path = catalogue.load_trajectory(name, 3600.0)
+    time = np.linspace(0.0, 3600.0, 14_401)
+    force = np.einsum("nij,nj->ni", path.mat_nb(time), path.rate_and_force(time)[1])
+    assert np.max(np.hypot(force[:, 0], force[:, 1])) < 0.5 * STANDARD_GRAVITY
+
+
 def test_missile_says_that_it_is_shorter() -> None:
     with pytest.raises(
-        TrajectoryError, match=r"missile: lasts 858\.\d+ s, shorter than the 7200 s"
+        TrajectoryError, match=r"missile: lasts 871\.\d+ s, shorter than the 7200 s"
     ):
         catalogue.load_trajectory("missile", 7200.0, 320.0)

@@ -11,7 +11,7 @@ from ins_eval.trajectories.manoeuvres.overlays import Sway
 from ins_eval.trajectories.manoeuvres.straights import Straight
 from ins_eval.trajectories.manoeuvres.turns import CoordinatedTurn, UTurn
 from ins_eval.trajectories.manoeuvres.vocabulary import MANOEUVRES, OVERLAYS
-from ins_eval.trajectories.mission import Start
+from ins_eval.trajectories.mission import Deflection, Start
 from ins_eval.trajectories.mission_file import MissionError, read_mission
 
 DOCUMENT = Path(__file__).parents[3] / "docs" / "missions.md"
@@ -61,6 +61,16 @@ def test_course_is_flown_once_by_default(tmp_path: Path) -> None:
         ("true", 'true\nname = ""', r"name: found '', expected text"),
         ("= 45", "= 89.5", r"start: latitude_deg: found 89\.5, expected -89 to 89 deg"),
         ("= 45", '= "45"', r"start: latitude_deg: found '45', expected -89 to 89 deg"),
+        (
+            "true",
+            "true\ndeflection = { up_arcsec = 1 }",
+            r"deflection: up_arcsec: found an unknown",
+        ),
+        (
+            "true",
+            "true\ndeflection = { east_arcsec = 200 }",
+            r"found 200, expected -100 to 100 arc",
+        ),
         ("= 45", "= true", r"start: latitude_deg: found True, expected"),
         ("= 45", "= 1" + 400 * "0", r"start: latitude_deg: found 10+ \.\.\. 0+, expected"),
         ("= 45", "= nan", r"start: latitude_deg: found nan, expected"),
@@ -124,7 +134,8 @@ def list_rows(kind: type) -> list[str]:
 
 
 @pytest.mark.parametrize(
-    ("word", "kind"), [("start", Start), *MANOEUVRES.items(), *OVERLAYS.items()]
+    ("word", "kind"),
+    [("start", Start), ("deflection", Deflection), *MANOEUVRES.items(), *OVERLAYS.items()],
 )
 def test_document_lists_every_key_with_its_range(word: str, kind: type) -> None:
     text = DOCUMENT.read_text(encoding="utf-8")
@@ -136,7 +147,7 @@ def test_document_lists_every_key_with_its_range(word: str, kind: type) -> None:
 def test_document_names_no_other_manoeuvre() -> None:
     lines = DOCUMENT.read_text(encoding="utf-8").splitlines()
     sections = [line.removeprefix("### ") for line in lines if line.startswith("### ")]
-    assert sections == ["start", *MANOEUVRES, *OVERLAYS]
+    assert sections == ["start", "deflection", *MANOEUVRES, *OVERLAYS]
 
 
 def test_example_of_the_document_is_a_mission(tmp_path: Path) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.integrate import cumulative_trapezoid
 
 from ins_eval.common import earth
 from ins_eval.common.state import position_error
@@ -94,6 +95,53 @@ def test_drive_in_circles_repeats_without_unwinding(tmp_path: Path) -> None:
     path = repeat_drive(read_drive(write_drive(tmp_path, rows)), 900.0, 320.0)
     omega = path.rate_and_force(np.arange(0.0, 900.0, 0.1))[0]
     assert np.max(np.abs(omega[:, 2])) < 0.2
+
+
+def make_bend(yaw_deg: np.ndarray, speed: np.ndarray) -> Drive:
+    """A drive without sideslip, 1 Hz, at headings and speeds (n,), negative backward."""
+    time, yaw = np.arange(float(len(speed))), np.deg2rad(yaw_deg)
+    velocity = np.stack([speed * np.cos(yaw), speed * np.sin(yaw), 0 * yaw], axis=-1)
+    moved = cumulative_trapezoid(velocity, dx=1.0, axis=0, initial=0.0)
+    radius = [float(earth.meridian_radius(0.78)), float(earth.transverse_radius(0.78))]
+    latitude, longitude = moved[:, 0] / radius[0], moved[:, 1] / radius[1] / np.cos(0.78)
+    position = np.stack([0.78 + latitude, longitude, 0 * yaw], axis=-1)
+    return Drive("bend", time, position, velocity, np.stack([0 * yaw, 0 * yaw, yaw], axis=-1))
+
+
+HALF = np.linspace(0.0, 1.0, 61)
+BENDS = {
+    "round a corner": make_bend(90 * HALF, np.full(61, 9.0)),
+    "fast round": make_bend(170 * HALF, np.full(61, 25.0)),
+    "from rest to rest, about": make_bend(180 * HALF, 40 * HALF * (1 - HALF)),
+    "backward at the end": make_bend(60 * HALF, 8 - 14 * HALF),
+}
+
+
+@pytest.mark.parametrize("name", BENDS)
+def test_joints_have_no_sideslip(name: str) -> None:
+    """The velocity points where the nose does or back, to 1 % or 0.1 m/s between the knots; it was
+    beside it by up to the whole speed. Joints bend no tighter than a car can, below 0.5 g."""
+    drive = BENDS[name]
+    path = repeat_drive(drive, 200.0, 10.0)
+    time = np.arange(21.0, 200.0, 0.1)
+    velocity, mat = path.velocity(time), path.mat_nb(time)
+    side = np.einsum("ni,ni->n", velocity, mat[:, :, 1])
+    assert np.all(np.abs(side) < 0.1 + 0.01 * np.linalg.norm(velocity, axis=1))
+    rate, force = path.rate_and_force(time)
+    assert np.max(np.abs(force[:, 1])) < 0.5 * 9.81
+    speed = np.linalg.norm(velocity, axis=1)
+    assert np.all(np.abs(rate[:, 2]) * 5.5 < speed + 0.15)
+
+
+def test_vehicles_reverse() -> None:
+    """Backward at the end of a drive: it goes on backward into the joint, and stops on the way to
+    the drive's forward beginning."""
+    path = repeat_drive(BENDS["backward at the end"], 200.0, 10.0)
+    time = np.arange(81.0, 99.0)
+    along = np.einsum("ni,ni->n", path.velocity(time), path.mat_nb(time)[:, :, 0])
+    assert along[0] == pytest.approx(-6.0, abs=0.5)
+    assert along[-1] > 6
+    assert np.sum(np.diff(np.sign(along)) != 0) == 1
 
 
 def edit(row: int, column: str, text: str) -> Callable[[Rows], Rows]:

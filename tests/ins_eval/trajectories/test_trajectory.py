@@ -79,7 +79,9 @@ def test_specific_force_is_acceleration_less_gravity_less_coriolis(trajectory: T
     east = velocity[1] / (earth.transverse_radius(latitude) + height)
     turn = np.array([2 * earth.RATE * np.cos(latitude) + east, -north, 0.0])
     turn[2] = -2 * earth.RATE * np.sin(latitude) - east * np.tan(latitude)
-    expected = acceleration + np.cross(turn, velocity) - [0, 0, earth.gravity(latitude, height)]
+    north, east = earth.horizontal_gravity(latitude, height, (0.0, 0.0))
+    gravity = [north, east, earth.gravity(latitude, height)]
+    expected = acceleration + np.cross(turn, velocity) - gravity
     force = trajectory.rate_and_force(time)[1]
     assert trajectory.mat_nb(time) @ force == pytest.approx(expected, abs=1e-6)
 

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import polygamma
 from scipy.stats import chi2
+from scipy.stats import f as f_distribution
 
 from pyhrg.gap.static_record.belief import Belief
 from pyhrg.gap.static_record.fit.evidence import RAMP, Posterior, Problem, build_problem
@@ -92,6 +93,8 @@ class ChannelDiagnosis:
     closed: (4,) levels of the closed noise model, SI.
     units: (4,) levels of unit strengths, SI.
     fit, holdout: whiteness of the fitted first half and of the held-out second half.
+    holdout_p_value: probability that the second half deviates as far from the noise that was fitted
+        to the first (F-test of the octaves, as `Whiteness.p_value`); a small one is a gap.
     """
 
     channel: Channel
@@ -104,6 +107,7 @@ class ChannelDiagnosis:
     units: Array
     fit: HalfComparison
     holdout: HalfComparison
+    holdout_p_value: float
 
 
 def transform_channel(channel: Channel, belief: Belief) -> Transform:
@@ -125,7 +129,9 @@ def diagnose_channel(
     channel: Channel, belief: Belief, false_alarms: float = FALSE_ALARMS, seed: int = 0
 ) -> ChannelDiagnosis:
     """Diagnose a channel on its first half and verify the noise model on its second half. At most
-    the share `false_alarms` of records as believed is called a gap; seed: of the samples."""
+    the share `false_alarms` of records as believed is called a gap, half of them by either; seed:
+    of the samples."""
+    false_alarms /= 2
     fit = channel.part(0, channel.half)
     problem = build_problem(transform_channel(fit, belief), belief, channel.interval)
     ranking = rank_explanations(problem, seed, false_alarms)
@@ -135,10 +141,11 @@ def diagnose_channel(
     causes = tuple(_make_cause(channel, ranking, chosen, effect) for effect in chosen.extra)
     held_out = channel.part(channel.half, len(channel.angle))
     second_half = build_problem(transform_channel(held_out, belief), belief, channel.interval)
+    p_value = _compare_halves(problem, second_half, chosen)
     return ChannelDiagnosis(
         channel=channel,
         belief=belief,
-        verdict=_reach_verdict(is_alarm, ranking, causes),
+        verdict=_reach_verdict(is_alarm, ranking, causes, p_value > false_alarms),
         ranking=ranking,
         causes=causes,
         ceilings=_compute_ceilings(channel.kind, problem),
@@ -146,10 +153,15 @@ def diagnose_channel(
         units=problem.units,
         fit=_compare_whiteness(problem, chosen),
         holdout=_compare_whiteness(second_half, chosen),
+        holdout_p_value=p_value,
     )
 
 
-def _reach_verdict(is_alarm: bool, ranking: Ranking, causes: tuple[Cause, ...]) -> str:
+def _reach_verdict(
+    is_alarm: bool, ranking: Ranking, causes: tuple[Cause, ...], is_verified: bool
+) -> str:
+    if not is_verified:
+        return "unexplained"
     if not is_alarm:
         return "no_gap"
     if ranking.unknown_probability > UNKNOWN_PROBABILITY or not causes:
@@ -246,6 +258,27 @@ def _compare_whiteness(problem: Problem, chosen: Posterior) -> HalfComparison:
     return HalfComparison(
         before, _measure_whiteness(whiten_coefficients(problem.data, strengths, column_variances))
     )
+
+
+def _compare_halves(first: Problem, second: Problem, chosen: Posterior) -> float:
+    """Probability that two halves of one noise differ as much in their most different octave, both
+    whitened with the noise fitted to the first (two-sided F-test, Bonferroni correction)."""
+    strengths, variances = chosen.best
+    powers, counts = zip(
+        *(
+            sum_octaves(
+                whiten_coefficients(
+                    each.data, strengths, np.resize(variances, len(each.data.names))
+                )
+            )
+            for each in (first, second)
+        ),
+        strict=True,
+    )
+    ratio = (powers[1] / counts[1]) / (powers[0] / counts[0])
+    spread = f_distribution(counts[1], counts[0])
+    tail = 2 * np.minimum(spread.cdf(ratio), spread.sf(ratio))
+    return min(1.0, float(len(ratio) * np.min(tail)))
 
 
 def _measure_whiteness(white: Array) -> Whiteness:

@@ -8,6 +8,7 @@ import pytest
 from ins_eval.common import earth
 from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.manoeuvres.straights import Accelerate, Rest, Roll, Straight, Turntable
+from ins_eval.trajectories.manoeuvres.turns import Turn
 from ins_eval.trajectories.mission import Mission, Start, build_trajectory
 from tests.ins_eval.trajectories.flights import displacement, euler, fly_manoeuvres
 
@@ -118,3 +119,14 @@ def test_turntable_too_short_for_its_rate() -> None:
 def test_moving_vehicle_does_not_stand(manoeuvre: Rest | Turntable) -> None:
     with pytest.raises(TrajectoryError, match="course 1: speed: found 200 m/s, expected 0"):
         fly_manoeuvres(manoeuvre)
+
+
+def test_a_vehicle_reverses_round_a_corner() -> None:
+    """Backward at 3 m/s: the nose leads the other way, and a turn to the right swings the tail to
+    the left: it ends behind, by the chord of the bend."""
+    reverse = (Accelerate(speed=-3.0, duration=10.0), Straight(duration=10.0))
+    path, end = fly_manoeuvres(*reverse, Turn(turn=np.pi / 2, duration=10.0), speed=0.0)
+    assert path.velocity(np.array(15.0)) == pytest.approx([-3.0, 0.0, 0.0], abs=1e-6)
+    assert path.mat_nb(np.array(15.0))[:, 0] == pytest.approx([1.0, 0.0, 0.0], abs=1e-9)
+    assert path.velocity(np.array(end)) == pytest.approx([0.0, -3.0, 0.0], abs=1e-3)
+    assert displacement(path, 20.0)[:2] == pytest.approx([-45.0, 0.0], abs=1e-3)

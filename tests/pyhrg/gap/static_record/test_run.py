@@ -114,6 +114,24 @@ def test_motion_is_shared_and_noise_is_not() -> None:
     assert np.all(shared[:, 0] < 0.05)
 
 
+def test_terminal_says_motion_and_a_half_that_differs() -> None:
+    """Two gyros share a slow disturbance; the third has none, and more noise in its second half."""
+    n = 8192
+    generator = np.random.default_rng(4)
+    readings = generator.standard_normal((3, n))
+    motion = np.convolve(generator.standard_normal(n + 99), np.ones(100) / 10, "valid")
+    readings[:2] += 2 * motion
+    readings[2, n // 2 :] *= 1.3
+    channels = [channel_from_increments(f"gyro_{i}", GYRO, 1.0, r) for i, r in enumerate(readings)]
+    belief = {"gyros": Belief(np.array([0.0, 1.0, 0.0, 0.0]))}
+    lines = diagnose_record(StaticRecord("log", tuple(channels)), belief).summary.splitlines()
+    for line in lines[1:3]:
+        assert "motion" in line
+        assert "(other channels show it)" in line
+    assert "motion" not in lines[3]
+    assert "gyro_2: unexplained: held-out half differs, p = " in lines[3]
+
+
 def test_a_bench_log_s_walk_is_found() -> None:
     """The truth of the fourth campaign is a walk of 0.000655 deg/sqrt(h); the others have none."""
     folder = Path(os.environ.get("HRG_CAMPAIGNS", SHARED / "campaigns"))

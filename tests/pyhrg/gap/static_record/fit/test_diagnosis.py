@@ -31,6 +31,23 @@ def test_false_alarms(slow: tuple[float, float]) -> None:
     assert binomtest(alarms, RECORDS).proportion_ci().low <= 0.02
 
 
+def test_a_held_out_half_that_differs_is_a_gap() -> None:
+    """The fitted half is as believed, so that it alone raised no alarm; the other has 30 % more
+    white noise."""
+    generator = np.random.default_rng([11, 3])
+    noise = generator.standard_normal((2, N))
+    walk = np.cumsum(0.3 * noise[1])
+    steady, changed = (
+        diagnose_channel(Channel("gyro", GYRO, 1.0, grown * noise[0] + walk), WHITE)
+        for grown in (1.0, np.repeat([1.0, 1.3], N // 2))
+    )
+    assert steady.verdict == "no_gap"
+    assert steady.holdout_p_value > 0.01
+    assert changed.ranking.log_ratio == pytest.approx(steady.ranking.log_ratio)
+    assert changed.verdict == "unexplained"
+    assert changed.holdout_p_value < 1e-4
+
+
 MISSING: dict[str, tuple[Mixture, float]] = {
     "angle_white_noise": ((2.5, 0.3, 0, 0, 0), 2.5 / ARCSEC),
     "angle_random_walk": ((1, 0.8, 0, 0, 0), 0.8 / DEG_PER_SQRT_H),

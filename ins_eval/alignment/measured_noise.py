@@ -14,17 +14,15 @@ from scipy.optimize import minimize
 from ins_eval.alignment.inertial_frame import fit_inertial_frame
 from ins_eval.alignment.kalman.dead_reckoning import Reckoning
 from ins_eval.alignment.kalman.fine import reckon_until_linear, run_filter
-from ins_eval.alignment.result import AlignmentError
 from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from pyhrg.records.imu.increments import Increments
 
-MIN_DURATION = 1200.0
-"""Shortest record, s, that separates the gyros' random walk from the accelerometers' noise.
-Chosen."""
-FIRST_GUESS = (1e-7, 1e-4)
-"""Start of the search: angle random walk, rad/sqrt(s), and velocity random walk, m/s/sqrt(s).
-Chosen."""
+PRIOR_SIGMA = float(np.log(10))
+"""Prior standard deviation of the logarithm of a stated walk: a decade. Chosen."""
+UNSTATED = (1e-7, 1e-4)
+"""Centre of the prior of a walk that isn't stated: angle random walk, rad/sqrt(s), and velocity
+random walk, m/s/sqrt(s). Chosen."""
 BOUNDS = ((1e-11, 1e-3), (1e-9, 1e-1), (1e-6, 1e2))
 """Search ranges of both and of the sway, m. Chosen."""
 CURVATURE_STEP = 0.1
@@ -33,11 +31,11 @@ CURVATURE_STEP = 0.1
 
 @dataclass(frozen=True)
 class MeasuredNoise:
-    """Noise estimated by maximum likelihood.
+    """Noise estimated by maximum a posteriori.
 
     errors: the stated ones with the estimated angle and velocity random walk; sway: estimated sway
     of the vehicle, m; relative_sigma: (3,) relative one-sigma of the three estimates, from the
-    curvature of the likelihood.
+    curvature of the posterior.
     """
 
     errors: SensorErrors
@@ -45,37 +43,39 @@ class MeasuredNoise:
     relative_sigma: Array
 
 
-def measure_noise(record: Increments, position: Array, errors: SensorErrors) -> MeasuredNoise:
+def measure_noise(record: Increments, position: Array, stated: SensorErrors) -> MeasuredNoise:
     """Estimate angle and velocity random walk from a standing vehicle's record.
 
-    Biases and quantization steps remain as stated: the record does not determine them.
+    Their prior is log-normal about the stated ones, a decade wide: it decides where the record is
+    too short to separate the gyros' walk. Biases and quantization steps remain as stated.
 
     Args:
         record: of a vehicle that stands, people moving in it, or sways.
         position: (3,) latitude, longitude, rad, and height, m.
-        errors: stated sensor errors.
+        stated: sensor errors.
 
     Raises:
-        AlignmentError: a record that can't be aligned on, or is too short.
+        AlignmentError: a record that can't be aligned on.
     """
-    if record.duration < MIN_DURATION:
-        raise AlignmentError(
-            f"record of {record.duration:g} s: expected at least {MIN_DURATION:g} s to measure "
-            "the gyros' angle random walk on"
-        )
-    guess = _with_walks(errors, np.log(FIRST_GUESS))
+    walks = (stated.angle_random_walk, stated.velocity_random_walk)
+    prior = np.log([w or unstated for w, unstated in zip(walks, UNSTATED, strict=True)])
     coarse = fit_inertial_frame(record, position).mat_ib
-    run, _, sway = reckon_until_linear(record, position, guess, coarse, None)
+    run, _, sway = reckon_until_linear(record, position, _with_walks(stated, prior), coarse, None)
+
+    def posterior(logarithms: Array) -> float:
+        departure = (logarithms[:2] - prior) / PRIOR_SIGMA
+        return _log_likelihood(run, stated, logarithms) - 0.5 * float(departure @ departure)
+
     estimate = minimize(
-        lambda x: -_log_likelihood(run, errors, x),
-        np.log([*FIRST_GUESS, sway]),
+        lambda x: -posterior(x),
+        np.append(prior, np.log(sway)),
         method="Nelder-Mead",
         bounds=np.log(BOUNDS),
         options={"xatol": 0.03, "fatol": 0.1, "maxfev": 300},
     ).x
-    information = -_curvature(lambda x: _log_likelihood(run, errors, x), estimate)
-    sigma = np.sqrt(np.diag(np.linalg.inv(information)))
-    return MeasuredNoise(_with_walks(errors, estimate[:2]), float(np.exp(estimate[2])), sigma)
+    variance = np.diag(np.linalg.inv(-_curvature(posterior, estimate)))
+    sigma = np.sqrt(np.maximum(variance, 0.0))
+    return MeasuredNoise(_with_walks(stated, estimate[:2]), float(np.exp(estimate[2])), sigma)
 
 
 def _log_likelihood(run: Reckoning, errors: SensorErrors, logarithms: Array) -> float:

@@ -28,12 +28,16 @@ OWN_FILES = {
     "fmu_build.bundle",
     "fmu_build.equations.modelica",
     "ins_eval.mission_model.weights_cache",
+    "ins_eval.study.challenge.challenge",
+    "ins_eval.study.challenge.hand_out",
+    "ins_eval.study.experiment",
     "pyhrg.bench.store",
     "pyhrg.common.caches.compiled",
     "pyhrg.common.caches.files",
     "pyhrg.common.made_by",
     "pyhrg.common.pages.shell",
     "pyhrg.fmu.archive",
+    "pyhrg.fmu.lanes",
     "pyhrg.gap.closing.equation.closed_file",
 }
 """Modules that read files which this distribution or this process has made."""

@@ -5,7 +5,6 @@ folder `hand-out`, which has the bench records of the study's gyros and the dige
 """
 
 import hashlib
-import json
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -24,6 +23,7 @@ from ins_eval.study.tables import columns
 from ins_eval.study.tables.table import TABLE
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import replace_folder, write_whole
+from pyhrg.common.reading.documents import read_json
 
 SEALED, HAND_OUT = "sealed", "hand-out"
 SCORES = "scores.csv"
@@ -105,10 +105,7 @@ def _hash_truth(sealed: Path) -> str:
 
 def _check_seal(folder: Path, digest: str) -> None:
     """Refuse a truth whose digest is not that of the index in a folder that was handed out."""
-    try:
-        published = json.loads((folder / INDEX).read_bytes())["sha256"]
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise HrgError(f"{folder / INDEX}: expected a challenge's index: {error!r}") from error
+    published = read_json(folder / INDEX).get("sha256")
     if published != digest:
         raise HrgError(
             f"{folder / INDEX}: sha256: found {published}, expected the truth's {digest}"

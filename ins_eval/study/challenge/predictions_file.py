@@ -1,15 +1,15 @@
 """Predictions of a challenge as a CSV: one row for each judged triad and mission."""
 
-import csv
-import io
 import math
 from collections.abc import Collection
+from itertools import zip_longest
 from pathlib import Path
 
 import pandas as pd
 
 from ins_eval.study.tables import columns
 from pyhrg.common.errors import HrgError
+from pyhrg.common.reading.csv_rows import parse_csv
 from pyhrg.records.table import read_text
 
 Flight = tuple[int, str]
@@ -34,13 +34,15 @@ def read_predictions(path: Path, flights: Collection[Flight]) -> pd.DataFrame:
         PredictionsError: a column or a flight is missing, twice there or unknown; a number is not
             finite, negative, or not in the order low, median, high.
     """
-    reader = csv.DictReader(io.StringIO(read_text(path)))
+    lines = parse_csv(path, read_text(path), error_class=PredictionsError)
+    _, header = next(lines, (0, []))
     for name in FIELDS:
-        if name not in (reader.fieldnames or ()):
+        if name not in header:
             raise PredictionsError(f"{path}: found no column {name}, expected {', '.join(FIELDS)}")
     rows: dict[Flight, tuple[float, ...]] = {}
-    for row in reader:
-        place = f"{path}: line {reader.line_num}"
+    for line, fields in lines:
+        place = f"{path}: line {line}"
+        row = dict(zip_longest(header, fields[: len(header)], fillvalue=""))
         flight = _read_flight(row, flights, place)
         if flight in rows:
             raise PredictionsError(f"{place}: triad: found {flight} again, expected it once")
@@ -54,7 +56,7 @@ def read_predictions(path: Path, flights: Collection[Flight]) -> pd.DataFrame:
 
 
 def _read_flight(row: dict[str, str], flights: Collection[Flight], place: str) -> Flight:
-    text, mission = row[columns.TRIAD] or "", row[columns.MISSION] or ""
+    text, mission = row[columns.TRIAD], row[columns.MISSION]
     missions = sorted({name for _, name in flights})
     if mission not in missions:
         expected = " or ".join(missions)
@@ -73,7 +75,7 @@ def _read_numbers(row: dict[str, str], place: str) -> tuple[float, ...]:
     numbers, least, below = [], 0.0, "0"
     for name in (LOW, MEDIAN, HIGH):
         try:
-            number = float(row[name] or "")
+            number = float(row[name])
         except ValueError:
             number = math.nan
         if not least <= number < math.inf:

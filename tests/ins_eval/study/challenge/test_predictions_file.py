@@ -36,7 +36,7 @@ def test_columns_and_rows_in_any_order(tmp_path: Path) -> None:
         ("car,2,3,2,4,", "line 4: median_m: found '2', expected a number from low_m, 3"),
         ("car,2,1,nan,4,", "line 4: median_m: found 'nan', expected a number from low_m, 1"),
         ("car,2,1,2,inf,", "line 4: high_m: found 'inf', expected"),
-        ("car,2,1", "line 4: median_m: found None, expected a number from low_m, 1"),
+        ("car,2,1", "line 4: median_m: found '', expected a number from low_m, 1"),
         ("car,1,1,2,3,", "line 4: triad: found '1', expected one that is judged, 2 to 3"),
         ("car,2.0,1,2,3,", "line 4: triad: found '2.0', expected one that is judged"),
         ("bus,2,1,2,3,", "line 4: mission: found 'bus', expected car or ship"),

@@ -1,12 +1,25 @@
 """Which terms are proposed: the false discovery rate, names, and every candidate term written."""
 
+from types import SimpleNamespace
+from typing import cast
+
 import numpy as np
 import pytest
 
 from pyhrg.gap.closing.equation.forms import express_term
 from pyhrg.gap.closing.equation.places import find_acting
-from pyhrg.gap.closing.equation.proposal import list_coefficients, select_discoveries
+from pyhrg.gap.closing.equation.proposal import (
+    list_coefficients,
+    propose_terms,
+    select_discoveries,
+)
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
+from pyhrg.gap.evidence.posterior import Posterior
+from pyhrg.gap.evidence.search import rank_sets
+from tests.pyhrg.gap.made_up import design_of
+
+CUBED = CandidateTerm("gyro_angle", "rate", "bias: rate cubed")
+WARM = CandidateTerm("gyro_angle", "temperature", "bias: temperature^1")
 
 
 def test_the_expected_share_of_false_terms_is_bounded() -> None:
@@ -27,6 +40,35 @@ def test_of_drawn_terms_few_are_false(seed: int) -> None:
     share = 1 - is_true[chosen].mean()
     assert len(chosen) > 1000
     assert share == pytest.approx(0.05, abs=4 * np.sqrt(0.05 * 0.95 / len(chosen)))
+
+
+def posterior_of(nearness: float) -> Posterior:
+    """Of a residual in which one form takes part; another form of another coordinate differs from
+    it by a share of its columns."""
+    first, other, noise = np.random.default_rng(1).normal(size=(3, 400))
+    design = design_of(
+        {CUBED: first[:, None], WARM: (first + nearness * other)[:, None]}, first + noise
+    )
+    hypothesis = SimpleNamespace(ranking=rank_sets(design), design=design)
+    made = SimpleNamespace(best=hypothesis, hypotheses=(hypothesis,), probabilities=(1.0,))
+    return cast(Posterior, made)
+
+
+def test_of_forms_that_cannot_be_told_apart_one_is_written_and_all_are_listed() -> None:
+    (term,) = propose_terms(posterior_of(0.02))
+    other = {CUBED.function: WARM, WARM.function: CUBED}[term.function]
+    assert list(term.rivals) == [other.words]
+    assert term.probability > term.rivals[other.words] > 0.05
+    assert term.probability < 0.95 < term.discovery_probability
+    total = term.probability + sum(term.rivals.values())
+    assert total == pytest.approx(term.discovery_probability)
+
+
+def test_a_form_that_explains_less_is_no_rival() -> None:
+    (term,) = propose_terms(posterior_of(1.0))
+    assert term.function == CUBED.function
+    assert term.rivals == {}
+    assert term.probability == pytest.approx(term.discovery_probability)
 
 
 @pytest.mark.parametrize(

@@ -20,6 +20,8 @@ from pyhrg.gap.report.words import (
 NO_TERM = (
     "No term is proposed. closed.mo and closed.fmu hold the identified gyro with its causes alone."
 )
+MAX_RIVALS = 4
+"""Most rival forms that the page names (chosen)."""
 INTRODUCTION = (
     "What has no name gets an equation. closed.mo adds these terms to the identified gyro, and "
     "closed.fmu is that class, built. A coordinate in a formula is a pure number: a quantity over "
@@ -62,6 +64,8 @@ def describe_class(term: Term) -> str:
         return f"{stated}, no other form explains as much"
     others = [f"{words} {format_percent(p)}" for words, p in term.rivals.items()]
     count = f"{len(others)} other form{'s' if len(others) > 1 else ''}"
+    if len(others) > MAX_RIVALS:
+        others[MAX_RIVALS:] = [f"{len(others) - MAX_RIVALS} more (diagnosis.json)"]
     return (
         f"{stated}; together with {count} that these tests can't tell from it "
         f"{format_percent(term.discovery_probability)}: {join_words(others)}"

@@ -17,7 +17,8 @@ from pyhrg.gap.evidence.posterior import Posterior
 from pyhrg.gap.findings.term import Formula, Term
 
 MAX_FALSE_DISCOVERY_RATE = 0.05
-"""Expected share of false terms among the proposed ones, at most: the requirement's bound."""
+"""Largest probability that a proposed term is false, and so of the expected share of false ones
+among them: the requirement's bound (docs/methods/equation.md, Eq. 5)."""
 
 
 @dataclass(frozen=True)
@@ -55,23 +56,14 @@ def as_candidate(term: Term) -> CandidateTerm:
     return CandidateTerm(term.channel, term.coordinates[0], term.function)
 
 
-def select_discoveries(probabilities: Sequence[float]) -> list[int]:
-    """Indices of the largest set of terms, the most probable first, whose mean probability of being
-    false is at most `MAX_FALSE_DISCOVERY_RATE` (docs/methods/equation.md, Eq. 5)."""
-    order = sorted(range(len(probabilities)), key=lambda i: -probabilities[i])
-    false = np.cumsum([1 - probabilities[i] for i in order])
-    # the mean of an ascending series ascends, so that the sets that are good come first
-    return [i for n, i in enumerate(order, 1) if false[n - 1] <= n * MAX_FALSE_DISCOVERY_RATE]
-
-
 def propose_terms(posterior: Posterior) -> tuple[Term, ...]:
     """Terms of the most probable set that are proposed, the most probable first; jumps, values for
     each power-on and noise are none."""
     best = posterior.best.ranking.best
     written = [g for g in best.groups if isinstance(g, CandidateTerm) and list_coefficients(g)]
     terms = make_terms(posterior, written)
-    chosen = select_discoveries([term.discovery_probability for term in terms])
-    return tuple(terms[i] for i in chosen)
+    sure = [t for t in terms if 1 - t.discovery_probability <= MAX_FALSE_DISCOVERY_RATE]
+    return tuple(sorted(sure, key=lambda term: -term.discovery_probability))
 
 
 def make_terms(posterior: Posterior, groups: Sequence[CandidateTerm]) -> list[Term]:

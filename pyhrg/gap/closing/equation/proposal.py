@@ -39,8 +39,7 @@ class Coefficient:
 
 def list_coefficients(term: CandidateTerm) -> tuple[Coefficient, ...]:
     """Coefficients of a term in the order of its columns; none if it can't be written."""
-    acting = find_acting(term)
-    return tuple(_make_coefficient(acting, basis) for basis in express_term(term))
+    return tuple(_make_coefficient(find_acting(term), basis) for basis in express_term(term))
 
 
 def _make_coefficient(acting: Acting, basis: Basis) -> Coefficient:

@@ -6,7 +6,6 @@ from typing import cast
 import numpy as np
 import pytest
 
-from pyhrg.gap.closing.equation.forms import express_term
 from pyhrg.gap.closing.equation.places import find_acting
 from pyhrg.gap.closing.equation.proposal import (
     list_coefficients,
@@ -14,6 +13,7 @@ from pyhrg.gap.closing.equation.proposal import (
     propose_terms,
 )
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
+from pyhrg.gap.effects.jump import make_bias_jump, make_step
 from pyhrg.gap.evidence.posterior import Posterior
 from pyhrg.gap.evidence.search import rank_sets
 from tests.pyhrg.gap.made_up import design_of
@@ -86,5 +86,13 @@ def test_place_and_names(
     assert [c.name for c in list_coefficients(term)] == names
 
 
-def test_a_value_for_each_power_on_is_no_equation() -> None:
-    assert express_term(CandidateTerm("amplitude", "time", "a value for each power-on")) == ()
+@pytest.mark.parametrize(
+    "term",
+    [
+        CandidateTerm("amplitude", "time", "a value for each power-on"),
+        *(make_step([("still", 30.0)], 0.0, kind) for kind in ("pattern", "output")),
+        make_bias_jump([("still", 30.0)], 0.0),
+    ],
+)
+def test_jumps_and_values_for_each_power_on_are_no_equations(term: CandidateTerm) -> None:
+    assert list_coefficients(term) == ()

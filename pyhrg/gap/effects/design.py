@@ -130,7 +130,7 @@ class LinearTest:
         return series + self.bryan_factor * self.slopes[channel][:, None] * angles
 
 
-def list_forms(design: Design, term: CandidateTerm) -> list[Group]:
+def list_forms(design: Design, term: CandidateTerm) -> list[CandidateTerm]:
     """Candidate terms of a term's channel, jumps left out: what may stand in its place."""
     terms = [g for g in design.groups if isinstance(g, CandidateTerm) and not isinstance(g, Jump)]
     return [g for g in terms if g.channel == term.channel and not isinstance(term, Jump)]

@@ -61,17 +61,18 @@ def _build_angle_terms(where: Coordinates) -> Columns:
     def integrate(rate: Array) -> Array:
         return np.asarray(np.cumsum(rate, axis=0) * where.test.log.interval)
 
-    for *key, block in where.functions:
-        add("bias", tuple(key), integrate(block))
-        if key[-1]:
-            add("angle", tuple(key), block)
-    for *key, block in _generate_products(where):
-        add("bias", tuple(key), integrate(block))
+    for coordinate, function, harmonic, block in where.functions:
+        add("bias", (coordinate, function, harmonic), integrate(block))
+        if harmonic:
+            add("angle", (coordinate, function, harmonic), block)
+    for coordinate, function, harmonic, block in _generate_products(where):
+        add("bias", (coordinate, function, harmonic), integrate(block))
     growth = where.growth_rate[:, None]
-    for *key, block in _generate_electrode_errors(where):
-        add("pick-off", tuple(key), block + integrate(growth * block))
-        if key[0] == "wave_angle":
-            add("drive", tuple(key), integrate(growth * block))
+    for coordinate, function, harmonic, block in _generate_electrode_errors(where):
+        force = integrate(growth * block)
+        add("pick-off", (coordinate, function, harmonic), block + force)
+        if coordinate == "wave_angle":
+            add("drive", (coordinate, function, harmonic), force)
     return terms
 
 

@@ -98,15 +98,15 @@ def _search_around(
 
 
 def _measure_change(attribution: Attribution, parts: Sequence[LinearTest], sizes: Sizes) -> float:
-    """Chi-square, over all tests, of what the new linearization changes in the output angle's
+    """Chi-square, over all tests and channels, of what the new linearization changes in the
     residual beside the terms."""
     total = 0.0
     for old, new in zip(attribution.parts, parts, strict=True):
-        left = [part.residual["gyro_angle"] - _respond(part, "gyro_angle", sizes)
-                for part in (old, new)]  # fmt: skip
-        change = (left[1] - left[0])[:, None]
-        white = whiten_rows(new, "gyro_angle", change, attribution.channel_noise).series
-        total += float((white**2).sum())
+        for name in CHANNELS if new is not old else ():
+            left = [part.residual[name] - _respond(part, name, sizes) for part in (old, new)]
+            change = (left[1] - left[0])[:, None]
+            white = whiten_rows(new, name, change, attribution.channel_noise).series
+            total += float((white**2).sum())
     return total
 
 

@@ -11,11 +11,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 from scipy.signal import lfilter
 
+from pyhrg.common.caches.compiled import compile_loop
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.observations import ObservedTest
 
@@ -211,7 +211,7 @@ def _follow_with_lag(series: Array, lag: float, start: float) -> Array:
     return np.concatenate([[start], following])
 
 
-@numba.njit(cache=True)
+@compile_loop
 def _follow_with_play(series: Array, width: float) -> Array:
     """(n,) output of a play (backlash) operator of this width: hysteresis."""
     lagging = np.empty_like(series)

@@ -240,7 +240,7 @@ class _Iteration:
 
     def step_length(self, hypothesis: Hypothesis) -> float:
         """Mahalanobis distance (Eq. (11)) by which a hypothesis moves the gyro."""
-        moved = _moved(self._nominal, self.device, hypothesis)
+        moved = _move_device(self._nominal, self.device, hypothesis)
         return _distance(self.device, moved, hypothesis.exact.whole)
 
     def has_converged(self, hypothesis: Hypothesis) -> bool:
@@ -252,7 +252,7 @@ class _Iteration:
     def move(self, hypothesis: Hypothesis) -> None:
         """Move the gyro to where the hypothesis has it."""
         best, design = hypothesis.ranking.best, hypothesis.exact.whole
-        moved = _moved(self._nominal, self.device, hypothesis)
+        moved = _move_device(self._nominal, self.device, hypothesis)
         is_near = self._has_near_sensitivities(hypothesis)
         self._to_differentiate = [] if is_near else list(best.named)
         is_far = (
@@ -270,7 +270,7 @@ class _Iteration:
         return distance < SENSITIVITY_DISTANCE
 
 
-def _moved(nominal: Device, device: Device, hypothesis: Hypothesis) -> Device:
+def _move_device(nominal: Device, device: Device, hypothesis: Hypothesis) -> Device:
     """The nominal gyro with the parameters of the most probable set. One whose power is below the
     linearization error of this step (Eq. (10)) is left out."""
     design = hypothesis.exact.whole

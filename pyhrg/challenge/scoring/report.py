@@ -111,6 +111,11 @@ def _describe_case(case: ScoredCase) -> dict[str, Any]:
         "verdict": case.diagnosis.verdict,
         "named": sorted(sorted(effects) for effects in score.list_named(case.diagnosis)),
         "right": score.is_right(case),
+        "terms": [
+            {"place": t.place, "coordinates": t.coordinates, "function": t.function}
+            for t in case.diagnosis.terms
+        ],
+        "removed": score.find_removed_share(case),
         "coordinate": score.find_main_coordinate(case.diagnosis),
     }
 

@@ -60,6 +60,7 @@ def score_figures(cases: Sequence[ScoredCase], seed: int) -> list[Figure]:
     claims = [list_claims(case) for case in none + known + outside]
     ratios = [ratio for ratio in map(find_residual_over_noise, known) if ratio is not None]
     covered = [covered for case in known for covered in list_coverage(case)]
+    removed = [share for share in map(find_removed_share, outside) if share is not None]
     settled = [is_settled(case) for case in known if case.then]
     return [
         _share("false alarm without a gap", none, is_alarm, "at most", 0.02),
@@ -68,6 +69,10 @@ def score_figures(cases: Sequence[ScoredCase], seed: int) -> list[Figure]:
         _share("several: right effects or their classes", several, is_right, "at least", 0.90),
         _share("outside: recognised", outside, is_unexplained, "at least", 0.85),
         _share("outside: blamed on a named effect", outside, is_blamed, "at most", 0.10),
+        _share("outside: a term in the right coordinate", outside, is_placed, "at least", 0.80),
+        quantile("outside: held-out excess removed, median", removed, 0.5, "at least", 0.90),
+        quantile("outside: held-out excess removed, 25 %", removed, 0.25, "at least", 0.70),
+        _share("a term where there is none", none + known, has_term, "at most", 0.02),
         _share("left out: none of these, or a stand-in", left_out, is_owned, "at least", 0.85),
         proportion("95 % intervals that cover", covered, "about", 0.95),
         score_calibration("calibration error", claims, seed, "at most", 0.05),
@@ -128,6 +133,23 @@ def is_unexplained(case: ScoredCase) -> bool:
 def is_blamed(case: ScoredCase) -> bool:
     """The diagnosis explains the gap by named effects of the gyro alone."""
     return not is_unexplained(case) and bool(list_named(case.diagnosis))
+
+
+def is_placed(case: ScoredCase) -> bool:
+    """A proposed term has the coordinate of the true form."""
+    return any(case.truth.coordinate in term.coordinates for term in case.diagnosis.terms)
+
+
+def has_term(case: ScoredCase) -> bool:
+    """A term is proposed."""
+    return bool(case.diagnosis.terms)
+
+
+def find_removed_share(case: ScoredCase) -> float | None:
+    """Share of the held-out excess over the noise floor that closing removes; None where there is
+    no excess."""
+    percent = case.diagnosis.gap.shrink_percent
+    return None if percent is None else percent / 100
 
 
 def is_right(case: ScoredCase) -> bool:

@@ -10,6 +10,7 @@ from scipy.stats import chi2
 from pyhrg.gap.closing.closing import Closing, Residuals, compute_record_residuals
 from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu
 from pyhrg.gap.closing.equation.proposal import propose_terms
+from pyhrg.gap.closing.equation.refinement import find_moved_tests, list_sizes
 from pyhrg.gap.closing.verification import SEED, estimate_noise_floor, measure_distance
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.findings.term import Term
@@ -39,7 +40,15 @@ def verify_terms(
     noise = attribution.channel_noise
     if not terms:
         return closing
-    after = _run(simulation, closing, tests, terms, ())
+    sizes = list_sizes(attribution.posterior)
+    moved = find_moved_tests(attribution.parts, sizes, noise)
+    fitted = range(len(attribution.parts))
+    ran = [i for i in range(len(tests)) if i in moved or i not in fitted]
+    after = list(closing.after)
+    for i, own in zip(
+        ran, _run(simulation, closing, [tests[i] for i in ran], terms, ()), strict=True
+    ):
+        after[i] = own
     held_out = [i for i, test in enumerate(tests) if test.test.is_holdout]
     chosen = [tests[i] for i in held_out]
     causes_alone = [closing.after[i] for i in held_out]

@@ -2,15 +2,18 @@
 
 A term is a small block of columns over pattern angle, table angle, temperature and its rate, input
 rate, specific force, amplitude or time. In the output angle it is an error of the angle itself, or
-a bias, whose integral is the column (docs/methods/effects.md, Eqs. 4 and 5).
+a bias, whose integral is the column (docs/methods/effects.md, Eqs. 4 and 5). Those of pick-off and
+drive stand in `electrode_terms.py`.
 """
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.signal import lfilter
 
 from pyhrg.common.caches.compiled import compile_loop
 from pyhrg.device.device import Device
@@ -30,12 +33,16 @@ TEMPERATURE_POWERS = (1, 2, 3)
 """Powers of the temperature. Chosen."""
 HYSTERESIS_WIDTHS = (2.0, 10.0)
 """Widths of the temperature hysteresis, from end to end, K. Chosen."""
+THERMAL_LAGS = (600.0, 3600.0)
+"""Time constants with which a part of the gyro follows the case's temperature, s. Chosen."""
 ZERO_TEMPERATURE_RATE = 0.05 / 60
 """Temperature rate at which its direction passes smoothly through zero, K/s. Chosen."""
 WARM_UP_TIMES = (60.0, 300.0, 1200.0, 6000.0)
 """Time constants of transients after power-on, s. Chosen: about a factor of five apart."""
 SMOOTHING_TIME = 300.0
 """Time over which the slope of a noisy temperature log is taken, s. Chosen."""
+Functions = Iterator[tuple[str, str, int | None, Array]]
+"""Coordinate, words, harmonic and (n,) or (n, b) values."""
 EACH_POWER_ON = "a value for each power-on"
 
 
@@ -74,6 +81,8 @@ class Coordinates:
     case_rate: smoothed slope of the case's temperature, K/s.
     amplitude: relative departure from the nominal amplitude; the commanded one, or that of the
         replay while the drive is off.
+    growth_rate: that the drive gives, of the replay, 1/s; 0 while the drive is off.
+    quadrature_force: of the replay.
     """
 
     test: ObservedTest
@@ -84,6 +93,8 @@ class Coordinates:
     resonator: Array
     case_rate: Array
     amplitude: Array
+    growth_rate: Array
+    quadrature_force: Array
 
     @cached_property
     def functions(self) -> list[tuple[str, str, int | None, Array]]:
@@ -92,25 +103,25 @@ class Coordinates:
 
 
 def compute_coordinates(
-    test: ObservedTest, pattern_angle: Array, amplitude: Array, nominal: Device
+    test: ObservedTest, replay: Mapping[str, Array], nominal: Device
 ) -> Coordinates:
-    """Coordinates of a test, from the (n,) pattern angle, rad, and amplitude of the replay, and
-    from the nominal thermal lag, reference temperature and amplitude."""
+    """Coordinates of a test, from its replay, (n,) by field of a log, SI, and from the nominal
+    thermal lag, reference temperature and amplitude."""
     log = test.log
+    is_driven = log.drive_on > 0
     case = test.inputs.temperatures - nominal.reference_temperature
-    kept = np.exp(-log.interval / nominal.thermal_lag)
-    resonator = np.zeros(len(case))
-    for i in range(1, len(case)):
-        resonator[i] = kept * resonator[i - 1] + (1 - kept) * (case[i] + case[i - 1]) / 2
+    resonator = _follow_with_lag(case, nominal.thermal_lag / log.interval, 0.0)
     return Coordinates(
         test,
-        pattern_angle,
+        replay["wave_angle"],
         log.table_angle,
         test.inputs.table.means,
         case[1:],
         resonator[1:],
         _compute_slope(case, log.interval)[1:],
-        np.where(log.drive_on > 0, log.amplitude_setpoint, amplitude) / nominal.amplitude - 1,
+        np.where(is_driven, log.amplitude_setpoint, replay["amplitude"]) / nominal.amplitude - 1,
+        np.where(is_driven, replay["amplitude_force"], 0.0),
+        replay["quadrature_force"],
     )
 
 
@@ -119,43 +130,6 @@ def _compute_slope(series: Array, interval: float) -> Array:
     n = len(series)
     low, high = np.maximum(np.arange(n) - half, 0), np.minimum(np.arange(n) + half, n - 1)
     return np.asarray((series[high] - series[low]) / ((high - low) * interval))
-
-
-def build_term_columns(where: Coordinates, channel: str) -> list[tuple[CandidateTerm, Array]]:
-    """All candidate terms of a channel in a test, (n, b) each, in the same order for every test."""
-    terms = []
-    is_angle = channel == "gyro_angle"
-    for coordinate, function, harmonic, block in where.functions:
-        words, values = function, block
-        if is_angle:
-            words = f"bias: {function}"
-            values = np.cumsum(block, axis=0) * where.test.log.interval
-        own = function == EACH_POWER_ON
-        term = CandidateTerm(channel, coordinate, words, harmonic, is_of_each_power_on=own)
-        terms.append((term, values))
-        if is_angle and harmonic:
-            angle = CandidateTerm(channel, coordinate, f"angle: {function}", harmonic)
-            terms.append((angle, block))
-    if is_angle:
-        for coordinate, function, block in _generate_pickoff_terms(where):
-            terms.append((CandidateTerm(channel, coordinate, f"angle: {function}"), block))
-    return terms
-
-
-def _generate_pickoff_terms(where: Coordinates) -> Iterator[tuple[str, str, Array]]:
-    """Angle errors by pick-off gains and axes that follow a coordinate: coordinate, words and
-    (n, 2) values."""
-    second, words = _harmonic(2 * where.pattern_angle), "2nd harmonic of the pattern angle, times"
-    warm = where.resonator[:, None] / 10
-    yield "temperature", f"{words} the temperature", second * warm
-    for axis in "xyz":
-        force = getattr(where.test.log, f"acceleration_{axis}")[:, None] / 10
-        yield "acceleration", f"{words} acceleration {axis}", second * force
-        yield "acceleration", f"{words} acceleration {axis} squared", second * force**2
-
-
-Functions = Iterator[tuple[str, str, int | None, Array]]
-"""Coordinate, words, harmonic and (n,) or (n, b) values."""
 
 
 def _generate_functions(where: Coordinates) -> Functions:
@@ -178,16 +152,16 @@ def _generate_angle_functions(where: Coordinates) -> Functions:
     yield "wave_angle", "mean over the pattern angle", 0, np.ones(len(where.pattern_angle))
     for m in PATTERN_HARMONICS:
         words = f"harmonic {m} of the pattern angle"
-        yield "wave_angle", words, m, _harmonic(m * where.pattern_angle)
+        yield "wave_angle", words, m, make_harmonic(m * where.pattern_angle)
     for m in TABLE_HARMONICS:
         words = f"harmonic {m} of the table angle"
-        yield "table_angle", words, m, _harmonic(m * where.table_angle)
+        yield "table_angle", words, m, make_harmonic(m * where.table_angle)
 
 
 def _generate_temperature_functions(where: Coordinates) -> Functions:
     for p in TEMPERATURE_POWERS:
         yield "temperature", f"temperature^{p}", None, (where.resonator / 10) ** p
-    fourth = _harmonic(4 * where.pattern_angle)
+    fourth = make_harmonic(4 * where.pattern_angle)
     yield "temperature", "temperature, 4th harmonic", None, fourth * where.resonator[:, None] / 10
     yield "temperature", "temperature of the case", None, where.case / 10
     rate, words = where.case_rate, "of the temperature rate"
@@ -199,13 +173,17 @@ def _generate_temperature_functions(where: Coordinates) -> Functions:
     for width in HYSTERESIS_WIDTHS:
         lagging = _follow_with_play(where.case, width) / 10
         yield "temperature", f"temperature with a hysteresis of {width:g} K", None, lagging
+    for lag in THERMAL_LAGS:
+        steps = lag / where.test.log.interval
+        lagging = _follow_with_lag(where.case, steps, where.case[0]) / 10
+        yield "temperature", f"temperature behind a lag of {lag:g} s", None, lagging
 
 
 def _generate_rate_functions(where: Coordinates) -> Functions:
     rate = where.table_rate
     for m in RATE_HARMONICS:
         words = f"harmonic {m} of the pattern angle, times the rate"
-        yield "wave_angle", words, None, _harmonic(m * where.pattern_angle) * rate[:, None]
+        yield "wave_angle", words, None, make_harmonic(m * where.pattern_angle) * rate[:, None]
     for p, words in ((1, "rate"), (2, "rate squared"), (3, "rate cubed")):
         yield "rate", words, None, rate**p
     yield "rate", "magnitude of the rate", None, np.abs(rate)
@@ -224,6 +202,15 @@ def _generate_acceleration_functions(where: Coordinates) -> Functions:
         yield "acceleration", f"acceleration {pair[0]} times {pair[1]}", None, product
 
 
+def _follow_with_lag(series: Array, lag: float, start: float) -> Array:
+    """(n,) first-order lag behind a series that is linear between rows; lag in rows, start is the
+    first value."""
+    kept = math.exp(-1 / lag)
+    means = (1 - kept) * (series[1:] + series[:-1]) / 2
+    following, _ = lfilter([1.0], [1.0, -kept], means, zi=[kept * start])
+    return np.concatenate([[start], following])
+
+
 @compile_loop
 def _follow_with_play(series: Array, width: float) -> Array:
     """(n,) output of a play (backlash) operator of this width: hysteresis."""
@@ -235,5 +222,6 @@ def _follow_with_play(series: Array, width: float) -> Array:
     return lagging
 
 
-def _harmonic(angle: Array) -> Array:
+def make_harmonic(angle: Array) -> Array:
+    """(n, 2) cosine and sine."""
     return np.column_stack([np.cos(angle), np.sin(angle)])

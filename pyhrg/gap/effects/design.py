@@ -8,9 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
-from pyhrg.gap.effects.candidate_terms import CandidateTerm, Coordinates, build_term_columns
+from pyhrg.gap.effects.candidate_terms import CandidateTerm, Coordinates
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.jump import Jump
+from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
 from pyhrg.gap.replay.simulation import compute_carrier_terms
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
@@ -129,6 +130,12 @@ class LinearTest:
         return series + self.bryan_factor * self.slopes[channel][:, None] * angles
 
 
+def list_forms(design: Design, term: CandidateTerm) -> list[CandidateTerm]:
+    """Candidate terms of a term's channel, jumps left out: what may stand in its place."""
+    terms = [g for g in design.groups if isinstance(g, CandidateTerm) and not isinstance(g, Jump)]
+    return [g for g in terms if g.channel == term.channel and not isinstance(term, Jump)]
+
+
 def build_design(
     parts: Sequence[LinearTest], noise: CampaignNoise, jumps: Sequence[Jump] = ()
 ) -> Design:
@@ -166,10 +173,12 @@ def _assign_columns(
     sizes: Sequence[int],
     count: int,
 ) -> int:
-    """Give each group the next indices in `columns`; the number of columns after that."""
+    """Give each group that has none the next indices in `columns`; the number of columns after
+    that."""
     for group, size in zip(groups, sizes, strict=True):
-        columns[group] = np.arange(count, count + size)
-        count += size
+        if group not in columns:
+            columns[group] = np.arange(count, count + size)
+            count += size
     return count
 
 

@@ -38,7 +38,7 @@ def linearize_test(
         away = effect.vector(device) - effect.vector(nominal)
         for name in CHANNELS:
             residual[name] = residual[name] + own[name] @ away
-    where = compute_coordinates(test, simulated["wave_angle"], simulated["amplitude"], nominal)
+    where = compute_coordinates(test, simulated, nominal)
     by_angle, factor = simulation.differentiate_by_angle(device, test), nominal.bryan_factor
     turned = factor * (test.log.gyro_angle - simulated["gyro_angle"])
     for name in CHANNELS[1:]:

@@ -6,8 +6,9 @@ R. E. Kass, A. E. Raftery, J. Am. Stat. Assoc. 90 (1995), Eq. (3)).
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,7 @@ from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Design, Group
 
 Array = NDArray[np.float64]
+AnyGroup = TypeVar("AnyGroup", bound=Group)
 
 MAX_PRIOR_SIZE_SIGMA = 1e5
 """Upper end of the prior of a group's size, in sigma: s_max of Eq. (4). Chosen; a factor of ten
@@ -148,14 +150,14 @@ def _log_sphere_area(d: int) -> float:
 
 
 def find_equivalents(
-    design: Design, best: Fit, effect: Effect, effects: Sequence[Effect]
-) -> dict[Effect, Fit]:
-    """Effects that explain about as much in the place of one of the most probable set, each with
-    the set that it makes there (docs/methods/verdict.md, Eq. (2)). The normal equations are those
-    around the gyro that this set makes."""
-    others: list[Group] = [g for g in best.groups if g != effect]
+    design: Design, best: Fit, group: Group, candidates: Iterable[AnyGroup]
+) -> dict[AnyGroup, Fit]:
+    """Candidates that explain about as much in the place of a group of the most probable set, each
+    with the set that it makes there (docs/methods/verdict.md, Eq. (2)). The normal equations are
+    those around the gyro that this set makes."""
+    others: list[Group] = [g for g in best.groups if g != group]
     equivalents = {}
-    for other in effects:
+    for other in candidates:
         if other in best.groups or not (design.norms[design.columns[other]] > 0).all():
             continue
         swapped = fit(design, [*others, other])

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
-from pyhrg.gap.effects import candidate_terms
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Group, LinearTest
 from pyhrg.gap.effects.jump import Jump
+from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.replay.observations import CHANNELS, Mask
 from pyhrg.gap.whitening.channel_noise import CampaignNoise
 from pyhrg.gap.whitening.whitening import NoiseModel, whiten
@@ -109,13 +109,14 @@ def distinct_by_groups(*choices: Removed | Mapping[Effect, Array]) -> list[Remov
 def _subtract(part: LinearTest, removed: Removed, channel: str, index: int) -> Array:
     """(n,) residual of a channel in the test of this index, less the groups' responses."""
     residual = part.residual[channel].copy()
-    terms = {g for g in removed if not isinstance(g, Effect) and g.channel == channel}
-    columns = dict(candidate_terms.build_term_columns(part.where, channel)) if terms else {}
-    columns |= {g: g.columns(part.where) for g in terms if isinstance(g, Jump)}
+    terms = {g for g in removed if not isinstance(g, Effect)}
+    columns = dict(build_term_columns(part.where, channel)) if terms else {}
+    jumps = {g for g in terms if isinstance(g, Jump) and g.channel == channel}
+    columns |= {jump: jump.columns(part.where) for jump in jumps}
     for group, size in removed.items():
         if isinstance(group, Effect):
             residual -= part.sensitivities[group][channel] @ size
-        elif group in terms:
+        elif group in columns:
             residual -= columns[group] @ (size[[index]] if group.is_of_each_power_on else size)
     return residual
 

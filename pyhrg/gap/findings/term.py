@@ -35,7 +35,8 @@ class Term:
     interval_95: 95 % interval of each parameter, in the same unit.
     probability: posterior probability of this form.
     discovery_probability: posterior probability that this form or a rival takes part.
-    rivals: posterior probabilities of other forms in the same coordinate and channel, in words.
+    rivals: other forms that these tests can't tell from it, in words, with their posterior
+        probabilities; together with that of this form they add up to that of the discovery.
     shrink_percent: share of the excess that causes alone leave on held-out tests in the term's
         channel, which the term removes; None without such tests or without an excess.
     """

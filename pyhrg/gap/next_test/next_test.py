@@ -176,7 +176,7 @@ def _linearize(
     for effect, own in columns.items():
         for name in CHANNELS if effect in truth else ():
             response[name] += own[name] @ truth[effect]
-    where = compute_coordinates(test, test.log.wave_angle, test.log.amplitude, device)
+    where = compute_coordinates(test, vars(test.log), device)
     slopes = simulation.differentiate_by_angle(device, test).slopes
     answers = {name: getattr(test.log, name) for name in CHANNELS}
     return LinearTest(test, device, answers, response, columns, where, slopes, device.bryan_factor)

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from pyhrg.gap.effects.catalogue import Effect
-from pyhrg.gap.effects.design import Design
+from pyhrg.gap.effects.design import Design, Group, list_forms
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.evidence import EQUIVALENCE_LOG_ODDS, Fit, find_equivalents
 from pyhrg.gap.evidence.hypothesis import Hypothesis
@@ -46,8 +46,10 @@ def find_rivals(attribution: Attribution, effects: Sequence[Effect]) -> list[Riv
     threshold = ranking.probabilities[0] * math.exp(-EQUIVALENCE_LOG_ODDS)
     near = [f for f, p in zip(ranking.fits, ranking.probabilities, strict=True) if p > threshold]
     for group in best.groups:
-        if isinstance(group, Effect):
-            near += find_equivalents(attribution.design, best, group, effects).values()
+        candidates: Sequence[Group] = (
+            effects if isinstance(group, Effect) else list_forms(attribution.design, group)
+        )
+        near += find_equivalents(attribution.design, best, group, candidates).values()
     own = set(best.groups)
     others = {
         frozenset(fit.groups): fit

@@ -1,5 +1,5 @@
-"""Residual of the output angle on held-out tests over time, of the nominal and of the identified
-gyro."""
+"""Residuals over time of the nominal and of the identified gyro: where the gap is largest, and the
+output angle on held-out tests."""
 
 import html
 
@@ -11,7 +11,8 @@ from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.report.closing import NOT_VERIFIED
 from pyhrg.gap.report.figures.bins import find_extremes
 from pyhrg.gap.report.figures.strips import Band, Labels, Size, Strip, draw_strips
-from pyhrg.gap.report.figures.views import ANGLE, draw_view_noise
+from pyhrg.gap.report.figures.views import ANGLE, VIEWS, View, draw_view_noise
+from pyhrg.gap.report.places import sum_shares
 from pyhrg.records import Log
 
 Array = NDArray[np.float64]
@@ -35,26 +36,44 @@ def build_held_out(result: CampaignDiagnosis) -> str:
     return f'<div class="panels one">{"".join(figures)}</div>'
 
 
-def _draw_test(result: CampaignDiagnosis, i: int) -> str:
+def draw_largest(result: CampaignDiagnosis) -> str:
+    """A figure of the channel and the test with the largest share of the gap; of the output angle
+    in the last test, a held-out one if any is, where there is no gap."""
+    shares = sum_shares(result.diagnosis.where, lambda place: (place.test, place.channel))
+    last = (result.tests[-1].test.id, ANGLE.channel)
+    name, channel = max(shares, key=lambda key: shares[key], default=last)
+    i = next((i for i, test in enumerate(result.tests) if test.test.id == name), -1)
+    view = next(view for view in VIEWS if view.channel == channel)
+    if not np.isfinite(result.before[i][channel]).any():
+        return ""
+    return f'<div class="panels one">{_draw_test(result, i % len(result.tests), view)}</div>'
+
+
+def _draw_test(result: CampaignDiagnosis, i: int, view: View = ANGLE) -> str:
     test = result.tests[i]
-    before, after = (residuals[i][ANGLE.channel] for residuals in (result.before, result.after))
-    strips = [_make_strip("nominal gyro", "c1", test.log, before)]
-    if result.identified != result.nominal:
-        strips.append(_make_strip("identified gyro", "c0", test.log, after))
-    title = f"Residual of the output angle, {test.test.id}"
-    labels = Labels("Time since power-on, s", f"Residual, {ANGLE.unit}", title)
-    svg = draw_strips(strips, _compute_band(result, i), SIZE, labels)
+    before, after = (residuals[i][view.channel] for residuals in (result.before, result.after))
+    strips = [_make_strip("nominal gyro", "c1", test.log, before, view)]
+    if has_closing(result):
+        strips.append(_make_strip("identified gyro", "c0", test.log, after, view))
+    title = f"{view.title}, record less simulation, {test.test.id}"
+    labels = Labels("Time since power-on, s", f"Residual, {view.unit}", title)
+    svg = draw_strips(strips, _compute_band(result, i, view), SIZE, labels)
     return f"<figure><figcaption><b>{html.escape(title)}</b></figcaption>{svg}</figure>"
 
 
-def _make_strip(label: str, colour: str, log: Log, residual: Array) -> Strip:
-    rows, low, high = find_extremes(ANGLE.convert(residual, log.interval), POINTS)
+def has_closing(result: CampaignDiagnosis) -> bool:
+    """Whether the identified gyro, with its terms, differs from the nominal one."""
+    return result.identified != result.nominal or bool(result.diagnosis.terms)
+
+
+def _make_strip(label: str, colour: str, log: Log, residual: Array, view: View) -> Strip:
+    rows, low, high = find_extremes(view.convert(residual, log.interval), POINTS)
     return Strip(label, colour, log.time[rows.astype(int)], low, high, is_joined=True)
 
 
-def _compute_band(result: CampaignDiagnosis, i: int) -> Band:
+def _compute_band(result: CampaignDiagnosis, i: int, view: View) -> Band:
     test = result.tests[i]
-    noise = draw_view_noise(test, ANGLE, result.noise, (i,))
+    noise = draw_view_noise(test, view, result.noise, (i,))
     parts = np.array_split(np.arange(len(noise)), min(BAND_BINS, len(noise)))
     half = np.array([1.96 * np.sqrt((noise[part] ** 2).mean()) for part in parts])
     middles = np.array([test.log.time[part].mean() for part in parts])

@@ -12,12 +12,12 @@ from pyhrg.common.pages.shell import PageSection, make_contents, make_document, 
 from pyhrg.gap.diagnose import FILES, CampaignDiagnosis
 from pyhrg.gap.report.causes import build_causes, build_ranking
 from pyhrg.gap.report.closing import build_closing
-from pyhrg.gap.report.held_out import build_held_out
+from pyhrg.gap.report.held_out import build_held_out, draw_largest
 from pyhrg.gap.report.places import build_places, build_scales
 from pyhrg.gap.report.residuals import build_residuals
 from pyhrg.gap.report.sections import Section
 from pyhrg.gap.report.terms import build_terms
-from pyhrg.gap.report.verdict import describe_diagnosis, write_headline
+from pyhrg.gap.report.verdict import answer_questions, write_headline
 from pyhrg.gap.report.words import build_table, format_name
 
 PAGE = "report.html"
@@ -63,12 +63,15 @@ def build_page(result: CampaignDiagnosis, sections: Sequence[Section] = ()) -> s
         PageSection("next", "The next test", _build_next_test(result)),
         PageSection("data", "Tests used, and what was left out", _build_data(result)),
     ]
-    listed = "".join(f"<li>{html.escape(text)}</li>" for text in describe_diagnosis(result))
+    answers = "".join(
+        f"<dt>{question}</dt><dd>{''.join(map(make_paragraph, sentences))}</dd>"
+        for question, sentences in answer_questions(result).items()
+    )
     device = result.diagnosis.device
     header = (
         f"<header><h1>{TITLE}: {html.escape(device)}</h1>"
         f'<p class="headline">{html.escape(write_headline(result.diagnosis))}</p>'
-        f"<ul>{listed}</ul></header>"
+        f"<dl>{answers}</dl>{draw_largest(result)}</header>"
     )
     main = "".join(section.markup for section in shown)
     return make_document(

@@ -7,6 +7,7 @@ from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.report.figures.panels import ALL, Panel, compute_panels, draw_panel
 from pyhrg.gap.report.figures.views import AXES, VIEWS
+from pyhrg.gap.report.held_out import has_closing
 from pyhrg.gap.report.places import sum_shares
 
 LEAD = (
@@ -19,7 +20,7 @@ LEAD = (
 def build_residuals(result: CampaignDiagnosis) -> str:
     """A lead, pickers that are hidden until the script runs, and panels by channel."""
     drawn = compute_panels(result)
-    has_after = result.identified != result.nominal
+    has_after = has_closing(result)
     groups = "".join(
         f'<div class="view" data-group="{view.key}"><h3>{view.title}</h3><div class="panels">'
         f"{''.join(draw_panel(p, has_after) for p in drawn.panels if p.view == view)}</div></div>"

@@ -1,10 +1,18 @@
-"""The diagnosis in sentences, and as a few lines for the terminal."""
+"""The diagnosis as answers to five questions, in sentences: for the page and for the terminal."""
+
+import textwrap
 
 from pyhrg.common.pages.svg import format_number
+from pyhrg.device.keys import KEYS
 from pyhrg.gap.diagnose import CampaignDiagnosis
-from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, KnownValue
+from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, GapFigure, KnownValue
 from pyhrg.gap.report.closing import describe_closing
+from pyhrg.gap.report.mechanisms import find_nearest
+from pyhrg.gap.report.places import sum_shares
+from pyhrg.gap.report.terms import describe_class, describe_term, name_term
 from pyhrg.gap.report.words import (
+    CHANNELS,
+    COORDINATES,
     format_effect,
     format_interval,
     format_name,
@@ -21,6 +29,17 @@ FAMILIES = {
     "record": "the record",
 }
 """Where a cause lies, in words."""
+MAX_PLACES, MIN_SHARE = 3, 0.05
+"""Most places that are named, and the least share of the gap that a named place has (chosen)."""
+NOTHING_NEXT = {
+    "no_gap": "Nothing: the simulation stands for this gyro as it is.",
+    "unexplained": "Look at the residuals by coordinate below: no known form explains them.",
+}
+"""What to do where there are no causes, no terms and no next test."""
+USE_DEVICE = "after.toml and closed.fmu are this gyro: use them from now on."
+USE_TERMS = "closed.fmu is this gyro with its equation, closed.mo its text: use them from now on."
+WIDTH, INDENT = 100, 14
+"""Width of a line for the terminal, and of the column of the questions."""
 
 
 def write_headline(diagnosis: Diagnosis) -> str:
@@ -32,109 +51,162 @@ def write_headline(diagnosis: Diagnosis) -> str:
             return "No gap: the records agree with the simulation within tolerances and noise."
         return "No gap: the records agree with the simulation of the nominal gyro within the noise."
     if diagnosis.verdict == "explained":
-        where = join_words(list(dict.fromkeys(FAMILIES[c.family] for c in diagnosis.causes)))
         causes = "its cause is" if is_single else "its causes are"
-        return f"The gap is explained, and lies in {where}: {causes} {names}."
+        return f"The gap is explained, and lies in {_list_families(diagnosis)}: {causes} {names}."
     if diagnosis.verdict == "ambiguous":
         others = "effects that these records can't separate from it"
         return f"The gap is explained by {names}, or by {others}."
     beside = f", beside {names}" if names else ""
-    return f"The gap is not explained: a cause outside the catalogue takes part{beside}."
+    equation = "; it has an equation, but no name" if diagnosis.terms else ""
+    return f"The gap is not explained: a cause outside the catalogue takes part{beside}{equation}."
 
 
-def describe_diagnosis(result: CampaignDiagnosis) -> list[str]:
-    """Sentences on causes, reservations, residuals and the next test."""
-    diagnosis, test = result.diagnosis, result.diagnosis.next_test
-    return [
-        *(_describe_cause(cause) for cause in diagnosis.causes),
-        f"Probability that a cause outside the catalogue takes part: "
-        f"{format_percent(diagnosis.unknown_probability)}.",
-        describe_leftover(diagnosis),
-        *(_describe_known(known) for known in diagnosis.within_tolerance),
-        *diagnosis.caveats,
-        *_describe_residual(diagnosis),
-        *describe_closing(diagnosis.gap),
-        *([f"Next test: {format_name(test.kind)}, {test.hours:g} h. {test.why}"] if test else []),
-    ]
+def answer_questions(result: CampaignDiagnosis) -> dict[str, list[str]]:
+    """Sentences on where the gap is, what it is, how sure that is, how much of the gap it makes,
+    and what to do next."""
+    diagnosis = result.diagnosis
+    return {
+        "Where": _say_where(diagnosis),
+        "What": [
+            *(_describe_cause(cause, result) for cause in diagnosis.causes),
+            *(f"{describe_term(term)}." for term in diagnosis.terms),
+            *(_describe_known(known) for known in diagnosis.within_tolerance),
+        ]
+        or ["Nothing is off."],
+        "How sure": _say_how_sure(diagnosis),
+        "How much": [
+            *_describe_residuals(diagnosis),
+            describe_closing(diagnosis.gap)[0],
+            describe_leftover(diagnosis),
+        ],
+        "What next": _say_what_next(diagnosis),
+    }
 
 
 def summarize_diagnosis(result: CampaignDiagnosis) -> str:
-    """Verdict, causes, reservations, angle residuals and the next test, a line each."""
-    diagnosis = result.diagnosis
-    lines = [f"{diagnosis.device}: {format_name(diagnosis.verdict)}"]
-    for cause in diagnosis.causes:
-        values = ", ".join(f"{name} {value:.4g}" for name, value in cause.parameters.items())
-        lines.append(f"  {cause.effect}: probability {cause.probability:.3f}  {values}")
-        if cause.equivalents:
-            lines.append(f"    confounded with {', '.join(cause.equivalents)}")
-    for known in diagnosis.within_tolerance:
-        lines.append(
-            f"  within tolerance: {known.name}: {known.parameter} {known.value:.6g}, "
-            f"told {known.told:.6g}"
-        )
-    unknown = diagnosis.unknown_probability
-    lines.append(f"  a cause outside the catalogue: probability {unknown:.3f}")
-    lines.append(f"  {describe_leftover(diagnosis)}")
-    lines += [f"  {caveat}" for caveat in diagnosis.caveats]
-    gap = diagnosis.gap
-    figures = (("fitted", gap.fit_angle_arcsec), ("held-out", gap.holdout_angle_arcsec))
-    for role, figure in figures:
-        if figure is not None:
-            lines.append(
-                f"  angle residual, {role} tests: {figure.before:.3g} -> {figure.after:.3g} arcsec;"
-                f" noise floor {figure.floor:.3g} "
-                f"({figure.floor_95[0]:.3g} to {figure.floor_95[1]:.3g})"
+    """The verdict and the answers for the terminal, a line a sentence."""
+    lines = [f"{result.diagnosis.device}: {write_headline(result.diagnosis)}"]
+    for question, sentences in answer_questions(result).items():
+        for i, sentence in enumerate(sentences):
+            head = f"  {'' if i else question:{INDENT - 2}}"
+            plain = sentence.replace("\u00a0", " ")
+            lines += textwrap.wrap(
+                plain, WIDTH, initial_indent=head, subsequent_indent=" " * INDENT
             )
-    if diagnosis.next_test is not None:
-        test = diagnosis.next_test
-        lines.append(f"  next test: {test.kind}, {test.hours:g} h - {test.why}")
     return "\n".join(lines)
 
 
 def describe_leftover(diagnosis: Diagnosis) -> str:
-    """What the explanation leaves, and whether it matters, in a sentence."""
+    """What named causes leave, and whether it matters, in a sentence."""
     left, bound = diagnosis.left, diagnosis.bound
+    if not left.angle_arcsec and not left.rate_deg_h and not left.loop_share:
+        return "Named causes leave nothing beyond the noise."
     sizes = (
         f"{format_number(left.angle_arcsec)} arcsec, {format_number(left.rate_deg_h)} deg/h "
-        f"({format_number(left.document()['position_m'])} m after an hour)"
+        f"({format_number(left.document()['position_m'])} m after an hour) and "
+        f"{format_percent(left.loop_share)} of what the loops hold"
     )
     limits = f"{bound.angle_arcsec:g} arcsec, {bound.rate_deg_h:g} deg/h"
+    limits += f", {format_percent(bound.loop_share)}"
     role = "material" if left.exceeds(bound) else "immaterial"
-    return f"Left unexplained: {sizes}; {role} by the bound of {limits}."
+    return f"Named causes leave {sizes}; {role} by the bound of {limits}."
+
+
+def _list_families(diagnosis: Diagnosis) -> str:
+    return join_words(list(dict.fromkeys(FAMILIES[c.family] for c in diagnosis.causes)))
+
+
+def _say_where(diagnosis: Diagnosis) -> list[str]:
+    """Gyro, bench or record, and the tests, channels and coordinates with most of the gap."""
+    families = [FAMILIES[c.family] for c in diagnosis.causes]
+    families += [FAMILIES["bench" if t.place == "bench" else "gyro"] for t in diagnosis.terms]
+    lies_in = join_words(list(dict.fromkeys(families)))
+    sentences = [f"In {lies_in}." if lies_in else "No gap of gyro, bench or record has a name."]
+    if diagnosis.verdict == "no_gap":
+        sentences = ["Nothing in gyro, bench or record is off beyond its tolerance."]
+    if not diagnosis.where:
+        return [*sentences, "No channel of any test has more power than its noise."]
+    shares = sum_shares(diagnosis.where, lambda p: (p.test, p.channel, p.coordinate))
+    order = sorted(shares.items(), key=lambda pair: -pair[1])[:MAX_PLACES]
+    places = [
+        f"{CHANNELS[channel]} of {test} over {COORDINATES[coordinate]} ({format_percent(share)})"
+        for (test, channel, coordinate), share in order
+        if share >= MIN_SHARE or share == order[0][1]
+    ]
+    return [*sentences, f"Most of the residual's power beyond the noise: {join_words(places)}."]
+
+
+def _say_how_sure(diagnosis: Diagnosis) -> list[str]:
+    sentences = []
+    for cause in diagnosis.causes:
+        others = join_words([format_effect(e) for e in cause.equivalents])
+        confounded = f", or {others}: confounded in these records" if others else ""
+        words = f"{format_effect(cause.effect)}{confounded}"
+        sentences.append(f"{_begin(words)}: probability {format_percent(cause.probability)}.")
+    sentences += [f"{name_term(t)}: probability of {describe_class(t)}." for t in diagnosis.terms]
+    unknown = format_percent(diagnosis.unknown_probability)
+    sentences.append(f"A cause outside the catalogue takes part: probability {unknown}.")
+    return [*sentences, *diagnosis.caveats]
+
+
+def _say_what_next(diagnosis: Diagnosis) -> list[str]:
+    test = diagnosis.next_test
+    sentences = []
+    if test:
+        why = test.why.removesuffix(".")
+        sentences.append(f"Next test: {format_name(test.kind)}, {test.hours:g} h: {why}.")
+    for term in diagnosis.terms:
+        if nearest := find_nearest(term):
+            name = f"{nearest[0].name} ({nearest[0].number})"
+            sentences.append(f"{name_term(term)} is next to {name}. To tell: {nearest[0].test}.")
+    if diagnosis.causes or diagnosis.terms:
+        sentences.append(USE_TERMS if diagnosis.terms else USE_DEVICE)
+    return sentences or [NOTHING_NEXT[diagnosis.verdict]]
 
 
 def _describe_known(known: KnownValue) -> str:
     words, unit, scale = parse_parameter(known.parameter)
     low, high = (scale * end for end in known.interval_95)
     value = format_value(scale * known.value, low, high)
-    return (
-        f"Within its tolerance: {format_name(known.name)}: {words} {value} {unit}, told "
-        f"{format_number(scale * known.told)} {unit}."
-    )
+    label = f"{format_effect(known.name)}: {_label(words, known.name)}"
+    told = format_number(scale * known.told)
+    return f"Within its tolerance: {label}{value} {unit}, not {told}."
 
 
-def _describe_cause(cause: Cause) -> str:
+def _label(words: str, effect: str) -> str:
+    """A parameter's words before its value, unless the effect has the same name."""
+    return "" if words == format_name(effect).removeprefix("nominal ") else f"{words} "
+
+
+def _describe_cause(cause: Cause, result: CampaignDiagnosis) -> str:
+    """The cause with its values, and those of the nominal device where they are not zero."""
     values = []
     for name, value in cause.parameters.items():
         words, unit, scale = parse_parameter(name)
         low, high = (scale * end for end in cause.interval_95[name])
-        label = "" if words == format_name(cause.effect) else f"{words} "
-        values.append(f"{label}{format_value(scale * value, low, high)} {unit}")
-    sentence = f"{format_effect(cause.effect)}: {', '.join(values)}"
-    others = [format_effect(e) for e in cause.equivalents]
-    confounded = f"; confounded with {join_words(others)} in these records" if others else ""
-    sentence = f"{sentence}; probability {format_percent(cause.probability)}{confounded}."
-    return sentence[0].upper() + sentence[1:]
+        label = _label(words, cause.effect)
+        key = next(key for key in KEYS if key.name == name)
+        told = key.from_si(getattr(result.nominal, key.field)) * scale
+        instead = f", not {format_number(told)}" if told else ""
+        values.append(f"{label}{format_value(scale * value, low, high)} {unit}{instead}")
+    return f"{_begin(format_effect(cause.effect))}: {'; '.join(values)}."
 
 
-def _describe_residual(diagnosis: Diagnosis) -> list[str]:
-    figure = diagnosis.gap.holdout_angle_arcsec
-    if figure is None:
-        return []
+def _describe_residuals(diagnosis: Diagnosis) -> list[str]:
+    gap = diagnosis.gap
+    figures = {"held-out": gap.holdout_angle_arcsec, "fitted": gap.fit_angle_arcsec}
+    return [_describe_residual(role, f) for role, f in figures.items() if f is not None]
+
+
+def _describe_residual(role: str, figure: GapFigure) -> str:
     has_after = figure.after != figure.before
     after = f" with the nominal gyro, {format_number(figure.after)} with the identified one"
-    return [
-        f"Angle residual on held-out tests, rms: {format_number(figure.before)} arcsec"
+    return (
+        f"Angle residual on {role} tests, rms: {format_number(figure.before)} arcsec"
         f"{after if has_after else ''}; noise floor "
         f"{format_interval(figure.floor, *figure.floor_95)}."
-    ]
+    )
+
+
+def _begin(sentence: str) -> str:
+    return sentence[0].upper() + sentence[1:]

@@ -2,6 +2,7 @@
 
 import html
 import math
+import re
 from collections.abc import Sequence
 
 from pyhrg.common.pages.svg import format_number
@@ -20,6 +21,7 @@ SUFFIXES = {
     "_per_g": "1/g",
     "_per_s": "1/s",
     "_ppm": "ppm",
+    "_rad_s": "rad/s",
     "_rad": "rad",
     "_deg": "deg",
     "_Hz": "Hz",
@@ -46,6 +48,49 @@ COORDINATES = {
     "time": "time",
     "noise": "noise, or no coordinate",
 }
+USUAL = {
+    "g sensitive": "g-sensitive",
+    "coriolis": "Coriolis",
+    "duffing": "Duffing",
+    "pickoff": "pick-off",
+    "nonorthogonality": "non-orthogonality",
+}
+"""Words as they are usually written, by those of the record format."""
+PLACES = {
+    "bias": "Bias",
+    "readout": "Read-out",
+    "pickoff": "Pick-off",
+    "drive": "Drive",
+    "damping": "Damping",
+    "stiffness": "Stiffness",
+    "electronics": "Electronics",
+    "bench": "Bench",
+}
+"""Place of a proposed term."""
+TERM_UNITS = {
+    "deg_h": "deg/h",
+    "K2": "K²",
+    "K3": "K³",
+    "K_min": "(K/min)",
+    "K2_min2": "(K/min)²",
+    "deg_s": "(deg/s)",
+    "deg2_s2": "(deg/s)²",
+    "deg3_s3": "(deg/s)³",
+    "deg_s_K": "(deg/s K)",
+    "m_s2": "(m/s²)",
+    "m2_s4": "(m/s²)²",
+    "m_s2_K": "(m/s² K)",
+}
+"""Units in the names of a term's coefficients."""
+
+
+def format_term_unit(unit: str) -> str:
+    """The unit at the end of a coefficient's name, as it is read."""
+    head, _, per = unit.replace("per_s", "1/s", 1).partition("_per_")
+    if unit.startswith("per_") and not unit.startswith("per_s"):
+        head, per = "1", unit.removeprefix("per_")
+    words = TERM_UNITS.get(head, head)
+    return f"{words} per {TERM_UNITS.get(per, per)}" if per else words
 
 
 def format_name(name: str) -> str:
@@ -55,7 +100,10 @@ def format_name(name: str) -> str:
 
 def format_effect(name: str) -> str:
     """An effect's name in words, with the field's hyphens and capitals."""
-    return format_name(name).replace("g sensitive", "g-sensitive").replace("coriolis", "Coriolis")
+    words = re.sub("(?<!nominal)_temperature$", "_over_temperature", name).replace("_", " ")
+    for plain, usual in USUAL.items():
+        words = words.replace(plain, usual)
+    return words
 
 
 def format_group(group: Group) -> str:

@@ -1,12 +1,13 @@
 """The identified gyro and its proposed terms as a Modelica class, `closed.mo`."""
 
 import html
+import math
 import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 from pyhrg.device.device import Device
-from pyhrg.gap.closing.equation.places import find_acting
+from pyhrg.gap.closing.equation.places import Acting, find_acting
 from pyhrg.gap.closing.equation.proposal import as_candidate, list_coefficients
 from pyhrg.gap.findings.term import Term
 
@@ -18,17 +19,20 @@ INPUTS = (
 )  # fmt: skip
 """Inputs that the inner gyro takes as they are; the angular rate gets the bias terms."""
 OUTPUTS = {
-    "gyroAngle": " + addedAngle",
-    "gyroRate": "",
-    "patternAngle": " - gyro.controller.readout.bryanFactor*addedAngle",
-    "amplitude": " + addedAmplitude",
-    "quadrature": "",
-    "amplitudeForce": " + addedAmplitudeForce",
-    "quadratureForce": " + addedQuadratureForce",
-    "frequencyOffset": " + addedFrequency",
-    "valid": "",
+    "gyroAngle": {"addedAngle": " + addedAngle"},
+    "gyroRate": {},
+    "patternAngle": {"addedAngle": " - gyro.controller.readout.bryanFactor*addedAngle"},
+    "amplitude": {
+        "addedAmplitude": " + addedAmplitude",
+        "freeDamping": " + gyro.amplitude*(exp(-freeDecay) - 1)",
+    },
+    "quadrature": {},
+    "amplitudeForce": {"addedAmplitudeForce": " + addedAmplitudeForce"},
+    "quadratureForce": {"addedQuadratureForce": " + addedQuadratureForce"},
+    "frequencyOffset": {"addedFrequency": " + addedFrequency"},
+    "valid": {},
 }
-"""Outputs, with what the terms add."""
+"""Outputs, with what each variable adds."""
 ADDED = {
     "addedRate": ("AngularRate", "Bias, as an input rate"),
     "addedAngle": ("Angle", "Error of the measured angle"),
@@ -36,6 +40,7 @@ ADDED = {
     "addedAmplitudeForce": ("Rate", "Damping that the amplitude loop balances"),
     "addedQuadratureForce": ("Force", "Stiffness that the quadrature loop balances"),
     "addedFrequency": ("AngularFrequency", "Stiffness that the phase loop follows"),
+    "freeDamping": ("Rate", "Damping that also acts while the drive is off"),
 }
 """Type and meaning of what the terms add to."""
 _TEMPERATURE = "gyro.resonator.environment"
@@ -63,6 +68,12 @@ SAMPLED = {
                         f"caseWarmth + pre(started)*(abs(pre(play{width}) - caseWarmth + {width}/2)"
                         f" - abs(pre(play{width}) - caseWarmth - {width}/2))/2")
        for width in (2, 10)},
+    **{f"lagging{lag}": (f"Temperature of the case behind a lag of {lag} s, over 1 K",
+                         f"pre(lagging{lag}) + (caseWarmth - pre(lagging{lag}))"
+                         f"*(1 - {math.exp(-0.01 / lag)!r}*pre(started))")
+       for lag in (600, 3600)},
+    "freeDecay": ("Logarithm of what such damping takes of the amplitude",
+                  "pre(freeDecay) + 0.01*pre(started)*(1 - driveOn)*freeDamping"),
     "started": ("1 from the first sample on", "1"),
 }  # fmt: skip
 """Meaning and equation, every 10 ms, of variables with a memory; they are steady at power-on."""
@@ -86,8 +97,9 @@ end {name};
 def write_class(device: Device, terms: Sequence[Term], title: str, notes: Sequence[str]) -> str:
     """Text of the class: the device with its terms; notes are sentences for its documentation."""
     own = _split_values(device)
-    used = _list_uses(terms)
-    added = [v for v in ADDED if any(_acting(t).variable == v for t in terms)]
+    seen = {variable for t in terms for variable, _ in _acting(t).responses}
+    added = [variable for variable in ADDED if variable in seen]
+    used = _list_uses(terms, added)
     started = ", ".join(f"{n}(start = {v!r})" for n, v in own["inputs"].items())
     fixed = ", ".join(f"{n} = {v!r}" for n, v in own["start"].items())
     starts = ", ".join(part for part in (fixed, started) if part)
@@ -143,16 +155,18 @@ def _format_modifiers(values: Mapping[str, float]) -> str:
     return ",\n    ".join(write({key: value}) for key, value in tree.items())
 
 
-def _acting(term: Term) -> Any:
+def _acting(term: Term) -> Acting:
     return find_acting(as_candidate(term))
 
 
-def _list_uses(terms: Sequence[Term]) -> list[str]:
+def _list_uses(terms: Sequence[Term], added: Sequence[str]) -> list[str]:
     """Names of all coordinates' variables that the terms need, in the order of the equations."""
     coefficients = [c for t in terms for c in list_coefficients(as_candidate(t))]
     used = {name for c in coefficients for name in c.basis.uses}
     if "warming" in used:
         used |= {"caseWarmth", "slowWarmth"}
+    if "freeDamping" in added:
+        used.add("freeDecay")
     if used & SAMPLED.keys():
         used.add("started")
     return [name for name in (*COORDINATES, "tableAngle", "amplitudeExcess", *SAMPLED)
@@ -207,12 +221,21 @@ def _write_equations(
         lines += [f"    {n} = {text};" for n, (_, text) in SAMPLED.items() if n in used]
         lines.append("  end when;")
     for name in added:
-        sums = [t.formula.modelica for t in terms if _acting(t).variable == name]
-        lines.append(f"  {name} = {' + '.join(sums)};")
+        lines.append(f"  {name} = {' + '.join(_list_summands(terms, name))};")
     for name, more in OUTPUTS.items():
-        is_used = any(re.search(rf"\b{variable}\b", more) for variable in added)
-        lines.append(f"  {name} = gyro.{name}{more if is_used else ''};")
+        sums = "".join(text for variable, text in more.items() if variable in added)
+        lines.append(f"  {name} = gyro.{name}{sums};")
     return "\n".join(lines)
+
+
+def _list_summands(terms: Sequence[Term], variable: str) -> list[str]:
+    """What the terms add to a variable of the class."""
+    return [
+        f"({term.formula.modelica})*({factor})" if factor else term.formula.modelica
+        for term in terms
+        for name, factor in _acting(term).responses
+        if name == variable
+    ]
 
 
 def _document(terms: Sequence[Term], notes: Sequence[str]) -> str:
@@ -222,8 +245,11 @@ def _document(terms: Sequence[Term], notes: Sequence[str]) -> str:
             f"{n} = {v:.6g} (95 %: {term.interval_95[n][0]:.6g} to {term.interval_95[n][1]:.6g})"
             for n, v in term.parameters.items()
         )
-        variable = _acting(term).variable
-        parts.append(f"<pre>{variable} = {html.escape(term.formula.modelica, quote=False)}</pre>")
+        parts += [
+            f"<pre>{variable} = {html.escape(summand, quote=False)}</pre>"
+            for variable, _ in _acting(term).responses
+            for summand in _list_summands([term], variable)
+        ]
         parts.append(
             f"<p>Acts at: {term.place}. {html.escape(low_high, quote=False)}. Posterior "
             f"probability of this form {term.probability:.3f}.</p>"

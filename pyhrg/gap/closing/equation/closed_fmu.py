@@ -2,6 +2,7 @@
 
 import tempfile
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from fmu_build.bundle import build_fmu
@@ -16,21 +17,18 @@ MODEL_FILE, FMU_FILE = f"{CLASS}.mo", f"{CLASS}.fmu"
 
 
 class ClosedFmu(GyroFmu):
-    """The built FMU as a replay takes it: parameters of the device by the names of `HRG`, noise and
-    quantization off, and some terms off.
+    """The built FMU as a replay takes it: parameters of the device by the names of `HRG`.
 
-    off: terms whose coefficients are set to zero.
+    terms: terms whose coefficients are set; those of others stay as they were built.
     """
 
-    def __init__(self, path: Path, device: Device, off: Iterable[Term] = ()) -> None:
+    def __init__(self, path: Path, terms: Iterable[Term]) -> None:
         super().__init__(path)
-        silent = ("noise.", "controller.readout.quantum")
-        self._overrides = {
-            f"gyro.{n}": 0.0 for n in device.fmu_parameters() if n.startswith(silent)
+        self._sizes = {
+            c.variable: term.parameters[c.name] * c.factor
+            for term in terms
+            for c in list_coefficients(as_candidate(term))
         }
-        for term in off:
-            names = (c.variable for c in list_coefficients(as_candidate(term)))
-            self._overrides |= dict.fromkeys(names, 0.0)
 
     @property
     def is_sampled(self) -> bool:
@@ -40,7 +38,7 @@ class ClosedFmu(GyroFmu):
     def power_on(self, parameters: Mapping[str, float], seed: int, start_angle: float) -> Gyro:
         """Start the gyro within the class, with parameters by the names of `HRG`, SI."""
         own = {f"gyro.{n}" if "." in n else n: v for n, v in parameters.items()}
-        return super().power_on({**self._overrides, **own}, seed, start_angle)
+        return super().power_on({**self._sizes, **own}, seed, start_angle)
 
 
 def build_closed_fmu(text: str) -> Path:
@@ -52,5 +50,22 @@ def build_closed_fmu(text: str) -> Path:
 
 
 def load_closed_fmu(device: Device, terms: Sequence[Term], off: Sequence[Term] = ()) -> ClosedFmu:
-    """The FMU of a device with terms, ready for `replay_sampled`, some of the terms off."""
-    return ClosedFmu(build_closed_fmu(write_class(device, terms, "Verified gyro", ())), device, off)
+    """The FMU of a device with terms, ready for `replay_sampled`, some of the terms off. It is
+    built without numbers, so that one build serves all sizes of the same terms."""
+    plain = Device(amplitude=device.amplitude)
+    shapes = sorted((_remove_numbers(term) for term in terms), key=lambda t: t.formula.modelica)
+    path = build_closed_fmu(write_class(plain, shapes, "Terms without sizes", ()))
+    return ClosedFmu(path, [term for term in terms if term not in off])
+
+
+def _remove_numbers(term: Term) -> Term:
+    nothing, ends = dict.fromkeys(term.parameters, 0.0), dict.fromkeys(term.parameters, (0.0, 0.0))
+    return replace(
+        term,
+        parameters=nothing,
+        interval_95=ends,
+        probability=0.0,
+        discovery_probability=0.0,
+        rivals={},
+        shrink_percent=None,
+    )

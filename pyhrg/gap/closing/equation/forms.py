@@ -38,6 +38,21 @@ STRETCH = Coordinate("amplitudeExcess", ("", ""))
 HOURS = Coordinate("hours", ("h",))
 _FORCE_UNITS = ("m_s2", "m2_s4")
 FORCES = {axis: Coordinate(f"force{axis.upper()}", _FORCE_UNITS) for axis in "xyz"}
+COORDINATE_OF = {
+    "pattern": "wave_angle",
+    "tableAngle": "table_angle",
+    "warmth": "temperature",
+    "caseWarmth": "temperature",
+    "warming": "temperature_rate",
+    "turnRate": "rate",
+    "commandedRate": "rate",
+    "amplitudeExcess": "amplitude",
+    "hours": "time",
+    **{coordinate.name: "acceleration" for coordinate in FORCES.values()},
+    **{f"play{width}": "temperature" for width in (2, 10)},
+    **{f"lagging{lag}": "temperature" for lag in (600, 3600)},
+}
+"""Coordinate of the campaign format that a variable of the written class belongs to."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +77,7 @@ class Basis:
 def express_term(term: CandidateTerm) -> tuple[Basis, ...]:
     """Basis functions of a term in the order of its columns; none if it can't be written: a value
     for each power-on."""
-    function = re.sub("^(bias|angle): ", "", term.function)
+    function = re.sub("^[a-z -]+: ", "", term.function)
     for pattern, make in _FORMS:
         if match := re.fullmatch(pattern, function):
             return make(match)
@@ -117,6 +132,18 @@ def _force_power(axis: str, words: str) -> Basis:
     return _power(FORCES[axis], f"acceleration_{axis}", _rate_power(words), _TENTH)
 
 
+def _times_warmth(basis: Basis) -> Basis:
+    """A basis function times the temperature of the resonator."""
+    return Basis(
+        f"{basis.stem}_{_WARM.stem}",
+        f"{basis.text} {_WARM.text}",
+        f"{basis.modelica}*{_WARM.modelica}",
+        basis.scale * _WARM.scale,
+        f"{basis.per}_K",
+        (*basis.uses, *_WARM.uses),
+    )
+
+
 def _product(match: Match) -> tuple[Basis, ...]:
     first, second = FORCES[match[1]], FORCES[match[2]]
     expression = f"{first.name}*{second.name}"
@@ -135,12 +162,15 @@ _FORMS: tuple[tuple[str, Callable[[Match], tuple[Basis, ...]]], ...] = (
     ),
     (r"temperature\^(\d)", lambda m: (_power(WARMTH, "temperature", int(m[1]), _TENTH),)),
     ("temperature, 4th harmonic", lambda m: _angle(PATTERN, 4, _WARM)),
-    ("2nd harmonic of the pattern angle, times the temperature",
-     lambda m: _angle(PATTERN, 2, _WARM)),
+    (r"harmonic (\d+) of the pattern angle, times the temperature",
+     lambda m: _angle(PATTERN, int(m[1]), _WARM)),
     ("temperature of the case", lambda m: (_power(CASE, "case_temperature", 1, _TENTH),)),
     (r"temperature with a hysteresis of (\d+) K",
      lambda m: (Basis(f"hysteresis{m[1]}K", f"play{m[1]}", f"play{m[1]}", _TENTH, "K",
                       ("caseWarmth", f"play{m[1]}")),)),
+    (r"temperature behind a lag of (\d+) s",
+     lambda m: (Basis(f"temperature_lag{m[1]}s", f"lagging{m[1]}", f"lagging{m[1]}", _TENTH, "K",
+                      ("caseWarmth", f"lagging{m[1]}")),)),
     ("temperature rate", lambda m: (_power(WARMING, "temperature_rate", 1, 1.0),)),
     ("magnitude of the temperature rate",
      lambda m: (_single(WARMING, "temperature_rate_magnitude", "abs(warming)", 1.0, "K_min"),)),
@@ -151,14 +181,22 @@ _FORMS: tuple[tuple[str, Callable[[Match], tuple[Basis, ...]]], ...] = (
     (r"rate( squared| cubed|)", lambda m: (_power(TURN, "rate", _rate_power(m[1]), DEG),)),
     ("magnitude of the rate",
      lambda m: (_single(TURN, "rate_magnitude", "abs(turnRate)", DEG, "deg_s"),)),
+    ("rate times its magnitude",
+     lambda m: (_single(TURN, "rate_signed_square", "turnRate*abs(turnRate)", DEG**2,
+                        "deg2_s2"),)),
+    ("rate, times the temperature", lambda m: (_times_warmth(_power(TURN, "rate", 1, DEG)),)),
     ("commanded rotation", lambda m: (_power(COMMANDED, "commanded_rotation", 1, DEG),)),
     ("magnitude of the commanded rotation",
      lambda m: (_single(COMMANDED, "commanded_rotation_magnitude", "abs(commandedRate)", DEG,
                         "deg_s"),)),
     (r"acceleration ([xyz])( squared|)", lambda m: (_force_power(m[1], m[2]),)),
     (r"acceleration ([xyz]) times ([xyz])", _product),
-    (r"2nd harmonic of the pattern angle, times acceleration ([xyz])( squared|)",
-     lambda m: _angle(PATTERN, 2, _force_power(m[1], m[2]))),
+    (r"acceleration ([xyz]), times the temperature",
+     lambda m: (_times_warmth(_force_power(m[1], "")),)),
+    (r"harmonic (\d+) of the pattern angle, times acceleration ([xyz])( squared|)",
+     lambda m: _angle(PATTERN, int(m[1]), _force_power(m[2], m[3]))),
+    (r"harmonic (\d+) of the pattern angle, times the amplitude",
+     lambda m: _angle(PATTERN, int(m[1]), _power(STRETCH, "amplitude", 1, 1.0))),
     (r"amplitude( squared|)", lambda m: (_power(STRETCH, "amplitude", _rate_power(m[1]), 1.0),)),
     ("time since power-on", lambda m: (_power(HOURS, "time", 1, 1.0),)),
     (r"settling in (\d+) s",

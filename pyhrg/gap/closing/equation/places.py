@@ -1,6 +1,6 @@
 """Where in the gyro a candidate term acts, and the unit of its parameters."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from pyhrg.common.units import ARCSEC, DEG_PER_H, HZ
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
@@ -12,35 +12,67 @@ class Acting:
     """How a term acts in the written class.
 
     place: of the campaign format.
-    variable: of the class, to which the term adds.
+    stem: begin of the parameters' names.
     type: Modelica type of the parameters.
-    unit: suffix of the parameters' names; factor: SI per unit.
+    unit: suffix of the parameters' names, empty for a ratio; factor: SI per unit.
+    responses: variables of the class to which the term adds, each with the expression that it is
+        multiplied by there.
     """
 
     place: Location
-    variable: str
+    stem: str
     type: str
     unit: str
     factor: float
+    responses: tuple[tuple[str, str], ...]
 
 
-BIAS = Acting("bias", "addedRate", "AngularRate", "deg_h", DEG_PER_H)
-READOUT = Acting("readout", "addedAngle", "Angle", "arcsec", ARCSEC)
+GROWTH = "driveOn*gyro.amplitudeForce"
+"""Growth rate that the drive gives, in the written class."""
+BIAS = Acting("bias", "bias", "AngularRate", "deg_h", DEG_PER_H, (("addedRate", ""),))
+READOUT = Acting("readout", "readout", "Angle", "arcsec", ARCSEC, (("addedAngle", ""),))
+BY_PREFIX = {
+    "bias": BIAS,
+    "angle": READOUT,
+    "pick-off": Acting(
+        "pickoff", "pickoff", "Angle", "arcsec", ARCSEC,
+        (("addedAngle", ""), ("addedRate", GROWTH)),
+    ),
+    "drive": Acting("drive", "drive", "Angle", "arcsec", ARCSEC, (("addedRate", GROWTH),)),
+    "drive gain": Acting(
+        "drive", "drive_gain", "Ratio", "", 1.0,
+        (
+            ("addedRate", "-virtualRotation"),
+            ("addedAmplitudeForce", "-gyro.amplitudeForce"),
+            ("addedQuadratureForce", "-gyro.quadratureForce"),
+        ),
+    ),
+}  # fmt: skip
+"""How a term acts whose function begins with this word and a colon."""
+DAMPING = Acting("damping", "damping", "Rate", "per_s", 1.0, (("addedAmplitudeForce", ""),))
 BY_CHANNEL = {
-    "amplitude": Acting("electronics", "addedAmplitude", "Displacement", "amplitude", 1.0),
-    "amplitude_force": Acting("damping", "addedAmplitudeForce", "Rate", "per_s", 1.0),
-    "quadrature_force": Acting("stiffness", "addedQuadratureForce", "Force", "per_s", 1.0),
-    "frequency_offset": Acting("stiffness", "addedFrequency", "AngularFrequency", "Hz", HZ),
+    "amplitude": Acting(
+        "electronics", "electronics", "Displacement", "amplitude", 1.0, (("addedAmplitude", ""),)
+    ),
+    "amplitude_force": DAMPING,
+    "quadrature_force": Acting(
+        "stiffness", "stiffness", "Force", "per_s", 1.0, (("addedQuadratureForce", ""),)
+    ),
+    "frequency_offset": Acting(
+        "stiffness", "frequency", "AngularFrequency", "Hz", HZ, (("addedFrequency", ""),)
+    ),
 }
-"""How a term of a channel other than the output angle acts."""
+"""How another term of a channel other than the output angle acts."""
 
 
 def find_acting(term: CandidateTerm) -> Acting:
-    """How a term acts: by its channel, and in the output angle by whether it is a bias. What
-    follows the turntable belongs to the bench."""
-    if term.channel != "gyro_angle":
-        return BY_CHANNEL[term.channel]
-    usual = BIAS if term.function.startswith("bias: ") else READOUT
-    if term.coordinate != "table_angle":
-        return usual
-    return Acting("bench", usual.variable, usual.type, usual.unit, usual.factor)
+    """How a term acts: by the word before its function, or by its channel. What follows the
+    turntable belongs to the bench; damping that follows the amplitude also acts while the drive is
+    off."""
+    prefix, colon, _ = term.function.partition(": ")
+    acting = BY_PREFIX[prefix] if colon else BY_CHANNEL[term.channel]
+    if acting is DAMPING and term.coordinate == "amplitude":
+        return replace(acting, responses=(*acting.responses, ("freeDamping", "")))
+    if term.channel == "gyro_angle" and term.coordinate == "table_angle":
+        return replace(acting, place="bench")
+    return acting

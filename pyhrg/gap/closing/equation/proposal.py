@@ -5,19 +5,20 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.special import softmax
 
-from pyhrg.gap.closing.equation.forms import Basis, express_term
+from pyhrg.gap.closing.equation.forms import COORDINATE_OF, Basis, express_term
 from pyhrg.gap.closing.equation.places import Acting, find_acting
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
-from pyhrg.gap.evidence.evidence import Fit
+from pyhrg.gap.effects.design import list_forms
+from pyhrg.gap.evidence.evidence import Fit, find_equivalents
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95
 from pyhrg.gap.evidence.posterior import Posterior
 from pyhrg.gap.findings.term import Formula, Term
 
 MAX_FALSE_DISCOVERY_RATE = 0.05
-"""Expected share of false terms among the proposed ones, at most: the requirement's bound."""
-MIN_RIVAL_PROBABILITY = 1e-3
-"""Probability below which a rival form is not listed. Chosen."""
+"""Largest probability that a proposed term is false, and so of the expected share of false ones
+among them: the requirement's bound (docs/methods/equation.md, Eq. 5)."""
 
 
 @dataclass(frozen=True)
@@ -25,43 +26,33 @@ class Coefficient:
     """One coefficient of a term.
 
     name: in `diagnosis.json`, with its unit; variable: of the written class, in SI.
+    unit: end of the name, empty for a ratio.
     factor: SI of the channel per unit of the name.
     """
 
     name: str
     variable: str
+    unit: str
     basis: Basis
     factor: float
 
 
 def list_coefficients(term: CandidateTerm) -> tuple[Coefficient, ...]:
     """Coefficients of a term in the order of its columns; none if it can't be written."""
-    acting = find_acting(term)
-    return tuple(_make_coefficient(acting, basis) for basis in express_term(term))
+    return tuple(_make_coefficient(find_acting(term), basis) for basis in express_term(term))
 
 
 def _make_coefficient(acting: Acting, basis: Basis) -> Coefficient:
-    prefix = acting.variable.removeprefix("added")
-    shown = {"Rate": "bias", "Angle": "readout"}.get(prefix, acting.place)
-    shown = "frequency" if prefix == "Frequency" else shown
-    unit = acting.unit + (f"_per_{basis.per}" if basis.per else "")
-    words = f"{shown}_{basis.stem}"
+    per = f"per_{basis.per}" if basis.per else ""
+    words = f"{acting.stem}_{basis.stem}"
     variable = re.sub("_(.)", lambda m: m[1].upper(), words)
-    return Coefficient(f"{words}_{unit}", variable, basis, acting.factor)
+    unit = "_".join(part for part in (acting.unit, per) if part)
+    return Coefficient(f"{words}_{unit}".rstrip("_"), variable, unit, basis, acting.factor)
 
 
 def as_candidate(term: Term) -> CandidateTerm:
     """The candidate term that a proposed one stands for, for its expressions."""
     return CandidateTerm(term.channel, term.coordinates[0], term.function)
-
-
-def select_discoveries(probabilities: Sequence[float]) -> list[int]:
-    """Indices of the largest set of terms, the most probable first, whose mean probability of being
-    false is at most `MAX_FALSE_DISCOVERY_RATE` (docs/methods/equation.md, Eq. 5)."""
-    order = sorted(range(len(probabilities)), key=lambda i: -probabilities[i])
-    false = np.cumsum([1 - probabilities[i] for i in order])
-    # the mean of an ascending series ascends, so that the sets that are good come first
-    return [i for n, i in enumerate(order, 1) if false[n - 1] <= n * MAX_FALSE_DISCOVERY_RATE]
 
 
 def propose_terms(posterior: Posterior) -> tuple[Term, ...]:
@@ -70,8 +61,8 @@ def propose_terms(posterior: Posterior) -> tuple[Term, ...]:
     best = posterior.best.ranking.best
     written = [g for g in best.groups if isinstance(g, CandidateTerm) and list_coefficients(g)]
     terms = make_terms(posterior, written)
-    chosen = select_discoveries([term.discovery_probability for term in terms])
-    return tuple(terms[i] for i in chosen)
+    sure = [t for t in terms if 1 - t.discovery_probability <= MAX_FALSE_DISCOVERY_RATE]
+    return tuple(sorted(sure, key=lambda term: -term.discovery_probability))
 
 
 def make_terms(posterior: Posterior, groups: Sequence[CandidateTerm]) -> list[Term]:
@@ -81,6 +72,8 @@ def make_terms(posterior: Posterior, groups: Sequence[CandidateTerm]) -> list[Te
 
 
 def _make_term(posterior: Posterior, best: Fit, term: CandidateTerm) -> Term:
+    rivals = _rank_rivals(posterior, best, term)
+    discovery = _probability(posterior, term, *rivals)
     acting, coefficients = find_acting(term), list_coefficients(term)
     index = best.groups.index(term)
     factors = np.array([c.basis.scale / c.factor for c in coefficients])
@@ -88,36 +81,34 @@ def _make_term(posterior: Posterior, best: Fit, term: CandidateTerm) -> Term:
     half = NORMAL_95 * np.sqrt(np.diag(best.covariances[index])) * np.abs(factors)
     names = [c.name for c in coefficients]
     ends = zip((values - half).tolist(), (values + half).tolist(), strict=True)
-    rivals = _list_rivals(posterior, best, term)
-    probabilities = {r.words: _probability(posterior, r) for r in rivals}
+    variables = (name for c in coefficients for name in c.basis.uses)
     return Term(
         acting.place,
-        (term.coordinate,),
+        tuple(dict.fromkeys([term.coordinate, *(COORDINATE_OF[name] for name in variables)])),
         Formula(
             f"{acting.place}: " + " + ".join(f"{c.name} {c.basis.text}" for c in coefficients),
             " + ".join(f"{c.variable}*{c.basis.modelica}" for c in coefficients),
         ),
         dict(zip(names, values.tolist(), strict=True)),
         dict(zip(names, ends, strict=True)),
-        _probability(posterior, term),
-        _probability(posterior, term, *rivals),
+        discovery * (1 - sum(rivals.values())),
+        discovery,
         term.channel,
         term.function,
-        {w: p for w, p in probabilities.items() if p >= MIN_RIVAL_PROBABILITY},
+        {rival.words: discovery * share for rival, share in rivals.items()},
     )
 
 
-def _list_rivals(posterior: Posterior, best: Fit, term: CandidateTerm) -> list[CandidateTerm]:
-    """Other forms of the same coordinate and channel that some set has, and not the best one."""
-    groups = {g for h in posterior.hypotheses for g in h.ranking.groups}
-    same = [
-        g
-        for g in groups
-        if isinstance(g, CandidateTerm)
-        and (g.channel, g.coordinate) == (term.channel, term.coordinate)
-        and g not in best.groups
-    ]
-    return sorted(same, key=lambda g: (-_probability(posterior, g), g.words))
+def _rank_rivals(
+    posterior: Posterior, best: Fit, term: CandidateTerm
+) -> dict[CandidateTerm, float]:
+    """Rival forms: candidate terms of the same channel that explain about as much in the place of
+    the term. The share of each in the probability of the class, the most probable first."""
+    design = posterior.best.design
+    fits = find_equivalents(design, best, term, list_forms(design, term))
+    order = sorted(fits, key=lambda g: (-fits[g].log_evidence, g.words))
+    shares = softmax([best.log_evidence, *(fits[g].log_evidence for g in order)])[1:]
+    return dict(zip(order, shares.tolist(), strict=True))
 
 
 def _probability(posterior: Posterior, *terms: CandidateTerm) -> float:

@@ -12,16 +12,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
-from pyhrg.gap.closing.equation.closed_fmu import ClosedFmu, load_closed_fmu
+from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu
 from pyhrg.gap.closing.equation.proposal import list_coefficients, make_terms
-from pyhrg.gap.effects.candidate_terms import CandidateTerm, build_term_columns
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import NoiseEffect
 from pyhrg.gap.effects.design import LinearTest, whiten_rows
 from pyhrg.gap.effects.sensitivities import linearize_test
+from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.evidence.attribution import NEGLIGIBLE_CHI2, Attribution
 from pyhrg.gap.evidence.hypothesis import rank_under_noise
 from pyhrg.gap.evidence.posterior import Posterior, compare_noises
+from pyhrg.gap.replay.observations import CHANNELS
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels, replay_sampled
+from pyhrg.gap.whitening.channel_noise import CampaignNoise
 
 Array = NDArray[np.float64]
 Sizes = Mapping[CandidateTerm, Array]
@@ -39,34 +42,31 @@ def refine_terms(
 ) -> Attribution:
     """Repeat the search around the device with the written terms of its most probable set, until
     the terms stay. A search that did not converge is left as it is."""
-    without: list[ChannelValues] = []
-    simulated = [part.simulated for part in attribution.parts]
+    first = attribution.parts
+    without: dict[int, ChannelValues] = {}
     for _ in range(MAX_ROUNDS):
-        sizes = _list_sizes(attribution.posterior)
+        sizes = list_sizes(attribution.posterior)
         if not sizes or not attribution.settled:
             break
-        if not without:
-            plain = load_closed_fmu(attribution.device, ())
-            without = _replay(plain, attribution)
-        terms = make_terms(attribution.posterior, list(sizes))
-        changed = _replay(load_closed_fmu(attribution.device, terms), attribution)
-        answers = [
-            add_channels(own, {name: on[name] - off[name] for name in off})
-            for own, on, off in zip(simulated, changed, without, strict=True)
-        ]
-        parts = tuple(
-            _linearize(simulation, attribution.nominal, part, own, sizes)
-            for part, own in zip(attribution.parts, answers, strict=True)
-        )
+        fmu = load_closed_fmu(attribution.device, make_terms(attribution.posterior, list(sizes)))
+        parts = list(first)
+        for i in find_moved_tests(first, sizes, attribution.channel_noise):
+            part = first[i]
+            if i not in without:
+                without[i] = replay_sampled(simulation.sampled, part.device, part.test.inputs)
+            on, off = replay_sampled(fmu, part.device, part.test.inputs), without[i]
+            answers = add_channels(part.simulated, {name: on[name] - off[name] for name in off})
+            parts[i] = _linearize(simulation, attribution.nominal, part, answers, sizes)
         if _measure_change(attribution, parts, sizes) < NEGLIGIBLE_CHI2:
             break
-        attribution = _search_around(attribution, parts, noises)
+        attribution = _search_around(attribution, tuple(parts), noises)
         if _have_converged(attribution.posterior, sizes):
             break
     return attribution
 
 
-def _list_sizes(posterior: Posterior) -> dict[CandidateTerm, Array]:
+def list_sizes(posterior: Posterior) -> dict[CandidateTerm, Array]:
+    """Size of each term of the most probable set that can be written."""
     best = posterior.best.ranking.best
     return {
         group: size
@@ -75,8 +75,16 @@ def _list_sizes(posterior: Posterior) -> dict[CandidateTerm, Array]:
     }
 
 
-def _replay(fmu: ClosedFmu, attribution: Attribution) -> list[ChannelValues]:
-    return [replay_sampled(fmu, part.device, part.test.inputs) for part in attribution.parts]
+def find_moved_tests(parts: Sequence[LinearTest], sizes: Sizes, noise: CampaignNoise) -> list[int]:
+    """Indices of the tests in which terms of these sizes change the records by a chi-square of at
+    least `NEGLIGIBLE_CHI2`. Elsewhere the FMU with them need not run."""
+
+    def measure(part: LinearTest) -> float:
+        changes = {name: _respond(part, name, sizes)[:, None] for name in CHANNELS}
+        white = [whiten_rows(part, name, c, noise).series for name, c in changes.items() if c.any()]
+        return sum(float((series**2).sum()) for series in white)
+
+    return [i for i, part in enumerate(parts) if measure(part) >= NEGLIGIBLE_CHI2]
 
 
 def _search_around(
@@ -90,22 +98,22 @@ def _search_around(
 
 
 def _measure_change(attribution: Attribution, parts: Sequence[LinearTest], sizes: Sizes) -> float:
-    """Chi-square, over all tests, of what the new linearization changes in the output angle's
+    """Chi-square, over all tests and channels, of what the new linearization changes in the
     residual beside the terms."""
     total = 0.0
     for old, new in zip(attribution.parts, parts, strict=True):
-        left = [part.residual["gyro_angle"] - _respond(part, "gyro_angle", sizes)
-                for part in (old, new)]  # fmt: skip
-        change = (left[1] - left[0])[:, None]
-        white = whiten_rows(new, "gyro_angle", change, attribution.channel_noise).series
-        total += float((white**2).sum())
+        for name in CHANNELS if new is not old else ():
+            left = [part.residual[name] - _respond(part, name, sizes) for part in (old, new)]
+            change = (left[1] - left[0])[:, None]
+            white = whiten_rows(new, name, change, attribution.channel_noise).series
+            total += float((white**2).sum())
     return total
 
 
 def _respond(part: LinearTest, channel: str, sizes: Sizes) -> Array:
     """(n,) response of the terms in a channel."""
     columns = dict(build_term_columns(part.where, channel))
-    own = [columns[term] @ size for term, size in sizes.items() if term.channel == channel]
+    own = [columns[term] @ size for term, size in sizes.items() if term in columns]
     return np.asarray(sum(own, np.zeros(len(part.residual[channel]))))
 
 
@@ -137,7 +145,7 @@ def _linearize(
 
 def _have_converged(posterior: Posterior, before: Sizes) -> bool:
     """Whether the most probable set has the same terms, each where it was."""
-    after, best = _list_sizes(posterior), posterior.best.ranking.best
+    after, best = list_sizes(posterior), posterior.best.ranking.best
     if after.keys() != before.keys():
         return False
     return all(

@@ -107,7 +107,7 @@ def compute_axis_values(test: ObservedTest, nominal: Device) -> dict[str, Array]
     """(n,) coordinates at each row of a test, by the axes' keys and in their units. The resonator's
     temperature follows from the nominal thermal lag and reference temperature."""
     log = test.log
-    where = compute_coordinates(test, log.wave_angle, log.amplitude, nominal)
+    where = compute_coordinates(test, vars(log), nominal)
     celsius = where.resonator + nominal.reference_temperature - ZERO_CELSIUS
     return {
         "wave_angle": where.pattern_angle / DEG,

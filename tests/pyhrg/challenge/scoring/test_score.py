@@ -11,6 +11,7 @@ from pyhrg.challenge.truths.truth import Truth
 from pyhrg.gap.effects.catalogue import EFFECT_NAMES
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, Verdict
 from pyhrg.gap.findings.localisation import Place
+from pyhrg.gap.findings.term import Formula, Term
 from tests.pyhrg.challenge.test_run import FIGURE, NO_GAP
 
 DAMPING = "damping_anisotropy"
@@ -120,6 +121,21 @@ def test_an_effect_left_out_is_none_of_these_or_a_stand_in(
 ) -> None:
     truth = Truth("left_out", (DAMPING,), {}, (8.0,), stand_ins=(GAIN,))
     assert score.is_owned(judged(truth, diagnosis)) is owned
+
+
+def test_a_term_is_placed_by_any_of_its_coordinates() -> None:
+    truth = Truth("outside", (), {}, (9.0,), "form", "temperature")
+    term = Term(
+        "bias", ("rate", "temperature"), Formula("", ""), {}, {}, 0.9, 0.9, "gyro_angle", ""
+    )
+    shrunk = replace(NO_GAP.gap, shrink_percent=80.0)
+    right = replace(NO_GAP, terms=(term,), gap=shrunk)
+    cases = [judged(truth, right), judged(replace(truth, coordinate="time"), right)]
+    cases += [judged(Truth("none"), NO_GAP), judged(Truth("none"), right)]
+    figures = {figure.name: figure for figure in score.score_figures(cases, 1)}
+    assert figures["outside: a term in the right coordinate"].value == 0.5
+    assert figures["outside: held-out excess removed, median"].value == 0.8
+    assert figures["a term where there is none"].value == 0.5
 
 
 def test_next_test_settles_what_is_then_named_alone() -> None:

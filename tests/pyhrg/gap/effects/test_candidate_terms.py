@@ -5,9 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pyhrg.gap.effects.candidate_terms import build_term_columns, compute_coordinates
+from pyhrg.gap.effects.candidate_terms import compute_coordinates
 from pyhrg.gap.effects.catalogue import EFFECTS
 from pyhrg.gap.effects.sensitivities import compute_sensitivities
+from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.replay.observations import observe_test
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.gap.whitening.channel_noise import build_angle_noise
@@ -27,12 +28,12 @@ MAX_UNEXPLAINED = 0.15
         (
             "g_sensitive_gain",
             "gyro_angle",
-            "angle: 2nd harmonic of the pattern angle, times acceleration x",
+            "pick-off: harmonic 4 of the pattern angle, times acceleration x",
         ),
         (
             "pickoff_gain_temperature",
             "gyro_angle",
-            "angle: 2nd harmonic of the pattern angle, times the temperature",
+            "pick-off: harmonic 4 of the pattern angle, times the temperature",
         ),
         ("residual_quadrature", "quadrature_force", "mean over the pattern angle"),
     ],
@@ -49,7 +50,7 @@ def test_a_term_explains_an_effect(
     device = NOMINAL.without_noise()
     observed = observe_test(Test("test", "static", "fit", log), device)
     simulated = simulation.simulate(device, observed)
-    where = compute_coordinates(observed, simulated["wave_angle"], simulated["amplitude"], device)
+    where = compute_coordinates(observed, simulated, device)
     effect = EFFECTS[name]
     response = compute_sensitivities(simulation, device, observed, [effect])[effect][channel][:, 0]
     block = next(b for term, b in build_term_columns(where, channel) if term.function == function)
@@ -66,7 +67,9 @@ def test_the_amplitude_coordinate_of_a_free_pattern_is_simulated() -> None:
     amplitude = np.exp(-np.clip(np.arange(100) - 50, 0, None) / 400) + 1e-6
     log = replace(made_up_log(100), drive_on=(np.arange(100) < 50) * 1.0)
     observed = observe_test(Test("test", "ring_down", "fit", log), NOMINAL)
-    where = compute_coordinates(observed, np.zeros(100), amplitude, NOMINAL)
+    nothing = np.zeros(100)
+    replay = {"wave_angle": nothing, "amplitude_force": nothing, "quadrature_force": nothing}
+    where = compute_coordinates(observed, {**replay, "amplitude": amplitude}, NOMINAL)
     columns = {
         term.function: block for term, block in build_term_columns(where, "quadrature_force")
     }

@@ -46,7 +46,7 @@ def part_of(angle: Array, seed: int) -> LinearTest:
     sensitivities: dict[Effect, dict[str, Array]] = {
         SILENT: {n: np.zeros((ROWS, 1)) for n in CHANNELS}
     }
-    where = compute_coordinates(test, np.zeros(ROWS), np.ones(ROWS), BELIEVED)
+    where = compute_coordinates(test, vars(test.log), BELIEVED)
     left = {**residual, "gyro_angle": angle}
     return LinearTest(test, BELIEVED, nothing, left, sensitivities, where, nothing, 0.277)
 

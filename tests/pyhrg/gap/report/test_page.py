@@ -1,5 +1,6 @@
 """The page: whole, self-contained, small, the same bytes for the same diagnosis."""
 
+import html
 import re
 from dataclasses import replace
 
@@ -9,9 +10,10 @@ from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.evidence.noise.noise_hypothesis import UnnamedNoise
 from pyhrg.gap.evidence.posterior import Posterior
 from pyhrg.gap.findings.diagnosis import UNSETTLED, WORSE, Cause, NextTest
+from pyhrg.gap.findings.term import Formula, Term
 from pyhrg.gap.report.page import build_page
 from pyhrg.gap.report.sections import Section
-from pyhrg.gap.report.verdict import summarize_diagnosis
+from pyhrg.gap.report.verdict import answer_questions, summarize_diagnosis
 from pyhrg.gap.whitening.whitening import CorrelatedNoise
 from tests.elements import elements
 
@@ -77,6 +79,39 @@ def test_the_cause_is_told_with_its_interval(text: str) -> None:
     assert float(told[1].replace("−", "-")) == pytest.approx(3e-6, rel=0.02)
 
 
+def test_page_and_terminal_begin_with_the_same_five_answers(
+    with_gap: CampaignDiagnosis, text: str
+) -> None:
+    questions = ["Where", "What", "How sure", "How much", "What next"]
+    answers = answer_questions(with_gap)
+    assert list(answers) == questions
+    assert re.findall("<dt>([^<]*)</dt>", text) == questions
+    printed = " ".join(summarize_diagnosis(with_gap).split())
+    for sentences in answers.values():
+        assert sentences
+        for sentence in sentences:
+            assert html.escape(sentence) in text
+            assert " ".join(sentence.split()) in printed
+    assert "In the gyro." in answers["Where"]
+    assert text.index("<dl>") < text.index("<figure>") < text.index("<nav")
+
+
+def test_a_term_is_said_with_its_rivals_and_what_tells_it_from_known_mechanisms(
+    with_gap: CampaignDiagnosis,
+) -> None:
+    name = "bias_rate3_deg_h_per_deg3_s3"
+    formula = Formula("bias", "biasRate3*turnRate*turnRate*turnRate")
+    rivals = {"bias: rate times its magnitude (gyro_angle)": 0.3}
+    term = Term("bias", ("rate",), formula, {name: 3e-6}, {name: (2e-6, 4e-6)}, 0.6, 0.9,
+                "gyro_angle", "bias: rate cubed", rivals, 93.0)  # fmt: skip
+    said = replace(with_gap.diagnosis, terms=(term,), causes=())
+    answers = answer_questions(replace(with_gap, diagnosis=said))
+    assert any("3e−06 (2e−06 to 4e−06) deg/h per (deg/s)³" in s for s in answers["What"])
+    assert any("rate times its magnitude (gyro_angle) 30.0" in s for s in answers["How sure"])
+    assert any("authority (30). To tell:" in s for s in answers["What next"])
+    assert "removes 93 % of the excess" in build_page(replace(with_gap, diagnosis=said))
+
+
 def test_a_search_that_did_not_come_to_rest_is_told(with_gap: CampaignDiagnosis, text: str) -> None:
     assert UNSETTLED not in text
     restless = replace(with_gap.diagnosis, settled=False)
@@ -90,7 +125,7 @@ def test_a_closing_that_makes_it_worse_is_told(with_gap: CampaignDiagnosis, text
     worse = replace(gap, fit_angle_arcsec=replace(fit, after=2 * fit.before))
     wider = replace(with_gap, diagnosis=replace(with_gap.diagnosis, gap=worse))
     assert WORSE in build_page(wider)
-    assert f"  {WORSE}" in summarize_diagnosis(wider).splitlines()
+    assert WORSE in " ".join(summarize_diagnosis(wider).split())
 
 
 def test_no_gap_has_no_after(without_gap: CampaignDiagnosis) -> None:
@@ -133,7 +168,8 @@ def test_what_is_confounded_and_what_would_tell(with_gap: CampaignDiagnosis) -> 
         next_test=NextTest("phase_step", "It turns one and not the other.", 2.5),
     )
     text = build_page(replace(with_gap, diagnosis=said))
-    assert "confounded with drive frame rotation in these records" in text
+    assert "or drive frame rotation: confounded in these records" in text
+    assert "Next test: phase step, 2.5 h: It turns one and not the other." in text
     assert "<b>phase step</b>: It turns one and not the other." in text
 
 
@@ -141,7 +177,8 @@ def test_noises_are_causes_too(with_gap: CampaignDiagnosis) -> None:
     name = "angle_random_walk_deg_sqrt_h"
     noise = Cause("angle_random_walk", 0.97, {name: 1e-3}, {name: (8e-4, 1.2e-3)})
     text = build_page(replace(with_gap, diagnosis=replace(with_gap.diagnosis, causes=(noise,))))
-    assert "Angle random walk: 0.001 (0.0008 to 0.0012) deg/√h; probability 97.0" in text
+    assert "Angle random walk: 0.001 (0.0008 to 0.0012) deg/√h" in text
+    assert "Angle random walk: probability 97.0" in text
 
 
 def test_names_are_only_names(with_gap: CampaignDiagnosis) -> None:

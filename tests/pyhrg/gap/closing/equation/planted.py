@@ -1,19 +1,98 @@
-"""A short campaign of a gyro whose bias has a sixth harmonic, which the catalogue lacks."""
+"""Campaigns of a gyro with an error that the catalogue lacks."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
-from pyhrg.bench.bench import Bench
+from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.challenge.campaigns.course import Course, make_course
 from pyhrg.challenge.campaigns.gyro import Disturbance, TrueGyro
 from pyhrg.challenge.truths.form import find_ideal_pattern_angle
-from pyhrg.common.units import DEG_PER_H
+from pyhrg.common.units import ARCSEC, DEG_PER_H
+from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
+from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign, Test
 from tests.pyhrg.gap.bench import short, stated
 from tests.pyhrg.gap.soundness.conftest import NOMINAL
 
+Array = NDArray[np.float64]
+GAIN, GROWTH = NOMINAL.bryan_factor, 1 / NOMINAL.decay_time
 COS6, SIN6 = 0.6, -0.4
 """Coefficients of the bias, deg/h."""
+
+
+def record_planted(
+    fmu: GyroFmu,
+    disturbance: Disturbance,
+    seed: int = 3,
+    power_ons: Sequence[PowerOn] | None = None,
+    device: Device = NOMINAL,
+) -> Campaign:
+    """A campaign of a device with a disturbance, by default a short one, where `NOMINAL` is told;
+    a manoeuvre is held out."""
+    generator = np.random.default_rng(seed)
+    gyro = TrueGyro(fmu, device, disturbance=disturbance)
+    tests = []
+    for power_on in short(Bench(fmu, NOMINAL)) if power_ons is None else power_ons:
+        course = make_course(power_on.programme, power_on.programme.interval / 100)
+        start = generator.uniform(0, 1.5)
+        log, _ = gyro.log(power_on.id, course, start, generator)
+        role = "holdout" if power_on.kind == "manoeuvre" else "fit"
+        tests.append(Test(power_on.id, power_on.kind, role, log))
+    return Campaign("planted", NOMINAL.site, stated(NOMINAL), tuple(tests))
+
+
+def shift_angle(log: Log, error: Array) -> Log:
+    """A log whose angles are read with an error of the output angle, rad."""
+    return replace(log, gyro_angle=log.gyro_angle + error, wave_angle=log.wave_angle - GAIN * error)
+
+
+def plant_electrode_error(
+    shape: Callable[[Array, Array], Array], arcsec: float, is_pickoff: bool
+) -> Callable[[float], Disturbance]:
+    """An error of the pick-off, or of the drive alone, by pattern angle and amplitude, at a size:
+    the force that makes up for the damping points beside the pattern."""
+
+    def disturb(size: float) -> Disturbance:
+        unit = size * arcsec * ARCSEC
+
+        def rate(course: Course, start: float) -> Array:
+            angle = find_ideal_pattern_angle(NOMINAL, course, start)
+            level = course.each("amplitude_setpoint")
+            return np.asarray(unit * shape(angle, level) * GROWTH * course.each("drive_on"))
+
+        def show(log: Log) -> Log:
+            return shift_angle(log, unit * shape(log.wave_angle, log.amplitude))
+
+        return Disturbance(rate=rate, shown=show) if is_pickoff else Disturbance(rate=rate)
+
+    return disturb
+
+
+def plant_drive_gain(
+    shape: Callable[[Array], Array], ratio: float
+) -> Callable[[float], Disturbance]:
+    """A gain of the drive by the pattern angle: rotation is larger, commanded forces smaller."""
+
+    def disturb(size: float) -> Disturbance:
+        def rate(course: Course, start: float) -> Array:
+            angle = find_ideal_pattern_angle(NOMINAL, course, start)
+            return np.asarray(-size * ratio * shape(angle) * course.each("virtual_rotation"))
+
+        def show(log: Log) -> Log:
+            gain = 1 + size * ratio * shape(log.wave_angle)
+            return replace(
+                log,
+                amplitude_force=log.amplitude_force / gain,
+                quadrature_force=log.quadrature_force / gain,
+            )
+
+        return Disturbance(rate=rate, shown=show)
+
+    return disturb
 
 
 def record_sixth_harmonic(fmu: GyroFmu, seed: int = 3) -> Campaign:
@@ -23,13 +102,4 @@ def record_sixth_harmonic(fmu: GyroFmu, seed: int = 3) -> Campaign:
         angle = 6 * find_ideal_pattern_angle(NOMINAL, course, start)
         return np.asarray((COS6 * np.cos(angle) + SIN6 * np.sin(angle)) * DEG_PER_H)
 
-    generator = np.random.default_rng(seed)
-    gyro = TrueGyro(fmu, NOMINAL, disturbance=Disturbance(rate=rate))
-    tests = []
-    for power_on in short(Bench(fmu, NOMINAL)):
-        course = make_course(power_on.programme, power_on.programme.interval / 100)
-        start = generator.uniform(0, 1.5)
-        log, _ = gyro.log(power_on.id, course, start, generator)
-        role = "holdout" if power_on.kind == "manoeuvre" else "fit"
-        tests.append(Test(power_on.id, power_on.kind, role, log))
-    return Campaign("sixth", NOMINAL.site, stated(NOMINAL), tuple(tests))
+    return record_planted(fmu, Disturbance(rate=rate), seed)

@@ -16,8 +16,9 @@ from pyhrg.gap.closing.equation.places import find_acting
 from pyhrg.gap.closing.equation.proposal import Coefficient, list_coefficients
 from pyhrg.gap.closing.prediction import predict
 from pyhrg.gap.diagnose import CampaignDiagnosis, diagnose
-from pyhrg.gap.effects.candidate_terms import CandidateTerm, build_term_columns
+from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import Catalogue
+from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 from pyhrg.gap.findings.term import Formula, Term
 from pyhrg.gap.replay.observations import CHANNELS
@@ -128,21 +129,21 @@ def test_every_candidate_term_can_be_written_at_once(
 ) -> None:
     """All terms at once build; without sizes they change nothing."""
     part = diagnosed.attribution.parts[-1]
-    terms = []
+    terms = {}
     for channel in CHANNELS:
         for candidate, columns in build_term_columns(part.where, channel):
             own = list_coefficients(candidate)
             assert len(own) == (0 if candidate.is_of_each_power_on else columns.shape[1])
             if own:
-                terms.append(_make_term(candidate, own))
-    names = [name for term in terms for name in term.parameters]
+                terms[candidate] = _make_term(candidate, own)
+    names = [name for term in terms.values() for name in term.parameters]
     assert len(names) == len(set(names))
-    everything = load_closed_fmu(NOMINAL, terms)
+    everything = load_closed_fmu(NOMINAL, list(terms.values()))
     plain = replay_sampled(load_closed_fmu(NOMINAL, ()), NOMINAL, part.test.inputs)
     same = replay_sampled(everything, NOMINAL, part.test.inputs)
     for channel in CHANNELS:
         np.testing.assert_allclose(same[channel], plain[channel], rtol=0, atol=1e-15)
-    assert "parameter" in write_class(NOMINAL, terms, "All", ())
+    assert "parameter" in write_class(NOMINAL, list(terms.values()), "All", ())
 
 
 def _make_term(candidate: CandidateTerm, own: Sequence[Coefficient]) -> Term:

@@ -5,12 +5,15 @@ import pytest
 
 from pyhrg.common.units import DEG
 from pyhrg.gap.closing.equation.forms import express_term
+from pyhrg.gap.closing.equation.places import GROWTH, find_acting
 from pyhrg.gap.effects.candidate_terms import (
+    CandidateTerm,
     Coordinates,
+    _follow_with_lag,
     _follow_with_play,
-    build_term_columns,
     compute_coordinates,
 )
+from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.replay.observations import observe_test
 from pyhrg.records.campaign import Campaign
 from tests.pyhrg.gap.soundness.conftest import NOMINAL, error_free  # noqa: F401 (a fixture)
@@ -30,6 +33,10 @@ def _evaluate(modelica: str, where: Coordinates) -> np.ndarray:
         "hours": log.time / 3600,
         **{f"force{a}": getattr(log, f"acceleration_{a.lower()}") for a in "XYZ"},
         **{f"play{width}": _follow_with_play(where.case, float(width)) for width in (2, 10)},
+        **{
+            f"lagging{lag}": _follow_with_lag(where.case, lag / log.interval, where.case[0])
+            for lag in (600, 3600)
+        },
         **{name: getattr(np, name) for name in ("cos", "sin", "exp", "sqrt", "abs")},
     }
     return np.asarray(eval(modelica.replace("^", "**"), {"__builtins__": {}}, variables))
@@ -40,10 +47,35 @@ def test_an_expression_gives_its_columns(error_free: Campaign, test_id: str) -> 
     test = next(test for test in error_free.tests if test.id == test_id)
     observed = observe_test(test, NOMINAL)
     n = len(test.log.time)
-    where = compute_coordinates(observed, np.linspace(0.2, 1.9, n), np.full(n, 0.9), NOMINAL)
-    for term, columns in build_term_columns(where, "amplitude_force"):
-        for basis, column in zip(express_term(term), columns.T, strict=False):
-            values = basis.scale * _evaluate(basis.modelica, where)
-            np.testing.assert_allclose(
-                np.broadcast_to(values, n), column, rtol=1e-9, atol=1e-12, err_msg=term.words
-            )
+    replay = {
+        "wave_angle": np.linspace(0.2, 1.9, n),
+        "amplitude": np.full(n, 0.9),
+        "amplitude_force": np.full(n, 1 / 450),
+        "quadrature_force": np.zeros(n),
+    }
+    where = compute_coordinates(observed, replay, NOMINAL)
+    for channel in ("amplitude_force", "gyro_angle"):
+        for term, columns in build_term_columns(where, channel):
+            for basis, column in zip(express_term(term), columns.T, strict=False):
+                values = np.broadcast_to(basis.scale * _evaluate(basis.modelica, where), n)
+                expected = _respond(term, channel, values, where)
+                np.testing.assert_allclose(
+                    expected, column, rtol=1e-9, atol=1e-12, err_msg=term.words
+                )
+
+
+def _respond(
+    term: CandidateTerm, channel: str, values: np.ndarray, where: Coordinates
+) -> np.ndarray:
+    """What a channel shows of a term, by the variables to which the written class adds it."""
+    log, factors = where.test.log, dict(find_acting(term).responses)
+    driven = log.drive_on * 1 / 450
+    numbers = {"": 1.0, GROWTH: driven, "-virtualRotation": -log.virtual_rotation,
+               "-gyro.amplitudeForce": -driven}  # fmt: skip
+    if channel == "amplitude_force":
+        return np.asarray(values * numbers[factors["addedAmplitudeForce"]])
+    rate = (
+        values * numbers[factors["addedRate"]] if "addedRate" in factors else np.zeros_like(values)
+    )
+    angle = values if "addedAngle" in factors else np.zeros_like(values)
+    return np.asarray(angle + np.cumsum(rate) * log.interval)

@@ -1,32 +1,61 @@
 """Which terms are proposed: the false discovery rate, names, and every candidate term written."""
 
+from types import SimpleNamespace
+from typing import cast
+
 import numpy as np
 import pytest
 
-from pyhrg.gap.closing.equation.forms import express_term
 from pyhrg.gap.closing.equation.places import find_acting
-from pyhrg.gap.closing.equation.proposal import list_coefficients, select_discoveries
+from pyhrg.gap.closing.equation.proposal import (
+    list_coefficients,
+    make_terms,
+    propose_terms,
+)
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
+from pyhrg.gap.effects.jump import make_bias_jump, make_step
+from pyhrg.gap.evidence.posterior import Posterior
+from pyhrg.gap.evidence.search import rank_sets
+from tests.pyhrg.gap.made_up import design_of
+
+CUBED = CandidateTerm("gyro_angle", "rate", "bias: rate cubed")
+WARM = CandidateTerm("gyro_angle", "temperature", "bias: temperature^1")
 
 
-def test_the_expected_share_of_false_terms_is_bounded() -> None:
-    """0.99, 0.96 and 0.91 have a mean probability of being false of 0.047; with 0.9 it is 0.06."""
-    assert select_discoveries([0.91, 0.99, 0.9, 0.96]) == [1, 3, 0]
-    assert select_discoveries([0.94]) == []
-    assert select_discoveries([0.951]) == [0]
-    assert select_discoveries([]) == []
+def posterior_of(nearness: float, size: float = 1.0) -> Posterior:
+    """Of a residual in which one form takes part; another form of another coordinate differs from
+    it by a share of its columns."""
+    first, other, noise = np.random.default_rng(1).normal(size=(3, 400))
+    columns = {CUBED: first[:, None], WARM: (first + nearness * other)[:, None]}
+    design = design_of(columns, size * first + noise)
+    hypothesis = SimpleNamespace(ranking=rank_sets(design), design=design)
+    made = SimpleNamespace(best=hypothesis, hypotheses=(hypothesis,), probabilities=(1.0,))
+    return cast(Posterior, made)
 
 
-@pytest.mark.parametrize("seed", range(5))
-def test_of_drawn_terms_few_are_false(seed: int) -> None:
-    """Terms that are true with their stated probability: the share of false ones among 20 000."""
-    generator = np.random.default_rng(seed)
-    probabilities = generator.uniform(0, 1, 20_000)
-    is_true = generator.uniform(size=20_000) < probabilities
-    chosen = select_discoveries(probabilities.tolist())
-    share = 1 - is_true[chosen].mean()
-    assert len(chosen) > 1000
-    assert share == pytest.approx(0.05, abs=4 * np.sqrt(0.05 * 0.95 / len(chosen)))
+def test_of_forms_that_cannot_be_told_apart_one_is_written_and_all_are_listed() -> None:
+    (term,) = propose_terms(posterior_of(0.02))
+    other = {CUBED.function: WARM, WARM.function: CUBED}[term.function]
+    assert list(term.rivals) == [other.words]
+    assert term.probability > term.rivals[other.words] > 0.05
+    assert term.probability < 0.95 < term.discovery_probability
+    total = term.probability + sum(term.rivals.values())
+    assert total == pytest.approx(term.discovery_probability)
+
+
+def test_what_may_be_noise_is_not_proposed() -> None:
+    """The most probable set has a term, but it is false with a probability above 5 %."""
+    posterior = posterior_of(1.0, size=0.24)
+    (term,) = make_terms(posterior, [CUBED])
+    assert 0.5 < term.discovery_probability < 0.95
+    assert propose_terms(posterior) == ()
+
+
+def test_a_form_that_explains_less_is_no_rival() -> None:
+    (term,) = propose_terms(posterior_of(1.0))
+    assert term.function == CUBED.function
+    assert term.rivals == {}
+    assert term.probability == pytest.approx(term.discovery_probability)
 
 
 @pytest.mark.parametrize(
@@ -57,5 +86,13 @@ def test_place_and_names(
     assert [c.name for c in list_coefficients(term)] == names
 
 
-def test_a_value_for_each_power_on_is_no_equation() -> None:
-    assert express_term(CandidateTerm("amplitude", "time", "a value for each power-on")) == ()
+@pytest.mark.parametrize(
+    "term",
+    [
+        CandidateTerm("amplitude", "time", "a value for each power-on"),
+        *(make_step([("still", 30.0)], 0.0, kind) for kind in ("pattern", "output")),
+        make_bias_jump([("still", 30.0)], 0.0),
+    ],
+)
+def test_jumps_and_values_for_each_power_on_are_no_equations(term: CandidateTerm) -> None:
+    assert list_coefficients(term) == ()

@@ -1,0 +1,135 @@
+"""Columns of all candidate terms of a channel, by the place where a term acts.
+
+A term of pick-off, drive or damping shows in more than one way: the forces of the loops follow what
+the pick-off shows, and a force is as wrong as the drive (docs/methods/effects.md, Eqs. 4 to 5c).
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyhrg.gap.effects.candidate_terms import (
+    EACH_POWER_ON,
+    CandidateTerm,
+    Coordinates,
+    Functions,
+    make_harmonic,
+)
+
+Array = NDArray[np.float64]
+Columns = list[tuple[CandidateTerm, Array]]
+"""Terms with their (n, b) columns in one channel."""
+
+ELECTRODE_HARMONICS = (1, 2, 3, 4, 6, 8)
+"""Harmonics of errors of pick-off and drive. Chosen: offset 2, gains and axes 4, cubic 8, and what
+lies between."""
+MEAN, HARMONIC = "mean over the pattern angle", "harmonic {} of the pattern angle"
+
+
+def build_term_columns(where: Coordinates, channel: str) -> Columns:
+    """All candidate terms that show in a channel in a test, (n, b) each, in the same order for
+    every test. A term that shows in several channels has the same identity in all of them."""
+    if channel == "gyro_angle":
+        return [*_build_angle_terms(where), *_build_drive_gains(where, channel)]
+    terms: Columns = [
+        (_make_term(channel, coordinate, function, harmonic), block)
+        for coordinate, function, harmonic, block in where.functions
+    ]
+    if channel == "amplitude":
+        terms += _build_free_decay(where)
+    if channel in ("amplitude_force", "quadrature_force"):
+        terms += _build_drive_gains(where, channel)
+    return terms
+
+
+def _make_term(
+    channel: str, coordinate: str, function: str, harmonic: int | None = None, place: str = ""
+) -> CandidateTerm:
+    words = f"{place}: {function}" if place else function
+    own = function == EACH_POWER_ON
+    return CandidateTerm(channel, coordinate, words, harmonic, is_of_each_power_on=own)
+
+
+def _build_angle_terms(where: Coordinates) -> Columns:
+    """Terms of the output angle alone: a bias, whose integral appears; an error of the angle; a
+    force that points beside the pattern by an angle, which is a bias in proportion to the drive's
+    growth rate; and an error of the pick-off, which is both of these."""
+    terms: Columns = []
+
+    def add(place: str, key: tuple[str, str, int | None], values: Array) -> None:
+        terms.append((_make_term("gyro_angle", *key, place), values))
+
+    def integrate(rate: Array) -> Array:
+        return np.asarray(np.cumsum(rate, axis=0) * where.test.log.interval)
+
+    for coordinate, function, harmonic, block in where.functions:
+        add("bias", (coordinate, function, harmonic), integrate(block))
+        if harmonic:
+            add("angle", (coordinate, function, harmonic), block)
+    for coordinate, function, harmonic, block in _generate_products(where):
+        add("bias", (coordinate, function, harmonic), integrate(block))
+    growth = where.growth_rate[:, None]
+    for coordinate, function, harmonic, block in _generate_electrode_errors(where):
+        force = integrate(growth * block)
+        add("pick-off", (coordinate, function, harmonic), block + force)
+        if coordinate == "wave_angle":
+            add("drive", (coordinate, function, harmonic), force)
+    return terms
+
+
+def _generate_products(where: Coordinates) -> Functions:
+    """Functions of a bias alone: a scale factor by rate or temperature, specific force by it."""
+    rate, warm = where.table_rate[:, None], where.resonator[:, None] / 10
+    yield "rate", "rate times its magnitude", None, rate * np.abs(rate)
+    yield "rate", "rate, times the temperature", None, rate * warm
+    for axis in "xyz":
+        force = getattr(where.test.log, f"acceleration_{axis}")[:, None] / 10
+        yield "acceleration", f"acceleration {axis}, times the temperature", None, force * warm
+
+
+def _generate_electrode_errors(where: Coordinates) -> Functions:
+    """Errors of an angle at the electrodes."""
+    yield "wave_angle", MEAN, 0, np.ones((len(where.pattern_angle), 1))
+    for m in ELECTRODE_HARMONICS:
+        yield "wave_angle", HARMONIC.format(m), m, make_harmonic(m * where.pattern_angle)
+    for m in (2, 4):
+        harmonic, words = make_harmonic(m * where.pattern_angle), HARMONIC.format(m)
+        warm = where.resonator[:, None] / 10
+        yield "temperature", f"{words}, times the temperature", None, harmonic * warm
+        for axis in "xyz":
+            force = getattr(where.test.log, f"acceleration_{axis}")[:, None] / 10
+            yield "acceleration", f"{words}, times acceleration {axis}", None, harmonic * force
+            squared = f"{words}, times acceleration {axis} squared"
+            yield "acceleration", squared, None, harmonic * force**2
+    for m in (2, 8):
+        words = f"{HARMONIC.format(m)}, times the amplitude"
+        harmonic = make_harmonic(m * where.pattern_angle)
+        yield "amplitude", words, None, harmonic * where.amplitude[:, None]
+
+
+def _build_drive_gains(where: Coordinates, channel: str) -> Columns:
+    """Gains of the drive that follow the pattern angle: the commanded forces are smaller by them,
+    and the commanded rotation is larger."""
+    terms: Columns = []
+    for m in ELECTRODE_HARMONICS:
+        gain = make_harmonic(m * where.pattern_angle)
+        if channel == "gyro_angle":
+            values = -np.cumsum(gain * where.test.log.virtual_rotation[:, None], axis=0)
+            values *= where.test.log.interval
+        else:
+            force = "growth_rate" if channel == "amplitude_force" else channel
+            values = -gain * getattr(where, force)[:, None]
+        term = _make_term("amplitude_force", "wave_angle", HARMONIC.format(m), m, "drive gain")
+        terms.append((term, values))
+    return terms
+
+
+def _build_free_decay(where: Coordinates) -> Columns:
+    """What damping that follows the amplitude makes of the amplitude while the drive is off."""
+    log = where.test.log
+    free = (log.drive_on <= 0)[:, None] * log.interval
+    level = 1 + where.amplitude[:, None]
+    return [
+        (_make_term("amplitude_force", "amplitude", function), -level * np.cumsum(free * block, 0))
+        for coordinate, function, _, block in where.functions
+        if coordinate == "amplitude"
+    ]

@@ -1,7 +1,8 @@
 """From a campaign to its diagnosis: quantify, localise, attribute, close, verify."""
 
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from importlib import import_module
 from pathlib import Path
 
@@ -189,8 +190,11 @@ def diagnose(
         CampaignError, LogError: no test of the folder can be used, or a log can't be.
         DeviceError, GyroError: the nominal values are no gyro's, or none that the FMU takes.
         BuildError, TranslationError: the FMUs can't be built.
+        HrgError: a bound that is no size.
     """
     report = make_progress_reporter(progress)
+    if not all(0 <= limit < math.inf for limit in asdict(bound).values()):
+        raise HrgError(f"bound: found {bound}, expected numbers from 0 on")
     if not isinstance(campaign, Campaign):
         campaign = campaigns.read_campaign(Path(campaign))
     simulation = simulation or load_simulation(report)

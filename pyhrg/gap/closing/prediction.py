@@ -10,7 +10,7 @@ from pyhrg.common.files import write_whole
 from pyhrg.common.progress import Progress, make_progress_reporter
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
-from pyhrg.gap.closing.closing import device_with_causes
+from pyhrg.gap.closing.closing import read_identified_device
 from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu
 from pyhrg.gap.findings.diagnosis import Diagnosis, DiagnosisError
 from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
@@ -71,7 +71,7 @@ def predict(
     )
     nominal = nominal_device(campaign)
     found = _read(diagnosis, campaign.device)
-    identified = device_with_causes(nominal, found.causes)
+    identified = read_identified_device(nominal, found)
     if not isinstance(log, Log):
         log = records.read_log(Path(log), latitude_deg=campaign.site.latitude_deg)
     log, notes = _repair_inputs(log, nominal)

@@ -255,10 +255,8 @@ class _Iteration:
         moved = _moved(self._nominal, self.device, hypothesis)
         is_near = self._has_near_sensitivities(hypothesis)
         self._to_differentiate = [] if is_near else list(best.named)
-        is_far = (
-            _distance(self._differentiated_at, moved, hypothesis.design) >= SENSITIVITY_DISTANCE
-        )
-        if is_far and self.step_length(hypothesis) < LINEAR_DISTANCE:
+        is_far = _distance(self._differentiated_at, moved, design) >= SENSITIVITY_DISTANCE
+        if is_far and self.step_length(hypothesis) < SENSITIVITY_DISTANCE:
             self._differentiated_at, self._to_differentiate = moved, self._catalogue.parameters
         before = self._simulated_at
         if before and _distance(before, moved, design) >= RESIMULATION_DISTANCE:
@@ -266,7 +264,7 @@ class _Iteration:
         self.device = moved
 
     def _has_near_sensitivities(self, hypothesis: Hypothesis) -> bool:
-        distance = _distance(self._differentiated_at, self.device, hypothesis.design)
+        distance = _distance(self._differentiated_at, self.device, hypothesis.exact.whole)
         return distance < SENSITIVITY_DISTANCE
 
 

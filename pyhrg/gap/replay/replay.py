@@ -36,6 +36,9 @@ READ_OUT_FIELDS = ("frequency_error", "clock_latency", "clock_rate")
 """Fields of a device that change what a recorder reads, and not what the gyro does."""
 STEP_ROUNDING = 1e-9
 """Excess of a row over a whole number of steps, in steps, that is rounding. Chosen."""
+SLOPE_TIME = 10.0
+"""Time either way over which the slope of a thermometer's readings is taken, s, but at least a row.
+Chosen: a slope over less would be that of their noise."""
 STEADY_RATIO = 2.0
 """A temperature whose spread is below this many of the thermometer's noise is constant. Chosen."""
 
@@ -126,7 +129,7 @@ def replay_inputs(
         without_loops = {k: v for k, v in parameters.items() if k not in LOOP_FREQUENCIES}
         parameters = {**without_loops, "samplePeriod": step}
     parameters |= {HELD_INPUTS[name]: float(values[0]) for name, values in held.items()}
-    temperatures = _correct_temperatures(device, inputs)
+    temperatures = correct_temperatures(device, inputs)
     parameters["caseTemperature"] = float(temperatures[0])
     angle = inputs.table_angle(steps)
     earth = compute_earth_rate(device, inputs.log.axis_up[:, None], angle)
@@ -143,18 +146,18 @@ def replay_inputs(
     return {name: values + change[name] for name, values in rows.items()}
 
 
-def _correct_temperatures(device: Device, inputs: ReplayInputs) -> Array:
+def correct_temperatures(device: Device, inputs: ReplayInputs) -> Array:
     """(n + 1,) temperatures of the case at the rows' bounds, from the thermometer's readings, K.
 
-    A first-order lag is undone by the slope of the readings, over a quarter of the lag either way:
-    a slope over less would be that of their noise."""
+    A first-order lag is undone by the slope of the readings."""
     bounds = np.append(inputs.log.time[0] - inputs.log.interval, inputs.log.time)
     readings, last = inputs.temperatures, len(bounds) - 1
-    half = max(1, round(abs(device.thermometer_lag) / (4 * inputs.log.interval)))
+    half = max(1, round(SLOPE_TIME / inputs.log.interval))
     rows = np.arange(len(bounds))
     low, high = np.maximum(rows - half, 0), np.minimum(rows + half, last)
     slopes = (readings[high] - readings[low]) / (bounds[high] - bounds[low])
     readings = readings + device.thermometer_lag * slopes
+    readings = np.interp(bounds + device.thermometer_latency, bounds, readings)
     reference = device.reference_temperature
     change = readings - device.thermometer_offset - reference
     return np.asarray(reference + change / (1 + device.thermometer_gain))

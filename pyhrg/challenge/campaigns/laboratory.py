@@ -63,7 +63,6 @@ class Laboratory:
         turned = log.table_angle + of["encoder_eccentricity_phase"]
         run_out = np.sin(turned) - np.sin(of["encoder_eccentricity_phase"])
         warm = _follow(log.temperature, log.interval, of["thermometer_lag"])
-        warm = np.interp(log.time - of["thermometer_latency"], log.time, warm)
         change = (warm - reference_temperature) * (1 + of["thermometer_gain"])
         return replace(
             log,

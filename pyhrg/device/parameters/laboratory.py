@@ -29,12 +29,6 @@ class LaboratoryParameters:
         known=ToleranceDeclaration("thermometer_lag", "bench", 60.0, 20.0),
     )
     """Time constant of the thermometer's reading behind the case, s."""
-    thermometer_latency: float = parameter(
-        key="thermometer_latency_s",
-        limits=(-3600, 3600),
-        known=ToleranceDeclaration("thermometer_latency", "record", 10.0, 10.0),
-    )
-    """Time by which the temperature in a row is older than the row's end, s."""
     thermometer_gain: float = parameter(
         key="thermometer_gain",
         limits=(-0.5, 0.5),

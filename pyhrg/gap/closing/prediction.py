@@ -20,6 +20,7 @@ from pyhrg.gap.replay.simulation import Simulation, load_simulation, replay_samp
 from pyhrg.gap.soundness import nominal_device
 from pyhrg.gap.soundness.glitches import mend_inputs
 from pyhrg.gap.soundness.inputs import complete_inputs
+from pyhrg.gap.soundness.interruption import mend_drive
 from pyhrg.records import Log, LogError
 from pyhrg.records import campaign as campaigns
 from pyhrg.records.campaign import Campaign, Test
@@ -117,9 +118,10 @@ def _repair_inputs(log: Log, nominal: Device) -> tuple[Log, list[str]]:
     assumed: the same as in a diagnosis."""
     log, mended = mend_inputs(log)
     log, filled = complete_inputs(log, nominal)
+    log, interrupted = mend_drive(log, nominal)
     if not has_start_angle(log):
         raise LogError(
             f"{log.source}: no row with gyro_angle_deg and wave_angle_deg; expected one, which "
             "gives the start angle"
         )
-    return log, [*mended, *filled]
+    return log, [*mended, *filled, *interrupted]

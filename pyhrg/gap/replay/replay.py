@@ -29,7 +29,7 @@ Array = NDArray[np.float64]
 HELD_COLUMNS = tuple(name for name in HELD_INPUTS if name not in ("vibration", "bias_voltage"))
 """Inputs that a row of a log holds constant."""
 MIN_READINGS = 10
-"""Fewest temperature readings from which a thermometer's noise is estimated. Chosen."""
+"""Fewest readings from which an instrument's noise is estimated. Chosen."""
 ANGLES = ("gyro_angle", "wave_angle")
 """Fields of a log that are read at the end of a row."""
 READ_OUT_FIELDS = ("frequency_error", "clock_latency", "clock_rate")
@@ -40,7 +40,7 @@ SLOPE_TIME = 10.0
 """Time either way over which the slope of a thermometer's readings is taken, s, but at least a row.
 Chosen: a slope over less would be that of their noise."""
 STEADY_RATIO = 2.0
-"""A temperature whose spread is below this many of the thermometer's noise is constant. Chosen."""
+"""An input whose spread is below this many of its instrument's noise is constant. Chosen."""
 
 
 @dataclass(frozen=True)
@@ -79,24 +79,27 @@ class ReplayInputs:
 
 def prepare_inputs(log: Log, nominal: Device) -> ReplayInputs:
     """Inputs of a log of one power-on, from its start, whose rows are complete."""
+    temperature = np.append(log.temperature[0], log.temperature)
+    step = estimate_toggling_step(temperature)
+    log = replace(log, table_angle=_average_steady(log.table_angle))
     return ReplayInputs(
         log,
         estimate_start_angle(log, nominal.bryan_factor),
         estimate_table_motion(log.table_angle, log.interval),
-        _average_steady_temperature(np.append(log.temperature[0], log.temperature)),
+        _average_steady(temperature, step / math.sqrt(12)),
     )
 
 
-def _average_steady_temperature(temperature: Array) -> Array:
-    """A temperature, or its mean where it shows no more than the thermometer's noise.
+def _average_steady(readings: Array, least_noise: float = 0.0) -> Array:
+    """(n,) readings of an input, or their mean where they show no more than the noise of the
+    instrument, which is `least_noise` at least.
 
-    Effects of temperature would otherwise be fitted to that noise.
+    Effects of the input would otherwise be fitted to that noise.
     """
-    noise = estimate_robust_deviation(np.diff(temperature, 2)) / np.sqrt(6)
-    noise = max(noise, estimate_toggling_step(temperature) / np.sqrt(12))
-    if len(temperature) < MIN_READINGS or np.std(temperature) > STEADY_RATIO * noise:
-        return temperature
-    return np.full(len(temperature), np.mean(temperature))
+    noise = max(estimate_robust_deviation(np.diff(readings, 2)) / np.sqrt(6), least_noise)
+    if len(readings) < MIN_READINGS or np.std(readings) > STEADY_RATIO * noise:
+        return readings
+    return np.full(len(readings), np.mean(readings))
 
 
 def has_start_angle(log: Log) -> bool:
@@ -157,7 +160,6 @@ def correct_temperatures(device: Device, inputs: ReplayInputs) -> Array:
     low, high = np.maximum(rows - half, 0), np.minimum(rows + half, last)
     slopes = (readings[high] - readings[low]) / (bounds[high] - bounds[low])
     readings = readings + device.thermometer_lag * slopes
-    readings = np.interp(bounds + device.thermometer_latency, bounds, readings)
     reference = device.reference_temperature
     change = readings - device.thermometer_offset - reference
     return np.asarray(reference + change / (1 + device.thermometer_gain))

@@ -110,10 +110,7 @@ def estimate_campaign_noise(
         )
         for t in tests
     }
-    per_kelvin = {
-        "frequency_offset": abs(nominal.frequency * nominal.frequency_per_kelvin),
-        "amplitude_force": abs(nominal.decay_time_per_kelvin / nominal.decay_time),
-    }
+    per_kelvin = compute_temperature_slopes(nominal)
     for channel, slope in per_kelvin.items():
         for interval, deviation in white[channel].items():
             kelvins = [temperature[t.test.id] for t in tests if t.log.interval == interval]
@@ -130,6 +127,14 @@ def estimate_campaign_noise(
         thermometer_lag,
         nominal.bryan_factor,
     )
+
+
+def compute_temperature_slopes(device: Device) -> dict[str, float]:
+    """Sensitivity of each channel that follows the resonator's temperature, SI/K, unsigned."""
+    return {
+        "frequency_offset": abs(device.frequency * device.frequency_per_kelvin),
+        "amplitude_force": abs(device.decay_time_per_kelvin / device.decay_time),
+    }
 
 
 def _estimate_white(

@@ -40,10 +40,11 @@ from pyhrg.gap.findings.quantity import measure_sizes
 from pyhrg.gap.next_test.next_test import suggest_next_test
 from pyhrg.gap.next_test.rivals import find_rivals
 from pyhrg.gap.next_test.static_test import suggest_static_test
+from pyhrg.gap.replay.free_pattern import truncate_free_pattern
 from pyhrg.gap.replay.instruments import describe_encoder_noise
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest, observe_test
 from pyhrg.gap.replay.replay import has_start_angle
-from pyhrg.gap.replay.simulation import Simulation, load_simulation, truncate_free_pattern
+from pyhrg.gap.replay.simulation import Simulation, load_simulation
 from pyhrg.gap.soundness import nominal_device, screen_campaign
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
 from pyhrg.records import campaign as campaigns

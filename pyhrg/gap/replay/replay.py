@@ -32,8 +32,8 @@ MIN_READINGS = 10
 """Fewest readings from which an instrument's noise is estimated. Chosen."""
 ANGLES = ("gyro_angle", "wave_angle")
 """Fields of a log that are read at the end of a row."""
-READ_OUT_FIELDS = ("frequency_error", "clock_latency", "clock_rate")
-"""Fields of a device that change what a recorder reads, and not what the gyro does."""
+CLOCK_FIELDS = ("clock_latency", "clock_rate")
+"""Fields of a device that state by how much later angles are read."""
 STEP_ROUNDING = 1e-9
 """Excess of a row over a whole number of steps, in steps, that is rounding. Chosen."""
 SLOPE_TIME = 10.0
@@ -143,7 +143,9 @@ def replay_inputs(
     }
     if "tableAngle" in fmu.references:  # the FMU of a diagnosis with a term of the table angle
         varying["tableAngle"] = angle
-    with fmu.power_on(parameters, seed=0, start_angle=inputs.start_angle) as on:
+    late = device.clock_latency + device.clock_rate * inputs.log.time
+    turned = device.bryan_factor * float(np.mean(late * inputs.log.virtual_rotation))
+    with fmu.power_on(parameters, seed=0, start_angle=inputs.start_angle - turned) as on:
         rows = record_rows(on, varying, held, step, LOOP_OUTPUTS)
     change = read_change(rows, Device(), device, inputs.log)
     return {name: values + change[name] for name, values in rows.items()}
@@ -165,9 +167,15 @@ def correct_temperatures(device: Device, inputs: ReplayInputs) -> Array:
     return np.asarray(reference + change / (1 + device.thermometer_gain))
 
 
+def list_read_out_fields(log: Log) -> tuple[str, ...]:
+    """Fields of a device that change what a recorder reads of this test, and not what the gyro
+    does. A pattern that is turned by command starts elsewhere if its angle was read later."""
+    return ("frequency_error", *(() if log.virtual_rotation.any() else CLOCK_FIELDS))
+
+
 def read_change(rows: Mapping[str, Array], old: Device, new: Device, log: Log) -> dict[str, Array]:
     """(n,) by field of a log: what another recorder makes of the same outputs. It reads angles
-    later, and counts the frequency from another one; `READ_OUT_FIELDS` state both."""
+    later, and counts the frequency from another one."""
     late = new.clock_latency - old.clock_latency + (new.clock_rate - old.clock_rate) * log.time
     change = {name: np.zeros(len(log.time)) for name in rows}
     for name in ANGLES if late.any() else ():

@@ -21,7 +21,12 @@ from ins_eval.mission_model.missions import plan_mission
 from ins_eval.mission_model.position_errors import compute_position_errors
 from ins_eval.mission_model.triad_block import TriadBlock
 from ins_eval.mission_model.weights_cache import load_mission_weights
-from ins_eval.study.gyros.drawn_triad import TriadDistribution, draw_triad_block
+from ins_eval.study.gyros.drawn_triad import (
+    TriadDistribution,
+    draw_triad,
+    make_triad_seed,
+    tabulate_triads,
+)
 from pyhrg.fmu import GyroFmu
 
 MADE = 4
@@ -49,9 +54,10 @@ def main(flights: int) -> None:
     """Print the costs."""
     fmu = GyroFmu(build_fmu("HRGSlow"))
     fmu.prepare()
-    draw_triad_block(fmu, TriadDistribution(), 0, 0, 1)
+    draw_triad(fmu, TriadDistribution(), make_triad_seed(0, 0))
     with timed("triads: built, calibrated, benched, drifted", MADE):
-        triads = draw_triad_block(fmu, TriadDistribution(), 1, 0, MADE)
+        drawn = [draw_triad(fmu, TriadDistribution(), make_triad_seed(1, n)) for n in range(MADE)]
+        triads = tabulate_triads(fmu, drawn)
     mission = plan_mission("car", 2.0)
     with tempfile.TemporaryDirectory() as folder:
         with timed("weights of two hours of the car, made"):

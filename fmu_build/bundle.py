@@ -9,8 +9,6 @@ from importlib import resources
 from importlib.metadata import version
 from pathlib import Path
 
-import platformdirs
-
 from fmu_build.archive.bill_of_materials import list_materials
 from fmu_build.archive.description import describe_build, describe_fmi2, describe_fmi3
 from fmu_build.archive.documentation.document import write_documentation
@@ -35,6 +33,7 @@ from fmu_build.equations.scalars import find_causality
 from fmu_build.equations.sorting import sort_equations
 from fmu_build.equations.translate import COMPILER_VERSION, translate
 from fmu_build.roots import ROOTS, Root
+from pyhrg.common.caches.files import find_cache_folder, is_intact, write_digest
 from pyhrg.common.files import write_whole
 
 SOURCES = (
@@ -90,11 +89,12 @@ def build_fmu(
         platforms = list_platforms(fmi)
     platforms = choose_platforms(platforms, fmi)
     folder = f"{_digest_build(root)[:16]}-fmi{fmi}-{'+'.join(platforms)}"
-    path = platformdirs.user_cache_path("hrg") / folder / f"{root.identifier}.fmu"
-    if path.exists():
+    path = find_cache_folder() / folder / f"{root.identifier}.fmu"
+    if is_intact(path):
         progress("unchanged, from cache")
     else:
         write_fmu(path, root, fmi, platforms, progress)
+        write_digest(path)
     if out is None:
         return path
     write_whole(Path(out), path.read_bytes())
@@ -155,7 +155,7 @@ def write_fmu(
         content["sources/buildDescription.xml"] = build_text.encode()
     content |= _make_enclosures(dae, root, fmi, content)
     path.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(path, _zipped(content))
+    write_whole(path, _zip(content))
     progress(f"built {path}")
 
 
@@ -244,7 +244,7 @@ def _limits(dae: Dae, token: str) -> str:
     return "\n".join([*lines, "};", ""])
 
 
-def _zipped(content: dict[str, bytes]) -> bytes:
+def _zip(content: dict[str, bytes]) -> bytes:
     """Sorted names and fixed times: the same content gives the same bytes."""
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:

@@ -5,6 +5,7 @@ from .imu.specification import list_imus, load_imu
 from .navigation.strapdown import navigate
 from .parking.parking import ParkingComparison, compare_parking
 from .position.front import PositionGap, compute_position_gap
+from .study.challenge.challenge import hand_out_challenge, score_challenge
 from .study.run_study import StudyResult, run_study
 from .study.study_file import load_study
 from .study.summary.predict_error import predict_error
@@ -22,6 +23,7 @@ __all__ = [
     "compute_position_gap",
     "fly",
     "fly_log",
+    "hand_out_challenge",
     "list_imus",
     "list_trajectories",
     "load_imu",
@@ -31,5 +33,6 @@ __all__ = [
     "predict_error",
     "read_record",
     "run_study",
+    "score_challenge",
     "validate",
 ]

@@ -1,6 +1,6 @@
-"""The gyro as a user meets it: devices, simulation, bench tests, records, diagnosis.
+"""The gyro: its devices, simulation, bench tests, records and diagnosis.
 
-Names load on first use. `ins_eval` is the navigator's side; `fmu_build` makes the FMU.
+Names load on first use. `ins_eval` has the navigator; `fmu_build` builds the FMU.
 """
 
 import lazy_loader

@@ -261,7 +261,7 @@ def _draw_power_on(
     else:
         generator = np.random.default_rng(check_whole_number("seed", seed, 0, MAX_SEED))
         angle = float(generator.normal(gyro.power_on_angle, gyro.power_on_scatter))
-        values = gyro.turned_on(generator)
+        values = gyro.draw_turn_on(generator)
     if pattern_angle_deg is not None:
         angle = check_number("pattern_angle_deg", pattern_angle_deg, -1e6, 1e6) * DEG
     missing = LOOP_FREQUENCIES - fmu.references.keys()

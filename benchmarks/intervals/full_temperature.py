@@ -16,7 +16,7 @@ from benchmarks.intervals._environment import (
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.thermal import full_temperature
 from pyhrg.bench.bias.thermal.thermal_fit import Thermal, fit_temperature
-from pyhrg.bench.bias.thermal.thermal_scale_factor import REPEATABILITY, STABILITY
+from pyhrg.bench.bias.thermal.thermal_scale_factor import MEAN_STABILITY, REPEATABILITY
 from pyhrg.bench.bias.thermal_programme import make_programme
 from pyhrg.bench.estimation.terms import choose_pattern_basis
 from pyhrg.bench.readings.spins import compute_scale_factor_error, find_spins, pair_spins
@@ -139,7 +139,10 @@ def of_scale(device: Device, mean: Campaign) -> dict[str, float]:
     noise = pair_noise(device, logs[0]) ** 2
     within = np.mean(np.var(soaks, axis=1, ddof=1))
     over = np.var(np.mean(soaks, axis=1), ddof=1)
-    return {STABILITY: _root(over, noise / soaks.shape[1]), REPEATABILITY: _root(within, noise)}
+    return {
+        MEAN_STABILITY: _root(over, noise / soaks.shape[1]),
+        REPEATABILITY: _root(within, noise),
+    }
 
 
 def _root(*variances: float) -> float:

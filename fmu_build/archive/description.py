@@ -48,7 +48,7 @@ def describe_fmi2(dae: Dae, model: Root, token: str, sources: Sequence[str]) -> 
     root = _root("2.0", model, FMI2_CAPABILITIES, sources, guid=token)
     variables = _common(root, listed, model.step)
     for scalar in listed:
-        typed = _typed(scalar)
+        typed = _list_type_attributes(scalar)
         shown = {name: typed.pop(name) for name in ("description",) if name in typed}
         entry = ET.SubElement(variables, "ScalarVariable", _head(scalar) | shown)
         ET.SubElement(entry, "Integer" if scalar.whole else "Real", typed)
@@ -70,7 +70,7 @@ def describe_fmi3(dae: Dae, model: Root, token: str) -> str:
     variables = _common(root, listed, model.step)
     for scalar in listed:
         kind = "Int32" if scalar.whole else "Float64"
-        ET.SubElement(variables, kind, _head(scalar) | _typed(scalar))
+        ET.SubElement(variables, kind, _head(scalar) | _list_type_attributes(scalar))
     ET.SubElement(
         variables,
         "Float64",
@@ -172,7 +172,7 @@ def _head(scalar: Scalar) -> dict[str, str]:
     return head
 
 
-def _typed(scalar: Scalar) -> dict[str, str]:
+def _list_type_attributes(scalar: Scalar) -> dict[str, str]:
     declared = {"declaredType": scalar.declared.name} if scalar.declared else {}
     return declared | scalar.attributes
 

@@ -5,10 +5,8 @@ from collections.abc import Callable, Sequence
 from importlib.metadata import version
 from pathlib import Path
 
-import platformdirs
-
 from fmu_build.binaries.platforms import FLAGS, UCRT, WINDOWS_RUNTIME, Platform, compile_library
-from pyhrg.common.files import write_whole
+from pyhrg.common.caches.files import find_cache_folder, read_cached, write_cached
 
 
 def fetch_library(
@@ -24,12 +22,11 @@ def fetch_library(
     for name in (*sources, *sorted(file.name for file in folder.glob("*.h"))):
         digest.update(f"{name}\0".encode() + (folder / name).read_bytes())
     library_name = f"{digest.hexdigest()}{target.suffix}"
-    path = platformdirs.user_cache_path("hrg") / "libraries" / library_name
-    if path.exists():
+    path = find_cache_folder() / "libraries" / library_name
+    if (kept := read_cached(path)) is not None:
         progress(f"unchanged for {target.name}")
-        return path.read_bytes()
+        return kept
     progress(f"compiling for {target.name}")
     library = compile_library(folder, sources, identifier, target)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(path, library)
+    write_cached(path, library)
     return library

@@ -239,7 +239,7 @@ int instance_set(Instance *instance, const unsigned *references, size_t n, Kind 
 static int is_step(Instance *instance, double time, double step) {
   const Situation *now = &instance->now;
   double slack = 1e-9 * (1.0 + fabs(now->time));
-  if (!(step > 0.0 && now->time + step <= LATEST_TIME))
+  if (!(step > 0.0 && fmax(time, now->time) + step <= LATEST_TIME))
     return instance_refuse(instance, "the step %s is outside its range: above 0, up to %s",
                            NUMBER(step), NUMBER(LATEST_TIME - now->time));
   if (!(fabs(time - now->time) <= slack))
@@ -267,7 +267,8 @@ static double told_advance(Instance *instance, double end, Between between) {
 int instance_step(Instance *instance, double time, double step, Between between) {
   if (!instance_may(instance, IN(STEPPING), "a step") || !is_step(instance, time, step)) return 0;
   Situation *now = &instance->now;
-  double end = time + step;
+  /* a begin that is early within the slack does not turn time back */
+  double end = fmax(time + step, now->time);
   if (between) end = told_advance(instance, end, between);
   core_advance(&now->core, end);
   now->time = end;

@@ -73,7 +73,7 @@ static int has_possible_times(const Situation *s) {
 
 static int is_possible_value(int i, double value) {
   const Limits *limit = &limits[i];
-  if (!isfinite(value)) return 0;
+  if (!isfinite(value)) return limit->continuous; /* computed anew */
   if (limit->settable == SET_NEVER) return 1;
   return value >= limit->minimum && value <= limit->maximum &&
          (!limit->integer || value == floor(value));
@@ -108,6 +108,8 @@ int snapshot_save(Instance *instance, void **snapshot) {
   if (!instance_may(instance, SAVED_IN, "saving the state") ||
       !are_given(instance, snapshot, snapshot))
     return 0;
+  if (!model_is_finite(instance->now.core.v))
+    return instance_refuse(instance, "a state that is not finite can't be saved");
   core_refresh(&instance->now.core); /* what was read before does not matter */
   Situation *saved = room(instance, snapshot);
   if (saved) *saved = instance->now;

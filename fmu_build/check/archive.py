@@ -2,14 +2,16 @@
 
 import xml.etree.ElementTree as ET
 import zipfile
-import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
 from pyhrg.common.errors import HrgError
+from pyhrg.common.reading.archives import open_archive
+from pyhrg.common.reading.documents import parse_xml
 
+DESCRIPTION = "modelDescription.xml"
 INTERFACES = ("ModelExchange", "CoSimulation", "ScheduledExecution")
 
 BASE_TYPES = {"Real", "Integer", "Boolean", "String", "Enumeration"}
@@ -49,7 +51,7 @@ class Fmu:
     """An opened archive with its parsed description."""
 
     path: Path
-    names: tuple[str, ...]
+    entries: tuple[zipfile.ZipInfo, ...]
     description: ET.Element
 
     @property
@@ -57,17 +59,17 @@ class Fmu:
         """Version of the standard, 2 or 3."""
         return int(self.description.get("fmiVersion", "0")[0])
 
-    def entries(self) -> list[zipfile.ZipInfo]:
-        """Entries of the archive."""
-        with zipfile.ZipFile(self.path) as archive:
-            return archive.infolist()
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """Names of the entries, in the order of the archive."""
+        return tuple(entry.filename for entry in self.entries)
 
     def xml(self, name: str) -> ET.Element:
         """Root of a document inside; an empty element where there is none."""
         if name not in self.names:
             return ET.Element("none")
-        with zipfile.ZipFile(self.path) as archive:
-            return ET.fromstring(archive.read(name))
+        with open_archive(self.path, UnusableError) as archive:
+            return parse_xml(name, archive.read(name), UnusableError)
 
     @cached_property
     def identifiers(self) -> set[str]:
@@ -118,21 +120,12 @@ class Fmu:
 
 def open_fmu(path: Path) -> Fmu:
     """Open an FMU."""
-    try:
-        with zipfile.ZipFile(path) as archive:
-            names = tuple(archive.namelist())
-            text = archive.read("modelDescription.xml")
-    except OSError as error:
-        raise UnusableError(f"can't read {path}: {error.strerror}") from error
-    except (zipfile.BadZipFile, zlib.error, EOFError) as error:
-        raise UnusableError(f"{path} is no intact ZIP file: {error}") from error
-    except KeyError as error:
-        raise UnusableError(f"{path} holds no modelDescription.xml") from error
-    try:
-        root = ET.fromstring(text)
-    except ET.ParseError as error:
-        raise UnusableError(f"modelDescription.xml in {path} is no XML: {error}") from error
+    with open_archive(path, UnusableError) as archive:
+        entries = tuple(archive.entries)
+        if DESCRIPTION not in (entry.filename for entry in entries):
+            raise UnusableError(f"{path} holds no {DESCRIPTION}")
+        root = parse_xml(f"{DESCRIPTION} in {path}", archive.read(DESCRIPTION), UnusableError)
     version = root.get("fmiVersion", "none")
     if not version.startswith(("2.", "3.")):
         raise UnusableError(f"{path} is of FMI version {version}; expected 2.0 or 3.0")
-    return Fmu(path, names, root)
+    return Fmu(path, entries, root)

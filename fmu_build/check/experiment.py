@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fmu_build.binaries.platforms import PLATFORMS, BuildError, find_host_platform
 from fmu_build.check.archive import Fmu, Variable
 from fmu_build.check.rules.capabilities import is_true
+from pyhrg.common.errors import HrgError
 
 STEPS = 25
 
@@ -46,7 +47,7 @@ class Recording:
     remark: str = ""
 
 
-class FailedError(Exception):
+class FailedError(HrgError):
     """The importer refused the FMU, failed or crashed."""
 
 
@@ -72,7 +73,7 @@ def plan_experiment(fmu: Fmu) -> Experiment | None:
         start=_default(fmu, "startTime", 0.0),
         step=_step(fmu, variable_step),
         steps=STEPS,
-        inputs={v.name: _nudged(fmu, v) for v in inputs},
+        inputs={v.name: _nudge_start(fmu, v) for v in inputs},
         outputs={v.name: int(v.reference) for v in floats if v.causality == "output"},
         references={v.name: int(v.reference) for v in inputs},
     )
@@ -104,7 +105,7 @@ def _step(fmu: Fmu, variable: bool) -> float:
     return float(2.0 ** math.floor(math.log2(step))) if variable else step
 
 
-def _nudged(fmu: Fmu, variable: Variable) -> float:
+def _nudge_start(fmu: Fmu, variable: Variable) -> float:
     """The start value and a little more, or less at the upper limit."""
     start = float((variable.given.get("start") or "0").split()[0])
     high = float(fmu.attribute(variable, "max") or math.inf)

@@ -1,6 +1,5 @@
 """fmi-sim, a program in Rust."""
 
-import csv
 import re
 import subprocess
 import tempfile
@@ -16,6 +15,11 @@ from fmu_build.check.experiment import (
     Trace,
     read_last_line,
 )
+from pyhrg.common.reading.archives import open_archive
+from pyhrg.common.reading.csv_rows import parse_csv
+from pyhrg.common.reading.documents import parse_xml
+from pyhrg.common.reading.files import decode, read_bytes
+from pyhrg.common.reading.limits import LOG_BYTES
 
 DESCRIPTIVE = {"A", "K", "unit", "displayUnit", "quantity", "relativeQuantity", "nominal"}
 """Attributes without which an FMU computes the same numbers."""
@@ -61,18 +65,19 @@ def _fmi_sim(experiment: Experiment, path: Path) -> Trace:
             # the error with its causes, without the trace of the stack
             head = run.stderr.partition("Stack backtrace")[0].rpartition("Error: ")[2]
             raise FailedError(" ".join(head.split()) or read_last_line(run.stderr))
-        with output.open(newline="") as file:
-            rows = list(csv.DictReader(file))[1:]
-    return {name: [float(row[name]) for row in rows] for name in experiment.outputs}
+        text = decode(output, read_bytes(output, LOG_BYTES, FailedError), error_class=FailedError)
+        (_, header), _, *rows = parse_csv("output", text, error_class=FailedError)
+    places = {name: header.index(name) for name in experiment.outputs}
+    return {name: [float(row[place]) for _, row in rows] for name, place in places.items()}
 
 
 def _copy_without(attributes: Iterable[tuple[str, str]], path: Path, copy: Path) -> None:
     """Copy an FMU, without some attributes (name, element) of its description."""
-    with zipfile.ZipFile(path) as source, zipfile.ZipFile(copy, "w") as target:
-        for name in source.namelist():
+    with open_archive(path) as source, zipfile.ZipFile(copy, "w") as target:
+        for name in (entry.filename for entry in source.entries):
             data = source.read(name)
             if name == "modelDescription.xml":
-                root = ET.fromstring(data)
+                root = parse_xml(name, data)
                 for attribute, element in attributes:
                     for found in root.iter(element):
                         found.attrib.pop(attribute, None)

@@ -22,6 +22,7 @@ from fmu_build.check.experiment import (
     read_last_line,
 )
 from fmu_build.check.fmi_sim import run_fmi_sim
+from pyhrg.common.reading.documents import parse_json, read_json
 
 TIMEOUT = 60
 """Seconds after which an importer is taken to hang."""
@@ -84,7 +85,7 @@ class Importer:
                 raise MissingError(f"{self.name} can't be loaded ({reason}): {self.install}")
             if run.returncode or not result.exists():
                 raise FailedError(read_last_line(run.stdout + run.stderr))
-            return Recording(**json.loads(result.read_text()))
+            return Recording(**read_json(result, FailedError))
 
 
 def run_fmpy(experiment: Experiment) -> Recording:
@@ -183,7 +184,7 @@ IMPORTERS = (
 
 def _main() -> None:
     name, result = sys.argv[1:]
-    experiment = Experiment(**json.load(sys.stdin))
+    experiment = Experiment(**parse_json("experiment", sys.stdin.read()))
     (importer,) = (i for i in IMPORTERS if i.name == name)
     try:
         for module in importer.modules:

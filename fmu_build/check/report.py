@@ -4,7 +4,6 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from xml.etree.ElementTree import ParseError
 
 from fmu_build.check.archive import Fmu, open_fmu
 from fmu_build.check.experiment import (
@@ -26,6 +25,8 @@ from fmu_build.check.rules import (  # noqa: F401 (modules of rules register the
 )
 from fmu_build.check.rules.archive import INTACT
 from fmu_build.check.rules.rule import RULES, Rule
+from pyhrg.common.errors import HrgError
+from pyhrg.common.reading.failures import refuse_unreadable
 
 
 @dataclass(frozen=True)
@@ -83,19 +84,24 @@ def run_checks(fmu: Fmu) -> Iterator[Check]:
 
     A damaged archive is one finding an entry, and nothing else is asked of it.
     """
-    damaged = _held(RULES[INTACT], fmu)
+    damaged = _apply_rule(RULES[INTACT], fmu)
     if damaged:
         yield Check(INTACT, damaged, "nothing else was checked")
         return
     for name, rule in RULES.items():
-        yield Check(name, _held(rule, fmu))
+        yield Check(name, _apply_rule(rule, fmu))
     yield Check("FMPy validates it", _fmpy_findings(fmu))
     yield from _runs(fmu)
 
 
 def _runs(fmu: Fmu) -> Iterator[Check]:
     """In importers, where one of them can load it."""
-    planned = plan_experiment(fmu)
+    try:
+        with refuse_unreadable(fmu.path, "experiment that can be planned"):
+            planned = plan_experiment(fmu)
+    except HrgError as error:
+        yield Check("importers run it", [str(error)])
+        return
     if planned is None:
         yield Check("importers run it", remark="it offers no co-simulation: no importer was run")
         return
@@ -112,11 +118,11 @@ def _runs(fmu: Fmu) -> Iterator[Check]:
     yield _agreement(planned, traces, skipped)
 
 
-def _held(rule: Rule, fmu: Fmu) -> list[str]:
+def _apply_rule(rule: Rule, fmu: Fmu) -> list[str]:
     """Findings of a rule; a number or a document that can't be read is one."""
     try:
         return list(rule(fmu))
-    except (ParseError, ValueError, KeyError) as error:
+    except (HrgError, ValueError, KeyError) as error:
         return [f"can't be read: {error}"]
 
 

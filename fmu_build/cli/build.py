@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 
 import fmu_build
+from pyhrg.common.files import check_output_folder
 
 HELP = "translate the Modelica gyro and build HRG.fmu"
 
@@ -39,12 +40,14 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> None:
     name = options.model if options.class_file is None else options.class_file.stem
-    out = fmu_build.build_fmu(
+    out = options.out or Path(f"{name}.fmu")
+    check_output_folder(out.parent)
+    fmu_build.build_fmu(
         options.model,
         fmi=options.fmi,
         platforms=options.platform,
         class_file=options.class_file,
-        out=options.out or Path(f"{name}.fmu"),
+        out=out,
         progress=lambda text: print(text, file=sys.stderr),
     )
     print(out)

@@ -96,7 +96,7 @@ class Emitter:
             assert element is not None
             return self.scalar(n.args[element])
         if n.kind == "index":
-            return self._indexed(n)
+            return self._emit_index(n)
         if n.kind == "conditional":
             return self._conditional(n, element)
         if n.kind == "call":
@@ -127,7 +127,7 @@ class Emitter:
         own = self.dae.variables[variable].role == "state" or variable in self._registers
         return f"x{position}" if own else f"v[{position}]"
 
-    def _indexed(self, n: Node) -> str:
+    def _emit_index(self, n: Node) -> str:
         base, pick = n.args
         position = self.dae.constant(pick)
         if position is not None:

@@ -83,11 +83,11 @@ def _stores(dae: Dae, assignments: Iterable[Assignment]) -> list[str]:
         if is_conditional and emitter.size(expression) is not None:
             lines += write_alternatives(dae, expression, partial(_branch, dae, target))
         else:
-            lines += _stored(emitter, expression, target)
+            lines += _write_store(emitter, expression, target)
     return lines
 
 
-def _stored(emitter: Emitter, expression: int, target: int) -> list[str]:
+def _write_store(emitter: Emitter, expression: int, target: int) -> list[str]:
     emitter.target = target
     variable = emitter.dae.variables[target]
     is_scalar = emitter.size(expression) is None
@@ -104,7 +104,9 @@ def _branch(dae: Dae, target: int, expression: int) -> list[str]:
     """One of several values of a vector; its `pre` value is in its storage already."""
     node = dae.nodes[expression]
     is_there = node.kind == "pre" and node.value == target
-    return [] if is_there else [f"  {line}" for line in _stored(Emitter(dae), expression, target)]
+    return (
+        [] if is_there else [f"  {line}" for line in _write_store(Emitter(dae), expression, target)]
+    )
 
 
 def _scalars(dae: Dae, role: str) -> list[int]:

@@ -10,6 +10,9 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
+from pyhrg.common.reading.files import decode, read_bytes
+from pyhrg.common.reading.limits import DOCUMENT_BYTES
+
 STRING = r'"((?:[^"\\]|\\.)*)"'
 
 
@@ -45,7 +48,7 @@ def read_types(files: Iterable[str]) -> dict[str, RealType]:
 
 def read_page(file: Path) -> Page:
     """The page of the class that a file holds."""
-    text = file.read_text(encoding="utf-8")
+    text = decode(file, read_bytes(file, DOCUMENT_BYTES), "utf-8")
     name = file.parent.name if file.name == "package.mo" else file.stem
     head = re.search(rf"\b{name}\s+{STRING}", text)
     info = re.search(rf"Documentation\s*\(\s*info\s*=\s*{STRING}", text)

@@ -27,7 +27,7 @@ def list_scalars(dae: Dae) -> Iterator[Scalar]:
     types = read_types(variable.file for variable in dae.variables)
     for index, variable in enumerate(dae.variables):
         causality = find_causality(dae, variable)
-        declared = _declared(variable, types)
+        declared = _find_declared_type(variable, types)
         variability = "discrete" if variable.role == "discrete_real" else "continuous"
         variability = "fixed" if variable.role == "parameter" else variability
         texts = {"description": variable.description, "unit": variable.unit}
@@ -55,7 +55,7 @@ def find_causality(dae: Dae, variable: Variable) -> str:
     return variable.causality if "." not in variable.name else "local"
 
 
-def _declared(variable: Variable, types: Mapping[str, RealType]) -> RealType | None:
+def _find_declared_type(variable: Variable, types: Mapping[str, RealType]) -> RealType | None:
     """The library's type of a variable, unless its declaration gives it another unit."""
     for name, declared in types.items():
         if name.endswith(f".{variable.type_name}") or name == variable.type_name:

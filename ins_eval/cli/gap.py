@@ -10,6 +10,7 @@ import ins_eval
 import pyhrg
 from pyhrg.cli import challenge
 from pyhrg.common.errors import HrgError
+from pyhrg.common.files import check_output_folder
 
 if TYPE_CHECKING:
     from pyhrg.gap.diagnose import CampaignDiagnosis
@@ -50,6 +51,7 @@ def run(options: argparse.Namespace) -> None:
 
 
 def _diagnose(options: argparse.Namespace) -> None:
+    check_output_folder(options.out)
     if not options.source.exists():
         raise HrgError(f"{options.source}: no such folder or file")
     is_record = not options.source.is_dir()
@@ -95,5 +97,6 @@ def make_position_section(diagnosis: "CampaignDiagnosis") -> "Section":
 def _predict(options: argparse.Namespace) -> None:
     from pyhrg.gap.closing.prediction import write_prediction
 
+    check_output_folder(options.out.parent)
     table = pyhrg.predict(options.diagnosis, options.log, options.campaign, progress=True)
     write_prediction(table, options.out)

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import ins_eval
 from pyhrg.common.cli import collect_given
+from pyhrg.common.files import check_output_folder
 
 HELP = "compute the position error that the gap of a diagnosis is worth, in metres"
 
@@ -20,6 +21,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> None:
+    check_output_folder(options.diagnosis)
     arguments = collect_given(options, ("missions", "hours", "triads", "seed"))
     gap = ins_eval.compute_position_gap(options.diagnosis, progress=True, **arguments)
     gap.write(options.diagnosis)

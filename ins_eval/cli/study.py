@@ -4,20 +4,27 @@ import argparse
 from pathlib import Path
 
 import ins_eval
-from pyhrg.common.cli import collect_given, progress_bar
+from pyhrg.common.cli import collect_given, progress_bar, refuse
+from pyhrg.common.errors import HrgError
 
 HELP = (
     "bench many gyros, fly them in many manoeuvres, and say which bench figure predicts the error"
 )
 
+CHALLENGE = "challenge"
+"""Name in place of a study that hands out the challenge, or scores predictions."""
+
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("study", metavar="STUDY", nargs="?", default="small", help="small (default), standard, or "
-        "a file (TOML)")  # fmt: skip
+        "a file (TOML); challenge: hand out the gyros of small, their flights sealed")  # fmt: skip
     add("--out", type=Path, default=Path("hrg-study"), metavar="DIR", help="output folder "
         "(default hrg-study)")  # fmt: skip
-    add("--seed", type=int, metavar="N", help="seed instead of the study's")
+    add("--seed", type=int, metavar="N", help="seed instead of the study's; a challenge needs one "
+        "that nobody else knows")  # fmt: skip
+    add("--predictions", type=Path, nargs="+", metavar="CSV", help="score these predictions of the "
+        "challenge in the output folder, beside ours")  # fmt: skip
     add_cluster_options(parser)
 
 
@@ -30,6 +37,10 @@ def add_cluster_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> None:
+    if options.study == CHALLENGE:
+        _run_challenge(options)
+        return
+    refuse(options, ["predictions"], f"expected with `hrg study {CHALLENGE}` alone")
     study = ins_eval.load_study(options.study, options.seed)
     for name in study.left_out:
         print(f"{name} is not here and is left out; HRG_REAL says where recorded drives are")
@@ -42,3 +53,18 @@ def run(options: argparse.Namespace) -> None:
         )
     print(result.verdict)
     print(f"\nwritten to {options.out}: {', '.join(result.files)}")
+
+
+def _run_challenge(options: argparse.Namespace) -> None:
+    if options.predictions:
+        refuse(options, ["seed", "workers", "scheduler"], "found beside --predictions")
+        print(ins_eval.score_challenge(options.out, options.predictions))
+        return
+    if options.seed is None:
+        raise HrgError(
+            "--seed: found none, expected one that nobody else knows: it gives the truth"
+        )
+    given = collect_given(options, ("seed", "workers", "scheduler"))
+    with progress_bar("study", "triads") as progress:
+        folder = ins_eval.hand_out_challenge(options.out, progress=progress, **given)
+    print(f"to be given away: {folder}; the truth, not to be given away, is beside it")

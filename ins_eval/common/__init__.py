@@ -1,1 +1,1 @@
-"""What all of the navigator's side shares: Earth, attitude, states, statistics, compiled loops."""
+"""What all of the navigator's side shares: Earth, attitude, states, statistics."""

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ins_eval.common.compiled import compile_loop
+from pyhrg.common.caches.compiled import compile_loop
 from pyhrg.common.site import EARTH_RATE
 
 RATE = EARTH_RATE

@@ -36,7 +36,7 @@ class PairedRatio:
         return f"{self.value:.3g} (95 %: {self.low:.3g} to {self.high:.3g})"
 
 
-def paired_ratio(sample: ArrayLike, reference: ArrayLike) -> PairedRatio:
+def compute_paired_ratio(sample: ArrayLike, reference: ArrayLike) -> PairedRatio:
     """Geometric mean ratio of two positive samples (n,), compared pair by pair.
 
     The interval is Student's t on the logarithms: the ratio of radial errors is far from normal,

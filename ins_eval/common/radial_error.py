@@ -2,13 +2,12 @@
 
 Let u be the component along the covariance's major axis and v along its minor axis. The probability
 of a radius below r is the integral over u of the density of u times the probability that v lies
-within +-sqrt(r^2 - u^2) (Gilliland 1962, J. Am. Stat. Assoc. 57, 758). All functions take arrays.
+within +-sqrt(r^2 - u^2) (Gilliland 1962, J. Am. Stat. Assoc. 57, 758).
 """
 
 import itertools
 
 import numpy as np
-from numpy.typing import ArrayLike
 from scipy.optimize import elementwise
 from scipy.special import ndtr
 
@@ -24,15 +23,9 @@ _MIN_AXIS_RATIO = 1e-12
 effect on the result."""
 
 
-def probability_within(radius: ArrayLike, mean: Array, covariance: Array) -> Array:
-    """Probability (...) of a radius below `radius` (...), of pairs with mean (..., 2) and
-    covariance (..., 2, 2) in its unit."""
-    along, across, major, minor = _principal_axes(mean, covariance)
-    return _integrate_probability(np.asarray(radius, dtype=float), along, across, major, minor)
-
-
 def radius_quantile(probability: float, mean: Array, covariance: Array) -> Array:
-    """Radius (...) that is not exceeded with a probability; shapes as `probability_within`."""
+    """Radius (...) that is not exceeded with a probability, of pairs with mean (..., 2) and
+    covariance (..., 2, 2), in its unit."""
     if not 0 < probability < 1:
         raise ValueError(f"probability {probability}: expected more than 0 and less than 1")
     along, across, major, minor = _principal_axes(mean, covariance)

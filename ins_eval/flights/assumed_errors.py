@@ -23,12 +23,13 @@ from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.sensor_error_model import IDEAL_SENSORS
 from ins_eval.imu.stated_gyros import StatedGyros
+from pyhrg.noise.flicker import compute_process_variance
 
 HARMONIC = 4
 """Harmonic of the pattern angle that a calibrated whole-angle gyro's bias mainly follows."""
-DECADES = (1e1, 1e2, 1e3, 1e4, 1e5)
-"""Correlation times of the processes that make up bias instability, s: its Allan deviation is flat
-to 5 % for times from 100 s to 30 000 s."""
+ASSUMED_FLICKER_TIMES = (1e1, 1e2, 1e3, 1e4, 1e5)
+"""Correlation times of the Gauss-Markov processes whose sum approximates flicker noise, s. Chosen:
+the Allan deviation of their sum is flat to 5 % from 100 s to 30 000 s (test_assumed_errors.py)."""
 
 
 @dataclass(frozen=True)
@@ -57,32 +58,23 @@ def assume_errors(imu: Imu, first_angle: Array | None = None) -> AssumedErrors:
     errors, force = imu.errors, imu.accelerometers
     triad = imu.gyros.error_model if isinstance(imu.gyros, StatedGyros) else IDEAL_SENSORS
     crossed = math.hypot(triad.misalignment.size, imu.mounting_deviation)
+    gyro_process, force_process = (
+        math.sqrt(compute_process_variance(coefficient))
+        for coefficient in (errors.gyro_bias_instability, force.bias_instability)
+    )
     sized = [
         *((effect, errors.gyro_bias) for effect in _gyro_bias(imu, first_angle)),
-        *((gyro_bias(time), size_gauss_markov(errors.gyro_bias_instability)) for time in DECADES),
+        *((gyro_bias(time), gyro_process) for time in ASSUMED_FLICKER_TIMES),
         (gyro_scale_factor(), triad.scale_factor.size),
         *((effect, crossed) for effect in model_misalignment("gyro")),
         (accelerometer_bias(), force.bias.size),
-        *(
-            (accelerometer_bias(time), size_gauss_markov(force.bias_instability))
-            for time in DECADES
-        ),
+        *((accelerometer_bias(time), force_process) for time in ASSUMED_FLICKER_TIMES),
         (accelerometer_scale_factor(), force.scale_factor.size),
         *((effect, force.misalignment.size) for effect in model_misalignment("accelerometer")),
     ]
     effects = tuple(effect for effect, size in sized if size > 0)
     sizes = np.array([size for _, size in sized if size > 0])
     return AssumedErrors(effects, np.tile(sizes[:, None], (1, AXES)), errors)
-
-
-def size_gauss_markov(coefficient: float) -> float:
-    """Standard deviation of each of the Gauss-Markov processes, their correlation times a decade
-    apart, that sum to flicker noise of an IEEE coefficient B: B sqrt(ln 10 / pi).
-
-    Their one-sided densities, each 4 s^2 T / (1 + (2 pi f T)^2), sum to s^2 / (f ln 10); flicker's
-    is B^2 / (pi f) (IEEE Std 952-2020, C.1).
-    """
-    return coefficient * math.sqrt(math.log(10) / math.pi)
 
 
 def model_misalignment(sensor: Sensor) -> tuple[Effect, Effect]:

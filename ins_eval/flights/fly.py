@@ -34,7 +34,7 @@ from pyhrg.common.files import stage_files
 
 
 class Flight(FlightData):
-    """Flights of a plan as a notebook meets them: dataset, summary, budget table, figures."""
+    """Flights of one plan, with their dataset, summary, error budget and figures."""
 
     @property
     def summary(self) -> str:

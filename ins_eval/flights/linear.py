@@ -92,7 +92,7 @@ def compute_error_budget(plan: Plan, truth: Truth, imu: Imu, run: Run) -> Budget
     if run.alignment:
         before = _alignment(plan, truth, ())
         turned = Rotation.from_matrix(run.alignment.mat_nb @ truth.start.mat_nb.T)
-        initial[ATTITUDE] = turned.as_rotvec() - _explained(before, error)
+        initial[ATTITUDE] = turned.as_rotvec() - _explain_attitude_error(before, error)
         model = join_models(before, model)
     motion = _motion(plan, truth, -grid.alignment, grid.alignment + grid.flight)
     assumed = assume_errors(imu, _first_angle(imu, run.measured, motion.start)).constant
@@ -109,7 +109,7 @@ def _first_angle(imu: Imu, measured: ImuReading, start: float) -> Array | None:
     return np.asarray(measured.pattern_angle[max(before, 0)])
 
 
-def _explained(model: LinearModel, error: Increments) -> Array:
+def _explain_attitude_error(model: LinearModel, error: Increments) -> Array:
     """(3,) attitude error that sensors' errors leave an averaging alignment with, rad."""
     mean = sum_over_steps(error, model.time[0], model.step, len(model))
     rates = np.concatenate([mean.rotation, mean.velocity], axis=1) / model.step

@@ -137,7 +137,7 @@ def _finite(value: Any) -> Any:
 
 def _end_rows(flight: FlightData, last: xr.Dataset) -> list[tuple[str, list[float]]]:
     if "north_error" not in last:
-        return [("from where it was aligned, m", _moved(flight, last))]
+        return [("from where it was aligned, m", _measure_motion(flight, last))]
     errors = [last[f"{name}_error"].values for name in COMPONENTS]
     rms = [float(np.sqrt(np.mean(error**2))) for error in errors]
     rows = [("position error, m", [float(error[0]) for error in errors])]
@@ -152,7 +152,7 @@ def _end_rows(flight: FlightData, last: xr.Dataset) -> list[tuple[str, list[floa
     return rows
 
 
-def _moved(flight: FlightData, last: xr.Dataset) -> list[float]:
+def _measure_motion(flight: FlightData, last: xr.Dataset) -> list[float]:
     """North, east and radial, m, from the start to the end."""
     position = np.array([np.deg2rad(last[f"{name}itude"].item()) for name in ("lat", "long")])
     north, east, _ = position_error(np.append(position, last["height"].item()), flight.start)

@@ -92,7 +92,7 @@ class Imu:
         return replace(
             self.gyros.errors,
             accelerometer_bias=float(np.hypot(force.bias.size, tilt)),
-            velocity_random_walk=force.white,
+            velocity_random_walk=force.random_walk,
             accelerometer_bias_instability=force.bias_instability,
             velocity_quantization_step=force.quantization_step,
         )

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ins_eval.common.arrays import Array
-from ins_eval.imu.flicker import draw_flicker
 from pyhrg.common.units import MICRO_G
+from pyhrg.noise.flicker import draw_flicker
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class SensorErrorModel:
     bias: u; scale_factor: relative error;
     misalignment: six sensitivities, rad: of x to y and z, of y to x and z, of z to x and y (Groves
     2013, Eq. 4.16);
-    white: coefficient N of the random walk (angle or velocity), u sqrt(s);
+    random_walk: coefficient N of the angle or velocity random walk, u sqrt(s);
     bias_instability: coefficient B of IEEE Std 952, u; the Allan deviation's floor is 0.664 B;
     quantization_step: one count of the summed increments, u s; 0 is none.
     """
@@ -53,7 +53,7 @@ class SensorErrorModel:
     bias: AxisConstants = AxisConstants()
     scale_factor: AxisConstants = AxisConstants()
     misalignment: AxisConstants = AxisConstants()
-    white: float = 0.0
+    random_walk: float = 0.0
     bias_instability: float = 0.0
     quantization_step: float = 0.0
 
@@ -65,7 +65,7 @@ class SensorErrorModel:
         with the same seed therefore share the errors that they have in common.
         """
         bias = self.bias.draw((3,), generator)
-        noise = generator.normal(0.0, self.white, size=truth.shape)
+        noise = generator.normal(0.0, self.random_walk, size=truth.shape)
         increments = truth @ self._sensitivity(generator).T
         increments = increments + bias * interval + noise * np.sqrt(interval)
         if self.bias_instability:
@@ -83,7 +83,7 @@ class SensorErrorModel:
 
 IDEAL_SENSORS = SensorErrorModel()
 TYPICAL_ACCELEROMETERS = SensorErrorModel(
-    bias=AxisConstants(deviation=5 * MICRO_G), white=5 * MICRO_G
+    bias=AxisConstants(deviation=5 * MICRO_G), random_walk=5 * MICRO_G
 )
 """Bias 5 micro-g, noise 5 micro-g/sqrt(Hz). Chosen so that a gyro bias of 0.001 deg/h still shows
 in the position error."""

@@ -44,14 +44,14 @@ SHARED = (
 ACCELEROMETERS = (
     ErrorKey("bias{}_micro_g", "bias", MICRO_G, 1e6, 3),
     *SHARED,
-    ErrorKey("velocity_random_walk_m_s_sqrt_h", "white", HOUR**-0.5, 100),
+    ErrorKey("velocity_random_walk_m_s_sqrt_h", "random_walk", HOUR**-0.5, 100),
     ErrorKey("bias_instability_micro_g", "bias_instability", MICRO_G, 1e5),
     ErrorKey("quantum_m_s", "quantization_step", 1.0, 1.0),
 )
 GYROS = (
     ErrorKey("bias{}_deg_h", "bias", DEG_PER_H, 1e5, 3),
     *SHARED,
-    ErrorKey("angle_random_walk_deg_sqrt_h", "white", DEG_PER_SQRT_H, 100),
+    ErrorKey("angle_random_walk_deg_sqrt_h", "random_walk", DEG_PER_SQRT_H, 100),
     ErrorKey("bias_instability_deg_h", "bias_instability", DEG_PER_H, 1e4),
     ErrorKey("quantum_arcsec", "quantization_step", ARCSEC, 3600),
 )

@@ -65,7 +65,7 @@ class StatedGyros:
         """See `Gyros`. Scale factor and misalignment are left out: they depend on the manoeuvre."""
         return SensorErrors(
             gyro_bias=self.error_model.bias.size,
-            angle_random_walk=self.error_model.white,
+            angle_random_walk=self.error_model.random_walk,
             gyro_bias_instability=self.error_model.bias_instability,
             angle_quantization_step=self.error_model.quantization_step,
         )

@@ -45,7 +45,7 @@ class MissionWeights:
     accelerometers: (k, 2, 3) m per m/s^2 of bias;
     mounting: (k, 2, 2, 3) m per rad by which the input axis along each body axis leans towards the
     next body axis, and towards the one after;
-    noise: (KINDS, 3, 2 k, 2 k) covariance of the errors, m^2, north and east at each time in turn,
+    noise: (4, 3, 2 k, 2 k) covariance of the errors, m^2, north and east at each time in turn,
     per squared unit of each kind of noise (`noise_weights`) of each gyro;
     alignment: the alignment, for its second-order error.
     """

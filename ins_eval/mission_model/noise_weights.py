@@ -3,7 +3,7 @@
 The error is linear in the noise and the noise nearly Gaussian, so that the covariance describes it
 completely; it is computed once for a mission (docs/methods/mission_model.md, Eqs. 10 and 11). The
 processes are those of the FMU (`HRG.Noise.ElectronicsNoise`) in steps of the linear model; the
-coefficients are those of IEEE Std 952.
+coefficients are those of IEEE Std 952, in the order of `COEFFICIENT_NAMES`.
 """
 
 import numpy as np
@@ -11,13 +11,12 @@ from numpy.typing import NDArray
 from scipy.signal import lfilter
 
 from ins_eval.common.arrays import Array
+from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
-KINDS = ("angle white noise", "angle random walk", "bias instability", "rate random walk")
-"""Kinds of noise; their strengths are in rad (of one sample of the output), rad/sqrt(s), rad/s and
-rad/s/sqrt(s)."""
-FLICKER_TIME_CONSTANTS = 0.01 * 8.0 ** np.arange(8)
-"""Time constants of the first-order lags whose sum is flicker noise, s; those of the FMU."""
-FLICKER_SCALE = np.log(8) / np.pi
+FMU_FLICKER_LAGS = 0.01 * 8.0 ** np.arange(8)
+"""Time constants of the first-order lags of one white noise whose sum is the FMU's flicker noise,
+s (`HRG.Noise.ElectronicsNoise`)."""
+FMU_FLICKER_SCALE = np.log(8) / np.pi
 """Factor of their sum that makes its power spectral density B^2/(2 pi f)."""
 
 
@@ -41,13 +40,13 @@ def compute_error_weights(transition: Array, per_rate: Array, kept: NDArray[np.i
 
 
 def compute_noise_covariances(weights: Array, step: float, before: int) -> Array:
-    """(KINDS, 3, 2 k, 2 k) covariance, m^2, per squared unit of each kind of each gyro's noise.
+    """(4, 3, 2 k, 2 k) covariance, m^2, per squared unit of each noise coefficient of each gyro.
 
     weights: result of `compute_error_weights`; step: step of the linear model, s; before: number of
     steps from power-on, where slow noise starts at zero, to the first step.
     """
     rows, _, axes = weights.shape
-    covariances = np.empty((len(KINDS), axes, rows, rows))
+    covariances = np.empty((len(COEFFICIENT_NAMES), axes, rows, rows))
     for axis in range(axes):
         for kind, response in enumerate(_compute_responses(weights[:, :, axis], step, before)):
             covariances[kind, axis] = response @ response.T
@@ -66,8 +65,7 @@ def _compute_responses(weights: Array, step: float, before: int) -> list[Array]:
     return [
         -np.diff(weights, prepend=0.0, append=0.0) / step,
         weights / np.sqrt(step),
-        FLICKER_SCALE
-        * sum(_weigh_lag(since, step, constant) for constant in FLICKER_TIME_CONSTANTS),
+        FMU_FLICKER_SCALE * sum(_weigh_lag(since, step, constant) for constant in FMU_FLICKER_LAGS),
         np.sqrt(step) * _sum_backwards(since, 1.0),
     ]
 

@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 from ins_eval.common.arrays import Array
 from ins_eval.mission_model.alignment_at_rest import compute_second_order_error
 from ins_eval.mission_model.mission_weights import MissionWeights
-from ins_eval.mission_model.noise_weights import KINDS, factor_covariances
+from ins_eval.mission_model.noise_weights import factor_covariances
 from ins_eval.mission_model.pattern_drift import compute_drift_products
 from ins_eval.mission_model.signals import ENVIRONMENT, STEADY, WARMING, slice_coefficients
 from ins_eval.mission_model.triad_block import TriadBlock
+from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
 
 @dataclass(frozen=True)
@@ -101,11 +102,11 @@ def draw_noise_errors(
 ) -> Array:
     """(r, k, 2) position error, m, of one draw of the gyros' noise (Eq. 11).
 
-    strengths: (r, KINDS, 3) strengths of each gyro's noise, in the units of `KINDS`; seeds: (r, 2)
+    strengths: (r, 4, 3) noise coefficients of each gyro, SI (`COEFFICIENT_NAMES`); seeds: (r, 2)
     entropy of each triad; with the mission's number it decides the draw.
     """
     rows = weights.noise.shape[-1]
-    normal = np.empty((len(seeds), len(KINDS), 3, rows))
+    normal = np.empty((len(seeds), len(COEFFICIENT_NAMES), 3, rows))
     for triad, entropy in enumerate(seeds.tolist()):
         sequence = np.random.SeedSequence(entropy, spawn_key=(mission,))
         normal[triad] = np.random.default_rng(sequence).standard_normal(normal.shape[1:])

@@ -26,7 +26,7 @@ class TriadBlock:
     in_flight: (r, COUNT, 3) coefficients of `signals` over the pattern's turn from that angle;
     turning: (r, TURNING_TERMS, 3) bias that turns the pattern (`pattern_drift`), from that angle,
     rad/s;
-    noise: (r, KINDS, 3) strengths of the noises in the units of `noise_weights.KINDS`;
+    noise: (r, 4, 3) noise coefficients, SI, in the order of `COEFFICIENT_NAMES`;
     accelerometers: (r, 3) biases, m/s^2;
     mounting: (r, 2, 3) angles by which the input axis along each body axis leans towards the next
     body axis, and towards the one after, rad;

@@ -7,14 +7,15 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
-import platformdirs
 
 import ins_eval
 from ins_eval.mission_model.alignment_at_rest import AlignmentAtRest
 from ins_eval.mission_model.mission_weights import MissionWeights, compute_mission_weights
 from ins_eval.mission_model.missions import StudyMission
 from ins_eval.trajectories.catalogue import find_mission_file
-from pyhrg.common.files import write_whole
+from pyhrg.common.caches.files import find_cache_folder, read_cached, write_cached
+from pyhrg.common.reading.files import read_bytes
+from pyhrg.common.reading.limits import LOG_BYTES
 
 DIGESTED_PACKAGES = ("alignment", "common", "error_model", "mission_model", "trajectories")
 """Packages of `ins_eval` whose code decides the weights."""
@@ -23,17 +24,19 @@ DIGESTED_PACKAGES = ("alignment", "common", "error_model", "mission_model", "tra
 def load_mission_weights(mission: StudyMission, folder: Path | None = None) -> MissionWeights:
     """Weights of a mission, from the cache (the user's own by default), or computed and put
     there."""
-    folder = folder or platformdirs.user_cache_path("hrg") / "weights"
+    folder = folder or find_cache_folder() / "weights"
     path = folder / f"{mission.name}-{compute_weights_digest(mission)[:16]}.npz"
-    if not path.exists():
-        _write(compute_mission_weights(mission), path)
-    return _read(path)
+    if (kept := read_cached(path)) is not None:
+        return _unpack(kept)
+    weights = compute_mission_weights(mission)
+    write_cached(path, _pack(weights))
+    return weights
 
 
 def compute_weights_digest(mission: StudyMission) -> str:
     """SHA-256 of a mission and of the code that computes its weights."""
     text = f"{mission.name} {mission.hours!r} {mission.interval!r} {_digest_code()} "
-    content = find_mission_file(mission.source).read_bytes()
+    content = read_bytes(find_mission_file(mission.source), LOG_BYTES)
     return hashlib.sha256(text.encode() + content).hexdigest()
 
 
@@ -44,17 +47,16 @@ def _digest_code() -> str:
     return hashlib.sha256(b"".join(path.read_bytes() for path in sorted(files))).hexdigest()
 
 
-def _write(weights: MissionWeights, path: Path) -> None:
+def _pack(weights: MissionWeights) -> bytes:
     arrays = {f.name: getattr(weights, f.name) for f in fields(weights) if f.name != "alignment"}
     alignment = {f"alignment_{name}": value for name, value in asdict(weights.alignment).items()}
     buffer = io.BytesIO()
     np.savez(buffer, **arrays, **alignment)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(path, buffer.getvalue())
+    return buffer.getvalue()
 
 
-def _read(path: Path) -> MissionWeights:
-    with np.load(path) as stored:
+def _unpack(data: bytes) -> MissionWeights:
+    with np.load(io.BytesIO(data)) as stored:
         alignment = {f.name: stored[f"alignment_{f.name}"] for f in fields(AlignmentAtRest)}
         arrays = {f.name: stored[f.name] for f in fields(MissionWeights) if f.name in stored.files}
     for name in ("latitude", "height"):

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ins_eval.common.compiled import compile_loop
+from pyhrg.common.caches.compiled import compile_loop
 
 Vector = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]

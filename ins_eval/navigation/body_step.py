@@ -6,7 +6,6 @@ The equations are in docs/methods/navigation.md.
 import numpy as np
 
 from ins_eval.common.arrays import Array
-from ins_eval.common.compiled import compile_loop
 from ins_eval.navigation.algebra import (
     SMALL_ANGLE_SQUARED,
     Vector,
@@ -17,6 +16,7 @@ from ins_eval.navigation.algebra import (
     subtract,
 )
 from ins_eval.navigation.coefficients import StepCoefficients
+from pyhrg.common.caches.compiled import compile_loop
 
 
 @compile_loop

@@ -36,7 +36,7 @@ class MappedGyro:
         columns = make_columns(pattern_angle, pattern_angle, (2, 4, 8), tilt=False)
         return np.asarray(sum(getattr(self.bias_map, name) * c for name, c in columns.items()))
 
-    def known_bias(self, known: Known, pattern_angle: float) -> float:
+    def compute_known_bias(self, known: Known, pattern_angle: float) -> float:
         """Bias that is taken out of the output, rad/s."""
         if known is Known.MAP:
             return 0.0

@@ -23,7 +23,7 @@ MARGIN = 10.0
 
 
 class ParkingComparison(Comparison):
-    """Triads flown in every case, as a notebook meets them."""
+    """Triads flown with parked patterns and without, with their summary and figure."""
 
     @property
     def summary(self) -> str:

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from ins_eval.common.arrays import Array
-from ins_eval.common.metrics import PairedRatio, paired_ratio
+from ins_eval.common.metrics import PairedRatio, compute_paired_ratio
 from ins_eval.common.parallel import map_in_threads
 from ins_eval.imu.sensor_error_model import TYPICAL_ACCELEROMETERS
 from ins_eval.parking.gyro import measure_maps
@@ -56,7 +56,7 @@ class Comparison:
 
 def compare_with_first_case(radial: Array) -> list[PairedRatio]:
     """Ratio of the errors (cases, n) to the first case's, by case."""
-    return [paired_ratio(errors, radial[0]) for errors in radial]
+    return [compute_paired_ratio(errors, radial[0]) for errors in radial]
 
 
 def compare(

@@ -80,7 +80,7 @@ def _measure(
         known = Known.MEAN if level_only else case.known
         first = round((find_ready_time(flight.ready) + STILL) / INTERVAL)
         angle = float(flight.pattern_angle[first])
-        rotation[:, axis] -= gyro.known_bias(known, angle) * INTERVAL
+        rotation[:, axis] -= gyro.compute_known_bias(known, angle) * INTERVAL
     return Increments(INTERVAL, rotation, velocity, -STILL)
 
 

@@ -9,12 +9,11 @@ from ins_eval.study.gyros.drift import Flight
 from ins_eval.study.gyros.true_maps import compute_turning_bias, read_flight_coefficients, start_at
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
+from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
 CASE_RISE = 10.0
 """Final rise of the case's temperature above the reference temperature after power-on, K; the
 resonator follows. Chosen."""
-NOISE_FIELDS = ("angle_white_noise", "angle_random_walk", "bias_instability", "rate_random_walk")
-"""Fields of a device, in the order of `noise_weights.KINDS`."""
 
 
 @dataclass(frozen=True)
@@ -22,7 +21,7 @@ class Gyro:
     """A device that warms by `CASE_RISE` in flight.
 
     coefficients: (signals.COUNT,) coefficients of its maps over the pattern angle itself;
-    noise: (KINDS,) its noise, in the units of `noise_weights.KINDS`.
+    noise: (4,) its noise coefficients, SI, in the order of `COEFFICIENT_NAMES`.
     """
 
     device: Device
@@ -52,5 +51,5 @@ class Gyro:
 
 def measure_gyro(fmu: GyroFmu, device: Device) -> Gyro:
     """Measure a device's maps on the FMU `HRGSlow`."""
-    noise = np.array([getattr(device, name) for name in NOISE_FIELDS])
+    noise = np.array([getattr(device, name) for name in COEFFICIENT_NAMES])
     return Gyro(device, read_flight_coefficients(fmu, device, CASE_RISE), noise)

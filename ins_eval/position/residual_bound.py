@@ -8,9 +8,9 @@ import numpy as np
 
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import SETTLING, STILL
-from ins_eval.mission_model.noise_weights import KINDS
+from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
-RANDOM_WALK = KINDS.index("angle random walk")
+RANDOM_WALK = COEFFICIENT_NAMES.index("angle_random_walk")
 
 
 @dataclass(frozen=True)

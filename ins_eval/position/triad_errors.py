@@ -6,11 +6,11 @@ from ins_eval.common.arrays import Array
 from ins_eval.mission_model.alignment_at_rest import compute_second_order_error
 from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.mission_weights import MissionWeights
-from ins_eval.mission_model.noise_weights import KINDS
 from ins_eval.mission_model.pattern_drift import compute_drift_products
 from ins_eval.mission_model.position_errors import compute_map_errors
 from ins_eval.mission_model.signals import ENVIRONMENT, STEADY, WARMING, slice_coefficients
 from ins_eval.position.gyro import Gyro
+from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
 MAP_PARTS = {
     "bias map": slice(0, TERMS),
@@ -54,5 +54,6 @@ def compute_error_parts(
 def compute_noise_rms(weights: MissionWeights, gyro: Gyro) -> dict[str, Array]:
     """Rms horizontal position error of each kind of noise: (k,) m each."""
     variances = np.einsum("najj->naj", weights.noise).sum(axis=1)
-    horizontal = variances.reshape(len(KINDS), -1, 2).sum(axis=-1)
-    return dict(zip(KINDS, gyro.noise[:, None] * np.sqrt(horizontal), strict=True))
+    horizontal = variances.reshape(len(COEFFICIENT_NAMES), -1, 2).sum(axis=-1)
+    kinds = (name.replace("_", " ") for name in COEFFICIENT_NAMES)
+    return dict(zip(kinds, gyro.noise[:, None] * np.sqrt(horizontal), strict=True))

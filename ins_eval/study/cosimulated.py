@@ -141,7 +141,7 @@ def _measure(
         rotation[:, axis] = _simulate_gyro(fmu, flown, inputs, true.interval, seed)
     velocity = true.velocity + true.interval * triad.accelerometers
     if accelerometers is not None:
-        deviation = TYPICAL_ACCELEROMETERS.white * np.sqrt(true.interval)
+        deviation = TYPICAL_ACCELEROMETERS.random_walk * np.sqrt(true.interval)
         velocity += deviation * accelerometers.standard_normal(velocity.shape)
     return Increments(true.interval, rotation, velocity, -STILL)
 

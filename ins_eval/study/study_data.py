@@ -1,6 +1,5 @@
 """A finished study as its files hold it: flights, scores, facts; read and checked."""
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
@@ -14,7 +13,10 @@ from ins_eval.study.tables import columns
 from ins_eval.study.tables import score as scored
 from ins_eval.study.tables.score import Score
 from ins_eval.study.tables.table import TABLE
-from pyhrg.common.errors import HrgError
+from pyhrg.common.errors import HrgError, quote
+from pyhrg.common.reading.documents import read_json
+from pyhrg.common.reading.failures import refuse_unreadable
+from pyhrg.common.reading.parquet import read_parquet
 
 DOCUMENT = "study.json"
 INTERVAL_PERCENT = "interval_percent"
@@ -74,8 +76,6 @@ def check_study_data(
     Raises:
         StudyDataError: a column or key is missing or of another kind; there are no rows.
     """
-    if not isinstance(document, dict):
-        raise StudyDataError(f"{source}{DOCUMENT}: found {document!r}, expected an object")
     if not len(table):
         raise StudyDataError(
             f"{source}{TABLE}: found no rows, expected one for each triad and mission"
@@ -109,13 +109,8 @@ def read_study_data(folder: Path) -> StudyData:
     Raises:
         StudyDataError: a file is missing or can't be read; or as `check_study_data`.
     """
-    try:
-        table = pd.read_parquet(folder / TABLE)
-        document = json.loads((folder / DOCUMENT).read_text())
-    except (OSError, ValueError) as error:
-        raise StudyDataError(
-            f"{folder}: expected {TABLE} and {DOCUMENT} of a study: {error}"
-        ) from error
+    table = read_parquet(folder / TABLE, StudyDataError)
+    document = read_json(folder / DOCUMENT, StudyDataError)
     return check_study_data(table, document, f"{folder}/")
 
 
@@ -151,10 +146,16 @@ def _read_score(entry: Any, place: str) -> Score:
             f"{place}: found {unknown[0]}, expected only {', '.join(sorted(known))}"
         )
     numbers = {k: np.nan if entry.get(k) is None else entry[k] for k in ("value", "low", "high")}
-    try:
+    with refuse_unreadable(place, "score", StudyDataError):
         score = Score(**{**entry, **numbers})
-    except TypeError as error:
-        raise StudyDataError(f"{place}: {error}") from error
+        for field in fields(Score):
+            value = getattr(score, field.name)
+            kind: Any = int | float if field.type is float else field.type
+            if not isinstance(value, kind):
+                found = f"{field.name}: found {quote(value)}"
+                raise StudyDataError(f"{place}: {found}, expected it as a study writes it")
+            if field.type is float:
+                float(value)  # an integer may be too large
     predictors = ["", *(p.key for p in columns.PREDICTORS), *columns.FIGURE_TITLES]
     _check_known("score", score.score, list(scored.SCORES), place)
     _check_known("predictor", score.predictor, predictors, place)

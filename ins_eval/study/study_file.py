@@ -16,6 +16,9 @@ from ins_eval.study.specification import (
 from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.keys import build_from_table, keys
 from ins_eval.trajectories.recordings import find_recording
+from pyhrg.common.errors import HrgError
+from pyhrg.common.reading.files import read_bytes
+from pyhrg.common.reading.limits import LOG_BYTES
 from pyhrg.common.toml_table import SpecificationError, TomlTable, read_table
 
 _FOLDER = Path(__file__).with_name("ready")
@@ -148,11 +151,11 @@ def _read_mission(table: TomlTable, folder: Path, hours: float) -> PlannedMissio
     if "class" not in table.values:
         raise table.missing("class", "the class of manoeuvre, text")
     path = _find_file(table, folder)
-    chosen = {key: table.values[key] for key in ("hours",) if key in table.values}
     try:
-        content = path.read_bytes()
-    except OSError as error:
-        raise table.error("file", str(path), f"a file: {error.strerror or error}") from error
+        content = read_bytes(path, LOG_BYTES)
+    except HrgError as error:
+        raise table.error("file", str(path), f"a file: {error}") from error
+    chosen = {key: table.values[key] for key in ("hours",) if key in table.values}
     return build_from_table(
         PlannedMission,
         TomlTable(table.source, table.prefix, {"hours": hours} | chosen),

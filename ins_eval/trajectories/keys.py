@@ -7,6 +7,7 @@ from dataclasses import MISSING, Field, dataclass, field, fields
 from typing import Any, TypeGuard, TypeVar
 
 from ins_eval.trajectories.errors import TrajectoryError
+from pyhrg.common.errors import quote
 from pyhrg.common.toml_table import TomlTable
 from pyhrg.common.units import DEG
 
@@ -30,7 +31,7 @@ class Kind(ABC):
         """The value inside of a file's value."""
         return value
 
-    def shown(self, value: object) -> Any:
+    def to_file(self, value: object) -> Any:
         """The file's value of a value inside."""
         return value
 
@@ -52,11 +53,11 @@ class Quantity(Kind):
 
     def holds(self, value: object) -> bool:
         """Whether the SI value is a number within the range, rounding aside."""
-        plain = self.shown(value)
+        plain = self.to_file(value)
         slack = 1e-12 * max(abs(self.low), abs(self.high))
         return _is_number(plain) and self.low - slack <= plain <= self.high + slack
 
-    def shown(self, value: object) -> Any:
+    def to_file(self, value: object) -> Any:
         return value / UNITS[self.unit] if _is_number(value) else value
 
 
@@ -131,8 +132,8 @@ class Checked:
         for key, f, kind in keys(type(self)):
             value = getattr(self, f.name)
             if not (kind.holds(value) or (value is None and f.default is None)):
-                found = kind.shown(value)
-                shown = f"{found:.10g}" if isinstance(found, float) else repr(found)
+                found = kind.to_file(value)
+                shown = f"{found:.10g}" if isinstance(found, float) else quote(found)
                 raise TrajectoryError(f"{key}: found {shown}, expected {kind.expected}")
 
 

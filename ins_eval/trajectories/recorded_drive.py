@@ -1,10 +1,6 @@
 """Recorded drives: read from CSV, checked, and repeated with smooth joints to any duration."""
 
-import csv
-import gzip
-import io
 import math
-import zlib
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,6 +10,10 @@ from ins_eval.common import earth
 from ins_eval.common.arrays import Array
 from ins_eval.trajectories.errors import TrajectoryError, check_durations
 from ins_eval.trajectories.trajectory import Knots, Trajectory
+from pyhrg.common.errors import quote
+from pyhrg.common.reading.csv_rows import parse_csv
+from pyhrg.common.reading.files import decode, read_unpacked
+from pyhrg.common.reading.limits import LARGEST_NUMBER
 
 COLUMNS = (
     "time_s",
@@ -173,14 +173,10 @@ def _to_angles(origin: Array, moved: Array) -> Array:
 
 
 def _read_rows(path: Path) -> list[list[float]]:
-    try:
-        data = path.read_bytes()
-        text = (gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data).decode("utf-8-sig")
-    except (OSError, EOFError, zlib.error, UnicodeDecodeError) as error:
-        reason = getattr(error, "strerror", None) or error
-        raise DriveError(f"{path}: can't be read: {reason}") from error
-    reader = csv.reader(io.StringIO(text))
-    header = [name.strip() for name in next(reader, [])]
+    text = decode(path, read_unpacked(path, DriveError), error_class=DriveError)
+    lines = parse_csv(path, text, error_class=DriveError)
+    _, names = next(lines, (1, []))
+    header = [name.strip() for name in names]
     missing = [name for name in COLUMNS if name not in header]
     if missing:
         raise DriveError(
@@ -189,10 +185,7 @@ def _read_rows(path: Path) -> list[list[float]]:
     if repeated := [name for name in COLUMNS if header.count(name) > 1]:
         raise DriveError(f"{path}: column {', '.join(repeated)} appears more than once")
     places = [header.index(name) for name in COLUMNS]
-    try:
-        rows = [_parse_row(path, reader.line_num, row, places) for row in reader if row]
-    except csv.Error as error:
-        raise DriveError(f"{path}: row {reader.line_num}: {error}") from error
+    rows = [_parse_row(path, number, row, places) for number, row in lines]
     if len(rows) < MIN_ROWS:
         raise DriveError(f"{path}: {len(rows)} rows; expected at least {MIN_ROWS}")
     return rows
@@ -205,11 +198,11 @@ def _parse_row(path: Path, line: int, row: list[str], places: list[int]) -> list
         try:
             value = float(text)
         except ValueError:
-            raise DriveError(f"{path}: row {line}, {name}: {text!r} is not a number") from None
-        low, high = LIMITS.get(name, (-math.inf, math.inf))
-        if not (math.isfinite(value) and low <= value <= high):
-            expected = f"expected {low:g} to {high:g}" if name in LIMITS else "expected a number"
-            raise DriveError(f"{path}: row {line}, {name}: {text}; {expected}")
+            raise DriveError(f"{path}: row {line}, {name}: {quote(text)} is not a number") from None
+        low, high = LIMITS.get(name, (-LARGEST_NUMBER, LARGEST_NUMBER))
+        if not low <= value <= high:
+            found = f"row {line}, {name}: {text}"
+            raise DriveError(f"{path}: {found}; expected {low:g} to {high:g}")
         values.append(value)
     return values
 

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.store import Store, compute_key
 from pyhrg.common.arrays import Array
@@ -44,6 +45,9 @@ LOOP_OUTPUTS = tuple(name for name in OUTPUTS_AVERAGED if name != "valid")
 """Fields of a log that the control loops put out."""
 
 
+MAX_TEST_ROWS = 2_000_000
+"""Largest number of rows of a test's power-ons. Chosen: ten times those of the largest test; their
+logs take 0.3 GB."""
 NAMELESS = "gyro without a name"
 """Name of a device that has none, in campaigns and reports."""
 
@@ -92,6 +96,12 @@ class Bench:
 
     def run(self, power_ons: Sequence[PowerOn]) -> list[Test]:
         """Tests of the power-ons, in their order; the same numbers on any number of workers."""
+        rows = sum(len(power_on.programme) for power_on in power_ons)
+        if rows > MAX_TEST_ROWS:
+            raise BenchError(
+                f"a plan of {len(power_ons)} power-ons with {rows} rows: expected at most "
+                f"{MAX_TEST_ROWS} rows"
+            )
         self.fmu.prepare()
         stop = threading.Event()
         self.fmu.stop = stop
@@ -116,7 +126,7 @@ class Bench:
         drawn = generator.normal(self.device.power_on_angle, self.device.power_on_scatter)
         angle = drawn if start_angle is None else start_angle
         missing = LOOP_FREQUENCIES - self.fmu.references.keys()
-        values = self.device.turned_on(generator).items()
+        values = self.device.draw_turn_on(generator).items()
         parameters = {name: value for name, value in values if name not in missing}
         return self.fmu.power_on(parameters, seed, angle)
 

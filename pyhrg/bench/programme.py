@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from pyhrg.bench.outcome import BenchError
 from pyhrg.common.arrays import Array
 
 COMMANDS = (
@@ -20,6 +21,11 @@ COMMANDS = (
 )
 """Quantities that are constant within a row. Case temperature and table rate are not among them:
 they change linearly within a row."""
+
+
+MAX_ROWS = 500_000
+"""Largest number of rows of a programme. Chosen: ten times those of the longest test; with the
+inputs of their communication steps they take about 1 GB."""
 
 
 class Programme:
@@ -139,6 +145,11 @@ class Programme:
         return np.asarray(np.cumsum((rate[1:] + rate[:-1]) / 2) * self.interval)
 
     def _count(self, duration: float) -> int:
+        if len(self) + duration / self.interval > MAX_ROWS:
+            raise BenchError(
+                f"a plan of {self.time + duration:g} s: expected at most {MAX_ROWS} rows of "
+                f"{self.interval:g} s"
+            )
         rows = round(duration / self.interval)
         if rows < 0 or abs(rows * self.interval - duration) > 1e-6 * max(duration, self.interval):
             raise ValueError(f"{duration:g} s is no multiple of the rows' {self.interval:g} s")

@@ -8,12 +8,11 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass, fields
 from functools import cache
 from pathlib import Path
-from zipfile import BadZipFile
 
 import numpy as np
 
 from pyhrg.bench.programme import COMMANDS, Programme
-from pyhrg.common.files import write_whole
+from pyhrg.common.caches.files import read_cached, write_cached
 from pyhrg.records import Log
 
 
@@ -29,22 +28,23 @@ class Store:
 
         A run that ends early leaves the folder behind, unless it is empty.
         """
+        made = [path for path in (self.folder, *self.folder.parents) if not path.exists()]
         self.folder.mkdir(parents=True, exist_ok=True)
         try:
             yield
             shutil.rmtree(self.folder, ignore_errors=True)
         finally:
-            with suppress(OSError):  # the folder holds logs
-                self.folder.rmdir()
+            with suppress(OSError):  # a folder holds logs or results
+                for path in made or [self.folder]:
+                    path.rmdir()
 
     def load(self, key: str) -> Log | None:
-        """The log of a key; None where there is none or it can't be read."""
-        try:
-            with np.load(io.BytesIO(self._path(key).read_bytes())) as archive:
-                columns = {name: archive[name] for name in archive.files if name != "interval"}
-                return Log(source="", interval=float(archive["interval"]), **columns)
-        except (OSError, EOFError, ValueError, KeyError, BadZipFile):
+        """The log of a key; None where there is none or it is damaged."""
+        if (kept := read_cached(self._path(key))) is None:
             return None
+        with np.load(io.BytesIO(kept)) as archive:
+            columns = {name: archive[name] for name in archive.files if name != "interval"}
+            return Log(source="", interval=float(archive["interval"]), **columns)
 
     def keep(self, key: str, log: Log) -> None:
         """Write a log under a key, whole or not at all."""
@@ -52,7 +52,7 @@ class Store:
         arrays = {name: values for name, values in arrays.items() if isinstance(values, np.ndarray)}
         packed = io.BytesIO()
         np.savez(packed, interval=log.interval, **arrays)
-        write_whole(self._path(key), packed.getvalue())
+        write_cached(self._path(key), packed.getvalue())
 
     def _path(self, key: str) -> Path:
         return self.folder / f"{key}.npz"

@@ -72,7 +72,7 @@ class PreparedCase:
     state: TrueState
     laboratory: Laboratory
 
-    def recorded(
+    def record_tests(
         self, plans: Sequence[tuple[Plan, GyroFmu]], stream: int
     ) -> list[tuple[Test, Array]]:
         """Tests of the true gyro, each by its model, and (n,) the part of noise in each output
@@ -109,7 +109,7 @@ def prepare_case(case: Case, simulation: Simulation) -> PreparedCase:
     gyro = _generator(case, GYRO)
     nominal, site = draw_nominal(gyro), draw_site(gyro)
     device = replace(device_file.from_table(nominal, "nominal"), site=site)
-    own = Instruments().drawn(gyro)
+    own = Instruments().draw_another(gyro)
     made = plan_tests(device, _generator(case, BENCH), complete=bool(case.without))
     fitted = [(make_measured_course(p.programme), p.start_angle) for p in made if p.role == "fit"]
     meter = Meter(simulation, device, fitted, own)
@@ -123,7 +123,7 @@ def prepare_case(case: Case, simulation: Simulation) -> PreparedCase:
 def generate_case(case: Case, fmus: Fmus) -> tuple[Campaign, Truth]:
     """Simulate a case; the same seed gives the same bytes."""
     drawn = prepare_case(case, fmus.simulation)
-    made = drawn.recorded([(plan, fmus.of(plan)) for plan in drawn.plans], NOISE)
+    made = drawn.record_tests([(plan, fmus.of(plan)) for plan in drawn.plans], NOISE)
     noise = np.concatenate([noise for test, noise in made if test.is_holdout])
     rms = float(np.sqrt(np.mean(noise**2))) / ARCSEC
     campaign = drawn.campaign([test for test, _ in made])
@@ -139,7 +139,7 @@ def add_next_test(case: Case, campaign: Campaign, kind: str, hours: float, fmus:
     """
     drawn = prepare_case(case, fmus.simulation)
     more = plan_further_tests(kind, hours, drawn.device, _generator(case, NEXT_BENCH))
-    made = drawn.recorded([(plan, fmus.simulation.sampled) for plan in more], NEXT_NOISE)
+    made = drawn.record_tests([(plan, fmus.simulation.sampled) for plan in more], NEXT_NOISE)
     return drawn.campaign((*campaign.tests, *(test for test, _ in made)))
 
 

@@ -1,23 +1,29 @@
 """The cases of a challenge and its folder: published index, campaigns, sealed truths, diagnoses."""
 
-import json
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import cycle
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
+from pyhrg.challenge.campaigns.laboratory import LEVELS
 from pyhrg.challenge.case import Case
 from pyhrg.challenge.truths.seal import ChallengeError, encode_json
 from pyhrg.challenge.truths.truth import DETECTION_SIGMAS, KINDS
 from pyhrg.common.files import write_whole
 from pyhrg.common.made_by import find_difference, list_versions
+from pyhrg.common.reading.documents import read_json
+from pyhrg.common.reading.files import read_bytes
+from pyhrg.common.reading.limits import DOCUMENT_BYTES
+from pyhrg.common.toml_table import read_json_table
 from pyhrg.gap.effects.catalogue import EFFECT_NAMES
 
 SCHEMA = "hrg-challenge/1"
 MADE_BY = "made_by"
+MAX_CASES = 1_000_000
+"""Largest number of cases of a kind. Chosen."""
 STRONGEST_SIGMAS = 10 * DETECTION_SIGMAS
 """Strength of the strongest effect, sigmas, where none is stated (chosen)."""
 WEAK = (1.0, DETECTION_SIGMAS)
@@ -108,9 +114,9 @@ class Folder:
         asked = {"seed": settings.seed, "counts": dict(settings.counts), "to": settings.strongest}
         asked["level"] = settings.level
         text = encode_json({**asked, MADE_BY: list_versions()})
-        if self.settings.exists() and self.settings.read_bytes() != text:
-            found = _read(self.settings, *asked, MADE_BY)
-            if differs := find_difference(found.pop(MADE_BY), list_versions()):
+        if self.settings.exists() and read_bytes(self.settings, DOCUMENT_BYTES) != text:
+            found = read_json(self.settings, ChallengeError)
+            if differs := find_difference(found.pop(MADE_BY, None), list_versions()):
                 key, was, now = differs
                 raise ChallengeError(
                     f"{self.settings}: begun by another version: {key}: found {was}, expected "
@@ -124,17 +130,19 @@ class Folder:
 
     def begun(self) -> Settings:
         """The settings that the folder was begun with."""
-        values = _read(self.settings, "seed", "counts", "to", "level")
-        return Settings(values["counts"], values["seed"], values["to"], values["level"])
+        table = read_json_table(self.settings, ChallengeError)
+        counts = table.table("counts")
+        return Settings(
+            {kind: counts.whole_number(kind, None, 0, MAX_CASES) for kind in counts.values},
+            table.whole_number("seed", None, 0, 2**63 - 1),
+            table.number("to", None, DETECTION_SIGMAS, math.inf),
+            table.text("level", None, tuple(LEVELS)),
+        )
 
-    def published(self) -> dict[str, str]:
+    def read_hashes(self) -> dict[str, str]:
         """The published hash of each truth, by case."""
-        cases = _read(self.index, "cases")["cases"]
-        try:
-            return {case["name"]: case["sha256"] for case in cases}
-        except (KeyError, TypeError) as error:
-            expected = "expected name and sha256 of each case"
-            raise ChallengeError(f"{self.index}: cases: {expected}") from error
+        cases = read_json_table(self.index, ChallengeError).tables("cases")
+        return {case.text("name", None): case.text("sha256", None) for case in cases}
 
     def publish(self, cases: Sequence[Case], hashes: Sequence[str]) -> None:
         """Write the index; refuse truths that are not those of an index that exists."""
@@ -143,16 +151,6 @@ class Folder:
             for case, digest in zip(cases, hashes, strict=True)
         ]
         text = encode_json({"schema": SCHEMA, "cases": listed})
-        if self.index.exists() and self.index.read_bytes() != text:
+        if self.index.exists() and read_bytes(self.index, DOCUMENT_BYTES) != text:
             raise ChallengeError(f"{self.index}: truths are not those that it has published")
         write_whole(self.index, text)
-
-
-def _read(path: Path, *names: str) -> dict[str, Any]:
-    try:
-        values = json.loads(path.read_bytes())
-        return {name: values[name] for name in names}
-    except OSError as error:
-        raise ChallengeError(f"{path}: {error.strerror or error}; expected a challenge") from error
-    except (ValueError, KeyError, TypeError) as error:
-        raise ChallengeError(f"{path}: expected {', '.join(names)} of a challenge") from error

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from pyhrg.challenge.campaigns.laboratory import LEVELS
 from pyhrg.challenge.case import Case, Fmus, add_next_test, generate_case
-from pyhrg.challenge.roster import STRONGEST_SIGMAS, Folder, Settings
+from pyhrg.challenge.roster import MAX_CASES, STRONGEST_SIGMAS, Folder, Settings
 from pyhrg.challenge.scoring.report import Finished, Score, write
 from pyhrg.challenge.scoring.score import ScoredCase
 from pyhrg.challenge.truths.seal import ChallengeError, hash_truth, open_truth, seal_truth
@@ -28,7 +28,6 @@ from pyhrg.records import campaign as campaigns
 Diagnose = Callable[[Path, Path, Sequence[str]], None]
 """Diagnoses the campaign of a folder into `diagnosis.json` of another, its catalogue without the
 effects of these names; importable by name, for other processes."""
-MAX_CASES = 1_000_000
 
 
 @dataclass(frozen=True)
@@ -147,7 +146,7 @@ def _load_simulation_once() -> Simulation:
 
 def read_finished(folder: Folder) -> Finished:
     """A finished challenge, read from its folder; its truths are checked by their hashes."""
-    settings, published = folder.begun(), folder.published()
+    settings, published = folder.begun(), folder.read_hashes()
     names = [case.name for case in settings.cases()]
     cases = []
     for name in names:

@@ -1,30 +1,31 @@
 """Checks of numeric arguments; a message names the argument, what was found and expected."""
 
-import math
 import os
 from numbers import Integral
 
-from pyhrg.common.errors import HrgError
+from pyhrg.common.errors import HrgError, quote
 
 
 def check_number(name: str, value: float, low: float, high: float) -> float:
     """The number, if it is finite and between the bounds, ends included."""
-    if not (math.isfinite(value) and low <= value <= high):
-        raise HrgError(f"{name}: found {value:g}, expected a number from {low:g} to {high:g}")
+    if not low <= value <= high:
+        raise HrgError(f"{name}: found {quote(value)}, expected a number from {low:g} to {high:g}")
     return float(value)
 
 
 def check_whole_number(name: str, value: int, low: int, high: int) -> int:
     """The whole number, if it is between the bounds, ends included."""
-    if value != int(value) or not low <= value <= high:
-        raise HrgError(f"{name}: found {value}, expected a whole number from {low} to {high}")
+    if not low <= value <= high or value != int(value):
+        raise HrgError(
+            f"{name}: found {quote(value)}, expected a whole number from {low} to {high}"
+        )
     return int(value)
 
 
 def check_seed(value: int) -> int:
     """A seed of random numbers."""
     if not isinstance(value, Integral) or not 0 <= value < 2**63:
-        raise HrgError(f"seed: found {value!r}, expected a whole number from 0 to 2^63 - 1")
+        raise HrgError(f"seed: found {quote(value)}, expected a whole number from 0 to 2^63 - 1")
     return int(value)
 
 

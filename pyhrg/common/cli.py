@@ -6,10 +6,11 @@ import signal
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from functools import partial
 from importlib.metadata import entry_points, version
 from typing import Any, NoReturn, Protocol
 
-from pyhrg.common.errors import HrgError
+from pyhrg.common.errors import HrgError, fold_line
 
 SINGLE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS")
 """Variables that make linear algebra run in one thread, unless the user sets them: more threads
@@ -34,22 +35,34 @@ class Command(Protocol):
 
 
 class _Parser(argparse.ArgumentParser):
+    def __init__(self, *arguments: Any, **options: Any) -> None:
+        super().__init__(*arguments, **options)
+        self.register("type", int, partial(_parse_number, int))
+        self.register("type", float, partial(_parse_number, float))
+
     def error(self, message: str) -> NoReturn:
         """One clear line, as for every user's error."""
-        self.exit(2, f"{self.prog}: {message}\n")
+        self.exit(2, f"{fold_line(f'{self.prog}: {message}')}\n")
+
+
+def _parse_number(kind: type[int] | type[float], text: str) -> float:
+    """A number in ASCII digits; Python's own readers take `1_0`, blanks and any script's digits."""
+    if "_" in text or not text.isascii() or text != text.strip():
+        raise ValueError
+    return kind(text)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run `hrg`; returns the exit status: 0, 2 for a user's error, 130 when interrupted, 141 when
     nobody reads the output to its end."""
     try:
-        return _reported(arguments)
+        return _report_errors(arguments)
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141
 
 
-def _reported(arguments: Sequence[str] | None) -> int:
+def _report_errors(arguments: Sequence[str] | None) -> int:
     try:
         return _dispatch(arguments)
     except HrgError as error:
@@ -59,7 +72,7 @@ def _reported(arguments: Sequence[str] | None) -> int:
         raise
     except OSError as error:
         place = f"{error.filename}: " if error.filename else ""
-        print(f"hrg: {place}{error.strerror or error}", file=sys.stderr)
+        print(f"hrg: {fold_line(f'{place}{error.strerror or error}')}", file=sys.stderr)
         return 2
     except KeyboardInterrupt as interruption:
         print(f"hrg: {interruption or 'interrupted; nothing was written'}", file=sys.stderr)

@@ -4,16 +4,15 @@ Every message has the form "FILE: KEY: found WHAT, expected WHAT".
 """
 
 import difflib
-import json
 import math
 import sys
-import tomllib
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from pyhrg.common.errors import HrgError
+from pyhrg.common.errors import HrgError, quote
+from pyhrg.common.reading.documents import read_json, read_toml
 
 PROPOSALS = 4
 """Largest number of known keys that a message proposes where none resembles an unknown one.
@@ -39,7 +38,7 @@ class TomlTable:
 
     def error(self, key: str, found: object, expected: str) -> HrgError:
         """Make the error about a key's value."""
-        return self._make_error(key, repr(found), expected)
+        return self._make_error(key, quote(found), expected)
 
     def missing(self, key: str, expected: str) -> HrgError:
         """Make the error about a key that is not there."""
@@ -120,7 +119,7 @@ class TomlTable:
         value = self.number(key, default, low, high)
         if value != int(value):
             raise self.error(key, value, "a whole number")
-        return int(value)
+        return int(self.values.get(key, default))  # a float has not all digits of a large one
 
     def numbers(self, key: str, count: int | None, low: float, high: float) -> tuple[float, ...]:
         """An array of `count` numbers (None: any count) from `low` to `high`, ends included; empty
@@ -152,23 +151,9 @@ def describe_range(low: float, high: float) -> str:
 
 def read_table(path: Path, error_class: type[HrgError] = SpecificationError) -> TomlTable:
     """The whole content of a TOML file."""
-    return _read_file(path, "TOML", tomllib.loads, error_class)
+    return TomlTable(str(path), "", read_toml(path, error_class), error_class)
 
 
 def read_json_table(path: Path, error_class: type[HrgError]) -> TomlTable:
     """The whole content of a JSON file, whose objects are tables."""
-    return _read_file(path, "JSON", json.loads, error_class)
-
-
-def _read_file(
-    path: Path, kind: str, parse: Callable[[str], Any], error_class: type[HrgError]
-) -> TomlTable:
-    try:
-        values = parse(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise error_class(f"{path}: can't be read: {error.strerror or error}") from error
-    except ValueError as error:
-        raise error_class(f"{path}: found what is no {kind}: {error}") from error
-    if not isinstance(values, dict):
-        raise error_class(f"{path}: found {type(values).__name__}, expected a {kind} object")
-    return TomlTable(str(path), "", values, error_class)
+    return TomlTable(str(path), "", read_json(path, error_class), error_class)

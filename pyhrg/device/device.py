@@ -74,7 +74,7 @@ class Device(ScalarParameters):
         values = {name: v for name, v in self.fmu_values().items() if v != ideal[name]}
         return {**values, **self.model}
 
-    def turned_on(self, generator: "np.random.Generator") -> dict[str, float]:
+    def draw_turn_on(self, generator: "np.random.Generator") -> dict[str, float]:
         """Values as of `fmu_parameters` at one power-on: those in `turn_on_scatter` are drawn."""
         stated = {**self.fmu_values(), **self.model}
         drawn = {

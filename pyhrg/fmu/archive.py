@@ -12,6 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.common.errors import HrgError
+from pyhrg.common.reading.archives import open_archive
+from pyhrg.common.reading.failures import refuse_unreadable
+from pyhrg.common.reading.files import read_bytes
+from pyhrg.common.reading.limits import LOG_BYTES
 
 
 class GyroError(HrgError):
@@ -27,7 +31,8 @@ class Archive:
 
     def __init__(self, path: Path) -> None:
         """Read the description and extract the archive, once."""
-        self.description = fmpy.read_model_description(str(path))
+        with refuse_unreadable(path, "FMU", GyroError):
+            self.description = fmpy.read_model_description(str(path))
         self.folder = _extract(path)
         self.references: dict[str, int] = {
             v.name: v.valueReference for v in self.description.modelVariables
@@ -52,16 +57,29 @@ class Archive:
 def _extract(path: Path) -> Path:
     """Extract an FMU to a folder beside it that is named by its digest.
 
-    The folder is made under another name and then renamed, so that it is never half there.
+    The folder is made under another name and then renamed, so that it is never half there. One that
+    is not as the archive is made anew.
     """
-    digest = hashlib.sha256(path.read_bytes()).hexdigest()[:16]
+    digest = hashlib.sha256(read_bytes(path, LOG_BYTES, GyroError)).hexdigest()[:16]
     folder = path.with_name(f"{path.stem}-{digest}")
-    if not folder.is_dir():
+    if not _is_extracted(path, folder):
         aside = Path(tempfile.mkdtemp(prefix=".partial-", dir=path.parent))
         try:
             fmpy.extract(str(path), str(aside))
-            with contextlib.suppress(OSError):  # another process was faster
+            if not _is_extracted(path, folder):  # another process may have been faster
+                shutil.rmtree(folder, ignore_errors=True)
+            with contextlib.suppress(OSError):  # it was
                 aside.rename(folder)
         finally:
             shutil.rmtree(aside, ignore_errors=True)
     return folder
+
+
+def _is_extracted(path: Path, folder: Path) -> bool:
+    """Whether every file of an archive is in the folder, byte by byte."""
+    with open_archive(path, GyroError) as archive:
+        files = {e.filename: archive.read(e) for e in archive.entries if not e.is_dir()}
+    try:
+        return all((folder / name).read_bytes() == data for name, data in files.items())
+    except OSError:
+        return False

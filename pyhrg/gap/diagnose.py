@@ -183,7 +183,7 @@ def diagnose(
     Args:
         campaign: a campaign or its folder. Held-out tests are never fitted to.
         catalogue: effects that may be named.
-        bound: sizes below which what is left unexplained does not matter.
+        bound: residuals of up to these sizes are immaterial.
         simulation: both fidelities of the gyro; by default they are built, or taken from the cache.
         progress: True prints each step to standard error; a function is called with it.
 

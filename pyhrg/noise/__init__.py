@@ -15,7 +15,8 @@ these names:
 Densities are two-sided. Here s is the standard deviation of one angle reading, T the sampling
 interval and t the cluster time. A quantization step of sqrt(12) Q looks like white noise of the
 angle of standard deviation Q. The noise of an accelerometer has the same coefficients, with
-`velocity` instead of `angle` and `acceleration` instead of `rate`. Flicker noise is the noise that
-the bias instability is the coefficient of. The strength of a noise is its variance per sample,
-rad^2.
+`velocity` instead of `angle` and `acceleration` instead of `rate`; a class that serves both sensors
+has a `random_walk`. In a noise model of another channel, the channel's unit stands for rad. Flicker
+noise is the noise that the bias instability is the coefficient of. The strength of a noise is its
+variance per sample, rad^2.
 """

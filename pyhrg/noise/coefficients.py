@@ -1,6 +1,6 @@
 """Noise coefficients of IEEE Std 952, annex C, with intervals."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -50,6 +50,10 @@ class NoiseCoefficients:
     angle_random_walk: Coefficient
     bias_instability: Coefficient
     rate_random_walk: Coefficient
+
+
+COEFFICIENT_NAMES = tuple(field.name for field in fields(NoiseCoefficients))
+"""Names of the coefficients, which `Device` and the noise models of a diagnosis share."""
 
 
 def compute_allan_deviation(tau: ArrayLike, noises: NoiseCoefficients) -> Array:

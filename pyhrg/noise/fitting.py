@@ -110,7 +110,7 @@ def maximize_likelihood(
 
 def bound_strengths(records: Sequence[Spectrum]) -> Array:
     """(4,) largest strengths, rad^2, whose density nowhere exceeds that of a record."""
-    each = [np.min(r.power / r.count / r.shapes, axis=1) for r in records]
+    each = [np.min(r.power / r.bands.count / r.bands.shapes, axis=1) for r in records]
     return np.asarray(np.min(each, axis=0))
 
 

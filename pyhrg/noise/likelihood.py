@@ -32,6 +32,35 @@ Chosen."""
 
 
 @dataclass(frozen=True)
+class Bands:
+    """Narrow bands, b of them, of the coefficients 1 to n - 1 of a cosine transform.
+
+    Attributes:
+        starts: (b,) place of the first coefficient of each band.
+        count: (b,) number of coefficients in each band.
+        harmonics: (b,) geometric mean of the coefficients' numbers in each band.
+        shapes: (4, b) density of each noise at unit strength, in the order of `POWERS`.
+    """
+
+    starts: NDArray[np.int64]
+    count: Array
+    harmonics: Array
+    shapes: Array
+
+    def add_up(self, values: Array) -> Array:
+        """(..., b) sums over the bands of values (..., n - 1) of the coefficients."""
+        return np.asarray(np.add.reduceat(values, self.starts, axis=-1))
+
+
+def divide_into_bands(n: int) -> Bands:
+    """The bands of a record of n angles."""
+    starts = _place_band_starts(n - 1)
+    count = np.diff(starts, append=n - 1).astype(np.float64)
+    harmonics = np.exp(np.add.reduceat(np.log(np.arange(1, n)), starts) / count)
+    return Bands(starts, count, harmonics, _compute_shapes(harmonics / (2 * n)))
+
+
+@dataclass(frozen=True)
 class Spectrum:
     """Sufficient statistics of a record: its cosine transform, summed over b narrow bands.
 
@@ -39,19 +68,17 @@ class Spectrum:
 
     Attributes:
         rest: (n,) angles without their trends (least squares), rad.
-        count: (b,) number of coefficients in each band.
+        bands: of the transform.
         power: (b,) sum of their squares, rad^2.
         squares: (m, m, b) sum of products of the transformed trends.
         products: (m, b) sum of their products with the record, rad.
-        shapes: (4, b) density of each noise at unit strength, in the order of `POWERS`.
     """
 
     rest: Array
-    count: Array
+    bands: Bands
     power: Array
     squares: Array
     products: Array
-    shapes: Array
 
 
 def compute_spectrum(angle: Array, trends: Sequence[Array] = ()) -> Spectrum:
@@ -65,20 +92,13 @@ def compute_spectrum(angle: Array, trends: Sequence[Array] = ()) -> Spectrum:
     basis = orthonormalize([np.ones(n), time, time**2, *trends])
     rest = angle - basis @ (basis.T @ angle)
     record, columns = (dct(x, norm="ortho")[..., 1:] for x in (rest, basis.T[1:]))
-    edges = _place_band_edges(n - 1)
-
-    def summed(values: Array) -> Array:
-        return np.asarray(np.add.reduceat(values, edges, axis=-1))
-
-    count = summed(np.ones(n - 1))
-    centre = np.exp(summed(np.log(np.arange(1, n))) / count) / (2 * n)
+    bands = divide_into_bands(n)
     return Spectrum(
         rest=rest,
-        count=count,
-        power=summed(record**2),
-        squares=summed(columns[:, np.newaxis] * columns),
-        products=summed(columns * record),
-        shapes=_compute_shapes(centre),
+        bands=bands,
+        power=bands.add_up(record**2),
+        squares=bands.add_up(columns[:, np.newaxis] * columns),
+        products=bands.add_up(columns * record),
     )
 
 
@@ -91,7 +111,7 @@ def orthonormalize(columns: Sequence[Array]) -> Array:
     return np.asarray(basis[:, np.abs(np.diag(share)) > MIN_TREND_SHARE])
 
 
-def _place_band_edges(coefficients: int) -> NDArray[np.int64]:
+def _place_band_starts(coefficients: int) -> NDArray[np.int64]:
     wide = np.geomspace(
         SINGLE_BANDS, coefficients, max(2, int(45 * np.log2(coefficients / SINGLE_BANDS)))
     )
@@ -137,7 +157,8 @@ def compute_misfit(records: Sequence[Spectrum], strengths: Array) -> Misfit:
 
 
 def _compute_record_misfit(record: Spectrum, strengths: Array) -> Misfit:
-    density = strengths @ record.shapes
+    bands = record.bands
+    density = strengths @ bands.shapes
     trends = len(record.products)
     root = np.linalg.cholesky(np.sum(record.squares / density, axis=-1))
     inverse = np.linalg.inv(root)
@@ -146,14 +167,14 @@ def _compute_record_misfit(record: Spectrum, strengths: Array) -> Misfit:
     squares = both @ record.squares.reshape(trends**2, -1)
     products = inverse @ record.products
     size = np.sum(products / density, axis=1)
-    value = np.sum(record.count * np.log(density) + record.power / density)
+    value = np.sum(bands.count * np.log(density) + record.power / density)
     value += 2 * np.sum(np.log(np.diag(root))) - size @ size
-    scaled = record.shapes / density
+    scaled = bands.shapes / density
     taken = np.sum(squares[:: trends + 1], axis=0) / density
     lost = (scaled / density) @ squares.T
-    information = (scaled * (record.count - 2 * taken)) @ scaled.T + lost @ lost.T
+    information = (scaled * (bands.count - 2 * taken)) @ scaled.T + lost @ lost.T
     detrended = record.power - 2 * size @ products + np.outer(size, size).ravel() @ squares
-    slope = scaled @ (record.count - taken - detrended / density)
+    slope = scaled @ (bands.count - taken - detrended / density)
     return Misfit(float(value), information, information @ strengths - slope)
 
 
@@ -167,7 +188,8 @@ def describe_estimator(
     inverse = np.linalg.inv(model.information)[index]
     cubes = squares = 0.0
     for record in records:
-        influence = inverse @ (record.shapes / (strengths @ record.shapes))
-        squares += float(record.count @ influence**2)
-        cubes += float(record.count @ influence**3)
+        bands = record.bands
+        influence = inverse @ (bands.shapes / (strengths @ bands.shapes))
+        squares += float(bands.count @ influence**2)
+        cubes += float(bands.count @ influence**3)
     return float(np.sqrt(2 * inverse[index])), float(np.sqrt(8) * cubes / squares**1.5)

@@ -14,6 +14,7 @@ from pyhrg.common.site import Site
 from pyhrg.common.toml_table import TomlTable, read_json_table
 from pyhrg.common.units import DEG
 from pyhrg.records.log import Log, read_log, write_log
+from pyhrg.records.timing import INTERVAL_RANGE
 
 SCHEMA = "hrg-campaign/1"
 INDEX = "campaign.json"
@@ -161,7 +162,7 @@ def _read_test(folder: Path, entry: TomlTable, site: Site) -> Test:
     file = _read_text(entry, "file")
     if not FILE_NAME.fullmatch(file):
         raise entry.error("file", file, "the name of a file in the campaign's folder")
-    interval = entry.number("interval_s", None, 1e-6, 1e6)
+    interval = entry.number("interval_s", None, *INTERVAL_RANGE)
     n = entry.whole_number("n", None, 0, 1_000_000_000)
     stored = partial(_read_log, folder / file, interval, n, site)
     role = entry.text("role", None, ROLES)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from pyhrg.common.errors import HrgError
+from pyhrg.common.reading.limits import LARGEST_NUMBER
 from pyhrg.common.units import DEG
 
 
@@ -34,8 +35,8 @@ class Column:
     role: Literal["reference", "command", "response"]
     factor: float = 1.0
     offset: float = 0.0
-    lowest: float = -math.inf
-    highest: float = math.inf
+    lowest: float = -LARGEST_NUMBER
+    highest: float = LARGEST_NUMBER
     digits: int = 12
     optional: bool = False
 

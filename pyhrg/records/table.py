@@ -1,16 +1,15 @@
 """A log's file as a table of numbers: CSV, gzipped or not, every field checked."""
 
-import csv
-import gzip
 import io
-import math
-import zlib
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.errors import quote
+from pyhrg.common.reading.csv_rows import parse_csv
+from pyhrg.common.reading.files import decode, read_unpacked
 from pyhrg.records.columns import BY_FIELD, COLUMNS, Column, LogError, find_mislabelled_column
 
 Array = NDArray[np.float64]
@@ -70,7 +69,9 @@ def describe_rows(rows: NDArray[np.int64]) -> str:
 def read_table(path: Path) -> Table:
     """The rows of a log's file, in SI, with notes on missing and unknown columns."""
     text = read_text(path)
-    header = [name.strip() for name in next(csv.reader(text.splitlines()[:1]), [])]
+    first_line = text.partition("\n")[0].rstrip("\r")
+    _, names = next(parse_csv(path.name, first_line, error_class=LogError), (1, []))
+    header = [name.strip() for name in names]
     _check_header(path, header)
     rows, values = _parse_plain(text, header) or _parse_field_by_field(path, text, header)
     if len(rows) < 2:
@@ -88,29 +89,8 @@ def read_table(path: Path) -> Table:
 
 
 def read_text(path: Path, encoding: str = "utf-8-sig") -> str:
-    """A file's text, decompressed if it is gzipped, whatever its name."""
-    return decode(str(path), read_bytes(path), encoding)
-
-
-def read_bytes(path: Path) -> bytes:
-    """A file's bytes, decompressed if it is gzipped, whatever its name."""
-    try:
-        data = path.read_bytes()
-        return gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data
-    except EOFError as error:
-        raise LogError(f"{path}: found gzipped data cut off, expected it whole") from error
-    except (gzip.BadGzipFile, zlib.error) as error:
-        raise LogError(f"{path}: found damaged gzipped data: {error}") from error
-    except OSError as error:
-        raise LogError(f"{path}: can't be read: {error.strerror or error}") from error
-
-
-def decode(source: str, data: bytes, encoding: str = "utf-8-sig") -> str:
-    """The text that a file's bytes are in an encoding."""
-    try:
-        return data.decode(encoding)
-    except UnicodeDecodeError as error:
-        raise LogError(f"{source}: found what is no text in {encoding}: {error}") from error
+    """A log's text, decompressed if it is gzipped, whatever its name."""
+    return decode(path, read_unpacked(path, LogError), encoding, LogError)
 
 
 def _check_header(path: Path, header: list[str]) -> None:
@@ -140,11 +120,7 @@ def _parse_plain(text: str, header: list[str]) -> Numbers | None:
 
 def _parse_field_by_field(path: Path, text: str, header: list[str]) -> Numbers:
     """Rows and columns of a file with empty fields or rows, or text in unknown columns."""
-    reader = csv.reader(io.StringIO(text))
-    try:
-        lines = [(number, row) for number, row in enumerate(reader, 1) if row][1:]
-    except csv.Error as error:
-        raise LogError(f"{path.name}: row {reader.line_num}: {error}") from error
+    lines = list(parse_csv(path.name, text, error_class=LogError))[1:]
     for number, row in lines:
         if len(row) != len(header):
             raise LogError(
@@ -161,16 +137,17 @@ def _parse_number(path: Path, name: str, row: int, text: str) -> float:
     try:
         return float(text.strip() or "nan")
     except ValueError:
-        raise LogError(f"{path.name}: row {row}, {name}: {text!r}; expected a number") from None
+        raise LogError(
+            f"{path.name}: row {row}, {name}: {quote(text)}; expected a number"
+        ) from None
 
 
 def check_range(source: str, column: Column, rows: NDArray[np.int64], values: Array) -> None:
     """Refuse values (n,) in the file's unit that are out of a column's range."""
-    is_wrong = np.isinf(values) | (values < column.lowest) | (values > column.highest)
+    is_wrong = (values < column.lowest) | (values > column.highest)
     if is_wrong.any():
         i = int(np.argmax(is_wrong))
-        limits = math.isfinite(column.lowest) or math.isfinite(column.highest)
-        expected = f"{column.lowest:g} to {column.highest:g}" if limits else "a finite number"
+        expected = f"{column.lowest:g} to {column.highest:g}"
         raise LogError(
             f"{source}: row {rows[i]}, {column.name}: {values[i]:.9g}; expected {expected}"
         )

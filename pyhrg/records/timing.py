@@ -12,6 +12,14 @@ INTERVAL_TOLERANCE = 0.01
 """Largest relative difference between the stated interval and the median time step. Chosen."""
 
 
+INTERVAL_RANGE = (1e-6, 1e6)
+"""Shortest and longest interval, s. Chosen."""
+MAX_SPARSENESS = 100
+"""Largest ratio of the intervals that a log spans to its rows. Chosen: missing rows take memory."""
+FREE_ROWS = 1_000_000
+"""Intervals up to which the ratio is not looked at. Chosen: they fill no memory."""
+
+
 def drop_repeated_rows(table: Table) -> Table:
     """The table without rows that have no time or repeat an earlier row in full; both are noted."""
     is_lost = np.isnan(table.columns["time"])
@@ -53,8 +61,25 @@ def _find_repeated_rows(table: Table) -> NDArray[np.bool_]:
 
 
 def find_interval(table: Table, stated: float | None) -> float:
-    """The sampling interval, s: the stated one, or else the median time step."""
-    median_step = float(np.median(np.diff(table.columns["time"])))
+    """The sampling interval, s: the stated one, or else the median time step.
+
+    Raises:
+        LogError: the time steps contradict the stated interval, no log has such an interval, or
+            almost all rows are missing between its first and its last time.
+    """
+    time = table.columns["time"]
+    median_step = float(np.median(np.diff(time)))
+    interval = median_step if stated is None else stated
+    low, high = INTERVAL_RANGE
+    if not low <= interval <= high:
+        found = f"{table.source}: {BY_FIELD['time'].name} steps by {interval:g}"
+        raise LogError(f"{found}; expected {low:g} to {high:g}")
+    spanned, most = (time[-1] - time[0]) / interval, max(FREE_ROWS, MAX_SPARSENESS * len(time))
+    if spanned > most:
+        raise LogError(
+            f"{table.source}: {BY_FIELD['time'].name}: {len(time)} rows span {spanned:.4g} times "
+            f"{interval:g} s; expected at most {most:g}"
+        )
     if stated is None:
         return median_step
     if abs(median_step - stated) > INTERVAL_TOLERANCE * stated:

@@ -36,8 +36,13 @@ def static_bias(device: Device, pattern_angle: ArrayLike) -> NDArray[np.float64]
 
 
 def mean_bias(device: Device) -> float:
-    """Output bias at rest averaged over the circumference, rad/s: -(d + nd)/(4 k tau)."""
+    """Output bias at rest averaged over the circumference, rad/s: -(d + nd + 2e)/(4 k tau).
+
+    The non-orthogonalities d of the pick-offs and nd of the drives, and the rotation e of the drive
+    frame, aim the force that sustains the amplitude across the pattern.
+    """
     skew = device.pickoff_nonorthogonality + device.drive_nonorthogonality
+    skew += 2 * device.drive_frame_rotation
     return -skew / (4 * device.bryan_factor * device.decay_time)
 
 

@@ -15,6 +15,7 @@ import pytest
 
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H, DEG_PER_SQRT_H
 from pyhrg.device import device_file
+from pyhrg.device.declarations import read_declarations
 from pyhrg.device.device import Device
 from pyhrg.fmu import Gyro, GyroFmu
 
@@ -29,6 +30,7 @@ SIN4 = np.sin(4 * ANGLES)
 SIN_SPLIT = np.sin(4 * (ANGLES - SPLIT_AXIS))
 COS_SPLIT = np.cos(4 * (ANGLES - SPLIT_AXIS))
 ONE = np.ones(3)
+MOUNTING = "misalignment"
 
 Expected = tuple[str, np.ndarray]
 """A channel, and its closed form at each angle."""
@@ -358,6 +360,15 @@ def test_slow_noises_are_the_coefficients_of_ieee_952() -> None:
         },
         abs=0.0,
     )
+
+
+def test_every_effect_has_its_test_here() -> None:
+    """Each key whose parameter a diagnosis may name is put to the FMU above, but for misalignment,
+    which the FMU does not have."""
+    text = Path(__file__).read_text(encoding="utf-8")
+    declared = read_declarations(Device)
+    keys = {d.keys[0] for name, d in declared.items() if (d.effect or d.noise) and name != MOUNTING}
+    assert {key for key in keys if f'"{key}"' not in text} == set()
 
 
 def test_an_ideal_gyro_shows_none_of_it(fmu: GyroFmu) -> None:

@@ -15,6 +15,7 @@ import pytest
 from fmu_build.bundle import build_fmu
 from fmu_build.roots import ROOTS
 from pyhrg.fmu import GyroFmu
+from tests.modelica.catalogue import read_catalogue
 
 Values = Mapping[str, float]
 Items = tuple[tuple[str, float], ...]
@@ -184,6 +185,17 @@ def error_parameters(gyro: GyroFmu) -> dict[str, str]:
 def test_every_error_parameter_is_compared(gyros: dict[str, GyroFmu]) -> None:
     compared = set(CASES) | set(NOISE) | set(LIMIT_CYCLES) | OVERLOAD
     assert set(error_parameters(gyros["HRG"])) == compared
+
+
+def test_every_error_parameter_is_in_the_catalogue(gyros: dict[str, GyroFmu]) -> None:
+    """By its name, or in a group of names: `...PerKelvin`, `controller.biasMap.*`."""
+    catalogue = read_catalogue()
+    missing = []
+    for name in error_parameters(gyros["HRG"]):
+        path, _, last = re.sub(r"\[\d\]", "", name).rpartition(".")
+        names = (last, f"{path}.*", "...PerKelvin" if last.endswith("PerKelvin") else last)
+        missing += [] if any(each in catalogue for each in names) else [name]
+    assert missing == []
 
 
 @pytest.mark.parametrize("fidelity", ROOTS)

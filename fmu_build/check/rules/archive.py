@@ -1,11 +1,12 @@
 """Rules on the ZIP archive and its folders."""
 
 import re
-import zipfile
-import zlib
+from collections import Counter
 
 from fmu_build.check.archive import Fmu
 from fmu_build.check.rules.rule import Findings, rule
+from pyhrg.common.errors import HrgError
+from pyhrg.common.reading.archives import ENCRYPTED, METHODS, open_archive
 
 SUFFIXES = {"darwin": ".dylib", "linux": ".so", "win": ".dll"}
 """By part of a platform's name; darwin before win, which it holds."""
@@ -18,21 +19,21 @@ INTACT = "every entry of the archive can be read"
 @rule(INTACT)
 def intact(fmu: Fmu) -> Findings:
     """ZIP, 4.4.7 (CRC-32); encrypted entries and other methods are another rule's matter."""
-    with zipfile.ZipFile(fmu.path) as archive:
-        for entry in archive.infolist():
-            if entry.flag_bits & 1 or entry.compress_type not in (0, 8):
+    with open_archive(fmu.path) as archive:
+        for entry in archive.entries:
+            if entry.flag_bits & ENCRYPTED or entry.compress_type not in METHODS:
                 continue
             try:
                 archive.read(entry)
-            except (zipfile.BadZipFile, zlib.error, EOFError) as error:
-                yield f"{entry.filename} is damaged: {error}"
+            except HrgError as error:
+                yield str(error)
 
 
 @rule("paths in the archive use forward slashes")
 def forward_slashes(fmu: Fmu) -> Findings:
     """ZIP, 4.4.17.1."""
     # ZipFile itself turns the platform's separator into a slash, so that the raw name is read
-    for entry in fmu.entries():
+    for entry in fmu.entries:
         if "\\" in entry.orig_filename:
             yield f"{entry.orig_filename} has a backslash"
 
@@ -40,7 +41,7 @@ def forward_slashes(fmu: Fmu) -> Findings:
 @rule("no path occurs twice or leads outside")
 def safe_paths(fmu: Fmu) -> Findings:
     """A path that an importer would write over another file."""
-    for name in sorted({n for n in fmu.names if fmu.names.count(n) > 1}):
+    for name in sorted(name for name, count in Counter(fmu.names).items() if count > 1):
         yield f"{name} occurs more than once"
     for name in fmu.names:
         if name.startswith("/") or ".." in name.split("/"):
@@ -50,10 +51,10 @@ def safe_paths(fmu: Fmu) -> Findings:
 @rule("files are stored or deflated, and not encrypted")
 def plain_compression(fmu: Fmu) -> Findings:
     """FMI 3.0.2, 2.5."""
-    for entry in fmu.entries():
-        if entry.compress_type not in (0, 8):
+    for entry in fmu.entries:
+        if entry.compress_type not in METHODS:
             yield f"{entry.filename} is compressed by method {entry.compress_type}"
-        if entry.flag_bits & 1:
+        if entry.flag_bits & ENCRYPTED:
             yield f"{entry.filename} is encrypted"
 
 

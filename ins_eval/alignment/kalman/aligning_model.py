@@ -8,10 +8,11 @@ docs/methods/alignment.md, Eq. 6.
 
 import numpy as np
 
-from ins_eval.alignment.bias_instability import PROCESSES, correlation_times, process_variance
+from ins_eval.alignment.bias_instability import PROCESSES, correlation_times
 from ins_eval.alignment.kalman import standing
 from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
+from pyhrg.noise.flicker import compute_process_variance
 
 CORE = slice(0, standing.STATES)
 TURNED = slice(CORE.stop, CORE.stop + 2)
@@ -62,6 +63,8 @@ def _decay(duration: float) -> Array:
 def _instability_variance(errors: SensorErrors) -> Array:
     """Return the stationary variances (30,) of the Gauss-Markov states; 0 elsewhere."""
     variance = np.zeros(STATES)
-    variance[GYRO_INSTABILITY] = process_variance(errors.gyro_bias_instability)
-    variance[ACCELEROMETER_INSTABILITY] = process_variance(errors.accelerometer_bias_instability)
+    variance[GYRO_INSTABILITY] = compute_process_variance(errors.gyro_bias_instability)
+    variance[ACCELEROMETER_INSTABILITY] = compute_process_variance(
+        errors.accelerometer_bias_instability
+    )
     return variance

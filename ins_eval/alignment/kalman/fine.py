@@ -126,20 +126,22 @@ def run_filter(
     run: Reckoning, errors: SensorErrors, sway: float, tilting: Tilting | None = None
 ) -> FilterResult:
     """Run the Kalman filter; `tilting` adds the rotation since the start as a measurement."""
-    size = aligning_model.STATES
-    walk, white = (tilting.walk, tilting.white) if tilting else (0.0, 0.0)
-    turned = np.eye(2) if tilting else np.empty((0, 2))
-    h = np.zeros((2 + len(turned), size))
-    h[:2, standing.DISPLACEMENT] = np.eye(2)
-    h[2:, aligning_model.TURNED] = turned
-    kalman = KalmanFilter(dim_x=size, dim_z=len(h))
+    size, turned = aligning_model.STATES, aligning_model.TURNED
+    kalman = KalmanFilter(dim_x=size, dim_z=4 if tilting else 2)
     kalman.P = aligning_model.prior(errors)
-    kalman.P[aligning_model.TURNED, aligning_model.TURNED] += white**2 * np.eye(2)
     kalman.Q = run.noise(errors)
-    kalman.Q[aligning_model.TURNED, aligning_model.TURNED] += walk**2 * run.step * np.eye(2)
-    kalman.H = h
-    kalman.R = np.diag([sway**2, sway**2, white**2, white**2][: len(h)])
-    measured = np.hstack([run.displacement, run.turned])[:, : len(h)]
+    kalman.H = np.zeros((kalman.dim_z, size))
+    kalman.H[:2, standing.DISPLACEMENT] = np.eye(2)
+    measured, variances = run.displacement, [sway**2, sway**2]
+    if tilting:
+        white, walk = tilting.angle_white_noise, tilting.angle_random_walk
+        # White tilt is in every reading (R) and also at the start, to which readings refer (P).
+        variances += [white**2, white**2]
+        kalman.P[turned, turned] += white**2 * np.eye(2)
+        kalman.Q[turned, turned] += walk**2 * run.step * np.eye(2)
+        kalman.H[2:, turned] = np.eye(2)
+        measured = np.hstack([measured, run.turned])
+    kalman.R = np.diag(variances)
     state, covariance, innovation, spread = [], [], [], []
     for z, transition in zip(measured, run.transition, strict=True):
         kalman.predict(F=transition)

@@ -21,12 +21,12 @@ BOUNDS = ((1e-7, 1.0), (1e-10, 1.0))
 class Tilting:
     """Tilting about each level axis.
 
-    white: standard deviation, rad, including quantization; walk: coefficient of the random walk,
-    rad/sqrt(s).
+    angle_white_noise: standard deviation, rad, including quantization; angle_random_walk:
+    coefficient, rad/sqrt(s).
     """
 
-    white: float
-    walk: float
+    angle_white_noise: float
+    angle_random_walk: float
 
 
 def estimate_tilting(turned: Array, step: float, errors: SensorErrors) -> Tilting:

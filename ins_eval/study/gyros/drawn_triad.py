@@ -20,6 +20,7 @@ from pyhrg.common.errors import HrgError
 from pyhrg.common.units import ARCSEC, MICRO_G
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
+from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
 Array = NDArray[np.float64]
 
@@ -54,6 +55,19 @@ class TriadDistribution:
 
 
 @dataclass(frozen=True)
+class DrawnGyro:
+    """A gyro of a triad.
+
+    device: as the maker has calibrated it; bench_seed: seed of the bench's noise; flight: the gyro
+    as it flies.
+    """
+
+    device: Device
+    bench_seed: int
+    flight: Flight
+
+
+@dataclass(frozen=True)
 class DrawnTriad:
     """Three gyros in one flight, and what the bench measured of them.
 
@@ -74,46 +88,39 @@ def make_triad_seed(study_seed: int, number: int) -> np.random.SeedSequence:
     return np.random.SeedSequence(study_seed, spawn_key=(number,))
 
 
-def draw_triad_block(
-    fmu: GyroFmu, distribution: TriadDistribution, study_seed: int, first: int, count: int
-) -> TriadBlock:
-    """Triads first to first + count - 1 of a study.
-
-    Args:
-        fmu: `HRGSlow`.
-        distribution: what they are drawn from.
-        study_seed: seed of the study.
-        first, count: number of the first triad, and number of triads.
-    """
-    seeds = [make_triad_seed(study_seed, n) for n in range(first, first + count)]
-    return tabulate_triads(fmu, [draw_triad(fmu, distribution, seed) for seed in seeds])
-
-
 def draw_triad(
     fmu: GyroFmu, distribution: TriadDistribution, seed: np.random.SeedSequence
 ) -> DrawnTriad:
-    """One triad; its seed decides all of it. Arguments as `draw_triad_block`."""
+    """One triad, from the FMU `HRGSlow`; its seed decides all of it."""
     generator = np.random.default_rng(seed)
-    gyros = [_draw_gyro(fmu, distribution, generator) for _ in range(AXES)]
+    gyros = draw_gyros(fmu, distribution, generator)
     return DrawnTriad(
-        measured=tuple(measured for measured, _ in gyros),
-        flights=tuple(flight for _, flight in gyros),
+        measured=tuple(
+            measure_gyro(fmu, each.device, distribution.bench, each.bench_seed) for each in gyros
+        ),
+        flights=tuple(each.flight for each in gyros),
         accelerometers=generator.normal(0.0, distribution.accelerometer_bias, AXES),
         seed=generator.integers(2**63, size=2).astype(np.uint64),
         mounting=generator.normal(0.0, distribution.mounting, (2, AXES)),
     )
 
 
+def draw_gyros(
+    fmu: GyroFmu, distribution: TriadDistribution, generator: np.random.Generator
+) -> list[DrawnGyro]:
+    """The three gyros of a triad, built, calibrated and aged; they are not benched."""
+    return [_draw_gyro(fmu, distribution, generator) for _ in range(AXES)]
+
+
 def _draw_gyro(
     fmu: GyroFmu, distribution: TriadDistribution, generator: np.random.Generator
-) -> tuple[MeasuredGyro, Flight]:
+) -> DrawnGyro:
     built = distribution.population.draw(generator)
     maker, bench = generator.integers(2**63, size=2).tolist()
     device: Device = calibrate_gyro(
         fmu, built, distribution.method, maker, distribution.calibration
     )
-    measured = measure_gyro(fmu, device, distribution.bench, bench)
-    return measured, draw_flight(device, distribution.drift, generator)
+    return DrawnGyro(device, bench, draw_flight(device, distribution.drift, generator))
 
 
 def tabulate_triads(fmu: GyroFmu, triads: list[DrawnTriad]) -> TriadBlock:
@@ -157,12 +164,5 @@ def _read_flight_map(fmu: GyroFmu, flight: Flight) -> tuple[Array, Array]:
 
 
 def _list_noise(device: Device) -> Array:
-    """Strengths in the order of `noise_weights.KINDS`."""
-    return np.array(
-        [
-            device.angle_white_noise,
-            device.angle_random_walk,
-            device.bias_instability,
-            device.rate_random_walk,
-        ]
-    )
+    """(4,) noise coefficients, SI, in the order of `COEFFICIENT_NAMES`."""
+    return np.array([getattr(device, name) for name in COEFFICIENT_NAMES])

@@ -63,7 +63,7 @@ def draw_flight(device: Device, drift: Drift, generator: np.random.Generator) ->
     old = age_gyro(device, drift.age, generator)
     rise = generator.uniform(drift.coolest, drift.warmest)
     angle = old.power_on_angle + generator.normal(0.0, old.power_on_scatter)
-    parameters = old.turned_on(generator)
+    parameters = old.draw_turn_on(generator)
     drawn = {name: parameters[name] for name in old.turn_on_scatter}
     return Flight(
         device=replace(old, model={**old.model, **drawn}, turn_on_scatter={}),

@@ -54,7 +54,14 @@ class MeasuredGyro:
 
 
 def measure_gyro(fmu: GyroFmu, device: Device, plan: BenchPlan, seed: int) -> MeasuredGyro:
-    """The bench's results for a gyro.
+    """The bench's results for a gyro; arguments as `record_tests`."""
+    return evaluate_campaigns(*record_tests(fmu, device, plan, seed))
+
+
+def record_tests(
+    fmu: GyroFmu, device: Device, plan: BenchPlan, seed: int
+) -> tuple[Campaign, Campaign]:
+    """Records of the three tests, and of the two map tests at `WARM_RISE`.
 
     Args:
         fmu: `HRGSlow`.
@@ -62,10 +69,9 @@ def measure_gyro(fmu: GyroFmu, device: Device, plan: BenchPlan, seed: int) -> Me
         plan: length of the tests; two power-ons or more.
         seed: seed of the tests' noise, from 0.
     """
-    warm = record_campaign(
-        fmu, soak_gyro(device, WARM_RISE), replace(plan, runs=1), seed + 1, fixed=False
-    )
-    return evaluate_campaigns(record_campaign(fmu, device, plan, seed), warm)
+    soaked, short = soak_gyro(device, WARM_RISE), replace(plan, runs=1)
+    warm = record_campaign(fmu, soaked, short, seed + 1, fixed=False)
+    return record_campaign(fmu, device, plan, seed), warm
 
 
 def evaluate_campaigns(tests: Campaign, warm: Campaign) -> MeasuredGyro:

@@ -21,7 +21,7 @@ class BenchFigures:
     itself: the fitted map, and its change as the gyro warms. The resonance frequency is the
     thermometer that gives the rise of temperature. Coefficients of the other signals are zero;
     variance: (r, COUNT, 3) variance of their errors;
-    noise: (r, KINDS, 3) strengths of `noise_weights.KINDS`, zero where the bench measures none.
+    noise: (r, 4, 3) noise coefficients, SI (`COEFFICIENT_NAMES`); zero where the bench has none.
     """
 
     fixed_stability: Array

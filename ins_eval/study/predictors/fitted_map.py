@@ -38,7 +38,7 @@ def predict(
         seed: seed of the samples.
     """
     expected = compute_expected_error(weights, start_maps(bench.maps, start_angle))
-    sigma, standard = drift.missed(bench), drift.standard
+    sigma, standard = drift.compute_sigma_with_bench(bench), drift.standard
     return draw_at_angles(weights.maps, expected, sigma, standard, other, start_angle, seed)
 
 
@@ -50,5 +50,5 @@ def predict_any_angle(
     seed: int,
 ) -> SampledPrediction:
     """Errors of triads whose gyros' power-on angles are unknown; arguments as `predict`."""
-    sigma = drift.missed(bench)
+    sigma = drift.compute_sigma_with_bench(bench)
     return draw_at_any_angle(weights.maps, bench.maps, sigma, drift.standard, other, seed)

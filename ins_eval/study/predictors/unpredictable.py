@@ -15,7 +15,7 @@ def compute_unpredictable_covariance(
 
     Args:
         weights: weights of the mission.
-        noise: (r, KINDS, 3) strengths of each gyro's noise.
+        noise: (r, 4, 3) noise coefficients of each gyro, SI.
         accelerometer_bias: standard deviation of each accelerometer's bias, m/s^2.
         mounting: standard deviation of the angle by which each input axis leans, in each of two
             directions, rad.

@@ -4,7 +4,6 @@ import io
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
-from zipfile import BadZipFile
 
 import numpy as np
 from numpy.typing import NDArray
@@ -76,12 +75,9 @@ def pack_block(arrays: Arrays, identity: Identity, number: int) -> bytes:
 
 
 def unpack_block(file: bytes, identity: Identity, number: int) -> Arrays | None:
-    """Arrays of a block's file; None if it is damaged or belongs to another block or study."""
-    try:
-        with np.load(io.BytesIO(file)) as stored:
-            arrays = dict(stored.items())
-    except (OSError, EOFError, ValueError, BadZipFile):
-        return None
+    """Arrays of a block's file; None if it belongs to another block or study."""
+    with np.load(io.BytesIO(file)) as stored:
+        arrays = dict(stored.items())
     mark = arrays.pop(MARK, None)
     return arrays if mark is not None and str(mark) == _make_mark(identity, number) else None
 

@@ -1,20 +1,20 @@
 """A study's folder: its identity, its finished blocks; one command works in it at a time."""
 
 import fcntl
-import json
 import os
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from ins_eval.study.run.block import Arrays, unpack_block
 from ins_eval.study.run.errors import StudyRunError
 from ins_eval.study.run.identity import Identity
+from pyhrg.common.caches.files import read_cached, write_cached
 from pyhrg.common.files import write_whole
 from pyhrg.common.made_by import find_difference
+from pyhrg.common.reading.documents import read_json
 
 IDENTITY = "identity.json"
 BLOCK_FOLDER = "blocks"
@@ -31,15 +31,12 @@ class StudyFolder:
 
     def keep(self, number: int, file: bytes) -> None:
         """Write a block's file, whole or not at all."""
-        self.blocks.mkdir(exist_ok=True)
-        write_whole(self.block(number), file)
+        write_cached(self.block(number), file)
 
     def load_block(self, number: int) -> Arrays | None:
         """Arrays of a block; None where it does not exist or is damaged."""
-        try:
-            return unpack_block(self.block(number).read_bytes(), self.identity, number)
-        except FileNotFoundError:
-            return None
+        file = read_cached(self.block(number))
+        return None if file is None else unpack_block(file, self.identity, number)
 
     def forget_blocks(self) -> None:
         """Delete the blocks, once the study is complete."""
@@ -87,7 +84,7 @@ def _check(path: Path, identity: Identity) -> None:
             raise StudyRunError(f"{path}: found {others[0]}, expected an empty folder or a study's")
         write_whole(file, identity.text.encode())
         return
-    found = _read(file)
+    found = read_json(file, StudyRunError)
     if differs := find_difference(found.get("study"), identity.study):
         key, here, asked = differs
         raise StudyRunError(
@@ -100,13 +97,3 @@ def _check(path: Path, identity: Identity) -> None:
             f"{file}: a study of another version: {key}: found {here}, expected {asked}; "
             "choose another folder"
         )
-
-
-def _read(file: Path) -> dict[str, Any]:
-    try:
-        found = json.loads(file.read_text(encoding="utf-8"))
-    except ValueError as error:
-        raise StudyRunError(f"{file}: found what is no JSON: {error}") from error
-    if not isinstance(found, dict):
-        raise StudyRunError(f"{file}: found no object, expected a study's identity")
-    return found

@@ -66,14 +66,14 @@ class Outcome:
         missing = len(self.time) - errors.shape[1]
         return np.hstack([errors, self.flown[:, None][:, :missing]])
 
-    def predicted(self, key: str) -> Array:
+    def get_predicted(self, key: str) -> Array:
         """(n,) medians of a predictor at the end, m."""
         return self.flights[c.PREDICTOR_OF[key].median].to_numpy(float)
 
-    def predicted_growth(self, key: str) -> Array:
+    def get_predicted_growth(self, key: str) -> Array:
         """(k,) median over the triads of a stability rule's prediction at `time`, m; the rule is
         proportional to time."""
-        return np.asarray(np.median(self.predicted(key)) * self.time / self.time[-1])
+        return np.asarray(np.median(self.get_predicted(key)) * self.time / self.time[-1])
 
     def ratio(self, key: str) -> Score:
         """Median of flown over predicted error."""

@@ -62,7 +62,7 @@ def _describe(outcome: Outcome, data: StudyData) -> Iterator[str]:
         ("predicted from the full circumference", CIRCUMFERENCE_RULE),
         ("predicted from the fitted map", FITTED_MAP),
     ):
-        yield f"  {title:<{WIDTH}}{format_distance(float(np.median(outcome.predicted(key))))}"
+        yield f"  {title:<{WIDTH}}{format_distance(float(np.median(outcome.get_predicted(key))))}"
     low, high = map(format_distance, outcome.flown_interval)
     median = format_distance(float(np.median(outcome.flown)))
     yield f"  {'flown':<{WIDTH}}{median}, 95 %: {low} to {high}"

@@ -107,7 +107,7 @@ def _describe(outcome: Outcome) -> dict[str, Any]:
 def _describe_prediction(outcome: Outcome, key: str) -> dict[str, Any]:
     ratio = outcome.ratio(key)
     return {
-        "radial_error_nmi": float(np.median(outcome.predicted(key))) / NAUTICAL_MILE,
+        "radial_error_nmi": float(np.median(outcome.get_predicted(key))) / NAUTICAL_MILE,
         "flown_over_predicted": ratio.value,
         "flown_over_predicted_interval_95": [ratio.low, ratio.high],
     }
@@ -130,7 +130,9 @@ def _write_table(outcomes: Sequence[Outcome], path: Path) -> None:
         writer = csv.writer(file)
         writer.writerow(columns)
         for outcome in outcomes:
-            predicted = [outcome.predicted_growth(key) for key in (FIXED_RULE, CIRCUMFERENCE_RULE)]
+            predicted = [
+                outcome.get_predicted_growth(key) for key in (FIXED_RULE, CIRCUMFERENCE_RULE)
+            ]
             for time, *rules, flown in zip(outcome.time, *predicted, outcome.growth.T, strict=True):
                 numbers = [time, *rules, np.median(flown), *median_interval(flown), *flown]
                 texts = (f"{value:.6g}" for value in numbers)

@@ -22,6 +22,8 @@ from ins_eval.study.validation.result_files import FILES, write_files
 from ins_eval.trajectories.catalogue import find_mission_file
 from pyhrg.common.arguments import check_number, check_seed, check_whole_number
 from pyhrg.common.errors import HrgError
+from pyhrg.common.reading.files import read_bytes
+from pyhrg.common.reading.limits import LOG_BYTES
 
 PRESET = "small"
 """The ready study that a validation runs; its values are the defaults of `validate`."""
@@ -39,7 +41,7 @@ def validate(
     scheduler: str | None = None,
     progress: Progress | None = None,
 ) -> StudyResult:
-    """Which bench test predicts the position error: the small study, with these options.
+    """Run the small study that says which bench test predicts the position error.
 
     Args:
         out: output folder; new, empty, or of the same validation, which is continued.
@@ -117,7 +119,7 @@ def _fly_trajectory(study: Study, trajectory: Path | str) -> Study:
         mission_class=classes.get(name, name),
         hours=study.hours,
         file_name=path.name,
-        content=path.read_bytes(),
+        content=read_bytes(path, LOG_BYTES),
     )
     first = study.missions[0]
     return replace(study, missions=(chosen,) if name == first.name else (first, chosen))

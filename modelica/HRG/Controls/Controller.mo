@@ -1,7 +1,7 @@
 within HRG.Controls;
 block Controller "Phase, amplitude and quadrature loops and the read-out; whole-angle or force-to-rebalance"
   extends PartialController;
-  parameter Units.Rate startGrowthRate "Amplitude command at time 0";
+  parameter Units.Force startForce "Force on the antinode at time 0";
   output Units.Force force[4] "Commanded force {cos x, sin x, cos y, sin y}";
   output Units.Force acting[4] "Force that was held up to the sample";
   ProportionalIntegral phaseLoop(
@@ -16,7 +16,7 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
   ProportionalIntegral amplitudeLoop(
     samplePeriod = samplePeriod,
     naturalFrequency = 6,
-    startCommand = startGrowthRate,
+    startCommand = startForce,
     error = driveOn*startUp.error,
     frozen = synthesis.wasOverloaded) "Holds the antinode amplitude";
   ProportionalIntegral quadratureLoop(
@@ -55,7 +55,7 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
     cosine = detector.cosine,
     sine = detector.sine,
     amplitude = detector.amplitude,
-    growthRate = amplitudeLoop.command,
+    antinodeForce = amplitudeLoop.command,
     quadratureForce = quadratureLoop.command,
     patternRate = readout.patternRate,
     driveOn = driveOn,
@@ -70,7 +70,7 @@ equation
   reference = phaseLoop.command;
   annotation (Documentation(info="<html>
 <p>Four sampled loops on the detected orbit, as D. D. Lynch's control of the averaged equations: the phase loop turns the
-reference frequency until phase + offset is zero; the amplitude loop sets the force on the antinode, A = growth rate times a; the quadrature
+reference frequency until phase + offset is zero; the amplitude loop sets the force on the antinode, A; the quadrature
 loop the force on the node in quadrature, S; in the force-to-rebalance mode the angle loop commands the rotation that holds the pattern. Each is a
 <code>ProportionalIntegral</code>. While a drive is at its authority, their integrals stand still, except that of the phase loop. What the drives can give
 of the commanded rotation is counted and taken out of the output.</p>

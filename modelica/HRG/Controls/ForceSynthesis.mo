@@ -8,7 +8,7 @@ block ForceSynthesis "Loop commands, resolved from the pattern's axes into the e
   input Units.Ratio cosine "Of the detected modal angle";
   input Units.Ratio sine "Of the detected modal angle";
   input Units.Displacement amplitude "Detected antinode amplitude";
-  input Units.Rate growthRate "Command of the amplitude loop";
+  input Units.Force antinodeForce "Command of the amplitude loop";
   input Units.Force quadratureForce "Command of the quadrature loop";
   input Units.AngularRate patternRate "Commanded rotation of the pattern";
   input Units.Ratio driveOn "1 with the drive on, 0 off";
@@ -39,8 +39,8 @@ equation
     lagSine = lag - lag*lag*lag/6;
     c = cosine*lagCosine + sine*lagSine;
     s = sine*lagCosine - cosine*lagSine;
-    drivenGrowth = driveOn*growthRate;
-    antinode = drivenGrowth*amplitude;
+    antinode = driveOn*antinodeForce;
+    drivenGrowth = antinode/amplitude;
     node = driveOn*2*patternRate*amplitude;
     square = driveOn*quadratureForce;
     wanted = {antinode*c - node*s, -square*s, antinode*s + node*c, square*c};
@@ -58,7 +58,7 @@ equation
 <p>With A on the antinode, N on the node and S on the node in quadrature, c and s of the modal angle,</p>
 <pre>force = {A c - N s, -S s, A s + N c, S c}</pre>
 <p>{cos x, sin x, cos y, sin y}, as growths of the envelope. For an orbit without quadrature a' = A, q' = S and theta' = N/(2 a), so that
-A = growth rate times a, and N = 2 a times the commanded rate of the pattern. Forces are held for a control period; the loop delay turns
+N = 2 a times the commanded rate of the pattern. Forces are held for a control period; the loop delay turns
 their axes back by the pattern's way in it (mechanism 15). A channel is clipped at the drives' authority (mechanism 30); the rotation that this
 takes away, (N - force along the node)/(2 a), is told to the read-out. Control by antinode and node forces: D. D. Lynch.</p>
 </html>"));

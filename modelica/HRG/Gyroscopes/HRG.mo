@@ -31,7 +31,7 @@ model HRG "Whole-angle hemispherical resonator gyro: complex envelope, electroni
   Controls.Controller controller(
     samplePeriod = samplePeriod,
     startAngle = startAngle,
-    startGrowthRate = 1/resonator.material.decayTime,
+    startForce = startAmplitude/resonator.material.decayTime,
     reading = pickOff.reading,
     amplitudeSetpoint = amplitudeSetpoint,
     phaseOffset = phaseOffset,

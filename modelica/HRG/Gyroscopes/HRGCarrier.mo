@@ -38,7 +38,7 @@ model HRGCarrier "Whole-angle hemispherical resonator gyro at its carrier: oscil
   Controls.Controller controller(
     samplePeriod = samplePeriod,
     startAngle = startAngle,
-    startGrowthRate = 1/resonator.material.decayTime,
+    startForce = startAmplitude/resonator.material.decayTime,
     reading = pickOff.reading,
     amplitudeSetpoint = amplitudeSetpoint,
     phaseOffset = phaseOffset,

@@ -111,7 +111,7 @@ def _sum(one: AngleMap, other: AngleMap) -> AngleMap:
 
 
 def _bias(name: str, positions: BiasMap, rates: ScaleFactorMap, earth: float, n: int) -> Finding:
-    value, error, freedom = _seen(name, positions)
+    value, error, freedom = _estimate_term(name, positions)
     term = SCALE if name == MEAN else f"{SCALE} {name}"
     if term not in rates.fit.names:
         return _finding(f"bias map {name}", "deg/h", (value, error, freedom), n)
@@ -124,7 +124,7 @@ def _bias(name: str, positions: BiasMap, rates: ScaleFactorMap, earth: float, n:
     return _finding(f"bias map {name}", "deg/h", _less((value, error, freedom), share), n)
 
 
-def _seen(name: str, positions: BiasMap) -> Estimate:
+def _estimate_term(name: str, positions: BiasMap) -> Estimate:
     """A term of the position test: over runs where there are three, else of the first."""
     values = [fit.value(name) for fit in positions.fits]
     if len(values) > 2:

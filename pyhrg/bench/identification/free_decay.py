@@ -131,14 +131,14 @@ def fit_decays(found: Sequence[Decay], gyro: Gyro, start: Array) -> Fit:
         except ValueError as error:
             raise BenchError(f"{found[0].source}: ring-down: {error}") from error
         terms = terms + step.values
-        if _settled(step):
+        if _is_settled(step):
             return replace(step, values=terms)
     raise BenchError(
         f"{found[0].source}: the fit of the ring-down did not settle in {ROUNDS} steps"
     )
 
 
-def _settled(step: Fit) -> bool:
+def _is_settled(step: Fit) -> bool:
     size = np.sqrt(np.diag(step.covariance))
     if np.all(np.abs(step.values) < 1e-13):
         return True

@@ -9,9 +9,10 @@ from pyhrg.common.units import DEG
 from pyhrg.records import Log
 
 RATE_TOLERANCE = 1e-3
-"""Largest relative difference of a row's table rate from the first row's on one plateau."""
-ENCODER_RESOLUTION = 2e-6 * DEG
-"""Resolution of the encoder, rad: rates on one plateau may also differ by this over a row."""
+"""Largest relative difference of a row's table rate from the first row's on one plateau. Chosen."""
+TURN_TOLERANCE = 2e-6 * DEG
+"""Turns of two rows on one plateau may also differ by this, rad. Derived: the most that rounding of
+encoder angles to six decimals of a degree makes."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +49,7 @@ def find_plateaus(log: Log, shortest: float) -> list[Plateau]:
         rate = np.diff(angle) / np.diff(time)
         begin = 0
         for row in range(1, len(rate) + 1):
-            tolerance = RATE_TOLERANCE * abs(rate[begin]) + ENCODER_RESOLUTION / log.interval
+            tolerance = RATE_TOLERANCE * abs(rate[begin]) + TURN_TOLERANCE / log.interval
             if row < len(rate) and abs(rate[row] - rate[begin]) <= tolerance:
                 continue
             if time[row] - time[begin] >= shortest - 1e-9:

@@ -1,4 +1,5 @@
-"""Mean scale factor from turns of the table in both directions, over whole periods of the pattern.
+"""Scale factor from turns of the table in both directions, over whole periods of the pattern: its
+mean over the circumference, and its fourth harmonic.
 
 Temperature tests and annual tests use it; the scale factor over the circumference has procedures of
 its own (`pyhrg.bench.scale_factor`).
@@ -23,11 +24,14 @@ class Spin:
 
     rate: of the table, rad/s.
     scale_factor: gyro angle over table angle, without Earth's rate.
+    harmonic: of the scale-factor error over the pattern angle th: it is the real part of
+        harmonic exp(-4i th).
     first, last: rows of the log.
     """
 
     rate: float
     scale_factor: float
+    harmonic: complex
     first: int
     last: int
 
@@ -64,9 +68,12 @@ def _measure_spin(log: Log, part: slice, vertical_rate: float) -> Spin | None:
     columns = [np.ones_like(table), table - table[0], np.cos(4 * pattern), np.sin(4 * pattern)]
     if len(rows) <= len(columns):
         return None
-    slope = float(np.linalg.lstsq(np.column_stack(columns), error, rcond=None)[0][1])
-    rate = (table[-1] - table[0]) / (log.time[rows[-1]] - log.time[rows[0]])
-    return Spin(float(rate), 1 + slope, int(rows[0]), int(rows[-1]))
+    _, slope, cosine, sine = np.linalg.lstsq(np.column_stack(columns), error, rcond=None)[0]
+    turned = float(table[-1] - table[0])
+    rate = turned / (log.time[rows[-1]] - log.time[rows[0]])
+    # derivative of the angle's harmonic by the table angle
+    harmonic = -4j * complex(cosine, sine) * float(pattern[-1] - pattern[0]) / turned
+    return Spin(float(rate), 1 + float(slope), harmonic, int(rows[0]), int(rows[-1]))
 
 
 def pair_spins(spins: list[Spin], source: str) -> list[tuple[Spin, Spin]]:
@@ -91,3 +98,8 @@ def pair_spins(spins: list[Spin], source: str) -> list[tuple[Spin, Spin]]:
 def compute_scale_factor_error(pair: tuple[Spin, Spin]) -> float:
     """Scale-factor error: mean over both directions, less one."""
     return (pair[0].scale_factor + pair[1].scale_factor) / 2 - 1
+
+
+def compute_scale_factor_harmonic(pair: tuple[Spin, Spin]) -> complex:
+    """Fourth harmonic of the scale-factor error, of both directions: a bias map's cancels."""
+    return (pair[0].harmonic + pair[1].harmonic) / 2

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from pyhrg.bench.estimation.angle_fit import Record, compute_largest_inflation
 from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, name_terms
-from pyhrg.bench.readings.turns import ENCODER_NOISE, RATE_TOLERANCE, SETTLE
+from pyhrg.bench.readings.turns import RATE_TOLERANCE, SETTLE, TURN_TOLERANCE
 from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG
@@ -104,7 +104,9 @@ def find_sweeps(log: Log, latitude: float) -> list[Sweep]:
 def _find_changes(log: Log, rows: slice) -> NDArray[np.bool_]:
     """Mask of rows at which table rate or a command changes or the output is not valid."""
     turned = np.diff(log.table_angle[rows], prepend=log.table_angle[rows][:1])
-    changed = np.abs(np.diff(turned, prepend=0.0)) > ENCODER_NOISE + RATE_TOLERANCE * np.abs(turned)
+    changed = np.abs(np.diff(turned, prepend=0.0)) > TURN_TOLERANCE + RATE_TOLERANCE * np.abs(
+        turned
+    )
     for values in (log.virtual_rotation, log.axis_up, log.drive_on):
         changed |= np.diff(values[rows], prepend=values[rows][:1]) != 0
     return np.asarray(changed | (log.drive_on[rows] < 0.5) | (log.valid[rows] < 0.999))
@@ -119,7 +121,7 @@ def _read_sweep(log: Log, latitude: float, rows: slice) -> Sweep:
     earth = EARTH_RATE * math.sin(latitude) * float(np.mean(log.axis_up[rows]))
     angle = table - table[0] + earth * (time - time[0])
     moved = float(table[-1] - table[0])
-    rate = moved / span if abs(moved) > ENCODER_NOISE * len(time) else 0.0
+    rate = moved / span if abs(moved) > TURN_TOLERANCE * len(time) else 0.0
     command = float(log.virtual_rotation[rows][-1])
     excess = gyro - gyro[0] - angle
     return Sweep(log.source, log.interval, command, rate, time, pattern, angle, excess)

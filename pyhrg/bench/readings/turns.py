@@ -16,7 +16,7 @@ SETTLE = 2.0
 """Time after the table has reached its rate that is not used, s."""
 PERIOD = 90 * DEG
 """Period of the scale-factor map's fourth harmonic in the pattern angle, rad."""
-ENCODER_NOISE = 5 * ARCSEC
+TURN_TOLERANCE = 5 * ARCSEC
 """Allowance for the encoder, rad: at a steady rate the turn of a row differs from that of the row
 before by no more than this plus `RATE_TOLERANCE` of itself."""
 RATE_TOLERANCE = 0.005
@@ -104,9 +104,11 @@ def _find_all(log: Log, latitude: float) -> list[Turn]:
 def _find_steady(log: Log) -> list[slice]:
     """Rows of each stretch without gap, with drive on, no virtual rotation and a steady rate."""
     turned = np.diff(log.table_angle, prepend=log.table_angle[:1])
-    moving = (np.abs(turned) > ENCODER_NOISE) & (log.virtual_rotation == 0.0) & (log.drive_on > 0.5)
+    moving = (
+        (np.abs(turned) > TURN_TOLERANCE) & (log.virtual_rotation == 0.0) & (log.drive_on > 0.5)
+    )
     moving &= ~(log.valid < 0.999)
-    unsteady = np.abs(np.diff(turned, prepend=0.0)) > ENCODER_NOISE + RATE_TOLERANCE * np.abs(
+    unsteady = np.abs(np.diff(turned, prepend=0.0)) > TURN_TOLERANCE + RATE_TOLERANCE * np.abs(
         turned
     )
     settle = math.ceil(SETTLE / log.interval)

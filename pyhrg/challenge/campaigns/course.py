@@ -75,7 +75,7 @@ class Course:
         """(n, 1) a command or attitude that holds over each row."""
         return np.broadcast_to(self.held[name][:, None], (len(self), self.steps))
 
-    def integrated(self, rate: Array) -> Array:
+    def integrate(self, rate: Array) -> Array:
         """Integral of a rate, from the start to the middle of each step."""
         total = np.cumsum(rate.ravel()) * self.step
         return np.asarray((total - rate.ravel() * self.step / 2).reshape(rate.shape))

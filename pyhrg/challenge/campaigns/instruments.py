@@ -26,7 +26,7 @@ class Instruments:
     quadrature_force: float = 1e-8
     frequency_offset: float = 1e-5 * HZ
 
-    def drawn(self, generator: np.random.Generator) -> "Instruments":
+    def draw_another(self, generator: np.random.Generator) -> "Instruments":
         """Instruments of another bench: each up to a factor of 1.4 better or worse."""
         names = [field.name for field in fields(self)]
         factors = (1.4 ** generator.uniform(-1, 1, len(names))).tolist()

@@ -68,8 +68,8 @@ def make_signed_rate_form(
 
 def find_ideal_pattern_angle(device: Device, course: Course, start: float) -> Array:
     """(n, m) pattern angle of a gyro without errors, rad."""
-    earth = device.site.vertical_rate * course.integrated(course.each("axis_up"))
-    turned = course.table_angle + earth - course.integrated(course.each("virtual_rotation"))
+    earth = device.site.vertical_rate * course.integrate(course.each("axis_up"))
+    turned = course.table_angle + earth - course.integrate(course.each("virtual_rotation"))
     return np.asarray(start - device.bryan_factor * turned)
 
 

@@ -11,6 +11,10 @@ from typing import Any
 from pyhrg.challenge.truths.truth import Truth
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import write_whole
+from pyhrg.common.reading.documents import read_json
+from pyhrg.common.reading.failures import refuse_unreadable
+from pyhrg.common.reading.files import read_bytes
+from pyhrg.common.reading.limits import DOCUMENT_BYTES
 
 
 class ChallengeError(HrgError):
@@ -26,7 +30,7 @@ def seal_truth(truth: Truth, path: Path) -> str:
 
 def hash_truth(path: Path) -> str:
     """The hash of a truth that was sealed."""
-    return hashlib.sha256(_read(path)).hexdigest()
+    return hashlib.sha256(read_bytes(path, DOCUMENT_BYTES, ChallengeError)).hexdigest()
 
 
 def open_truth(path: Path, published: str) -> Truth:
@@ -39,19 +43,13 @@ def open_truth(path: Path, published: str) -> Truth:
     known = {field.name for field in fields(Truth)}
     values: dict[str, Any] = {
         key: tuple(value) if isinstance(value, list) else value
-        for key, value in json.loads(_read(path)).items()
+        for key, value in read_json(path, ChallengeError).items()
         if key in known
     }
-    return Truth(**values)
+    with refuse_unreadable(path, "truth of a challenge", ChallengeError):
+        return Truth(**values)
 
 
 def encode_json(values: Mapping[str, Any]) -> bytes:
     """Bytes of a JSON file: the same for the same values, which are finite."""
     return (json.dumps(values, indent=1, sort_keys=True, allow_nan=False) + "\n").encode()
-
-
-def _read(path: Path) -> bytes:
-    try:
-        return path.read_bytes()
-    except OSError as error:
-        raise ChallengeError(f"{path}: can't be read: {error.strerror or error}") from error

@@ -29,10 +29,10 @@ class Scale:
 
     def __call__(self, values: ArrayLike) -> Array:
         """Places of values, user units."""
-        v, low, high = (self._shown(x) for x in (values, self.low, self.high))
+        v, low, high = (self._transform(x) for x in (values, self.low, self.high))
         return np.asarray(self.start + (v - low) / (high - low) * (self.end - self.start))
 
-    def _shown(self, values: ArrayLike) -> Array:
+    def _transform(self, values: ArrayLike) -> Array:
         v = np.asarray(values, dtype=float)
         return np.log10(v) if self.log else v
 

@@ -9,10 +9,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.caches.compiled import compile_loop
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.observations import ObservedTest
 
@@ -224,7 +224,7 @@ def _generate_acceleration_functions(where: Coordinates) -> Functions:
         yield "acceleration", f"acceleration {pair[0]} times {pair[1]}", None, product
 
 
-@numba.njit(cache=True)
+@compile_loop
 def _follow_with_play(series: Array, width: float) -> Array:
     """(n,) output of a play (backlash) operator of this width: hysteresis."""
     lagging = np.empty_like(series)

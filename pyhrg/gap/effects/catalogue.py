@@ -99,7 +99,7 @@ class NoiseEffect:
     """A noise above its believed level.
 
     name: in the record format.
-    field: of `Device`; `SlowNoise` has the same part.
+    field: of `Device`. A level of `NoiseModel` has the same name, except of a quantization step.
     scale: typical level in a trimmed gyro of this class, SI.
     """
 

@@ -20,12 +20,12 @@ from pyhrg.gap.effects.design import Design, Group
 
 Array = NDArray[np.float64]
 
-MAX_SIGMA = 1e5
+MAX_PRIOR_SIZE_SIGMA = 1e5
 """Upper end of the prior of a group's size, in sigma: s_max of Eq. (4). Chosen; a factor of ten
 changes a log evidence by 0.2."""
 EFFECT_MIN_VARIANCE = 1e-7
 """An effect is collinear with others when these leave less than this share of its columns' power.
-Chosen: of an effect of 1e5 sigma (`MAX_SIGMA`) it is 30 sigma."""
+Chosen: of an effect of 1e5 sigma (`MAX_PRIOR_SIZE_SIGMA`) it is 30 sigma."""
 TERM_MIN_VARIANCE = 1e-3
 """A candidate term is collinear with others when these leave less than this share of its columns'
 power. Terms are approximate shapes: a small difference between two large terms has no meaning.
@@ -117,7 +117,9 @@ def log_evidence(power: Array, size: int) -> Array:
     """Log evidence of a single group of `size` orthonormal columns over the empty set (Eq. (5)),
     for each of the (n,) decreases of chi-square by it."""
     length = np.sqrt(np.maximum(power, size))
-    prior = -_log_sphere_area(size) - size * np.log(length) - math.log(math.log(MAX_SIGMA))
+    prior = (
+        -_log_sphere_area(size) - size * np.log(length) - math.log(math.log(MAX_PRIOR_SIZE_SIGMA))
+    )
     return np.asarray(power / 2 + size / 2 * math.log(2 * math.pi) + prior)
 
 
@@ -132,7 +134,12 @@ def _log_prior(information: Array, values: Array) -> float:
     d = len(values)
     length = math.sqrt(max(float(values @ information @ values), d))
     volume = float(np.linalg.slogdet(information)[1]) / 2
-    return volume - _log_sphere_area(d) - d * math.log(length) - math.log(math.log(MAX_SIGMA))
+    return (
+        volume
+        - _log_sphere_area(d)
+        - d * math.log(length)
+        - math.log(math.log(MAX_PRIOR_SIZE_SIGMA))
+    )
 
 
 def _log_sphere_area(d: int) -> float:

@@ -49,7 +49,7 @@ class Posterior:
         """Probability that something outside the catalogue takes part."""
         return self._mean(h.unknown_probability for h in self.hypotheses)
 
-    def unnamed(self) -> dict[str, float]:
+    def list_unnamed(self) -> dict[str, float]:
         """What takes part outside the catalogue, in words, with probabilities."""
         tables = [h.unnamed for h in self.hypotheses]
         words = dict.fromkeys(word for table in tables for word in table)

@@ -178,6 +178,8 @@ def _noise_cause(attribution: Attribution, added: AddedNoise) -> Cause:
 def list_unnamed(attribution: Attribution, features: Sequence[ResidualFeature]) -> dict[str, float]:
     """What may take part outside the catalogue, in words, with posterior probabilities, the most
     probable first."""
-    probabilities = attribution.posterior.unnamed() | {f.words: f.probability for f in features}
+    probabilities = attribution.posterior.list_unnamed() | {
+        f.words: f.probability for f in features
+    }
     mentioned = [(w, p) for w, p in probabilities.items() if p > MENTIONED_PROBABILITY]
     return dict(sorted(mentioned, key=lambda pair: -pair[1]))

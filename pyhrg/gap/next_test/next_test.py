@@ -64,7 +64,7 @@ class Separation:
     kind: str
     sigmas: Mapping[Pair, float]
 
-    def separated(self, pairs: Iterable[Pair]) -> list[Pair]:
+    def list_separated(self, pairs: Iterable[Pair]) -> list[Pair]:
         """The pairs, of these, that it separates at all."""
         return [pair for pair in pairs if self.sigmas[pair] > VISIBLE_SIGMA]
 
@@ -77,7 +77,7 @@ def suggest_next_test(
     if len(hypotheses) < 2:
         return None
     kinds = compute_separations(simulation, attribution, hypotheses)
-    pairs = [pair for pair in kinds[0].sigmas if any(kind.separated([pair]) for kind in kinds)]
+    pairs = [pair for pair in kinds[0].sigmas if any(kind.list_separated([pair]) for kind in kinds)]
     if not pairs:
         return None
     order = order_kinds(kinds, pairs)
@@ -92,7 +92,7 @@ def order_kinds(kinds: Sequence[Separation], pairs: Sequence[Pair]) -> list[Sepa
     """
 
     def rank(kind: Separation) -> tuple[int, int, float, float]:
-        separated = kind.separated(pairs)
+        separated = kind.list_separated(pairs)
         from_best = sum(0 in pair for pair in separated)
         return -from_best, -len(separated), _hours(kind, pairs), _log_error_bound(kind, pairs)
 
@@ -102,7 +102,7 @@ def order_kinds(kinds: Sequence[Separation], pairs: Sequence[Pair]) -> list[Sepa
 def _hours(kind: Separation, pairs: Sequence[Pair]) -> float:
     """Hours after which a kind of test has separated all pairs that it separates at all (Eq. (3));
     infinite where it separates none."""
-    sigmas = [kind.sigmas[pair] for pair in kind.separated(pairs)]
+    sigmas = [kind.sigmas[pair] for pair in kind.list_separated(pairs)]
     return math.ceil(10 * (SEPARATION_SIGMA / min(sigmas)) ** 2) / 10 if sigmas else math.inf
 
 
@@ -250,7 +250,9 @@ def _unimitated_power(information: Array, difference: Array, free: NDArray[np.bo
 def _why(order: Sequence[Separation], pairs: Sequence[Pair], hypotheses: Sequence[Rival]) -> str:
     """The pairs that the best kind separates least, and what the second best does for them."""
     best, second = order[:2]
-    hardest = sorted(best.separated(pairs), key=lambda pair: best.sigmas[pair])[:MENTIONED_PAIRS]
+    hardest = sorted(best.list_separated(pairs), key=lambda pair: best.sigmas[pair])[
+        :MENTIONED_PAIRS
+    ]
     separations = [
         f"{_words(hypotheses[i], hypotheses[j])} by {best.sigmas[i, j]:.2g} sigma "
         f"({second.kind} by {second.sigmas[i, j]:.2g})"

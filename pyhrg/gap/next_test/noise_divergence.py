@@ -38,7 +38,7 @@ def increment_spectrum(noise: NoiseModel, interval: float, angular: Array) -> Ar
     (5))."""
     cosine = np.cos(angular)
     difference = 2 - 2 * cosine
-    total = noise.white**2 * difference + noise.angle_random_walk**2 * interval
+    total = noise.angle_white_noise**2 * difference + noise.angle_random_walk**2 * interval
     total = total + noise.rate_random_walk**2 * interval**3 / difference
     states = noise.states
     for lag, of_rate, density in zip(states.lags, states.rates, states.densities, strict=True):

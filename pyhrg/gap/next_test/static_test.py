@@ -10,7 +10,7 @@ from scipy.optimize import brentq, minimize_scalar
 from pyhrg.common.units import HOUR
 from pyhrg.gap.effects.catalogue import NOISE_EFFECTS
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
-from pyhrg.gap.evidence.noise.noise_levels import LEVEL_RANGE, PARTS
+from pyhrg.gap.evidence.noise.noise_levels import LEVEL_RANGE
 from pyhrg.gap.findings.diagnosis import NextTest
 from pyhrg.gap.next_test.next_test import SEPARATION_SIGMA
 from pyhrg.gap.next_test.noise_divergence import compute_divergence
@@ -24,7 +24,7 @@ def suggest_static_test(hypothesis: NoiseHypothesis, stated: NoiseModel) -> Next
     """The static test that separates added noises from their equivalents, beyond the stated noise;
     None where there are no equivalents, or where `MAX_HOURS` are too few."""
     durations = [
-        (_find_hours(hypothesis.noise, stated, PARTS[added.effect.field], name), added, name)
+        (_find_hours(hypothesis.noise, stated, added.effect.field, name), added, name)
         for added in hypothesis.added
         for name in added.equivalents
     ]
@@ -56,7 +56,7 @@ def _find_hours(noise: NoiseModel, stated: NoiseModel, part: str, rival: str) ->
     """Time after which a noise is separated from the same with an equivalent of this name in the
     place of one part, whichever of the two is true, h; infinite where beyond `MAX_HOURS`."""
     effect = NOISE_EFFECTS[rival]
-    rival_part = PARTS[effect.field]
+    rival_part = effect.field
     reduced = noise.at(part, getattr(stated, part))
     level = max(getattr(noise, part), getattr(reduced, rival_part))
 

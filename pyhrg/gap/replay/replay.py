@@ -62,7 +62,7 @@ class ReplayInputs:
     def table_angle(self, steps: int) -> Array:
         """(n, steps) at the middles of equal steps of each row, rad."""
         at_begin = np.concatenate(([self.start_table_angle], self.log.table_angle[:-1]))[:, None]
-        return at_begin + self.table.turned_in(steps)
+        return at_begin + self.table.compute_turns(steps)
 
     def section(self, rows: slice, start_angle: float) -> "ReplayInputs":
         """The inputs of some rows, with power-on at their begin and the pattern at an angle,
@@ -138,7 +138,7 @@ def replay_inputs(
     earth = compute_earth_rate(device, inputs.log.axis_up[:, None], angle)
     eccentric = device.encoder_eccentricity * np.cos(angle + device.encoder_eccentricity_phase)
     varying = {
-        "angularRate": inputs.table.rates_in(steps) * (1 + eccentric) + earth,
+        "angularRate": inputs.table.compute_rates(steps) * (1 + eccentric) + earth,
         "caseTemperature": interpolate_rows(temperatures, compute_step_middles(steps)),
     }
     if "tableAngle" in fmu.references:  # the FMU of a diagnosis with a term of the table angle

@@ -12,12 +12,13 @@ from pyhrg.bench.bench import compute_step_middles, interpolate_rows
 
 Array = NDArray[np.float64]
 
-ENCODER_RESOLUTION = 1e-8
-"""Turn of the table below which it counts as at rest, rad. Chosen."""
+NEGLIGIBLE_TURN = 1e-8
+"""Turn of the table in a row that counts as zero, rad. Chosen: about three times the largest second
+difference, 3.5e-9, that rounding to the format's seven decimals of a degree makes."""
 MAX_ITERATIONS = 40
 """Most iterations of the reweighted fit. Chosen."""
 CONVERGENCE_SHARE = 0.1
-"""The fit has converged when no rate changes by more than this share of `ENCODER_RESOLUTION` a
+"""The fit has converged when no rate changes by more than this share of `NEGLIGIBLE_TURN` a
 row. Chosen."""
 ALTERNATION_RATIO = 2.0
 """Bends of the piecewise linear motion, over those of the sparse one, above which the sparse motion
@@ -47,14 +48,14 @@ class TableMotion:
         rates = self.rates[rows.start : rows.stop + 1]
         return replace(self, rates=rates, parabola_means=self.parabola_means[rows])
 
-    def rates_in(self, steps: int) -> Array:
+    def compute_rates(self, steps: int) -> Array:
         """(n, steps) mean rates over equal steps of each row, rad/s."""
         bounds = np.arange(steps + 1) / steps
         parabola = np.diff(_integrate_parabola(bounds)) * steps
         linear = interpolate_rows(self.rates, compute_step_middles(steps))
         return linear + self.parabola_means[:, None] * parabola
 
-    def turned_in(self, steps: int) -> Array:
+    def compute_turns(self, steps: int) -> Array:
         """(n, steps) turn from each row's begin to the middles of equal steps of it, rad."""
         share = compute_step_middles(steps)
         linear = share * interpolate_rows(self.rates, share / 2)
@@ -84,7 +85,7 @@ def _estimate_once(encoder: bytes, interval: float) -> TableMotion:
     means = np.diff(np.frombuffer(encoder), prepend=0.0) / interval
     signs = (-1.0) ** np.arange(len(means))
     linear = _build_motion(means, interval, np.asarray(2 * signs * np.cumsum(signs * means)))
-    if _median_bend(linear) <= ALTERNATION_RATIO * ENCODER_RESOLUTION / interval:
+    if _median_bend(linear) <= ALTERNATION_RATIO * NEGLIGIBLE_TURN / interval:
         return linear
     few = _build_motion(means, interval, _fit_sparse(means, interval))
     return few if ALTERNATION_RATIO * _median_bend(few) < _median_bend(linear) else linear
@@ -97,9 +98,9 @@ def _build_motion(means: Array, interval: float, rates: Array) -> TableMotion:
 
 
 def _median_bend(motion: TableMotion) -> float:
-    """Median second difference of the rates, plus that of the encoder's resolution, rad/s."""
+    """Median second difference of the rates, plus a negligible turn a row, rad/s."""
     bends = np.abs(np.diff(motion.rates, 2))
-    return ENCODER_RESOLUTION / motion.interval + float(np.median(bends))
+    return NEGLIGIBLE_TURN / motion.interval + float(np.median(bends))
 
 
 def _fit_sparse(means: Array, interval: float) -> Array:
@@ -113,10 +114,10 @@ def _fit_sparse(means: Array, interval: float) -> Array:
     rates[:-1][(means[1:] == 0) | (means[:-1] == 0)] = 0.0
     mean = sparse.diags_array([0.5, 0.5], offsets=[0, -1], shape=(n, n))
     bend = sparse.diags_array([1.0, -2.0, 1.0], offsets=[-1, 0, 1], shape=(n - 1, n))
-    resolution = ENCODER_RESOLUTION / interval
+    negligible = NEGLIGIBLE_TURN / interval
     for _ in range(MAX_ITERATIONS):
         parabolas, bends = means - mean @ rates, bend @ rates
-        a, b = (1 / (np.abs(values) + resolution) ** 2 for values in (parabolas, bends))
+        a, b = (1 / (np.abs(values) + negligible) ** 2 for values in (parabolas, bends))
         normal = mean.T @ sparse.diags_array(a) @ mean + bend.T @ sparse.diags_array(b) @ bend
         scale = 1 / np.sqrt(normal.diagonal())
         scaling = sparse.diags_array(scale)
@@ -124,6 +125,6 @@ def _fit_sparse(means: Array, interval: float) -> Array:
         scaled = sparse.csc_array(scaling @ normal @ scaling)
         change = scale * linalg.spsolve(scaled, scale * gradient)
         rates = rates + change
-        if np.abs(change).max() < CONVERGENCE_SHARE * resolution:
+        if np.abs(change).max() < CONVERGENCE_SHARE * negligible:
             break
     return rates

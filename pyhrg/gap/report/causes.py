@@ -116,7 +116,7 @@ def _build_effects(result: CampaignDiagnosis) -> str:
     posterior = result.attribution.posterior
     names = {name for hypothesis in posterior.hypotheses for name in hypothesis.every_name}
     chances = [(posterior.probability(name), format_effect(name)) for name in names]
-    chances += [(p, f"unnamed: {words}") for words, p in posterior.unnamed().items()]
+    chances += [(p, f"unnamed: {words}") for words, p in posterior.list_unnamed().items()]
     chances = sorted(chances, key=lambda chance: (-chance[0], chance[1]))[:LISTED_EFFECTS]
     rows = [(html.escape(w), *show_share(p)) for p, w in chances if p > SMALLEST_PROBABILITY]
     if not rows:

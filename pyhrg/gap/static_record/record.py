@@ -7,10 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.common.errors import HrgError
+from pyhrg.common.reading.files import read_unpacked
 from pyhrg.gap.static_record.terms import ACCELEROMETER, GYRO, Kind
 from pyhrg.records import Log, read_log
 from pyhrg.records.imu import recorded
-from pyhrg.records.table import read_bytes
 
 Array = NDArray[np.float64]
 
@@ -78,7 +78,7 @@ def read_static_record(path: Path, trusted: bool = False) -> StaticRecord:
         pyhrg.records.imu.log.LogError, pyhrg.records.LogError: the file can't be used.
         RecordError: it is too short, or a channel never changes.
     """
-    if BENCH_COLUMN in read_bytes(path)[:HEADER_BYTES]:
+    if BENCH_COLUMN in read_unpacked(path, RecordError)[:HEADER_BYTES]:
         return _take_bench_log(read_log(path))
     imu = recorded.read_imu_log(path, trusted).increments
     channels = [

@@ -41,7 +41,8 @@ class CampaignNoise:
     """Noise of all channels in all tests of a campaign.
 
     angle: of the output angle, rad.
-    white: standard deviations of one row of the other channels, SI, by field and row length, s.
+    white_noise: standard deviations of one row of the other channels, SI, by field and row
+        length, s.
     temperature: standard deviation of one reading of a test's temperature log, K, by test.
     reading_steps: quantization steps of these logs, K; 0 where they are finer than their noise.
     per_kelvin: sensitivity of a channel to the resonator's temperature, SI/K.
@@ -52,7 +53,7 @@ class CampaignNoise:
     """
 
     angle: NoiseModel
-    white: Mapping[str, Mapping[float, float]]
+    white_noise: Mapping[str, Mapping[float, float]]
     temperature: Mapping[str, float]
     reading_steps: Mapping[str, float]
     per_kelvin: Mapping[str, float]
@@ -63,10 +64,10 @@ class CampaignNoise:
     def get_model(self, channel: str, test: ObservedTest) -> NoiseModel:
         """Noise of a channel in the rows of a test (docs/methods/whitening.md, Eqs. 13 to 17)."""
         if channel == "gyro_angle":
-            return self.angle.add_white(test.encoder_noise)
+            return self.angle.add_white_noise(test.encoder_noise)
         interval = test.log.interval
-        nearest = min(self.white[channel], key=lambda known: abs(math.log(known / interval)))
-        white = self.white[channel][nearest]
+        nearest = min(self.white_noise[channel], key=lambda known: abs(math.log(known / interval)))
+        white = self.white_noise[channel][nearest]
         if channel in self.per_kelvin:
             kelvin = self.temperature.get(test.test.id, max(self.temperature.values()))
             lagged = self.per_kelvin[channel] * kelvin * np.sqrt(interval)

@@ -5,14 +5,15 @@ come first, so all arrays of states have m + 2 entries. Functions that run in ev
 calls would cost up to half of the time of one series.
 """
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
+
+from pyhrg.common.caches.compiled import compile_loop
 
 Array = NDArray[np.float64]
 
 
-@numba.njit(cache=True)
+@compile_loop
 def compute_innovations(
     series: Array,
     steps: Array,
@@ -72,7 +73,7 @@ def compute_innovations(
     return log_determinant
 
 
-@numba.njit(cache=True)
+@compile_loop
 def _fill_transition(
     step: float,
     walks: Array,
@@ -100,7 +101,7 @@ def _fill_transition(
         added[0, 0] += rates[j] * q * t * t * (h - 2 * t * (1 - stays) + t / 2 * (1 - stays**2))
 
 
-@numba.njit(cache=True, inline="always")
+@compile_loop(inline="always")
 def _predict_covariance(
     covariance: Array, kept: Array, integrated: Array, added: Array, angle_row: Array
 ) -> None:
@@ -119,7 +120,7 @@ def _predict_covariance(
             covariance[b, c] = covariance[b, c] * kept[b] * kept[c] + added[b, c]
 
 
-@numba.njit(cache=True, inline="always")
+@compile_loop(inline="always")
 def _fill_gain(
     covariance: Array, reading: Array, white: float, unscaled_gain: Array, gain: Array
 ) -> float:
@@ -135,7 +136,7 @@ def _fill_gain(
     return variance
 
 
-@numba.njit(cache=True, inline="always")
+@compile_loop(inline="always")
 def _update_covariance(
     covariance: Array, before: Array, unscaled_gain: Array, variance: float
 ) -> bool:
@@ -150,7 +151,7 @@ def _update_covariance(
     return changes
 
 
-@numba.njit(cache=True, inline="always")
+@compile_loop(inline="always")
 def _predict_state(state: Array, kept: Array, integrated: Array) -> None:
     """Propagate the (m, p) states over a step, in place (Eq. 6)."""
     for a in range(1, len(state)):

@@ -15,12 +15,13 @@ from numpy.typing import NDArray
 from scipy.signal import lfilter
 
 from pyhrg.gap.whitening.kalman_filter import compute_innovations
+from pyhrg.noise.flicker import compute_process_variance
 
 Array = NDArray[np.float64]
 
-FLICKER_TIME_CONSTANTS = tuple(10.0**e for e in (0.5, 1.5, 2.5, 3.5, 4.5))
-"""Time constants of the first-order lags whose sum approximates flicker noise, s. Chosen: one a
-decade. Their sum is flat to 6 % from 10 s to an hour (test_the_sum_of_lags_is_flicker)."""
+FLICKER_PROCESS_TIMES = tuple(10.0**e for e in (0.5, 1.5, 2.5, 3.5, 4.5))
+"""Correlation times of the Gauss-Markov processes whose sum approximates flicker noise, s. Chosen:
+one a decade. Their sum is flat to 6 % from 10 s to an hour (test_the_sum_of_lags_is_flicker)."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +47,7 @@ class CorrelatedNoise:
 class NoiseModel:
     """Noise of one channel, as a sum of independent terms. Levels are in the channel's SI unit.
 
-    white: standard deviation of the white noise of one reading.
+    angle_white_noise: standard deviation of the white noise of one reading, quantization included.
     angle_random_walk: coefficient N, unit/sqrt(s).
     rate_random_walk: coefficient K, unit/s/sqrt(s).
     bias_instability: coefficient B, unit/s (IEEE Std 952).
@@ -56,7 +57,7 @@ class NoiseModel:
     correlated: one more, exponentially correlated, term.
     """
 
-    white: float
+    angle_white_noise: float
     angle_random_walk: float = 0.0
     rate_random_walk: float = 0.0
     bias_instability: float = 0.0
@@ -69,17 +70,18 @@ class NoiseModel:
         values: dict[str, Any] = {term: level}
         return replace(self, **values)
 
-    def add_white(self, white: float) -> "NoiseModel":
+    def add_white_noise(self, level: float) -> "NoiseModel":
         """This noise with independent white noise of this standard deviation added."""
-        return self.at("white", math.hypot(self.white, white)) if white else self
+        total = math.hypot(self.angle_white_noise, level)
+        return self.at("angle_white_noise", total) if level else self
 
     @cached_property
     def states(self) -> "MarkovStates":
         """The slow terms as a Markov process (docs/methods/whitening.md, Eqs. 2 and 3)."""
-        lags = [self.lag, *(FLICKER_TIME_CONSTANTS if self.bias_instability else ())]
+        lags = [self.lag, *(FLICKER_PROCESS_TIMES if self.bias_instability else ())]
         rates = np.array([0.0] + [1.0] * (len(lags) - 1))
-        power = self.bias_instability**2 * 2 * np.log(10.0) / np.pi
-        densities = [self.lagged**2 / self.lag**2, *(power / t for t in lags[1:])]
+        variance = compute_process_variance(self.bias_instability)
+        densities = [self.lagged**2 / self.lag**2, *(2 * variance / t for t in lags[1:])]
         if self.correlated:
             lags.append(self.correlated.lag)
             rates = np.append(rates, float(self.correlated.of_rate))
@@ -140,12 +142,15 @@ def whiten(
 def _whiten_by_filter(series: Array, steps: Array, noise: NoiseModel) -> WhitenedSeries:
     walks = noise.angle_random_walk, noise.rate_random_walk, noise.bias_instability
     if not (any(walks) or noise.lagged or noise.correlated):
-        return WhitenedSeries(series / noise.white, 2 * len(series) * float(np.log(noise.white)))
+        return WhitenedSeries(
+            series / noise.angle_white_noise,
+            2 * len(series) * float(np.log(noise.angle_white_noise)),
+        )
     s = noise.states
     innovations = np.empty_like(series)
     log_determinant = compute_innovations(
-        np.ascontiguousarray(series), steps, noise.white**2, s.walks, s.lags, s.rates, s.densities,
-        innovations,
+        np.ascontiguousarray(series), steps, noise.angle_white_noise**2, s.walks, s.lags, s.rates,
+        s.densities, innovations,
     )  # fmt: skip
     return WhitenedSeries(innovations, float(log_determinant))
 
@@ -170,4 +175,4 @@ def draw_noise(noise: NoiseModel, n: int, interval: float, generator: np.random.
             lagging += np.asarray(lfilter([1.0], [1.0, -kept], steps))
     steps = generator.normal(0.0, noise.angle_random_walk * np.sqrt(interval), n)
     walk = np.cumsum(rate * interval + steps)
-    return np.asarray(reading + walk + generator.normal(0.0, noise.white, n))
+    return np.asarray(reading + walk + generator.normal(0.0, noise.angle_white_noise, n))

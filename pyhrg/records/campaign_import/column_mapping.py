@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from datetime import UTC, datetime
 
 from pyhrg.common.toml_table import TomlTable
 from pyhrg.records.campaign_import.units import BY_COLUMN_UNIT, PLAIN, RATE, Unit
@@ -12,8 +13,9 @@ BY_STEM = {column.stem: column for column in COLUMNS}
 INTEGRATION_KINDS = ("increments", "means", "samples")
 """How an angle may be logged otherwise: as increments since the row before, as rates averaged over
 the row, or as rates sampled at its end."""
-LARGEST_NUMBER = 1e15
+LARGEST_FACTOR = 1e15
 """Largest size of a number in a mapping. Chosen."""
+EXAMPLE_TIME = datetime(2001, 2, 3, 4, 5, 6, tzinfo=UTC)
 
 
 @dataclass(frozen=True)
@@ -55,14 +57,14 @@ def _read_column(table: TomlTable, column: Column) -> ColumnMapping:
     place = f"{table.prefix}{column.stem}"
     value = table.values[column.stem]
     if isinstance(value, int | float) and not isinstance(value, bool) and not column.unit:
-        low, high = max(column.lowest, -LARGEST_NUMBER), min(column.highest, LARGEST_NUMBER)
+        low, high = max(column.lowest, -LARGEST_FACTOR), min(column.highest, LARGEST_FACTOR)
         constant = table.number(column.stem, 0, low, high)
         return ColumnMapping(place, column, constant=constant)
     entry = table.table(column.stem)
     if "constant" in entry.values:
         entry.check_known(("constant", "unit"))
         unit_name, unit = _read_unit(entry, column, "")
-        constant = entry.number("constant", 0, -LARGEST_NUMBER, LARGEST_NUMBER)
+        constant = entry.number("constant", 0, -LARGEST_FACTOR, LARGEST_FACTOR)
         return ColumnMapping(place, column, constant=constant, unit_name=unit_name, unit=unit)
     return _read_logged_column(entry, place, column)
 
@@ -76,13 +78,13 @@ def _read_logged_column(entry: TomlTable, place: str, column: Column) -> ColumnM
     name = entry.require("column", "the name of the lab's column, or its number from 1")
     if isinstance(name, bool) or not isinstance(name, str | int) or name == "":
         raise entry.error("column", name, "the name of the lab's column, or its number from 1")
-    time_format = entry.text("format", "")
+    time_format = _read_time_format(entry)
     integrate = ""
     if "integrate" in entry.values:
         integrate = entry.text("integrate", None, INTEGRATION_KINDS)
     if integrate and "wraps_every" in entry.values:
         raise entry.error("wraps_every", entry.values["wraps_every"], "it or integrate, not both")
-    scale = entry.number("scale", 1.0, -LARGEST_NUMBER, LARGEST_NUMBER)
+    scale = entry.number("scale", 1.0, -LARGEST_FACTOR, LARGEST_FACTOR)
     if scale == 0:
         raise entry.error("scale", scale, "a number other than 0")
     unit_name, unit = ("", PLAIN) if time_format else _read_unit(entry, column, integrate)
@@ -93,12 +95,24 @@ def _read_logged_column(entry: TomlTable, place: str, column: Column) -> ColumnM
         unit_name=unit_name,
         unit=unit,
         scale=scale,
-        offset=entry.number("offset", 0.0, -LARGEST_NUMBER, LARGEST_NUMBER),
-        wraps_every=entry.number("wraps_every", 0.0, 0.0, LARGEST_NUMBER) * unit.factor,
+        offset=entry.number("offset", 0.0, -LARGEST_FACTOR, LARGEST_FACTOR),
+        wraps_every=entry.number("wraps_every", 0.0, 0.0, LARGEST_FACTOR) * unit.factor,
         integrate=integrate,
         from_zero=entry.flag("from_zero", False),
         time_format=time_format,
     )
+
+
+def _read_time_format(entry: TomlTable) -> str:
+    """The format of a clock, empty where none is stated; one that can't be read back is refused."""
+    name = entry.text("format", "")
+    try:
+        if name not in ("", "iso"):
+            datetime.strptime(EXAMPLE_TIME.strftime(name), name)
+    except Exception:  # a repeated field is an error of regular expressions, others of values
+        expected = "iso, or fields of datetime.strptime, each once"
+        raise entry.error("format", name, expected) from None
+    return name
 
 
 def _read_unit(entry: TomlTable, column: Column, integrate: str) -> tuple[str, Unit]:

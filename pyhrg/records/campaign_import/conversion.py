@@ -6,6 +6,7 @@ from datetime import datetime
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.errors import quote
 from pyhrg.records.campaign_import.column_mapping import ColumnMapping
 from pyhrg.records.campaign_import.layout import Cells
 from pyhrg.records.columns import LogError
@@ -81,8 +82,8 @@ def _parse_time(mapping: ColumnMapping, cells: Cells, index: int, text: str) -> 
         return datetime.strptime(text, mapping.time_format)
     except ValueError:
         raise LogError(
-            f"{cells.source}: row {cells.rows[index]}, {mapping.logged}: {text!r}; expected a time "
-            f"as {mapping.place}.format says, {mapping.time_format!r}"
+            f"{cells.source}: row {cells.rows[index]}, {mapping.logged}: {quote(text)}; expected "
+            f"a time as {mapping.place}.format says, {mapping.time_format!r}"
         ) from None
 
 

@@ -1,7 +1,5 @@
 """The layout of a laboratory's text file, and its cells."""
 
-import codecs
-import csv
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,6 +7,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.errors import quote
+from pyhrg.common.reading.csv_rows import parse_csv
 from pyhrg.common.toml_table import TomlTable
 from pyhrg.records.columns import LogError
 from pyhrg.records.table import read_text
@@ -16,6 +16,8 @@ from pyhrg.records.table import read_text
 SEPARATORS = {"comma": ",", "semicolon": ";", "tab": "\t", "bar": "|", "space": None}
 """Separators by their names in a mapping; `space` is any run of blanks."""
 DECIMALS = {"point": ".", "comma": ","}
+DOMAIN_NAMES = ("idna", "punycode")
+"""Encodings of names of the internet, which take hours for a file's text."""
 MAX_SKIPPED_LINES = 10_000
 """Largest number of lines to pass over. Chosen."""
 
@@ -89,8 +91,8 @@ class Cells:
             return float(text if decimal == "." else text.replace(decimal, "."))
         except ValueError:
             raise LogError(
-                f"{self.source}: row {self.rows[index]}, {column}: {text!r}; expected a number "
-                f"with a decimal {'point' if decimal == '.' else 'comma'}"
+                f"{self.source}: row {self.rows[index]}, {column}: {quote(text)}; expected a "
+                f"number with a decimal {'point' if decimal == '.' else 'comma'}"
             ) from None
 
 
@@ -123,7 +125,7 @@ def read_layout(table: TomlTable) -> Layout:
 
 def read_cells(path: Path, layout: Layout) -> Cells:
     """The cells of a file."""
-    lines = _split_lines(read_text(path, layout.encoding), layout)
+    lines = _split_lines(path.name, read_text(path, layout.encoding), layout)
     names: tuple[str, ...] = ()
     if layout.header:
         names = tuple(name.strip() for name in next(lines, (0, ()))[1])
@@ -141,7 +143,7 @@ def read_cells(path: Path, layout: Layout) -> Cells:
     return Cells(path.name, layout, names, rows, tuple(cells for _, cells in rows_of_cells))
 
 
-def _split_lines(text: str, layout: Layout) -> Iterator[tuple[int, tuple[str, ...]]]:
+def _split_lines(source: str, text: str, layout: Layout) -> Iterator[tuple[int, tuple[str, ...]]]:
     """Yield number and cells of each line that has any."""
     for number, line in enumerate(text.splitlines(), 1):
         ignored = layout.comment and line.lstrip().startswith(layout.comment)
@@ -150,13 +152,16 @@ def _split_lines(text: str, layout: Layout) -> Iterator[tuple[int, tuple[str, ..
         if layout.separator is None:
             yield number, tuple(line.split())
         else:
-            yield number, tuple(next(csv.reader([line], delimiter=layout.separator)))
+            place = f"{source}: line {number}"
+            _, cells = next(parse_csv(place, line, layout.separator, LogError))
+            yield number, tuple(cells)
 
 
 def _read_encoding(table: TomlTable) -> str:
     name = table.text("encoding", Layout.encoding)
     try:
-        codecs.lookup(name)
-    except LookupError:
-        raise table.error("encoding", name, "a text encoding, as utf-8 or latin-1") from None
-    return name
+        if name.lower() not in DOMAIN_NAMES and "1,2".encode(name).decode(name) == "1,2":
+            return name
+    except Exception:  # codecs raise what they like
+        pass
+    raise table.error("encoding", name, "a text encoding, as utf-8 or latin-1")

@@ -9,11 +9,10 @@ from pyhrg.device.device_file import from_table
 from pyhrg.records.campaign import FILE_NAME, ROLES, read_site
 from pyhrg.records.campaign_import.column_mapping import BY_STEM, ColumnMapping, read_columns
 from pyhrg.records.campaign_import.layout import Layout, read_layout
+from pyhrg.records.timing import INTERVAL_RANGE
 
 REQUIRED_NOMINAL = ("coriolis_factor", "decay_time_s", "frequency_Hz")
 """Nominal values that a mapping must state: without them nothing can be simulated."""
-MIN_INTERVAL, MAX_INTERVAL = 1e-6, 1e6
-"""Smallest and largest sampling interval, s. Chosen."""
 
 
 @dataclass(frozen=True)
@@ -109,4 +108,4 @@ def _read_test(entry: TomlTable, top: TomlTable, folder: Path) -> TestMapping:
 
 def _read_duration(table: TomlTable, key: str) -> float | None:
     """A duration, s; None where it isn't stated."""
-    return table.number(key, None, MIN_INTERVAL, MAX_INTERVAL) if key in table.values else None
+    return table.number(key, None, *INTERVAL_RANGE) if key in table.values else None

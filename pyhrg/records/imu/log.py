@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.errors import quote
+from pyhrg.common.reading.limits import LARGEST_NUMBER
 from pyhrg.records.columns import LogError
 from pyhrg.records.imu.increments import Increments
 
@@ -14,8 +16,6 @@ Array = NDArray[np.float64]
 
 MIN_ROWS = 10
 """Smallest number of rows of a log. Chosen: fewer show neither an interval nor a unit."""
-LARGEST_NUMBER = 1e12
-"""Largest size of a number in a log. Chosen: beyond any reading in any unit, and any time in s."""
 
 
 @dataclass(frozen=True)
@@ -121,5 +121,5 @@ def _parse_number(source: str, row: int, name: str, field: str) -> float:
     try:
         return float(field)
     except ValueError:
-        found = repr(field.strip()) if field.strip() else "nothing"
+        found = quote(field.strip()) if field.strip() else "nothing"
         raise make_field_error(source, row, name, found, "a number") from None

@@ -1,23 +1,13 @@
 """Logs of IMUs as tables: CSV, gzipped or not, and Parquet."""
 
-import gzip
-import io
-from pathlib import Path
-
 import numpy as np
-import pandas as pd
-import pyarrow
-import pyarrow.csv
 
-from pyhrg.common.errors import HrgError
-from pyhrg.common.files import write_whole
+from pyhrg.common.reading.parquet import parse_parquet
 from pyhrg.records.columns import LogError
 from pyhrg.records.imu.columns import (
     ACCELEROMETERS,
     GYROS,
-    ROTATION,
     TIME,
-    VELOCITY,
     Quantity,
     choose_quantity,
 )
@@ -54,10 +44,7 @@ def read_csv(source: str, lines: list[str], trusted: bool) -> RecordedImu:
 
 def read_parquet(source: str, data: bytes, trusted: bool) -> RecordedImu:
     """The log of a Parquet file, whose first row of values is row 1."""
-    try:
-        frame = pd.read_parquet(io.BytesIO(data))
-    except (pyarrow.ArrowException, OSError, ValueError) as error:
-        raise LogError(f"{source}: found damaged Parquet: {error}") from error
+    frame = parse_parquet(source, data, LogError)
     kinds = _choose_quantities(source, [str(name) for name in frame.columns])
     columns = _list_columns(kinds)
     for name in columns:
@@ -68,36 +55,6 @@ def read_parquet(source: str, data: bytes, trusted: bool) -> RecordedImu:
     values = frame[columns].to_numpy(dtype=np.float64)
     check_finite(source, values, 1, columns)
     return _build_log(source, kinds, values, 1, trusted)
-
-
-def write_imu_log(increments: Increments, path: Path) -> None:
-    """Write increments as CSV (`.csv`, `.csv.gz`) or Parquet (`.parquet`), whole or not at all.
-
-    The increments read back to the same bits, interval and start to 1e-12.
-
-    Raises:
-        HrgError: the name has another ending.
-        OSError: the folder can't be written.
-    """
-    columns = _list_columns((ROTATION, VELOCITY))
-    values = (increments.bounds[1:], increments.rotation, increments.velocity)
-    frame = pd.DataFrame(np.column_stack(values), columns=columns)
-    if path.name.endswith(".parquet"):
-        write_whole(path, frame.to_parquet(index=False))
-    elif path.name.endswith((".csv", ".csv.gz")):
-        data = _format_csv(frame)
-        write_whole(path, gzip.compress(data, mtime=0) if path.suffix == ".gz" else data)
-    else:
-        raise HrgError(f"{path}: found {path.suffix!r}, expected .csv, .csv.gz or .parquet")
-
-
-def _format_csv(frame: pd.DataFrame) -> bytes:
-    """Format each number as the shortest text that reads back to the same bits."""
-    buffer = io.BytesIO(f"{','.join(frame.columns)}\n".encode())
-    buffer.seek(0, io.SEEK_END)
-    options = pyarrow.csv.WriteOptions(include_header=False)
-    pyarrow.csv.write_csv(pyarrow.Table.from_pandas(frame), buffer, options)
-    return buffer.getvalue()
 
 
 def _list_columns(kinds: tuple[Quantity, Quantity]) -> list[str]:
@@ -135,7 +92,9 @@ def _find_interval(source: str, time: Array, first_row: int) -> float:
     """The sampling interval, s."""
     steps = np.diff(time)
     interval = float(np.median(steps))
-    wrong = (steps <= 0) | (np.abs(steps - interval) > MAX_JITTER * interval)
+    wrong = steps <= 0
+    if interval > 0:
+        wrong |= np.abs(steps - interval) > MAX_JITTER * interval
     if wrong.any():
         i = int(np.argmax(wrong))
         trouble = _describe_step(float(steps[i]), interval)

@@ -56,13 +56,23 @@ def _stability_at_one_position() -> dict[str, float]:
 
 
 def _navigation() -> dict[str, float]:
-    """Section 0: position error by a constant bias of a level gyro, eps R (t - sin(w t)/w)."""
+    """Section 0: position error by a constant bias of a level gyro, eps R (t - sin(w t)/w).
+
+    Section 2.1: of the vertical gyro, whose drift of heading makes Earth's rate a growing bias of
+    the east gyro: eps W_E cos L R (t^2/2 - (1 - cos(w t))/w^2).
+    """
 
     def miles(bias: float, time: float) -> float:
         drift = time - math.sin(SCHULER * time) / SCHULER
         return bias * DEG_PER_H * EARTH_RADIUS * drift / NAUTICAL_MILE
 
+    def vertical_miles(time: float) -> float:
+        drift = time**2 / 2 - (1 - math.cos(SCHULER * time)) / SCHULER**2
+        return 0.01 * DEG_PER_H * Site().horizontal_rate * EARTH_RADIUS * drift / NAUTICAL_MILE
+
     return {
+        "vertical_after_1_h_nmi": vertical_miles(HOUR),
+        "vertical_after_2_h_nmi": vertical_miles(2 * HOUR),
         "mean_slope_nmi_h": 0.01 * DEG_PER_H * EARTH_RADIUS * HOUR / NAUTICAL_MILE,
         "after_1_h_nmi": miles(0.01, HOUR),
         "after_2_h_nmi": miles(0.01, 2 * HOUR),

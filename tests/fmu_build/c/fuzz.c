@@ -202,7 +202,8 @@ static void try_exit(void) {
 static void try_step(void) {
   static const double odd_steps[] = {0.0, -1e-3, NAN, INFINITY, 1e9};
   double period = tick(), time = known.time, step = period * (1 + below(5));
-  int legal = known.phase == RUNNING;
+  int legal = known.phase == RUNNING, exact = !chance(10);
+  if (!exact) time += between(-0.9e-9, 0.9e-9) * (1.0 + fabs(time));
   if (chance(20)) {
     step = odd_steps[below(5)];
     legal = 0;
@@ -210,12 +211,12 @@ static void try_step(void) {
     time += chance(2) ? 0.5 : INFINITY;
     legal = 0;
   } else if (chance(30)) {
-    step *= between(0.1, 1.0);
+    step *= between(0.1, 1.0) * (chance(5) ? 1e-9 : 1.0);
   }
   prepare(legal);
   if (may_fail("a step", legal, door_step(handle, time, step))) {
-    known.time = time + step;
-    known.on_tick &= step > 0.9 * period && fabs(step / period - round(step / period)) < 1e-9;
+    known.time = fmax(time + step, known.time);
+    known.on_tick &= exact && step > 0.9 * period && fabs(step / period - round(step / period)) < 1e-9;
   }
 }
 

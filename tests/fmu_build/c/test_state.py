@@ -154,6 +154,27 @@ def test_impossible_state_is_refused_and_changes_nothing(
     assert gyro.save() == state
 
 
+@pytest.mark.parametrize("step", [1e-12, 1e-8, 1e-5])
+def test_a_step_that_begins_early_does_not_turn_time_back(gyro: Importer, step: float) -> None:
+    """Importers add up times; the slack grows with them, and a state must be legal everywhere."""
+    now = 100.0004
+    gyro.slave.doStep(0.0, now)
+    gyro.slave.doStep(now - 0.9e-9 * (1 + now), step)
+    state = gyro.save()
+    gyro.restore(state)
+    assert gyro.save() == state
+
+
+def test_what_is_computed_on_demand_may_overflow_in_a_state(gyro: Importer) -> None:
+    """It is computed anew, so that it is no part of what is restored."""
+    gyro.slave.doStep(0.0, 0.1)
+    state, value = gyro.save(), gyro.get(["frequencyOffset"])
+    offset = VALUES + 8 * gyro.references(["frequencyOffset"])[0]
+    gyro.restore(_forged(state, offset, struct.pack("<d", float("inf"))))
+    assert gyro.get(["frequencyOffset"]) == value
+    assert gyro.save() == state
+
+
 def test_damaged_state_is_refused(gyro: Importer) -> None:
     state = gyro.save()
     chance = random.Random(1)

@@ -39,7 +39,7 @@ def test_all_are_those_that_the_standard_knows(
 
     def record(path: Path, root: Root, fmi: int, platforms: list[str], progress: object) -> None:
         asked.append(platforms)
-        path.parent.mkdir(parents=True)
+        path.parent.mkdir()
         path.touch()
 
     monkeypatch.setattr(bundle, "write_fmu", record)

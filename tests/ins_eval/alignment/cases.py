@@ -123,13 +123,13 @@ def add_sensor_errors(
     """Add biases, white noise, bias instability and quantization to ideal increments."""
     gyros = SensorErrorModel(
         bias=AxisConstants(deviation=errors.gyro_bias),
-        white=errors.angle_random_walk,
+        random_walk=errors.angle_random_walk,
         bias_instability=errors.gyro_bias_instability,
         quantization_step=errors.angle_quantization_step,
     )
     accelerometers = SensorErrorModel(
         bias=AxisConstants(deviation=errors.accelerometer_bias),
-        white=errors.velocity_random_walk,
+        random_walk=errors.velocity_random_walk,
         bias_instability=errors.accelerometer_bias_instability,
         quantization_step=errors.velocity_quantization_step,
     )

@@ -4,12 +4,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from ins_eval.alignment.bias_instability import (
-    correlation_times,
-    mean_variance,
-    process_variance,
-)
-from ins_eval.imu.flicker import half_integral_response
+from ins_eval.alignment.bias_instability import correlation_times, mean_variance
+from pyhrg.noise.flicker import compute_process_variance, half_integral_response
 
 Array = NDArray[np.float64]
 
@@ -35,7 +31,7 @@ def modelled_covariance() -> Array:
     for t in correlation_times(DURATION):
         tails = 1 - np.exp(-a / t) - np.exp(-b / t) + np.exp(-np.abs(a - b) / t)
         total += t**2 * (2 * np.minimum(a, b) / t - tails)
-    return process_variance(COEFFICIENT) * total
+    return compute_process_variance(COEFFICIENT) * total
 
 
 def slope_weights() -> Array:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.stats import binom
 
-from ins_eval.common.metrics import MIN_SAMPLE_FOR_MEDIAN, median_interval, paired_ratio
+from ins_eval.common.metrics import MIN_SAMPLE_FOR_MEDIAN, compute_paired_ratio, median_interval
 
 
 @pytest.mark.parametrize("n", [6, 7, 8, 9, 15, 20, 21, 50, 101])
@@ -27,11 +27,13 @@ def test_interval_of_a_paired_ratio_holds_it(n: int, factor: float) -> None:
     held = 0
     for _ in range(500):
         shared, own, other = generator.normal(size=(3, n, 2))
-        ratio = paired_ratio(factor * np.hypot(*(shared + own).T), np.hypot(*(shared + other).T))
+        ratio = compute_paired_ratio(
+            factor * np.hypot(*(shared + own).T), np.hypot(*(shared + other).T)
+        )
         held += ratio.low <= factor <= ratio.high
     assert held / 500 == pytest.approx(0.95, abs=3 * np.sqrt(0.95 * 0.05 / 500))
 
 
 def test_paired_ratio_of_a_sample_to_itself_is_1() -> None:
-    ratio = paired_ratio([1.0, 2.0, 5.0], [1.0, 2.0, 5.0])
+    ratio = compute_paired_ratio([1.0, 2.0, 5.0], [1.0, 2.0, 5.0])
     assert (ratio.low, ratio.value, ratio.high) == (1.0, 1.0, 1.0)

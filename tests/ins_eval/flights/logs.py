@@ -8,7 +8,7 @@ import pytest
 from ins_eval.imu import specification
 from ins_eval.trajectories import catalogue
 from pyhrg.records.imu.increments import Increments
-from pyhrg.records.imu.table_log import write_imu_log
+from tests.ins_eval.imu.logs import INCREMENTS, frame, saved
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 LATITUDE_DEG = "39.9"
@@ -32,6 +32,4 @@ def standing(seconds: float, seed: int = 1) -> Increments:
 
 def written(folder: Path, seconds: float) -> Path:
     """Its log, as CSV."""
-    path = folder / "standing.csv"
-    write_imu_log(standing(seconds), path)
-    return path
+    return saved(frame(standing(seconds), *INCREMENTS), folder, "standing.csv")

@@ -7,13 +7,13 @@ import pytest
 
 from ins_eval.error_model.motion import sample_motion
 from ins_eval.flights.assumed_errors import (
-    DECADES,
+    ASSUMED_FLICKER_TIMES,
     assume_errors,
     model_misalignment,
-    size_gauss_markov,
 )
 from ins_eval.imu import specification
 from ins_eval.trajectories import catalogue
+from pyhrg.noise.flicker import compute_process_variance
 
 
 def allan_variance(correlation_time: float, time: float) -> float:
@@ -24,7 +24,9 @@ def allan_variance(correlation_time: float, time: float) -> float:
 
 @pytest.mark.parametrize("time", [100.0, 200.0, 500.0, 1e3, 2e3, 5e3, 1e4, 3e4])
 def test_processes_a_decade_apart_have_flickers_allan_deviation(time: float) -> None:
-    variance = sum(size_gauss_markov(1.0) ** 2 * allan_variance(each, time) for each in DECADES)
+    variance = compute_process_variance(1.0) * sum(
+        allan_variance(each, time) for each in ASSUMED_FLICKER_TIMES
+    )
     assert math.sqrt(variance) == pytest.approx(math.sqrt(2 * math.log(2) / math.pi), rel=0.05)
 
 
@@ -33,7 +35,8 @@ def test_simple_imu_is_assumed_as_its_file_says() -> None:
     assumed = assume_errors(imu)
     sizes = dict(zip((e.name for e in assumed.effects), assumed.deviations[:, 0], strict=True))
     assert sizes["gyro bias"] == imu.errors.gyro_bias
-    assert sizes["gyro bias instability"] == size_gauss_markov(imu.errors.gyro_bias_instability)
+    process = math.sqrt(compute_process_variance(imu.errors.gyro_bias_instability))
+    assert sizes["gyro bias instability"] == process
     assert sizes["accelerometer bias"] == imu.accelerometers.bias.deviation
     assert sizes["accelerometer scale factor"] == imu.accelerometers.scale_factor.deviation
     assert all("instability" not in effect.name for effect in assumed.constant.effects)

@@ -5,10 +5,11 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from pyhrg.records.imu.columns import ACCELEROMETERS, GYROS, TIME, Quantity
+from pyhrg.records.imu.columns import ACCELEROMETERS, GYROS, ROTATION, TIME, VELOCITY, Quantity
 from pyhrg.records.imu.increments import Increments
 from tests.ins_eval.cases import at_rest
 
+INCREMENTS = ROTATION, VELOCITY
 GYRO_RAD_S, GYRO_DEG_S = GYROS[2], GYROS[3]
 FORCE_M_S2, FORCE_G = ACCELEROMETERS[1], ACCELEROMETERS[2]
 
@@ -33,6 +34,10 @@ def frame(
 
 
 def saved(table: pd.DataFrame, folder: Path, name: str = "log.csv") -> Path:
+    """The table as CSV, gzipped or not, or Parquet, by the name's ending."""
     path = folder / name
-    table.to_csv(path, index=False)
+    if path.suffix == ".parquet":
+        table.to_parquet(path, index=False)
+    else:
+        table.to_csv(path, index=False)
     return path

@@ -96,7 +96,7 @@ def test_too_few_rows_and_a_cut_file_are_named(tmp_path: Path) -> None:
         recorded.read_record(write(tmp_path, HEADER + "1 2 3 4 5 6\n"))
     cut = tmp_path / "cut.imu.gz"
     cut.write_bytes(gzip.compress((HEADER + ROWS).encode())[:-20])
-    with pytest.raises(LogError, match=r"cut\.imu\.gz: found gzipped data cut off"):
+    with pytest.raises(LogError, match=r"cut\.imu\.gz: found what is no whole gzipped data"):
         recorded.read_record(cut)
 
 

@@ -4,8 +4,8 @@ otherwise."""
 import numpy as np
 import pytest
 
-from ins_eval.imu.flicker import draw_flicker, half_integral_response
 from ins_eval.imu.sensor_error_model import AxisConstants, SensorErrorModel, quantize
+from pyhrg.noise.flicker import draw_flicker, half_integral_response
 
 INTERVAL = 0.01
 ONES = np.ones((10, 3))
@@ -25,7 +25,9 @@ def test_an_ideal_model_hands_the_truth_over() -> None:
 
 def test_bias_and_white_noise_are_as_stated() -> None:
     """2000 units of ten intervals."""
-    errors = draw_units(SensorErrorModel(bias=AxisConstants(deviation=2e-3), white=1e-4), 2000) - 1
+    errors = (
+        draw_units(SensorErrorModel(bias=AxisConstants(deviation=2e-3), random_walk=1e-4), 2000) - 1
+    )
     bias = errors.mean(axis=1).std() / INTERVAL
     assert bias == pytest.approx(np.hypot(2e-3, 1e-4 / np.sqrt(0.1)), rel=3.5 / np.sqrt(12_000))
     noise = np.diff(errors, axis=1).std() / np.sqrt(2 * INTERVAL)

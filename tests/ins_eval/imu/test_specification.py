@@ -57,7 +57,7 @@ def test_every_number_is_taken_in_its_unit(tmp_path: Path) -> None:
     assert unit.mounting_deviation == pytest.approx(7 * ARCSEC)
     assert unit.accelerometers.misalignment.value == pytest.approx(np.arange(1, 7) * ARCSEC)
     assert unit.accelerometers.bias.deviation == pytest.approx(8 * MICRO_G)
-    assert unit.accelerometers.white == pytest.approx(1.0)
+    assert unit.accelerometers.random_walk == pytest.approx(1.0)
     assert (unit.name, unit.interval) == ("mine", 1 / 400)
 
 
@@ -87,7 +87,7 @@ def test_ready_units_are_there() -> None:
     unit = specification.load_imu("typical-hrg")
     assert isinstance(unit.gyros, FmuGyros)
     assert (unit.gyros.device, unit.name) == (TYPICAL, "typical-hrg")
-    assert unit.accelerometers.white == pytest.approx(TYPICAL_ACCELEROMETERS.white)
+    assert unit.accelerometers.random_walk == pytest.approx(TYPICAL_ACCELEROMETERS.random_walk)
     assert unit.accelerometers.bias.deviation == TYPICAL_ACCELEROMETERS.bias.deviation
 
 

@@ -8,9 +8,8 @@ from numpy.typing import NDArray
 from scipy import stats
 
 from ins_eval.mission_model.noise_weights import (
-    FLICKER_SCALE,
-    FLICKER_TIME_CONSTANTS,
-    KINDS,
+    FMU_FLICKER_LAGS,
+    FMU_FLICKER_SCALE,
     compute_error_weights,
     compute_noise_covariances,
     factor_covariances,
@@ -18,6 +17,7 @@ from ins_eval.mission_model.noise_weights import (
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
+from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
 Array = NDArray[np.float64]
 STEP, BEFORE, STEPS = 0.5, 3, 12
@@ -32,27 +32,27 @@ def system() -> tuple[Array, Array]:
 
 def rates(kind: str, deviates: Array) -> Array:
     """(STEPS,) of one gyro whose noise of a kind has these deviates, from power-on."""
-    if kind == "angle white noise":
+    if kind == "angle_white_noise":
         return np.diff(deviates) / STEP
-    if kind == "angle random walk":
+    if kind == "angle_random_walk":
         return deviates / np.sqrt(STEP)
-    if kind == "rate random walk":
+    if kind == "rate_random_walk":
         return np.sqrt(STEP) * np.cumsum(deviates)[BEFORE:]
-    decays = np.exp(-STEP / FLICKER_TIME_CONSTANTS)
+    decays = np.exp(-STEP / FMU_FLICKER_LAGS)
     lags, total = np.zeros(len(decays)), []
     for deviate in deviates:
-        lags = decays * lags + (1 - decays) * np.sqrt(FLICKER_TIME_CONSTANTS / STEP) * deviate
-        total.append(FLICKER_SCALE * lags.sum())
+        lags = decays * lags + (1 - decays) * np.sqrt(FMU_FLICKER_LAGS / STEP) * deviate
+        total.append(FMU_FLICKER_SCALE * lags.sum())
     return np.array(total)[BEFORE:]
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", COEFFICIENT_NAMES)
 def test_covariance_is_that_of_every_deviate(kind: str) -> None:
     transition, per_rate = system()
     found = compute_noise_covariances(
         compute_error_weights(transition, per_rate, KEPT), STEP, BEFORE
     )
-    count = {"angle white noise": STEPS + 1, "angle random walk": STEPS}
+    count = {"angle_white_noise": STEPS + 1, "angle_random_walk": STEPS}
     total = np.zeros((4, 4))
     for impulse in np.eye(count.get(kind, STEPS + BEFORE)):
         x, told = np.zeros(4), []
@@ -61,7 +61,7 @@ def test_covariance_is_that_of_every_deviate(kind: str) -> None:
             if k + 1 in KEPT:
                 told += [x[0], x[1]]
         total += np.outer(told, told)
-    assert found[KINDS.index(kind), 1] == pytest.approx(total, rel=1e-9, abs=1e-9)
+    assert found[COEFFICIENT_NAMES.index(kind), 1] == pytest.approx(total, rel=1e-9, abs=1e-9)
 
 
 def test_factors_square_to_a_singular_covariance() -> None:

@@ -80,5 +80,5 @@ def test_gyro_is_parked_where_its_true_map_says_so(fmu: GyroFmu, start: Start) -
     expected = 0.0 if start is Start.ZERO else amplitude
     assert abs(away) == pytest.approx(expected, abs=amplitude * scatter)
     measured = flight.rotation[2000:].sum() / (len(flight.rotation) - 2000) / INTERVAL
-    known = gyro.known_bias(Known.AT_START, parked)
+    known = gyro.compute_known_bias(Known.AT_START, parked)
     assert measured == pytest.approx(known, abs=0.002 * DEG_PER_H)

@@ -162,7 +162,7 @@ def test_missing_and_broken_files(tmp_path: Path) -> None:
     with pytest.raises(DriveError, match="No such file"):
         read_drive(tmp_path / "nowhere.csv")
     (tmp_path / "broken.gz").write_bytes(b"\x1f\x8bnonsense")
-    with pytest.raises(DriveError, match="can't be read"):
+    with pytest.raises(DriveError, match="no whole gzipped data"):
         read_drive(tmp_path / "broken.gz")
 
 

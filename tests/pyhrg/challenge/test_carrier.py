@@ -53,7 +53,7 @@ def campaign(simulation: Simulation, fmus: Fmus) -> Campaign:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(case, "plan_tests", fast_plans)
         drawn = case.prepare_case(NONE, simulation)
-    made = drawn.recorded([(plan, fmus.of(plan)) for plan in drawn.plans], case.NOISE)
+    made = drawn.record_tests([(plan, fmus.of(plan)) for plan in drawn.plans], case.NOISE)
     return drawn.campaign([test for test, _ in made])
 
 

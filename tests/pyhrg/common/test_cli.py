@@ -1,7 +1,13 @@
 """The command `hrg` loads what is asked for, and no more."""
 
+import re
 import subprocess
 import sys
+from pathlib import Path
+
+import pytest
+
+from pyhrg.common.cli import main
 
 HEAVY = ("dask", "fmpy", "matplotlib", "numba", "numpy", "pandas", "scipy", "xarray")
 CODE = """
@@ -30,3 +36,37 @@ def test_help_loads_nothing_heavy() -> None:
 
 def test_the_front_doors_load_nothing_heavy() -> None:
     assert loaded_by("import pyhrg, ins_eval") == "[]"
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["gap", "diagnose", "nowhere", "--out", "file/out"],
+        ["gap", "predict", "nowhere", "nowhere", "--campaign", "nowhere", "--out", "file/out.csv"],
+        ["position", "file/out"],
+        ["build", "--out", "file/HRG.fmu"],
+        ["nav", "--out", "file/out"],
+        ["align", "--out", "file/out"],
+        ["parking", "--out", "file/out"],
+    ],
+    ids=lambda arguments: " ".join(arguments[:2]),
+)
+def test_an_output_that_cannot_be_written_is_refused_before_the_work(
+    arguments: list[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    (tmp_path / "file").touch()
+    monkeypatch.chdir(tmp_path)
+    assert main(arguments) == 2
+    assert re.fullmatch(r"hrg: .*file: it is no folder\n", capsys.readouterr().err)
+
+
+@pytest.mark.parametrize("text", ["1_0", " 1", "１", "1e400x", ""])
+def test_numbers_are_ascii_digits(text: str, capsys: pytest.CaptureFixture[str]) -> None:
+    for option, kind in (("--workers", "int"), ("--hours", "float")):
+        with pytest.raises(SystemExit) as end:
+            main(["validate", option, text])
+        assert end.value.code == 2
+        assert f"invalid {kind} value" in capsys.readouterr().err

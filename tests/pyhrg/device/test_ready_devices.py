@@ -46,7 +46,7 @@ def test_what_scatters_from_power_on_to_power_on() -> None:
         TYPICAL, model={names[1]: 1.0}, turn_on_scatter=dict(zip(names, (9e-6, 0.01), strict=True))
     )
     generator = np.random.default_rng(5)
-    drawn = [device.turned_on(generator) for _ in range(2000)]
+    drawn = [device.draw_turn_on(generator) for _ in range(2000)]
     values = np.array([[parameters[name] for name in names] for parameters in drawn])
     assert np.std(values, axis=0, ddof=1) == pytest.approx((9e-6, 0.01), rel=0.055)
     reach = 3.5 * np.array([9e-6, 0.01]) / np.sqrt(2000)
@@ -59,7 +59,7 @@ def test_what_scatters_from_power_on_to_power_on() -> None:
 
 
 def test_without_scatter_a_power_on_is_the_device() -> None:
-    assert TYPICAL.turned_on(np.random.default_rng(1)) == TYPICAL.fmu_parameters()
+    assert TYPICAL.draw_turn_on(np.random.default_rng(1)) == TYPICAL.fmu_parameters()
 
 
 def test_a_device_is_loaded_by_name_or_file(tmp_path: Path) -> None:

@@ -20,7 +20,7 @@ SIZE = 0.03
 def left(seed: int, test: str, added: Array) -> Residual:
     generator = np.random.default_rng(seed)
     walk = np.cumsum(generator.normal(0.0, NOISE.angle_random_walk, ROWS))
-    values = walk + generator.normal(0.0, NOISE.white, ROWS) + added
+    values = walk + generator.normal(0.0, NOISE.angle_white_noise, ROWS) + added
     return Residual(test, "gyro_angle", values, np.ones(ROWS), 1.0, NOISE)
 
 

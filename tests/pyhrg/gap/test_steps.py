@@ -24,7 +24,7 @@ def left(
     generator = np.random.default_rng(seed)
     rate = np.cumsum(generator.normal(0.0, noise.rate_random_walk, ROWS))
     walk = np.cumsum(generator.normal(0.0, noise.angle_random_walk, ROWS) + rate)
-    values = louder * (walk + generator.normal(0.0, noise.white, ROWS))
+    values = louder * (walk + generator.normal(0.0, noise.angle_white_noise, ROWS))
     values += SIZE * evaluate_step(TIME, np.array(times)).sum(axis=1)
     return Residual(test, "gyro_angle", values, np.ones(ROWS), 1.0, noise)
 

@@ -97,14 +97,14 @@ def test_restricted_likelihood_is_that_of_the_definition() -> None:
     n = 34
     angle = noisy_angle(n, (1, 1, 0, 0.1, 0), np.random.default_rng(10))
     record = compute_spectrum(angle, [np.cos(np.arange(n))])
-    assert np.all(record.count == 1)
+    assert np.all(record.bands.count == 1)
     strengths = np.array([1.0, 1.0, 0.1, 0.01])
     columns = np.column_stack([np.linspace(-1, 1, n) ** p for p in (1, 2)] + [np.cos(np.arange(n))])
     data, trends = (dct(x, axis=0, norm="ortho")[1:] for x in (angle, columns))
-    inverse = np.diag(1 / (strengths @ record.shapes))
+    inverse = np.diag(1 / (strengths @ record.bands.shapes))
     middle = np.linalg.inv(trends.T @ inverse @ trends)
     projected = inverse - inverse @ trends @ middle @ trends.T @ inverse
-    changes = [projected @ np.diag(shape) for shape in record.shapes]
+    changes = [projected @ np.diag(shape) for shape in record.bands.shapes]
     information = [[np.trace(a @ b) for b in changes] for a in changes]
     slope = [np.trace(a) - data @ a @ projected @ data for a in changes]
     found = compute_misfit([record], strengths)

@@ -91,3 +91,21 @@ def test_jitter_is_no_gap(tmp_path: Path) -> None:
     log = read_log(spoilt(tmp_path, jitter, made_up_log(600)), interval_s=1.0)
     assert log.exclusions == ()
     assert log.stretches("gyro_angle") == [slice(0, 600)]
+
+
+@pytest.mark.parametrize("step", [1e-12, 1e-7, 1e7])
+def test_no_log_has_such_an_interval(step: float, tmp_path: Path) -> None:
+    def stretch(rows: Rows) -> None:
+        for i, row in enumerate(rows[1:], 1):
+            row[0] = repr(i * step)
+
+    with pytest.raises(LogError, match=r"steps by .*; expected 1e-06 to 1e\+06"):
+        read_log(spoilt(tmp_path, stretch))
+
+
+def test_a_log_of_gaps_alone_is_refused(tmp_path: Path) -> None:
+    def move_last(rows: Rows) -> None:
+        rows[-1][0] = "1e9"
+
+    with pytest.raises(LogError, match=r"12 rows span 1e\+09 times 1 s; expected at most 1e\+06"):
+        read_log(spoilt(tmp_path, move_last))

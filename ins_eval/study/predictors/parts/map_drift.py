@@ -39,7 +39,7 @@ class MapDrift:
         power = compute_map_size(bench)[:, None] ** 2
         return np.sqrt(self.common[:, None] + self.relative[:, None] * power)
 
-    def missed(self, bench: BenchFigures) -> Array:
+    def compute_sigma_with_bench(self, bench: BenchFigures) -> Array:
         """(r, COUNT, 3) standard deviations of drift and bench error together."""
         return np.sqrt(self.sigma(bench) ** 2 + bench.variance)
 
@@ -73,7 +73,7 @@ def estimate_map_drift(bench: BenchFigures, in_flight: Array, start_angle: Array
     squares = _stack_gyros(drifted**2 - bench.variance)
     coefficients = np.array([_fit_nonnegative(rows, weight * column) for column in squares.T])
     drift = MapDrift(coefficients[:, 0], coefficients[:, 1] / unit, NO_DRIFT.standard)
-    sigma = _stack_gyros(drift.missed(bench))
+    sigma = _stack_gyros(drift.compute_sigma_with_bench(bench))
     standard = _stack_gyros(drifted) / np.where(sigma > 0, sigma, np.inf)
     return MapDrift(drift.common, drift.relative, standard)
 

@@ -30,6 +30,8 @@ from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.campaign import Campaign, Test
 
+MAX_POSITIONS, MAX_RUNS = 720, 1000
+"""Largest numbers of positions and runs. Chosen: thirty and a hundred times the usual ones."""
 POSITIONS = 24
 """Positions of the default plan."""
 SEGMENTS = 3
@@ -126,9 +128,10 @@ def record(
     segments = round(dwell_s / SEGMENT)
     if segments < 1 or abs(segments * SEGMENT - dwell_s) > 1e-6:
         raise BenchError(f"a dwell of {dwell_s:g} s: expected whole segments of {SEGMENT:g} s")
-    if runs < 1 or positions < 8 or positions % 8:
+    if not 1 <= runs <= MAX_RUNS or positions not in range(8, MAX_POSITIONS + 1, 8):
         raise BenchError(
-            f"{positions} positions in {runs} runs: expected 8, 16, 24, ... and at least one run"
+            f"{positions} positions in {runs} runs: expected 8, 16, 24, ... {MAX_POSITIONS} in "
+            f"1 to {MAX_RUNS} runs"
         )
     if spacing_deg is not None and not 1 <= spacing_deg <= 720:
         raise BenchError(f"{spacing_deg:g} deg between positions: expected 1 to 720")

@@ -10,16 +10,10 @@ from scipy.optimize import minimize_scalar
 
 from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.whitening.whitening import NoiseModel, whiten
+from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
 Array = NDArray[np.float64]
 
-PARTS = {
-    "angle_random_walk": "angle_random_walk",
-    "rate_random_walk": "rate_random_walk",
-    "bias_instability": "bias_instability",
-    "angle_white_noise": "white",
-}
-"""Field of `NoiseModel` by field of `Device`."""
 LEVEL_RANGE = (1e-3, 1e3)
 """Range of an added noise's level over its typical one; its prior is flat in the logarithm between.
 Chosen."""
@@ -36,7 +30,7 @@ CURVATURE_STEP = 0.1
 
 def are_equal(noise: NoiseModel, other: NoiseModel) -> bool:
     """Whether two noises have the same parts at levels that differ by less than the tolerance."""
-    pairs = [(getattr(noise, part), getattr(other, part)) for part in PARTS.values()]
+    pairs = [(getattr(noise, part), getattr(other, part)) for part in COEFFICIENT_NAMES]
     if noise.correlated and other.correlated:
         pairs.append((noise.correlated.level, other.correlated.level))
     kinds = [n.correlated and n.correlated.kind for n in (noise, other)]
@@ -47,7 +41,9 @@ def log_likelihood(residuals: Sequence[Residual], noise: NoiseModel) -> float:
     """Log likelihood of residuals of the output angle under a noise, up to a constant."""
     total = 0.0
     for residual in residuals:
-        white = whiten(residual.values[:, None], residual.steps, noise.add_white(residual.encoder))
+        white = whiten(
+            residual.values[:, None], residual.steps, noise.add_white_noise(residual.encoder)
+        )
         total -= (float((white.series**2).sum()) + white.log_determinant) / 2
     return total
 

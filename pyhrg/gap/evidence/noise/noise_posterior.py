@@ -15,15 +15,15 @@ from pyhrg.gap.effects.catalogue import NoiseEffect
 from pyhrg.gap.evidence.evidence import NOISE_ODDS
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise
 from pyhrg.gap.evidence.noise.noise_levels import (
-    PARTS,
     are_equal,
     fit_level,
     log_likelihood,
 )
 from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.whitening.whitening import NoiseModel
+from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
-STATED_PARTS = ("angle_random_walk", "white")
+STATED_PARTS = ("angle_random_walk", "angle_white_noise")
 """Parts of the noise whose stated levels may be somewhat wrong."""
 TOLERANCE = 0.03
 """Standard deviation of the logarithm of a stated level; a difference of this order is no gap.
@@ -47,7 +47,7 @@ class NoisePosterior:
     def adjust_levels(self, added: Sequence[AddedNoise]) -> NoiseModel:
         """The stated levels at their most probable values, beside the added noises at theirs."""
         noise = self.set_levels(added)
-        replaced = {PARTS[a.effect.field] for a in added}
+        replaced = {a.effect.field for a in added}
         parts = [p for p in STATED_PARTS if p not in replaced and getattr(self.stated, p) > 0]
         for part in parts * PASSES:
 
@@ -64,14 +64,14 @@ class NoisePosterior:
         """The stated noise with the added noises at their levels."""
         noise = self.stated
         for a in added:
-            noise = noise.at(PARTS[a.effect.field], a.total)
+            noise = noise.at(a.effect.field, a.total)
         return noise
 
     def log_prior(self, noise: NoiseModel, added: Sequence[AddedNoise], part: str = "") -> float:
         """Log prior of the stated levels, without those that an added noise replaces (Eq. (13)),
         and without that of `part`."""
         total = 0.0
-        replaced = {PARTS[a.effect.field] for a in added} | {part}
+        replaced = {a.effect.field for a in added} | {part}
         for name in STATED_PARTS:
             stated = getattr(self.stated, name)
             if name not in replaced and stated > 0:
@@ -94,7 +94,7 @@ class NoisePosterior:
         unadjusted = self.set_levels(added)
         bases = [noise] if are_equal(noise, unadjusted) else [noise, unadjusted]
         present = {a.effect for a in added}
-        candidates = [e for e in effects if e.field in PARTS and e not in present]
+        candidates = [e for e in effects if e.field in COEFFICIENT_NAMES and e not in present]
         return [
             max((self.fit_added(n, base, e, added) for n in bases), key=lambda a: a.log_odds)
             for e in candidates
@@ -118,7 +118,7 @@ class NoisePosterior:
     ) -> AddedNoise:
         """An effect at its most probable level beside a noise, which holds other added noises;
         `base` is the log density without the effect."""
-        part = PARTS[effect.field]
+        part = effect.field
         stated = getattr(self.stated, part)
 
         def gain(logarithm: float) -> float:

@@ -11,10 +11,11 @@ from pyhrg.gap.evidence.noise.noise_hypothesis import (
     UnnamedNoise,
     fit_unnamed_noise,
 )
-from pyhrg.gap.evidence.noise.noise_levels import PARTS, log_likelihood
+from pyhrg.gap.evidence.noise.noise_levels import log_likelihood
 from pyhrg.gap.evidence.noise.noise_posterior import NoisePosterior
 from pyhrg.gap.evidence.residuals import Residual
 from pyhrg.gap.whitening.whitening import NoiseModel
+from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
 
 def fit_noise(
@@ -43,7 +44,7 @@ def _find_named(
     """Noises of the catalogue, added one by one while the odds are for the best of them."""
     posterior = NoisePosterior(residuals, stated)
     added: list[AddedNoise] = []
-    for _ in PARTS:
+    for _ in COEFFICIENT_NAMES:
         candidates = posterior.fit_best(posterior.adjust_levels(added), added, noises)
         best = max(candidates, key=lambda a: a.log_odds, default=None)
         if best is None or best.log_odds < 0:

@@ -111,4 +111,4 @@ def _estimate_noise(stretches: Sequence[Stretch]) -> tuple[float, float]:
 
     optimum = minimize(misfit, np.full(2, -1.0), method="Nelder-Mead", bounds=[(-7.0, 3.0)] * 2)
     best = noise(optimum.x)
-    return best.white, best.angle_random_walk
+    return best.angle_white_noise, best.angle_random_walk

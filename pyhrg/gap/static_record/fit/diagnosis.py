@@ -226,7 +226,10 @@ def _compute_ceilings(kind: Kind, problem: Problem) -> dict[str, float]:
     highest = power / chi2.ppf(TAIL / len(count), count)
     middle = [(band.start + band.stop) / 2 for band in split_octaves(data.n - 1)[:-1]]
     shapes = np.exp(
-        [np.interp(np.log(middle), np.log(data.harmonics), s) for s in np.log(data.shapes)]
+        [
+            np.interp(np.log(middle), np.log(data.bands.harmonics), s)
+            for s in np.log(data.bands.shapes)
+        ]
     )
     levels = np.sqrt(np.min(highest / shapes, axis=1)) * problem.units
     return {t.parameter: float(x / t.factor) for t, x in zip(kind.terms, levels, strict=True)}

@@ -74,8 +74,8 @@ class Problem:
     @cached_property
     def centres(self) -> Array:
         """(e,) logarithms of levels at which the priors of the terms are centred."""
-        density = self.belief**2 @ self.data.shapes
-        noise = np.sqrt(2 / ((self.data.shapes / density) ** 2 @ self.data.count))
+        density = self.belief**2 @ self.data.bands.shapes
+        noise = np.sqrt(2 / ((self.data.bands.shapes / density) ** 2 @ self.data.bands.count))
         r = np.arange(self.data.free, len(self.data.columns))
         column = 1 / np.sum(self.data.squares[r, r] / density, axis=-1)
         return 0.5 * np.log(PRIOR_STRENGTH * np.concatenate([noise, column]))
@@ -197,8 +197,8 @@ def _choose_starts(problem: Problem, extra: tuple[int, ...]) -> list[Array]:
     """Starting points: levels at the centre of the prior, and the largest levels that the record
     allows."""
     data, p = problem.data, len(problem.believed)
-    noise = np.min(data.power / data.count / data.shapes, axis=1)
-    density = np.maximum(problem.belief**2 @ data.shapes, data.power / data.count)
+    noise = np.min(data.power / data.bands.count / data.bands.shapes, axis=1)
+    density = np.maximum(problem.belief**2 @ data.bands.shapes, data.power / data.bands.count)
     r = np.arange(data.free, len(data.columns))
     column = (
         np.sum(data.products[r] / density, axis=-1) / np.sum(data.squares[r, r] / density, axis=-1)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.fft import dct
 
-from pyhrg.noise.likelihood import MIN_TREND_SHARE, compute_spectrum, orthonormalize
+from pyhrg.noise.likelihood import MIN_TREND_SHARE, Bands, divide_into_bands, orthonormalize
 
 Array = NDArray[np.float64]
 
@@ -26,9 +26,7 @@ class Transform:
     lengths: (r,) of the random columns before they were scaled.
     free: number of free columns.
     names: of the random columns.
-    starts: (b,) index of the first coefficient of each band.
-    count: (b,) coefficients in each band.
-    shapes: (4, b) density of each noise at unit strength.
+    bands: of the transform.
     power, products, squares: (b,), (m, b) and (m, m, b) sums as in `Spectrum`.
     """
 
@@ -37,9 +35,7 @@ class Transform:
     lengths: Array
     free: int
     names: tuple[str, ...]
-    starts: NDArray[np.int64]
-    count: Array
-    shapes: Array
+    bands: Bands
     power: Array
     products: Array
     squares: Array
@@ -48,12 +44,6 @@ class Transform:
     def n(self) -> int:
         """Number of angles."""
         return len(self.coefficients) + 1
-
-    @property
-    def harmonics(self) -> Array:
-        """(b,) geometric mean of the coefficients' numbers in each band."""
-        numbers = np.log(np.arange(1, self.n))
-        return np.asarray(np.exp(np.add.reduceat(numbers, self.starts) / self.count))
 
 
 def transform_record(angle: Array, free: list[Array], random: dict[str, Array]) -> Transform:
@@ -77,24 +67,17 @@ def transform_record(angle: Array, free: list[Array], random: dict[str, Array]) 
     others = [projected[name] / length for name, length in zip(names, lengths, strict=True)]
     record = dct(project(angle), norm="ortho")[1:]
     columns = dct(np.array([*basis.T[1:], *others]), norm="ortho")[:, 1:]
-    bands = compute_spectrum(angle)
-    starts = np.concatenate([[0], np.cumsum(bands.count)[:-1]]).astype(np.int64)
-
-    def summed(values: Array) -> Array:
-        return np.asarray(np.add.reduceat(values, starts, axis=-1))
-
+    bands = divide_into_bands(n)
     return Transform(
         coefficients=record,
         columns=columns,
         lengths=lengths,
         free=basis.shape[1] - 1,
         names=names,
-        starts=starts,
-        count=bands.count,
-        shapes=bands.shapes,
-        power=summed(record**2),
-        products=summed(columns * record),
-        squares=summed(columns[:, np.newaxis] * columns),
+        bands=bands,
+        power=bands.add_up(record**2),
+        products=bands.add_up(columns * record),
+        squares=bands.add_up(columns[:, np.newaxis] * columns),
     )
 
 
@@ -106,8 +89,8 @@ def compute_log_likelihoods(data: Transform, strengths: Array, variances: Array)
         strengths: (s, 4) variances of the noises.
         variances: (s, r) of the random columns' coefficients; 0 removes a column.
     """
-    density = strengths @ data.shapes
-    noise = -0.5 * np.sum(data.count * np.log(density) + data.power / density, axis=1)
+    density = strengths @ data.bands.shapes
+    noise = -0.5 * np.sum(data.bands.count * np.log(density) + data.power / density, axis=1)
     square, product, free_gain = _eliminate_free_columns(data, density)
     root = np.sqrt(variances)
     matrix = np.eye(len(data.names)) + root[:, :, np.newaxis] * square * root[:, np.newaxis]
@@ -121,7 +104,7 @@ def compute_log_likelihoods(data: Transform, strengths: Array, variances: Array)
 def estimate_columns(data: Transform, strengths: Array, variances: Array) -> tuple[Array, Array]:
     """Coefficients (s, r) of the random columns, and their covariances (s, r, r), for arguments of
     `compute_log_likelihoods`."""
-    square, product, _ = _eliminate_free_columns(data, strengths @ data.shapes)
+    square, product, _ = _eliminate_free_columns(data, strengths @ data.bands.shapes)
     prior = np.maximum(variances, np.finfo(float).tiny ** 0.5)
     covariance = np.asarray(
         np.linalg.inv(square + np.eye(len(data.names)) / prior[:, np.newaxis]), np.float64
@@ -155,12 +138,12 @@ def _sum_normal_equations(data: Transform, density: Array) -> tuple[Array, Array
 def whiten_coefficients(data: Transform, strengths: Array, variances: Array) -> Array:
     """(n - 1,) coefficients without their columns, in standard deviations of one noise model of
     strengths (4,) and variances (r,) of the random columns."""
-    density = strengths @ data.shapes
+    density = strengths @ data.bands.shapes
     weight = np.concatenate([np.full(data.free, 0.0), 1 / np.maximum(variances, 1e-300)])
     square, product = _sum_normal_equations(data, density[np.newaxis])
     scale = 1 / np.sqrt(np.diag(square[0]) + weight)
     matrix = (square[0] + np.diag(weight)) * np.outer(scale, scale)
     size = scale * np.linalg.solve(matrix, scale * product[0])
     numbers = np.arange(1, data.n)
-    fine = np.exp(np.interp(np.log(numbers), np.log(data.harmonics), np.log(density)))
+    fine = np.exp(np.interp(np.log(numbers), np.log(data.bands.harmonics), np.log(density)))
     return np.asarray((data.coefficients - size @ data.columns) / np.sqrt(fine))

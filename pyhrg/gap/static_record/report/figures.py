@@ -40,9 +40,9 @@ def draw_spectrum(d: ChannelDiagnosis) -> str:
     """Spectral density of the rate of the whole record in narrow bands, and of the believed and
     closed noise."""
     n, interval = len(d.channel.angle), d.channel.interval
-    bands = compute_spectrum(d.channel.angle)
-    first = np.concatenate([[0], np.cumsum(bands.count)[:-1]])
-    hertz = (first + (bands.count + 1) / 2) / (2 * n * interval)
+    spectrum = compute_spectrum(d.channel.angle)
+    bands = spectrum.bands
+    hertz = (bands.starts + (bands.count + 1) / 2) / (2 * n * interval)
     gain = (2 * np.sin(np.pi * hertz * interval)) ** 2 / interval
     scale = d.channel.kind.rate_scale
 
@@ -52,7 +52,7 @@ def draw_spectrum(d: ChannelDiagnosis) -> str:
     figure, axes = _make_axes(
         "frequency, Hz", f"density of the rate, {d.channel.kind.rate_unit}/sqrt(Hz)"
     )
-    measured = np.sqrt(2 * gain * bands.power / bands.count) / scale
+    measured = np.sqrt(2 * gain * spectrum.power / bands.count) / scale
     axes.plot(hertz, measured, ".", ms=3, color=MEASURED, label="measured")
     return _finish(d, figure, hertz, model)
 

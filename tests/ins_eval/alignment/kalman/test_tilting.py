@@ -25,15 +25,15 @@ def test_motion_is_found_beside_the_gyros_noise() -> None:
     white, walk = 1e-5, 3e-6
     record = turned(white, np.hypot(walk, GYROS.angle_random_walk), rng)
     estimate = estimate_tilting(record, STEP, GYROS)
-    assert estimate.white == pytest.approx(white, rel=0.3)
-    assert estimate.walk == pytest.approx(walk, rel=0.3)
+    assert estimate.angle_white_noise == pytest.approx(white, rel=0.3)
+    assert estimate.angle_random_walk == pytest.approx(walk, rel=0.3)
 
 
 def test_the_gyros_own_noise_is_no_motion() -> None:
     """50 vehicles at rest; seed 2."""
     rng = np.random.default_rng(2)
     walks = [
-        estimate_tilting(turned(0.0, GYROS.angle_random_walk, rng), STEP, GYROS).walk
+        estimate_tilting(turned(0.0, GYROS.angle_random_walk, rng), STEP, GYROS).angle_random_walk
         for _ in range(50)
     ]
     assert np.sqrt(np.mean(np.square(walks))) < 0.3 * GYROS.angle_random_walk
@@ -43,9 +43,11 @@ def test_noise_that_is_not_stated_counts_as_motion() -> None:
     rng = np.random.default_rng(3)
     unstated = replace(GYROS, angle_random_walk=0.0)
     estimate = estimate_tilting(turned(0.0, GYROS.angle_random_walk, rng), STEP, unstated)
-    assert estimate.walk == pytest.approx(GYROS.angle_random_walk, rel=0.2)
+    assert estimate.angle_random_walk == pytest.approx(GYROS.angle_random_walk, rel=0.2)
 
 
 def test_nothing_at_all_is_the_least_there_is() -> None:
     estimate = estimate_tilting(np.zeros((COUNT, 2)), STEP, SensorErrors())
-    assert (estimate.white, estimate.walk) == pytest.approx([low for low, _ in BOUNDS], rel=0.1)
+    assert (estimate.angle_white_noise, estimate.angle_random_walk) == pytest.approx(
+        [low for low, _ in BOUNDS], rel=0.1
+    )

@@ -7,7 +7,12 @@ import pytest
 
 from ins_eval.mission_model.triad_block import TriadBlock
 from ins_eval.study.gyros.bench_plan import BenchPlan
-from ins_eval.study.gyros.drawn_triad import TriadDistribution, draw_triad_block
+from ins_eval.study.gyros.drawn_triad import (
+    TriadDistribution,
+    draw_triad,
+    make_triad_seed,
+    tabulate_triads,
+)
 from pyhrg.common.errors import HrgError
 from pyhrg.fmu import GyroFmu
 from tests.ins_eval.conftest import KIND, SEED
@@ -20,7 +25,10 @@ def same(one: TriadBlock, other: TriadBlock) -> bool:
 
 
 def test_triad_is_the_same_in_any_block(slow_fmu: GyroFmu, triads: TriadBlock) -> None:
-    first, second = (draw_triad_block(slow_fmu, KIND, SEED, number, 1) for number in range(2))
+    first, second = (
+        tabulate_triads(slow_fmu, [draw_triad(slow_fmu, KIND, make_triad_seed(SEED, number))])
+        for number in range(2)
+    )
     assert same(first, triads.select([0]))
     assert same(second, triads.select([1]))
     assert not same(first, second)

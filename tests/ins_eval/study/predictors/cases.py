@@ -7,7 +7,6 @@ from ins_eval.mission_model import pattern_drift, signals
 from ins_eval.mission_model.alignment_at_rest import AlignmentAtRest
 from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.mission_weights import MissionWeights
-from ins_eval.mission_model.noise_weights import KINDS
 from ins_eval.mission_model.signals import COUNT
 from ins_eval.mission_model.triad_block import TriadBlock
 from ins_eval.study.gyros.bench_plan import WARM_RISE
@@ -15,6 +14,7 @@ from ins_eval.study.predictors import prediction_columns
 from ins_eval.study.predictors.class_constants import ConstantRule
 from ins_eval.study.predictors.parts.turned_maps import start_maps
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G
+from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
 Array = NDArray[np.float64]
 
@@ -41,7 +41,7 @@ def mission(seed: int, times: int = 1) -> MissionWeights:
     """Weights of the size of an hour's, about 100 m a 0.01 deg/h."""
     random = np.random.default_rng(seed)
     size = np.repeat([1e4 / DEG_PER_H, 1e7], TERMS)[:, None]
-    noise = random.normal(size=(len(KINDS), 3, 2 * times, 2 * times))
+    noise = random.normal(size=(len(COEFFICIENT_NAMES), 3, 2 * times, 2 * times))
     return MissionWeights(
         name="paper",
         time=HOUR * np.arange(1.0, times + 1),
@@ -78,7 +78,7 @@ def triads(seed: int, count: int, spread: Array = SPREAD, fit: Array = FIT) -> T
     variance = np.broadcast_to(fit[:, None] ** 2, shape)
     told = gain + np.sqrt(variance) / WARM_RISE * random.normal(size=shape)
     stability = np.sqrt(np.sum(bench_map[:, 1:TERMS] ** 2, axis=1) / 2)
-    noise = np.zeros((count, len(KINDS), 3))
+    noise = np.zeros((count, len(COEFFICIENT_NAMES), 3))
     noise[:, 1] = WALK
     return TriadBlock(
         fixed_stability=0.01 * stability[::-1],

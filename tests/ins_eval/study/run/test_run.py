@@ -20,6 +20,7 @@ from ins_eval.study.run.identity import Identity, identify_study
 from ins_eval.study.run.run import Cluster, run_experiment
 from ins_eval.study.run.workers import DASHBOARD_ADDRESS
 from ins_eval.study.specification import Study
+from pyhrg.common.caches.files import read_cached
 from pyhrg.common.made_by import find_difference
 from tests.ins_eval.study import cases
 from tests.ins_eval.study.run.cheap import CHEAP, conclude, made
@@ -100,7 +101,8 @@ def test_damaged_block_is_done_again(begun: StudyFolder, cluster: Cluster, damag
 
 
 def test_block_of_another_number_or_study_is_none(begun: StudyFolder) -> None:
-    file = begun.block(1).read_bytes()
+    file = read_cached(begun.block(1))
+    assert file is not None
     assert block.unpack_block(file, begun.identity, 1)
     assert block.unpack_block(file, begun.identity, 2) is None
     assert block.unpack_block(file, identify_study(cases.study(seed=4)), 1) is None

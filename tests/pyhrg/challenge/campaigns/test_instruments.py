@@ -47,7 +47,7 @@ def test_columns_have_the_recorded_digits(exact: Log) -> None:
 
 
 def test_another_benchs_instruments_are_within_a_factor(exact: Log) -> None:
-    drawn = Instruments().drawn(np.random.default_rng(1))
+    drawn = Instruments().draw_another(np.random.default_rng(1))
     ratio = drawn.amplitude / Instruments().amplitude
     assert 1 / 1.4 <= ratio <= 1.4
     assert ratio != 1

@@ -7,7 +7,7 @@ from scipy.integrate import quad
 
 from pyhrg.gap.effects.candidate_terms import CandidateTerm
 from pyhrg.gap.effects.catalogue import EFFECTS
-from pyhrg.gap.evidence.evidence import MAX_SIGMA, find_equivalents, fit
+from pyhrg.gap.evidence.evidence import MAX_PRIOR_SIZE_SIGMA, find_equivalents, fit
 from tests.pyhrg.gap.made_up import design_of
 
 Array = NDArray[np.float64]
@@ -31,7 +31,7 @@ def test_one_dimension(size: float) -> None:
     assert found is not None
 
     def integrand(x: float) -> float:
-        return float(np.exp(-((x - size) ** 2) / 2) / (2 * abs(x) * np.log(MAX_SIGMA)))
+        return float(np.exp(-((x - size) ** 2) / 2) / (2 * abs(x) * np.log(MAX_PRIOR_SIZE_SIGMA)))
 
     near = quad(integrand, max(1.0, size - 12), size + 12, epsabs=0)[0]
     # Laplace: what is left is of the order of (noise over size) squared
@@ -50,7 +50,7 @@ def test_two_dimensions(size: float) -> None:
     edge = np.arange(-12, 12, 0.05) + 0.025
     x, y = np.meshgrid(edge + size, edge)
     length = np.hypot(x, y)
-    density = np.where(length > 1, 1 / (2 * np.pi * length**2 * np.log(MAX_SIGMA)), 0.0)
+    density = np.where(length > 1, 1 / (2 * np.pi * length**2 * np.log(MAX_PRIOR_SIZE_SIGMA)), 0.0)
     integral = (np.exp(-((x - size) ** 2 + y**2) / 2) * density).sum() * 0.05**2
     expected = size**2 / 2 + np.log(integral)
     assert found.log_evidence == pytest.approx(expected, abs=4 / size**2)

@@ -91,14 +91,14 @@ def test_a_table_that_moves_within_rows_comes_to_rest(noise: float) -> None:
 @pytest.mark.parametrize("steps", [1, 2, 10, 100])
 def test_steps_add_up_to_rows(steps: int) -> None:
     motion = TableMotion(2.0, np.array([0.0, 0.3, 0.1]), np.array([0.05, -0.02]))
-    each = motion.rates_in(steps)
+    each = motion.compute_rates(steps)
     np.testing.assert_allclose(each.mean(axis=1), motion.means)
     middles = np.cumsum(each, axis=1) - each / 2
-    turned = motion.turned_in(steps)
+    turned = motion.compute_turns(steps)
     assert turned.shape == (2, steps)
     if steps == 100:
         np.testing.assert_allclose(turned, middles * 2.0 / steps, atol=2e-5)
-    np.testing.assert_allclose(motion.section(slice(1, 3)).rates_in(steps), each[1:3])
+    np.testing.assert_allclose(motion.section(slice(1, 3)).compute_rates(steps), each[1:3])
 
 
 def test_a_table_at_rest_has_no_rate() -> None:

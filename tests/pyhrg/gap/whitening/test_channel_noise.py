@@ -40,13 +40,18 @@ def draw_residuals(*scales: float) -> list[Mapping[str, NDArray[np.float64]]]:
 def test_each_row_length_has_its_own_noise() -> None:
     noise = estimate_campaign_noise(DEVICE, observe_two_tests(), draw_residuals(1e-6, 3e-6))
     for name in REPLAY_RESOLUTION:
-        assert noise.white[name][1.0] == pytest.approx(1e-6, rel=0.06), name
-        assert noise.white[name][0.5] == pytest.approx(3e-6, rel=0.06), name
+        assert noise.white_noise[name][1.0] == pytest.approx(1e-6, rel=0.06), name
+        assert noise.white_noise[name][0.5] == pytest.approx(3e-6, rel=0.06), name
     tests = observe_two_tests()
-    assert noise.get_model("amplitude", tests[1]).white == noise.white["amplitude"][0.5]
+    assert (
+        noise.get_model("amplitude", tests[1]).angle_white_noise
+        == noise.white_noise["amplitude"][0.5]
+    )
     # an unknown row length has the noise of the nearest one
     other = replace(tests[0], inputs=replace(tests[0].inputs, log=made_up_log(10)))
-    assert noise.get_model("amplitude", other).white == noise.white["amplitude"][1.0]
+    assert (
+        noise.get_model("amplitude", other).angle_white_noise == noise.white_noise["amplitude"][1.0]
+    )
 
 
 def test_slow_signals_and_outliers_are_not_counted() -> None:
@@ -54,13 +59,14 @@ def test_slow_signals_and_outliers_are_not_counted() -> None:
     given[0]["amplitude"] = given[0]["amplitude"] + 1e-4 * np.sin(np.arange(N) / 200)
     given[0]["amplitude"][::200] += 1e-3
     noise = estimate_campaign_noise(DEVICE, observe_two_tests(), given)
-    assert noise.white["amplitude"][1.0] == pytest.approx(1e-6, rel=0.1)
+    assert noise.white_noise["amplitude"][1.0] == pytest.approx(1e-6, rel=0.1)
 
 
 def test_noise_is_at_least_the_resolution_of_replays() -> None:
     noise = estimate_campaign_noise(DEVICE, observe_two_tests(), draw_residuals(0.0, 0.0))
     assert all(
-        set(noise.white[name].values()) == {least} for name, least in REPLAY_RESOLUTION.items()
+        set(noise.white_noise[name].values()) == {least}
+        for name, least in REPLAY_RESOLUTION.items()
     )
     assert set(noise.temperature.values()) == {0.0}
 
@@ -70,7 +76,7 @@ def test_a_missing_channel() -> None:
     none = np.zeros(N, dtype=bool)
     blind = [replace(t, rows={**t.rows, "amplitude": none}) for t in tests]
     noise = estimate_campaign_noise(DEVICE, blind, draw_residuals(1e-6, 1e-6))
-    assert noise.white["amplitude"][1.0] == REPLAY_RESOLUTION["amplitude"]
+    assert noise.white_noise["amplitude"][1.0] == REPLAY_RESOLUTION["amplitude"]
 
 
 def test_the_noise_of_the_thermometer_is_estimated() -> None:
@@ -80,9 +86,9 @@ def test_the_noise_of_the_thermometer_is_estimated() -> None:
 
 def test_a_stated_quantization_is_noise() -> None:
     counted = replace(DEVICE, angle_white_noise=0.0, quantization_step=0.6)
-    assert build_angle_noise(counted).white == pytest.approx(0.6 / np.sqrt(12))
+    assert build_angle_noise(counted).angle_white_noise == pytest.approx(0.6 / np.sqrt(12))
 
 
 def test_an_angle_without_stated_noise_has_some() -> None:
     """A gap is compared with it, so it must not be zero."""
-    assert build_angle_noise(Device()).white > 0
+    assert build_angle_noise(Device()).angle_white_noise > 0

@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from scipy.linalg import cho_solve, cholesky, solve_triangular
 
 from pyhrg.gap.whitening.whitening import (
-    FLICKER_TIME_CONSTANTS,
+    FLICKER_PROCESS_TIMES,
     CorrelatedNoise,
     NoiseModel,
     whiten,
@@ -25,7 +25,7 @@ def integrated_lag(t: Array, tau: float, power: float) -> Array:
 
 def covariance(t: Array, noise: NoiseModel) -> Array:
     low, high = np.minimum.outer(t, t), np.maximum.outer(t, t)
-    total = noise.white**2 * np.eye(len(t)) + noise.angle_random_walk**2 * low
+    total = noise.angle_white_noise**2 * np.eye(len(t)) + noise.angle_random_walk**2 * low
     total += noise.rate_random_walk**2 * low**2 * (3 * high - low) / 6
     apart = np.exp(-(high - low) / noise.lag) - np.exp(-(high + low) / noise.lag)
     total += noise.lagged**2 / noise.lag / 2 * apart
@@ -34,7 +34,7 @@ def covariance(t: Array, noise: NoiseModel) -> Array:
         added = integrated_lag(t, term.lag, 1.0) if term.of_rate else apart
         total += term.level**2 * added
     power = noise.bias_instability**2 * 2 * np.log(10) / np.pi / 2
-    return np.asarray(total + sum(integrated_lag(t, tau, power) for tau in FLICKER_TIME_CONSTANTS))
+    return np.asarray(total + sum(integrated_lag(t, tau, power) for tau in FLICKER_PROCESS_TIMES))
 
 
 EVEN = np.arange(1.0, 121.0)
@@ -99,7 +99,7 @@ def test_the_sum_of_lags_is_flicker() -> None:
     for tau in (10.0, 60.0, 600.0, 3600.0):
         power = noise.bias_instability**2 * 2 * np.log(10) / np.pi / 2
         t = np.array([tau, 2 * tau])
-        angle = sum(integrated_lag(t, lag, power) for lag in FLICKER_TIME_CONSTANTS)
+        angle = sum(integrated_lag(t, lag, power) for lag in FLICKER_PROCESS_TIMES)
         weights = np.array([-2.0, 1.0])
         ratios.append(
             np.sqrt(weights @ angle @ weights / 2) / tau / (0.664 * noise.bias_instability)

@@ -78,7 +78,7 @@ def test_fmpy_alone_gives_what_the_prediction_gives(
     """The held-out log, its inputs at 10 ms, the defaults of `closed.fmu` but for noise."""
     test = diagnosed.tests[-1]
     inputs, steps = test.inputs, 50
-    rates = inputs.table.rates_in(steps)
+    rates = inputs.table.compute_rates(steps)
     latitude = NOMINAL.site.compute_earth_rate(1.0, 0.0, np.zeros(1))
     table = np.zeros(rates.size, dtype=[("time", float), ("angularRate", float)])
     table["time"] = np.arange(rates.size) * inputs.log.interval / steps

@@ -9,7 +9,8 @@ from pathlib import Path
 import pytest
 
 import ins_eval
-from ins_eval.common import compiled, earth
+from ins_eval.common import earth
+from pyhrg.common.caches import compiled
 
 PACKAGES = Path(ins_eval.__file__).parents[1]
 CALL = """
@@ -18,11 +19,13 @@ print(earth.meridian_radius(0.5))
 """
 
 
-def start_process(cache: Path, packages: Path = PACKAGES) -> subprocess.Popen[str]:
+def start_process(
+    cache: Path, packages: Path = PACKAGES, code: str = CALL
+) -> subprocess.Popen[str]:
     """A process of its own that calls one compiled function."""
     environment = os.environ | {"XDG_CACHE_HOME": str(cache), "PYTHONPATH": str(packages)}
     return subprocess.Popen(
-        [sys.executable, "-c", CALL],
+        [sys.executable, "-c", code],
         env=environment,
         text=True,
         cwd=packages,

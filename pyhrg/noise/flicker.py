@@ -1,4 +1,7 @@
-"""Bias instability: flicker noise, whose power spectral density falls as 1/f."""
+"""Flicker noise of a bias instability B, whose two-sided density is B^2/(2 pi f): its draws, and
+its approximation by Gauss-Markov processes (docs/methods/noise.md, Eqs. (15), (16))."""
+
+import math
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,3 +30,12 @@ def half_integral_response(count: int) -> NDArray[np.float64]:
     104)."""
     k = np.arange(1.0, count)
     return np.concatenate([[1.0], np.cumprod((k - 0.5) / k)])
+
+
+def compute_process_variance(coefficient: float, ratio: float = 10.0) -> float:
+    """Variance of each of the independent Gauss-Markov processes whose sum approximates flicker
+    noise: B^2 ln r / pi, in the squared unit of the coefficient B (Eq. (16)).
+
+    `ratio` r is that of one correlation time to the one before.
+    """
+    return coefficient**2 * math.log(ratio) / math.pi

@@ -1,0 +1,85 @@
+"""Predictions of a challenge as a CSV: one row for each judged triad and mission."""
+
+import csv
+import io
+import math
+from collections.abc import Collection
+from pathlib import Path
+
+import pandas as pd
+
+from ins_eval.study.tables import columns
+from pyhrg.common.errors import HrgError
+from pyhrg.records.table import read_text
+
+Flight = tuple[int, str]
+"""Number of a triad, and name of a mission."""
+LOW, MEDIAN, HIGH = "low_m", "median_m", "high_m"
+"""Columns of the predicted horizontal error: its median and the ends of its interval, m."""
+FIELDS = (columns.TRIAD, columns.MISSION, LOW, MEDIAN, HIGH)
+
+
+class PredictionsError(HrgError):
+    """The file can't be used; the message names file, line, field, what was found and expected."""
+
+
+def read_predictions(path: Path, flights: Collection[Flight]) -> pd.DataFrame:
+    """Predictions with the columns `FIELDS`.
+
+    Args:
+        path: the file; other columns are ignored.
+        flights: the flights that are to be predicted.
+
+    Raises:
+        PredictionsError: a column or a flight is missing, twice there or unknown; a number is not
+            finite, negative, or not in the order low, median, high.
+    """
+    reader = csv.DictReader(io.StringIO(read_text(path)))
+    for name in FIELDS:
+        if name not in (reader.fieldnames or ()):
+            raise PredictionsError(f"{path}: found no column {name}, expected {', '.join(FIELDS)}")
+    rows: dict[Flight, tuple[float, ...]] = {}
+    for row in reader:
+        place = f"{path}: line {reader.line_num}"
+        flight = _read_flight(row, flights, place)
+        if flight in rows:
+            raise PredictionsError(f"{place}: triad: found {flight} again, expected it once")
+        rows[flight] = _read_numbers(row, place)
+    if missing := sorted(set(flights) - rows.keys()):
+        raise PredictionsError(
+            f"{path}: found no row for triad {missing[0][0]}, mission {missing[0][1]}, expected "
+            f"all {len(flights)} judged flights; {len(missing)} are missing"
+        )
+    return pd.DataFrame([(*flight, *rows[flight]) for flight in sorted(rows)], columns=FIELDS)
+
+
+def _read_flight(row: dict[str, str], flights: Collection[Flight], place: str) -> Flight:
+    text, mission = row[columns.TRIAD] or "", row[columns.MISSION] or ""
+    missions = sorted({name for _, name in flights})
+    if mission not in missions:
+        expected = " or ".join(missions)
+        raise PredictionsError(f"{place}: mission: found {mission!r}, expected {expected}")
+    if not text.isdecimal() or (int(text), mission) not in flights:
+        numbers = sorted({triad for triad, _ in flights})
+        raise PredictionsError(
+            f"{place}: triad: found {text!r}, expected one that is judged, {numbers[0]} to "
+            f"{numbers[-1]}"
+        )
+    return int(text), mission
+
+
+def _read_numbers(row: dict[str, str], place: str) -> tuple[float, ...]:
+    """Low end, median and high end, m."""
+    numbers, least, below = [], 0.0, "0"
+    for name in (LOW, MEDIAN, HIGH):
+        try:
+            number = float(row[name] or "")
+        except ValueError:
+            number = math.nan
+        if not least <= number < math.inf:
+            raise PredictionsError(
+                f"{place}: {name}: found {row[name]!r}, expected a number from {below}"
+            )
+        numbers.append(number)
+        least, below = number, f"{name}, {number:g}"
+    return tuple(numbers)

@@ -1,0 +1,145 @@
+"""Scores of predictors in a challenge: R2, rank correlation, coverage, weighted interval score."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from ins_eval.study.challenge.predictions_file import HIGH, LOW, MEDIAN
+from ins_eval.study.scores import measures
+from ins_eval.study.scores.coverage import estimate_coverage
+from ins_eval.study.scores.groups import FlightGroup, group_flights
+from ins_eval.study.scores.resampling import Estimate, bootstrap
+from ins_eval.study.specification import TEST, TRAIN
+from ins_eval.study.tables import columns
+from ins_eval.study.tables.columns import Predictor
+from pyhrg.common.units import NAUTICAL_MILE
+
+Array = NDArray[np.float64]
+
+NAIVE = Predictor("naive", "Training triads' median", "the errors of the training triads alone")
+"""The predictor that looks at no gyro: quantiles of the training triads' errors."""
+SCORES = {
+    "r2": "R2",
+    "spearman": "Spearman",
+    "coverage": "coverage",
+    "interval_score_nmi": "interval score, nmi",
+}
+"""Titles of the scores by column; `_low` and `_high` are the ends of their 95 % intervals."""
+
+
+@dataclass(frozen=True)
+class ChallengeScores:
+    """Scores of predictors.
+
+    table: a row for each class of missions and predictor: n, seed, and `SCORES` with their
+    intervals.
+    """
+
+    table: pd.DataFrame
+
+    def __str__(self) -> str:
+        return "\n\n".join(
+            "\n".join(_format_class(str(name), rows))
+            for name, rows in self.table.groupby(columns.CLASS, sort=False)
+        )
+
+
+def score_predictions(
+    table: pd.DataFrame, outside: Mapping[str, pd.DataFrame], seed: int, inside: float
+) -> ChallengeScores:
+    """Scores of all predictors: the naive one, ours, those from outside.
+
+    Args:
+        table: a study's table, with one calibration.
+        outside: predictions by name of their predictor (`read_predictions`).
+        seed: seed of the bootstraps.
+        inside: probability of the predicted intervals.
+    """
+    judged = _add_naive(table, inside)
+    predictors = [NAIVE, *columns.PREDICTORS]
+    for number, (title, predictions) in enumerate(outside.items()):
+        predictor = Predictor(f"outside_{number}", title, "")
+        names = {LOW: predictor.low, MEDIAN: predictor.median, HIGH: predictor.high}
+        keys = [columns.TRIAD, columns.MISSION]
+        judged = judged.merge(predictions.rename(columns=names), on=keys, validate="1:1")
+        predictors.append(predictor)
+    rows = [
+        _score_predictor(group, predictor, seed, inside)
+        for group in group_flights(judged)
+        for predictor in predictors
+    ]
+    return ChallengeScores(pd.DataFrame(rows))
+
+
+def compute_interval_score(
+    flown: Array, low: Array, median: Array, high: Array, inside: float
+) -> Array:
+    """(...,) mean weighted interval score of errors (..., r, m): a proper score, in their unit.
+
+    It approximates the continuous ranked probability score by a median and one central interval
+    (Bracher et al. 2021, doi 10.1371/journal.pcbi.1008618, Eq. 1 to 3 with K = 1); smaller is
+    better.
+    """
+    outside = 1 - inside
+    missed = np.maximum(low - flown, 0) + np.maximum(flown - high, 0)
+    interval = high - low + 2 / outside * missed
+    score = (np.abs(flown - median) / 2 + outside / 2 * interval) / 1.5
+    return np.asarray(score.mean(axis=(-2, -1)))
+
+
+def _add_naive(table: pd.DataFrame, inside: float) -> pd.DataFrame:
+    """The judged flights, with the naive predictor's columns."""
+    training = table[table[columns.ROLE] == TRAIN].groupby(columns.MISSION)[columns.FLOWN_RADIAL]
+    judged = table[table[columns.ROLE] == TEST].copy()
+    shares = {
+        NAIVE.low: (1 - inside) / 2,
+        NAIVE.median: 0.5,
+        NAIVE.high: (1 + inside) / 2,
+    }
+    for name, share in shares.items():
+        judged[name] = judged[columns.MISSION].map(training.quantile(share))
+    return judged
+
+
+def _score_predictor(
+    group: FlightGroup, predictor: Predictor, seed: int, inside: float
+) -> dict[str, Any]:
+    flown = group.select(columns.FLOWN_RADIAL)
+    low, median, high = map(group.select, (predictor.low, predictor.median, predictor.high))
+    interval_score = partial(compute_interval_score, inside=inside)
+    samples = [each / NAUTICAL_MILE for each in (flown, low, median, high)]
+    found = {
+        "r2": bootstrap(measures.compute_r2, [flown, median], seed),
+        "spearman": bootstrap(measures.compute_flight_spearman, [flown, median], seed),
+        "coverage": estimate_coverage(flown, low, high, seed),
+        "interval_score_nmi": bootstrap(interval_score, samples, seed),
+    }
+    row: dict[str, Any] = {columns.CLASS: group.mission_class, "predictor": predictor.title}
+    row |= {"n": group.triads, "seed": seed}
+    for name, estimate in found.items():
+        row |= _name_ends(name, estimate)
+    return row
+
+
+def _name_ends(name: str, estimate: Estimate) -> dict[str, float]:
+    return {name: estimate.value, f"{name}_low": estimate.low, f"{name}_high": estimate.high}
+
+
+def _format_class(name: str, rows: pd.DataFrame) -> Iterator[str]:
+    width = max(map(len, rows["predictor"]))
+    yield f"{name}: n = {rows['n'].iloc[0]} triads; in brackets 95 % intervals"
+    yield " ".join(["".ljust(width), *(title.ljust(28) for title in SCORES.values())]).rstrip()
+    for _, row in rows.iterrows():
+        cells = (_format_score(*row[[key, f"{key}_low", f"{key}_high"]]) for key in SCORES)
+        yield " ".join([row["predictor"].ljust(width), *(c.ljust(28) for c in cells)]).rstrip()
+
+
+def _format_score(value: float, low: float, high: float) -> str:
+    if not np.isfinite(value):
+        return "not defined"
+    return f"{value:.3g} ({low:.3g} to {high:.3g})"

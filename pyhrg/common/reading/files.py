@@ -1,0 +1,65 @@
+"""Bytes and text of files, gzipped or not."""
+
+import gzip
+import io
+import os
+import stat
+from contextlib import ExitStack
+from pathlib import Path
+from typing import BinaryIO
+
+from pyhrg.common.errors import HrgError
+from pyhrg.common.reading.failures import refuse_unreadable
+from pyhrg.common.reading.limits import LOG_BYTES, check_size, compute_expanded_limit
+
+GZIPPED = b"\x1f\x8b"
+"""First bytes of gzipped data."""
+
+
+def open_file(path: Path, error_class: type[HrgError] = HrgError) -> BinaryIO:
+    """A file or a pipe, opened for reading."""
+    with refuse_unreadable(path, "file", error_class), ExitStack() as stack:
+        # without waiting: a pipe that nobody writes to is empty
+        handle = os.open(path, os.O_RDONLY | os.O_NONBLOCK)
+        file = stack.enter_context(os.fdopen(handle, "rb"))
+        kind = os.fstat(handle).st_mode
+        if not (stat.S_ISREG(kind) or stat.S_ISFIFO(kind)):
+            raise error_class(f"{path}: found a device, expected a file")
+        os.set_blocking(handle, True)
+        stack.pop_all()
+        return file
+
+
+def read_bytes(path: Path, most: int, error_class: type[HrgError] = HrgError) -> bytes:
+    """A file's bytes; more than `most` are refused, before they are read where it can be known."""
+    with open_file(path, error_class) as file, refuse_unreadable(path, "file", error_class):
+        check_size(path, os.fstat(file.fileno()).st_size, most, error_class)
+        data = file.read(most + 1)
+        check_size(path, len(data), most, error_class)
+        return data
+
+
+def read_unpacked(path: Path, error_class: type[HrgError] = HrgError) -> bytes:
+    """A log's bytes, decompressed if they are gzipped, whatever the file's name."""
+    data = read_bytes(path, LOG_BYTES, error_class)
+    if not data.startswith(GZIPPED):
+        return data
+    most = min(LOG_BYTES, compute_expanded_limit(len(data)))
+    with (
+        refuse_unreadable(path, "whole gzipped data", error_class),
+        gzip.GzipFile(fileobj=io.BytesIO(data)) as file,
+    ):
+        unpacked = file.read(most + 1)
+        check_size(path, len(unpacked), most, error_class)
+        return unpacked
+
+
+def decode(
+    source: object,
+    data: bytes,
+    encoding: str = "utf-8-sig",
+    error_class: type[HrgError] = HrgError,
+) -> str:
+    """The text that bytes are in an encoding."""
+    with refuse_unreadable(source, f"text in {encoding}", error_class):
+        return data.decode(encoding)

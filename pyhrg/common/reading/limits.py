@@ -1,0 +1,38 @@
+"""The limits of all readers. Sizes are computed and refused before memory is taken."""
+
+from pyhrg.common.errors import HrgError
+
+MEBIBYTE = 2**20
+
+DOCUMENT_BYTES = 16 * MEBIBYTE
+"""Largest TOML or JSON document. Chosen: a hundred times those of a study of 1000 triads; as
+objects of Python it takes up to thirty times as much memory."""
+XML_BYTES = 32 * MEBIBYTE
+"""Largest XML document. Chosen: the description of an FMU with 150 000 variables."""
+LOG_BYTES = 512 * MEBIBYTE
+"""Largest log, unpacked. Chosen: 12 h of an IMU at 200 Hz as text; parsed it takes about eight
+times as much memory. Longer records are split, or stored as Parquet."""
+EXPANSION = 100
+"""Largest ratio of unpacked to packed bytes. Chosen: logs of constant columns reach about 50, data
+made to fill a memory 1000."""
+FREE_EXPANSION = 64 * MEBIBYTE
+"""Unpacked size below which the ratio is not looked at. Chosen: it fills no memory."""
+ARCHIVE_ENTRIES = 10_000
+"""Largest number of files in an archive. Chosen: FMUs have tens to hundreds."""
+LARGEST_NUMBER = 1e12
+"""Largest size of a number in a log. Chosen: beyond any reading in any unit, and any time in s; its
+square and the sum of all squares are still numbers."""
+
+
+def compute_expanded_limit(size: int) -> int:
+    """Largest number of bytes that `size` packed bytes may unpack to."""
+    return max(FREE_EXPANSION, EXPANSION * size)
+
+
+def check_size(source: object, size: int, most: int, error_class: type[HrgError]) -> None:
+    """Refuse a size in bytes above the most."""
+    if size > most:
+        raise error_class(
+            f"{source}: found {size / MEBIBYTE:.1f} MiB or more, expected at most "
+            f"{most / MEBIBYTE:g} MiB"
+        )

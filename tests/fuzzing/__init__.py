@@ -1,0 +1,1 @@
+"""Inputs of every format, spoilt at random: each is read or refused in one line."""

@@ -1,0 +1,280 @@
+"""A right input of every format, and what reads it."""
+
+import json
+import tempfile
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, replace
+from functools import cached_property
+from importlib import resources
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+import ins_eval
+import pyhrg
+from fmu_build.bundle import build_fmu
+from fmu_build.check import report
+from ins_eval.imu.specification import load_imu
+from ins_eval.study.study_data import read_study_data
+from ins_eval.study.summary.text import summarize
+from ins_eval.trajectories.catalogue import load_trajectory
+from pyhrg.challenge.roster import Folder, Settings
+from pyhrg.device.device_file import from_table
+from pyhrg.device.ready_devices import TYPICAL
+from pyhrg.gap.findings.diagnosis import write as write_diagnosis
+from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
+from pyhrg.gap.soundness import describe_screening
+from pyhrg.gap.static_record.belief import read_beliefs
+from pyhrg.gap.static_record.record import read_static_record
+from pyhrg.records import read_log, write_log
+from pyhrg.records.campaign import Campaign, Test, read_campaign, write_campaign
+from pyhrg.records.campaign_import import import_campaign
+from tests.fuzzing.mutations import ARCHIVE, BYTES, DOCUMENT, TABLE, Mutation
+from tests.ins_eval.imu import logs
+from tests.ins_eval.study import cases
+from tests.ins_eval.study.report.synthetic import synthetic
+from tests.ins_eval.trajectories.test_recorded_drive import make_drive
+from tests.pyhrg.gap.findings.test_diagnosis import GIVEN
+from tests.pyhrg.records.campaign_import import labs
+from tests.pyhrg.records.made_up import made_up_log
+
+BELIEF = """\
+[gyros]
+angle_random_walk_deg_sqrt_h = 0.001
+sinusoid_periods_s = [10.0, 60.0]
+tolerance_percent = 20
+"""
+PSINS = """\
+% a log
+0.1 -0.2 30.0 0 0 0
+34.0 108.0 400.0 0 10.0 9.7964
+0.1 0.1 0.1 10.0 10.0 10.0
+"""
+
+
+@dataclass(frozen=True, eq=False)
+class Sample:
+    """A format.
+
+    write: writes a right input into an empty folder.
+    spoilt: the file of it that is spoilt.
+    mutations: how.
+    read: reads the input in that folder.
+    """
+
+    write: Callable[[Path], object]
+    spoilt: str
+    mutations: tuple[Mutation, ...]
+    read: Callable[[Path], object]
+
+    @cached_property
+    def content(self) -> dict[str, bytes]:
+        """Right files by name, made once."""
+        with tempfile.TemporaryDirectory() as name:
+            self.write(Path(name))
+            files = (path for path in Path(name).rglob("*") if path.is_file())
+            return {str(path.relative_to(name)): path.read_bytes() for path in files}
+
+    def put(self, folder: Path, spoilt: bytes | None) -> None:
+        """Put the input into a folder, its spoilt file with these bytes; None: without it."""
+        for name, data in self.content.items():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            if name != self.spoilt:
+                (folder / name).write_bytes(data)
+            elif spoilt is not None:
+                (folder / name).write_bytes(spoilt)
+
+
+def _copy(package: str, name: str) -> Callable[[Path], object]:
+    data = resources.files(package).joinpath(name).read_bytes()
+    return lambda folder: (folder / "file.toml").write_bytes(data)
+
+
+def _write_campaign(folder: Path) -> None:
+    still, turning = made_up_log(), made_up_log(table_rate=0.02)
+    tests = (Test("still", "static", "fit", still), Test("rate", "rate", "holdout", turning))
+    write_campaign(Campaign("made up", TYPICAL.site, NOMINAL, tests), folder)
+
+
+NOMINAL = {"coriolis_factor": 0.277, "decay_time_s": 450.0, "frequency_Hz": 7000.0}
+
+
+def _read_campaign(folder: Path) -> None:
+    campaign = read_campaign(folder)
+    from_table(campaign.nominal, campaign.device)
+    describe_screening(campaign)
+
+
+def _write_foreign(folder: Path) -> None:
+    log = made_up_log(60)
+    labs.foreign(
+        Campaign("made up", TYPICAL.site, NOMINAL, (Test("a", "static", "fit", log),)), folder
+    )
+
+
+def _write_drive(folder: Path) -> None:
+    text = "".join(",".join(row) + "\n" for row in make_drive())
+    (folder / "drive.csv").write_text(text)
+
+
+def _write_imu(folder: Path) -> None:
+    logs.saved(logs.frame(logs.resting(35.0)), folder)
+
+
+def _write_parquet(folder: Path) -> None:
+    logs.frame(logs.resting(15.0)).to_parquet(folder / "log.parquet")
+
+
+def _write_psins(folder: Path) -> None:
+    counts = np.random.default_rng(1).integers(-50, 50, (1500, 6)) + np.array(
+        [0, 0, 10, 0, 0, 10_000]
+    )
+    text = "".join(" ".join(map(str, row)) + "\n" for row in counts.tolist())
+    (folder / "log.txt").write_text(PSINS + text)
+
+
+def _write_study_result(folder: Path) -> None:
+    data = synthetic(12)
+    assert data.conditions
+    pd.concat([data.table, data.conditions.table]).to_parquet(folder / "study.parquet")
+    scores = [
+        {k: None if isinstance(v, float) and np.isnan(v) else v for k, v in asdict(s).items()}
+        for s in [*data.scores, *data.conditions.scores]
+    ]
+    (folder / "study.json").write_text(json.dumps({**data.about, "scores": scores}))
+
+
+def _read_study_result(folder: Path) -> None:
+    summarize(read_study_data(folder))
+    ins_eval.predict_error(folder, "car", fixed_deg_h=0.01, circumference_deg_h=0.02)
+
+
+def _write_challenge(folder: Path) -> None:
+    challenge = Folder(folder)
+    settings = Settings({"none": 1, "single": 1}, 1, 60.0, "ideal")
+    challenge.begin(settings)
+    challenge.publish(settings.cases(), ["0" * 64] * len(settings.cases()))
+
+
+def _read_challenge(folder: Path) -> None:
+    challenge = Folder(folder)
+    settings, published = challenge.begun(), challenge.read_hashes()
+    assert {case.name for case in settings.cases()} | set(published)
+
+
+def _write_fmu(folder: Path) -> None:
+    (folder / "HRG.fmu").write_bytes(build_fmu().read_bytes())
+
+
+def _check_fmu(folder: Path) -> None:
+    """All rules, FMPy's validation and the plan of the run; importers are other people's."""
+    report.IMPORTERS = ()  # of this process alone
+    report.check_fmu(folder / "HRG.fmu")
+
+
+MISSIONS = "ins_eval.trajectories.missions"
+SAMPLES = {
+    "device": Sample(
+        _copy("pyhrg.device.ready", "table2.toml"),
+        *("file.toml", DOCUMENT),
+        lambda folder: pyhrg.load_device(folder / "file.toml"),
+    ),
+    "mission": Sample(
+        _copy(MISSIONS, "city.toml"),
+        *("file.toml", DOCUMENT),
+        lambda folder: load_trajectory(folder / "file.toml", 60.0, 10.0),
+    ),
+    "weaving mission": Sample(
+        _copy(MISSIONS, "ship.toml"),
+        *("file.toml", DOCUMENT),
+        lambda folder: load_trajectory(folder / "file.toml", 60.0),
+    ),
+    "IMU": Sample(
+        _copy("ins_eval.imu.ready", "typical-hrg.toml"),
+        *("file.toml", DOCUMENT),
+        lambda folder: load_imu(folder / "file.toml"),
+    ),
+    "study": Sample(
+        cases.study_file,
+        *("study.toml", DOCUMENT),
+        lambda folder: ins_eval.load_study(folder / "study.toml"),
+    ),
+    "small study": Sample(
+        _copy("ins_eval.study.ready", "small.toml"),
+        *("file.toml", DOCUMENT),
+        lambda folder: ins_eval.load_study(folder / "file.toml"),
+    ),
+    "belief": Sample(
+        lambda folder: (folder / "belief.toml").write_text(BELIEF),
+        *("belief.toml", DOCUMENT),
+        lambda folder: read_beliefs(folder / "belief.toml"),
+    ),
+    "mapping": Sample(
+        _write_foreign,
+        *("mapping.toml", DOCUMENT),
+        lambda folder: import_campaign(folder / "mapping.toml").preview,
+    ),
+    "laboratory's log": Sample(
+        _write_foreign,
+        *("a.txt", TABLE),
+        lambda folder: import_campaign(folder / "mapping.toml").preview,
+    ),
+    "campaign": Sample(_write_campaign, "campaign.json", DOCUMENT, _read_campaign),
+    "campaign's log": Sample(_write_campaign, "rate.csv.gz", BYTES, _read_campaign),
+    "log": Sample(
+        lambda folder: write_log(made_up_log(table_rate=0.02), folder / "log.csv"),
+        *("log.csv", TABLE),
+        lambda folder: read_log(folder / "log.csv", latitude_deg=40.0),
+    ),
+    "static bench log": Sample(
+        lambda folder: write_log(made_up_log(1100), folder / "log.csv"),
+        *("log.csv", TABLE),
+        lambda folder: read_static_record(folder / "log.csv"),
+    ),
+    "drive": Sample(
+        _write_drive,
+        *("drive.csv", TABLE),
+        lambda folder: load_trajectory(folder / "drive.csv", 300.0, 10.0),
+    ),
+    "IMU log": Sample(
+        _write_imu, "log.csv", TABLE, lambda folder: read_static_record(folder / "log.csv")
+    ),
+    "trusted IMU log": Sample(
+        _write_imu,
+        *("log.csv", TABLE),
+        lambda folder: read_static_record(folder / "log.csv", trusted=True),
+    ),
+    "aligned IMU log": Sample(
+        _write_imu,
+        *("log.csv", TABLE),
+        lambda folder: ins_eval.align(folder / "log.csv", seconds=30.0, latitude_deg=45.8).summary,
+    ),
+    "Parquet IMU log": Sample(
+        _write_parquet,
+        *("log.parquet", BYTES),
+        lambda folder: read_static_record(folder / "log.parquet"),
+    ),
+    "PSINS log": Sample(
+        _write_psins, "log.txt", TABLE, lambda folder: read_static_record(folder / "log.txt", True)
+    ),
+    "diagnosis": Sample(
+        lambda folder: write_diagnosis(replace(GIVEN), folder),
+        *("diagnosis.json", DOCUMENT),
+        read_diagnosis,
+    ),
+    "study's result": Sample(_write_study_result, "study.json", DOCUMENT, _read_study_result),
+    "study's table": Sample(_write_study_result, "study.parquet", BYTES, _read_study_result),
+    "challenge's settings": Sample(_write_challenge, "settings.json", DOCUMENT, _read_challenge),
+    "challenge's index": Sample(_write_challenge, "challenge.json", DOCUMENT, _read_challenge),
+    "FMU": Sample(_write_fmu, "HRG.fmu", ARCHIVE, _check_fmu),
+}
+"""Formats by their names."""
+
+
+def read_all() -> None:
+    """Read every right input once, so that what is compiled and loaded is there for all cases."""
+    for sample in SAMPLES.values():
+        with tempfile.TemporaryDirectory() as folder:
+            sample.put(Path(folder), sample.content[sample.spoilt])
+            sample.read(Path(folder))

@@ -29,6 +29,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "static record should have")  # fmt: skip
     add("--trusted", action="store_true", help="take units and axes of a static record as stated, "
         "though gravity or Earth's rate in it contradict them")  # fmt: skip
+    add("--bound", type=float, nargs=3, metavar=("ARCSEC", "DEG_H", "SHARE"), help="sizes below "
+        "which what is left unexplained does not matter: rms of the output angle, mean rate, and "
+        "share of what the loops hold (default 0.1 1e-4 1e-3)")  # fmt: skip
     add("--out", type=Path, required=True, metavar="DIR", help="output folder")
     parser.set_defaults(run_task=_diagnose)
     parser = tasks.add_parser("predict", help="simulate the identified gyro on a log's inputs")
@@ -54,6 +57,8 @@ def _diagnose(options: argparse.Namespace) -> None:
     is_record = not options.source.is_dir()
     if is_record and options.belief is None:
         raise HrgError(f"{options.source}: found no --belief, expected one for a static record")
+    if is_record and options.bound:
+        raise HrgError(f"{options.source}: found --bound, which is for campaigns")
     if is_record:
         record, belief = options.source, options.belief
         found = pyhrg.diagnose_record(record, belief, trusted=options.trusted, out=options.out)
@@ -66,11 +71,14 @@ def _diagnose(options: argparse.Namespace) -> None:
 
 
 def _diagnose_campaign(options: argparse.Namespace) -> None:
+    from pyhrg.gap.findings.diagnosis import Leftover
+    from pyhrg.gap.findings.materiality import IMMATERIAL
     from pyhrg.gap.report.page import write_report
     from pyhrg.gap.report.sections import make_section
     from pyhrg.gap.report.verdict import summarize_diagnosis
 
-    result = pyhrg.diagnose(options.source, progress=True)
+    bound = Leftover(*options.bound) if options.bound else IMMATERIAL
+    result = pyhrg.diagnose(options.source, bound=bound, progress=True)
     position = make_section("position", partial(make_position_section, result))
     write_report(result, options.out, [position])
     print(summarize_diagnosis(result))

@@ -12,6 +12,10 @@ from typing import Any, NoReturn, Protocol
 
 from pyhrg.common.errors import HrgError, fold_line
 
+SINGLE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS")
+"""Variables that make linear algebra run in one thread, unless the user sets them: more threads
+slow its small matrices down, and large work is shared among processes."""
+
 
 class Command(Protocol):
     """A module of a package's `cli` folder: one subcommand of `hrg`.
@@ -79,6 +83,8 @@ def _report_errors(arguments: Sequence[str] | None) -> int:
 
 def _dispatch(arguments: Sequence[str] | None) -> int:
     signal.signal(signal.SIGTERM, signal.default_int_handler)
+    for variable in SINGLE_THREAD:  # before a subcommand imports numpy
+        os.environ.setdefault(variable, "1")
     parser = _Parser(
         prog="hrg", description="Whole-angle hemispherical resonator gyro: model, bench, navigation"
     )

@@ -1,7 +1,8 @@
 """From a campaign to its diagnosis: quantify, localise, attribute, close, verify."""
 
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from importlib import import_module
 from pathlib import Path
 
@@ -39,10 +40,11 @@ from pyhrg.gap.findings.quantity import measure_sizes
 from pyhrg.gap.next_test.next_test import suggest_next_test
 from pyhrg.gap.next_test.rivals import find_rivals
 from pyhrg.gap.next_test.static_test import suggest_static_test
+from pyhrg.gap.replay.free_pattern import truncate_free_pattern
 from pyhrg.gap.replay.instruments import describe_encoder_noise
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest, observe_test
 from pyhrg.gap.replay.replay import has_start_angle
-from pyhrg.gap.replay.simulation import Simulation, load_simulation, truncate_free_pattern
+from pyhrg.gap.replay.simulation import Simulation, load_simulation
 from pyhrg.gap.soundness import nominal_device, screen_campaign
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
 from pyhrg.records import campaign as campaigns
@@ -189,8 +191,11 @@ def diagnose(
         CampaignError, LogError: no test of the folder can be used, or a log can't be.
         DeviceError, GyroError: the nominal values are no gyro's, or none that the FMU takes.
         BuildError, TranslationError: the FMUs can't be built.
+        HrgError: a bound that is no size.
     """
     report = make_progress_reporter(progress)
+    if not all(0 <= limit < math.inf for limit in asdict(bound).values()):
+        raise HrgError(f"bound: found {bound}, expected numbers from 0 on")
     if not isinstance(campaign, Campaign):
         campaign = campaigns.read_campaign(Path(campaign))
     simulation = simulation or load_simulation(report)

@@ -3,12 +3,14 @@
 Written without use of the replay that a diagnosis makes of such records.
 """
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import signal
 
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.device.device import Device
@@ -60,7 +62,7 @@ class Laboratory:
         late = of["clock_latency"] + of["clock_rate"] * log.time
         turned = log.table_angle + of["encoder_eccentricity_phase"]
         run_out = np.sin(turned) - np.sin(of["encoder_eccentricity_phase"])
-        warm = np.interp(log.time - of["thermometer_lag"], log.time, log.temperature)
+        warm = _follow(log.temperature, log.interval, of["thermometer_lag"])
         change = (warm - reference_temperature) * (1 + of["thermometer_gain"])
         return replace(
             log,
@@ -103,10 +105,20 @@ def draw_laboratory(told: Device, level: float, generator: np.random.Generator) 
     for known in KNOWN:
         size = level * known.tolerance_of(told)
         errors[known.fields[0]] = float(size * generator.uniform(-1, 1))
-        if known.periods:
+        if known.periods or known.name == "thermometer_lag":
             errors[known.fields[0]] = abs(errors[known.fields[0]])
+        if known.periods:
             errors[known.fields[1]] = float(generator.uniform(0, 2 * np.pi))
     return Laboratory(level, errors)
+
+
+def _follow(series: Array, interval: float, lag: float) -> Array:
+    """(n,) readings of an instrument with a first-order lag, s, of a series that is linear between
+    rows of an interval, s; it has settled at the first value."""
+    kept = math.exp(-interval / lag) if lag else 0.0
+    slopes = np.diff(series, prepend=series[0]) / interval
+    behind = signal.lfilter([lag * (1 - kept)], [1.0, -kept], slopes)
+    return np.asarray(series - behind)
 
 
 def _read_late(angle: Array, time: Array, late: Array) -> Array:

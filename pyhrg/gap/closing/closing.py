@@ -1,6 +1,6 @@
 """The nominal device, the identified device with the causes put in, and the residuals of both."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
-from pyhrg.gap.effects.catalogue import EFFECT_NAMES, EFFECTS
+from pyhrg.gap.effects.catalogue import EFFECTS, NOISE_EFFECTS
 from pyhrg.gap.evidence.attribution import Attribution
-from pyhrg.gap.findings.diagnosis import Cause, DiagnosisError
+from pyhrg.gap.findings.diagnosis import Diagnosis, DiagnosisError
 from pyhrg.gap.findings.term import Term
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels
@@ -34,19 +34,23 @@ class Closing:
     terms: tuple[Term, ...] = ()
 
 
-def device_with_causes(nominal: Device, causes: Iterable[Cause]) -> Device:
-    """The nominal device with the causes of a diagnosis put in; causes that are noise are left out.
-    A `DiagnosisError` where the catalogue has no such effect, or a parameter is missing."""
+def read_identified_device(nominal: Device, diagnosis: Diagnosis) -> Device:
+    """The nominal device with the causes of a diagnosis, and what is off within its tolerance, put
+    in; causes that are noise are left out. A `DiagnosisError` where the catalogue has no such
+    effect, or a parameter is missing."""
     device = nominal
-    for cause in causes:
-        name, parameters = cause.effect, cause.parameters
-        if name not in EFFECT_NAMES:
-            raise DiagnosisError(f"causes: {name}: expected an effect of {', '.join(EFFECT_NAMES)}")
-        if name in EFFECTS:
-            missing = [key.name for key in EFFECTS[name].keys if key.name not in parameters]
-            if missing:
-                raise DiagnosisError(f"causes: {name}: {missing[0]}: missing; expected a number")
-            device = EFFECTS[name].put(device, EFFECTS[name].vector_of(parameters))
+    found = [("causes", cause.effect, cause.parameters) for cause in diagnosis.causes]
+    found += [("within_tolerance", k.name, k.parameters) for k in diagnosis.within_tolerance]
+    for key, name, parameters in found:
+        if name in NOISE_EFFECTS:
+            continue
+        if name not in EFFECTS:
+            names = ", ".join((*EFFECTS, *NOISE_EFFECTS))
+            raise DiagnosisError(f"{key}: {name}: expected one of {names}")
+        missing = [k.name for k in EFFECTS[name].keys if k.name not in parameters]
+        if missing:
+            raise DiagnosisError(f"{key}: {name}: {missing[0]}: missing; expected a number")
+        device = EFFECTS[name].put(device, EFFECTS[name].vector_of(parameters))
     return device
 
 

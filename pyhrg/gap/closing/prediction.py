@@ -10,7 +10,7 @@ from pyhrg.common.files import write_whole
 from pyhrg.common.progress import Progress, make_progress_reporter
 from pyhrg.common.units import DEG
 from pyhrg.device.device import Device
-from pyhrg.gap.closing.closing import device_with_causes
+from pyhrg.gap.closing.closing import read_identified_device
 from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu
 from pyhrg.gap.findings.diagnosis import Diagnosis, DiagnosisError
 from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
@@ -20,6 +20,7 @@ from pyhrg.gap.replay.simulation import Simulation, load_simulation, replay_samp
 from pyhrg.gap.soundness import nominal_device
 from pyhrg.gap.soundness.glitches import mend_inputs
 from pyhrg.gap.soundness.inputs import complete_inputs
+from pyhrg.gap.soundness.interruption import mend_drive
 from pyhrg.records import Log, LogError
 from pyhrg.records import campaign as campaigns
 from pyhrg.records.campaign import Campaign, Test
@@ -71,7 +72,7 @@ def predict(
     )
     nominal = nominal_device(campaign)
     found = _read(diagnosis, campaign.device)
-    identified = device_with_causes(nominal, found.causes)
+    identified = read_identified_device(nominal, found)
     if not isinstance(log, Log):
         log = records.read_log(Path(log), latitude_deg=campaign.site.latitude_deg)
     log, notes = _repair_inputs(log, nominal)
@@ -117,9 +118,10 @@ def _repair_inputs(log: Log, nominal: Device) -> tuple[Log, list[str]]:
     assumed: the same as in a diagnosis."""
     log, mended = mend_inputs(log)
     log, filled = complete_inputs(log, nominal)
+    log, interrupted = mend_drive(log, nominal)
     if not has_start_angle(log):
         raise LogError(
             f"{log.source}: no row with gyro_angle_deg and wave_angle_deg; expected one, which "
             "gives the start angle"
         )
-    return log, [*mended, *filled]
+    return log, [*mended, *filled, *interrupted]

@@ -14,7 +14,7 @@ from pyhrg.gap.effects.jump import Jump
 from pyhrg.gap.effects.term_columns import build_term_columns
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
 from pyhrg.gap.replay.simulation import compute_carrier_terms
-from pyhrg.gap.whitening.channel_noise import CampaignNoise
+from pyhrg.gap.whitening.channel_noise import CampaignNoise, compute_temperature_slopes
 from pyhrg.gap.whitening.whitening import WhitenedSeries, whiten
 
 Array = NDArray[np.float64]
@@ -114,9 +114,18 @@ class LinearTest:
         return np.column_stack([*effects, *steps, self.residual[channel]])
 
     @cached_property
-    def carrier_terms(self) -> Mapping[str, Array]:
-        """(n,) terms by channel that the simulation lacks."""
-        return compute_carrier_terms(self.device, self.test, self.where.pattern_angle)
+    def unmodelled(self) -> Mapping[str, Array]:
+        """(n,) shapes by channel that the simulation lacks, of a size up to about 1: the next order
+        of the carrier's average, and of the thermometer's lag (docs/methods/whitening.md, Eq. 18).
+        """
+        device, interval = self.device, self.test.log.interval
+        shapes = dict(compute_carrier_terms(device, self.test, self.where.pattern_angle))
+        lag, where = device.thermometer_lag, self.where
+        bend = where.case_rate - (where.case - where.resonator) / device.thermal_lag
+        kelvin = lag * (lag + interval) / 2 / device.thermal_lag * bend
+        for channel, slope in compute_temperature_slopes(device).items():
+            shapes[channel] = shapes[channel] + slope * kelvin
+        return shapes
 
     def at_measured_angle(self, series: Array, angles: Array, channel: str) -> Array:
         """(n, p) series of a channel, referred to the measured pattern angle instead of the
@@ -207,7 +216,7 @@ def whiten_rows(
     """Whiten the compared rows of (n, p) series of a channel."""
     rows = part.test.rows[channel]
     steps = np.diff(part.test.log.time[rows], prepend=0.0)
-    unmodelled = part.carrier_terms[channel][rows]
+    unmodelled = part.unmodelled[channel][rows]
     return whiten(series[rows], steps, noise.get_model(channel, part.test), unmodelled)
 
 

@@ -22,6 +22,7 @@ from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_levels import are_equal
 from pyhrg.gap.evidence.posterior import Posterior, compare_noises
 from pyhrg.gap.evidence.search import Ranking
+from pyhrg.gap.evidence.step import LINEARIZATION_ERROR, go_halfway, measure_step, move_gyro
 from pyhrg.gap.replay.observations import ObservedTest
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
@@ -35,12 +36,10 @@ SENSITIVITY_DISTANCE = 300.0
 """Mahalanobis distance from where all sensitivities were taken beyond which they are taken again.
 Chosen."""
 RESIMULATION_DISTANCE = 10.0
-"""Mahalanobis distance from the last full simulation beyond which it is run again. Chosen."""
+"""Mahalanobis distance from the last full simulation beyond which it is run again, once steps are
+short. Chosen."""
 MAX_HALVINGS = 8
 """Number of times that a step to a gyro which the FMU refuses is halved. Chosen."""
-LINEARIZATION_ERROR = 1e-3
-"""Share of a step's power that may remain in the residual because effects are not linear (Eq.
-(10)). The first time the step is the whole gap, later the last one. Chosen."""
 LINEARIZATION_DECAY = 4.0
 """Factor by which the allowed linearization error falls from round to round at least, so that all
 records separate, in the end, sets which explain the residual in turn. Chosen."""
@@ -179,7 +178,9 @@ class _Iteration:
             except GyroError:
                 if not self.parts:
                     raise
-                self.device = _midway(self.parts[0].device, self.device, self._catalogue.parameters)
+                self.device = go_halfway(
+                    self.parts[0].device, self.device, self._catalogue.parameters
+                )
         self.device = self.parts[0].device
 
     def _simulate(self) -> None:
@@ -240,61 +241,36 @@ class _Iteration:
 
     def step_length(self, hypothesis: Hypothesis) -> float:
         """Mahalanobis distance (Eq. (11)) by which a hypothesis moves the gyro."""
-        moved = _move_device(self._nominal, self.device, hypothesis)
-        return _distance(self.device, moved, hypothesis.exact.whole)
+        moved = move_gyro(self._nominal, self.device, hypothesis)
+        return measure_step(self.device, moved, hypothesis.exact.whole)
 
     def has_converged(self, hypothesis: Hypothesis) -> bool:
-        """Whether it moves neither gyro nor noise, and the sensitivities were taken nearby."""
+        """Whether it moves neither gyro nor noise, and sensitivities and the last full simulation
+        were taken nearby."""
         is_noise_kept = are_equal(self.noise.noise, hypothesis.noise.noise)
-        is_near = self._has_near_sensitivities(hypothesis)
+        is_near = self._has_near_sensitivities(hypothesis) and not self._is_far_from_simulation(
+            self.device, hypothesis
+        )
         return is_noise_kept and is_near and self.step_length(hypothesis) < CONVERGENCE_DISTANCE
 
     def move(self, hypothesis: Hypothesis) -> None:
-        """Move the gyro to where the hypothesis has it."""
+        """Move the gyro to where the hypothesis has it. Full simulations and sensitivities are
+        taken again once steps are short."""
         best, design = hypothesis.ranking.best, hypothesis.exact.whole
-        moved = _move_device(self._nominal, self.device, hypothesis)
+        moved = move_gyro(self._nominal, self.device, hypothesis)
         is_near = self._has_near_sensitivities(hypothesis)
         self._to_differentiate = [] if is_near else list(best.named)
-        is_far = (
-            _distance(self._differentiated_at, moved, hypothesis.design) >= SENSITIVITY_DISTANCE
-        )
-        if is_far and self.step_length(hypothesis) < LINEAR_DISTANCE:
-            self._differentiated_at, self._to_differentiate = moved, self._catalogue.parameters
-        before = self._simulated_at
-        if before and _distance(before, moved, design) >= RESIMULATION_DISTANCE:
-            self._simulated_at = None
+        if self.step_length(hypothesis) < SENSITIVITY_DISTANCE:
+            if measure_step(self._differentiated_at, moved, design) >= SENSITIVITY_DISTANCE:
+                self._differentiated_at, self._to_differentiate = moved, self._catalogue.parameters
+            if self._is_far_from_simulation(moved, hypothesis):
+                self._simulated_at = None
         self.device = moved
 
+    def _is_far_from_simulation(self, device: Device, hypothesis: Hypothesis) -> bool:
+        before, design = self._simulated_at or device, hypothesis.exact.whole
+        return measure_step(before, device, design) >= RESIMULATION_DISTANCE
+
     def _has_near_sensitivities(self, hypothesis: Hypothesis) -> bool:
-        distance = _distance(self._differentiated_at, self.device, hypothesis.design)
+        distance = measure_step(self._differentiated_at, self.device, hypothesis.exact.whole)
         return distance < SENSITIVITY_DISTANCE
-
-
-def _move_device(nominal: Device, device: Device, hypothesis: Hypothesis) -> Device:
-    """The nominal gyro with the parameters of the most probable set. One whose power is below the
-    linearization error of this step (Eq. (10)) is left out."""
-    design = hypothesis.exact.whole
-    error = LINEARIZATION_ERROR * _distance(device, hypothesis.put_effects(nominal), design) ** 2
-    moved = nominal
-    for effect, size in hypothesis.effect_sizes.items():
-        vector = effect.vector(nominal) + size
-        if _distance(nominal, effect.put(nominal, vector), design) ** 2 > error:
-            moved = effect.put(moved, vector)
-    return moved
-
-
-def _midway(old: Device, new: Device, effects: Sequence[Effect]) -> Device:
-    """A gyro half way between two."""
-    device = old
-    for effect in effects:
-        device = effect.put(device, (effect.vector(device) + effect.vector(new)) / 2)
-    return device
-
-
-def _distance(old: Device, new: Device, summed: Design) -> float:
-    """Mahalanobis distance between two gyros (Eq. (11))."""
-    unit = np.zeros(len(summed.projection))
-    for effect in (group for group in summed.columns if isinstance(group, Effect)):
-        where = summed.columns[effect]
-        unit[where] = (effect.vector(new) - effect.vector(old)) * summed.norms[where]
-    return float(np.sqrt(max(float(unit @ summed.gram @ unit), 0.0)))

@@ -221,7 +221,8 @@ def make_feasibility_check(nominal: Device, effects: Collection[Effect]) -> Call
 
 def estimate_nominal_noise(nominal: Device, parts: Sequence[LinearTest]) -> CampaignNoise:
     """Noise of all channels, that of the output angle as the nominal gyro states it."""
-    return estimate_campaign_noise(nominal, [p.test for p in parts], [p.residual for p in parts])
+    tests, residuals = [p.test for p in parts], [p.residual for p in parts]
+    return estimate_campaign_noise(nominal, tests, residuals, parts[0].device.thermometer_lag)
 
 
 def model_error_power(response: Mapping[TestChannel, float]) -> dict[TestChannel, float]:

@@ -33,7 +33,7 @@ class Residual:
     steps: (n,) time since the reading before, s.
     interval: length of a row, s.
     noise: noise model of the channel.
-    carrier_terms: (n,) shape that may be there in any size (`whiten`'s last argument).
+    unmodelled: (n,) shape that may be there (`whiten`'s last argument).
     encoder: white noise of the turntable's encoder, part of the output angle's noise, rad.
     """
 
@@ -43,13 +43,13 @@ class Residual:
     steps: Array
     interval: float
     noise: NoiseModel
-    carrier_terms: Array | None = None
+    unmodelled: Array | None = None
     encoder: float = 0.0
 
     @cached_property
     def white(self) -> Array:
         """(n,) whitened, in sigma."""
-        return whiten(self.values[:, None], self.steps, self.noise, self.carrier_terms).series[:, 0]
+        return whiten(self.values[:, None], self.steps, self.noise, self.unmodelled).series[:, 0]
 
     @property
     def times(self) -> Array:
@@ -91,7 +91,7 @@ def compute_residuals(
                     np.diff(part.test.log.time[rows], prepend=0.0),
                     part.test.log.interval,
                     noise.get_model(channel, part.test),
-                    part.carrier_terms[channel][rows],
+                    part.unmodelled[channel][rows],
                     part.test.encoder_noise,
                 )
             )

@@ -101,6 +101,7 @@ def _parse_known(table: TomlTable) -> KnownValue:
         table.finite_number("told"),
         parse_interval(table, "interval_95"),
         table.finite_number("tolerance"),
+        parse_numbers(table.table("parameters")),
     )
 
 

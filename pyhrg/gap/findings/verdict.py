@@ -117,16 +117,17 @@ def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
         if _compute_beyond(tolerance, size, covariance) <= UNEXPLAINED_PROBABILITY:
             told = effect.vector(nominal)
             total = told + size
-            key = effect.keys[0]
+            key, parameters = effect.keys[0], effect.parameters(total)
             values.append(
                 KnownValue(
                     effect.name,
                     effect.family,
                     key.name,
-                    effect.parameters(total)[key.name],
+                    parameters[key.name],
                     effect.parameters(told)[key.name],
                     _intervals(effect, total, covariance)[key.name],
                     tolerance / key.factor,
+                    parameters,
                 )
             )
     return tuple(values)

@@ -104,7 +104,7 @@ def observe_test(test: Test, nominal: Device) -> ObservedTest:
             compared &= log.drive_on > 0
         rows[name] = compared
     rows["temperature"] = np.isfinite(log.temperature)
-    encoder_noise = estimate_encoder_noise(log.table_angle, log.gyro_angle)
+    encoder_noise = estimate_encoder_noise(inputs.log.table_angle, log.gyro_angle)
     return ObservedTest(test, inputs, rows, transient, encoder_noise)
 
 

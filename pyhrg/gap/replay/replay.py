@@ -29,15 +29,18 @@ Array = NDArray[np.float64]
 HELD_COLUMNS = tuple(name for name in HELD_INPUTS if name not in ("vibration", "bias_voltage"))
 """Inputs that a row of a log holds constant."""
 MIN_READINGS = 10
-"""Fewest temperature readings from which a thermometer's noise is estimated. Chosen."""
+"""Fewest readings from which an instrument's noise is estimated. Chosen."""
 ANGLES = ("gyro_angle", "wave_angle")
 """Fields of a log that are read at the end of a row."""
-READ_OUT_FIELDS = ("frequency_error", "clock_latency", "clock_rate")
-"""Fields of a device that change what a recorder reads, and not what the gyro does."""
+CLOCK_FIELDS = ("clock_latency", "clock_rate")
+"""Fields of a device that state by how much later angles are read."""
 STEP_ROUNDING = 1e-9
 """Excess of a row over a whole number of steps, in steps, that is rounding. Chosen."""
+SLOPE_TIME = 10.0
+"""Time either way over which the slope of a thermometer's readings is taken, s, but at least a row.
+Chosen: a slope over less would be that of their noise."""
 STEADY_RATIO = 2.0
-"""A temperature whose spread is below this many of the thermometer's noise is constant. Chosen."""
+"""An input whose spread is below this many of its instrument's noise is constant. Chosen."""
 
 
 @dataclass(frozen=True)
@@ -76,24 +79,27 @@ class ReplayInputs:
 
 def prepare_inputs(log: Log, nominal: Device) -> ReplayInputs:
     """Inputs of a log of one power-on, from its start, whose rows are complete."""
+    temperature = np.append(log.temperature[0], log.temperature)
+    step = estimate_toggling_step(temperature)
+    log = replace(log, table_angle=_average_steady(log.table_angle))
     return ReplayInputs(
         log,
         estimate_start_angle(log, nominal.bryan_factor),
         estimate_table_motion(log.table_angle, log.interval),
-        _average_steady_temperature(np.append(log.temperature[0], log.temperature)),
+        _average_steady(temperature, step / math.sqrt(12)),
     )
 
 
-def _average_steady_temperature(temperature: Array) -> Array:
-    """A temperature, or its mean where it shows no more than the thermometer's noise.
+def _average_steady(readings: Array, least_noise: float = 0.0) -> Array:
+    """(n,) readings of an input, or their mean where they show no more than the noise of the
+    instrument, which is `least_noise` at least.
 
-    Effects of temperature would otherwise be fitted to that noise.
+    Effects of the input would otherwise be fitted to that noise.
     """
-    noise = estimate_robust_deviation(np.diff(temperature, 2)) / np.sqrt(6)
-    noise = max(noise, estimate_toggling_step(temperature) / np.sqrt(12))
-    if len(temperature) < MIN_READINGS or np.std(temperature) > STEADY_RATIO * noise:
-        return temperature
-    return np.full(len(temperature), np.mean(temperature))
+    noise = max(estimate_robust_deviation(np.diff(readings, 2)) / np.sqrt(6), least_noise)
+    if len(readings) < MIN_READINGS or np.std(readings) > STEADY_RATIO * noise:
+        return readings
+    return np.full(len(readings), np.mean(readings))
 
 
 def has_start_angle(log: Log) -> bool:
@@ -126,7 +132,7 @@ def replay_inputs(
         without_loops = {k: v for k, v in parameters.items() if k not in LOOP_FREQUENCIES}
         parameters = {**without_loops, "samplePeriod": step}
     parameters |= {HELD_INPUTS[name]: float(values[0]) for name, values in held.items()}
-    temperatures = _correct_temperatures(device, inputs)
+    temperatures = correct_temperatures(device, inputs)
     parameters["caseTemperature"] = float(temperatures[0])
     angle = inputs.table_angle(steps)
     earth = compute_earth_rate(device, inputs.log.axis_up[:, None], angle)
@@ -137,20 +143,21 @@ def replay_inputs(
     }
     if "tableAngle" in fmu.references:  # the FMU of a diagnosis with a term of the table angle
         varying["tableAngle"] = angle
-    with fmu.power_on(parameters, seed=0, start_angle=inputs.start_angle) as on:
+    late = device.clock_latency + device.clock_rate * inputs.log.time
+    turned = device.bryan_factor * float(np.mean(late * inputs.log.virtual_rotation))
+    with fmu.power_on(parameters, seed=0, start_angle=inputs.start_angle - turned) as on:
         rows = record_rows(on, varying, held, step, LOOP_OUTPUTS)
     change = read_change(rows, Device(), device, inputs.log)
     return {name: values + change[name] for name, values in rows.items()}
 
 
-def _correct_temperatures(device: Device, inputs: ReplayInputs) -> Array:
+def correct_temperatures(device: Device, inputs: ReplayInputs) -> Array:
     """(n + 1,) temperatures of the case at the rows' bounds, from the thermometer's readings, K.
 
-    A first-order lag is undone by the slope of the readings, over a quarter of the lag either way:
-    a slope over less would be that of their noise."""
+    A first-order lag is undone by the slope of the readings."""
     bounds = np.append(inputs.log.time[0] - inputs.log.interval, inputs.log.time)
     readings, last = inputs.temperatures, len(bounds) - 1
-    half = max(1, round(abs(device.thermometer_lag) / (4 * inputs.log.interval)))
+    half = max(1, round(SLOPE_TIME / inputs.log.interval))
     rows = np.arange(len(bounds))
     low, high = np.maximum(rows - half, 0), np.minimum(rows + half, last)
     slopes = (readings[high] - readings[low]) / (bounds[high] - bounds[low])
@@ -160,9 +167,15 @@ def _correct_temperatures(device: Device, inputs: ReplayInputs) -> Array:
     return np.asarray(reference + change / (1 + device.thermometer_gain))
 
 
+def list_read_out_fields(log: Log) -> tuple[str, ...]:
+    """Fields of a device that change what a recorder reads of this test, and not what the gyro
+    does. A pattern that is turned by command starts elsewhere if its angle was read later."""
+    return ("frequency_error", *(() if log.virtual_rotation.any() else CLOCK_FIELDS))
+
+
 def read_change(rows: Mapping[str, Array], old: Device, new: Device, log: Log) -> dict[str, Array]:
     """(n,) by field of a log: what another recorder makes of the same outputs. It reads angles
-    later, and counts the frequency from another one; `READ_OUT_FIELDS` state both."""
+    later, and counts the frequency from another one."""
     late = new.clock_latency - old.clock_latency + (new.clock_rate - old.clock_rate) * log.time
     change = {name: np.zeros(len(log.time)) for name in rows}
     for name in ANGLES if late.any() else ():

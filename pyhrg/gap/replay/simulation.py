@@ -31,7 +31,7 @@ ChannelValues = Mapping[str, Array]
 """(n,) values in SI by field of a log."""
 
 LOOP_FIELDS = ("amplitude_loop", "quadrature_loop", "phase_loop")
-"""Parameters that quasi-steady loops do not have."""
+"""Parameters that quasi-steady loops do not have: their response is a transfer function's."""
 STEPS_PER_ROW = 100
 """Communication steps of the sampled gyro in a row, where the row has so many control periods.
 Chosen."""
@@ -51,11 +51,6 @@ MAX_TRANSIENT_SHARE = 0.5
 """Share of transient rows above which the whole test runs with sampled loops. Chosen."""
 MAX_CACHED_ROWS = 1_000_000
 """Rows of simulations kept for repeated requests. Chosen: memory."""
-NOISE_GROWTH_LIMIT = 0.2
-"""Relative growth of an earlier turn of a free pattern above which its rows are not compared.
-Chosen."""
-MIN_ROWS = 10
-"""Fewest rows of a test with a free pattern that are simulated, compared or not. Chosen."""
 
 
 @dataclass(frozen=True)
@@ -147,7 +142,7 @@ class Simulation:
         """(n,) by channel, SI: output of `high` less that of `low`, for devices that differ
         little."""
         first, last = (self._run_cached(device, test.inputs) for device in (low, high))
-        return _subtract(first, last, high, test)
+        return _subtract(first, last, low, high, test)
 
     def make_difference_from(
         self, device: Device, test: ObservedTest
@@ -155,14 +150,15 @@ class Simulation:
         """`compute_difference` from one device on, which is simulated once."""
         first = self._run_cached(device, test.inputs)
         is_quasi_steady = not is_short(len(test.log.time), test.log.interval)
-        unseen = (*replays.READ_OUT_FIELDS, *(LOOP_FIELDS if is_quasi_steady else ()))
+        read_out = replays.list_read_out_fields(test.log)
+        unseen = (*read_out, *(LOOP_FIELDS if is_quasi_steady else ()))
 
         def change_to(other: Device) -> dict[str, Array]:
             kept: dict[str, Any] = {name: getattr(device, name) for name in unseen}
             if replace(other, **kept) == device:  # no other run is needed
                 change = replays.read_change(first, device, other, test.log)
-                return {name: change[name] for name in CHANNELS}
-            return _subtract(first, self._run_coarse(other, test.inputs), other, test)
+                return _subtract(first, add_channels(first, change), device, other, test)
+            return _subtract(first, self._run_coarse(other, test.inputs), device, other, test)
 
         return change_to
 
@@ -171,7 +167,8 @@ class Simulation:
         (docs/methods/replay.md, Eq. 7)."""
         shifts = (-ANGLE_SHIFT, 0.0, ANGLE_SHIFT)
         low, middle, high = (self._run_cached(device, test.inputs, s) for s in shifts)
-        below, above = (_subtract(*ends, device, test) for ends in ((low, middle), (middle, high)))
+        pairs = (low, middle), (middle, high)
+        below, above = (_subtract(*pair, device, device, test) for pair in pairs)
         slopes = {name: (below[name] + above[name]) / (2 * ANGLE_SHIFT) for name in CHANNELS}
         growth = 1 - device.bryan_factor * slopes["gyro_angle"]
         remains = growth > MIN_REMAINING_SHIFT
@@ -228,13 +225,19 @@ def _find_sections(transient: Mask, apart: int) -> list[slice]:
 
 
 def _subtract(
-    first: ChannelValues, last: ChannelValues, device: Device, test: ObservedTest
+    first: ChannelValues, last: ChannelValues, low: Device, high: Device, test: ObservedTest
 ) -> dict[str, Array]:
-    """Change by channel from first to last, with the loops' response where loops did not run."""
+    """Change by channel from the first answers, of `low`, to the last, of `high`, with the loops'
+    response where loops did not run."""
     change = {name: last[name] - first[name] for name in CHANNELS}
     if is_short(len(test.log.time), test.log.interval):
         return change
-    return _apply_loop_response(change, device, test)
+    change = _apply_loop_response(change, high, test)
+    if any(getattr(low, name) != getattr(high, name) for name in LOOP_FIELDS):
+        before, after = (_apply_loop_response(dict(first), d, test) for d in (low, high))
+        for name in ("amplitude", *FORCES):
+            change[name] = change[name] + after[name] - before[name]
+    return change
 
 
 def add_channels(values: ChannelValues, difference: ChannelValues) -> dict[str, Array]:
@@ -253,26 +256,6 @@ def _apply_loop_response(
     for name, frequency in zip(FORCES, loops, strict=True):
         values[name] = compute_loop_force(values[name], frequency, test.log.interval)
     return values
-
-
-def truncate_free_pattern(
-    simulation: Simulation, nominal: Device, test: ObservedTest
-) -> ObservedTest:
-    """The test up to the row in which a small turn of the free pattern has grown or shrunk too far.
-
-    With a frequency split, a ring-down of minutes multiplies such a turn. It can end in circular
-    motion, whose pattern angle is undefined (docs/methods/replay.md, Eq. 7).
-    """
-    if test.log.drive_on.all():
-        return test
-    slope = simulation.differentiate_by_angle(nominal, test).slopes["gyro_angle"]
-    growth = np.abs(nominal.bryan_factor * slope)
-    has_grown = (test.log.drive_on <= 0) & (growth > NOISE_GROWTH_LIMIT)
-    kept = ~np.logical_or.accumulate(has_grown)
-    count = max(int(kept.sum()), MIN_ROWS)
-    rows = {name: (compared & kept)[:count] for name, compared in test.rows.items()}
-    inputs = test.inputs.section(slice(0, count), test.inputs.start_angle)
-    return replace(test, inputs=inputs, rows=rows, transient=test.transient[:count])
 
 
 def compute_carrier_terms(

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
 from pyhrg.gap.soundness.attitude import ACCELERATIONS
-from pyhrg.gap.soundness.exclusion import find_runs, has_values, replace_columns
+from pyhrg.gap.soundness.exclusion import Array, find_runs, has_values, replace_columns
 from pyhrg.records import COLUMNS, Log, LogError
 from pyhrg.records.columns import BY_FIELD
 
@@ -113,8 +113,18 @@ def _find_cut(log: Log, missing: NDArray[np.bool_]) -> tuple[int, str]:
             if first == 0:
                 raise LogError(f"{log.source}: the start is missing, to time_s {log.time[end]:g}")
             reason = f"inputs missing from time_s {time:g} on, while they changed"
-            return first, f"{log.source}: {reason}: cut there"
+            return _find_steady_end(log.table_angle, first), f"{log.source}: {reason}: cut there"
     return len(missing), ""
+
+
+def _find_steady_end(angle: Array, end: int) -> int:
+    """End of the rows up to `end` in and after which the table kept its rate: with no row after it,
+    a change of the rate within a row is not known."""
+    turns = np.diff(angle[:end], prepend=0.0)
+    changes = np.abs(np.diff(turns)) > REST_TOLERANCE + RATE_TOLERANCE * np.abs(turns[1:])
+    while end > 2 and changes[end - 2]:
+        end -= 1
+    return max(end - 1, 1)
 
 
 def _keeps_rate(log: Log, first: int, end: int) -> bool:

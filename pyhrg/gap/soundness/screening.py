@@ -19,6 +19,7 @@ from pyhrg.gap.soundness.exclusion import (
 )
 from pyhrg.gap.soundness.glitches import check_glitches, mend_inputs
 from pyhrg.gap.soundness.inputs import complete_inputs
+from pyhrg.gap.soundness.interruption import mend_drive
 from pyhrg.gap.soundness.resonator import (
     check_amplitude,
     check_swapped_forces,
@@ -202,6 +203,7 @@ def _screen_test(test: Test, nominal: Device) -> ScreenedTest | str:
     notes += [*mended, *(exclusion.sentence for exclusion in wrong_inputs)]
     try:
         log, filled = complete_inputs(apply_exclusions(log, wrong_inputs), nominal)
+        log, interrupted = mend_drive(log, nominal)
     except LogError as error:
         return "; ".join([f"{test.id}: not used: {error}", *notes])
     angles = check_angles(log, nominal)
@@ -218,5 +220,10 @@ def _screen_test(test: Test, nominal: Device) -> ScreenedTest | str:
             *estimate_decay_time(remaining, nominal),
             *estimate_frequency(remaining, nominal),
         ),
-        (*notes, *filled, *(exclusion.sentence for exclusion in (*angles, *others, *glitches))),
+        (
+            *notes,
+            *filled,
+            *interrupted,
+            *(exclusion.sentence for exclusion in (*angles, *others, *glitches)),
+        ),
     )

@@ -47,6 +47,7 @@ class CampaignNoise:
     reading_steps: quantization steps of these logs, K; 0 where they are finer than their noise.
     per_kelvin: sensitivity of a channel to the resonator's temperature, SI/K.
     thermal_lag: time constant from case to resonator, s.
+    thermometer_lag: of the thermometer behind the case, s.
     bryan_factor: of the nominal device. Noise that turns a driven pattern is also a noise of the
         amplitude while the drive is off.
     """
@@ -57,6 +58,7 @@ class CampaignNoise:
     reading_steps: Mapping[str, float]
     per_kelvin: Mapping[str, float]
     thermal_lag: float
+    thermometer_lag: float
     bryan_factor: float
 
     def get_model(self, channel: str, test: ObservedTest) -> NoiseModel:
@@ -69,6 +71,9 @@ class CampaignNoise:
         if channel in self.per_kelvin:
             kelvin = self.temperature.get(test.test.id, max(self.temperature.values()))
             lagged = self.per_kelvin[channel] * kelvin * np.sqrt(interval)
+            if np.ptp(test.inputs.temperatures):
+                share = self.thermometer_lag / self.thermal_lag
+                white = math.hypot(white, self.per_kelvin[channel] * kelvin * share)
             step = self.reading_steps.get(test.test.id, 0.0)
             rounding = CorrelatedNoise(
                 self.per_kelvin[channel] * step / 2,
@@ -85,10 +90,14 @@ class CampaignNoise:
 
 
 def estimate_campaign_noise(
-    nominal: Device, tests: Sequence[ObservedTest], residuals: Sequence[Mapping[str, Array]]
+    nominal: Device,
+    tests: Sequence[ObservedTest],
+    residuals: Sequence[Mapping[str, Array]],
+    thermometer_lag: float = 0.0,
 ) -> CampaignNoise:
     """Noise of all channels: the nominal device's own on its angle, the others' from residuals,
-    (n,) by channel for each test, record less simulation, SI.
+    (n,) by channel for each test, record less simulation, SI. A lag of the thermometer, s, that the
+    simulation undoes makes more of the thermometer's noise.
 
     The others are estimated from second differences of residuals, to which a slow signal
     contributes almost nothing (docs/methods/whitening.md, Eq. 14).
@@ -102,10 +111,7 @@ def estimate_campaign_noise(
         )
         for t in tests
     }
-    per_kelvin = {
-        "frequency_offset": abs(nominal.frequency * nominal.frequency_per_kelvin),
-        "amplitude_force": abs(nominal.decay_time_per_kelvin / nominal.decay_time),
-    }
+    per_kelvin = compute_temperature_slopes(nominal)
     for channel, slope in per_kelvin.items():
         for interval, deviation in white[channel].items():
             kelvins = [temperature[t.test.id] for t in tests if t.log.interval == interval]
@@ -119,8 +125,17 @@ def estimate_campaign_noise(
         steps,
         per_kelvin,
         nominal.thermal_lag,
+        thermometer_lag,
         nominal.bryan_factor,
     )
+
+
+def compute_temperature_slopes(device: Device) -> dict[str, float]:
+    """Sensitivity of each channel that follows the resonator's temperature, SI/K, unsigned."""
+    return {
+        "frequency_offset": abs(device.frequency * device.frequency_per_kelvin),
+        "amplitude_force": abs(device.decay_time_per_kelvin / device.decay_time),
+    }
 
 
 def _estimate_white(

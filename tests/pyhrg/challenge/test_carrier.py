@@ -68,5 +68,5 @@ def test_it_would_be_one(
 ) -> None:
     """Were it not known of."""
     nothing = property(lambda part: dict.fromkeys(CHANNELS, 0 * part.where.pattern_angle))
-    monkeypatch.setattr(LinearTest, "carrier_terms", nothing)
+    monkeypatch.setattr(LinearTest, "unmodelled", nothing)
     assert diagnose(campaign, simulation=simulation).diagnosis.verdict != "no_gap"

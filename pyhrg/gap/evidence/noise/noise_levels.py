@@ -75,7 +75,9 @@ def fit_level(gain: Callable[[float], float], scale: float) -> Level:
     grid = np.linspace(low, high, GRID_LEVELS)
     values = [gain(x) for x in grid]
     top = int(np.argmax(values))
-    bounds = (grid[max(top - 1, 0)], grid[min(top + 1, len(grid) - 1)])
+    if top == 0:  # the less of it the better
+        return Level(low, values[0], high - low)
+    bounds = (grid[top - 1], grid[min(top + 1, len(grid) - 1)])
     options = {"xatol": LEVEL_PRECISION}
     best = float(minimize_scalar(lambda x: -gain(x), bounds=bounds, options=options).x)
     peak = gain(best)

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from pyhrg.device.device import Device
-from pyhrg.gap.closing.closing import device_with_causes
+from pyhrg.gap.closing.closing import read_identified_device
 from pyhrg.gap.effects.catalogue import EFFECTS
 from pyhrg.gap.findings.diagnosis import (
     FILE,
@@ -17,6 +17,7 @@ from pyhrg.gap.findings.diagnosis import (
     DiagnosisError,
     Gap,
     GapFigure,
+    KnownValue,
     NextTest,
     write,
 )
@@ -50,6 +51,18 @@ GIVEN = Diagnosis(
     next_test=None,
     unnamed={},
     excluded=(),
+    within_tolerance=(
+        KnownValue(
+            "encoder_eccentricity",
+            "bench",
+            "encoder_eccentricity_arcsec",
+            0.5,
+            0.0,
+            (0.4, 0.6),
+            1.0,
+            {"encoder_eccentricity_arcsec": 0.5, "encoder_eccentricity_phase_deg": 200.0},
+        ),
+    ),
 )
 
 
@@ -102,19 +115,20 @@ def test_what_was_written_is_read_back(tmp_path: Path, given: Diagnosis) -> None
     assert read_diagnosis(str(tmp_path)) == given
 
 
-def test_causes_are_put_into_the_gyro(tmp_path: Path) -> None:
-    device = device_with_causes(Device(), read_diagnosis(kept(tmp_path)).causes)
-    effect = EFFECTS["damping_anisotropy"]
-    assert effect.parameters(effect.vector(device)) == pytest.approx(
-        {"damping_anisotropy_per_s": 2e-6, "damping_axis_deg": 45.0}
-    )
+def test_causes_and_known_values_are_put_into_the_gyro(tmp_path: Path) -> None:
+    lag = Cause("nominal_thermal_lag", 1.0, {"thermal_lag_s": 500.0}, {"thermal_lag_s": (1, 999)})
+    found = read_diagnosis(kept(tmp_path, replace(GIVEN, causes=(*GIVEN.causes, lag))))
+    device = read_identified_device(Device(), found)
+    for entry in (GIVEN.causes[0], lag, GIVEN.within_tolerance[0]):
+        effect = EFFECTS[entry.effect if isinstance(entry, Cause) else entry.name]
+        assert effect.parameters(effect.vector(device)) == pytest.approx(entry.parameters)
     assert device.angle_random_walk == 0.0
 
 
 def test_a_missing_parameter_is_named() -> None:
     cause = Cause("damping_anisotropy", 1.0, {"damping_anisotropy_per_s": 1e-6})
     with pytest.raises(DiagnosisError, match="damping_anisotropy: damping_axis_deg: missing"):
-        device_with_causes(Device(), [cause])
+        read_identified_device(Device(), replace(GIVEN, causes=(cause,)))
 
 
 CAUSE = GIVEN.document()["causes"][0]

@@ -11,10 +11,11 @@ from pyhrg.common.units import DEG, DEG_PER_H, STANDARD_GRAVITY
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import EFFECTS
 from pyhrg.gap.effects.sensitivities import compute_sensitivities, linearize_test
+from pyhrg.gap.replay.free_pattern import truncate_free_pattern
 from pyhrg.gap.replay.loop_response import compute_loop_error, compute_loop_force
 from pyhrg.gap.replay.observations import CHANNELS, compute_settling_time, observe_test
 from pyhrg.gap.replay.replay import estimate_start_angle
-from pyhrg.gap.replay.simulation import Simulation, truncate_free_pattern
+from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.gap.whitening.channel_noise import REPLAY_RESOLUTION
 from pyhrg.records.campaign import Test
 from tests.pyhrg.gap.soundness.conftest import NOMINAL

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.instruments import estimate_reading_steps, estimate_toggling_step
 from pyhrg.gap.replay.observations import CHANNELS, observe_test
+from pyhrg.gap.replay.replay import correct_temperatures, prepare_inputs
 from pyhrg.gap.whitening.channel_noise import estimate_campaign_noise
 from pyhrg.records.campaign import Test
 from tests.pyhrg.records.made_up import made_up_log
@@ -72,3 +73,24 @@ def test_rounding_adds_half_a_step_to_what_follows_the_temperature() -> None:
             assert rounding.level == pytest.approx(0.05 * noise.per_kelvin[channel])
         else:
             assert rounding is None
+
+
+def test_a_lag_of_the_readings_is_undone() -> None:
+    """A ramp in rows of 1 s, as an exact first-order lag shows it. Where the ramp bends
+    the slope is a mean over 20 s; elsewhere the temperature is exact."""
+    time, lag = np.arange(1.0, ROWS + 1), 60.0
+
+    def rise(begin: float, lag: float) -> Array:
+        """(n,) readings of a rise by 1 K/s from some time on."""
+        since = np.clip(time - begin, 0, None)
+        return np.asarray(since - lag * (1 - np.exp(-since / lag)) if lag else since)
+
+    true = 298.15 + 0.02 * (rise(500, 0) - rise(1500, 0))
+    readings = 298.15 + 0.02 * (rise(500, lag) - rise(1500, lag))
+    log = replace(made_up_log(ROWS), temperature=readings)
+    device = Device(thermometer_lag=lag)
+    error = (correct_temperatures(device, prepare_inputs(log, device))[1:] - true)[:-20]
+    is_bend = (np.abs(time - 500) < 15) | (np.abs(time - 1500) < 15)
+    assert np.abs(readings - true).max() == pytest.approx(0.02 * lag, rel=0.01)
+    assert np.abs(error[~is_bend[:-20]]).max() < 0.01
+    assert abs(error.mean()) < 1e-4

@@ -53,7 +53,7 @@ def test_missing_rows_are_filled_while_nothing_changes(error_free: Campaign, nam
 def test_a_log_is_cut_where_its_inputs_are_unknown(error_free: Campaign) -> None:
     log, sentences = screen_changed(error_free, without_rows(slice(18, 22)), "pos")
     assert sentences == ["pos: inputs missing from time_s 9.5 on, while they changed: cut there"]
-    assert len(log.time) == 18
+    assert len(log.time) == 17  # the turn in the last row before a change is not sure
     assert np.isfinite(log.gyro_angle).all()
     log, sentences = screen_changed(
         error_free, at(slice(80, 200), np.nan, "virtual_rotation"), "virtual"

@@ -1,0 +1,35 @@
+"""Rows of a ring-down in which the free pattern's angle is still known."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from pyhrg.device.device import Device
+from pyhrg.gap.replay.observations import ObservedTest
+from pyhrg.gap.replay.simulation import Simulation
+
+NOISE_GROWTH_LIMIT = 0.2
+"""Relative growth of an earlier turn of a free pattern above which its rows are not compared.
+Chosen."""
+MIN_ROWS = 10
+"""Fewest rows of a test with a free pattern that are simulated, compared or not. Chosen."""
+
+
+def truncate_free_pattern(
+    simulation: Simulation, nominal: Device, test: ObservedTest
+) -> ObservedTest:
+    """The test up to the row in which a small turn of the free pattern has grown or shrunk too far.
+
+    With a frequency split, a ring-down of minutes multiplies such a turn. It can end in circular
+    motion, whose pattern angle is undefined (docs/methods/replay.md, Eq. 7).
+    """
+    if test.log.drive_on.all():
+        return test
+    slope = simulation.differentiate_by_angle(nominal, test).slopes["gyro_angle"]
+    growth = np.abs(nominal.bryan_factor * slope)
+    has_grown = (test.log.drive_on <= 0) & (growth > NOISE_GROWTH_LIMIT)
+    kept = ~np.logical_or.accumulate(has_grown)
+    count = max(int(kept.sum()), MIN_ROWS)
+    rows = {name: (compared & kept)[:count] for name, compared in test.rows.items()}
+    inputs = test.inputs.section(slice(0, count), test.inputs.start_angle)
+    return replace(test, inputs=inputs, rows=rows, transient=test.transient[:count])

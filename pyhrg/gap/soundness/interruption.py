@@ -19,7 +19,7 @@ MIN_DIP = 1e-4
 """Smallest dip, in set points: that of a drive lost for a ten-thousandth of the decay time.
 Chosen."""
 DECAY_TOLERANCE = 1.3
-"""A dip may be so many times as deep as a decay over its rows. Chosen."""
+"""A dip may be so many times as deep as a ring-down over its rows, or as shallow. Chosen."""
 
 
 def mend_drive(log: Log, nominal: Device) -> tuple[Log, list[str]]:
@@ -35,8 +35,8 @@ def mend_drive(log: Log, nominal: Device) -> tuple[Log, list[str]]:
 
 
 def find_interruptions(log: Log, nominal: Device) -> Mask:
-    """(n,) rows in which the amplitude falls below a constant set point no faster than in a
-    ring-down, in two rows in succession at least."""
+    """(n,) rows in which the amplitude falls below a constant set point as in a ring-down, in two
+    rows in succession at least."""
     lost = np.zeros(len(log.time), dtype=bool)
     with np.errstate(divide="ignore", invalid="ignore"):
         dip = 1 - log.amplitude / log.amplitude_setpoint
@@ -48,7 +48,9 @@ def find_interruptions(log: Log, nominal: Device) -> Mask:
     least = max(MIN_DIP, MIN_DIP_SIGMA * estimate_robust_deviation(dip[settled]))
     for first, end in find_runs(settled & (dip > least)):
         lowest = first + int(np.argmax(dip[first:end]))
-        possible = DECAY_TOLERANCE * (lowest + 2 - first) * log.interval / nominal.decay_time
-        if end - first > 1 and dip[lowest] < possible:
+        rows = lowest - first
+        least_rows, most_rows = rows / DECAY_TOLERANCE, (rows + 2) * DECAY_TOLERANCE
+        decays = dip[lowest] * nominal.decay_time / log.interval
+        if rows and least_rows < decays < most_rows:
             lost[first : lowest + 1] = True
     return lost

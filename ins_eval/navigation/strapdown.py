@@ -36,7 +36,8 @@ def navigate(
         height: height aiding: `Free()`, `Clamped(heights)` or `BaroDamped(heights)`.
         keep_every: increments between rows of the result, a multiple of `samples`.
         samples: increments a step, 2 to 4.
-        deflection: of the vertical, north and east, rad, as the navigator is told.
+        deflection: of the vertical that the navigator believes, north and east, rad; none by
+            default, whatever the truth has.
 
     Raises:
         HrgError: `samples` out of range; heights of the wrong number or not finite.

@@ -12,7 +12,7 @@ from ins_eval.study.experiment import (
     select_cosimulated,
     select_errors,
 )
-from ins_eval.study.gyros.maker import Method
+from ins_eval.study.gyros.makers_calibration import Method
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.scores.judge import judge_bounds
 from ins_eval.study.scores.resampling import bootstrap

@@ -13,7 +13,7 @@ from ins_eval.study.agreement import score_agreement
 from ins_eval.study.conditions import CONDITIONS
 from ins_eval.study.experiment import FLOWN, LEAD, open_missions, select_triads
 from ins_eval.study.flight_table import Training, tabulate_flights, train_methods
-from ins_eval.study.gyros.maker import Method
+from ins_eval.study.gyros.makers_calibration import Method
 from ins_eval.study.phase.diagram import (
     compute_map_over_noise,
     compute_phase_diagram,

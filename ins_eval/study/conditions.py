@@ -20,7 +20,7 @@ from ins_eval.study.gyros.drawn_triad import (
     tabulate_triads,
 )
 from ins_eval.study.gyros.drift import Flight, draw_flight
-from ins_eval.study.gyros.maker import calibrate_gyro
+from ins_eval.study.gyros.makers_calibration import calibrate_gyro
 from ins_eval.study.gyros.population import Population
 from ins_eval.study.specification import Study
 from pyhrg.common.units import DEG_PER_H, DEG_PER_SQRT_H, YEAR

@@ -26,7 +26,7 @@ from ins_eval.study.gyros.drawn_triad import (
     tabulate_triads,
 )
 from ins_eval.study.gyros.drift import Drift
-from ins_eval.study.gyros.maker import METHODS, Method
+from ins_eval.study.gyros.makers_calibration import METHODS, Method
 from ins_eval.study.gyros.population import RAW, TRIMMED
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.specification import CONDITION, MEAN, TEST, PlannedMission, Study

@@ -22,7 +22,7 @@ from ins_eval.study.experiment import (
     select_errors,
     select_triads,
 )
-from ins_eval.study.gyros.maker import Method
+from ins_eval.study.gyros.makers_calibration import Method
 from ins_eval.study.predictors.class_constants import ConstantRule, join_missions
 from ins_eval.study.predictors.prediction_columns import (
     TrainedModel,

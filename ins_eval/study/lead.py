@@ -16,7 +16,7 @@ from ins_eval.study.cosimulated import MissionTruth, cosimulate
 from ins_eval.study.gyros.bench_plan import BenchPlan
 from ins_eval.study.gyros.drawn_triad import AXES, DrawnTriad, TriadDistribution
 from ins_eval.study.gyros.drift import Flight, draw_flight
-from ins_eval.study.gyros.maker import calibrate_gyro
+from ins_eval.study.gyros.makers_calibration import calibrate_gyro
 from ins_eval.study.gyros.measured_gyro import measure_gyro
 from pyhrg.device.device import Device
 from pyhrg.device.ready_devices import TABLE2

@@ -41,8 +41,8 @@ class Start(Checked):
 class Deflection(Checked):
     """Deflection of the vertical, the same everywhere: the zenith leans to the north and the east.
 
-    The truth has it, the navigator does not. An alignment at rest takes it for a tilt, which
-    cancels most of its effect on the navigation.
+    The truth has it; the navigator does not, unless told (`navigate(deflection=...)`). An alignment
+    at rest takes it for a tilt, which cancels most of its effect on the navigation.
     """
 
     north: float = quantity("arcsec", -100, 100, 0)

@@ -147,7 +147,8 @@ def _join(
     """Return a knot each second from a given state to the drive's first velocity and attitude.
 
     The velocity keeps its components along the vehicle, forward or backward, and the heading turns
-    by the way driven: there is no sideslip but that recorded at the ends. A vehicle that would turn
+    with distance driven. Sideslip goes smoothly from the one recorded at one end to the other's. A
+    vehicle that would turn
     where it stands drives a bend of `JOINT_RADIUS`.
     """
     begin = _turn_to_vehicle(velocity, euler[2])

@@ -87,7 +87,7 @@ def _read_device(document: TomlTable) -> Device:
     model = document.table("model")
     for name in model.values:
         if name in FMU_NAMES:
-            raise document.error("model", name, "names that have no key or power-on of their own")
+            raise document.error("model", name, "an FMU parameter that no key of a device sets")
     scatter = document.table("turn_on_scatter")
     scatter.check_known(sorted((FMU_NAMES - {"seed", "startAngle"}) | model.values.keys()))
     device = Device(

@@ -46,7 +46,7 @@ def estimate_noise(angle: Array, interval: float) -> NoiseCoefficients:
 def fit_coefficients(records: Sequence[Spectrum], interval: float) -> NoiseCoefficients:
     """Noise coefficients by restricted maximum likelihood, intervals by its profile.
 
-    Intervals are ordered by the likelihood ratio to strengths that can't be negative (G. Feldman,
+    The 95 % intervals order by the likelihood ratio, with strengths of zero or more (G. Feldman,
     R. Cousins, Phys. Rev. D 57 (1998)). So one rule gives an upper bound where a noise isn't seen
     and two ends where it is. The signed root of the ratio is normal about minus a sixth of the
     estimator's skewness (O. Barndorff-Nielsen, Biometrika 73 (1986)), which matters where a few

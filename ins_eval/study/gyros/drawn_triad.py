@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ins_eval.mission_model.triad_block import TriadBlock
 from ins_eval.study.gyros.bench_plan import CALIBRATION, BenchPlan
 from ins_eval.study.gyros.drift import Drift, Flight, draw_flight
-from ins_eval.study.gyros.maker import Method, calibrate_gyro
+from ins_eval.study.gyros.makers_calibration import Method, calibrate_gyro
 from ins_eval.study.gyros.measured_gyro import MeasuredGyro, measure_gyro
 from ins_eval.study.gyros.population import TRIMMED, Population
 from ins_eval.study.gyros.true_maps import compute_turning_bias, read_flight_coefficients, start_at

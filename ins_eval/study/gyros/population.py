@@ -12,7 +12,7 @@ the resulting map is measured by simulation of the FMU. All numbers are chosen.
     frequency split with phase error            0.4; split 0.1 to 1 mHz, any axis
     frequency split with residual quadrature    0.3
     demodulation offset (second harmonic)       0.05
-    pick-off cubic (eighth, scale factor)       0.2 of the pick-off's gain
+    pick-off cubic (eighth, scale factor)       0.2 times 0.4
 
     not of the map, or not by share             distribution
     decay time                                  300 to 600 s
@@ -22,6 +22,8 @@ the resulting map is measured by simulation of the FMU. All numbers are chosen.
     loop delay                                  0 to 0.5 ms
     decay time and damping per kelvin           -0.3 +- 0.2 %, 0 +- 0.3 %
     pick-off gain, phase per kelvin             0.1 % of the gain, 1 % of the phase (1 sigma)
+    frequency per kelvin                        85 +- 2 ppm
+    power-on angle                              any; 0.5 deg from one power-on to the next (1 sigma)
     bias per specific force on the input axis   4e-4 deg/h a g (1 sigma)
     pick-off gain per specific force across it  that makes as much bias (1 sigma)
     bias per rate of the case's temperature     1e-4 deg/h for each kelvin in 600 s (1 sigma)
@@ -65,8 +67,8 @@ class Population:
     """A distribution of gyros.
 
     smallest, largest: bounds of the size of their bias maps as they are built, rad/s;
-    common: correlation of each mechanism's deviates from gyro to gyro, 0 to 1: gyros of one maker
-    have maps of one shape.
+    common: correlation of each normal deviate from gyro to gyro, 0 to 1: gyros of one maker have
+    maps of one shape. Uniform and log-uniform draws are each gyro's own.
     """
 
     smallest: float

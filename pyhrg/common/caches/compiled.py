@@ -51,7 +51,8 @@ def is_cache_usable() -> bool:
 class _CheckedFile(caching.IndexDataCacheFile):
     """Numba's files of one function, with digests: it unpickles none that is damaged.
 
-    A pickle ends before what follows it, so that numba itself reads them as they are.
+    The digest follows the pickle. Unpickling stops before it, so that numba reads the files as they
+    are.
     """
 
     def _load_index(self) -> Any:

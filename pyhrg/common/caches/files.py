@@ -39,7 +39,7 @@ def find_cache_folder() -> Path:
 
 
 def write_digest(path: Path) -> None:
-    """Write the digest of a file of the cache that others read, beside it."""
+    """Write the digest of a cached file that other programs read (an FMU) into a file beside it."""
     write_whole(_name_digest(path), hashlib.sha256(path.read_bytes()).hexdigest().encode())
 
 

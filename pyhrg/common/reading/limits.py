@@ -10,8 +10,8 @@ objects of Python it takes up to thirty times as much memory."""
 XML_BYTES = 32 * MEBIBYTE
 """Largest XML document. Chosen: the description of an FMU with 150 000 variables."""
 LOG_BYTES = 512 * MEBIBYTE
-"""Largest log, unpacked. Chosen: 12 h of an IMU at 200 Hz as text; parsed it takes about eight
-times as much memory. Longer records are split, or stored as Parquet."""
+"""Largest log, FMU or mission file, unpacked. Chosen: 12 h of an IMU at 200 Hz as text; parsed it
+takes about eight times as much memory. Longer records are split, or stored as Parquet."""
 EXPANSION = 100
 """Largest ratio of unpacked to packed bytes. Chosen: logs of constant columns reach about 50, data
 made to fill a memory 1000."""

@@ -27,7 +27,7 @@ MAX_PRIOR_SIZE_SIGMA = 1e5
 changes a log evidence by 0.2."""
 EFFECT_MIN_VARIANCE = 1e-7
 """An effect is collinear with others when these leave less than this share of its columns' power.
-Chosen: of an effect of 1e5 sigma (`MAX_PRIOR_SIZE_SIGMA`) it is 30 sigma."""
+Chosen: of an effect of 1e5 sigma (`MAX_PRIOR_SIZE_SIGMA`), 30 sigma then remain."""
 TERM_MIN_VARIANCE = 1e-3
 """A candidate term is collinear with others when these leave less than this share of its columns'
 power. Terms are approximate shapes: a small difference between two large terms has no meaning.
@@ -49,8 +49,8 @@ UNNAMED_ODDS = 0.05
 """Something outside the catalogue takes part: a candidate term, shared equally among these; the
 same odds for an unnamed noise, shared among its correlation times."""
 HALF_UNNAMED_ODDS = UNNAMED_ODDS / 2
-"""Events that no coordinate predicts share `UNNAMED_ODDS` in pairs, half each: a jump of the bias
-and a step of an angle; a line in the residual and a stretch of other noise."""
+"""An event that no coordinate predicts takes part. Each of four kinds has these odds: a jump of the
+bias, a step of an angle, a line in the residual, a stretch of other noise."""
 
 
 @dataclass(frozen=True)

@@ -37,7 +37,7 @@ Derived: two simulators of the same physics, written independently, agree to 1e-
 
 SIGNIFICANT_SIGMA = 3.0
 """Departure of a known parameter, in its standard deviation, above which it counts as off. Chosen:
-of 15 parameters that are right one is off by more in a campaign of 25."""
+with 15 parameters that are right, one campaign in 25 has a false departure."""
 
 
 @dataclass(frozen=True)

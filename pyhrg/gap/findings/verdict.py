@@ -64,8 +64,8 @@ def reach_verdict(
         *_find_known_causes(attribution),
         *(_noise_cause(attribution, added) for added in attribution.noise.added),
     ]
-    known = [1 - attribution.posterior.unknown_probability, *(1 - f.probability for f in features)]
-    unknown = 1 - math.prod(known)
+    absent = [1 - attribution.posterior.unknown_probability, *(1 - f.probability for f in features)]
+    unknown = 1 - math.prod(absent)
     if unknown >= UNEXPLAINED_PROBABILITY and is_material:
         verdict: Verdict = "unexplained"
     elif not causes:

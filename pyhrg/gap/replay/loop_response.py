@@ -1,4 +1,4 @@
-"""Response of the sampled control loops to a force that quasi-steady loops would apply."""
+"""How forces and errors of sampled control loops lag those of quasi-steady loops."""
 
 from functools import cache
 

@@ -31,7 +31,8 @@ COMMAND_COLUMNS = (
     "axis_up",
     *(name for name in HELD_COLUMNS if not name.startswith("acceleration")),
 )
-"""Commands and attitude. After one of them changes, rows are not compared until loops settle."""
+"""Commands and attitude. After one of them changes, every channel but the output angle is left out
+until the loops settle."""
 MIN_SETTLING_TIME = 4.0
 """Shortest time after which a change counts as settled, s. Chosen."""
 SETTLING_TIME_CONSTANTS = 24

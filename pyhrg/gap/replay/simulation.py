@@ -36,13 +36,14 @@ STEPS_PER_ROW = 100
 """Communication steps of the sampled gyro in a row, where the row has so many control periods.
 Chosen."""
 QUASI_STEADY_STEP = 0.1
-"""Communication step of the gyro with quasi-steady loops, s. Chosen."""
+"""Communication step of the gyro with quasi-steady loops, s. Chosen: a tenth of the usual row."""
 ANGLE_SHIFT = 1e-3
 """Shift of the start angle to either side for derivatives by the pattern angle, rad. Chosen."""
 STEPS_PER_FINE_ROW = 5
 """Communication steps in a row shorter than `FINE_ROW`: quasi-steady loops lag by three. Chosen."""
 SHORT_TEST = 60.0
-"""Longest test with such rows, s, that always runs with sampled loops. Chosen."""
+"""Longest test with rows shorter than `FINE_ROW`, s, that always runs with sampled loops.
+Chosen."""
 MIN_REMAINING_SHIFT = 0.5
 """Share of a shift of the start angle that must remain for a derivative by it. Chosen."""
 MIN_PHASE_LAG = 1e-9

@@ -18,7 +18,7 @@ from pyhrg.records import Log
 AMPLITUDE_TOLERANCE = 0.1
 """Relative departure of the median amplitude from its set point above which the column is wrong.
 Chosen: a working loop stays far below."""
-DECAY_TIME_TOLERANCE = 0.2
+MAX_DECAY_TIME_DEPARTURE = 0.2
 """Relative departure from the nominal decay time above which no effect explains it, near the
 reference temperature. Chosen."""
 TEMPERATURE_RANGE = 10.0
@@ -63,7 +63,7 @@ def estimate_decay_time(log: Log, nominal: Device) -> list[NominalEstimate]:
 
 def _allowed_decay_times(nominal: Device) -> tuple[float, float]:
     decay_time = nominal.decay_time
-    return decay_time * (1 - DECAY_TIME_TOLERANCE), decay_time * (1 + DECAY_TIME_TOLERANCE)
+    return decay_time * (1 - MAX_DECAY_TIME_DEPARTURE), decay_time * (1 + MAX_DECAY_TIME_DEPARTURE)
 
 
 def _compute_decay_time(force: Array, log: Log, nominal: Device) -> float:

@@ -5,7 +5,7 @@ import numpy as np
 
 from ins_eval.study.gyros.bench_plan import BenchPlan
 from ins_eval.study.gyros.drift import Drift, age_gyro
-from ins_eval.study.gyros.maker import calibrate_gyro
+from ins_eval.study.gyros.makers_calibration import calibrate_gyro
 from ins_eval.study.gyros.measured_gyro import MeasuredGyro, measure_gyro
 from ins_eval.study.gyros.population import RAW
 from pyhrg.common.units import DEG_PER_H

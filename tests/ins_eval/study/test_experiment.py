@@ -19,7 +19,7 @@ from ins_eval.study.experiment import (
     prepare,
     select_errors,
 )
-from ins_eval.study.gyros.maker import METHODS
+from ins_eval.study.gyros.makers_calibration import METHODS
 from ins_eval.study.run import block
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.specification import TEST, TRAIN, PlannedMission, Study

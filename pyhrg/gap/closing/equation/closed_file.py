@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from pyhrg.device.device import Device
-from pyhrg.gap.closing.equation.class_text import write_class
+from pyhrg.gap.closing.equation.closed_class import write_class
 from pyhrg.gap.closing.equation.closed_fmu import FMU_FILE, MODEL_FILE, build_closed_fmu
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis
 

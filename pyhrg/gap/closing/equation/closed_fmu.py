@@ -9,7 +9,7 @@ from fmu_build.bundle import build_fmu
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.fmu.gyro import Gyro
-from pyhrg.gap.closing.equation.class_text import CLASS, write_class
+from pyhrg.gap.closing.equation.closed_class import CLASS, write_class
 from pyhrg.gap.closing.equation.proposal import as_candidate, list_coefficients
 from pyhrg.gap.findings.term import Term
 

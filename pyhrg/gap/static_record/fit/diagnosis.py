@@ -128,9 +128,10 @@ def transform_channel(channel: Channel, belief: Belief) -> Transform:
 def diagnose_channel(
     channel: Channel, belief: Belief, false_alarms: float = FALSE_ALARMS, seed: int = 0
 ) -> ChannelDiagnosis:
-    """Diagnose a channel on its first half and verify the noise model on its second half. At most
-    the share `false_alarms` of records as believed is called a gap, half of them by either; seed:
-    of the samples."""
+    """Diagnose a channel on its first half and verify the noise model on its second half.
+
+    Of records that are as believed, at most the share `false_alarms` is called a gap: half by the
+    fit of the first half, half by the check on the second. seed: of the samples."""
     false_alarms /= 2
     fit = channel.part(0, channel.half)
     problem = build_problem(transform_channel(fit, belief), belief, channel.interval)

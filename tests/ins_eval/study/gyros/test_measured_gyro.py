@@ -5,7 +5,7 @@ import pytest
 
 from ins_eval.mission_model.gyro_map import TERMS, measure_gyro_map
 from ins_eval.study.gyros.bench_plan import WARM_RISE, BenchPlan
-from ins_eval.study.gyros.maker import METHODS, Method, calibrate_gyro
+from ins_eval.study.gyros.makers_calibration import METHODS, Method, calibrate_gyro
 from ins_eval.study.gyros.measured_gyro import measure_gyro
 from ins_eval.study.gyros.population import RAW
 from ins_eval.study.gyros.true_maps import list_slow_parameters, soak_gyro

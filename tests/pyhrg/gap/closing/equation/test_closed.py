@@ -10,7 +10,7 @@ import pytest
 
 from fmu_build import build_fmu, check_fmu
 from pyhrg.common.units import ARCSEC, DEG
-from pyhrg.gap.closing.equation.class_text import write_class
+from pyhrg.gap.closing.equation.closed_class import write_class
 from pyhrg.gap.closing.equation.closed_fmu import load_closed_fmu
 from pyhrg.gap.closing.equation.places import find_acting
 from pyhrg.gap.closing.equation.proposal import Coefficient, list_coefficients

@@ -96,7 +96,7 @@ class _Tracer:
             ((kind, body),) = statement.items()
             if kind == "assignment":
                 yield from self._assign(body["target"], body["rhs"], indices)
-            else:
+            elif kind == "for":
                 for index in self._range(body["domain"]):
                     yield from self.run(body["statements"], {**indices, body["domain"]: index})
 

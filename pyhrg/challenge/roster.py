@@ -141,7 +141,10 @@ class Folder:
 
     def read_hashes(self) -> dict[str, str]:
         """The published hash of each truth, by case."""
-        cases = read_json_table(self.index, ChallengeError).tables("cases")
+        index = read_json_table(self.index, ChallengeError)
+        if "cases" not in index.values:
+            raise index.error("cases", None, "the cases of a challenge")
+        cases = index.tables("cases")
         return {case.text("name", None): case.text("sha256", None) for case in cases}
 
     def publish(self, cases: Sequence[Case], hashes: Sequence[str]) -> None:

@@ -9,7 +9,8 @@ from pyhrg.common.errors import HrgError, quote
 def check_number(name: str, value: float, low: float, high: float) -> float:
     """The number, if it is finite and between the bounds, ends included."""
     if not low <= value <= high:
-        raise HrgError(f"{name}: found {quote(value)}, expected a number from {low:g} to {high:g}")
+        found = quote(value) if isinstance(value, Integral) else f"{value:g}"
+        raise HrgError(f"{name}: found {found}, expected a number from {low:g} to {high:g}")
     return float(value)
 
 

@@ -18,7 +18,7 @@ block Controller "Phase, amplitude and quadrature loops and the read-out; whole-
     naturalFrequency = 6,
     startCommand = startForce,
     error = driveOn*startUp.error,
-    frozen = synthesis.wasOverloaded) "Holds the antinode amplitude";
+    frozen = 1 - (1 - synthesis.wasOverloaded)*(1 - startUp.isFar)) "Holds the antinode amplitude";
   ProportionalIntegral quadratureLoop(
     samplePeriod = samplePeriod,
     naturalFrequency = 6,

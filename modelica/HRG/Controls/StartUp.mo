@@ -17,7 +17,9 @@ block StartUp "Amplitude to aim at after power-on, and whether the output is val
   input Units.Ratio overload "1 while a drive is at its authority";
   discrete output Units.Displacement aim(start = 1, fixed = true) "Amplitude to aim at now";
   discrete output Units.Rate aimRate(start = 0, fixed = true) "Rate of the aim between the stages";
-  discrete output Units.Displacement error(start = 0, fixed = true) "Aim less amplitude";
+  discrete output Units.Ratio isFar(start = 0, fixed = true) "1 while the amplitude is above twice the aim";
+  discrete output Units.Displacement error(start = 0, fixed = true)
+    "Aim less amplitude; bounded above twice the aim, so that the amplitude doesn't fall through zero";
   discrete output Units.Ratio valid(start = 0, fixed = true) "1 while all loops are within tolerance and no drive is overloaded";
 protected
   discrete Units.Time clock(start = -samplePeriod, fixed = true) "Time since power-on";
@@ -27,7 +29,8 @@ equation
     aim = setpoint*rampedShare(clock, firstAmplitude, firstTime, fullTime);
     aimRate = if clock < firstTime or clock >= fullTime then 0
       else setpoint*(1 - firstAmplitude)/(fullTime - firstTime);
-    error = aim - amplitude;
+    isFar = if amplitude > 2*aim then 1 else 0;
+    error = if amplitude > 2*aim then -amplitude/2 else aim - amplitude;
     valid = if abs(amplitude - aim) <= amplitudeTolerance*aim and abs(phase) <= phaseTolerance
       and abs(quadratureError) <= quadratureTolerance*aim and abs(rebalanceError) <= rebalanceTolerance
       and overload < 0.5 then 1 else 0;

@@ -36,8 +36,7 @@ SENSITIVITY_DISTANCE = 300.0
 """Mahalanobis distance from where all sensitivities were taken beyond which they are taken again.
 Chosen."""
 RESIMULATION_DISTANCE = 10.0
-"""Mahalanobis distance from the last full simulation beyond which it is run again, once steps are
-short. Chosen."""
+"""Mahalanobis distance from the last full simulation beyond which it is run again. Chosen."""
 MAX_HALVINGS = 8
 """Number of times that a step to a gyro which the FMU refuses is halved. Chosen."""
 LINEARIZATION_DECAY = 4.0
@@ -254,8 +253,8 @@ class _Iteration:
         return is_noise_kept and is_near and self.step_length(hypothesis) < CONVERGENCE_DISTANCE
 
     def move(self, hypothesis: Hypothesis) -> None:
-        """Move the gyro to where the hypothesis has it. Full simulations and sensitivities are
-        taken again once steps are short."""
+        """Move the gyro to where the hypothesis has it. Sensitivities are taken again once steps are
+        short."""
         best, design = hypothesis.ranking.best, hypothesis.exact.whole
         moved = move_gyro(self._nominal, self.device, hypothesis)
         is_near = self._has_near_sensitivities(hypothesis)
@@ -263,8 +262,8 @@ class _Iteration:
         if self.step_length(hypothesis) < SENSITIVITY_DISTANCE:
             if measure_step(self._differentiated_at, moved, design) >= SENSITIVITY_DISTANCE:
                 self._differentiated_at, self._to_differentiate = moved, self._catalogue.parameters
-            if self._is_far_from_simulation(moved, hypothesis):
-                self._simulated_at = None
+        if self._is_far_from_simulation(moved, hypothesis):
+            self._simulated_at = None
         self.device = moved
 
     def _is_far_from_simulation(self, device: Device, hypothesis: Hypothesis) -> bool:

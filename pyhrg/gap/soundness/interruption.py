@@ -5,6 +5,7 @@ import numpy as np
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.observations import (
+    ANGLE_RATE_LIMIT,
     Mask,
     compute_settling_time,
     find_command_changes,
@@ -36,12 +37,14 @@ def mend_drive(log: Log, nominal: Device) -> tuple[Log, list[str]]:
 
 def find_interruptions(log: Log, nominal: Device) -> Mask:
     """(n,) rows in which the amplitude falls below a constant set point as in a ring-down, in two
-    rows in succession at least."""
+    rows in succession at least. The pattern rests there: in a turning one, errors of the pick-offs
+    make the amplitude ripple."""
     lost = np.zeros(len(log.time), dtype=bool)
     with np.errstate(divide="ignore", invalid="ignore"):
         dip = 1 - log.amplitude / log.amplitude_setpoint
     settled = find_undisturbed_rows(log, find_command_changes(log), compute_settling_time(nominal))
-    settled &= np.isfinite(dip) & (log.drive_on > 0)
+    pattern_rate = np.abs(np.gradient(log.wave_angle, log.interval))
+    settled &= np.isfinite(dip) & (log.drive_on > 0) & (pattern_rate < ANGLE_RATE_LIMIT)
     if not settled.any():
         return lost
     dip = dip - np.median(dip[settled])

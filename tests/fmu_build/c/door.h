@@ -3,6 +3,7 @@
 #ifndef DOOR_H
 #define DOOR_H
 
+#include <math.h>
 #include <stddef.h>
 
 #ifndef F

@@ -177,7 +177,7 @@ BAD_DIAGNOSES: list[tuple[dict[str, Any], str]] = [
         {"causes": [cause("frequency_split", frequency_split_Hz=1.0)]},
         "frequency_split: stiffness_axis_deg: missing",
     ),
-    ({"causes": [cause("gremlins")]}, "gremlins: expected an effect of"),
+    ({"causes": [cause("gremlins")]}, "gremlins: expected one of damping_anisotropy,"),
     ({"causes": [], "device": "another"}, "device: found 'another', expected"),
     ({"record": "static.imu"}, "record: found 'static.imu', expected a campaign's diagnosis"),
 ]

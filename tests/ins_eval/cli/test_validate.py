@@ -54,7 +54,7 @@ def test_validate_writes_its_files(folder: Path, capsys: pytest.CaptureFixture[s
             "aircraft with rolls",
         }
     lines = said.split("(d) Claims that fail in conditions:")[1].splitlines()[1:5]
-    assert all("(12 triads, linear flights): " in line for line in lines)
+    assert all("(24 triads, linear flights): " in line for line in lines)
 
 
 def test_views_are_of_the_judged_triads(folder: Path) -> None:

@@ -168,7 +168,7 @@ def test_challenges_of_other_seeds_are_scored_together(tmp_path: Path) -> None:
     with pytest.raises(ChallengeError, match=r"challenge\.json: can't be read: No such file"):
         other.run(1, [begun])
     begun.index.write_text("{}")
-    with pytest.raises(ChallengeError, match=r"challenge\.json: expected cases of a challenge"):
+    with pytest.raises(ChallengeError, match=r"challenge\.json: cases: found None, expected"):
         other.run(1, [begun])
     begun.index.write_text('{"cases": []}')
     with pytest.raises(ChallengeError, match=r"unit-0001\.json: can't be read"):

@@ -253,15 +253,15 @@ class _Iteration:
         return is_noise_kept and is_near and self.step_length(hypothesis) < CONVERGENCE_DISTANCE
 
     def move(self, hypothesis: Hypothesis) -> None:
-        """Move the gyro to where the hypothesis has it. Sensitivities are taken again once steps are
-        short."""
+        """Move the gyro to where the hypothesis has it. Sensitivities are taken again once
+        steps are short."""
         best, design = hypothesis.ranking.best, hypothesis.exact.whole
         moved = move_gyro(self._nominal, self.device, hypothesis)
         is_near = self._has_near_sensitivities(hypothesis)
         self._to_differentiate = [] if is_near else list(best.named)
-        if self.step_length(hypothesis) < SENSITIVITY_DISTANCE:
-            if measure_step(self._differentiated_at, moved, design) >= SENSITIVITY_DISTANCE:
-                self._differentiated_at, self._to_differentiate = moved, self._catalogue.parameters
+        is_far = measure_step(self._differentiated_at, moved, design) >= SENSITIVITY_DISTANCE
+        if is_far and self.step_length(hypothesis) < SENSITIVITY_DISTANCE:
+            self._differentiated_at, self._to_differentiate = moved, self._catalogue.parameters
         if self._is_far_from_simulation(moved, hypothesis):
             self._simulated_at = None
         self.device = moved

@@ -3,7 +3,7 @@
 A term is a small block of columns over pattern angle, table angle, temperature and its rate, input
 rate, specific force, amplitude or time. In the output angle it is an error of the angle itself, or
 a bias, whose integral is the column (docs/methods/effects.md, Eqs. 4 and 5). Those of pick-off and
-drive stand in `electrode_terms.py`.
+drive stand in `term_columns.py`.
 """
 
 import math

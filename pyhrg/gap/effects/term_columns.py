@@ -19,10 +19,10 @@ Array = NDArray[np.float64]
 Columns = list[tuple[CandidateTerm, Array]]
 """Terms with their (n, b) columns in one channel."""
 
-ELECTRODE_HARMONICS = (1, 2, 3, 4, 6, 8)
-"""Harmonics of errors of pick-off and drive. Chosen: offset 2, gains and axes 4, cubic 8, and what
-lies between."""
-MEAN, HARMONIC = "mean over the pattern angle", "harmonic {} of the pattern angle"
+ELECTRODE_HARMONICS = (1, 3, 6)
+"""Harmonics of errors of pick-off and drive. Chosen: those that no effect of the catalogue has. A
+term must not stand in for an offset (2), a gain or an axis (0 and 4), or a cubic (8)."""
+HARMONIC = "harmonic {} of the pattern angle"
 
 
 def build_term_columns(where: Coordinates, channel: str) -> Columns:
@@ -88,7 +88,6 @@ def _generate_products(where: Coordinates) -> Functions:
 
 def _generate_electrode_errors(where: Coordinates) -> Functions:
     """Errors of an angle at the electrodes."""
-    yield "wave_angle", MEAN, 0, np.ones((len(where.pattern_angle), 1))
     for m in ELECTRODE_HARMONICS:
         yield "wave_angle", HARMONIC.format(m), m, make_harmonic(m * where.pattern_angle)
     for m in (2, 4):

@@ -7,7 +7,7 @@ import re
 import zipfile
 from collections.abc import Callable
 
-ZEROS = gzip.compress(bytes(100_000_000), 1)
+ZEROS = gzip.compress(bytes(100_000_000), 1, mtime=0)
 """A member of gzipped data that unpacks to 230 times its size."""
 Mutation = Callable[[bytes, random.Random], bytes]
 
@@ -76,10 +76,10 @@ def recode(data: bytes, chance: random.Random) -> bytes:
     return chance.choice(
         (
             *(text.encode(name) for name in ("utf-16", "utf-32", "utf-8-sig", "utf-7")),
-            gzip.compress(data)[:-9],
-            gzip.compress(flip(data, chance)),
-            gzip.compress(data) + ZEROS,
-            gzip.compress(gzip.compress(data)),
+            gzip.compress(data, mtime=0)[:-9],
+            gzip.compress(flip(data, chance), mtime=0),
+            gzip.compress(data, mtime=0) + ZEROS,
+            gzip.compress(gzip.compress(data, mtime=0), mtime=0),
         )
     )
 

@@ -48,6 +48,8 @@ def lying(place: int, value: bytes) -> bytes:
     return data[:begin] + value + data[begin + len(value) :]
 
 
+CUT = gzip.compress(b"x" * 100, mtime=0)[:-9]
+ENDLESS = gzip.compress(bytes(10**8), mtime=0)
 CASES = [
     (documents.read_json, b"[" * 100_000, "found what is no JSON: .*recursion"),
     (documents.read_json, b'{"a": ' + b"9" * 5000 + b"}", "no JSON: Exceeds the limit"),
@@ -67,8 +69,8 @@ CASES = [
     (read_archive, lying(24, b"\0\0\0\x7f"), "found 2032.0 MiB or more, expected at most"),
     (read_archive, lying(24, b"\xc8"), "found 100 bytes of 200"),
     (parquet.read_parquet, b"PAR1" + bytes(100) + b"PAR1", "found what is no Parquet"),
-    (files.read_unpacked, gzip.compress(b"x" * 100, mtime=0)[:-9], "found what is no whole gzipped data"),
-    (files.read_unpacked, gzip.compress(bytes(10**8), mtime=0), "64.0 MiB or more, expected at most"),
+    (files.read_unpacked, CUT, "found what is no whole gzipped data"),
+    (files.read_unpacked, ENDLESS, "64.0 MiB or more, expected at most"),
 ]
 
 

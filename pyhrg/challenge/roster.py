@@ -44,7 +44,7 @@ class Settings:
     level: str = "ideal"
 
     def cases(self) -> list[Case]:
-        """All cases. Names and order do not depend on the kinds."""
+        """All cases. Neither name nor order reveals a case's kind."""
         kinds = [kind for kind in KINDS for _ in range(self.counts.get(kind, 0))]
         generator = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=(0,)))
         order = generator.permutation(len(kinds)).tolist()

@@ -90,7 +90,7 @@ def parameter(
         default: value of an ideal gyro, SI; the FMU's own.
         key: name in files, with its unit; of several names the first is written.
         limits: least and largest value in files, in the key's unit.
-        unit: the key's unit in SI.
+        unit: factor from the key's unit to SI, pi/180 for deg.
         zero: value in SI of 0 in the key's unit.
         fmu: names of the FMU's parameters and inputs that take the value as it stands; none if the
             FMU defines it otherwise (`pyhrg.device.fmu_parameters`) or does not have it.

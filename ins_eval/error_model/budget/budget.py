@@ -18,8 +18,9 @@ def compute_budget(
     """Compute the contributions to the final position error, whose sum is the linear model's error
     (docs/methods/error_model.md, Eq. 12).
 
-    From sensor errors (measured less true) by effect and the errors `initial` (10,) at the model's
-    start to `contribution` (effect, axis, time, component) and `initial` (state, component), m.
+    Takes sensor errors (measured less true) by effect and the errors `initial` (10,) at the model's
+    start. Returns `contribution` (effect, axis, time, component) and `initial` (state, component),
+    m.
     """
     model = weights.model
     steps = {

@@ -60,8 +60,9 @@ def compute_phase_diagram(training: TriadBlock, drift: MapDrift, seed: int) -> l
     """Rows of `COLUMNS`: the share of flights that each test predicts within `FACTOR`, with its
     interval over triads.
 
-    The fixed position and the circumference have the constant of the manoeuvre that is right where
-    noise alone, or the map alone, makes the error. The fitted map has its own expected error.
+    Each of fixed position and circumference is scaled by a constant for each turning rate: the
+    fixed position's is right where noise alone makes the error, the circumference's where the map
+    alone does. The fitted map has its own expected error.
 
     Args:
         training: triads whose shapes of maps, noise and bench errors are taken.

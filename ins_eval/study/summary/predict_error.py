@@ -63,7 +63,8 @@ def predict_error(
 ) -> list[PredictedError]:
     """Position errors that bench figures predict, with intervals, one for each figure given.
 
-    The constants are those of the mission's class in a finished study, for its gyros and duration.
+    The constant of the mission's class is read from a finished study (prediction by the class over
+    prediction by the usual rule), for its gyros and duration.
 
     Args:
         study: folder of a finished study, such as that of `validate`.

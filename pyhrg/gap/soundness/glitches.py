@@ -120,8 +120,8 @@ def _interpolate(series: Array, glitches: Mask, known: Mask) -> Array:
 def find_glitches(series: Array, rows: Mask) -> Mask:
     """(n,) rows that depart from a series and return at once, while all around is steady.
 
-    A sound series is a straight line plus noise around each row. There are no glitches if they
-    would be many, or no larger than steps elsewhere: then they are noise of the gyro, or counts.
+    A sound series is a straight line plus noise around each row. None is found if there would
+    be many, or if steps elsewhere are as large: then they are noise of the gyro, or quantization.
     """
     glitches = np.zeros(len(series), np.bool_)
     if np.sum(rows) < MIN_ROWS:

@@ -20,7 +20,7 @@ MIN_DIP = 1e-4
 """Smallest dip, in set points: that of a drive lost for a ten-thousandth of the decay time.
 Chosen."""
 DECAY_TOLERANCE = 1.3
-"""A dip may be so many times as deep as a ring-down over its rows, or as shallow. Chosen."""
+"""Factor, either way, within which a dip is as deep as a ring-down over its rows. Chosen."""
 
 
 def mend_drive(log: Log, nominal: Device) -> tuple[Log, list[str]]:

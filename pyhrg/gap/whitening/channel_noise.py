@@ -96,8 +96,8 @@ def estimate_campaign_noise(
     thermometer_lag: float = 0.0,
 ) -> CampaignNoise:
     """Noise of all channels: the nominal device's own on its angle, the others' from residuals,
-    (n,) by channel for each test, record less simulation, SI. A lag of the thermometer, s, that the
-    simulation undoes makes more of the thermometer's noise.
+    (n,) by channel for each test, record less simulation, SI. The simulation undoes
+    `thermometer_lag`, s, which amplifies the thermometer's noise.
 
     The others are estimated from second differences of residuals, to which a slow signal
     contributes almost nothing (docs/methods/whitening.md, Eq. 14).

@@ -1,4 +1,4 @@
-"""Compiled Kalman filter of a reading with slow noise beneath it.
+"""The compiled Kalman filter that whitens a channel: white noise of a reading over slow noise.
 
 The state is angle, rate and m first-order lags (docs/methods/whitening.md, Eq. 2). Angle and rate
 come first, so all arrays of states have m + 2 entries. Functions that run in every row are inlined:

@@ -17,8 +17,8 @@ from pyhrg.gap.evidence.posterior import Posterior
 from pyhrg.gap.findings.term import Formula, Term
 
 MAX_FALSE_DISCOVERY_RATE = 0.05
-"""Largest probability that a proposed term is false, and so of the expected share of false ones
-among them: the requirement's bound (docs/methods/equation.md, Eq. 5)."""
+"""A term is proposed if it is false with at most this probability. The expected share of false
+terms among those proposed is then no larger (docs/methods/equation.md, Eq. 5)."""
 
 
 @dataclass(frozen=True)

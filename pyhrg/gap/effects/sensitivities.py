@@ -15,7 +15,7 @@ from pyhrg.gap.replay.simulation import ChannelValues, Simulation
 
 Array = NDArray[np.float64]
 
-STEP_SHARE = 0.01
+STEP_SHARE = 1e-4
 """Step of a sensitivity's finite difference, in scales of the effect. Chosen."""
 
 

@@ -24,7 +24,7 @@ from pyhrg.gap.evidence.posterior import Posterior, compare_noises
 from pyhrg.gap.evidence.search import Ranking
 from pyhrg.gap.evidence.step import LINEARIZATION_ERROR, go_halfway, measure_step, move_gyro
 from pyhrg.gap.replay.observations import ObservedTest
-from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels
+from pyhrg.gap.replay.simulation import ChannelValues, Simulation
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
 
 Array = NDArray[np.float64]
@@ -35,20 +35,14 @@ CONVERGENCE_DISTANCE = 0.1
 SENSITIVITY_DISTANCE = 300.0
 """Mahalanobis distance from where all sensitivities were taken beyond which they are taken again.
 Chosen."""
-RESIMULATION_DISTANCE = 10.0
-"""Mahalanobis distance from the last full simulation beyond which it is run again. Chosen."""
 MAX_HALVINGS = 8
 """Number of times that a step to a gyro which the FMU refuses is halved. Chosen."""
-LINEARIZATION_DECAY = 4.0
-"""Factor by which the allowed linearization error falls from round to round at least, so that all
-records separate, in the end, sets which explain the residual in turn. Chosen."""
 NEGLIGIBLE_CHI2 = 1.0
 """Linearization error, as chi-square, that counts as zero: the power of a row's noise. Chosen."""
 LINEAR_DISTANCE = math.sqrt(NEGLIGIBLE_CHI2 / LINEARIZATION_ERROR)
 """Mahalanobis length of a step with a negligible linearization error: 32 sigma. Derived."""
-KNOWN_ROUNDS, MAX_ROUNDS = 8, 20
-"""Iterations in which a search with known parameters must come near its end, and any must end.
-Chosen."""
+MAX_ROUNDS = 20
+"""Number of iterations after which the search ends unconverged. Chosen."""
 
 
 @dataclass(frozen=True)
@@ -99,10 +93,7 @@ def attribute_gap(
     report: Callable[[str], None] = lambda text: None,
 ) -> Attribution:
     """Find the effects and noises of the catalogue that make the gap in tests that may be fitted
-    to. `report` is called with a line of text at each step.
-
-    Something outside the catalogue may drag known parameters far from their tolerances. Then the
-    search does not end, and begins again with these parameters as told."""
+    to. `report` is called with a line of text at each step."""
     iteration = _Iteration(simulation, nominal, tests, catalogue)
     for number in range(1, MAX_ROUNDS + 1):
         report(f"round {number}: simulating")
@@ -111,9 +102,6 @@ def attribute_gap(
         hypothesis = iteration.search()
         length = iteration.step_length(hypothesis)
         report(f"round {number}: step of {length:.3g} sigma")
-        if catalogue.known and number >= KNOWN_ROUNDS and length > LINEAR_DISTANCE:
-            report("the search diverges: what is known within a tolerance is taken as told")
-            return attribute_gap(simulation, nominal, tests, replace(catalogue, known=()), report)
         has_converged = iteration.has_converged(hypothesis)
         iteration.noise = hypothesis.noise
         if has_converged or number == MAX_ROUNDS:
@@ -138,9 +126,7 @@ class _Iteration:
 
     _to_differentiate: effects whose sensitivities are due.
     _differentiated_at: gyro at which all sensitivities were taken last.
-    _simulated_at: gyro of the last full simulation; None where one is due.
     _linearization_error: allowed linearization error, as chi-square.
-    _error_limit: upper limit of the next one.
     _compared_groups: set of effects for which the noises were compared last.
     """
 
@@ -155,8 +141,7 @@ class _Iteration:
         self._tests, self._catalogue = tests, catalogue
         self._to_differentiate: Collection[Effect] = catalogue.parameters
         self._differentiated_at = nominal
-        self._simulated_at: Device | None = None
-        self._linearization_error = self._error_limit = math.inf
+        self._linearization_error = math.inf
         self._compared_groups: tuple[Group, ...] | None = None
         self.device = nominal
         self.noise = NoiseHypothesis(build_angle_noise(nominal), ())
@@ -183,19 +168,10 @@ class _Iteration:
         self.device = self.parts[0].device
 
     def _simulate(self) -> None:
-        """A full simulation where one is due; else the last one with the difference between the two
-        gyros, which is simulated with loops at rest."""
         simulation, device = self._simulation, self.device
         if self.parts and self.parts[0].device is device and not self._to_differentiate:
             return
-        answers: list[ChannelValues]
-        if self._simulated_at is None:
-            answers = [simulation.simulate(device, test) for test in self._tests]
-        else:
-            answers = [
-                add_channels(p.simulated, simulation.compute_difference(p.device, device, p.test))
-                for p in self.parts
-            ]
+        answers = [simulation.simulate(device, test) for test in self._tests]
         parts = []
         for i, test in enumerate(self._tests):
             columns: dict[Effect, Mapping[str, Array]] = {
@@ -205,7 +181,6 @@ class _Iteration:
             part = linearize_test(simulation, self._nominal, device, test, answers[i], columns)
             parts.append(part)
         self.parts = parts
-        self._simulated_at = self._simulated_at or device
         self.nominal_answers = self.nominal_answers or tuple(answers)
 
     def search(self) -> Hypothesis:
@@ -213,15 +188,14 @@ class _Iteration:
         nominal, parts = self._nominal, self.parts
         if self._linearization_error == math.inf:
             excess = compute_excess_power(parts, estimate_nominal_noise(nominal, parts))
-            self._allow_linearization_error(LINEARIZATION_ERROR * sum(excess.values()))
+            self._linearization_error = LINEARIZATION_ERROR * sum(excess.values())
         hypothesis = rank_under_noise(self.noise, nominal, parts, self._linearization_error)
-        if self._linearization_error and self.step_length(hypothesis) < LINEAR_DISTANCE:
+        length = self.step_length(hypothesis)
+        if self._linearization_error and length < LINEAR_DISTANCE:
+            self._linearization_error = 0.0
             hypothesis = rank_under_noise(self.noise, nominal, parts)
-        is_close = not self._linearization_error or self.step_length(hypothesis) < LINEAR_DISTANCE
-        self._allow_linearization_error(
-            0.0 if is_close else LINEARIZATION_ERROR * self.step_length(hypothesis) ** 2
-        )
-        if not is_close:
+        if self._linearization_error:
+            self._linearization_error = LINEARIZATION_ERROR * length**2
             self.posterior = Posterior((hypothesis,), (1.0,))
         elif hypothesis.ranking.best.groups == self._compared_groups:
             others = self.posterior.hypotheses[1:]
@@ -232,24 +206,15 @@ class _Iteration:
             self._compared_groups = self.posterior.best.ranking.best.groups if is_near else None
         return self.posterior.best
 
-    def _allow_linearization_error(self, chi2: float) -> None:
-        """Allow this linearization error, at most the limit, and lower the limit."""
-        error = min(chi2, self._error_limit)
-        self._linearization_error = error if error > NEGLIGIBLE_CHI2 else 0.0
-        self._error_limit = error / LINEARIZATION_DECAY
-
     def step_length(self, hypothesis: Hypothesis) -> float:
         """Mahalanobis distance (Eq. (11)) by which a hypothesis moves the gyro."""
         moved = move_gyro(self._nominal, self.device, hypothesis)
         return measure_step(self.device, moved, hypothesis.exact.whole)
 
     def has_converged(self, hypothesis: Hypothesis) -> bool:
-        """Whether it moves neither gyro nor noise, and sensitivities and the last full simulation
-        were taken nearby."""
+        """Whether it moves neither gyro nor noise, and sensitivities were taken nearby."""
         is_noise_kept = are_equal(self.noise.noise, hypothesis.noise.noise)
-        is_near = self._has_near_sensitivities(hypothesis) and not self._is_far_from_simulation(
-            self.device, hypothesis
-        )
+        is_near = self._has_near_sensitivities(hypothesis)
         return is_noise_kept and is_near and self.step_length(hypothesis) < CONVERGENCE_DISTANCE
 
     def move(self, hypothesis: Hypothesis) -> None:
@@ -262,13 +227,7 @@ class _Iteration:
         is_far = measure_step(self._differentiated_at, moved, design) >= SENSITIVITY_DISTANCE
         if is_far and self.step_length(hypothesis) < SENSITIVITY_DISTANCE:
             self._differentiated_at, self._to_differentiate = moved, self._catalogue.parameters
-        if self._is_far_from_simulation(moved, hypothesis):
-            self._simulated_at = None
         self.device = moved
-
-    def _is_far_from_simulation(self, device: Device, hypothesis: Hypothesis) -> bool:
-        before, design = self._simulated_at or device, hypothesis.exact.whole
-        return measure_step(before, device, design) >= RESIMULATION_DISTANCE
 
     def _has_near_sensitivities(self, hypothesis: Hypothesis) -> bool:
         distance = measure_step(self._differentiated_at, self.device, hypothesis.exact.whole)

@@ -200,7 +200,10 @@ class Simulation:
         if is_short(len(inputs.log.time), inputs.log.interval):
             return replay_sampled(self.sampled, device, inputs, STEPS_PER_FINE_ROW)
         interval = inputs.log.interval
-        step = interval / STEPS_PER_FINE_ROW if interval < FINE_ROW else COARSE_STEP
+        if not inputs.log.drive_on.all():  # a free pattern turns fast
+            step = QUASI_STEADY_STEP
+        else:
+            step = interval / STEPS_PER_FINE_ROW if interval < FINE_ROW else COARSE_STEP
         return replay_inputs(self.quasi_steady, device, inputs, step)
 
 

@@ -37,6 +37,9 @@ SENSITIVITY_DISTANCE = 300.0
 Chosen."""
 MAX_HALVINGS = 8
 """Number of times that a step to a gyro which the FMU refuses is halved. Chosen."""
+LINEARIZATION_DECAY = 4.0
+"""Factor by which the allowed linearization error falls each time that the search returns to a set.
+Chosen."""
 NEGLIGIBLE_CHI2 = 1.0
 """Linearization error, as chi-square, that counts as zero: the power of a row's noise. Chosen."""
 LINEAR_DISTANCE = math.sqrt(NEGLIGIBLE_CHI2 / LINEARIZATION_ERROR)
@@ -127,6 +130,8 @@ class _Iteration:
     _to_differentiate: effects whose sensitivities are due.
     _differentiated_at: gyro at which all sensitivities were taken last.
     _linearization_error: allowed linearization error, as chi-square.
+    _error_limit: upper limit of the next one.
+    _visited_sets: most probable sets so far.
     _compared_groups: set of effects for which the noises were compared last.
     """
 
@@ -141,7 +146,8 @@ class _Iteration:
         self._tests, self._catalogue = tests, catalogue
         self._to_differentiate: Collection[Effect] = catalogue.parameters
         self._differentiated_at = nominal
-        self._linearization_error = math.inf
+        self._linearization_error = self._error_limit = math.inf
+        self._visited_sets = set[frozenset[Group]]()
         self._compared_groups: tuple[Group, ...] | None = None
         self.device = nominal
         self.noise = NoiseHypothesis(build_angle_noise(nominal), ())
@@ -195,7 +201,7 @@ class _Iteration:
             self._linearization_error = 0.0
             hypothesis = rank_under_noise(self.noise, nominal, parts)
         if self._linearization_error:
-            self._linearization_error = LINEARIZATION_ERROR * length**2
+            self._allow_linearization_error(LINEARIZATION_ERROR * length**2, hypothesis)
             self.posterior = Posterior((hypothesis,), (1.0,))
         elif hypothesis.ranking.best.groups == self._compared_groups:
             others = self.posterior.hypotheses[1:]
@@ -205,6 +211,16 @@ class _Iteration:
             is_near = self.step_length(hypothesis) < LINEAR_DISTANCE
             self._compared_groups = self.posterior.best.ranking.best.groups if is_near else None
         return self.posterior.best
+
+    def _allow_linearization_error(self, chi2: float, hypothesis: Hypothesis) -> None:
+        """Allow this error. Where the search returns to a set, it may be alternating between sets
+        that explain the residual about as well: less error is allowed from then on."""
+        groups = frozenset(hypothesis.ranking.best.groups)
+        error = min(chi2, self._error_limit)
+        if groups in self._visited_sets:
+            self._error_limit = error / LINEARIZATION_DECAY
+        self._visited_sets.add(groups)
+        self._linearization_error = error if error > NEGLIGIBLE_CHI2 else 0.0
 
     def step_length(self, hypothesis: Hypothesis) -> float:
         """Mahalanobis distance (Eq. (11)) by which a hypothesis moves the gyro."""

@@ -27,6 +27,9 @@ Array = NDArray[np.float64]
 UNEXPLAINED_PROBABILITY = 0.5
 """The verdict is `unexplained` where something outside the catalogue takes part with at least this
 probability: more probable than not."""
+BEYOND_PROBABILITY = 0.975
+"""A known parameter is a cause where it is off by more than its tolerance with at least this
+probability: its 95 % interval lies beyond."""
 MENTIONED_PROBABILITY = 0.01
 """What may take part outside the catalogue is listed above this probability. Chosen."""
 
@@ -96,12 +99,12 @@ def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[
 
 
 def _find_known_causes(attribution: Attribution) -> list[Cause]:
-    """Known parameters that are, more probably than not, off by more than their tolerance."""
+    """Known parameters whose 95 % interval lies beyond their tolerance."""
     causes = []
     for effect, (size, covariance) in attribution.posterior.best.departures.items():
         total = effect.vector(attribution.nominal) + size
         probability = _compute_beyond(effect.tolerance_of(attribution.nominal), size, covariance)
-        if probability > UNEXPLAINED_PROBABILITY:
+        if probability > BEYOND_PROBABILITY:
             intervals = _intervals(effect, total, covariance)
             parameters = effect.parameters(total)
             causes.append(Cause(effect.name, probability, parameters, intervals, (), effect.family))
@@ -109,12 +112,12 @@ def _find_known_causes(attribution: Attribution) -> list[Cause]:
 
 
 def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
-    """Known parameters that the tests show to be off, but by no more than their tolerance."""
+    """Known parameters that the tests show to be off, but not by more than their tolerance."""
     values = []
     nominal = attribution.nominal
     for effect, (size, covariance) in attribution.posterior.best.departures.items():
         tolerance = effect.tolerance_of(nominal)
-        if _compute_beyond(tolerance, size, covariance) <= UNEXPLAINED_PROBABILITY:
+        if _compute_beyond(tolerance, size, covariance) <= BEYOND_PROBABILITY:
             told = effect.vector(nominal)
             total = told + size
             key, parameters = effect.keys[0], effect.parameters(total)

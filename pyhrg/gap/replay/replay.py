@@ -80,7 +80,7 @@ class ReplayInputs:
 def prepare_inputs(log: Log, nominal: Device) -> ReplayInputs:
     """Inputs of a log of one power-on, from its start, whose rows are complete."""
     temperature = np.append(log.temperature[0], log.temperature)
-    step = estimate_toggling_step(temperature)
+    step = estimate_toggling_step(list_measured_temperatures(log))
     log = replace(log, table_angle=_average_steady(log.table_angle))
     return ReplayInputs(
         log,
@@ -88,6 +88,11 @@ def prepare_inputs(log: Log, nominal: Device) -> ReplayInputs:
         estimate_table_motion(log.table_angle, log.interval),
         _average_steady(temperature, step / math.sqrt(12)),
     )
+
+
+def list_measured_temperatures(log: Log) -> Array:
+    """(m,) readings of the thermometer, K, without those of missing rows, which were filled in."""
+    return np.asarray(log.temperature[np.isfinite(log.gyro_angle)])
 
 
 def _average_steady(readings: Array, least_noise: float = 0.0) -> Array:

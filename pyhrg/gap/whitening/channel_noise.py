@@ -11,6 +11,7 @@ from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.instruments import estimate_reading_steps
 from pyhrg.gap.replay.observations import ObservedTest
+from pyhrg.gap.replay.replay import list_measured_temperatures
 from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel
 
 Array = NDArray[np.float64]
@@ -103,7 +104,7 @@ def estimate_campaign_noise(
     contributes almost nothing (docs/methods/whitening.md, Eq. 14).
     """
     white = {name: _estimate_white(name, tests, residuals) for name in REPLAY_RESOLUTION}
-    steps = estimate_reading_steps({t.test.id: t.log.temperature for t in tests})
+    steps = estimate_reading_steps({t.test.id: list_measured_temperatures(t.log) for t in tests})
     temperature = {
         t.test.id: max(
             _standard_deviation([_second_differences(t.log.temperature, t.rows["temperature"])]),

@@ -58,7 +58,7 @@ def frequency_pulling(device: Device, size: float, generator: np.random.Generato
 
 
 def encoder(order: int) -> Form:
-    """An eccentric encoder (order 1), or one with an elliptic disc (order 2)."""
+    """An encoder whose disc is elliptic (order 2) or has three lobes."""
 
     def disturb(device: Device, size: float, generator: np.random.Generator) -> Disturbance:
         amplitude, phase = size * (5 * ARCSEC), generator.uniform(0, 2 * math.pi)
@@ -177,7 +177,7 @@ FORMS = (
     harmonic(6),
     harmonic(12),
     Form("frequency_pulling", "wave_angle", frequency_pulling),
-    encoder(1),
+    encoder(3),
     encoder(2),
     # a bias proportional to the square of the temperature
     make_signed_rate_form(

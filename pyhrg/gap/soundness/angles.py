@@ -63,7 +63,7 @@ def find_column_orders(log: Log, nominal: Device) -> dict[str, float]:
     k = nominal.bryan_factor
     for order in itertools.permutations(ANGLES):
         table, gyro, wave = (getattr(log, field) for field in order)
-        departure = float(np.nanmax(np.abs(_compute_departure(log, k, gyro, wave)), initial=0.0))
+        departure = float(np.nanmax(np.abs(compute_departure(log, k, gyro, wave)), initial=0.0))
         if departure <= 1 and not _contradicts_table(log, gyro, table):
             names = [real for real, field in zip(ANGLES, order, strict=True) if real != field]
             fits[" and ".join(names)] = departure
@@ -98,7 +98,7 @@ def _fit_line(rotation: Array, wave: Array) -> tuple[float, Array]:
     return slope, y - slope * x
 
 
-def _compute_departure(log: Log, k: float, gyro: Array, wave: Array) -> Array:
+def compute_departure(log: Log, k: float, gyro: Array, wave: Array) -> Array:
     """(n,) departure of the wave angle from the output's definition, in units of what rounding and
     timing explain, about its median.
 
@@ -118,7 +118,7 @@ def _compute_departure(log: Log, k: float, gyro: Array, wave: Array) -> Array:
 def _check_wave(log: Log, nominal: Device) -> list[Exclusion]:
     """Exclude wave or output angles that contradict the output's definition, and guess why."""
     k = nominal.bryan_factor
-    departs = np.abs(_compute_departure(log, k, log.gyro_angle, log.wave_angle)) > 1
+    departs = np.abs(compute_departure(log, k, log.gyro_angle, log.wave_angle)) > 1
     if not departs.any():
         return []
     pair = ("gyro_angle", "wave_angle")

@@ -29,8 +29,8 @@ TILT_TOLERANCE = 0.1
 than 5 deg."""
 MAX_DEPARTING_SHARE = 0.1
 """Share of rows that may depart from axis_up, by vibration or a moving table. Chosen."""
-FREQUENCY_TOLERANCE = 5e-3
-"""Relative departure of the frequency above which the records are another gyro's. Chosen: five
+FREQUENCY_TOLERANCE = 3e-3
+"""Relative departure of the frequency above which the records are another gyro's. Chosen: three
 times the tolerance of a nominal frequency."""
 COEFFICIENT_TOLERANCE = 0.3
 """Relative error allowed in a stated temperature coefficient of the frequency. Chosen."""

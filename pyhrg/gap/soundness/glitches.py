@@ -16,6 +16,7 @@ from pyhrg.gap.replay.observations import (
     find_undisturbed_rows,
 )
 from pyhrg.gap.replay.replay import prepare_inputs
+from pyhrg.gap.soundness.angles import compute_departure
 from pyhrg.gap.soundness.exclusion import (
     Array,
     Exclusion,
@@ -47,6 +48,9 @@ MIN_SIZE_ELSEWHERE = 2.0
 """Smallest glitch, in the largest step of all other rows, a few excepted. Chosen."""
 REACH = 2 * CONTEXT + MAX_LENGTH
 """Rows that a glitch influences: derived from the window's length."""
+MIN_CONTRADICTION = 1e-5
+"""Smallest contradiction between output and pattern angle, in units of what rounding and timing of
+a coarse log explain. Chosen: above the rounding of numbers."""
 MIN_ROWS = 50
 """Fewest rows in which glitches are looked for. Chosen."""
 MAX_GLITCHES, MAX_GLITCH_SHARE = 6, 4e-3
@@ -88,12 +92,22 @@ def check_glitches(log: Log, nominal: Device) -> list[Exclusion]:
         glitches = find_glitches(filled, steady & (driven | (field not in FORCES)))
         if field == "gyro_angle":  # less the table's angle it is steady while the table is not
             glitches |= find_glitches(filled - log.table_angle, driven)
+            glitches |= _find_contradictions(log, nominal)
         glitches &= known
         if glitches.any():
             fields = ("gyro_angle", "wave_angle") if field == "gyro_angle" else (field,)
             sentence = f"{_describe(log, field, glitches)}: left out"
             exclusions.append(Exclusion(fields, sentence, glitches))
     return exclusions
+
+
+def _find_contradictions(log: Log, nominal: Device) -> Mask:
+    """(n,) rows whose output angle is not what its definition makes of the pattern angle. None
+    where there would be many: the columns are then sampled apart."""
+    departure = compute_departure(log, nominal.bryan_factor, log.gyro_angle, log.wave_angle)
+    sigma = _estimate_deviation(departure[np.isfinite(departure)])
+    glitches = np.abs(departure) > max(MIN_SIZE_SIGMA * sigma, MIN_CONTRADICTION)
+    return glitches & (np.sum(glitches) <= max(MAX_GLITCHES, MAX_GLITCH_SHARE * len(glitches)))
 
 
 def _describe(log: Log, field: str, glitches: Mask) -> str:

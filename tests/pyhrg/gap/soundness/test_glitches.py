@@ -127,3 +127,17 @@ def test_a_glitch_is_excluded_and_reported(
 
 def _log(campaign: Campaign, name: str) -> Log:
     return next(test.log for test in campaign.tests if test.id == name)
+
+
+@pytest.mark.parametrize("row", [0, 1, -2, -1])
+def test_an_output_angle_that_contradicts_the_pattern_angle_is_left_out(
+    error_free: Campaign, row: int
+) -> None:
+    log = next(other.log for other in error_free.tests if other.id == "pos")
+    wrong = np.zeros(len(log.time))
+    wrong[row] = 20 * ARCSEC
+    screened, exclusions = screen_campaign(
+        change_logs(error_free, added(wrong, "gyro_angle"), "pos")
+    )
+    assert len(exclusions) == 1 and exclusions[0].endswith("left out")
+    assert np.flatnonzero(np.isnan(_log(screened, "pos").gyro_angle)) == row % len(wrong)

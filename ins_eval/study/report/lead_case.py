@@ -127,7 +127,9 @@ def read_lead_case(about: Mapping[str, Any]) -> LeadCase | None:
 
 
 def _draw_named(across: Array, up: Array, name: str, colour: str) -> str:
+    """A line with its name above its end, or below where the plot ends there."""
+    place = up[-1] + (18 if up[-1] < svg.TOP + 18 else -8)
     return (
         f'<g class="lead {colour}"><path d="{svg.draw_line(across, up)}"/>'
-        f'<text x="{across[-1] - 4:.0f}" y="{up[-1] - 8:.0f}" text-anchor="end">{name}</text></g>'
+        f'<text x="{across[-1] - 4:.0f}" y="{place:.0f}" text-anchor="end">{name}</text></g>'
     )

@@ -14,7 +14,7 @@ from pyhrg.common.units import ARCSEC, HOUR
 
 COLOURS = dict(zip(BODY, ("tab:blue", "tab:orange", "tab:green"), strict=True))
 INITIAL, INITIAL_COLOUR = "initial errors", "0.5"
-EFFECT_COLOURS = [colour for number, colour in enumerate(colormaps["tab10"].colors) if number != 7]
+EFFECT_COLOURS = colormaps["tab10"](np.delete(np.arange(10), 7))
 """Colours of the effects; the eighth of the map is the grey of the initial errors."""
 MAX_SHOWN_EFFECTS = 8
 """Largest number of effects that are shown apart; beyond it, the smallest are shown as one."""

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ins_eval.study.report.figures.filters import name_calibration
+from ins_eval.study.report.figures.matrix import name_negative_r2
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables.columns import (
     CIRCUMFERENCE_CLASS,
@@ -19,7 +20,6 @@ from ins_eval.study.tables.score import (
     HOLDS,
     MEDIAN_RATIO,
     MOUNTING_SHARE,
-    R2_COMPONENTS,
     R2_MOUNTED,
     R2_RADIAL,
     R2_SHORTFALL,
@@ -31,13 +31,6 @@ from pyhrg.common.pages.svg import format_estimate
 
 IN_PART = "holds in part"
 NO_FAILURE = "no claim fails"
-NEGATIVE_R2 = {
-    R2_RADIAL: "worse than the mean",
-    R2_COMPONENTS: "worse than zero",
-    R2_MOUNTED: "worse than zero",
-}
-"""Words for a prediction whose R2 is below 0: the mean of the flown errors is nearer to them, or
-for errors north and east, whose R2 is about zero, no prediction at all."""
 
 
 @dataclass(frozen=True)
@@ -223,11 +216,6 @@ def format_score(score: Score) -> str:
     value, low, high = format_estimate(score.value, score.low, score.high)
     words = name_negative_r2(score)
     return f"{value} ({low} to {high})" + (f", {words}" if words else "")
-
-
-def name_negative_r2(score: Score) -> str:
-    """What an R2 below zero says in words; nothing for other scores."""
-    return NEGATIVE_R2.get(score.score, "") if score.value < 0 else ""
 
 
 def name_requirement(claim: Claim, score: Score) -> str:

@@ -5,12 +5,19 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ins_eval.study.report.claims import name_negative_r2
 from ins_eval.study.report.figures.filters import make_filter_attributes, name_calibration
 from ins_eval.study.report.figures.parts import Row, format_interval, make_table
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
-from ins_eval.study.tables.score import ALL, COVERAGE, SCORES, Score
+from ins_eval.study.tables.score import (
+    ALL,
+    COVERAGE,
+    R2_COMPONENTS,
+    R2_MOUNTED,
+    R2_RADIAL,
+    SCORES,
+    Score,
+)
 from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.common.pages.svg import Scale
 
@@ -18,6 +25,14 @@ BAR = 96
 """Width of a drawn interval, px."""
 TITLES = {p.key: p.title for p in c.PREDICTORS} | c.FIGURE_TITLES | {"": "Figure"}
 """Headings of the columns by predictor; "" for scores without one."""
+
+NEGATIVE_R2 = {
+    R2_RADIAL: "worse than the mean",
+    R2_COMPONENTS: "worse than zero",
+    R2_MOUNTED: "worse than zero",
+}
+"""Words for a prediction whose R2 is below 0: the mean of the flown errors is nearer to them, or
+for errors north and east, whose R2 is about zero, no prediction at all."""
 
 
 @dataclass(frozen=True)
@@ -101,6 +116,11 @@ def render_estimate(score: Score) -> str:
     text = format_interval(score.value, score.low, score.high)
     words = name_negative_r2(score)
     return f"<b>{words}</b><br><small>R2</small> {text}" if words else text
+
+
+def name_negative_r2(score: Score) -> str:
+    """What an R2 below zero says in words; nothing for other scores."""
+    return NEGATIVE_R2.get(score.score, "") if score.value < 0 else ""
 
 
 def _draw_bar(score: Score, axis: IntervalAxis) -> str:

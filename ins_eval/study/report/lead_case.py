@@ -18,6 +18,8 @@ Array = NDArray[np.float64]
 
 TESTS = ("fixed position", "full circumference")
 """Names of the two bench tests, in the order of their figures."""
+ROOM = 1.5
+"""Factor above the largest error up to which the axis goes, so that a name fits. Chosen."""
 
 
 @dataclass(frozen=True)
@@ -93,8 +95,11 @@ class LeadCase:
             self.promise(stability) / NAUTICAL_MILE
             for stability in (self.fixed_stability, self.circumference_stability)
         ]
+        largest = max(line.max() for line in (*promised, *flown))
         x = svg.make_horizontal_scale(0.0, float(hours[-1]), log=False)
-        y = svg.make_vertical_scale(*svg.find_decades(np.concatenate([*promised, *flown])))
+        y = svg.make_vertical_scale(
+            *svg.find_decades(np.concatenate([*promised, *flown, [ROOM * largest]]))
+        )
         lines = "".join(
             f'<path class="flight" d="{svg.draw_line(x(hours), y(each))}"/>' for each in flown
         )
@@ -127,9 +132,7 @@ def read_lead_case(about: Mapping[str, Any]) -> LeadCase | None:
 
 
 def _draw_named(across: Array, up: Array, name: str, colour: str) -> str:
-    """A line with its name above its end, or below where the plot ends there."""
-    place = up[-1] + (18 if up[-1] < svg.TOP + 18 else -8)
     return (
         f'<g class="lead {colour}"><path d="{svg.draw_line(across, up)}"/>'
-        f'<text x="{across[-1] - 4:.0f}" y="{place:.0f}" text-anchor="end">{name}</text></g>'
+        f'<text x="{across[-1] - 4:.0f}" y="{up[-1] - 8:.0f}" text-anchor="end">{name}</text></g>'
     )

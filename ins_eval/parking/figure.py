@@ -33,7 +33,7 @@ def _draw_growth(axes: Axes, result: Comparison) -> None:
     axes.set_ylim(bottom=np.median(result.radial[:, :, -1], axis=1).min() / NAUTICAL_MILE / 30)
     axes.set_xlim(0, hours[-1])
     axes.set_xlabel("time since alignment, h")
-    axes.set_ylabel("radial position error, median (band: 95 %), nmi")
+    axes.set_ylabel("radial error, median (band: 95 %), nmi (1 nmi = 1.852 km), log axis")
     axes.grid(which="both", alpha=0.25)
 
 
@@ -61,5 +61,5 @@ def _draw_ratios(axes: Axes, result: Comparison) -> None:
         tick.set_color(color)
     axes.invert_yaxis()
     axes.margins(y=0.15)
-    axes.set_xlabel("error over the first case's (line: 95 %)")
+    axes.set_xlabel("error over the first case's (line: 95 %), log axis")
     axes.grid(axis="x", which="both", alpha=0.25)

@@ -16,7 +16,7 @@ from ins_eval.study.study_data import StudyData, StudyDataError, read_study_data
 from ins_eval.study.study_file import load_study
 from ins_eval.study.summary.figure import draw_scatter
 from ins_eval.study.summary.text import state_verdict, summarize
-from ins_eval.study.tables.columns import CALIBRATION, COLUMNS
+from ins_eval.study.tables.columns import COLUMNS
 from pyhrg.common.arguments import check_seed
 
 
@@ -71,7 +71,7 @@ class StudyResult:
         Raises:
             HrgError: the study has no such calibration.
         """
-        known = self._data.list_values(CALIBRATION)
+        known = self._data.calibrations
         chosen = calibration or known[0]
         if chosen not in known:
             raise StudyDataError(

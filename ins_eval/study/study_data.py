@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from ins_eval.study.specification import CONDITION
+from ins_eval.study.specification import CONDITION, MEAN
 from ins_eval.study.tables import columns
 from ins_eval.study.tables import score as scored
 from ins_eval.study.tables.score import Score
@@ -54,9 +54,21 @@ class StudyData:
         """Probability of the predicted intervals, percent."""
         return float(self.about[INTERVAL_PERCENT])
 
-    def list_values(self, column: str) -> list[str]:
-        """Different values of a text column, sorted."""
-        return sorted(map(str, self.table[column].unique()))
+    @property
+    def calibrations(self) -> list[str]:
+        """Calibrations of the study, the mean first, as every report shows them."""
+        names = map(str, self.table[columns.CALIBRATION].unique())
+        return sorted(names, key=lambda name: (name != MEAN, name))
+
+    @property
+    def classes(self) -> list[str]:
+        """Mission classes in the order of the study."""
+        return list(map(str, dict.fromkeys(self.table[columns.CLASS])))
+
+    @property
+    def missions(self) -> list[str]:
+        """Missions in the order of the study."""
+        return list(map(str, dict.fromkeys(self.table[columns.MISSION])))
 
     def select(self, score: str, **wanted: Any) -> list[Score]:
         """Scores of this key with these values of their fields; without negative controls, unless

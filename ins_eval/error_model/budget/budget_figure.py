@@ -14,6 +14,8 @@ from pyhrg.common.units import ARCSEC, HOUR
 
 COLOURS = dict(zip(BODY, ("tab:blue", "tab:orange", "tab:green"), strict=True))
 INITIAL, INITIAL_COLOUR = "initial errors", "0.5"
+EFFECT_COLOURS = colormaps["tab10"](np.delete(np.arange(10), 7))
+"""Colours of the effects; the eighth of the map is the grey of the initial errors."""
 MAX_SHOWN_EFFECTS = 8
 """Largest number of effects that are shown apart; beyond it, the smallest are shown as one."""
 
@@ -34,7 +36,7 @@ def plot_budget(weights: Weights, budget: xr.Dataset, title: str = "Error budget
         ):
             rows[row, column].set_title(f"{component}: {title_end}")
             rows[row, column].grid(alpha=0.25)
-    rows[0, 0].set_ylabel("final error per gyro error, m/arcsec")
+    rows[0, 0].set_ylabel("final error per gyro error, m/arcsec, symlog axis")
     rows[1, 0].set_ylabel("contribution to the final error, m")
     rows[0, 1].legend(title="axis", fontsize="small")
     figure.legend(*rows[1, 0].get_legend_handles_labels(), loc="outside lower center", ncols=3)
@@ -55,7 +57,7 @@ def _plot_weights(axes: Axes, bounds: Array, gyros: Array) -> None:
 
 def _plot_growth(axes: Axes, contribution: xr.DataArray, initial: float) -> None:
     hours = contribution.time / HOUR
-    axes.set_prop_cycle(color=colormaps["Dark2"](np.arange(MAX_SHOWN_EFFECTS)))
+    axes.set_prop_cycle(color=EFFECT_COLOURS)
     for effect in contribution.effect.values:
         axes.plot(hours, contribution.sel(effect=effect).cumsum("time"), label=effect)
     if initial:

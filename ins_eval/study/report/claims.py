@@ -3,11 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from ins_eval.study.report.figures.filters import name_calibration
+from ins_eval.study.report.figures.matrix import name_negative_r2
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables.columns import (
     CIRCUMFERENCE_CLASS,
     CIRCUMFERENCE_RULE,
-    CLASS,
     FITTED_MAP,
     FIXED_RULE,
     TRUE_PARAMETERS,
@@ -19,7 +20,6 @@ from ins_eval.study.tables.score import (
     HOLDS,
     MEDIAN_RATIO,
     MOUNTING_SHARE,
-    R2_COMPONENTS,
     R2_MOUNTED,
     R2_RADIAL,
     R2_SHORTFALL,
@@ -27,10 +27,10 @@ from ins_eval.study.tables.score import (
     UNDECIDED,
     Score,
 )
-from pyhrg.common.pages.svg import format_number
+from pyhrg.common.pages.svg import format_estimate
 
 IN_PART = "holds in part"
-R2_SCORES = (R2_RADIAL, R2_COMPONENTS, R2_MOUNTED)
+NO_FAILURE = "no claim fails"
 
 
 @dataclass(frozen=True)
@@ -49,8 +49,12 @@ CLAIMS = (
         "a",
         "In-run stability at a fixed position says nothing of the flight",
         (
-            (SPEARMAN, FIXED_RULE, "rank correlation with the gyros' errors over start angles"),
-            (MEDIAN_RATIO, FIXED_RULE, "flown / predicted by 0.01 deg/h = 1 nmi/h"),
+            (
+                SPEARMAN,
+                FIXED_RULE,
+                "rank correlation (Spearman) of bench figure and gyro's rms error",
+            ),
+            (MEDIAN_RATIO, FIXED_RULE, "flown / predicted, by 0.01 deg/h = 1 nmi/h"),
         ),
     ),
     Claim(
@@ -60,9 +64,9 @@ CLAIMS = (
             (
                 SPEARMAN,
                 CIRCUMFERENCE_RULE,
-                "rank correlation with the gyros' errors over start angles",
+                "rank correlation (Spearman) of bench figure and gyro's rms error",
             ),
-            (MEDIAN_RATIO, CIRCUMFERENCE_CLASS, "flown / predicted by the class constant"),
+            (MEDIAN_RATIO, CIRCUMFERENCE_CLASS, "flown / predicted, by the class constant"),
         ),
     ),
     Claim(
@@ -70,13 +74,13 @@ CLAIMS = (
         "The fitted map and the trajectory predict each flight",
         (
             (R2_RADIAL, FITTED_MAP, "R2 of single flights"),
-            (COVERAGE, FITTED_MAP, "share inside the predicted intervals"),
+            (COVERAGE, FITTED_MAP, "share of flights inside the predicted intervals"),
         ),
         (
-            (R2_RADIAL, TRUE_PARAMETERS, "ceiling, R2 of the true maps with the mounting unknown"),
+            (R2_RADIAL, TRUE_PARAMETERS, "R2 of the true maps, mounting unknown: the ceiling"),
             (R2_SHORTFALL, FITTED_MAP, "ceiling less R2 of the fitted map"),
-            (MOUNTING_SHARE, "", "share of the mean square error by mounting"),
-            (R2_MOUNTED, FITTED_MAP, "R2 of north and east without the mounting's part"),
+            (MOUNTING_SHARE, "", "share of the mean square error due to mounting"),
+            (R2_MOUNTED, FITTED_MAP, "R2 of north and east, mounting's part taken out"),
         ),
     ),
 )
@@ -144,19 +148,41 @@ def judge_claims(data: StudyData, calibration: str) -> list[JudgedClaim]:
     return [each for each in judged if each.by_class]
 
 
-def judge_condition(data: StudyData, name: str) -> list[JudgedClaim]:
-    """The claims in a condition; none without it."""
+def state_claims(data: StudyData) -> str:
+    """The verdicts of all claims in one sentence."""
+    parts = []
+    for calibration in data.calibrations:
+        judged = judge_claims(data, calibration)
+        verdicts = ", ".join(f"({each.claim.letter}) {each.verdict}" for each in judged)
+        parts.append(f"{name_calibration(calibration)}: {verdicts or 'no claim was scored'}")
+    text = "; ".join(parts)
+    return f"{text[:1].upper()}{text[1:]}."
+
+
+def judge_conditions(data: StudyData) -> list[JudgedClaim]:
+    """The claims in the conditions, which stand in the place of classes; none without them."""
     if data.conditions is None:
         return []
-    scores = [s for s in data.conditions.scores if s.mission_class == name and not s.shuffled]
+    scores = [s for s in data.conditions.scores if not s.shuffled]
     return [_judge(claim, scores) for claim in CLAIMS]
 
 
-def list_conditions(data: StudyData) -> list[str]:
-    """Names of the conditions, in the order of the study."""
-    if data.conditions is None:
-        return []
-    return list(map(str, dict.fromkeys(data.conditions.table[CLASS])))
+def list_failures(data: StudyData) -> list[tuple[str, int, list[str]]]:
+    """Claim (d): each condition, its number of triads, and what fails there, with its figure."""
+    judged = judge_conditions(data)
+    return [
+        (
+            name,
+            max(s.n for each in judged for s in each.by_class if s.mission_class == name),
+            [
+                f"({each.claim.letter}) {name_requirement(each.claim, s)} {format_score(s)}"
+                for each in judged
+                for s in each.by_class
+                if s.mission_class == name and s.verdict == FAILS
+            ],
+        )
+        for name in (data.conditions.classes if data.conditions else [])
+    ]
 
 
 def describe_claim(judged: JudgedClaim) -> str:
@@ -178,30 +204,18 @@ def describe_claim(judged: JudgedClaim) -> str:
 
 
 def describe_conditions(data: StudyData) -> list[str]:
-    """Claim (d): for each condition, the claims that fail there, with their figures."""
-    lines = []
-    for name in list_conditions(data):
-        judged = judge_condition(data, name)
-        failing = [s for each in judged for s in each.by_class if s.verdict == FAILS]
-        parts = [
-            f"({each.claim.letter}) {name_requirement(each.claim, s)} {format_score(s)}"
-            for each in judged
-            for s in each.by_class
-            if s in failing
-        ]
-        n = max(each.n for each in judged)
-        what = "; ".join(parts) if parts else "no claim fails"
-        lines.append(f"{name} ({n} triads, linear flights): {what}.")
-    return lines
+    """Claim (d) in words: a line for each condition."""
+    return [
+        f"{name} ({n} triads, linear flights): {'; '.join(failing) or NO_FAILURE}."
+        for name, n, failing in list_failures(data)
+    ]
 
 
 def format_score(score: Score) -> str:
     """A score with its interval; an R2 below zero in words too."""
-    text = (
-        f"{format_number(score.value)} ({format_number(score.low)} to {format_number(score.high)})"
-    )
-    worse = score.score in R2_SCORES and score.value < 0
-    return f"{text}, worse than the mean" if worse else text
+    value, low, high = format_estimate(score.value, score.low, score.high)
+    words = name_negative_r2(score)
+    return f"{value} ({low} to {high})" + (f", {words}" if words else "")
 
 
 def name_requirement(claim: Claim, score: Score) -> str:

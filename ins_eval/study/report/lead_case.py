@@ -8,12 +8,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.study.predictors.stability_rule import DRIFT_PER_STABILITY
+from ins_eval.study.report.distances import NMI, format_distance, format_range
 from ins_eval.study.report.figures.parts import draw_axes
 from ins_eval.study.study_data import LEAD_KEY
 from pyhrg.common.pages import svg
 from pyhrg.common.units import DEG_PER_H, HOUR, NAUTICAL_MILE
 
 Array = NDArray[np.float64]
+
+TESTS = ("fixed position", "full circumference")
+"""Names of the two bench tests, in the order of their figures."""
+ROOM = 1.5
+"""Factor above the largest error up to which the axis goes, so that a name fits. Chosen."""
 
 
 @dataclass(frozen=True)
@@ -65,8 +71,8 @@ class LeadCase:
             f"Over the full circumference it has {self.circumference_stability:.2g} deg/h, which "
             f"promises {format_distance(self.promised_circumference)}.",
             f"Three such gyros, co-simulated from {len(self.final)} start angles, err by "
-            f"{format_distance(median)} (median; {self.final.min() / NAUTICAL_MILE:.2g} to "
-            f"{self.final.max() / NAUTICAL_MILE:.2g} nmi): {over:.2g} times what the fixed "
+            f"{format_distance(median)}, the median of flights from "
+            f"{format_range(self.final.min(), self.final.max())}: {over:.2g} times what the fixed "
             f"position promises; the circumference promises {size}.",
         )
 
@@ -76,9 +82,9 @@ class LeadCase:
         promised = (self.promised_fixed, self.promised_circumference, float(np.median(self.final)))
         fixed, circumference, flown = map(format_distance, promised)
         return (
-            f"The gyro of the paper's Table 2 promises {fixed} by the fixed-position test and "
-            f"{circumference} by the full circumference; in {self.time[-1] / HOUR:g} h of a "
-            f"{self.mission} it errs by {flown}."
+            f"After {self.time[-1] / HOUR:g} h in a {self.mission}, a navigator with three gyros "
+            f"of the paper's Table 2 is {flown} off; the test at a fixed position promises "
+            f"{fixed}, the test over the full circumference {circumference}."
         )
 
     @property
@@ -89,19 +95,22 @@ class LeadCase:
             self.promise(stability) / NAUTICAL_MILE
             for stability in (self.fixed_stability, self.circumference_stability)
         ]
+        largest = max(line.max() for line in (*promised, *flown))
         x = svg.make_horizontal_scale(0.0, float(hours[-1]), log=False)
-        y = svg.make_vertical_scale(*svg.find_decades(np.concatenate([*promised, *flown])))
+        y = svg.make_vertical_scale(
+            *svg.find_decades(np.concatenate([*promised, *flown, [ROOM * largest]]))
+        )
         lines = "".join(
             f'<path class="flight" d="{svg.draw_line(x(hours), y(each))}"/>' for each in flown
         )
-        lines += _draw_named(x(hours), y(np.median(flown, axis=0)), "flown, median", "flown")
-        names = ("promised, fixed position", "promised, full circumference")
-        for name, line, colour in zip(names, promised, ("c1", "c0"), strict=True):
-            lines += _draw_named(x(hours), y(line), name, colour)
+        median, name = np.median(flown, axis=0), f"flown, median of {len(flown)}"
+        lines += _draw_named(x(hours), y(median), name, "flown")
+        for test, line, colour in zip(TESTS, promised, ("c1", "c0"), strict=True):
+            lines += _draw_named(x(hours), y(line), f"promised: {test}", colour)
         return draw_axes(
             x,
             y,
-            ("navigating, h", "horizontal error, nmi (1.852 km)"),
+            ("time since alignment, h", f"error, {NMI}"),
             lines,
             " ".join(self.sentences),
         )
@@ -120,11 +129,6 @@ def read_lead_case(about: Mapping[str, Any]) -> LeadCase | None:
         time=np.array(found["time_s"]),
         flown=np.array(found["flown_m"]),
     )
-
-
-def format_distance(metres: float) -> str:
-    """A distance in nautical miles and kilometres."""
-    return f"{metres / NAUTICAL_MILE:.2g} nmi ({metres / 1000:.2g} km)"
 
 
 def _draw_named(across: Array, up: Array, name: str, colour: str) -> str:

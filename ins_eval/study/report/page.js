@@ -33,6 +33,7 @@
       .filter((row) => Object.entries(KEYS).every(
         ([key, column]) => choice[key] === "all" || choice[key] === name(column, row)));
     for (const panel of panels) caption(panel, choice);
+    explain(choice);
     document.getElementById("predictions").classList.toggle("one", choice.predictor !== "all");
     leave();
   }
@@ -47,6 +48,26 @@
     const scores = study.captions[[own, choice.calibration, choice.class].join("|")];
     panel.querySelector(".live").textContent =
       [ranking ? "" : `${count.toLocaleString("en")} flights`, scores].filter(Boolean).join("; ");
+  }
+
+  function explain(choice) {
+    const empty = document.getElementById("empty");
+    const said = [choice.class, choice.calibration].filter((value) => value !== "all").join(", ");
+    empty.hidden = rows.length > 0;
+    empty.textContent = empty.hidden ? "" :
+      `No judged flight of this study is of this selection (${said}): choose "all" in one of them.`;
+    for (const table of document.querySelectorAll("table.matrix")) {
+      const shown = [...table.querySelectorAll("tbody tr")].some((row) => !row.hidden);
+      table.nextElementSibling?.remove();
+      if (!shown) table.insertAdjacentHTML("afterend",
+        '<p class="none">Nothing here is of the selection above.</p>');
+    }
+    cue();
+  }
+
+  function cue() {
+    for (const box of document.querySelectorAll(".wide"))
+      box.classList.toggle("over", box.scrollWidth > box.clientWidth + 1);
   }
 
   function place(svg, row) {
@@ -130,10 +151,59 @@
     svg.addEventListener("keydown", (event) => stepped(svg, state, event));
   }
   form.addEventListener("change", filter);
+  addEventListener("resize", cue);
+  document.addEventListener("toggle", cue, true);
   form.addEventListener("submit", (event) => event.preventDefault());
   addEventListener("beforeprint", () => {
     for (const fold of document.querySelectorAll("details")) fold.open = true;
   });
   form.hidden = false;
   filter();
+})();
+(() => {
+  const study = JSON.parse(document.getElementById("constants").textContent);
+  const form = document.getElementById("own-gyro");
+  const output = document.getElementById("own-error");
+  const short = (value) => {
+    const rounded = Number((value * (1 + 1e-12)).toPrecision(2));
+    return value < 1e-3 ? String(rounded)
+      : rounded.toLocaleString("en", { maximumSignificantDigits: 2 });
+  };
+  const both = (show) => `${show(1852)} nmi (${show(1000)} km)`;
+  const fill = (text, values) => text.replace(/{(\w+)}/g, (_, key) => values[key]);
+
+  function predict(constant, stability) {
+    const rule = study.metres_per_deg_h * stability * constant.hours;
+    const [median, low, high] = constant.ratios.map((ratio) => rule * ratio);
+    const [smallest, largest] = constant.ends;
+    const beyond = stability < smallest || stability > largest
+      ? fill(study.beyond, { smallest: short(smallest), largest: short(largest) }) : "";
+    return fill(study.sentence, {
+      ...constant, beyond, stability, level: study.level,
+      median: both((unit) => short(median / unit)),
+      range: both((unit) => `${short(low / unit)} to ${short(high / unit)}`),
+      rule: both((unit) => short(rule / unit)),
+    });
+  }
+
+  function answer() {
+    const given = Object.fromEntries(new FormData(form));
+    const chosen = study.constants.filter((each) =>
+      each.mission === given.mission && each.calibration === given.calibration);
+    const lines = chosen.filter((each) => given[each.key].trim()).map((each) => {
+      const typed = given[each.key].trim(), stability = Number(typed);
+      const [low, high] = study.range;
+      return stability >= low && stability <= high ? predict(each, stability)
+        : `${each.test}: found ${typed}, expected a number from ${low} to ${high} deg/h`;
+    });
+    const empty = chosen.length ? "Type a bench figure."
+      : "This study has no constants of this mission and calibration.";
+    output.replaceChildren(...(lines.length ? lines : [empty]).map((line) =>
+      Object.assign(document.createElement("p"), { textContent: line })));
+  }
+
+  form.addEventListener("input", answer);
+  form.addEventListener("submit", (event) => event.preventDefault());
+  form.hidden = false;
+  answer();
 })();

@@ -1,7 +1,6 @@
 """The report as one HTML page, which needs no network and no script."""
 
 import html
-from collections.abc import Sequence
 from dataclasses import replace
 from importlib.resources import files
 from pathlib import Path
@@ -9,7 +8,8 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ins_eval.study.report.claims import describe_claim, describe_conditions, judge_claims
+from ins_eval.study.report.claim_table import render_claims
+from ins_eval.study.report.claims import state_claims
 from ins_eval.study.report.embedded import embed_study
 from ins_eval.study.report.figures.filters import name_calibration
 from ins_eval.study.report.lead_case import read_lead_case
@@ -24,7 +24,7 @@ from pyhrg.common.pages.shell import make_contents, make_document, read_asset
 from pyhrg.common.units import NAUTICAL_MILE
 
 PAGE = "report.html"
-TITLE = "Which bench test of a hemispherical gyro tells the navigator's error?"
+TITLE = "Which bench test of a hemispherical resonator gyro predicts the position error?"
 
 
 def render_page(data: StudyData) -> str:
@@ -33,7 +33,7 @@ def render_page(data: StudyData) -> str:
     shown = select_shown(data)
     sections = make_sections(shown)
     body = (
-        f"<header><h1>{TITLE}</h1>{_render_lead(data)}{_render_claims(data)}</header>"
+        f"<header><h1>{TITLE}</h1>{_render_opening(data)}{render_claims(data)}</header>"
         f"{make_contents(sections)}"
         f"{_render_filters(shown)}<main>{''.join(section.markup for section in sections)}</main>"
         '<div id="tip" role="status" aria-live="polite" hidden></div>'
@@ -68,51 +68,29 @@ def write_page(data: StudyData, folder: Path) -> None:
         (aside / PAGE).write_text(render_page(data), encoding="utf-8")
 
 
-def _render_lead(data: StudyData) -> str:
-    """The lead case: three sentences and a drawing; nothing without one."""
+def _render_opening(data: StudyData) -> str:
+    """One sentence and one picture: those of the lead case; without one the claims' sentence."""
     case = read_lead_case(data.about)
     if case is None:
-        return ""
+        return make_paragraph(state_claims(data), "headline")
     return (
-        f'<p class="headline">{html.escape(case.headline)}</p>'
+        f"{make_paragraph(case.headline, 'headline')}"
         f'<div class="lead-case"><figure>{case.drawing}</figure>'
         f"<div>{''.join(map(make_paragraph, case.sentences))}</div></div>"
     )
 
 
-def _render_claims(data: StudyData) -> str:
-    verdicts = "".join(
-        f"<div><h3>{html.escape(name_calibration(key).capitalize())}</h3>"
-        f"<ul>{_list_items([describe_claim(each) for each in judge_claims(data, key)])}</ul></div>"
-        for key in data.list_values(c.CALIBRATION)
-    )
-    failing = describe_conditions(data)
-    conditions = f"<p>(d) Where claims fail beside the classes:</p><ul>{_list_items(failing)}</ul>"
-    scope = (
-        "Judged triads were not used to make any predictor; they are co-simulated, three FMUs at "
-        "1 kHz with all noise and a navigator, unless it says linear. In brackets: 95 % intervals."
-    )
-    return (
-        f'<div class="verdicts">{verdicts}</div>{conditions if failing else ""}'
-        f"{make_paragraph(scope, 'weak')}"
-    )
-
-
-def _list_items(sentences: Sequence[str]) -> str:
-    return "".join(f"<li>{html.escape(sentence)}</li>" for sentence in sentences)
-
-
 def _render_filters(data: StudyData) -> str:
     """The form of the filters, hidden until the script runs."""
-    calibrations = {key: name_calibration(key) for key in data.list_values(c.CALIBRATION)}
-    classes = {key: key for key in data.list_values(c.CLASS)}
+    calibrations = {key: name_calibration(key) for key in data.calibrations}
+    classes = {key: key for key in data.classes}
     predictors = {p.key: p.title for p in c.PREDICTORS}
     return (
         '<form id="filters" hidden aria-label="What the figures show">'
         + _render_choice("calibration", "all", calibrations, next(iter(calibrations)))
         + _render_choice("class", "all", classes, ALL)
         + _render_choice("predictor", "all", predictors, ALL)
-        + "</form>"
+        + '</form><p id="empty" class="headline" role="status" hidden></p>'
     )
 
 

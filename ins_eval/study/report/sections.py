@@ -2,13 +2,14 @@
 
 from typing import Any
 
-from ins_eval.study.report.condition_section import render_classes, render_conditions
+from ins_eval.study.report.claim_table import render_conditions
 from ins_eval.study.report.figures.budget import render_budget
 from ins_eval.study.report.figures.matrix import IntervalAxis, render_matrices
 from ins_eval.study.report.figures.parts import make_fold
 from ins_eval.study.report.figures.phase import render_phase_diagram
 from ins_eval.study.report.figures.ranking import render_ranking
 from ins_eval.study.report.figures.scatter import render_scatter
+from ins_eval.study.report.own_gyro import render_own_gyro
 from ins_eval.study.study_data import CONDITIONS_KEY, LEAD_KEY, PHASE_KEY, StudyData
 from ins_eval.study.tables import score
 from ins_eval.study.tables.columns import COLUMNS
@@ -24,11 +25,12 @@ DIFFERENCE = IntervalAxis(0.0, 0.05, 0.01)
 def make_sections(data: StudyData) -> list[PageSection]:
     """The sections, by anchor, title and content."""
     return [
+        PageSection("own", "Predict the error of your own gyro", render_own_gyro(data)),
         PageSection("predicted", "Predicted against flown", _render_predictions(data)),
         PageSection("size", "Size of the error: flown over predicted", _render_ratios(data)),
         PageSection("ranking", "Ranking of gyros", _render_ranking(data)),
         PageSection("coverage", "Intervals and their coverage", _render_coverage(data)),
-        PageSection("breaks", "Where the claims fail", _render_failures(data)),
+        PageSection("breaks", "Conditions in which claims fail", render_conditions(data)),
         PageSection("phase", "Where each test tells the truth", render_phase_diagram(data)),
         PageSection("budget", "Error budget", _render_budget(data)),
         PageSection("control", "Negative control", _render_control(data)),
@@ -39,7 +41,8 @@ def make_sections(data: StudyData) -> list[PageSection]:
 def _render_predictions(data: StudyData) -> str:
     lead = (
         "Each dot is a triad's flight. On the dashed line the flown error is the predicted one; "
-        "above it the predictor was too optimistic. R2 below 0 is worse than the mean."
+        "above it the flown error is larger. R2 is 1 for exact predictions; below 0 the mean of "
+        "the flown errors is nearer to them than the predictions are."
     )
     components = render_matrices(data, score.R2_COMPONENTS, R2)
     return (
@@ -80,14 +83,6 @@ def _render_coverage(data: StudyData) -> str:
     axis = IntervalAxis(min(0.5, level / 2), 1.0, level)
     lead = f"Intervals that should contain {data.interval_percent:g} % of the flown errors."
     return make_paragraph(lead) + render_matrices(data, score.COVERAGE, axis)
-
-
-def _render_failures(data: StudyData) -> str:
-    return (
-        render_classes(data)
-        + "<h3>Conditions in which a claim may fail</h3>"
-        + render_conditions(data)
-    )
 
 
 def _render_budget(data: StudyData) -> str:

@@ -8,6 +8,7 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ins_eval.study.report.distances import NMI, format_distance
 from ins_eval.study.report.figures.filters import name_calibration
 from ins_eval.study.report.lead_case import LeadCase, read_lead_case
 from ins_eval.study.specification import TEST
@@ -22,7 +23,13 @@ from ins_eval.study.tables.columns import (
 from ins_eval.study.tables.score import ALL, R2_RADIAL, SPEARMAN
 from pyhrg.common.units import HOUR, NAUTICAL_MILE
 
-COLOURS = {FIXED_RULE: "tab:red", CIRCUMFERENCE_CLASS: "tab:blue", FITTED_MAP: "tab:green"}
+FIXED_COLOUR, CIRCUMFERENCE_COLOUR, MAP_COLOUR = "#d55e00", "#0072b2", "#009e73"
+"""Colours of the tests, those of the page."""
+COLOURS = {
+    FIXED_RULE: FIXED_COLOUR,
+    CIRCUMFERENCE_CLASS: CIRCUMFERENCE_COLOUR,
+    FITTED_MAP: MAP_COLOUR,
+}
 NAMES = {
     FIXED_RULE: "fixed position, usual rule",
     CIRCUMFERENCE_CLASS: "full circumference, class constant",
@@ -36,7 +43,7 @@ MARKERS = "o^sDvP*X<"
 def draw_figure(data: StudyData, path: Path) -> None:
     """Write the figure as PNG: the lead case, if there is one, and the flights of the first
     calibration."""
-    case, calibration = read_lead_case(data.about), data.list_values(c.CALIBRATION)[0]
+    case, calibration = read_lead_case(data.about), data.calibrations[0]
     count = 1 if case is None else 2
     figure = Figure(figsize=(6.2 * count, 6.2), layout="constrained")
     axes: Sequence[Axes] = figure.subplots(1, count, squeeze=False)[0]
@@ -53,17 +60,19 @@ def draw_lead(axes: Axes, case: LeadCase) -> None:
     for number, each in enumerate(flown):
         axes.plot(hours, each, color="0.7", linewidth=0.8, label=None if number else label)
     median = np.median(flown, axis=0)
-    axes.plot(hours, median, color="black", linewidth=2.2, label=f"their median: {median[-1]:.2g}")
+    axes.plot(
+        hours, median, color="black", linewidth=2.2, label=f"their median: {_format(median[-1])}"
+    )
     for stability, name, colour in (
-        (case.circumference_stability, "full circumference", "tab:blue"),
-        (case.fixed_stability, "fixed position", "tab:red"),
+        (case.circumference_stability, "full circumference", CIRCUMFERENCE_COLOUR),
+        (case.fixed_stability, "fixed position", FIXED_COLOUR),
     ):
         promised = case.promise(stability) / NAUTICAL_MILE
-        label = f"promised by the {name}, {stability:.2g} deg/h: {promised[-1]:.2g}"
+        label = f"promised by the {name}, {stability:.2g} deg/h: {_format(promised[-1])}"
         axes.plot(hours, promised, colour, linestyle="--", linewidth=2, label=label)
     axes.set_yscale("log")
     axes.set_xlabel("time since alignment, h")
-    axes.set_ylabel("horizontal position error, nmi (1 nmi = 1.852 km)")
+    axes.set_ylabel(f"horizontal position error, {NMI}, log axis")
     axes.set_title(f"The gyro of the paper's Table 2, mean removed: {case.mission}", fontsize=11)
     _finish(axes)
 
@@ -95,8 +104,8 @@ def draw_scatter(axes: Axes, data: StudyData, calibration: str) -> None:
         axes.plot([], [], MARKERS[place % len(MARKERS)], color="0.4", markersize=4, label=name)
     axes.set_xscale("log")
     axes.set_yscale("log")
-    axes.set_xlabel("predicted from the bench, nmi")
-    axes.set_ylabel("flown, nmi (1 nmi = 1.852 km)")
+    axes.set_xlabel(f"predicted from the bench, {NMI}, log axis")
+    axes.set_ylabel(f"flown, {NMI}, log axis")
     by = " and ".join(dict.fromkeys(judged[c.FLOWN_BY]))
     title = f"{len(judged)} flights, {by}; {name_calibration(calibration)}"
     axes.set_title(title, fontsize=11)
@@ -111,6 +120,10 @@ def _describe(data: StudyData, calibration: str, key: str) -> str:
     return (
         f"{word} {found[0].value:.2f} ({found[0].low:.2f} to {found[0].high:.2f})" if found else ""
     )
+
+
+def _format(miles: float) -> str:
+    return format_distance(miles * NAUTICAL_MILE)
 
 
 def _read(rows: pd.DataFrame, name: str) -> np.ndarray:

@@ -6,22 +6,22 @@ from pathlib import Path
 
 import numpy as np
 
-from ins_eval.study.predictors.stability_rule import DRIFT_PER_STABILITY
-from ins_eval.study.report.lead_case import format_distance
+from ins_eval.study.report.distances import format_distance, format_range
+from ins_eval.study.report.mission_constants import (
+    BEYOND,
+    CIRCUMFERENCE,
+    FIXED,
+    LARGEST_STABILITY,
+    METRES_PER_DEG_H,
+    SENTENCE,
+    SMALLEST_STABILITY,
+    MissionConstant,
+    read_constants,
+)
 from ins_eval.study.study_data import StudyData, StudyDataError, read_study_data
-from ins_eval.study.tables import columns as c
-from ins_eval.study.tables.score import SPEARMAN
 from pyhrg.common.arguments import check_number
 from pyhrg.common.errors import HrgError
-from pyhrg.common.units import DEG_PER_H, HOUR
-
-LARGEST_STABILITY = 100.0
-"""Largest stability that is accepted, deg/h."""
-RULES: Mapping[str, tuple[str, str, str]] = {
-    "fixed_deg_h": (c.FIXED_RULE, c.FIXED_CLASS, "fixed position"),
-    "circumference_deg_h": (c.CIRCUMFERENCE_RULE, c.CIRCUMFERENCE_CLASS, "full circumference"),
-}
-"""Predictor by the usual rule, predictor by the constant of the class, and name of each test."""
+from pyhrg.common.pages.svg import format_number
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,8 @@ class PredictedError:
 
     test: name of the test; stability: rms of the three gyros, deg/h; rule: by 0.01 deg/h = 1 nmi/h;
     median, low, high: by the constant of the class, with its interval at `interval_percent`;
-    spearman: rank correlation of this test's figure with the errors of the study's gyros.
+    spearman: rank correlation of this test's figure with the errors of the study's gyros; smallest,
+    largest: stabilities of the study's triads, deg/h.
     """
 
     test: str
@@ -43,13 +44,23 @@ class PredictedError:
     high: float
     interval_percent: float
     spearman: float
+    smallest: float
+    largest: float
 
     def __str__(self) -> str:
-        return (
-            f"{self.test}, {self.stability:g} deg/h: {format_distance(self.median)} after "
-            f"{self.hours:g} h of {self.mission} ({self.interval_percent:g} %: "
-            f"{format_distance(self.low)} to {format_distance(self.high)}); by the usual rule "
-            f"{format_distance(self.rule)}; the test ranks gyros with Spearman {self.spearman:.2f}"
+        ends = {name: format_number(getattr(self, name), 2) for name in ("smallest", "largest")}
+        within = self.smallest <= self.stability <= self.largest
+        return SENTENCE.format(
+            test=self.test,
+            stability=np.format_float_positional(self.stability, trim="-"),
+            median=format_distance(self.median),
+            hours=f"{self.hours:g}",
+            mission=self.mission,
+            level=f"{self.interval_percent:g}",
+            range=format_range(self.low, self.high),
+            rule=format_distance(self.rule),
+            spearman=f"{self.spearman:.2f}",
+            beyond="" if within else BEYOND.format(**ends),
         )
 
 
@@ -77,42 +88,52 @@ def predict_error(
         HrgError: no figure is given, or one is out of range; the folder holds no study, or one
             without this mission or calibration.
     """
-    found = {"fixed_deg_h": fixed_deg_h, "circumference_deg_h": circumference_deg_h}
+    found = {FIXED.key: fixed_deg_h, CIRCUMFERENCE.key: circumference_deg_h}
     given = {name: value for name, value in found.items() if value is not None}
     if not given:
         raise HrgError(f"found no bench figure, expected {' or '.join(found)}")
     for name, value in given.items():
-        check_number(name, value, 1e-6, LARGEST_STABILITY)
-    data = read_study_data(Path(study))
-    return [_predict(data, mission, calibration, name, value) for name, value in given.items()]
+        check_number(name, value, SMALLEST_STABILITY, LARGEST_STABILITY)
+    return predict_from_study(read_study_data(Path(study)), mission, given, calibration)
 
 
-def _predict(
-    data: StudyData, mission: str, calibration: str, name: str, stability: float
-) -> PredictedError:
-    rows = data.table[
-        (data.table[c.MISSION] == mission) & (data.table[c.CALIBRATION] == calibration)
-    ]
-    if not len(rows):
-        known = " or ".join(data.list_values(c.MISSION))
+def predict_from_study(
+    data: StudyData, mission: str, given: Mapping[str, float], calibration: str
+) -> list[PredictedError]:
+    """`predict_error` from a study that is read, and bench figures by the key of their test.
+
+    Raises:
+        StudyDataError: the study is without this mission or calibration.
+    """
+    constants = {
+        each.test.key: each
+        for each in read_constants(data)
+        if (each.mission, each.calibration) == (mission, calibration)
+    }
+    if not constants:
+        known = " or ".join(data.missions)
         raise StudyDataError(
             f"mission: found no {mission!r}, {calibration} calibrated, in the study, expected "
             f"{known}"
         )
-    usual, own, test = RULES[name]
-    hours = float(rows[c.HOURS].iloc[0])
-    rule = DRIFT_PER_STABILITY * stability * DEG_PER_H * hours * HOUR
-    predictor, reference = c.PREDICTOR_OF[own], rows[c.PREDICTOR_OF[usual].median]
-    median, low, high = (
-        rule * float(np.median(rows[end] / reference))
-        for end in (predictor.median, predictor.low, predictor.high)
+    return [
+        _predict(constants[name], value, data.interval_percent) for name, value in given.items()
+    ]
+
+
+def _predict(constant: MissionConstant, stability: float, level: float) -> PredictedError:
+    rule = METRES_PER_DEG_H * stability * constant.hours
+    return PredictedError(
+        test=constant.test.name,
+        mission=constant.mission,
+        hours=constant.hours,
+        stability=stability,
+        rule=rule,
+        median=rule * constant.median,
+        low=rule * constant.low,
+        high=rule * constant.high,
+        interval_percent=level,
+        spearman=constant.spearman,
+        smallest=constant.smallest,
+        largest=constant.largest,
     )
-    ranked = data.select(
-        SPEARMAN,
-        predictor=usual,
-        calibration=calibration,
-        mission_class=str(rows[c.CLASS].iloc[0]),
-    )
-    spearman = ranked[0].value if ranked else float("nan")
-    level = data.interval_percent
-    return PredictedError(test, mission, hours, stability, rule, median, low, high, level, spearman)

@@ -5,8 +5,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from ins_eval.study.report.claims import describe_claim, describe_conditions, judge_claims
+from ins_eval.study.report.distances import format_distance, format_range
 from ins_eval.study.report.figures.filters import name_calibration
-from ins_eval.study.report.lead_case import format_distance, read_lead_case
+from ins_eval.study.report.lead_case import read_lead_case
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.summary.outcome import Outcome, list_outcomes
 from ins_eval.study.tables import columns as c
@@ -29,7 +30,7 @@ def summarize(data: StudyData) -> str:
 def state_verdict(data: StudyData) -> str:
     """Each claim with its verdict, interval and number of triads; then where they fail, and how
     far linear and co-simulated flights differ without noise."""
-    calibrations = data.list_values(c.CALIBRATION)
+    calibrations = data.calibrations
     lines = []
     for calibration in calibrations:
         if len(calibrations) > 1:
@@ -65,9 +66,8 @@ def _describe(outcome: Outcome, data: StudyData) -> Iterator[str]:
         ("predicted from the fitted map", FITTED_MAP),
     ):
         yield f"  {title:<{WIDTH}}{format_distance(float(np.median(outcome.get_predicted(key))))}"
-    low, high = map(format_distance, outcome.flown_interval)
     median = format_distance(float(np.median(outcome.flown)))
-    yield f"  {'flown':<{WIDTH}}{median}, 95 %: {low} to {high}"
+    yield f"  {'flown':<{WIDTH}}{median}, 95 %: {format_range(*outcome.flown_interval)}"
     mission_class = outcome.flights[c.CLASS].iloc[0]
     for s in data.select(
         CLASS_CONSTANT, calibration=outcome.calibration, mission_class=mission_class

@@ -15,7 +15,7 @@ from ins_eval.study.report.lead_case import LeadCase, read_lead_case
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.summary.figure import draw_figure
 from ins_eval.study.summary.outcome import SHOWN_PREDICTORS, Outcome, list_outcomes
-from ins_eval.study.tables.columns import CALIBRATION, CIRCUMFERENCE_RULE, FIXED_RULE, TRIAD
+from ins_eval.study.tables.columns import CIRCUMFERENCE_RULE, FIXED_RULE, TRIAD
 from ins_eval.study.tables.score import AGREEMENT, CLASS_CONSTANT, STEADY_AGREEMENT
 from pyhrg.common.units import NAUTICAL_MILE
 
@@ -40,7 +40,7 @@ def _make_document(data: StudyData, outcomes: Sequence[Outcome]) -> dict[str, An
         "hrg": version("hrg"),
         "seed": data.about["seed"],
         **({} if case is None else _describe_lead(case)),
-        "claims": {key: _describe_claims(data, key) for key in data.list_values(CALIBRATION)},
+        "claims": {key: _describe_claims(data, key) for key in data.calibrations},
         "where_claims_fail": describe_conditions(data),
         "class_constants": [score.describe() for score in data.select(CLASS_CONSTANT)],
         "flights": [_describe(outcome) for outcome in outcomes],

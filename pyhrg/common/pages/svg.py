@@ -67,7 +67,10 @@ def make_vertical_scale(low: float, high: float, log: bool = True) -> Scale:
 
 
 def draw_frame(x: Scale, y: Scale, x_label: str, y_label: str) -> str:
-    """Grid, ticks and labels."""
+    """Grid, ticks and labels; the label of a logarithmic axis says so."""
+    x_label, y_label = (
+        f"{text}, log axis" if scale.log else text for scale, text in ((x, x_label), (y, y_label))
+    )
     middle = (TOP + BOTTOM) / 2
     return (
         f"{draw_horizontal_ticks(x, TOP, BOTTOM)}{draw_vertical_ticks(y, LEFT, RIGHT)}"
@@ -114,14 +117,26 @@ def draw_line(x: Array, y: Array) -> str:
     return "M" + "L".join(f"{a:.1f} {b:.1f}" for a, b in zip(x, y, strict=True))
 
 
-def format_number(value: float) -> str:
-    """Format a number with three digits: 0.012, 3.4, 12,300, 2.5e+06."""
+def format_number(value: float, digits: int = 3) -> str:
+    """Format a number with a few significant digits: 0.012, 3.4, 12,300, 2.5e+06."""
     if not math.isfinite(value):
         return "–" if math.isnan(value) else ("∞" if value > 0 else "−∞")
     if value == 0 or 1e-3 <= abs(value) < 1e6:
-        digits = 2 - math.floor(math.log10(abs(value))) if value else 0
-        text = f"{round(value, digits):,.{max(digits, 0)}f}"
+        decimals = digits - 1 - math.floor(math.log10(abs(value))) if value else 0
+        text = f"{round(value, decimals):,.{max(decimals, 0)}f}"
         text = text.rstrip("0").rstrip(".") if "." in text else text
     else:
-        text = f"{value:.3g}"
+        text = f"{value:.{digits}g}"
     return text.replace("-", "−")
+
+
+def format_estimate(value: float, low: float, high: float) -> tuple[str, str, str]:
+    """Format a number and the ends of its interval to two digits of the interval's width, such as
+    0.965, 0.918 and 0.983; with three digits each where there is no interval."""
+    width = high - low
+    if not (math.isfinite(width) and math.isfinite(value) and width > 0):
+        return format_number(value), format_number(low), format_number(high)
+    decimals = max(1 - math.floor(math.log10(width)), 0)
+    rounded = (round(number, decimals) + 0.0 for number in (value, low, high))
+    texts = (f"{number:,.{decimals}f}".replace("-", "−") for number in rounded)
+    return next(texts), next(texts), next(texts)

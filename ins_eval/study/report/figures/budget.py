@@ -9,6 +9,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
+from ins_eval.study.report.distances import NMI
 from ins_eval.study.report.figures.filters import make_filter_attributes, name_calibration
 from ins_eval.study.report.figures.parts import Row, format_interval, make_legend, make_table
 from ins_eval.study.study_data import StudyData
@@ -22,7 +23,7 @@ SEED = 0
 BAR = 140
 """Width of a stacked bar, px."""
 CAPTION = (
-    "rms of each part and of the flown error, nmi, with 95 % intervals (bootstrap over triads, "
+    f"rms of each part and of the flown error, {NMI}, with 95 % intervals (bootstrap over triads, "
     f"{RESAMPLES:,} draws, seed {SEED}). Parts add as vectors: shares are of the sum "
     "of their mean squares."
 )
@@ -67,9 +68,12 @@ def render_budget(data: StudyData) -> str:
         (("", *entry) for entry in zip(colours, texts, strict=True)), "Parts of the error"
     )
     header = ("Class", "Calibration", "Shares of the mean square", *c.PARTS, "flown", "flights")
+    groups = dict(iter(data.table.groupby([c.CLASS, c.CALIBRATION])))
     rows = (
-        _make_row(str(name), str(calibration), flights)
-        for (name, calibration), flights in data.table.groupby([c.CLASS, c.CALIBRATION])
+        _make_row(name, calibration, groups[name, calibration])
+        for calibration in data.calibrations
+        for name in data.classes
+        if (name, calibration) in groups
     )
     return legend + make_table(CAPTION, header, rows)
 

@@ -4,12 +4,12 @@ import html
 
 from ins_eval.study.report.figures.parts import make_legend
 from ins_eval.study.study_data import StudyData
-from ins_eval.study.tables.columns import CLASS
 from ins_eval.study.tables.score import ALL
 
 CALIBRATIONS = {"map": "whole map calibrated", "mean": "mean calibrated"}
-COLOURS = 8
-"""Number of colours in the page's style."""
+COLOURS = 12
+"""Number of colours in the style of all pages (`base.css`); a study of more classes of manoeuvre
+repeats them."""
 
 
 def make_filter_attributes(mission_class: str = ALL, calibration: str = ALL) -> str:
@@ -22,7 +22,7 @@ def make_filter_attributes(mission_class: str = ALL, calibration: str = ALL) -> 
 
 def choose_colour(data: StudyData, mission_class: str) -> str:
     """CSS class of the colour of a mission class."""
-    return f"c{data.list_values(CLASS).index(mission_class) % COLOURS}"
+    return f"c{data.classes.index(mission_class) % COLOURS}"
 
 
 def name_calibration(key: str) -> str:
@@ -32,6 +32,6 @@ def name_calibration(key: str) -> str:
 
 def make_class_legend(data: StudyData) -> str:
     """Colours of the mission classes."""
-    names = data.list_values(CLASS)
+    names = data.classes
     entries = ((make_filter_attributes(name), choose_colour(data, name), name) for name in names)
     return make_legend(entries, "Colours of mission classes")

@@ -9,7 +9,15 @@ from ins_eval.study.report.figures.filters import make_filter_attributes, name_c
 from ins_eval.study.report.figures.parts import Row, format_interval, make_table
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
-from ins_eval.study.tables.score import ALL, COVERAGE, SCORES, Score
+from ins_eval.study.tables.score import (
+    ALL,
+    COVERAGE,
+    R2_COMPONENTS,
+    R2_MOUNTED,
+    R2_RADIAL,
+    SCORES,
+    Score,
+)
 from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.common.pages.svg import Scale
 
@@ -17,6 +25,14 @@ BAR = 96
 """Width of a drawn interval, px."""
 TITLES = {p.key: p.title for p in c.PREDICTORS} | c.FIGURE_TITLES | {"": "Figure"}
 """Headings of the columns by predictor; "" for scores without one."""
+
+NEGATIVE_R2 = {
+    R2_RADIAL: "worse than the mean",
+    R2_COMPONENTS: "worse than zero",
+    R2_MOUNTED: "worse than zero",
+}
+"""Words for a prediction whose R2 is below 0: the mean of the flown errors is nearer to them, or
+for errors north and east, whose R2 is about zero, no prediction at all."""
 
 
 @dataclass(frozen=True)
@@ -37,20 +53,20 @@ class IntervalAxis:
 def render_matrices(data: StudyData, score: str, axis: IntervalAxis, shuffled: bool = False) -> str:
     """Tables of a score, one for each calibration."""
     scores = data.select(score, shuffled=shuffled)
-    kinds = sorted({s.calibration for s in scores})
-    if not kinds:
+    if not scores:
         what = SCORES[score] + (", devices shuffled" if shuffled else "")
         return make_paragraph(f"Not scored in this study: {what}.")
-    groups = ([s for s in scores if s.calibration == kind] for kind in kinds)
-    return "".join(_render(group, axis, data.interval_percent) for group in groups)
+    groups = ([s for s in scores if s.calibration == kind] for kind in data.calibrations)
+    return "".join(_render(data, group, axis) for group in groups if group)
 
 
-def _render(scores: Sequence[Score], axis: IntervalAxis, interval_percent: float) -> str:
+def _render(data: StudyData, scores: Sequence[Score], axis: IntervalAxis) -> str:
     first = scores[0]
     order = [key for key in TITLES if any(s.predictor == key for s in scores)]
-    classes = sorted({s.mission_class for s in scores}, key=lambda name: (name != ALL, name))
+    scored = {s.mission_class for s in scores}
+    classes = [name for name in (ALL, *data.classes) if name in scored]
     return make_table(
-        _make_caption(scores, interval_percent),
+        _make_caption(scores, data.interval_percent),
         ("Class", *(TITLES[key] for key in order), "triads"),
         (_make_row(scores, name, order, axis) for name in classes),
         make_filter_attributes(ALL, first.calibration),
@@ -88,11 +104,23 @@ def _make_row(scores: Sequence[Score], name: str, order: Sequence[str], axis: In
 def _render_cell(score: Score | None, axis: IntervalAxis) -> str:
     if score is None or math.isnan(score.value):
         return "–"
-    cell = f"{format_interval(score.value, score.low, score.high)}<br>{_draw_bar(score, axis)}"
+    cell = f"{render_estimate(score)}<br>{_draw_bar(score, axis)}"
     if score.verdict:
         asked = f"{html.escape(score.asked)}: {score.verdict}"
         cell += f'<br><span class="{score.verdict}">{asked}</span>'
     return cell
+
+
+def render_estimate(score: Score) -> str:
+    """Markup of a score with its interval below; an R2 below zero in words."""
+    text = format_interval(score.value, score.low, score.high)
+    words = name_negative_r2(score)
+    return f"<b>{words}</b><br><small>R2</small> {text}" if words else text
+
+
+def name_negative_r2(score: Score) -> str:
+    """What an R2 below zero says in words; nothing for other scores."""
+    return NEGATIVE_R2.get(score.score, "") if score.value < 0 else ""
 
 
 def _draw_bar(score: Score, axis: IntervalAxis) -> str:

@@ -101,8 +101,8 @@ def make_table(
 
 def format_interval(value: float, low: float, high: float) -> str:
     """Markup of a number with its interval below."""
-    ends = f"{svg.format_number(low)} to {svg.format_number(high)}"
-    return f"<b>{svg.format_number(value)}</b><br><small>{ends}</small>"
+    middle, *ends = svg.format_estimate(value, low, high)
+    return f"<b>{middle}</b><br><small>{' to '.join(ends)}</small>"
 
 
 def make_fold(title: str, content: str) -> str:

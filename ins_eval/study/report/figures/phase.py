@@ -60,7 +60,7 @@ def _draw(data: StudyData, test: str, rows: Sequence[Mapping[str, Any]]) -> str:
     return draw_axes(
         x,
         y,
-        ("turning, pattern revolutions per hour (log)", "bias map / in-run stability (log)"),
+        ("turning, pattern revolutions per hour", "bias map / in-run stability"),
         cells + marks,
         f"{test}: percent of flights predicted, by turning and by map over noise",
     )
@@ -77,10 +77,10 @@ def _draw_cell(x: svg.Scale, y: svg.Scale, row: Mapping[str, Any], wide: float, 
     at, ratio, share = row["turning_rev_per_h"], row["map_over_noise"], row["share"]
     left, right = float(x(at / wide)), float(x(at * wide))
     top, bottom = float(y(ratio * high)), float(y(ratio / high))
-    frame = ' stroke="currentColor"' if share >= TRUTH else ""
+    frame = ' stroke="var(--text)"' if share >= TRUTH else ""
     return (
         f'<g class="c0"><rect x="{left + 1:.1f}" y="{top + 1:.1f}" width="{right - left - 2:.1f}" '
         f'height="{bottom - top - 2:.1f}" fill="currentColor" fill-opacity="{0.6 * share:.2f}"'
-        f'{frame}/></g><text class="tick" x="{(left + right) / 2:.1f}" '
+        f'{frame}/></g><text class="cell" x="{(left + right) / 2:.1f}" '
         f'y="{(top + bottom) / 2 + 4:.1f}" text-anchor="middle">{100 * share:.0f}</text>'
     )

@@ -5,6 +5,7 @@ import html
 import numpy as np
 import pandas as pd
 
+from ins_eval.study.report.distances import NMI
 from ins_eval.study.report.figures.dots import draw_dots, select_positive
 from ins_eval.study.report.figures.filters import make_class_legend
 from ins_eval.study.report.figures.parts import Panel, draw_axes, draw_equality, join_panels
@@ -42,7 +43,7 @@ def _draw(
     return draw_axes(
         x,
         y,
-        ("predicted, nmi", "flown, nmi (1 nmi = 1.852 km)"),
+        (f"predicted, {NMI}", f"flown, {NMI}"),
         f'{draw_equality(x, y)}{dots}<circle class="mark" r="7" visibility="hidden"/>',
         f"{predictor.title}: flown against predicted horizontal error, {len(rows)} flights. "
         "Arrow keys step through them.",

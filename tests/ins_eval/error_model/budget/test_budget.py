@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from matplotlib.colors import to_hex
 
 from ins_eval.alignment.analytic import level_and_gyrocompass
 from ins_eval.common.sensor_errors import SensorErrors
@@ -14,7 +15,11 @@ from ins_eval.error_model.budget.budget import (
     compute_budget,
     sum_contributions,
 )
-from ins_eval.error_model.budget.budget_figure import MAX_SHOWN_EFFECTS, plot_budget
+from ins_eval.error_model.budget.budget_figure import (
+    INITIAL_COLOUR,
+    MAX_SHOWN_EFFECTS,
+    plot_budget,
+)
 from ins_eval.error_model.effects import BIASES, Effect
 from ins_eval.error_model.linear_model import join_models, linearize
 from ins_eval.error_model.motion import sample_motion
@@ -135,6 +140,8 @@ def test_figure(signals: dict[str, Increments]) -> None:
     many = {f"{name} {k}": signal for k in range(4) for name, signal in signals.items()}
     for shown, title in ((signals, "Few"), (many, "Many")):
         figure = plot_budget(own, compute_budget(own, shown, np.zeros(COUNT)), title)
-        labels = figure.axes[2].get_legend_handles_labels()[1]
+        handles, labels = figure.axes[2].get_legend_handles_labels()
+        colours = {to_hex(each.get_color()) for each in handles}
+        assert len(colours | {to_hex(INITIAL_COLOUR)}) == len(handles) + 1
         assert len(labels) == min(len(shown), MAX_SHOWN_EFFECTS) + 1
         assert figure.get_suptitle().startswith(title)

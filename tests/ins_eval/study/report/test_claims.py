@@ -4,14 +4,16 @@ from dataclasses import replace
 
 import pytest
 
+from ins_eval.study.report.claim_table import render_claims
 from ins_eval.study.report.claims import (
     describe_claim,
     describe_conditions,
     format_score,
     judge_claims,
-    judge_condition,
+    judge_conditions,
+    list_failures,
+    state_claims,
 )
-from ins_eval.study.report.condition_section import render_classes
 from ins_eval.study.specification import TEST
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import score as scored
@@ -56,10 +58,13 @@ def test_where_a_claim_fails_is_said_with_its_figure() -> None:
     (judged,) = judge_claims(study(overall, R2, CAR), "map")
     assert describe_claim(judged) == (
         "(c) The fitted map and the trajectory predict each flight: HOLDS IN PART. R2 of single "
-        "flights 0.95 (0.94 to 0.96) (n = 40 triads, 2 classes). Not shown in car: R2 of single "
-        "flights 0.9 (0.85 to 0.94), required >= 0.97: fails."
+        "flights 0.950 (0.940 to 0.960) (n = 40 triads, 2 classes). Not shown in car: R2 of single "
+        "flights 0.900 (0.850 to 0.940), required >= 0.97: fails."
     )
-    assert "0.9 (0.85 to 0.94)" in render_classes(study(overall, R2, CAR))
+    assert "<b>0.900</b><br><small>0.850 to 0.940" in render_claims(study(overall, R2, CAR))
+    assert state_claims(study(R2, CAR)) == (
+        "Mean calibrated: no claim was scored; whole map calibrated: (c) holds in part."
+    )
 
 
 def test_ceiling_stands_beside_what_does_not_hold() -> None:
@@ -69,8 +74,8 @@ def test_ceiling_stands_beside_what_does_not_hold() -> None:
     (judged,) = judge_claims(result, "map")
     assert judged.verdict == "holds in part"
     assert describe_claim(judged).endswith(
-        "fails. Beside it, car: ceiling, R2 of the true maps with the mounting unknown 0.92 "
-        "(0.88 to 0.95)."
+        "fails. Beside it, car: R2 of the true maps, mounting unknown: the ceiling 0.920 "
+        "(0.880 to 0.950)."
     )
 
 
@@ -82,11 +87,16 @@ def test_controls_and_other_calibrations_decide_nothing() -> None:
 def test_r2_below_zero_is_worse_than_the_mean() -> None:
     assert format_score(replace(R2, value=-0.5, low=-1, high=0.1)).endswith("worse than the mean")
     assert "worse" not in format_score(R2)
+    control = replace(R2, value=-0.5, low=-1, high=0.1, score=scored.R2_COMPONENTS)
+    assert format_score(control).endswith("worse than zero")
 
 
 def test_conditions_name_the_claims_that_fail() -> None:
     result = synthetic(12)
-    assert [each.claim.letter for each in judge_condition(result, "self-calibrated")] == [*"abc"]
+    assert [each.claim.letter for each in judge_conditions(result)] == [*"abc"]
+    (_, _, none), (_, n, failing) = list_failures(result)
+    assert (none, n) == ([], 12)
+    assert failing[0].startswith("(b) flown / predicted, by the class constant")
     first, second = describe_conditions(result)
     assert first == "straight & level (12 triads, linear flights): no claim fails."
     assert second.startswith("self-calibrated (12 triads, linear flights): (b) flown / predicted")

@@ -2,7 +2,8 @@
 
 import pytest
 
-from ins_eval.study.report.lead_case import format_distance, read_lead_case
+from ins_eval.study.report.distances import format_distance, format_range
+from ins_eval.study.report.lead_case import read_lead_case
 from tests.ins_eval.study.report.synthetic import LEAD
 
 
@@ -13,10 +14,13 @@ def test_sentences_are_of_the_promises_and_the_flights() -> None:
     assert case.promised_fixed == pytest.approx(0.09 * 1852)
     assert case.promised_circumference == pytest.approx(10 * 1852)
     first, second, third = case.sentences
-    assert "promises 0.09 nmi (0.17 km) by the fixed-position test and 10 nmi" in case.headline
+    assert "is 5 nmi (9.3 km) off; the test at a fixed position promises 0.09 nmi" in case.headline
+    assert "the test over the full circumference 10 nmi (19 km)." in case.headline
     assert "0.0009 deg/h at a fixed position, which promises 0.09 nmi (0.17 km)" in first
     assert "promises 10 nmi (19 km)" in second
-    assert "3 start angles, err by 5 nmi (9.3 km) (median; 2 to 10 nmi): 56 times" in third
+    assert (
+        "err by 5 nmi (9.3 km), the median of flights from 2 to 10 nmi (3.7 to 19 km): 56 " in third
+    )
     assert third.endswith("the circumference promises 2 times as much.")
     assert case.drawing.count('class="flight"') == 3
 
@@ -24,3 +28,6 @@ def test_sentences_are_of_the_promises_and_the_flights() -> None:
 def test_a_study_without_one() -> None:
     assert read_lead_case({"lead": {}}) is read_lead_case({}) is None
     assert format_distance(1852.0) == "1 nmi (1.9 km)"
+    assert format_distance(185200.0) == "100 nmi (190 km)"
+    assert format_distance(1.25 * 1852) == "1.3 nmi (2.3 km)"
+    assert format_range(185.2, 1852.0) == "0.1 to 1 nmi (0.19 to 1.9 km)"

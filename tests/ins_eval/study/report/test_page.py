@@ -99,7 +99,7 @@ def test_names_are_only_names(result: StudyData) -> None:
     table = result.table.replace({c.MISSION: {"car": evil}, c.CLASS: {"car": evil}})
     text = render_page(replace(result, table=table))
     assert evil not in text
-    assert text.count("<script") == 2
+    assert text.count("<script") == 3
     elements(text)
 
 

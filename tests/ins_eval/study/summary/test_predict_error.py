@@ -34,6 +34,15 @@ def test_error_is_the_rule_times_the_constant_of_the_class(folder: Path) -> None
     )
 
 
+def test_figures_beyond_the_study_are_said_to_be(folder: Path) -> None:
+    within, beyond = (
+        predict_error(folder, "ship", circumference_deg_h=value)[0] for value in (0.1, 10.0)
+    )
+    assert within.smallest < 0.1 < within.largest < 10
+    assert "beyond" not in str(within)
+    assert "beyond the study's triads, which have 0.0" in str(beyond)
+
+
 def test_command_prints_a_line_for_each_figure(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -57,3 +57,26 @@ def test_points_lie_where_they_were_put_each_once() -> None:
 )
 def test_numbers_are_told_in_three_digits(value: float, text: str) -> None:
     assert svg.format_number(value) == text
+
+
+@pytest.mark.parametrize(
+    ("given", "texts"),
+    [
+        ((0.00656, -0.189, 0.188), ("0.01", "−0.19", "0.19")),
+        ((0.9653, 0.9181, 0.9832), ("0.965", "0.918", "0.983")),
+        ((-52.5, -131.2, -21.1), ("−52", "−131", "−21")),
+        ((-0.001, -0.2, 0.2), ("0.00", "−0.20", "0.20")),
+        ((0.5, 0.5, 0.5), ("0.5", "0.5", "0.5")),
+        ((0.5, np.nan, np.nan), ("0.5", "–", "–")),
+    ],
+)
+def test_estimates_have_two_digits_of_their_interval(
+    given: tuple[float, float, float], texts: tuple[str, str, str]
+) -> None:
+    assert svg.format_estimate(*given) == texts
+
+
+def test_log_axes_are_named() -> None:
+    x, y = svg.make_horizontal_scale(0.0, 1.0, log=False), svg.make_vertical_scale(1.0, 10.0)
+    labels = re.findall(r'text-anchor="middle">(\D[^<]*)<', svg.draw_frame(x, y, "time", "error"))
+    assert labels == ["time", "error, log axis"]

@@ -197,7 +197,6 @@ PROCEDURE: Procedure = Procedure(
     name="calibration",
     group="calibration",
     title="Bias map and scale-factor map: fitted, applied, and what they leave",
-    rows=("bias stability, room temperature", "scale factor stability, room temperature"),
     source="paper Eqs. 2, 3 and 5; tests as full-circumference and scale-factor-angle",
     kinds=KINDS,
     record=record,

@@ -170,7 +170,6 @@ PROCEDURE: Procedure = Procedure(
     name="dead-zone",
     group="dead zone",
     title="Dead zone, its compensation and its cancellation",
-    rows=("threshold",),
     source="paper 2.4, Eqs. 4 to 7; Adler 1946",
     kinds=(MAP, PLAIN, COMPENSATED, CANCELLED, "rate"),
     record=record,

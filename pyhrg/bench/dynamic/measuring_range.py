@@ -188,7 +188,6 @@ PROCEDURE: Procedure = Procedure(
     name="range",
     group="dynamic",
     title="Measuring range",
-    rows=("measuring range",),
     source="paper Table 1; IEEE Std 1431: input range, highest rate within the nonlinearity limit",
     kinds=(KIND,),
     record=record,

@@ -203,7 +203,6 @@ PROCEDURE: Procedure = Procedure(
     name="start-up",
     group="dynamic",
     title="Start-up time, to valid output and to specification",
-    rows=("start-up time",),
     source="paper 2.3, 3.2; IEEE Std 1431-2004, 5.3.6",
     kinds=(KIND,),
     record=record,

@@ -214,7 +214,6 @@ PROCEDURE: Procedure = Procedure(
     name="threshold",
     group="dynamic",
     title="Threshold around the dead zone",
-    rows=("threshold",),
     source="paper 2.4, 3.2; IEEE Std 528: threshold; GJB 585B, half of the expected output",
     kinds=(KIND,),
     record=record,

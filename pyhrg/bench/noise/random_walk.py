@@ -205,7 +205,6 @@ PROCEDURE: Procedure = Procedure(
     name="random-walk",
     group="noise",
     title="Random walk without and with virtual rotation",
-    rows=("random walk",),
     source="paper 2.5 and 3.2; IEEE Std 952, annex C; restricted likelihood of the angle",
     kinds=KINDS,
     record=record,

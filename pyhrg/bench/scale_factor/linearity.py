@@ -206,11 +206,6 @@ PROCEDURE: Procedure = Procedure(
     name="linearity",
     group="scale factor",
     title="Scale-factor nonlinearity, symmetry and repeatability",
-    rows=(
-        "scale factor nonlinearity",
-        "scale factor symmetry",
-        "scale factor repeatability, room temperature",
-    ),
     source="GJB 2426A and IEEE Std 952 (formulas); whole periods of the pattern: paper 1.2",
     kinds=(KIND,),
     record=record,

@@ -113,7 +113,6 @@ PROCEDURE: Procedure = Procedure(
     name="scale-factor-angle",
     group="scale factor",
     title="Scale factor over the circumference, method A (5 deg/s, angle)",
-    rows=("scale factor stability, room temperature",),
     source="paper 4.2, first method, and Eqs. 2 and 3; both directions: docs/paper.md",
     kinds=(KIND,),
     record=record,

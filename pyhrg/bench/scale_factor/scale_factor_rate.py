@@ -158,7 +158,6 @@ PROCEDURE: Procedure = Procedure(
     name="scale-factor-rate",
     group="scale factor",
     title="Scale factor over the circumference, method B (100 deg/s, rate)",
-    rows=("scale factor stability, room temperature",),
     source="paper 4.2, second method, and Eqs. 2 and 3; both directions: docs/paper.md",
     kinds=(KIND,),
     record=record,

@@ -212,7 +212,6 @@ PROCEDURE: Procedure = Procedure(
     name="self-calibration",
     group="self-calibration",
     title="Self-calibration by virtual rotation: gained and lost",
-    rows=("bias repeatability, room temperature", "random walk"),
     source="paper 2.5 and 4.2 (left open there)",
     kinds=KINDS,
     record=record,

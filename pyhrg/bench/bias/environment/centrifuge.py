@@ -66,7 +66,6 @@ PROCEDURE: Procedure = Procedure(
     name="centrifuge",
     group="bias",
     title="Bias on the centrifuge",
-    rows=("g-dependent bias",),
     source="paper 3.2 (centrifuge test and model); IEEE Std 1431-2004",
     kinds=(KIND,),
     record=record,

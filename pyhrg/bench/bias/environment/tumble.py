@@ -92,7 +92,6 @@ PROCEDURE: Procedure = Procedure(
     name="tumble",
     group="bias",
     title="Bias under gravity (12 positions)",
-    rows=("g-dependent bias",),
     source="IEEE Std 1431-2004, multi-position tumble; paper 2.2 and 3.2",
     kinds=(KIND,),
     record=record,

@@ -232,7 +232,6 @@ PROCEDURE: Procedure = Procedure(
     name="vibration-shock",
     group="bias",
     title="Bias before, during and after vibration and shock",
-    rows=("bias change before, during and after vibration", "shock resistance"),
     source="paper Table 1 and 2.2; GJB 2426A, vibration and shock tests",
     kinds=(BEFORE, *STATES, SHOCK),
     record=record,

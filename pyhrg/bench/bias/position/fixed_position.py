@@ -86,7 +86,6 @@ PROCEDURE: Procedure = Procedure(
     name="fixed-position",
     group="bias",
     title="Bias at a fixed position (old method)",
-    rows=("bias stability, room temperature", "bias repeatability, room temperature"),
     source="paper 4.1 (original method, Table 2); GJB 2426A, fibre-optic gyros",
     kinds=(KIND,),
     record=record,

@@ -236,7 +236,6 @@ PROCEDURE: Procedure = Procedure(
     name="full-circumference",
     group="bias",
     title="Bias over the full circumference (8N positions)",
-    rows=("bias stability, room temperature", "bias repeatability, room temperature"),
     source="paper 4.1, items 1 to 5; harmonics and tilt: docs/paper.md",
     kinds=(KIND,),
     record=record,

@@ -188,7 +188,6 @@ PROCEDURE: Procedure = Procedure(
     name="annual",
     group="bias",
     title="Bias and scale factor over a year",
-    rows=("annual bias stability", "annual scale factor stability"),
     source="paper Table 1; monthly power-ons, standard deviation and range",
     kinds=(KIND,),
     record=record,

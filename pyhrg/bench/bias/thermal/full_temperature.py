@@ -183,12 +183,6 @@ PROCEDURE: Procedure = Procedure(
     name="full-temperature",
     group="bias",
     title="Bias and scale factor over temperature",
-    rows=(
-        "bias stability, full temperature",
-        "bias repeatability, full temperature",
-        "scale factor stability, full temperature",
-        "scale factor repeatability, full temperature",
-    ),
     source="paper Table 1; GJB 2426A and IEEE Std 1431, temperature tests: soaks and ramps",
     kinds=(KIND,),
     record=record,

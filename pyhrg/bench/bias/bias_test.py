@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pyhrg.bench.outcome import Finding, estimate_deviation, estimate_mean
-from pyhrg.bench.readings.segments import Segments
+from pyhrg.bench.readings.segments import Points
 from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG_PER_H
@@ -68,6 +68,6 @@ class BiasTest:
         return Table("Runs, deg/h", ("run", "mean", "std. dev."), tuple(rows))
 
 
-def summarize_runs(runs: Sequence[Segments]) -> BiasTest:
+def summarize_runs(runs: Sequence[Points]) -> BiasTest:
     """Bias test from the data points of each run."""
     return BiasTest(tuple(segments.rate for segments in runs))

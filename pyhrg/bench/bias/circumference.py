@@ -11,7 +11,7 @@ import numpy as np
 from pyhrg.bench.bias.thermal_programme import SETTLE
 from pyhrg.bench.estimation.harmonics import MEAN, Fit, compute_inflations, fit, make_columns
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.readings.dwells import Points, read_points
+from pyhrg.bench.readings.segments import Points, read_points
 from pyhrg.bench.readings.segments import SEGMENT, WARM_UP
 from pyhrg.common.site import Site
 from pyhrg.records.campaign import Test
@@ -43,7 +43,7 @@ class Circumference:
 
 def fit_circumference(test: Test, site: Site) -> Circumference:
     """Fit of one power-on."""
-    data = read_points(test.log, site.latitude, SETTLE, SEGMENT, WARM_UP, held=())
+    data = read_points(test.log, site.latitude, SETTLE, WARM_UP, held=())
     columns = make_columns(data.pattern_angle, data.pattern_angle, HARMONICS, tilt=False)
     worst = max(compute_inflations(columns).values())
     if worst > LARGEST_INFLATION or len(data) < len(columns) + 2:

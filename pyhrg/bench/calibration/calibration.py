@@ -28,7 +28,7 @@ from pyhrg.bench.calibration.calibration_maps import (
 from pyhrg.bench.figures import COLOURS, finish_axes
 from pyhrg.bench.outcome import Finding, Outcome, estimate_mean
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
-from pyhrg.bench.readings.segments import Segments
+from pyhrg.bench.readings.segments import Points
 from pyhrg.bench.scale_factor import rate_tests
 from pyhrg.bench.scale_factor.rate_tests import list_turn_exclusions, make_turn_power_ons
 from pyhrg.bench.scale_factor.scale_factor import SCALE
@@ -116,7 +116,7 @@ def _exclusions(tests: Campaign) -> tuple[str, ...]:
 
 
 def find_residual_variation(
-    stage: str, found: Calibration, runs: Sequence[Segments]
+    stage: str, found: Calibration, runs: Sequence[Points]
 ) -> tuple[Finding, ...]:
     """What varies over the circumference."""
     deviations = summarize_runs(runs).deviations
@@ -145,7 +145,7 @@ def _verdict(found: dict[str, Finding]) -> str:
     )
 
 
-def draw(figure: Figure, stages: Mapping[str, tuple[Calibration, Sequence[Segments]]]) -> None:
+def draw(figure: Figure, stages: Mapping[str, tuple[Calibration, Sequence[Points]]]) -> None:
     """Before and after: left the position test's points, right the fitted scale factor."""
     bias, scale = figure.subplots(1, 2)
     grid = np.linspace(0.0, np.pi, 361)

@@ -7,14 +7,13 @@ are rates (`pyhrg.theory`).
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 
 from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, Fit
 from pyhrg.bench.estimation.row_fit import Part, compute_inflations, fit_rows
 from pyhrg.bench.outcome import BenchError, Finding
-from pyhrg.bench.readings.segments import AT_REST
+from pyhrg.bench.readings.segments import AT_REST, split_rows
 from pyhrg.common.arrays import Array
 from pyhrg.common.site import Site
 from pyhrg.records import Log
@@ -81,21 +80,16 @@ def find_steady_rows(log: Log, *names: str, at_rest: bool = False) -> list[Rows]
     """
     log.require(*ANGLES, *COMMANDS, *names)
     wait = int(np.ceil(TRANSIENT / log.interval - 1e-9))
-    stretches = []
-    for stretch in log.stretches(*ANGLES, *names):
-        rows = np.arange(len(log.time))[stretch]
-        changed = np.zeros(len(rows), dtype=bool)
-        for name in COMMANDS:
-            held = getattr(log, name)[stretch]
-            changed |= np.diff(held, prepend=held[:1]) != 0
-        if at_rest:
-            table = log.table_angle[stretch]
-            changed |= np.abs(np.diff(table, prepend=table[:1])) > AT_REST
-        bounds = [0, *np.flatnonzero(changed).tolist(), len(rows)]
-        for begin, end in pairwise(bounds):
-            if end - begin - wait >= SHORTEST_ROWS and log.drive_on[rows[begin]] > 0.5:
-                stretches.append(Rows(log, int(rows[begin]) + max(wait, 1), int(rows[end - 1]) + 1))
-    return stretches
+    held = np.stack([getattr(log, name) for name in COMMANDS])
+    changed = np.any(np.diff(held, axis=1, prepend=held[:, :1]) != 0, axis=0)
+    if at_rest:
+        changed |= np.abs(np.diff(log.table_angle, prepend=log.table_angle[:1])) > AT_REST
+    return [
+        Rows(log, begin + max(wait, 1), end)
+        for stretch in log.stretches(*ANGLES, *names)
+        for begin, end in split_rows(stretch, changed[stretch])
+        if end - begin - wait >= SHORTEST_ROWS and log.drive_on[begin] > 0.5
+    ]
 
 
 def require_steady_rows(logs: Sequence[Log], *names: str, at_rest: bool = False) -> list[Rows]:

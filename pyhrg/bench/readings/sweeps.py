@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from pyhrg.bench.estimation.angle_fit import Record, compute_largest_inflation
 from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, name_terms
+from pyhrg.bench.readings.segments import split_rows
 from pyhrg.bench.readings.turns import RATE_TOLERANCE, SETTLE, TURN_TOLERANCE
 from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE
@@ -89,16 +90,12 @@ def find_sweeps(log: Log, latitude: float) -> list[Sweep]:
     """Sweeps of a log in order of time, from a settling time after each change."""
     log.require("table_angle", "axis_up", "virtual_rotation", "gyro_angle", "wave_angle")
     settle = math.ceil(SETTLE / log.interval)
-    stretches = []
-    for stretch in log.stretches("table_angle", "virtual_rotation", "gyro_angle", "wave_angle"):
-        rows = np.arange(len(log.time))[stretch]
-        broken = np.flatnonzero(_find_changes(log, stretch))
-        for first, after in zip([0, *broken], [*broken, len(rows)], strict=True):
-            if after - first > settle + SHORTEST_ROWS:
-                stretches.append(
-                    _read_sweep(log, latitude, slice(rows[first] + settle, rows[after - 1] + 1))
-                )
-    return stretches
+    return [
+        _read_sweep(log, latitude, slice(first + settle, after))
+        for stretch in log.stretches("table_angle", "virtual_rotation", "gyro_angle", "wave_angle")
+        for first, after in split_rows(stretch, _find_changes(log, stretch))
+        if after - first > settle + SHORTEST_ROWS
+    ]
 
 
 def _find_changes(log: Log, rows: slice) -> NDArray[np.bool_]:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.readings.segments import COLUMNS
+from pyhrg.bench.readings.segments import COLUMNS, split_rows
 from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import ARCSEC, DEG
@@ -112,14 +112,12 @@ def _find_steady(log: Log) -> list[slice]:
         turned
     )
     settle = math.ceil(SETTLE / log.interval)
-    stretches = []
-    for stretch in log.stretches(*COLUMNS):
-        rows = np.arange(len(turned))[stretch]
-        broken = np.flatnonzero(~moving[rows] | unsteady[rows])
-        for first, after in zip([0, *broken], [*broken, len(rows)], strict=True):
-            if after - first > settle + 8:
-                stretches.append(slice(int(rows[first]) + settle, int(rows[after - 1]) + 1))
-    return stretches
+    return [
+        slice(first + settle, after)
+        for stretch in log.stretches(*COLUMNS)
+        for first, after in split_rows(stretch, (~moving | unsteady)[stretch])
+        if after - first > settle + 8
+    ]
 
 
 def _read_turn(log: Log, latitude: float, rows: slice) -> Turn:

@@ -15,7 +15,7 @@ from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
 from pyhrg.bench.estimation.terms import PatternBasis, choose_pattern_basis, select_separable
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import list_exclusions, require_tests
-from pyhrg.bench.readings.dwells import Points, join_points, read_points
+from pyhrg.bench.readings.segments import Points, join_points, read_points
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG_PER_H, STANDARD_GRAVITY
 from pyhrg.records.campaign import Campaign

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.dwells import FORCES
+from pyhrg.bench.readings.segments import FORCES
 from pyhrg.common.arrays import Array
 from pyhrg.common.site import Site
 from pyhrg.common.units import STANDARD_GRAVITY

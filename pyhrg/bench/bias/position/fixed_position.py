@@ -14,7 +14,7 @@ from pyhrg.bench.bias.bias_test import RUNS, summarize_runs
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Segments, read_segments
+from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Points, read_segments
 from pyhrg.common.units import DEG, DEG_PER_H, MINUTE
 from pyhrg.records.campaign import Campaign, Test
 
@@ -39,11 +39,11 @@ def record(bench: Bench) -> list[Test]:
     return bench.run(make_power_ons(bench))
 
 
-def read_runs(campaign: Campaign) -> list[Segments]:
+def read_runs(campaign: Campaign) -> list[Points]:
     """Data points of each power-on."""
     latitude = campaign.site.latitude
     logs = [test.log for test in require_tests(campaign, KIND)]
-    runs = [read_segments(log, latitude, 0.0, warm_up=WARM_UP) for log in logs]
+    runs = [read_segments(log, latitude, 0.0) for log in logs]
     for log, run in zip(logs, runs, strict=True):
         if len(run) < 2:
             raise BenchError(
@@ -72,7 +72,7 @@ def evaluate(campaign: Campaign) -> Outcome:
     )
 
 
-def draw(figure: Figure, runs: Sequence[Segments]) -> None:
+def draw(figure: Figure, runs: Sequence[Points]) -> None:
     """Draw the data points against time, one line for each power-on."""
     axes = figure.add_subplot(title=f"Fixed position, {SEGMENT:g} s means")
     for number, run in enumerate(runs, 1):

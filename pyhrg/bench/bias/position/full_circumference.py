@@ -25,7 +25,7 @@ from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_mean
 from pyhrg.bench.procedure import Option, Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Segments
+from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Points
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.campaign import Campaign, Test
@@ -73,7 +73,7 @@ class BiasMap:
             return estimate_mean(label, [fitted.value(name) for fitted in self.fits], "deg/h")
         return self.fits[0].finding(name, label, "deg/h", note="of the first run")
 
-    def remove_tilt(self, run: Segments) -> Array:
+    def remove_tilt(self, run: Points) -> Array:
         """(n,) rates of a run without the tilt of the input axis, rad/s."""
         if not self.tilt:
             return run.rate
@@ -153,13 +153,13 @@ def measure_mean_bias(campaign: Campaign) -> float:
     return fit_map(read_runs(campaign), wanted=(4,), tilt=False).value(MEAN)
 
 
-def read_runs(campaign: Campaign) -> list[Segments]:
+def read_runs(campaign: Campaign) -> list[Points]:
     """Data points of each power-on, equally many at each position."""
     return read_complete_runs(require_tests(campaign, KIND), campaign.site.latitude, SETTLE)[0]
 
 
 def fit_map(
-    runs: Sequence[Segments], wanted: Sequence[int] = HARMONICS, tilt: bool = True
+    runs: Sequence[Points], wanted: Sequence[int] = HARMONICS, tilt: bool = True
 ) -> BiasMap:
     """Bias map of the terms that the positions can separate, fitted to each run.
 
@@ -214,7 +214,7 @@ def _describe_verdict(test: BiasTest, within: float, between: float) -> str:
     return f"{stability}; positions differ {share}."
 
 
-def draw(figure: Figure, runs: Sequence[Segments], fitted: BiasMap) -> None:
+def draw(figure: Figure, runs: Sequence[Points], fitted: BiasMap) -> None:
     """Draw data points and bias map against the pattern angle."""
     axes = figure.add_subplot(
         title="Bias over the circumference" + (", tilt removed" if fitted.tilt else ""),

@@ -20,7 +20,7 @@ from pyhrg.bench.estimation.harmonics import fit, make_columns, name_terms
 from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.procedure import Procedure, require_tests
-from pyhrg.bench.readings.segments import WARM_UP, Segments, read_segments
+from pyhrg.bench.readings.segments import WARM_UP, Points, read_segments
 from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG, DEG_PER_H
@@ -67,7 +67,7 @@ def record(bench: Bench) -> list[Test]:
     )
 
 
-def summarize_plans(runs: Sequence[Segments]) -> list[PlanReport]:
+def summarize_plans(runs: Sequence[Points]) -> list[PlanReport]:
     """Reports of the plans, to which runs belong by number and spacing of their positions."""
     plans: dict[tuple[int, float], list[tuple[float, float]]] = {}
     for run in runs:
@@ -85,7 +85,7 @@ def evaluate(campaign: Campaign) -> Outcome:
     """Range of the bias stability that each plan reports, and the map fitted to all runs."""
     latitude = campaign.site.latitude
     logs = [test.log for test in require_tests(campaign, KIND)]
-    runs = [read_segments(log, latitude, SETTLE, warm_up=WARM_UP) for log in logs]
+    runs = [read_segments(log, latitude, SETTLE) for log in logs]
     pattern, rate = (
         np.concatenate([getattr(run, name) for run in runs]) for name in ("pattern_angle", "rate")
     )

@@ -11,8 +11,7 @@ import numpy as np
 from pyhrg.bench.bias.thermal_programme import SETTLE
 from pyhrg.bench.estimation.harmonics import MEAN, Fit, compute_inflations, fit, make_columns
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.readings.segments import Points, read_points
-from pyhrg.bench.readings.segments import SEGMENT, WARM_UP
+from pyhrg.bench.readings.segments import WARM_UP, Points, read_points
 from pyhrg.common.site import Site
 from pyhrg.records.campaign import Test
 

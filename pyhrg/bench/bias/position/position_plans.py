@@ -20,7 +20,7 @@ from pyhrg.bench.estimation.harmonics import fit, make_columns, name_terms
 from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.procedure import Procedure, require_tests
-from pyhrg.bench.readings.segments import WARM_UP, Points, read_segments
+from pyhrg.bench.readings.segments import Points, read_segments
 from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG, DEG_PER_H

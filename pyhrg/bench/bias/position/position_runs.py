@@ -11,7 +11,7 @@ import numpy as np
 from pyhrg.bench.estimation.harmonics import Fit
 from pyhrg.bench.estimation.spread import estimate_excess
 from pyhrg.bench.outcome import BenchError, Finding, estimate_pooled_deviation
-from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Points, read_segments
+from pyhrg.bench.readings.segments import SEGMENT, Points, read_segments
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Test

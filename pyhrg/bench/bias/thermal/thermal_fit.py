@@ -11,8 +11,7 @@ from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
 from pyhrg.bench.estimation.terms import PatternBasis, choose_pattern_basis, select_separable
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import require_tests
-from pyhrg.bench.readings.segments import Points, join_points, read_points
-from pyhrg.bench.readings.segments import WARM_UP
+from pyhrg.bench.readings.segments import WARM_UP, Points, join_points, read_points
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import MINUTE, ZERO_CELSIUS
 from pyhrg.records import Log

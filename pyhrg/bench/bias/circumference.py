@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pyhrg.bench.bias.thermal_programme import SETTLE
-from pyhrg.bench.estimation.harmonics import MEAN, Fit, compute_inflations, fit, make_columns
+from pyhrg.bench.estimation.harmonics import Fit, compute_inflations, fit, make_columns
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.segments import WARM_UP, Points, read_points
 from pyhrg.common.site import Site
@@ -29,15 +29,6 @@ class Circumference:
 
     points: Points
     fitted: Fit
-
-    def value(self, term: str = MEAN) -> float:
-        """Value of a term, rad/s."""
-        return self.fitted.value(term)
-
-    @property
-    def noise(self) -> float:
-        """Residual sum of squares, (rad/s)^2."""
-        return float(self.fitted.residual @ self.fitted.residual)
 
 
 def fit_circumference(test: Test, site: Site) -> Circumference:

@@ -13,7 +13,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias.bias_test import RUNS, summarize_runs
+from pyhrg.bench.bias.bias_test import RUNS, BiasTest
 from pyhrg.bench.bias.position import full_circumference
 from pyhrg.bench.bias.position.full_circumference import SEGMENTS, make_power_ons, read_runs
 from pyhrg.bench.bias.position.position_runs import estimate_within
@@ -119,7 +119,7 @@ def find_residual_variation(
     stage: str, found: Calibration, runs: Sequence[Points]
 ) -> tuple[Finding, ...]:
     """What varies over the circumference."""
-    deviations = summarize_runs(runs).deviations
+    deviations = BiasTest(runs).deviations
     note = "with the tilt of the input axis, which is none of the map's"
     return (
         estimate_mean(f"bias stability {stage}", deviations, "deg/h", note),

@@ -74,6 +74,11 @@ class Fit:
     freedom: int
     freedoms: Array
 
+    @property
+    def terms(self) -> dict[str, float]:
+        """Values of the terms, SI, by name."""
+        return dict(zip(self.names, self.values.tolist(), strict=True))
+
     def value(self, name: str) -> float:
         """Value of a term, SI."""
         return float(self.values[self.names.index(name)])

@@ -26,9 +26,9 @@ from pyhrg.bench.readings.output_rows import (
     BIAS_TERMS,
     Rows,
     Terms,
-    compute_output_error,
     fit_terms,
     make_bias_columns,
+    make_output_part,
     read_bryan_factor,
     require_steady_rows,
 )
@@ -73,12 +73,9 @@ def fit_cubic(campaign: Campaign, stretches: Sequence[Rows]) -> Terms:
     for rows in stretches:
         excess = float(rows.values("amplitude_setpoint")[0]) ** 2 - 1
         turned = np.diff(np.sin(8 * rows.ends("wave_angle")))
-        columns = {
-            **make_bias_columns(rows),
-            **make_pickoff_columns(rows, k),
-            CUBIC: 3 / (32 * k) * excess * turned,
-        }
-        parts.append(Part(columns, compute_output_error(rows, campaign.site), rows.log.interval))
+        columns = make_bias_columns(rows) | make_pickoff_columns(rows, k)
+        columns[CUBIC] = 3 / (32 * k) * excess * turned
+        parts.append(make_output_part(rows, campaign.site, columns))
     return fit_terms(parts, [*BIAS_TERMS, *EIGHTH, CUBIC, SCALE, GAIN, SKEW], REASON)
 
 

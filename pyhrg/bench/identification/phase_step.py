@@ -18,8 +18,8 @@ from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.output_rows import (
     Rows,
     Terms,
-    compute_output_error,
     fit_terms,
+    make_output_part,
     read_bryan_factor,
     require_steady_rows,
 )
@@ -75,7 +75,7 @@ def fit_response(campaign: Campaign) -> tuple[Terms, list[Rows]]:
                 f"creep {number}": h * turned,
                 RESPONSE: -h * rows.values("phase_offset") * _force(rows) / (2 * k),
             }
-            parts.append(Part(columns, compute_output_error(rows, campaign.site), h))
+            parts.append(make_output_part(rows, campaign.site, columns))
             ordered.append(rows)
     offsets = {float(offset) for rows in stretches for offset in rows.values("phase_offset")[:1]}
     if len(offsets) < 2:
@@ -94,6 +94,11 @@ def _force(rows: Rows) -> Array:
 
 def _mean_force(rows: Rows) -> float:
     return float(np.mean(_force(rows)))
+
+
+def _find_place(part: Part) -> str:
+    """Name of the bias at the position of a part."""
+    return next(name for name in part.columns if name.startswith("bias"))
 
 
 def evaluate(campaign: Campaign) -> Outcome:
@@ -125,8 +130,7 @@ def _apparent_phase(terms: Terms, stretches: list[Rows], k: float) -> Finding:
         return Finding(name, np.nan, "mrad", note=terms.refused[RESPONSE])
     forces: dict[str, list[float]] = {}
     for part, rows in zip(terms.parts, stretches, strict=True):
-        place = next(n for n in part.columns if n.startswith("bias"))
-        forces.setdefault(place, []).append(_mean_force(rows))
+        forces.setdefault(_find_place(part), []).append(_mean_force(rows))
     bias = max(forces, key=lambda place: abs(float(np.mean(forces[place]))))
     factor = -2 * k / float(np.mean(forces[bias]))
     return terms.finding(bias, "mrad", name, factor)
@@ -138,7 +142,6 @@ def draw(figure: Figure, terms: Terms, stretches: list[Rows]) -> None:
     groups: dict[str, list[tuple[float, float, float]]] = {}
     for part, rows in zip(terms.parts, stretches, strict=True):
         span = len(part) * part.interval
-        place = next(name for name in part.columns if name.startswith("bias"))
         sums = {
             n: terms.fit.value(n) * float(np.sum(part.columns[n]))
             for n in terms.fit.names
@@ -147,7 +150,9 @@ def draw(figure: Figure, terms: Terms, stretches: list[Rows]) -> None:
         creep = sum(value for name, value in sums.items() if name.startswith("creep"))
         rate = (float(np.sum(part.values)) - creep) / span
         model = sum(sums.values()) - creep
-        groups.setdefault(place, []).append((rows.values("phase_offset")[0], rate, model / span))
+        groups.setdefault(_find_place(part), []).append(
+            (rows.values("phase_offset")[0], rate, model / span)
+        )
     for (place, points), colour in zip(groups.items(), COLOURS, strict=False):
         offset, rate, model = np.array(sorted(points)).T
         number = int(place.split()[1]) + 1

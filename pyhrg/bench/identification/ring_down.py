@@ -140,7 +140,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         ),
         exclusions=list_exclusions(require_tests(campaign, KIND)),
         draw=lambda figure: draw(figure, found, fit, gyro),
-        values={"terms": {name: fit.value(name) for name in TERMS}},
+        values={"terms": fit.terms},
     )
 
 

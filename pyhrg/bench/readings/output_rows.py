@@ -5,7 +5,7 @@ pick-offs are errors of the angle th, so that they need no duration. Errors of d
 are rates (`pyhrg.theory`).
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -62,10 +62,6 @@ class Rows:
         middle, swept = (angle[1:] + angle[:-1]) / 2, np.diff(angle)
         return trig(order * middle) * np.sinc(order * swept / (2 * np.pi))
 
-    def earth_rate(self, site: Site) -> Array:
-        """(n,) Earth's rate on the input axis, rad/s."""
-        return site.vertical_rate * self.values("axis_up")
-
 
 COMMANDS = ("axis_up", "virtual_rotation", "amplitude_setpoint", "phase_offset", "drive_on")
 """Columns of a log whose change begins a new stretch."""
@@ -113,10 +109,11 @@ def make_bias_columns(rows: Rows) -> dict[str, Array]:
     }
 
 
-def compute_output_error(rows: Rows, site: Site) -> Array:
-    """(n,) increments of the output less those of table and Earth, rad."""
-    earth = rows.earth_rate(site) * rows.log.interval
-    return rows.increments("gyro_angle") - rows.increments("table_angle") - earth
+def make_output_part(rows: Rows, site: Site, columns: Mapping[str, Array]) -> Part:
+    """Output of rows, to be fitted by columns (n,) of what a unit of each term adds to it, rad."""
+    earth = site.vertical_rate * rows.values("axis_up") * rows.log.interval
+    error = rows.increments("gyro_angle") - rows.increments("table_angle") - earth
+    return Part(columns, error, rows.log.interval)
 
 
 def read_bryan_factor(campaign: Campaign) -> float:
@@ -158,13 +155,11 @@ def fit_terms(parts: Sequence[Part], names: Sequence[str], reason: str) -> Terms
     accepted: list[str] = []
     refused = {}
     for name in names:
-        worst = max(compute_inflations(parts, [*accepted, name]).values())
-        if worst > LARGEST_INFLATION:
-            refused[name] = (
-                f"{name} can't be separated from {' and '.join(accepted) or 'zero'}: {reason}"
-            )
-        else:
+        if max(compute_inflations(parts, [*accepted, name]).values()) <= LARGEST_INFLATION:
             accepted.append(name)
+        else:
+            others = " and ".join(accepted) or "zero"
+            refused[name] = f"{name} can't be separated from {others}: {reason}"
     try:
         return Terms(fit_rows(parts, accepted), refused, parts)
     except ValueError as error:

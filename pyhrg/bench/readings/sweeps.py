@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from pyhrg.bench.estimation.angle_fit import Record, compute_largest_inflation
 from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, name_terms
 from pyhrg.bench.readings.segments import split_rows
-from pyhrg.bench.readings.turns import RATE_TOLERANCE, SETTLE, TURN_TOLERANCE
+from pyhrg.bench.readings.turns import SETTLE, TURN_TOLERANCE, find_rate_changes
 from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG
@@ -75,9 +75,8 @@ class Sweep:
                 mean = trig(order * middle) * np.sinc(order * swept / (2 * np.pi))
                 waves[f" {name}"] = np.concatenate([[0.0], np.cumsum(mean * steps)])
         rates = {BIAS: 1.0, GAIN: self.virtual_rotation, SCALE: self.input_rate}
-        columns = {
-            f"{kind}{name}": rates[kind] * wave for kind in kinds for name, wave in waves.items()
-        }
+        pairs = ((kind, name) for kind in kinds for name in waves)
+        columns = {f"{kind}{name}": rates[kind] * waves[name] for kind, name in pairs}
         return Record(self.interval, self.excess, columns)
 
     @property
@@ -101,9 +100,7 @@ def find_sweeps(log: Log, latitude: float) -> list[Sweep]:
 def _find_changes(log: Log, rows: slice) -> NDArray[np.bool_]:
     """Mask of rows at which table rate or a command changes or the output is not valid."""
     turned = np.diff(log.table_angle[rows], prepend=log.table_angle[rows][:1])
-    changed = np.abs(np.diff(turned, prepend=0.0)) > TURN_TOLERANCE + RATE_TOLERANCE * np.abs(
-        turned
-    )
+    changed = find_rate_changes(turned)
     for values in (log.virtual_rotation, log.axis_up, log.drive_on):
         changed |= np.diff(values[rows], prepend=values[rows][:1]) != 0
     return np.asarray(changed | (log.drive_on[rows] < 0.5) | (log.valid[rows] < 0.999))
@@ -126,12 +123,9 @@ def _read_sweep(log: Log, latitude: float, rows: slice) -> Sweep:
 
 def select_orders(sweeps: Sequence[Sweep], kinds: Sequence[str]) -> tuple[int, ...]:
     """Harmonics that the sweeps can separate, the same for all kinds of terms."""
-    orders: list[int] = []
+    orders: tuple[int, ...] = ()
     for order in ORDERS:
-        trial = [*orders, order]
-        if (
-            compute_largest_inflation([sweep.record(trial, kinds) for sweep in sweeps])
-            <= LARGEST_INFLATION
-        ):
-            orders.append(order)
-    return tuple(orders)
+        records = [sweep.record((*orders, order), kinds) for sweep in sweeps]
+        if compute_largest_inflation(records) <= LARGEST_INFLATION:
+            orders += (order,)
+    return orders

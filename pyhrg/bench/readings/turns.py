@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.segments import COLUMNS, split_rows
@@ -47,12 +48,12 @@ class Turn:
     @property
     def table_rate(self) -> float:
         """Mean rate of the table, rad/s."""
-        return _compute_rate(self.table_angle, self.time)
+        return float((self.table_angle[-1] - self.table_angle[0]) / (self.time[-1] - self.time[0]))
 
     @property
     def input_rate(self) -> float:
         """Mean rate of table and Earth on the input axis, rad/s."""
-        return _compute_rate(self.input_angle, self.time)
+        return float((self.input_angle[-1] - self.input_angle[0]) / (self.time[-1] - self.time[0]))
 
     @property
     def periods(self) -> float:
@@ -104,13 +105,9 @@ def _find_all(log: Log, latitude: float) -> list[Turn]:
 def _find_steady(log: Log) -> list[slice]:
     """Rows of each stretch without gap, with drive on, no virtual rotation and a steady rate."""
     turned = np.diff(log.table_angle, prepend=log.table_angle[:1])
-    moving = (
-        (np.abs(turned) > TURN_TOLERANCE) & (log.virtual_rotation == 0.0) & (log.drive_on > 0.5)
-    )
-    moving &= ~(log.valid < 0.999)
-    unsteady = np.abs(np.diff(turned, prepend=0.0)) > TURN_TOLERANCE + RATE_TOLERANCE * np.abs(
-        turned
-    )
+    moving = (np.abs(turned) > TURN_TOLERANCE) & (log.virtual_rotation == 0.0)
+    moving &= (log.drive_on > 0.5) & ~(log.valid < 0.999)
+    unsteady = find_rate_changes(turned)
     settle = math.ceil(SETTLE / log.interval)
     return [
         slice(first + settle, after)
@@ -118,6 +115,12 @@ def _find_steady(log: Log) -> list[slice]:
         for first, after in split_rows(stretch, (~moving | unsteady)[stretch])
         if after - first > settle + 8
     ]
+
+
+def find_rate_changes(turned: Array) -> NDArray[np.bool_]:
+    """(n,) whether the table's turn in a row, rad, differs from that in the row before, first 0."""
+    change = np.abs(np.diff(turned, prepend=0.0))
+    return np.asarray(change > TURN_TOLERANCE + RATE_TOLERANCE * np.abs(turned))
 
 
 def _read_turn(log: Log, latitude: float, rows: slice) -> Turn:
@@ -130,7 +133,3 @@ def _read_turn(log: Log, latitude: float, rows: slice) -> Turn:
     angle = table - table[0] + earth - earth[0]
     excess = gyro - gyro[0] - angle
     return Turn(log.source, log.interval, time, table, pattern, angle, excess)
-
-
-def _compute_rate(angle: Array, time: Array) -> float:
-    return float((angle[-1] - angle[0]) / (time[-1] - time[0]))

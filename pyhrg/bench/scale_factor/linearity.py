@@ -7,7 +7,7 @@ repeatability the standard deviation of K over power-ons.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -145,6 +145,11 @@ def evaluate(campaign: Campaign) -> Outcome:
         estimate_mean("bias", [line.fit()[1] for line in lines], "deg/h"),
     )
     top = max(float(np.max(np.abs(line.input))) for line in lines) / DEG
+    columns = ([x.input / DEG, (x.output / x.input - 1) * 1e6, x.residual * 1e6] for x in lines)
+    rows = tuple(
+        (f"{r:+.4g}", f"{e:.4f}", f"{x:.5f}") for r, e, x in np.mean(list(columns), axis=0).T
+    )
+    header = ("input, deg/s", "output's error, ppm", "residual, ppm of the largest")
     return Outcome(
         findings=findings,
         verdict=(
@@ -152,7 +157,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             f"{nonlinearity.value_in_unit:.2g} ppm of the largest; both ways differ by "
             f"{asymmetry.value_in_unit:.2g} ppm."
         ),
-        tables=(_make_table(lines),),
+        tables=(Table("Rates, means of all power-ons", header, rows),),
         exclusions=list_turn_exclusions(campaign, KIND),
         draw=lambda figure: draw(figure, lines),
     )
@@ -168,34 +173,19 @@ def _estimate_nonlinearity(lines: Sequence[Line]) -> Finding:
 
 def _estimate_asymmetry(lines: Sequence[Line]) -> Finding:
     signed = estimate_mean("scale factor asymmetry", [line.asymmetry for line in lines], "ppm")
-    bounds = np.abs([signed.low, signed.high])
-    low = 0.0 if signed.low <= 0.0 <= signed.high else float(np.min(bounds))
+    low, high = sorted((abs(signed.low), abs(signed.high)))
+    low = 0.0 if signed.low <= 0.0 <= signed.high else low
     note = signed.note or "of the power-ons' mean, either sign"
-    return Finding(
-        signed.name, abs(signed.value), "ppm", low, float(np.max(bounds)), signed.n, note
-    )
-
-
-def _make_table(lines: Sequence[Line]) -> Table:
-    rates = np.mean([line.input for line in lines], axis=0) / DEG
-    errors = np.mean([line.output / line.input - 1 for line in lines], axis=0) * 1e6
-    residuals = np.mean([line.residual for line in lines], axis=0) * 1e6
-    rows = [
-        (f"{r:+.4g}", f"{e:.4f}", f"{x:.5f}")
-        for r, e, x in zip(rates, errors, residuals, strict=True)
-    ]
-    header = ("input, deg/s", "output's error, ppm", "residual, ppm of the largest")
-    return Table("Rates, means of all power-ons", header, tuple(rows))
+    return replace(signed, value=abs(signed.value), low=low, high=high, note=note)
 
 
 def draw(figure: Figure, lines: Sequence[Line]) -> None:
     """Draw the residuals of each power-on and their mean against the rate."""
     axes = figure.add_subplot(title="Output less its best line")
     for number, line in enumerate(lines):
+        style = {"color": "C0", "ms": 4, "alpha": 0.4}
         label = f"{len(lines)} power-ons" if number == 0 else None
-        axes.plot(
-            line.input / DEG, line.residual * 1e6, "o", color="C0", ms=4, alpha=0.4, label=label
-        )
+        axes.plot(line.input / DEG, line.residual * 1e6, "o", label=label, **style)
     mean = np.mean([line.residual for line in lines], axis=0)
     axes.plot(lines[0].input / DEG, mean * 1e6, "k-", lw=1.2, label="mean")
     axes.set_xscale("symlog", linthresh=1.0)

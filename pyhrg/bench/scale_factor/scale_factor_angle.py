@@ -69,16 +69,15 @@ def evaluate(campaign: Campaign) -> Outcome:
         warnings=fitted.refused,
         exclusions=list_turn_exclusions(campaign, KIND),
         draw=lambda figure: draw(figure, fitted, residuals),
-        values={"scale_factor_map": dict(zip(fitted.fit.names, fitted.fit.values, strict=True))},
+        values={"scale_factor_map": fitted.fit.terms},
     )
 
 
 def _summarize_residuals(residuals: list[Array]) -> tuple[Finding, ...]:
     """The paper's own figures of the angle error, without correction for noise."""
     rows = np.concatenate(residuals)
-    deviation, largest = float(np.std(rows, ddof=1)), float(np.max(np.abs(rows)))
+    deviation, largest, n = float(np.std(rows, ddof=1)), float(np.max(np.abs(rows))), len(rows)
     note = "as read, with the noise and the bias over the rate: no interval"
-    n = len(rows)
     return (
         Finding("angle residual", deviation, "arcsec", n=n, note=f"standard deviation, {note}"),
         Finding("largest angle residual", largest, "arcsec", n=n, note=note),
@@ -100,10 +99,8 @@ def _describe_verdict(fitted: ScaleFactorMap) -> str:
 def draw(figure: Figure, fitted: ScaleFactorMap, residuals: list[Array]) -> None:
     """Draw the angle errors of both directions against the pattern angle."""
     axes = figure.add_subplot(title="Angle residual; where both ways differ, the bias shows")
-    points = [
-        (turn.pattern_angle[: len(values)], values / ARCSEC)
-        for turn, values in zip(fitted.turns, residuals, strict=True)
-    ]
+    pairs = zip(fitted.turns, residuals, strict=True)
+    points = [(turn.pattern_angle[: len(values)], values / ARCSEC) for turn, values in pairs]
     draw_both_ways(axes, fitted.turns, points)
     axes.set_ylabel("error of the pattern angle, arcsec")
     axes.legend(markerscale=3)

@@ -8,13 +8,13 @@ to the angle (`scale_factor`) needs no average.
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from matplotlib.figure import Figure
-from scipy import stats
 
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.outcome import BenchError, Finding, Outcome
+from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_pooled_deviation
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.readings.output_rows import read_bryan_factor
 from pyhrg.bench.readings.turns import Turn
@@ -65,12 +65,6 @@ def compute_rate_error(turn: Turn) -> tuple[Array, Array]:
     return pattern, np.asarray(error)
 
 
-def compute_kept_share(turn: Turn, k: float) -> float:
-    """Share of the fourth harmonic that the averages keep."""
-    duration = round(SMOOTHING / turn.interval) * turn.interval
-    return float(np.sinc(4 * k * turn.input_rate * duration / (2 * np.pi)))
-
-
 def estimate_stability(turns: Sequence[Turn]) -> Finding:
     """Standard deviation of the scale factor over the periods of a turn, pooled over the turns.
 
@@ -80,14 +74,11 @@ def estimate_stability(turns: Sequence[Turn]) -> Finding:
     for turn in turns:
         _, angle, excess = turn.whole_periods(each=1)
         groups.append((np.diff(excess) / np.diff(angle))[::2])
-    freedom = sum(len(group) - 1 for group in groups)
-    if freedom < 1:
+    if max(map(len, groups)) < 2:
         return Finding(name, np.nan, "ppm", note="needs 3 periods of the pattern in one turn")
-    square = sum(float(np.sum((group - group.mean()) ** 2)) for group in groups)
-    low, high = np.sqrt(square / stats.chi2.ppf([0.975, 0.025], freedom))
     note = "standard deviation of whole periods of the pattern"
-    value = float(np.sqrt(square / freedom))
-    return Finding(name, value, "ppm", float(low), float(high), freedom + 1, note)
+    pooled = estimate_pooled_deviation(name, groups, "ppm", note)
+    return replace(pooled, n=sum(len(group) - 1 for group in groups) + 1)
 
 
 def evaluate(campaign: Campaign) -> Outcome:
@@ -95,7 +86,11 @@ def evaluate(campaign: Campaign) -> Outcome:
     k = read_bryan_factor(campaign)
     fitted = fit_scale_factor_map(read_rate_turns(campaign, slow=False), k)
     errors = [compute_rate_error(turn) for turn in fitted.turns]
-    shares = [compute_kept_share(turn, k) for turn in fitted.turns]
+    durations = (round(SMOOTHING / turn.interval) * turn.interval for turn in fitted.turns)
+    shares = [
+        float(np.sinc(4 * k * turn.input_rate * duration / (2 * np.pi)))
+        for turn, duration in zip(fitted.turns, durations, strict=True)
+    ]
     return Outcome(
         findings=(
             *fitted.findings(),
@@ -110,7 +105,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         warnings=(*fitted.refused, _describe_lag(fitted, k)),
         exclusions=list_turn_exclusions(campaign, KIND),
         draw=lambda figure: draw(figure, fitted, errors),
-        values={"scale_factor_map": dict(zip(fitted.fit.names, fitted.fit.values, strict=True))},
+        values={"scale_factor_map": fitted.fit.terms},
     )
 
 
@@ -143,13 +138,10 @@ def draw(figure: Figure, fitted: ScaleFactorMap, errors: list[tuple[Array, Array
     axes = figure.add_subplot(
         title=f"Scale factor over the circumference, averages of {SMOOTHING:g} s"
     )
+    draw_both_ways(axes, fitted.turns, [(pattern, error * 1e6) for pattern, error in errors])
     grid = np.linspace(0.0, np.pi, 361)
-    points = [(pattern, error * 1e6) for pattern, error in errors]
-    draw_both_ways(axes, fitted.turns, points)
-    mean = fitted.fit.value("scale factor")
-    axes.plot(
-        grid / DEG, (mean + fitted.evaluate(grid)) * 1e6, "k-", lw=1.2, label="fit to the angle"
-    )
+    curve = (fitted.fit.value("scale factor") + fitted.evaluate(grid)) * 1e6
+    axes.plot(grid / DEG, curve, "k-", lw=1.2, label="fit to the angle")
     axes.set_ylabel("rate error over rate, ppm")
     axes.legend(markerscale=3)
 

@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 
 from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
 from pyhrg.bench.estimation.terms import PatternBasis, choose_pattern_basis, select_separable
+from pyhrg.bench.figures import COLOURS
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import list_exclusions, require_tests
 from pyhrg.bench.readings.segments import Points, join_points, read_points
@@ -45,20 +46,23 @@ class Sensitivity:
 
     def findings(self) -> tuple[Finding, ...]:
         """Bias and its sensitivities; NaN for a sensitivity that the records don't determine."""
-        plain = [name for name in self.columns if name.startswith(("bias", "g "))]
-        fitted = [self._make_finding(name) for name in plain]
-        missing = [
+        note = f"without specific force, {self.basis.place}"
+        fitted = (
+            self.fitted.finding(n, n, _choose_unit(n), note="" if "4" in n else self.basis.place)
+            for n in self.columns
+            if n.startswith("g ")
+        )
+        bias = self.fitted.finding(MEAN, "bias", "deg/h", note=note)
+        return (bias, *fitted, *self.missing)
+
+    @property
+    def missing(self) -> list[Finding]:
+        """The sensitivities, harmonics apart, that the records don't determine, and why."""
+        return [
             Finding(name, np.nan, _choose_unit(name), note=text)
             for name, text in self.refused.items()
-            if name.startswith("g ") and "cos4" not in name and "sin4" not in name
+            if name.startswith("g ") and "4" not in name
         ]
-        note = f"without specific force, {self.basis.place}"
-        mean = self.fitted.finding(MEAN, "bias", "deg/h", note=note)
-        return (mean, *fitted, *missing)
-
-    def _make_finding(self, name: str) -> Finding:
-        note = "" if "4" in name else self.basis.place
-        return self.fitted.finding(name, name, _choose_unit(name), note=note)
 
 
 def fit_sensitivity(campaign: Campaign, kind: str) -> Sensitivity:
@@ -108,15 +112,13 @@ def make_outcome(
         warnings=list_warnings(result),
         exclusions=list_exclusions(require_tests(campaign, kind)),
         draw=lambda figure: draw(figure, result, title),
-        values={"terms": dict(zip(result.fitted.names, result.fitted.values, strict=True))},
+        values={"terms": result.fitted.terms},
     )
 
 
 def list_warnings(result: Sensitivity) -> tuple[str, ...]:
     """A sentence on each sensitivity that the records don't determine, harmonics apart."""
-    sentences = [
-        s for name, s in result.refused.items() if "4" not in name and name.startswith("g ")
-    ]
+    sentences = [f.note for f in result.missing]
     if result.basis.angle is not None:
         sentences.append(
             "the pattern hardly moved: sensitivities are those at its angle, and their constant "
@@ -129,19 +131,13 @@ def draw(figure: Figure, result: Sensitivity, title: str) -> None:
     """Draw the bias against each axis's specific force, without the other terms of the fit."""
     panels = figure.subplots(1, 3, sharey=True)
     for axis, force, colour, panel in zip(
-        AXES, result.points.acceleration.T, ("#0072B2", "#D55E00", "#009E73"), panels, strict=True
+        AXES, result.points.acceleration.T / STANDARD_GRAVITY, COLOURS, panels, strict=False
     ):
         own = [n for n in (f"g bias {axis}", f"g squared {axis}{axis}") if n in result.columns]
         part = sum((result.fitted.value(n) * result.columns[n] for n in own), np.zeros(len(force)))
-        panel.plot(
-            force / STANDARD_GRAVITY,
-            (part + result.fitted.residual) / DEG_PER_H,
-            ".",
-            color=colour,
-            ms=4,
-        )
+        panel.plot(force, (part + result.fitted.residual) / DEG_PER_H, ".", color=colour, ms=4)
         order = np.argsort(force)
-        panel.plot(force[order] / STANDARD_GRAVITY, part[order] / DEG_PER_H, "k-", lw=1)
+        panel.plot(force[order], part[order] / DEG_PER_H, "k-", lw=1)
         panel.set_xlabel(f"specific force along {axis}, g")
         panel.grid(alpha=0.3)
     panels[0].set_ylabel("bias by this axis, deg/h (line: fit)")

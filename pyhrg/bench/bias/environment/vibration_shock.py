@@ -64,15 +64,12 @@ def make_still_programme(bench: Bench) -> Programme:
 
 def make_vibration_programme(bench: Bench, axis: str, run: int) -> Programme:
     """Programme of one power-on under vibration along x or z, drawn anew for each run."""
-    course, generator = (
-        make_still_programme(bench),
-        np.random.default_rng([bench.seed, ord(axis), run]),
-    )
+    course = make_still_programme(bench)
+    generator = np.random.default_rng([bench.seed, ord(axis), run])
     n = len(course)
     force = course.values(f"acceleration_{axis}") + SHAKE * generator.standard_normal(n)
     vibration = STEADY + RANDOM * generator.standard_normal(n)
-    course.override(**{f"acceleration_{axis}": force, "vibration": vibration})
-    return course
+    return course.override(**{f"acceleration_{axis}": force, "vibration": vibration})
 
 
 def make_shock_programme(bench: Bench) -> Programme:
@@ -147,7 +144,9 @@ def _estimate_changes(
     terms = {MEAN: f"bias change {text}"}
     terms |= {name: f"bias {name} change {text}" for h in (2, 4) for name in name_terms(h)}
     changes = tuple(
-        estimate_change(label, [r.value(t) for r in before], [r.value(t) for r in after], "deg/h")
+        estimate_change(
+            label, *([r.fitted.value(t) for r in runs] for runs in (before, after)), "deg/h"
+        )
         for t, label in terms.items()
     )
     return (*changes, estimate_noise_ratio(f"noise ratio {text}", before, after))
@@ -219,8 +218,10 @@ def estimate_noise_ratio(
     name: str, before: Sequence[Circumference], during: Sequence[Circumference]
 ) -> Finding:
     """Ratio of the fits' residual standard deviations, during over before, with an F interval."""
-    m, n = (sum(run.fitted.freedom for run in runs) for runs in (before, during))
-    x, y = (sum(run.noise for run in runs) / free for runs, free in ((before, m), (during, n)))
+    fits = [[run.fitted for run in runs] for runs in (before, during)]
+    m, n = (sum(fit.freedom for fit in group) for group in fits)
+    squares = (sum(float(fit.residual @ fit.residual) for fit in group) for group in fits)
+    x, y = (square / freedom for square, freedom in zip(squares, (m, n), strict=True))
     if x <= 0:
         return Finding(name, np.nan, "1", note="no noise before")
     low, high = (np.sqrt(y / x / stats.f.ppf(p, n, m)) for p in (0.975, 0.025))

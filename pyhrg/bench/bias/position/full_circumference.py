@@ -12,7 +12,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias.bias_test import RUNS, BiasTest, summarize_runs
+from pyhrg.bench.bias.bias_test import RUNS, BiasTest
 from pyhrg.bench.bias.position.position_runs import (
     describe_leakage,
     estimate_between,
@@ -77,8 +77,8 @@ class BiasMap:
         """(n,) rates of a run without the tilt of the input axis, rad/s."""
         if not self.tilt:
             return run.rate
-        waves = (np.cos(run.table_angle), np.sin(run.table_angle))
-        lean = sum(self.value(name) * wave for name, wave in zip(TILT, waves, strict=True))
+        cosine, sine = map(self.value, TILT)
+        lean = cosine * np.cos(run.table_angle) + sine * np.sin(run.table_angle)
         return np.asarray(run.rate - lean)
 
     @property
@@ -136,16 +136,17 @@ def record(
     if spacing_deg is not None and not 1 <= spacing_deg <= 720:
         raise BenchError(f"{spacing_deg:g} deg between positions: expected 1 to 720")
     factor = bench.device.bryan_factor
-    if spacing_deg is None:
-        plan = choose_plan(positions, factor)
-    else:
-        plan = Plan(positions, spacing_deg * DEG, factor)
+    plan = (
+        Plan(positions, spacing_deg * DEG, factor)
+        if spacing_deg
+        else choose_plan(positions, factor)
+    )
     return bench.run(make_power_ons(bench, plan, runs, segments))
 
 
 def measure_bias(campaign: Campaign) -> BiasTest:
     """Bias, stability and repeatability of the campaign's position tests (paper 4.1)."""
-    return summarize_runs(read_runs(campaign))
+    return BiasTest(read_runs(campaign))
 
 
 def measure_mean_bias(campaign: Campaign) -> float:
@@ -165,11 +166,11 @@ def fit_map(
 
     The data points of all runs lie at the same positions.
     """
+    first = runs[0]
+    positions = [first.dwell == number for number in np.unique(first.dwell)]
     pattern, table = (
-        np.array(
-            [np.mean(getattr(runs[0], name)[runs[0].dwell == d]) for d in np.unique(runs[0].dwell)]
-        )
-        for name in ("pattern_angle", "table_angle")
+        np.array([np.mean(angle[chosen]) for chosen in positions])
+        for angle in (first.pattern_angle, first.table_angle)
     )
     seen, with_tilt, refused = select_visible(pattern, table, wanted, tilt)
     fits = tuple(
@@ -183,12 +184,15 @@ def evaluate(campaign: Campaign) -> Outcome:
     """Bias, stability, repeatability, variances within and between positions, bias map."""
     tests = require_tests(campaign, KIND)
     runs, exclusions = read_complete_runs(tests, campaign.site.latitude, SETTLE)
-    test, fitted = summarize_runs(runs), fit_map(runs)
+    test, fitted = BiasTest(runs), fit_map(runs)
     within = estimate_within("within positions", runs)
     between = estimate_between("between positions", runs, fitted.fits)
-    maps = tuple(fitted.finding(name) for name in fitted.names)
+    maps = [fitted.finding(name) for name in fitted.names]
+    if 4 in fitted.harmonics:
+        sizes = [float(np.hypot(*map(f.value, name_terms(4)))) for f in fitted.fits]
+        maps.insert(0, estimate_mean("fourth harmonic", sizes, "deg/h", "amplitude"))
     return Outcome(
-        findings=(*test.findings(), within, between, *_estimate_amplitude(fitted), *maps),
+        findings=(*test.findings(), within, between, *maps),
         verdict=_describe_verdict(test, within.value, between.value),
         tables=(test.table(),),
         warnings=(*fitted.refused, *filter(None, [describe_leakage(runs[0])])),
@@ -196,14 +200,6 @@ def evaluate(campaign: Campaign) -> Outcome:
         draw=lambda figure: draw(figure, runs, fitted),
         values={"bias_map": {name: fitted.value(name) for name in fitted.names}},
     )
-
-
-def _estimate_amplitude(fitted: BiasMap) -> tuple[Finding, ...]:
-    if 4 not in fitted.harmonics:
-        return ()
-    cosine, sine = name_terms(4)
-    sizes = [float(np.hypot(f.value(cosine), f.value(sine))) for f in fitted.fits]
-    return (estimate_mean("fourth harmonic", sizes, "deg/h", "amplitude"),)
 
 
 def _describe_verdict(test: BiasTest, within: float, between: float) -> str:

@@ -39,7 +39,10 @@ def read_complete_runs(
         reason = _describe_incompleteness(points, expected)
         if not reason:
             runs.append(_balance(points))
-            reason = _describe_balancing(points, runs[-1])
+            fewer, each = len(points) - len(runs[-1]), len(runs[-1]) // points.dwells
+            if fewer:
+                left = f"{fewer} of {len(points)} data points left out"
+                reason = f"{left}: a position has no more than {each}"
         exclusions += [f"{test.log.source}: {reason}"] if reason else []
     if not runs:
         raise BenchError("; ".join(exclusions))
@@ -70,15 +73,6 @@ def _balance(points: Points) -> Points:
     fewest = counts.min()
     keep = np.concatenate([np.flatnonzero(points.dwell == d)[:fewest] for d in dwells])
     return points.part(keep)
-
-
-def _describe_balancing(points: Points, balanced: Points) -> str:
-    """Number of data points that balancing excluded, in words; empty for none."""
-    fewer = len(points) - len(balanced)
-    if not fewer:
-        return ""
-    each = len(balanced) // balanced.dwells
-    return f"{fewer} of {len(points)} data points left out: a position has no more than {each}"
 
 
 def describe_leakage(points: Points) -> str:

@@ -53,7 +53,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         warnings=(*_list_warnings(result), *scale_warnings),
         exclusions=list_exclusions(require_tests(campaign, KIND)),
         draw=lambda figure: draw(figure, result),
-        values={"terms": dict(zip(result.fitted.names, result.fitted.values, strict=True))},
+        values={"terms": result.fitted.terms},
     )
 
 

@@ -12,14 +12,14 @@ from pyhrg.bench.bias.position.position_runs import (
 )
 from pyhrg.bench.estimation.harmonics import Fit, fit
 from pyhrg.bench.readings.segments import Points
+from tests.pyhrg.bench.cases import make_points
 
 
 def run(rates: list[list[float]]) -> Points:
     """Of rates by position."""
     count = [len(group) for group in rates]
     rate = np.concatenate([np.array(group) for group in rates])
-    zero, dwell = np.zeros_like(rate), np.repeat(np.arange(len(rates)), count)
-    return Points(rate, zero, zero, zero, zero, zero, dwell, dwell, dwell)
+    return make_points(rate, np.repeat(np.arange(len(rates)), count))
 
 
 def means(runs: list[Points]) -> list[Fit]:

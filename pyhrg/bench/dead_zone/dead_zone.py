@@ -12,12 +12,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.dead_zone.free_runs import (
-    compare_with_adler,
-    draw,
-    find_residual_dead_zone,
-    tabulate_runs,
-)
+from pyhrg.bench.dead_zone import free_runs
 from pyhrg.bench.dead_zone.lock import Run, read_run
 from pyhrg.bench.dead_zone.turning import FOURTH, fit_turning, is_turning
 from pyhrg.bench.estimation.harmonics import MEAN, Fit
@@ -137,14 +132,14 @@ def evaluate(campaign: Campaign) -> Outcome:
     return Outcome(
         findings=(
             lock,
-            *compare_with_adler(plain, fitted, lock.value),
-            *find_residual_dead_zone(by_output, by_force),
+            *free_runs.compare_with_adler(plain, fitted, lock.value),
+            *free_runs.find_residual_dead_zone(by_output, by_force),
         ),
         verdict=_verdict(plain, lock, capture),
-        tables=(tabulate_runs(everything, fitted, lock.value),) if everything else (),
+        tables=(free_runs.tabulate_runs(everything, fitted, lock.value),) if everything else (),
         warnings=tuple(refused),
         exclusions=(*list_exclusions(tests), *excluded, *more, *most),
-        draw=lambda figure: draw(figure, plain, by_force, fitted, lock.value),
+        draw=lambda figure: free_runs.draw(figure, plain, by_force, fitted, lock.value),
         values={"capture_time": capture},
     )
 

@@ -150,6 +150,12 @@ def evaluate(campaign: Campaign) -> Outcome:
                 "the range takes at least 3"
             )
     findings = [make_finding(f"measuring range {name}", steps) for name, steps in both.items()]
+    header = ("rate, deg/s", "error, ppm", "valid")
+    cells = {
+        name: [(f"{s.rate / DEG:.6g}", f"{s.error / 1e-6:.3g}", "yes" * s.valid) for s in steps]
+        for name, steps in both.items()
+    }
+    tables = tuple(Table(f"Steps, {n}", header, tuple(rows)) for n, rows in cells.items())
     worst = min(findings, key=lambda f: (0.0 if np.isnan(f.value) else f.value, f.high))
     unseen = any(np.isnan(test.log.valid).any() for test in tests)
     return Outcome(
@@ -158,16 +164,11 @@ def evaluate(campaign: Campaign) -> Outcome:
             f"Within {ERROR_LIMIT / 1e-6:g} ppm of the input and valid up to "
             f"{worst.value_in_unit:.5g} deg/s either way; {worst.note}."
         ),
-        tables=tuple(_make_table(name, steps) for name, steps in both.items()),
+        tables=tables,
         warnings=(NO_VALIDITY,) if unseen else (),
         exclusions=list_exclusions(tests),
         draw=lambda figure: draw(figure, both),
     )
-
-
-def _make_table(name: str, steps: Sequence[Step]) -> Table:
-    rows = [(f"{s.rate / DEG:.6g}", f"{s.error / 1e-6:.3g}", "yes" * s.valid) for s in steps]
-    return Table(f"Steps, {name}", ("rate, deg/s", "error, ppm", "valid"), tuple(rows))
 
 
 def draw(figure: Figure, both: dict[str, list[Step]]) -> None:

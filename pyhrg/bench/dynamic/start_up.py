@@ -144,24 +144,21 @@ def summarize_times(
     2^(1-n) for any distribution (sign test). The smallest is taken one row earlier. A time is NaN
     where the event is not in the record; `interval` is that of a row, s.
     """
-    n = len(samples)
-    largest = Finding(f"greatest {name}", float(np.max(samples)), "s", n=n)
+    n, name_largest = len(samples), f"greatest {name}"
+    smallest, middle, largest = (float(f(samples)) for f in (np.min, np.median, np.max))
     if np.isnan(samples).any():
         missing = f"{np.isnan(samples).sum()} of {n} not in the first half of the log"
-        return Finding(name, np.nan, "s", n=n, note=missing), replace(largest, note=missing)
-    coverage = 1 - 2.0 ** (1 - n)
-    median = Finding(name, float(np.median(samples)), "s", n=n)
-    if coverage < 0.95:
-        median = replace(median, note=f"median; {n} of at least 6 power-ons: no interval")
-    else:
-        median = replace(
-            median,
-            low=float(np.min(samples)) - interval,
-            high=largest.value,
-            note=f"median; interval from smallest to largest of {n}, confidence {coverage:.1%}",
-        )
+        values = ((name, np.nan), (name_largest, largest))
+        first, second = (Finding(label, x, "s", n=n, note=missing) for label, x in values)
+        return first, second
     note = f"no interval: another power-on exceeds it with probability 1/{n + 1}"
-    return median, replace(largest, note=note)
+    greatest = Finding(name_largest, largest, "s", n=n, note=note)
+    coverage = 1 - 2.0 ** (1 - n)
+    if coverage < 0.95:
+        note = f"median; {n} of at least 6 power-ons: no interval"
+        return Finding(name, middle, "s", n=n, note=note), greatest
+    note = f"median; interval from smallest to largest of {n}, confidence {coverage:.1%}"
+    return Finding(name, middle, "s", smallest - interval, largest, n, note), greatest
 
 
 def _list_warnings(tests: Sequence[Test], runs: Sequence[StartUp]) -> tuple[str, ...]:

@@ -15,14 +15,8 @@ from pyhrg.bench.figures import COLOURS, finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.output_rows import (
-    Rows,
-    Terms,
-    fit_terms,
-    make_output_part,
-    read_bryan_factor,
-    require_steady_rows,
-)
+from pyhrg.bench.readings import output_rows
+from pyhrg.bench.readings.output_rows import Rows, Terms
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.campaign import Campaign, Test
@@ -57,8 +51,8 @@ def record(bench: Bench, dwell: float = DWELL) -> list[Test]:
 def fit_response(campaign: Campaign) -> tuple[Terms, list[Rows]]:
     """Response over the expected one, with the bias and its creep at each position."""
     logs = [test.log for test in require_tests(campaign, KIND)]
-    stretches = require_steady_rows(logs, "quadrature_force", at_rest=True)
-    k = read_bryan_factor(campaign)
+    stretches = output_rows.require_steady_rows(logs, "quadrature_force", at_rest=True)
+    k = output_rows.read_bryan_factor(campaign)
     places: dict[tuple[str, int], list[Rows]] = {}
     for rows in stretches:
         place = (rows.log.source, round(float(rows.values("table_angle")[0]) / (0.1 * DEG)))
@@ -75,12 +69,12 @@ def fit_response(campaign: Campaign) -> tuple[Terms, list[Rows]]:
                 f"creep {number}": h * turned,
                 RESPONSE: -h * rows.values("phase_offset") * _force(rows) / (2 * k),
             }
-            parts.append(make_output_part(rows, campaign.site, columns))
+            parts.append(output_rows.make_output_part(rows, campaign.site, columns))
             ordered.append(rows)
     offsets = {float(offset) for rows in stretches for offset in rows.values("phase_offset")[:1]}
     if len(offsets) < 2:
         raise BenchError(f"{logs[0].source}: {len(offsets)} phase offset; the test needs 2")
-    terms = fit_terms(parts, names, REASON)
+    terms = output_rows.fit_terms(parts, names, REASON)
     return terms, ordered
 
 
@@ -111,7 +105,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             terms.finding(RESPONSE, "1", "response to phase over that of the quadrature force"),
             seen,
             Finding("frequency split in the quadrature force, times sin 4th", force, "mHz"),
-            _apparent_phase(terms, stretches, read_bryan_factor(campaign)),
+            _apparent_phase(terms, stretches, output_rows.read_bryan_factor(campaign)),
         ),
         verdict=(
             "A phase error makes bias of the split as the quadrature force says where the response "

@@ -14,16 +14,8 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.identification.identification_figure import draw_terms
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
-from pyhrg.bench.readings.output_rows import (
-    BIAS_TERMS,
-    Rows,
-    Terms,
-    fit_terms,
-    make_bias_columns,
-    make_output_part,
-    read_bryan_factor,
-    require_steady_rows,
-)
+from pyhrg.bench.readings import output_rows
+from pyhrg.bench.readings.output_rows import BIAS_TERMS, Rows, Terms
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
@@ -60,19 +52,21 @@ def make_pickoff_columns(rows: Rows, k: float) -> dict[str, Array]:
 
 def fit_pickoff_errors(campaign: Campaign) -> Terms:
     """Bias map, scale factor and pick-off errors from all rates together."""
-    k = read_bryan_factor(campaign)
+    k = output_rows.read_bryan_factor(campaign)
     parts = [
-        make_output_part(
-            rows, campaign.site, make_bias_columns(rows) | make_pickoff_columns(rows, k)
+        output_rows.make_output_part(
+            rows, campaign.site, output_rows.make_bias_columns(rows) | make_pickoff_columns(rows, k)
         )
         for rows in select_slow_rows(campaign)[0]
     ]
-    return fit_terms(parts, [*BIAS_TERMS, SCALE, GAIN, SKEW, *EIGHTH], REASON)
+    return output_rows.fit_terms(parts, [*BIAS_TERMS, SCALE, GAIN, SKEW, *EIGHTH], REASON)
 
 
 def select_slow_rows(campaign: Campaign) -> tuple[list[Rows], tuple[str, ...]]:
     """Steady rows that loops follow, and a sentence on each faster stretch."""
-    stretches = require_steady_rows([test.log for test in require_tests(campaign, KIND)])
+    stretches = output_rows.require_steady_rows(
+        [test.log for test in require_tests(campaign, KIND)]
+    )
     fast = [rows for rows in stretches if abs(_rate(rows)) > FASTEST]
     left_out = tuple(
         f"{rows.log.source}: {_rate(rows) / DEG:.3g} deg/s left out: above {FASTEST / DEG:g} deg/s "

@@ -19,15 +19,8 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.harmonics import Fit
 from pyhrg.bench.estimation.sizes import estimate_anisotropy, make_component_findings
 from pyhrg.bench.figures import COLOURS
-from pyhrg.bench.identification import rate_reversal
-from pyhrg.bench.identification.free_decay import (
-    TERMS,
-    Decay,
-    Gyro,
-    describe_shell,
-    find_decays,
-    fit_decays,
-)
+from pyhrg.bench.identification import free_decay, rate_reversal
+from pyhrg.bench.identification.free_decay import TERMS, Decay, Gyro
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
@@ -70,7 +63,7 @@ def fit_ring_downs(campaign: Campaign) -> tuple[Fit, list[Decay], Gyro]:
     """
     logs = [test.log for test in require_tests(campaign, KIND)]
     k, site = read_bryan_factor(campaign), campaign.site
-    found = [decay for log in logs for decay in find_decays(log, site, k)]
+    found = [decay for log in logs for decay in free_decay.find_decays(log, site, k)]
     if not found:
         raise BenchError(
             f"{', '.join(log.source for log in logs)}: the drive is nowhere off for more than "
@@ -80,8 +73,8 @@ def fit_ring_downs(campaign: Campaign) -> tuple[Fit, list[Decay], Gyro]:
     rate = float(np.log(first.amplitude[0] / first.amplitude[-1]) / np.ptp(first.time))
     split = _split_guess(campaign)
     gyro = Gyro(k, _pickoff(campaign))
-    fit = fit_decays(found, gyro, np.array([rate, 0.0, 0.0, split.real, split.imag]))
-    if (describe_shell(fit.values).split.conjugate() * split).real < 0:
+    fit = free_decay.fit_decays(found, gyro, np.array([rate, 0.0, 0.0, split.real, split.imag]))
+    if (free_decay.describe_shell(fit.values).split.conjugate() * split).real < 0:
         fit = replace(fit, values=fit.values * [1, 1, 1, -1, -1])
     return fit, found, gyro
 
@@ -119,7 +112,10 @@ def evaluate(campaign: Campaign) -> Outcome:
     """Decay time, damping anisotropy and split with their axes."""
     fit, found, gyro = fit_ring_downs(campaign)
     rate, (low, high) = fit.value(TERMS[0]), fit.interval(TERMS[0])
-    damping, split = (TERMS[1], TERMS[2]), (TERMS[3], TERMS[4])
+    damping, split = (
+        (TERMS[1], TERMS[2]),
+        (TERMS[3], TERMS[4]),
+    )
     return Outcome(
         findings=(
             Finding("decay time", 1 / rate, "s", 1 / high, 1 / low, len(fit.residual)),
@@ -136,7 +132,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         warnings=(
             *_narrow(found),
             *_unknown(gyro),
-            *_walking(found, describe_shell(fit.values).split),
+            *_walking(found, free_decay.describe_shell(fit.values).split),
         ),
         exclusions=list_exclusions(require_tests(campaign, KIND)),
         draw=lambda figure: draw(figure, found, fit, gyro),

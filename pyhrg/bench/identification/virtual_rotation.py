@@ -12,14 +12,8 @@ from pyhrg.bench.identification.identification_figure import draw_terms
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.output_rows import (
-    BIAS_TERMS,
-    Rows,
-    fit_terms,
-    make_bias_columns,
-    make_output_part,
-    require_steady_rows,
-)
+from pyhrg.bench.readings import output_rows
+from pyhrg.bench.readings.output_rows import BIAS_TERMS, Rows
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
@@ -50,15 +44,21 @@ def make_columns(rows: Rows) -> dict[str, Array]:
     """Terms of the output, rad."""
     turned = rows.values("virtual_rotation") * rows.log.interval
     waves = (turned * rows.mean_trig(trig, 4) for trig in (np.cos, np.sin))
-    return {**make_bias_columns(rows), GAIN: turned, **dict(zip(WAVES, waves, strict=True))}
+    return {
+        **output_rows.make_bias_columns(rows),
+        GAIN: turned,
+        **dict(zip(WAVES, waves, strict=True)),
+    }
 
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Gain error, sums of mismatches, and the bias map that they are told from."""
     tests = require_tests(campaign, KIND)
-    stretches = require_steady_rows([test.log for test in tests])
-    parts = [make_output_part(rows, campaign.site, make_columns(rows)) for rows in stretches]
-    terms = fit_terms(parts, [*BIAS_TERMS, GAIN, *WAVES], REASON)
+    stretches = output_rows.require_steady_rows([test.log for test in tests])
+    parts = [
+        output_rows.make_output_part(rows, campaign.site, make_columns(rows)) for rows in stretches
+    ]
+    terms = output_rows.fit_terms(parts, [*BIAS_TERMS, GAIN, *WAVES], REASON)
     labels = [f"V = {rows.values('virtual_rotation')[0] / DEG:+.3g} deg/s" for rows in stretches]
     title = "Output under virtual rotation, less Earth's rate"
     if GAIN in terms.refused:

@@ -20,12 +20,8 @@ from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_deviation
 from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.turns import PERIOD, SETTLE, Turn, find_turns
-from pyhrg.bench.scale_factor.rate_tests import (
-    INTERVAL,
-    RUNS,
-    WARM_UP,
-    list_turn_exclusions,
-)
+from pyhrg.bench.scale_factor import rate_tests
+from pyhrg.bench.scale_factor.rate_tests import INTERVAL, RUNS, WARM_UP
 from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG
@@ -86,7 +82,10 @@ def make_programme(bench: Bench, rates: Sequence[float] = RATES) -> Programme:
         rows = np.ceil(count * period / INTERVAL)
         exact = count * PERIOD / (bench.device.bryan_factor * rows * INTERVAL)
         for signed in (exact, -exact):
-            course.spin(signed - earth, (rows + np.ceil((SETTLE + 1.0) / INTERVAL)) * INTERVAL)
+            course.spin(
+                signed - earth,
+                (rows + np.ceil((SETTLE + 1.0) / INTERVAL)) * INTERVAL,
+            )
     return course
 
 
@@ -158,7 +157,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             f"{asymmetry.value_in_unit:.2g} ppm."
         ),
         tables=(Table("Rates, means of all power-ons", header, rows),),
-        exclusions=list_turn_exclusions(campaign, KIND),
+        exclusions=rate_tests.list_turn_exclusions(campaign, KIND),
         draw=lambda figure: draw(figure, lines),
     )
 

@@ -13,14 +13,8 @@ from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS
-from pyhrg.bench.estimation.angle_fit import (
-    AngleFit,
-    Record,
-    estimate_walk,
-    estimate_walk_ratio,
-    fit_angles,
-    make_walk_finding,
-)
+from pyhrg.bench.estimation import angle_fit
+from pyhrg.bench.estimation.angle_fit import AngleFit, Record
 from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_deviation, estimate_mean
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
@@ -93,8 +87,8 @@ def evaluate(campaign: Campaign) -> Outcome:
     off = cycles.cut_rests([log for log in resting if log], find_averaging_time(on))
     turning, rotation = _rotating_fit([s for log in rotating for s in log])
     still, rest = _resting_fit([s for log in resting for s in log])
-    walks = estimate_walk(turning, rotation), estimate_walk(still, rest)
-    ratio = estimate_walk_ratio("random walk on over off", *walks)
+    walks = angle_fit.estimate_walk(turning, rotation), angle_fit.estimate_walk(still, rest)
+    ratio = angle_fit.estimate_walk_ratio("random walk on over off", *walks)
     bias = estimate_mean("bias on", [c.rate for run in on for c in run], "deg/h")
     gain = estimate_mean(GAIN_ERROR, [c.gain for r in on for c in r], "ppm", HELD)
     findings = (
@@ -103,8 +97,8 @@ def evaluate(campaign: Campaign) -> Outcome:
         *_scatter("off", off),
         gain,
         *_scale_factors(campaign, turning),
-        make_walk_finding("angle random walk on", walks[0]),
-        make_walk_finding("angle random walk off", walks[1]),
+        angle_fit.make_walk_finding("angle random walk on", walks[0]),
+        angle_fit.make_walk_finding("angle random walk off", walks[1]),
         ratio,
     )
     return Outcome(
@@ -147,7 +141,7 @@ def _rotating_fit(found: list[Sweep]) -> tuple[AngleFit, list[Record]]:
         )
     orders = select_orders(found, kinds)
     records = [sweep.record(orders, kinds) for sweep in found]
-    return fit_angles(records), records
+    return angle_fit.fit_angles(records), records
 
 
 def _resting_fit(found: list[Sweep]) -> tuple[AngleFit, list[Record]]:
@@ -163,7 +157,7 @@ def _resting_fit(found: list[Sweep]) -> tuple[AngleFit, list[Record]]:
             for power in (1, 2, 3)
         }
         records.append(Record(sweep.interval, sweep.excess, columns))
-    return fit_angles(records), records
+    return angle_fit.fit_angles(records), records
 
 
 def _scale_factors(campaign: Campaign, turning: AngleFit) -> tuple[Finding, ...]:

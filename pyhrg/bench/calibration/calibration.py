@@ -130,10 +130,8 @@ def find_residual_variation(
 
 def _verdict(found: dict[str, Finding]) -> str:
     before, variation = found["bias stability before"], found["scale factor variation before"]
-    text = (
-        f"Bias stability {before.value_in_unit:.2g} deg/h, scale factor variation "
-        f"{variation.value_in_unit:.2g}"
-    )
+    text = f"Bias stability {before.value_in_unit:.2g} deg/h, scale factor variation "
+    text += f"{variation.value_in_unit:.2g}"
     if "bias stability after" not in found:
         return f"{text} ppm over the circumference; maps are fitted, not verified."
     after, noise = found["bias stability after"], found["within positions after"]
@@ -178,11 +176,8 @@ def label_stage(tests: Sequence[Test], stage: str) -> list[Test]:
 def select_stage(campaign: Campaign, stage: str) -> Campaign | None:
     """The tests of a stage alone, under their plain kinds; None where there are none."""
     suffix = f"_{stage}"
-    found = [
-        replace(test, kind=test.kind.removesuffix(suffix))
-        for test in campaign.tests
-        if test.kind.endswith(suffix)
-    ]
+    staged = (test for test in campaign.tests if test.kind.endswith(suffix))
+    found = [replace(test, kind=test.kind.removesuffix(suffix)) for test in staged]
     return replace(campaign, tests=tuple(found)) if found else None
 
 

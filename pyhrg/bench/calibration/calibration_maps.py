@@ -115,12 +115,8 @@ def _bias(name: str, positions: BiasMap, rates: ScaleFactorMap, earth: float, n:
     term = SCALE if name == MEAN else f"{SCALE} {name}"
     if term not in rates.fit.names:
         return _finding(f"bias map {name}", "deg/h", (value, error, freedom), n)
-    index = rates.fit.names.index(term)
-    share = (
-        earth * rates.fit.value(term),
-        abs(earth) * rates.fit.deviation(term),
-        float(rates.fit.freedoms[index]),
-    )
+    fit = rates.fit
+    share = (earth * fit.value(term), abs(earth) * fit.deviation(term), fit.freedom_of(term))
     return _finding(f"bias map {name}", "deg/h", _less((value, error, freedom), share), n)
 
 

@@ -13,7 +13,7 @@ from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, MEAN, Fit, name_
 from pyhrg.bench.estimation.row_fit import Part, compute_inflations, fit_rows
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.plateaus import find_plateaus
-from pyhrg.bench.readings.segments import SEGMENT
+from pyhrg.bench.readings.segments import COLUMNS, SEGMENT
 from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG
@@ -39,9 +39,7 @@ GROUPS = {
 def is_turning(log: Log) -> bool:
     """Whether a log is fit for the map: table slow, pattern turned by it, drive and rotation
     constant."""
-    log.require(
-        "table_angle", "axis_up", "gyro_angle", "wave_angle", "virtual_rotation", "drive_on"
-    )
+    log.require(*COLUMNS)
     rate = np.max(np.abs(np.diff(log.table_angle))) / log.interval
     still = np.all(log.virtual_rotation == 0.0) and np.all(log.drive_on > 0.5)
     return bool(still and 0.0 < rate < FASTEST and np.ptp(log.wave_angle) >= SWEPT)
@@ -58,11 +56,8 @@ def fit_turning(logs: Sequence[Log], latitude: float) -> tuple[Fit, list[str]]:
     parts = [_part(stretch, fastest) for stretch in rows]
     names, refused = [MEAN], []
     for name, group in GROUPS.items():
-        trial = [*names, *group]
-        if (
-            len(trial) + 2 < count
-            and max(compute_inflations(parts, trial).values()) <= LARGEST_INFLATION
-        ):
+        trial, enough = [*names, *group], len(names) + len(group) + 2 < count
+        if enough and max(compute_inflations(parts, trial).values()) <= LARGEST_INFLATION:
             names = trial
         elif name == "harmonic 4":
             raise BenchError(f"{logs[0].source}: the pattern turned too little to see {name}")

@@ -9,7 +9,7 @@ Where the pattern stays near one angle, only the part of the anisotropy that mov
 With dw = 0: tan 2(th - th_tau) = tan 2(th0 - th_tau) e^{D t}.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -129,49 +129,33 @@ def evaluate(campaign: Campaign) -> Outcome:
             "drives take no part. Held to be zero: quadrature when the drive was switched off "
             "(q0/a would add 2 q0/a times the split), tilt of the input axis."
         ),
-        warnings=(
-            *_narrow(found),
-            *_unknown(gyro),
-            *_walking(found, free_decay.describe_shell(fit.values).split),
-        ),
+        warnings=tuple(_list_warnings(found, gyro, free_decay.describe_shell(fit.values).split)),
         exclusions=list_exclusions(require_tests(campaign, KIND)),
         draw=lambda figure: draw(figure, found, fit, gyro),
         values={"terms": fit.terms},
     )
 
 
-def _narrow(found: Sequence[Decay]) -> tuple[str, ...]:
-    """Whether the pattern saw enough angles, by the resultant of its fourth harmonic."""
-    phases = np.concatenate([np.exp(4j * decay.angle) for decay in found])
-    seen = (1 - abs(np.mean(phases))) * 2
-    if seen > 0.5:
-        return ()
-    return (
-        "all ring-downs lie near one pattern angle: what of the damping anisotropy changes the "
-        "decay alone is seen only as far as the pattern moved, or not at all",
-    )
-
-
-def _unknown(gyro: Gyro) -> tuple[str, ...]:
-    if gyro.pickoff:
-        return ()
-    return (
-        "no table rate both ways in this campaign: the pick-offs' errors are held to be zero; a "
-        "gain mismatch g errs by g/4 of the angle that the pattern turns over",
-    )
-
-
-def _walking(found: Sequence[Decay], split: complex) -> tuple[str, ...]:
-    """Whether the quadrature, which noise of the forces lets walk, comes out as angle."""
+def _list_warnings(found: Sequence[Decay], gyro: Gyro, split: complex) -> Iterator[str]:
+    # the resultant of the fourth harmonic of the angles that the pattern saw
+    if abs(np.mean(np.concatenate([np.exp(4j * decay.angle) for decay in found]))) >= 0.75:
+        yield (
+            "all ring-downs lie near one pattern angle: what of the damping anisotropy changes the "
+            "decay alone is seen only as far as the pattern moved, or not at all"
+        )
+    if not gyro.pickoff:
+        yield (
+            "no table rate both ways in this campaign: the pick-offs' errors are held to be zero; "
+            "a gain mismatch g errs by g/4 of the angle that the pattern turns over"
+        )
     longest = max(float(decay.time[-1]) for decay in found)
-    turned = abs(split) * longest
-    if turned <= WALKING:
-        return ()
-    return (
-        f"split times duration is {turned:.2g} rad ({longest:.4g} s): the quadrature walks with "
-        "the noise of the forces and the split turns that into angle, which the fit takes for "
-        "white noise; at 0.75 rad its 95 % intervals hold the truth in about 90 % only",
-    )
+    if abs(split) * longest > WALKING:
+        yield (
+            f"split times duration is {abs(split) * longest:.2g} rad ({longest:.4g} s): the "
+            "quadrature walks with the noise of the forces and the split turns that into angle, "
+            "which the fit takes for white noise; at 0.75 rad its 95 % intervals hold the truth in "
+            "about 90 % only"
+        )
 
 
 def draw(figure: Figure, found: Sequence[Decay], fit: Fit, gyro: Gyro) -> None:
@@ -186,11 +170,10 @@ def draw(figure: Figure, found: Sequence[Decay], fit: Fit, gyro: Gyro) -> None:
         above.plot(decay.time, (decay.angle - without) / ARCSEC, ".", ms=3, color=colour)
         above.plot(decay.time, (with_damping - without) / ARCSEC, color=colour, lw=1, label=label)
         below.plot(decay.time, (decay.angle - with_damping) / ARCSEC, color=colour, lw=0.8)
-    above.set_ylabel("turned by damping, arcsec")
-    below.set(
-        ylabel="residual of the fit, arcsec", xlabel="time since the drive was switched off, s"
-    )
-    above.set_title("Ring-downs: pattern angle less rotation and split")
+    title = "Ring-downs: pattern angle less rotation and split"
+    above.set(title=title, ylabel="turned by damping, arcsec")
+    below.set(ylabel="residual of the fit, arcsec")
+    below.set_xlabel("time since the drive was switched off, s")
     figure.legend(title="pattern", fontsize="small", loc="outside right upper")
     for axes in (above, below):
         axes.grid(alpha=0.3)

@@ -63,14 +63,14 @@ def record(bench: Bench, runs: int = RUNS, count: int = CYCLES) -> list[Test]:
     """Seven power-ons with virtual rotation and seven without, both left all around the
     circumference."""
     angles = bench.device.power_on_angle + np.arange(runs) * 180 * DEG / runs
-    tasks = []
-    for name, rotation in (("on", ROTATION), ("off", 0.0)):
-        course = make_programme(bench, rotation, count)
-        tasks += [
-            PowerOn(f"self_calibration_{name}_{run + 1}", KIND, course, float(angle))
-            for run, angle in enumerate(angles)
+    courses = {"on": make_programme(bench, ROTATION, count), "off": make_programme(bench, 0, count)}
+    return bench.run(
+        [
+            PowerOn(f"self_calibration_{name}_{run}", KIND, course, float(angle))
+            for name, course in courses.items()
+            for run, angle in enumerate(angles, 1)
         ]
-    return bench.run(tasks)
+    )
 
 
 GAIN_ERROR = "virtual rotation gain error"
@@ -151,11 +151,8 @@ def _resting_fit(found: list[Sweep]) -> tuple[AngleFit, list[Record]]:
     records = []
     for number, sweep in enumerate(found):
         time = (sweep.time - sweep.time[0]) / (sweep.time[-1] - sweep.time[0])
-        columns = {
-            f"{i}, {power}": time**power * (i == number)
-            for i in range(len(found))
-            for power in (1, 2, 3)
-        }
+        powers = [(i, power) for i in range(len(found)) for power in (1, 2, 3)]
+        columns = {f"{i}, {power}": time**power * (i == number) for i, power in powers}
         records.append(Record(sweep.interval, sweep.excess, columns))
     return angle_fit.fit_angles(records), records
 

@@ -171,7 +171,6 @@ def evaluate(campaign: Campaign) -> Outcome:
 
 
 def draw(figure: Figure, response: Response) -> None:
-    """Draw gain and phase against the frequency."""
     frequency, mean = response.frequency, response.mean
     above, below = figure.subplots(2, 1, sharex=True)
     decibel = 20 * np.log10(np.abs(mean))

@@ -172,7 +172,6 @@ def evaluate(campaign: Campaign) -> Outcome:
 
 
 def draw(figure: Figure, both: dict[str, list[Step]]) -> None:
-    """Draw the error against the rate, both directions."""
     axes = figure.add_subplot(title="Measuring range")
     for (name, steps), mark in zip(both.items(), ("o", "s"), strict=True):
         rate = np.array([abs(step.rate) for step in steps]) / DEG

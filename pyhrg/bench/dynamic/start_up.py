@@ -175,7 +175,6 @@ def _list_warnings(tests: Sequence[Test], runs: Sequence[StartUp]) -> tuple[str,
 
 
 def draw(figure: Figure, runs: Sequence[StartUp]) -> None:
-    """Draw the error of the averaged rate against the time since power-on."""
     axes = figure.add_subplot(title="Start-up")
     for number, run in enumerate(runs):
         label = f"{len(runs)} power-ons" if number == 0 else None

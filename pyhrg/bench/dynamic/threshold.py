@@ -173,7 +173,6 @@ def evaluate(campaign: Campaign) -> Outcome:
 
 
 def draw(figure: Figure, responses: Sequence[Response]) -> None:
-    """Draw the response against the rate, both directions."""
     axes = figure.add_subplot(title="Threshold, 95 % intervals", xscale="log")
     for sign, name, mark in ((1, "positive", "+"), (-1, "negative", "s")):
         side = [r for r in responses if sign * r.rate > 0]

@@ -35,7 +35,6 @@ DRIFTING = "amplitudes must go up and down again, or temperature may look like s
 def record(
     bench: Bench, amplitudes: Sequence[float] = AMPLITUDES, dwell: float = DWELL
 ) -> list[Test]:
-    """One power-on through all amplitudes."""
     course = bench.programme(INTERVAL)
     for amplitude in amplitudes:
         course.command(amplitude_setpoint=amplitude).spin(RATE, dwell)

@@ -44,7 +44,6 @@ def make_programme(bench: Bench, dwell: float = DWELL) -> Programme:
 
 
 def record(bench: Bench, dwell: float = DWELL) -> list[Test]:
-    """One power-on."""
     return bench.run([PowerOn("phase_step", KIND, make_programme(bench, dwell))])
 
 

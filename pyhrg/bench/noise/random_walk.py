@@ -52,7 +52,6 @@ def plan_power_ons(bench: Bench, duration: float = DURATION) -> list[PowerOn]:
 
 
 def record(bench: Bench) -> list[Test]:
-    """Run them."""
     return bench.run(plan_power_ons(bench))
 
 

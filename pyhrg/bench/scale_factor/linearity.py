@@ -113,7 +113,6 @@ def read_line(turns: Sequence[Turn]) -> Line:
 
 
 def _count_rates(rates: Array) -> int:
-    """Number of different positive rates."""
     positive = np.sort(rates[rates > 0])
     return len(positive) - int(np.sum(np.diff(positive) < RATE_TOLERANCE * positive[1:]))
 
@@ -179,7 +178,6 @@ def _estimate_asymmetry(lines: Sequence[Line]) -> Finding:
 
 
 def draw(figure: Figure, lines: Sequence[Line]) -> None:
-    """Draw the residuals of each power-on and their mean against the rate."""
     axes = figure.add_subplot(title="Output less its best line")
     for number, line in enumerate(lines):
         style = {"color": "C0", "ms": 4, "alpha": 0.4}

@@ -91,7 +91,6 @@ def _describe_verdict(fitted: ScaleFactorMap) -> str:
 
 
 def draw(figure: Figure, fitted: ScaleFactorMap, residuals: list[Array]) -> None:
-    """Draw the angle errors of both directions against the pattern angle."""
     axes = figure.add_subplot(title="Angle residual; where both ways differ, the bias shows")
     pairs = zip(fitted.turns, residuals, strict=True)
     points = [(turn.pattern_angle[: len(values)], values / ARCSEC) for turn, values in pairs]

@@ -128,7 +128,6 @@ def _summarize_averages(
 
 
 def draw(figure: Figure, fitted: ScaleFactorMap, errors: list[tuple[Array, Array]]) -> None:
-    """Draw the averages of both directions and the fitted map against the pattern angle."""
     axes = figure.add_subplot(
         title=f"Scale factor over the circumference, averages of {SMOOTHING:g} s"
     )

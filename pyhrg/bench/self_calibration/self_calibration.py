@@ -187,7 +187,6 @@ def _verdict(found: dict[str, Finding]) -> str:
 
 
 def draw(figure: Figure, on: Sequence[Sequence[Cycle]], off: Sequence[Sequence[Cycle]]) -> None:
-    """Means over a cycle, with virtual rotation and at rest."""
     axes = figure.add_subplot(title="Self-calibration by virtual rotation", xlim=(0, 180))
     for runs, mark, colour, label in (
         (off, "s", "#D55E00", "off: pattern left where it is"),

@@ -45,7 +45,6 @@ def make_programme(
 
 
 def record(bench: Bench) -> list[Test]:
-    """Test of one power-on with all axes."""
     return bench.run([PowerOn("centrifuge", KIND, make_programme(bench))])
 
 

@@ -60,7 +60,6 @@ def make_programme(
 
 
 def record(bench: Bench) -> list[Test]:
-    """Test of one power-on with twelve positions."""
     return bench.run([PowerOn("tumble", KIND, make_programme(bench))])
 
 

@@ -185,7 +185,6 @@ def _describe_verdict(findings: Sequence[Finding]) -> str:
 
 
 def draw(figure: Figure, groups: dict[str, Sequence[Circumference]]) -> None:
-    """Draw the bias over the circumference before, during and after."""
     axes = figure.add_subplot(title="Bias over the circumference before, during and after")
     colours = ("#000000", "#D55E00", "#E69F00", "#0072B2", "#009E73")
     for (text, runs), colour, marker in zip(groups.items(), colours, "o^vsD", strict=False):

@@ -30,7 +30,6 @@ def make_power_ons(bench: Bench, runs: int = RUNS, segments: int = SEGMENTS) -> 
 
 
 def record(bench: Bench) -> list[Test]:
-    """Tests of the power-ons."""
     return bench.run(make_power_ons(bench))
 
 
@@ -64,7 +63,6 @@ def evaluate(campaign: Campaign) -> Outcome:
 
 
 def draw(figure: Figure, runs: Sequence[Points]) -> None:
-    """Draw the data points against time, one line for each power-on."""
     axes = figure.add_subplot(title=f"Fixed position, {SEGMENT:g} s means")
     for number, run in enumerate(runs, 1):
         axes.plot(run.time / MINUTE, run.rate / DEG_PER_H, ".-", lw=0.6, label=f"run {number}")

@@ -208,7 +208,6 @@ def _describe_verdict(test: BiasTest, within: float, between: float) -> str:
 
 
 def draw(figure: Figure, runs: Sequence[Points], fitted: BiasMap) -> None:
-    """Draw data points and bias map against the pattern angle."""
     axes = figure.add_subplot(
         title="Bias over the circumference" + (", tilt removed" if fitted.tilt else ""),
         xlim=(0, 180),

@@ -121,7 +121,6 @@ def evaluate(campaign: Campaign) -> Outcome:
 
 
 def draw(figure: Figure, reports: Sequence[PlanReport], amplitude: float) -> None:
-    """Draw the reported bias stability against the start angle."""
     axes = figure.add_subplot(xlim=(0, 90), title="Bias stability that a plan of positions reports")
     for report, mark in zip(reports, "osv^" * len(reports), strict=False):
         axes.plot(

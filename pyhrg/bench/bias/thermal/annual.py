@@ -147,7 +147,6 @@ def _make_findings(name: str, months: Months, unit: str) -> tuple[Finding, ...]:
 
 
 def draw(figure: Figure, bias: Months, scale: Months) -> None:
-    """Draw bias and scale factor against the age, with their drifts."""
     panels = figure.subplots(2, 1, sharex=True)
     series = (
         (bias, DEG_PER_H, "bias, deg/h", "#0072B2"),

@@ -148,7 +148,6 @@ def _list_warnings(result: Thermal) -> tuple[str, ...]:
 
 
 def draw(figure: Figure, result: Thermal) -> None:
-    """Draw the bias against the resonator's temperature, by soaks and ramps up and down."""
     axes = figure.add_subplot(
         title=f"Bias over temperature, without its map ({result.basis.place})"
     )

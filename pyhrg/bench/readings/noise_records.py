@@ -139,9 +139,9 @@ def fit_noise_of_tests(campaign: Campaign, kind: str, turning: bool) -> Noise | 
     `turning` chooses the stretches with virtual rotation, else those without.
     """
     tests = select_tests(campaign, kind)
-    found = [record for test in tests for record in find_noise_records(test.log)]
     if not tests:
         return None
+    found = (record for test in tests for record in find_noise_records(test.log))
     wanted = [record for record in found if (record.rotation != 0) == turning]
     if not wanted:
         state = "with" if turning else "without"

@@ -5,7 +5,6 @@ force a changes the gaps and the axes of the shell, so that each coefficient has
 a fourth harmonic of the pattern angle th. Records at one pattern angle give their sum only.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -102,29 +101,23 @@ def make_force_columns(acceleration: Array) -> dict[str, Array]:
 
 
 def make_outcome(
-    campaign: Campaign, kind: str, title: str, describe_verdict: Callable[[Sensitivity], str]
+    campaign: Campaign, result: Sensitivity, kind: str, title: str, verdict: str
 ) -> Outcome:
     """Bias and its sensitivity to specific force, of all tests of a kind."""
-    result = fit_sensitivity(campaign, kind)
+    warnings = [finding.note for finding in result.missing]
+    if result.basis.angle is not None:
+        warnings.append(
+            "the pattern hardly moved: sensitivities are those at its angle, and their constant "
+            "part can't be separated from their fourth harmonic"
+        )
     return Outcome(
         findings=result.findings(),
-        verdict=describe_verdict(result),
-        warnings=list_warnings(result),
+        verdict=verdict,
+        warnings=tuple(warnings),
         exclusions=list_exclusions(require_tests(campaign, kind)),
         draw=lambda figure: draw(figure, result, title),
         values={"terms": result.fitted.terms},
     )
-
-
-def list_warnings(result: Sensitivity) -> tuple[str, ...]:
-    """A sentence on each sensitivity that the records don't determine, harmonics apart."""
-    sentences = [f.note for f in result.missing]
-    if result.basis.angle is not None:
-        sentences.append(
-            "the pattern hardly moved: sensitivities are those at its angle, and their constant "
-            "part can't be separated from their fourth harmonic"
-        )
-    return tuple(sentences)
 
 
 def draw(figure: Figure, result: Sensitivity, title: str) -> None:

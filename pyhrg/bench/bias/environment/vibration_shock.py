@@ -9,6 +9,7 @@ device for the power-ons afterwards.
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import chain
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -42,6 +43,7 @@ SHOCK = "shock"
 KEPT_ANGLE = "angle kept after a pulse"
 VIBRATION_AXIS = {"vibration_along": "z", "vibration_across": "x"}
 """Axis of the vibration, by kind of test."""
+AFTER = [kind for kind in STATES if kind not in VIBRATION_AXIS]
 RUNS = 4
 SEGMENTS = 2
 STEADY, RANDOM = 0.1, 0.1
@@ -62,16 +64,6 @@ def make_still_programme(bench: Bench) -> Programme:
     return course
 
 
-def make_vibration_programme(bench: Bench, axis: str, run: int) -> Programme:
-    """Programme of one power-on under vibration along x or z, drawn anew for each run."""
-    course = make_still_programme(bench)
-    generator = np.random.default_rng([bench.seed, ord(axis), run])
-    n = len(course)
-    force = course.values(f"acceleration_{axis}") + SHAKE * generator.standard_normal(n)
-    vibration = STEADY + RANDOM * generator.standard_normal(n)
-    return course.override(**{f"acceleration_{axis}": force, "vibration": vibration})
-
-
 def make_shock_programme(bench: Bench) -> Programme:
     """Programme of one power-on with three pulses in both directions of each axis."""
     course = bench.programme(ROW if bench.step < COARSE else bench.step).rest(WARM_UP)
@@ -82,14 +74,17 @@ def make_shock_programme(bench: Bench) -> Programme:
 
 
 def make_power_ons(bench: Bench, kind: str, runs: int) -> list[PowerOn]:
-    """Power-ons of one kind."""
-    courses = [
-        make_vibration_programme(bench, VIBRATION_AXIS[kind], n)
-        if kind in VIBRATION_AXIS
-        else make_still_programme(bench)
-        for n in range(runs)
-    ]
-    return [PowerOn(f"{kind}_{n + 1}", kind, course) for n, course in enumerate(courses)]
+    """Power-ons of one kind; vibration, along x or z, is drawn anew for each."""
+    power_ons = []
+    for run in range(runs):
+        course = make_still_programme(bench)
+        if axis := VIBRATION_AXIS.get(kind):
+            generator, n = np.random.default_rng([bench.seed, ord(axis), run]), len(course)
+            force = course.values(f"acceleration_{axis}") + SHAKE * generator.standard_normal(n)
+            vibration = STEADY + RANDOM * generator.standard_normal(n)
+            course.override(**{f"acceleration_{axis}": force, "vibration": vibration})
+        power_ons.append(PowerOn(f"{kind}_{run + 1}", kind, course))
+    return power_ons
 
 
 def record(bench: Bench, changed: Device | None = None, runs: int = RUNS) -> list[Test]:
@@ -99,13 +94,14 @@ def record(bench: Bench, changed: Device | None = None, runs: int = RUNS) -> lis
     larger `resonator.material.mountingDamping`); the same gyro if None.
     """
     after = replace(bench, device=changed or bench.device)
-    tests = bench.run(
-        [p for kind in (BEFORE, *VIBRATION_AXIS) for p in make_power_ons(bench, kind, runs)]
-    )
     fine = replace(bench, step=min(ROW, bench.step) if bench.step < COARSE else bench.step)
-    tests += fine.run([PowerOn(SHOCK, SHOCK, make_shock_programme(fine))])
-    kinds = [kind for kind in STATES if kind not in VIBRATION_AXIS]
-    return tests + after.run([p for kind in kinds for p in make_power_ons(after, kind, runs)])
+    return [
+        *bench.run(
+            [p for kind in (BEFORE, *VIBRATION_AXIS) for p in make_power_ons(bench, kind, runs)]
+        ),
+        *fine.run([PowerOn(SHOCK, SHOCK, make_shock_programme(fine))]),
+        *after.run([p for kind in AFTER for p in make_power_ons(after, kind, runs)]),
+    ]
 
 
 def evaluate(campaign: Campaign) -> Outcome:
@@ -118,9 +114,8 @@ def evaluate(campaign: Campaign) -> Outcome:
     if not any(groups[kind] for kind in STATES) and not select_tests(campaign, SHOCK):
         raise BenchError(f"{campaign.device}: nothing to compare with {BEFORE}")
     measured = {text: groups[kind] for kind, text in STATES.items() if groups[kind]}
-    findings = [
-        f for text, runs in measured.items() for f in _estimate_changes(text, groups[BEFORE], runs)
-    ]
+    changes = [_estimate_changes(text, groups[BEFORE], runs) for text, runs in measured.items()]
+    findings = list(chain(*changes))
     missing = [text for kind, text in STATES.items() if not groups[kind]]
     used = select_tests(campaign, BEFORE, *STATES, SHOCK)
     return Outcome(

@@ -133,15 +133,13 @@ def fit_temperature(campaign: Campaign) -> Thermal:
 def _read_temperatures(log: Log, meter: Thermometer, part: Points) -> tuple[Array, ...]:
     """For each data point: temperature of the resonator, K, rates of the case's and of the
     resonator's temperature, K/s, and temperature of the case, K."""
-    case = fill_gaps(log.temperature)
-    rows = list(zip(part.first, part.last, strict=True))
-    warm, mean = (
-        np.array([np.mean(values[a : b + 1]) for a, b in rows])
+    rows, case = list(zip(part.first, part.last, strict=True)), fill_gaps(log.temperature)
+    (warm, warming), (mean, rate) = (
+        (
+            np.array([np.mean(values[a : b + 1]) for a, b in rows]),
+            np.asarray((values[part.last] - values[part.first]) / part.duration),
+        )
         for values in (meter.temperature, case)
-    )
-    rate, warming = (
-        np.asarray((values[part.last] - values[part.first]) / part.duration)
-        for values in (case, meter.temperature)
     )
     return warm, rate, warming, mean
 

@@ -33,7 +33,7 @@ class Circumference:
 
 def fit_circumference(test: Test, site: Site) -> Circumference:
     """Fit of one power-on."""
-    data = read_points(test.log, site.latitude, SETTLE, WARM_UP, held=())
+    data = read_points(test.log, site, SETTLE, WARM_UP, held=())
     columns = make_columns(data.pattern_angle, data.pattern_angle, HARMONICS, tilt=False)
     worst = max(compute_inflations(columns).values())
     if worst > LARGEST_INFLATION or len(data) < len(columns) + 2:

@@ -63,7 +63,7 @@ def record(bench: Bench, longest: float = LONGEST) -> list[Test]:
     W_L: plain, under virtual rotation, with Eq. (5) and with Eq. (7), both of the measured map."""
     bench = replace(bench, device=replace(bench.device, bias_map=AngleMap()))
     tests = bench.run(plan_map_runs(bench))
-    fitted, _ = fit_turning([test.log for test in tests], bench.device.site.latitude)
+    fitted, _ = fit_turning([test.log for test in tests], bench.device.site)
     lock = math.hypot(*map(fitted.value, FOURTH))
     duration = CAPTURES / (4 * bench.device.bryan_factor * lock) if lock > 0 else math.inf
     if duration > longest:
@@ -108,7 +108,7 @@ def read_runs(campaign: Campaign, kind: str) -> tuple[list[Run], list[str]]:
     found, excluded = [], []
     for test in select_tests(campaign, kind):
         try:
-            found.append(read_run(test.log, campaign.site.latitude, read_bryan_factor(campaign)))
+            found.append(read_run(test.log, campaign.site, read_bryan_factor(campaign)))
         except BenchError as error:
             excluded.append(str(error))
     return found, excluded
@@ -120,7 +120,7 @@ def evaluate(campaign: Campaign) -> Outcome:
     maps = [test.log for test in tests]
     if not maps:
         raise BenchError(f"{campaign.device}: no log turns the pattern by 90 deg below 10 deg/s")
-    fitted, refused = fit_turning(maps, campaign.site.latitude)
+    fitted, refused = fit_turning(maps, campaign.site)
     lock = estimate_amplitude("lock rate", fitted, FOURTH, "deg/h")
     groups = [read_runs(campaign, kind) for kind in (PLAIN, COMPENSATED, CANCELLED)]
     (plain, by_output, by_force), excluded = zip(*groups, strict=True)

@@ -17,7 +17,7 @@ from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.plateaus import find_plateaus
 from pyhrg.common.pages.markup import Table
-from pyhrg.common.site import EARTH_RATE
+from pyhrg.common.site import Site
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign, Test
@@ -91,13 +91,13 @@ def read_steps(campaign: Campaign, sign: int) -> list[Step]:
     steps = [
         step
         for test in require_tests(campaign, KIND)
-        for step in _read_steps(test.log, campaign.site.latitude)
+        for step in _read_steps(test.log, campaign.site)
         if sign * step.rate > 0
     ]
     return sorted(steps, key=lambda step: abs(step.rate))
 
 
-def _read_steps(log: Log, latitude: float) -> list[Step]:
+def _read_steps(log: Log, site: Site) -> list[Step]:
     log.require("axis_up")
     steps = []
     for plateau in find_plateaus(log, SETTLE + 10 * log.interval):
@@ -105,7 +105,7 @@ def _read_steps(log: Log, latitude: float) -> list[Step]:
             continue
         settled = replace(plateau, first=plateau.first + round(SETTLE / log.interval))
         rows = slice(settled.first, settled.last + 1)
-        earth = EARTH_RATE * np.sin(latitude) * np.mean(log.axis_up[rows])
+        earth = site.vertical_rate * np.mean(log.axis_up[rows])
         error = (settled.mean_rate(log, log.gyro_angle) - earth) / plateau.rate - 1
         valid = not np.any(log.valid[rows] < 1 - 1e-9)
         steps.append(Step(plateau.rate, float(error), bool(valid)))

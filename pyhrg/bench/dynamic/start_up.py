@@ -19,7 +19,7 @@ from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
-from pyhrg.common.site import EARTH_RATE
+from pyhrg.common.site import Site
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign, Test
@@ -67,7 +67,7 @@ def record(bench: Bench, runs: int = RUNS, duration: float = DURATION) -> list[T
     return replace(bench, device=device).run(tasks)
 
 
-def measure_start_up(log: Log, latitude: float) -> StartUp:
+def measure_start_up(log: Log, site: Site) -> StartUp:
     """Start-up of one power-on."""
     log.require("gyro_angle", "amplitude", "amplitude_setpoint", "axis_up")
     rows = round(AVERAGE / log.interval)
@@ -80,7 +80,7 @@ def measure_start_up(log: Log, latitude: float) -> StartUp:
         raise BenchError(
             f"{log.source}: rows are missing; the start-up takes them from power-on on"
         )
-    earth = EARTH_RATE * np.sin(latitude) * float(np.mean(log.axis_up))
+    earth = site.vertical_rate * float(np.mean(log.axis_up))
     rate = (log.gyro_angle[rows:] - log.gyro_angle[:-rows]) / AVERAGE - earth
     half = n // 2
     span = log.time[-1] - log.time[half]
@@ -114,7 +114,7 @@ def _find_last_start(time: Array, good: NDArray[np.bool_], latest: float) -> flo
 def evaluate(campaign: Campaign) -> Outcome:
     """Median and largest value of both times over the power-ons."""
     tests = require_tests(campaign, KIND)
-    runs = [measure_start_up(test.log, campaign.site.latitude) for test in tests]
+    runs = [measure_start_up(test.log, campaign.site) for test in tests]
     findings = (
         *summarize_times("time to valid output", [run.valid for run in runs], runs[0].interval),
         *summarize_times("time to specification", [run.within for run in runs], runs[0].interval),

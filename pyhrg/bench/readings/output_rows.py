@@ -5,12 +5,12 @@ pick-offs are errors of the angle th, so that they need no duration. Errors of d
 are rates (`pyhrg.theory`).
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, Fit
+from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, Fit, average_wave
 from pyhrg.bench.estimation.row_fit import Part, compute_inflations, fit_rows
 from pyhrg.bench.outcome import BenchError, Finding
 from pyhrg.bench.readings.segments import AT_REST, split_rows
@@ -56,11 +56,9 @@ class Rows:
         """(n,) changes of a column over the rows."""
         return np.diff(self.ends(name))
 
-    def mean_trig(self, trig: Callable[[Array], Array], order: int) -> Array:
+    def mean_trig(self, trig: np.ufunc, order: int) -> Array:
         """(n,) mean over each row of `trig`, cosine or sine, of `order` times the pattern angle."""
-        angle = self.ends("wave_angle")
-        middle, swept = (angle[1:] + angle[:-1]) / 2, np.diff(angle)
-        return trig(order * middle) * np.sinc(order * swept / (2 * np.pi))
+        return average_wave(trig, order, self.ends("wave_angle"))
 
 
 COMMANDS = ("axis_up", "virtual_rotation", "amplitude_setpoint", "phase_offset", "drive_on")

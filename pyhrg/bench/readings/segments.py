@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
 from pyhrg.common.arrays import Array
-from pyhrg.common.site import EARTH_RATE
+from pyhrg.common.site import Site
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
 
@@ -95,7 +95,7 @@ def find_rests(log: Log, settle: float) -> list[slice]:
 
 
 def read_segments(
-    log: Log, latitude: float, settle: float, length: float = SEGMENT, warm_up: float = WARM_UP
+    log: Log, site: Site, settle: float, length: float = SEGMENT, warm_up: float = WARM_UP
 ) -> Points:
     """Data points of a log: means over whole segments of `length` seconds within its rests.
 
@@ -112,7 +112,7 @@ def read_segments(
         first = max(rest.start, late)
         longest = max(longest, (rest.stop - first - 1) * log.interval)
         points += [
-            _read_point(log, latitude, begin, begin + rows, number)
+            _read_point(log, site, begin, begin + rows, number)
             for begin in range(first, rest.stop - rows, rows)
         ]
     if not points:
@@ -125,7 +125,7 @@ def read_segments(
 
 def read_points(
     log: Log,
-    latitude: float,
+    site: Site,
     settle: float,
     warm_up: float = 0.0,
     held: Sequence[str] = FORCES,
@@ -144,7 +144,7 @@ def read_points(
         parts = math.floor((rows * log.interval) / (SEGMENT + log.interval) + 1e-9)
         size = rows // max(parts, 1)
         points += [
-            _read_point(log, latitude, begin, begin + size - 1, number)
+            _read_point(log, site, begin, begin + size - 1, number)
             for begin in range(dwell.start, dwell.start + parts * size, size)
         ]
     if not points:
@@ -170,11 +170,11 @@ def _find_dwells(log: Log, settle: float, warm_up: float, held: Sequence[str]) -
                 yield slice(first, end)
 
 
-def _read_point(log: Log, latitude: float, first: int, last: int, dwell: int) -> tuple[object, ...]:
+def _read_point(log: Log, site: Site, first: int, last: int, dwell: int) -> tuple[object, ...]:
     whole, after = slice(first, last + 1), slice(first + 1, last + 1)
     swept, span = log.gyro_angle[last] - log.gyro_angle[first], log.time[last] - log.time[first]
     return (
-        swept / span - EARTH_RATE * math.sin(latitude) * np.mean(log.axis_up[after]),
+        swept / span - site.vertical_rate * np.mean(log.axis_up[after]),
         np.mean(log.wave_angle[whole]),
         np.mean(log.table_angle[whole]),
         [np.mean(getattr(log, name)[after]) for name in FORCES],

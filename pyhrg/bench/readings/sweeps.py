@@ -14,11 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.bench.estimation.angle_fit import Record, compute_largest_inflation
-from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, name_terms
+from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, average_wave, name_terms
 from pyhrg.bench.readings.segments import split_rows
 from pyhrg.bench.readings.turns import SETTLE, TURN_TOLERANCE, find_rate_changes
 from pyhrg.common.arrays import Array
-from pyhrg.common.site import EARTH_RATE
+from pyhrg.common.site import Site
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
 
@@ -67,12 +67,10 @@ class Sweep:
     def record(self, orders: Sequence[int], kinds: Sequence[str]) -> Record:
         """Record for a fit of the excess: mean and harmonics (`orders`) of each kind of terms."""
         steps = np.diff(self.time)
-        middle = (self.pattern_angle[1:] + self.pattern_angle[:-1]) / 2
-        swept = np.diff(self.pattern_angle)
         waves = {"": self.time - self.time[0]}
         for order in orders:
             for name, trig in zip(name_terms(order), (np.cos, np.sin), strict=True):
-                mean = trig(order * middle) * np.sinc(order * swept / (2 * np.pi))
+                mean = average_wave(trig, order, self.pattern_angle)
                 waves[f" {name}"] = np.concatenate([[0.0], np.cumsum(mean * steps)])
         rates = {BIAS: 1.0, GAIN: self.virtual_rotation, SCALE: self.input_rate}
         pairs = ((kind, name) for kind in kinds for name in waves)
@@ -85,12 +83,12 @@ class Sweep:
         return float(self.input_angle[-1] / (self.time[-1] - self.time[0]))
 
 
-def find_sweeps(log: Log, latitude: float) -> list[Sweep]:
+def find_sweeps(log: Log, site: Site) -> list[Sweep]:
     """Sweeps of a log in order of time, from a settling time after each change."""
     log.require("table_angle", "axis_up", "virtual_rotation", "gyro_angle", "wave_angle")
     settle = math.ceil(SETTLE / log.interval)
     return [
-        _read_sweep(log, latitude, slice(first + settle, after))
+        _read_sweep(log, site, slice(first + settle, after))
         for stretch in log.stretches("table_angle", "virtual_rotation", "gyro_angle", "wave_angle")
         for first, after in split_rows(stretch, _find_changes(log, stretch))
         if after - first > settle + SHORTEST_ROWS
@@ -106,13 +104,13 @@ def _find_changes(log: Log, rows: slice) -> NDArray[np.bool_]:
     return np.asarray(changed | (log.drive_on[rows] < 0.5) | (log.valid[rows] < 0.999))
 
 
-def _read_sweep(log: Log, latitude: float, rows: slice) -> Sweep:
+def _read_sweep(log: Log, site: Site, rows: slice) -> Sweep:
     time, table, pattern, gyro = (
         np.asarray(values[rows])
         for values in (log.time, log.table_angle, log.wave_angle, log.gyro_angle)
     )
     span = time[-1] - time[0]
-    earth = EARTH_RATE * math.sin(latitude) * float(np.mean(log.axis_up[rows]))
+    earth = site.vertical_rate * float(np.mean(log.axis_up[rows]))
     angle = table - table[0] + earth * (time - time[0])
     moved = float(table[-1] - table[0])
     rate = moved / span if abs(moved) > TURN_TOLERANCE * len(time) else 0.0

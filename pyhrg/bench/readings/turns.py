@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.segments import COLUMNS, split_rows
 from pyhrg.common.arrays import Array
-from pyhrg.common.site import EARTH_RATE
+from pyhrg.common.site import Site
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.records import Log
 
@@ -73,9 +73,9 @@ class Turn:
         return time, angle, excess
 
 
-def find_turns(log: Log, latitude: float) -> list[Turn]:
+def find_turns(log: Log, site: Site) -> list[Turn]:
     """Steady stretches of at least one period, in order of time."""
-    stretches = _find_all(log, latitude)
+    stretches = _find_all(log, site)
     whole = [turn for turn in stretches if turn.periods >= WHOLE_PERIOD]
     if not whole:
         longest = max((turn.periods for turn in stretches), default=0.0) * PERIOD / DEG
@@ -86,20 +86,20 @@ def find_turns(log: Log, latitude: float) -> list[Turn]:
     return whole
 
 
-def list_short_turns(log: Log, latitude: float) -> list[str]:
+def list_short_turns(log: Log, site: Site) -> list[str]:
     """A sentence on each steady stretch that is shorter than one period."""
     return [
         f"{log.source}: {turn.time[0]:.6g} to {turn.time[-1]:.6g} s at {turn.table_rate / DEG:.3g} "
         f"deg/s left out: the pattern turned by {turn.periods * PERIOD / DEG:.3g} deg, less than "
         f"the {PERIOD / DEG:g} deg of a period"
-        for turn in _find_all(log, latitude)
+        for turn in _find_all(log, site)
         if turn.periods < WHOLE_PERIOD
     ]
 
 
-def _find_all(log: Log, latitude: float) -> list[Turn]:
+def _find_all(log: Log, site: Site) -> list[Turn]:
     log.require(*COLUMNS)
-    return [_read_turn(log, latitude, rows) for rows in _find_steady(log)]
+    return [_read_turn(log, site, rows) for rows in _find_steady(log)]
 
 
 def _find_steady(log: Log) -> list[slice]:
@@ -123,13 +123,13 @@ def find_rate_changes(turned: Array) -> NDArray[np.bool_]:
     return np.asarray(change > TURN_TOLERANCE + RATE_TOLERANCE * np.abs(turned))
 
 
-def _read_turn(log: Log, latitude: float, rows: slice) -> Turn:
+def _read_turn(log: Log, site: Site, rows: slice) -> Turn:
     time, table, pattern, gyro, axis_up = (
         np.asarray(values[rows])
         for values in (log.time, log.table_angle, log.wave_angle, log.gyro_angle, log.axis_up)
     )
     # axis_up of a row is valid from the end of the row before to the end of this row
-    earth = EARTH_RATE * math.sin(latitude) * np.cumsum(axis_up) * log.interval
+    earth = site.vertical_rate * np.cumsum(axis_up) * log.interval
     angle = table - table[0] + earth - earth[0]
     excess = gyro - gyro[0] - angle
     return Turn(log.source, log.interval, time, table, pattern, angle, excess)

@@ -120,7 +120,7 @@ def _count_rates(rates: Array) -> int:
 def read_lines(campaign: Campaign) -> list[Line]:
     """Input and output rates of each power-on."""
     tests = require_tests(campaign, KIND)
-    lines = [read_line(find_turns(test.log, campaign.site.latitude)) for test in tests]
+    lines = [read_line(find_turns(test.log, campaign.site)) for test in tests]
     for test, line in zip(tests, lines, strict=True):
         same = len(line.input) == len(lines[0].input)
         if not same or np.any(np.abs(line.input / lines[0].input - 1) > RATE_TOLERANCE):

@@ -80,7 +80,7 @@ HELD = "with the hold of the forces, -Ts/2 tau, and -(W_L/V)^2/2 of a large map"
 def evaluate(campaign: Campaign) -> Outcome:
     """Bias, stability, repeatability, scale factor and random walk, on and off."""
     tests = require_tests(campaign, *KINDS)
-    found = [find_sweeps(test.log, campaign.site.latitude) for test in tests]
+    found = [find_sweeps(test.log, campaign.site) for test in tests]
     rotating = [[s for s in log if s.virtual_rotation != 0.0] for log in found]
     resting = [[s for s in log if s.virtual_rotation == 0.0 == s.table_rate] for log in found]
     on = cycles.pair_cycles(rotating)
@@ -163,7 +163,7 @@ def _scale_factors(campaign: Campaign, turning: AngleFit) -> tuple[Finding, ...]
         return (Finding("scale factor error on", np.nan, "ppm", note=note),)
     logs = [t for t in require_tests(campaign, KIND) if not np.any(t.log.virtual_rotation)]
     off = fit_scale_factor_map(
-        [turn for test in logs for turn in find_turns(test.log, campaign.site.latitude)],
+        [turn for test in logs for turn in find_turns(test.log, campaign.site)],
         read_bryan_factor(campaign),
     )
     return (

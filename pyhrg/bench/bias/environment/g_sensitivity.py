@@ -67,7 +67,7 @@ class Sensitivity:
 def fit_sensitivity(campaign: Campaign, kind: str) -> Sensitivity:
     """Fit of all power-ons of a kind together."""
     logs = [test.log for test in require_tests(campaign, kind)]
-    data = join_points([read_points(log, campaign.site.latitude, SETTLE) for log in logs])
+    data = join_points([read_points(log, campaign.site, SETTLE) for log in logs])
     different = len(np.unique(np.round(data.acceleration), axis=0))
     if different < 3:
         names = ", ".join(log.source for log in logs)

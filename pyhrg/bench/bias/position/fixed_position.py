@@ -37,7 +37,7 @@ def read_runs(campaign: Campaign) -> list[Points]:
     """Data points of each power-on."""
     runs = []
     for test in require_tests(campaign, KIND):
-        runs.append(read_segments(test.log, campaign.site.latitude, 0.0))
+        runs.append(read_segments(test.log, campaign.site, 0.0))
         if len(runs[-1]) < 2:
             raise BenchError(f"{test.log.source}: 1 segment of {SEGMENT:g} s; expected 2 or more")
     return runs

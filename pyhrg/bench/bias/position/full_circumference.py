@@ -151,9 +151,7 @@ def measure_mean_bias(campaign: Campaign) -> float:
 
 def read_runs(campaign: Campaign) -> list[Points]:
     """Data points of each power-on, equally many at each position."""
-    return position_runs.read_complete_runs(
-        require_tests(campaign, KIND), campaign.site.latitude, SETTLE
-    )[0]
+    return position_runs.read_complete_runs(require_tests(campaign, KIND), campaign.site, SETTLE)[0]
 
 
 def fit_map(
@@ -180,7 +178,7 @@ def fit_map(
 def evaluate(campaign: Campaign) -> Outcome:
     """Bias, stability, repeatability, variances within and between positions, bias map."""
     tests = require_tests(campaign, KIND)
-    runs, exclusions = position_runs.read_complete_runs(tests, campaign.site.latitude, SETTLE)
+    runs, exclusions = position_runs.read_complete_runs(tests, campaign.site, SETTLE)
     test, fitted = BiasTest(runs), fit_map(runs)
     within = position_runs.estimate_within("within positions", runs)
     between = position_runs.estimate_between("between positions", runs, fitted.fits)

@@ -81,9 +81,8 @@ def summarize_plans(runs: Sequence[Points]) -> list[PlanReport]:
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Range of the bias stability that each plan reports, and the map fitted to all runs."""
-    latitude = campaign.site.latitude
     logs = [test.log for test in require_tests(campaign, KIND)]
-    runs = [read_segments(log, latitude, SETTLE) for log in logs]
+    runs = [read_segments(log, campaign.site, SETTLE) for log in logs]
     pattern, rate = (
         np.concatenate([getattr(run, name) for run in runs]) for name in ("pattern_angle", "rate")
     )

@@ -13,6 +13,7 @@ from pyhrg.bench.estimation.spread import estimate_excess
 from pyhrg.bench.outcome import BenchError, Finding, estimate_pooled_deviation
 from pyhrg.bench.readings.segments import SEGMENT, Points, read_segments
 from pyhrg.common.arrays import Array
+from pyhrg.common.site import Site
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Test
 
@@ -25,14 +26,14 @@ SMALLEST_LEAKAGE = 0.02
 
 
 def read_complete_runs(
-    tests: Sequence[Test], latitude: float, settle: float
+    tests: Sequence[Test], site: Site, settle: float
 ) -> tuple[list[Points], list[str]]:
     """Data points of each complete power-on, equally many at each position.
 
     `settle` seconds at the beginning of each rest are not used. Returns the runs, and a sentence on
     each power-on or data point that is not used.
     """
-    candidates = [read_segments(test.log, latitude, settle) for test in tests]
+    candidates = [read_segments(test.log, site, settle) for test in tests]
     expected = max(points.dwells for points in candidates)
     runs, exclusions = [], []
     for test, points in zip(tests, candidates, strict=True):

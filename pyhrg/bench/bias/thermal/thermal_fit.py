@@ -106,7 +106,7 @@ def fit_temperature(campaign: Campaign) -> Thermal:
     nominal_lag = campaign.nominal.get("thermal_lag_s")
     reference = campaign.nominal.get("reference_temperature_degC", 25.0) + ZERO_CELSIUS
     logs = [test.log for test in require_tests(campaign, KIND)]
-    parts = [read_points(log, campaign.site.latitude, SETTLE, warm_up=WARM_UP) for log in logs]
+    parts = [read_points(log, campaign.site, SETTLE, warm_up=WARM_UP) for log in logs]
     meters = tuple(estimate_temperature(log, nominal_lag) for log in logs)
     warm, rates, warming, case = (
         np.concatenate(c) for c in zip(*map(_read_temperatures, logs, meters, parts), strict=True)

@@ -16,8 +16,7 @@ from numpy.typing import NDArray
 from pyhrg.bench.estimation.angle_fit import Record, compute_largest_inflation
 from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, average_wave, name_terms
 from pyhrg.bench.readings.segments import split_rows
-from pyhrg.bench.readings.turns import SETTLE, TURN_TOLERANCE, find_rate_changes
-from pyhrg.common.arrays import Array
+from pyhrg.bench.readings.turns import SETTLE, TURN_TOLERANCE, Turn, find_rate_changes
 from pyhrg.common.site import Site
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
@@ -33,26 +32,19 @@ ORDERS = (4, 2, 8)
 
 
 @dataclass(frozen=True)
-class Sweep:
-    """A stretch of n rows at constant virtual rotation and table rate; arrays are (n,).
+class Sweep(Turn):
+    """A turn of the table, or a rest, at constant virtual rotation.
 
-    source: the log.
-    interval: of its rows, s.
     virtual_rotation: as an input rate, rad/s; 0 without.
-    table_rate: rad/s; 0 at rest.
-    time: s. pattern_angle: rad.
-    input_angle: of table and Earth since the beginning, rad.
-    excess: output less input angle since the beginning, rad.
     """
 
-    source: str
-    interval: float
     virtual_rotation: float
-    table_rate: float
-    time: Array
-    pattern_angle: Array
-    input_angle: Array
-    excess: Array
+
+    @property
+    def table_rate(self) -> float:
+        """Mean rate of the table, rad/s; 0 at rest."""
+        moved = abs(float(self.table_angle[-1] - self.table_angle[0]))
+        return super().table_rate if moved > TURN_TOLERANCE * len(self.time) else 0.0
 
     def average_period(self) -> tuple[float, float] | None:
         """Mean error of the output rate, rad/s, over a whole period of the bias map, and that
@@ -76,11 +68,6 @@ class Sweep:
         pairs = ((kind, name) for kind in kinds for name in waves)
         columns = {f"{kind}{name}": rates[kind] * waves[name] for kind, name in pairs}
         return Record(self.interval, self.excess, columns)
-
-    @property
-    def input_rate(self) -> float:
-        """Mean input rate of table and Earth, rad/s."""
-        return float(self.input_angle[-1] / (self.time[-1] - self.time[0]))
 
 
 def find_sweeps(log: Log, site: Site) -> list[Sweep]:
@@ -109,14 +96,10 @@ def _read_sweep(log: Log, site: Site, rows: slice) -> Sweep:
         np.asarray(values[rows])
         for values in (log.time, log.table_angle, log.wave_angle, log.gyro_angle)
     )
-    span = time[-1] - time[0]
     earth = site.vertical_rate * float(np.mean(log.axis_up[rows]))
     angle = table - table[0] + earth * (time - time[0])
-    moved = float(table[-1] - table[0])
-    rate = moved / span if abs(moved) > TURN_TOLERANCE * len(time) else 0.0
-    command = float(log.virtual_rotation[rows][-1])
-    excess = gyro - gyro[0] - angle
-    return Sweep(log.source, log.interval, command, rate, time, pattern, angle, excess)
+    command, excess = float(log.virtual_rotation[rows][-1]), gyro - gyro[0] - angle
+    return Sweep(log.source, log.interval, time, table, pattern, angle, excess, command)
 
 
 def select_orders(sweeps: Sequence[Sweep], kinds: Sequence[str]) -> tuple[int, ...]:

@@ -180,9 +180,9 @@ def _estimate_asymmetry(lines: Sequence[Line]) -> Finding:
 def draw(figure: Figure, lines: Sequence[Line]) -> None:
     axes = figure.add_subplot(title="Output less its best line")
     for number, line in enumerate(lines):
-        style = {"color": "C0", "ms": 4, "alpha": 0.4}
         label = f"{len(lines)} power-ons" if number == 0 else None
-        axes.plot(line.input / DEG, line.residual * 1e6, "o", label=label, **style)
+        points = (line.input / DEG, line.residual * 1e6, "o")
+        axes.plot(*points, color="C0", ms=4, alpha=0.4, label=label)
     mean = np.mean([line.residual for line in lines], axis=0)
     axes.plot(lines[0].input / DEG, mean * 1e6, "k-", lw=1.2, label="mean")
     axes.set_xscale("symlog", linthresh=1.0)

@@ -138,12 +138,10 @@ def _estimate_changes(
 ) -> tuple[Finding, ...]:
     terms = {MEAN: f"bias change {text}"}
     terms |= {name: f"bias {name} change {text}" for h in (2, 4) for name in name_terms(h)}
-    changes = tuple(
-        estimate_change(
-            label, *([r.fitted.value(t) for r in runs] for runs in (before, after)), "deg/h"
-        )
-        for t, label in terms.items()
-    )
+    changes = []
+    for term, label in terms.items():
+        first, second = ([r.fitted.value(term) for r in runs] for runs in (before, after))
+        changes.append(estimate_change(label, first, second, "deg/h"))
     return (*changes, estimate_noise_ratio(f"noise ratio {text}", before, after))
 
 

@@ -184,7 +184,8 @@ def evaluate(campaign: Campaign) -> Outcome:
     between = position_runs.estimate_between("between positions", runs, fitted.fits)
     maps = [fitted.finding(name) for name in fitted.names]
     if 4 in fitted.harmonics:
-        sizes = [float(np.hypot(*map(f.value, name_terms(4)))) for f in fitted.fits]
+        cosine, sine = name_terms(4)
+        sizes = [float(np.hypot(f.value(cosine), f.value(sine))) for f in fitted.fits]
         maps.insert(0, estimate_mean("fourth harmonic", sizes, "deg/h", "amplitude"))
     return Outcome(
         findings=(*test.findings(), within, between, *maps),

@@ -159,8 +159,8 @@ def draw(figure: Figure, result: Thermal) -> None:
         ("ramp down", ~resting & ~up, "#0072B2", "v"),
     )
     for label, chosen, colour, marker in groups:
-        style = {"color": colour, "label": label, "ms": 3.5}
-        axes.plot(result.temperature[chosen], bias[chosen], marker, **style)
+        points = (result.temperature[chosen], bias[chosen], marker)
+        axes.plot(*points, color=colour, label=label, ms=3.5)
     finish_axes(axes, "resonator above the reference temperature, K", "bias, deg/h")
 
 

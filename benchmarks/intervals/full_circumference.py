@@ -19,7 +19,7 @@ from pyhrg.bench.bias.position import full_circumference
 from pyhrg.bench.bias.position.full_circumference import read_runs
 from pyhrg.bench.bias.position.position_runs import estimate_within, group_by_position
 from pyhrg.bench.bias.position.positions import Plan
-from pyhrg.bench.readings.segments import SEGMENT, Segments
+from pyhrg.bench.readings.segments import SEGMENT, Points
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.device.device import Device
 from pyhrg.device.ready_devices import TYPICAL
@@ -68,7 +68,7 @@ def truths(device: Device) -> dict[str, float]:
     }
 
 
-def deviations(device: Device, runs: Sequence[Segments]) -> dict[str, float]:
+def deviations(device: Device, runs: Sequence[Points]) -> dict[str, float]:
     """Of the same runs without noise, and of the noise; neighbours share a reading."""
     noise = rate_noise(device, SEGMENT)
     white = 2 * (device.angle_white_noise / SEGMENT) ** 2 / SEGMENTS

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.programme import Programme
+from pyhrg.bench.programme import COMMANDS, HELD_INPUTS, LOGGED_COMMANDS, Programme
 from pyhrg.bench.store import Store, compute_key
 from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
@@ -20,18 +20,6 @@ from pyhrg.fmu import CONTROL_PERIOD, Gyro, GyroFmu
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign, Test
 
-HELD_INPUTS = {
-    "acceleration_x": "accelerationX",
-    "acceleration_y": "accelerationY",
-    "acceleration_z": "accelerationZ",
-    "virtual_rotation": "virtualRotation",
-    "amplitude_setpoint": "amplitudeSetpoint",
-    "phase_offset": "phaseOffset",
-    "drive_on": "driveOn",
-    "vibration": "vibration",
-    "bias_voltage": "biasVoltage",
-}
-"""The FMU's names of its inputs that are constant within a row, by their name in a programme."""
 OUTPUTS_AT_END = {"gyro_angle": "gyroAngle", "wave_angle": "patternAngle", "amplitude": "amplitude"}
 """The FMU's names of its outputs that a log has at the end of each row, by their field of a log."""
 OUTPUTS_AVERAGED = {
@@ -43,8 +31,6 @@ OUTPUTS_AVERAGED = {
 """The FMU's names of its outputs that a log has averaged over each row, by their field of a log."""
 LOOP_OUTPUTS = tuple(name for name in OUTPUTS_AVERAGED if name != "valid")
 """Fields of a log that the control loops put out."""
-
-
 MAX_TEST_ROWS = 2_000_000
 """Largest number of rows of a test's power-ons. Chosen: ten times those of the largest test; their
 logs take 0.3 GB."""
@@ -132,28 +118,26 @@ class Bench:
 
     def log(self, power_on: PowerOn) -> Test:
         """Test of one power-on: simulated, or from the store where an interrupted run kept it."""
-        log = self._recall(power_on, self.store) if self.store else self._simulate(power_on)
+        log, store = None, self.store
+        if store:
+            key = compute_key(
+                power_on.programme,
+                **{"id": power_on.id, "seed": self.seed, "step": self.step},
+                **{"fmu": self.fmu.folder.name, "device": self.device},
+                **{"start_angle": power_on.start_angle},
+            )
+            log = store.load(key)
+        if log is None:
+            log = self._simulate(power_on)
+            if store:
+                store.keep(key, log)
         self.on_power_on(power_on.programme.time)
         recording = replace(log, source=power_on.id)
         return Test(id=power_on.id, kind=power_on.kind, role="fit", recording=recording)
 
-    def _recall(self, power_on: PowerOn, store: Store) -> Log:
-        """The log of a power-on from the store, simulated and put there if it is not in it."""
-        key = compute_key(
-            power_on.programme,
-            **{"id": power_on.id, "seed": self.seed, "step": self.step},
-            **{"fmu": self.fmu.folder.name, "device": self.device},
-            **{"start_angle": power_on.start_angle},
-        )
-        log = store.load(key)
-        if log is None:
-            log = self._simulate(power_on)
-            store.keep(key, log)
-        return log
-
     def _simulate(self, power_on: PowerOn) -> Log:
         programme = power_on.programme
-        commands = {name: programme.values(name) for name in ("axis_up", *HELD_INPUTS)}
+        commands = {name: programme.values(name) for name in COMMANDS}
         held = {name: commands[name] for name in HELD_INPUTS}
         with self.power_on(power_on.id, power_on.start_angle) as gyro:
             moving = self._moving_inputs(programme, commands["axis_up"])
@@ -224,12 +208,6 @@ def compute_earth_rate(device: Device, axis_up: Array, table_angle: Array) -> Ar
     azimuth = table_angle + device.misalignment_direction
     site = replace(device.site, latitude=device.site.latitude + device.latitude_error)
     return site.compute_earth_rate(axis_up, device.misalignment, azimuth)
-
-
-LOGGED_COMMANDS = tuple(
-    name for name in ("axis_up", *HELD_INPUTS) if name not in ("vibration", "bias_voltage")
-)
-"""Quantities of a programme that a log has as columns."""
 
 
 def compute_step_middles(steps: int) -> Array:

@@ -19,31 +19,16 @@ from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.scale_factor import linearity, scale_factor_angle, scale_factor_rate
 from pyhrg.bench.self_calibration import self_calibration
 
-PROCEDURES: tuple[Procedure, ...] = (
-    fixed_position.PROCEDURE,
-    full_circumference.PROCEDURE,
-    position_plans.PROCEDURE,
-    full_temperature.PROCEDURE,
-    tumble.PROCEDURE,
-    centrifuge.PROCEDURE,
-    vibration_shock.PROCEDURE,
-    annual.PROCEDURE,
-    scale_factor_angle.PROCEDURE,
-    scale_factor_rate.PROCEDURE,
-    linearity.PROCEDURE,
-    random_walk.PROCEDURE,
-    measuring_range.PROCEDURE,
-    threshold.PROCEDURE,
-    start_up.PROCEDURE,
-    bandwidth.PROCEDURE,
-    dead_zone.PROCEDURE,
-    self_calibration.PROCEDURE,
-    ring_down.PROCEDURE,
-    rate_reversal.PROCEDURE,
-    virtual_rotation.PROCEDURE,
-    force_map.PROCEDURE,
-    phase_step.PROCEDURE,
-    amplitude_sweep.PROCEDURE,
-    calibration.PROCEDURE,
+PROCEDURES: tuple[Procedure, ...] = tuple(
+    module.PROCEDURE
+    for module in (
+        *(fixed_position, full_circumference, position_plans, full_temperature),
+        *(tumble, centrifuge, vibration_shock, annual),
+        *(scale_factor_angle, scale_factor_rate, linearity),
+        *(random_walk, measuring_range, threshold, start_up, bandwidth),
+        *(dead_zone, self_calibration),
+        *(ring_down, rate_reversal, virtual_rotation, force_map, phase_step, amplitude_sweep),
+        calibration,
+    )
 )
 """In the order in which a full bench runs them."""

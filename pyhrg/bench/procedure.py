@@ -32,7 +32,6 @@ class Procedure:
     kinds: kinds of campaign tests that it evaluates.
     record: makes the test's power-ons on the virtual bench; takes the options as keywords.
     evaluate: gives the outcome of a campaign that holds tests of these kinds.
-    rows: rows of the paper's Table 1 that it gives, in their English terms.
     model: model that the virtual bench simulates, a key of `fmu_build.roots.ROOTS`.
     step: communication step of the simulation, s.
     options: parts of the plan that a user may change.
@@ -47,7 +46,6 @@ class Procedure:
     kinds: tuple[str, ...]
     record: Callable[..., list[Test]]
     evaluate: Callable[[Campaign], Outcome]
-    rows: tuple[str, ...] = ()
     model: str = "HRG"
     step: float = 0.01
     options: tuple[Option, ...] = ()

@@ -8,22 +8,23 @@ import numpy as np
 from pyhrg.bench.outcome import BenchError
 from pyhrg.common.arrays import Array
 
-COMMANDS = (
-    "axis_up",
-    "acceleration_x",
-    "acceleration_y",
-    "acceleration_z",
-    "virtual_rotation",
-    "amplitude_setpoint",
-    "phase_offset",
-    "drive_on",
-    "vibration",
-    "bias_voltage",
-)
+HELD_INPUTS = {
+    "acceleration_x": "accelerationX",
+    "acceleration_y": "accelerationY",
+    "acceleration_z": "accelerationZ",
+    "virtual_rotation": "virtualRotation",
+    "amplitude_setpoint": "amplitudeSetpoint",
+    "phase_offset": "phaseOffset",
+    "drive_on": "driveOn",
+    "vibration": "vibration",
+    "bias_voltage": "biasVoltage",
+}
+"""The FMU's names of its inputs that are constant within a row, by their name in a programme."""
+COMMANDS = ("axis_up", *HELD_INPUTS)
 """Quantities that are constant within a row. Case temperature and table rate are not among them:
 they change linearly within a row."""
-
-
+LOGGED_COMMANDS = tuple(name for name in COMMANDS if name not in ("vibration", "bias_voltage"))
+"""Quantities of a programme that a log has as columns."""
 MAX_ROWS = 500_000
 """Largest number of rows of a programme. Chosen: ten times those of the longest test; with the
 inputs of their communication steps they take about 1 GB."""

@@ -106,7 +106,10 @@ def run_tests(
     """
     procedures = _choose_procedures(names)
     changes = {name: value for name, value in plan.items() if value is not None}
-    _check_arguments(device, campaign, seed, workers)
+    if device is not None and campaign is not None:
+        raise HrgError("device, campaign: found both, expected one gyro: simulated or recorded")
+    check_seed(seed)
+    choose_workers(workers)
     _check_plan(changes, procedures, campaign is not None)
     folder = None if out is None else Path(out)
     if folder is not None:
@@ -118,21 +121,17 @@ def run_tests(
             store = None if folder is None else Store(folder / LOGS_TO_RESUME)
             source = prepare_simulation(procedures, device, seed, workers, store, counter, changes)
         counter.expect(len(source.procedures))
-        return _perform(source, folder, counter)
-
-
-def _perform(source: Source, out: Path | None, progress: Progress) -> BenchResults:
-    try:
-        with source.store:
-            attempts = [_attempt(source, p, out, progress) for p in source.procedures]
-    except KeyboardInterrupt:
-        raise KeyboardInterrupt(f"interrupted; {source.resumption}") from None
-    results = BenchResults(source.subject, tuple(attempts), source.limits)
+        try:
+            with source.store:
+                attempts = [_attempt(source, p, folder, counter) for p in source.procedures]
+        except KeyboardInterrupt:
+            raise KeyboardInterrupt(f"interrupted; {source.resumption}") from None
+    results = BenchResults(source.subject, attempts, source.limits)
     if not results.results:
         reasons = "; ".join(f"{name}: {reason}" for name, reason in results.failures.items())
         raise BenchError(f"no test gave figures; {reasons}")
-    if out is not None:
-        results.write_page(out)
+    if folder is not None:
+        results.write_page(folder)
     return results
 
 
@@ -171,13 +170,6 @@ def _choose_procedures(names: Sequence[str] | str | None) -> Sequence[Procedure]
     if not names:
         raise HrgError("names: found no test, expected at least one, or None for all")
     return [by_name[name] for name in dict.fromkeys(names)]
-
-
-def _check_arguments(device: object, campaign: object, seed: int, workers: int | None) -> None:
-    if device is not None and campaign is not None:
-        raise HrgError("device, campaign: found both, expected one gyro: simulated or recorded")
-    check_seed(seed)
-    choose_workers(workers)
 
 
 def _check_plan(plan: Mapping[str, float], procedures: Sequence[Procedure], recorded: bool) -> None:

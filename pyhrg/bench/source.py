@@ -89,9 +89,7 @@ def prepare_simulation(
 
 def open_records(campaign: Campaign | str | Path, procedures: Sequence[Procedure]) -> Source:
     """A campaign and, of several procedures, those that it has a kind of test for."""
-    records = (
-        campaign if isinstance(campaign, Campaign) else campaigns.read_campaign(Path(campaign))
-    )
+    records = campaign if isinstance(campaign, Campaign) else campaigns.read_campaign(campaign)
     able = [p for p in procedures if records.of_kind(*p.kinds)]
     if len(procedures) > 1 and not able:
         kinds = ", ".join(sorted({test.kind for test in records.tests})) or "no tests"

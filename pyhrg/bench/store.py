@@ -6,13 +6,13 @@ import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, fields
-from functools import cache
 from pathlib import Path
 
 import numpy as np
 
 from pyhrg.bench.programme import COMMANDS, Programme
 from pyhrg.common.caches.files import read_cached, write_cached
+from pyhrg.common.made_by import list_versions
 from pyhrg.records import Log
 
 
@@ -59,19 +59,10 @@ class Store:
 
 
 def compute_key(programme: Programme, **circumstances: object) -> str:
-    """Digest of all that a log depends on: programme, circumstances, this package's code."""
-    digest = hashlib.sha256(_digest_code())
-    digest.update(repr(sorted(circumstances.items())).encode())
-    digest.update(repr(programme.interval).encode())
+    """Digest of all that a log depends on: programme, circumstances, this code, its libraries."""
+    others = (list_versions(), sorted(circumstances.items()), programme.interval)
+    digest = hashlib.sha256(repr(others).encode())
     arrays = (programme.table_rate, programme.temperature, *map(programme.values, COMMANDS))
     for values in arrays:
         digest.update(np.ascontiguousarray(values).tobytes())
     return digest.hexdigest()[:32]
-
-
-@cache
-def _digest_code() -> bytes:
-    digest = hashlib.sha256()
-    for file in sorted(Path(__file__).parents[1].rglob("*.py")):
-        digest.update(file.read_bytes())
-    return digest.digest()

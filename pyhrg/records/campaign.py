@@ -134,7 +134,14 @@ def write_campaign(campaign: Campaign, folder: Path | str) -> None:
             "gravity_m_s2": campaign.site.gravity,
         },
         "nominal": dict(campaign.nominal),
-        "tests": [_describe_test(test) for test in campaign.tests],
+        "tests": [
+            {
+                **{"id": test.id, "kind": test.kind, "role": test.role},
+                **{"file": f"{test.id}.csv.gz", "interval_s": test.log.interval},
+                "n": len(test.log.time),
+            }
+            for test in campaign.tests
+        ],
     }
     text = json.dumps(index, indent=1, allow_nan=False) + "\n"
     write_whole(folder / INDEX, text.encode())
@@ -145,17 +152,6 @@ def _check_names(path: Path, tests: tuple[Test, ...]) -> None:
     for name in names:
         if not FILE_NAME.fullmatch(name) or names.count(name) > 1:
             raise CampaignError(f"{path}: test {name!r}: expected a file name, each once")
-
-
-def _describe_test(test: Test) -> dict[str, str | float]:
-    return {
-        "id": test.id,
-        "kind": test.kind,
-        "role": test.role,
-        "file": f"{test.id}.csv.gz",
-        "interval_s": test.log.interval,
-        "n": len(test.log.time),
-    }
 
 
 def _read_test(folder: Path, entry: TomlTable, site: Site) -> Test:

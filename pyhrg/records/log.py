@@ -7,11 +7,12 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.files import write_whole
 from pyhrg.common.units import DEG
 from pyhrg.records import mixups, saturation, timing
 from pyhrg.records.columns import BY_FIELD, COLUMNS, LogError
-from pyhrg.records.table import Array, Table, read_table
+from pyhrg.records.table import Table, read_table
 
 
 @dataclass(frozen=True)

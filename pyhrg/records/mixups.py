@@ -5,10 +5,11 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG
 from pyhrg.records.columns import BY_FIELD, LogError
-from pyhrg.records.table import Array, Table
+from pyhrg.records.table import Table
 from pyhrg.records.timing import find_even_steps
 
 MIXUP_FACTOR = 1.2
@@ -53,10 +54,8 @@ def check_earth_rate(table: Table, interval: float, latitude: float) -> None:
         & np.isfinite(beyond)
         & find_even_steps(columns["time"], interval)
     )
-    is_resting, is_slow = (
-        by_table == 0,
-        (by_table != 0) & (np.abs(by_table) < MAX_SLOW_RATE * interval),
-    )
+    is_resting = by_table == 0
+    is_slow = ~is_resting & (np.abs(by_table) < MAX_SLOW_RATE * interval)
     for rows, shortest in ((is_free & is_resting, MIN_REST), (is_free & is_slow, MIN_SLOW_TURNING)):
         if np.sum(rows) * interval < shortest:
             continue
@@ -72,13 +71,10 @@ def check_earth_rate(table: Table, interval: float, latitude: float) -> None:
 
 def _compute_steps(table: Table, interval: float) -> dict[str, Array]:
     """(m,) turns of table, gyro, pattern and virtual rotation over steps of one interval, rad."""
-    columns = table.columns
-    steps = {
-        name: np.diff(columns[f"{name}_angle"])[find_even_steps(columns["time"], interval)]
-        for name in ("table", "gyro", "wave")
-    }
-    virtual = np.nan_to_num(columns["virtual_rotation"][1:]) * interval
-    return steps | {"virtual": virtual[find_even_steps(columns["time"], interval)]}
+    columns, even = table.columns, find_even_steps(table.columns["time"], interval)
+    steps = {n: np.diff(columns[f"{n}_angle"])[even] for n in ("table", "gyro", "wave")}
+    steps["virtual"] = np.nan_to_num(columns["virtual_rotation"][1:])[even] * interval
+    return steps
 
 
 def _check_table(table: Table, steps: dict[str, Array], interval: float) -> None:

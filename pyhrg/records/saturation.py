@@ -3,9 +3,10 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.records.columns import COLUMNS
-from pyhrg.records.table import Array, Table
+from pyhrg.records.table import Table
 
 MOVING_TABLE_RATE = 0.1 * DEG
 """Table rate above which the table turns, rad/s. Chosen: no dead zone holds against it and no bias
@@ -40,9 +41,8 @@ def remove_saturation(table: Table, interval: float) -> Table:
             continue
         values = table.columns[column.field]
         is_stuck = _find_improbable_runs(values, state)
-        if column.field == "gyro_angle" or (
-            column.field == "wave_angle" and not np.any(table.columns["virtual_rotation"])
-        ):
+        is_turned = column.field == "wave_angle" and not table.columns["virtual_rotation"].any()
+        if column.field == "gyro_angle" or is_turned:
             first, last = _find_runs((np.diff(values) == 0) & turning[1:])
             is_long = last - first + 1 >= MIN_RUN_WHILE_TURNING
             is_stuck |= _mark_runs(len(values), first, last, is_long)

@@ -7,12 +7,12 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import quote
 from pyhrg.common.reading.csv_rows import parse_csv
 from pyhrg.common.reading.files import decode, read_unpacked
 from pyhrg.records.columns import BY_FIELD, COLUMNS, Column, LogError, find_mislabelled_column
 
-Array = NDArray[np.float64]
 Numbers = tuple[NDArray[np.int64], dict[str, Array]]
 """(n,) numbers of the rows, and (n,) columns by their name in the file."""
 

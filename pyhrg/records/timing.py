@@ -3,8 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.records.columns import BY_FIELD, LogError
-from pyhrg.records.table import Array, Table
+from pyhrg.records.table import Table
 
 EVEN_STEP_RANGE = (0.5, 1.5)
 """Smallest and largest ratio of a time step to the interval that counts as one interval. Chosen."""
@@ -39,13 +40,12 @@ def drop_repeated_rows(table: Table) -> Table:
 
 
 def _find_repeated_rows(table: Table) -> NDArray[np.bool_]:
-    """(n,) whether a row equals an earlier one."""
     values = np.stack(list(table.columns.values()), axis=-1)
     order = np.argsort(table.columns["time"], kind="stable")
     first, second = order[:-1], order[1:]
     same_time = table.columns["time"][first] == table.columns["time"][second]
     first, second = first[same_time], second[same_time]
-    equal = (values[first] == values[second]) | (np.isnan(values[first]) & np.isnan(values[second]))
+    equal = np.isclose(values[first], values[second], rtol=0, atol=0, equal_nan=True)
     different = np.flatnonzero(~equal.all(axis=1))
     if len(different):
         i = different[0]
@@ -80,13 +80,10 @@ def find_interval(table: Table, stated: float | None) -> float:
             f"{table.source}: {BY_FIELD['time'].name}: {len(time)} rows span {spanned:.4g} times "
             f"{interval:g} s; expected at most {most:g}"
         )
-    if stated is None:
-        return median_step
-    if abs(median_step - stated) > INTERVAL_TOLERANCE * stated:
-        raise LogError(
-            f"{table.source}: {BY_FIELD['time'].name} steps by {median_step:g}; expected {stated:g}"
-        )
-    return stated
+    if abs(median_step - interval) > INTERVAL_TOLERANCE * interval:
+        found = f"{table.source}: {BY_FIELD['time'].name} steps by {median_step:g}"
+        raise LogError(f"{found}; expected {interval:g}")
+    return interval
 
 
 def find_even_steps(time: Array, interval: float) -> NDArray[np.bool_]:

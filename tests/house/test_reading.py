@@ -31,7 +31,6 @@ OWN_FILES = {
     "ins_eval.study.challenge.challenge",
     "ins_eval.study.challenge.hand_out",
     "ins_eval.study.experiment",
-    "pyhrg.bench.store",
     "pyhrg.common.caches.compiled",
     "pyhrg.common.caches.files",
     "pyhrg.common.made_by",

@@ -11,7 +11,7 @@ from ins_eval.mission_model.pattern_drift import TURNING_TERMS
 from ins_eval.study.gyros.bench_maps import fit_bias_maps, fit_scale_maps
 from ins_eval.study.gyros.bench_plan import WARM_RISE, BenchPlan, record_campaign
 from ins_eval.study.gyros.true_maps import soak_gyro
-from pyhrg.bench.bias.bias_test import summarize_runs
+from pyhrg.bench.bias.bias_test import BiasTest
 from pyhrg.bench.bias.position import fixed_position, full_circumference
 from pyhrg.bench.procedure import require_tests
 from pyhrg.bench.readings.segments import SEGMENT, WARM_UP
@@ -81,7 +81,7 @@ def evaluate_campaigns(tests: Campaign, warm: Campaign) -> MeasuredGyro:
         BenchError: a test is missing or incomplete.
     """
     fixed = fixed_position.read_runs(tests)
-    at_rest = summarize_runs(fixed)
+    at_rest = BiasTest(fixed)
     scale = fit_scale_maps(tests)
     bias = fit_bias_maps(tests, scale.mean(axis=0))
     fitted = GyroMap(bias.mean(axis=0), scale.mean(axis=0))

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pyhrg.bench.outcome import Finding, estimate_deviation, estimate_mean
-from pyhrg.bench.readings.segments import Segments
-from pyhrg.common.arrays import Array
+from pyhrg.bench.readings.segments import Points
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG_PER_H
 
@@ -19,20 +18,20 @@ RUNS = 7
 class BiasTest:
     """Runs of a bias test, with the power cycled between them.
 
-    runs: (n,) each, means over 100 s, rad/s, without Earth's rate.
+    runs: data points of each run, means over 100 s.
     """
 
-    runs: tuple[Array, ...]
+    runs: Sequence[Points]
 
     @property
     def means(self) -> list[float]:
         """Bias of each run, rad/s (paper 4.1, item 5)."""
-        return [float(np.mean(points)) for points in self.runs]
+        return [float(np.mean(run.rate)) for run in self.runs]
 
     @property
     def deviations(self) -> list[float]:
         """Standard deviation of each run's points, rad/s, n - 1 (paper 4.1, item 4)."""
-        return [float(np.std(points, ddof=1)) for points in self.runs]
+        return [float(np.std(run.rate, ddof=1)) for run in self.runs]
 
     @property
     def bias(self) -> float:
@@ -59,15 +58,6 @@ class BiasTest:
 
     def table(self) -> Table:
         """Runs in the layout of the paper's Table 2."""
-        rows = [
-            (str(number), f"{mean / DEG_PER_H:.5f}", f"{deviation / DEG_PER_H:.5f}")
-            for number, (mean, deviation) in enumerate(
-                zip(self.means, self.deviations, strict=True), 1
-            )
-        ]
+        figures = np.array([self.means, self.deviations]).T / DEG_PER_H
+        rows = ((str(run), f"{m:.5f}", f"{d:.5f}") for run, (m, d) in enumerate(figures, 1))
         return Table("Runs, deg/h", ("run", "mean", "std. dev."), tuple(rows))
-
-
-def summarize_runs(runs: Sequence[Segments]) -> BiasTest:
-    """Bias test from the data points of each run."""
-    return BiasTest(tuple(segments.rate for segments in runs))

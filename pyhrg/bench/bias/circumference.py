@@ -9,10 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from pyhrg.bench.bias.thermal_programme import SETTLE
-from pyhrg.bench.estimation.harmonics import MEAN, Fit, compute_inflations, fit, make_columns
+from pyhrg.bench.estimation.harmonics import Fit, compute_inflations, fit, make_columns
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.readings.dwells import Points, read_points
-from pyhrg.bench.readings.segments import SEGMENT, WARM_UP
+from pyhrg.bench.readings.segments import WARM_UP, Points, read_points
 from pyhrg.common.site import Site
 from pyhrg.records.campaign import Test
 
@@ -31,19 +30,10 @@ class Circumference:
     points: Points
     fitted: Fit
 
-    def value(self, term: str = MEAN) -> float:
-        """Value of a term, rad/s."""
-        return self.fitted.value(term)
-
-    @property
-    def noise(self) -> float:
-        """Residual sum of squares, (rad/s)^2."""
-        return float(self.fitted.residual @ self.fitted.residual)
-
 
 def fit_circumference(test: Test, site: Site) -> Circumference:
     """Fit of one power-on."""
-    data = read_points(test.log, site.latitude, SETTLE, SEGMENT, WARM_UP, held=())
+    data = read_points(test.log, site, SETTLE, WARM_UP, held=())
     columns = make_columns(data.pattern_angle, data.pattern_angle, HARMONICS, tilt=False)
     worst = max(compute_inflations(columns).values())
     if worst > LARGEST_INFLATION or len(data) < len(columns) + 2:

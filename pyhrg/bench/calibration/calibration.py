@@ -13,7 +13,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias.bias_test import RUNS, summarize_runs
+from pyhrg.bench.bias.bias_test import RUNS, BiasTest
 from pyhrg.bench.bias.position import full_circumference
 from pyhrg.bench.bias.position.full_circumference import SEGMENTS, make_power_ons, read_runs
 from pyhrg.bench.bias.position.position_runs import estimate_within
@@ -28,7 +28,7 @@ from pyhrg.bench.calibration.calibration_maps import (
 from pyhrg.bench.figures import COLOURS, finish_axes
 from pyhrg.bench.outcome import Finding, Outcome, estimate_mean
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
-from pyhrg.bench.readings.segments import Segments
+from pyhrg.bench.readings.segments import Points
 from pyhrg.bench.scale_factor import rate_tests
 from pyhrg.bench.scale_factor.rate_tests import list_turn_exclusions, make_turn_power_ons
 from pyhrg.bench.scale_factor.scale_factor import SCALE
@@ -116,10 +116,10 @@ def _exclusions(tests: Campaign) -> tuple[str, ...]:
 
 
 def find_residual_variation(
-    stage: str, found: Calibration, runs: Sequence[Segments]
+    stage: str, found: Calibration, runs: Sequence[Points]
 ) -> tuple[Finding, ...]:
     """What varies over the circumference."""
-    deviations = summarize_runs(runs).deviations
+    deviations = BiasTest(runs).deviations
     note = "with the tilt of the input axis, which is none of the map's"
     return (
         estimate_mean(f"bias stability {stage}", deviations, "deg/h", note),
@@ -130,10 +130,8 @@ def find_residual_variation(
 
 def _verdict(found: dict[str, Finding]) -> str:
     before, variation = found["bias stability before"], found["scale factor variation before"]
-    text = (
-        f"Bias stability {before.value_in_unit:.2g} deg/h, scale factor variation "
-        f"{variation.value_in_unit:.2g}"
-    )
+    text = f"Bias stability {before.value_in_unit:.2g} deg/h, scale factor variation "
+    text += f"{variation.value_in_unit:.2g}"
     if "bias stability after" not in found:
         return f"{text} ppm over the circumference; maps are fitted, not verified."
     after, noise = found["bias stability after"], found["within positions after"]
@@ -145,7 +143,7 @@ def _verdict(found: dict[str, Finding]) -> str:
     )
 
 
-def draw(figure: Figure, stages: Mapping[str, tuple[Calibration, Sequence[Segments]]]) -> None:
+def draw(figure: Figure, stages: Mapping[str, tuple[Calibration, Sequence[Points]]]) -> None:
     """Before and after: left the position test's points, right the fitted scale factor."""
     bias, scale = figure.subplots(1, 2)
     grid = np.linspace(0.0, np.pi, 361)
@@ -178,11 +176,8 @@ def label_stage(tests: Sequence[Test], stage: str) -> list[Test]:
 def select_stage(campaign: Campaign, stage: str) -> Campaign | None:
     """The tests of a stage alone, under their plain kinds; None where there are none."""
     suffix = f"_{stage}"
-    found = [
-        replace(test, kind=test.kind.removesuffix(suffix))
-        for test in campaign.tests
-        if test.kind.endswith(suffix)
-    ]
+    staged = (test for test in campaign.tests if test.kind.endswith(suffix))
+    found = [replace(test, kind=test.kind.removesuffix(suffix)) for test in staged]
     return replace(campaign, tests=tuple(found)) if found else None
 
 
@@ -197,7 +192,6 @@ PROCEDURE: Procedure = Procedure(
     name="calibration",
     group="calibration",
     title="Bias map and scale-factor map: fitted, applied, and what they leave",
-    rows=("bias stability, room temperature", "scale factor stability, room temperature"),
     source="paper Eqs. 2, 3 and 5; tests as full-circumference and scale-factor-angle",
     kinds=KINDS,
     record=record,

@@ -26,9 +26,6 @@ from pyhrg.bench.scale_factor.scale_factor import SCALE, ScaleFactorMap, fit_sca
 from pyhrg.device.device import AngleMap, Device
 from pyhrg.records.campaign import Campaign
 
-Estimate = tuple[float, float, float]
-"""Value, standard error, degrees of freedom."""
-
 
 @dataclass(frozen=True)
 class Calibration:
@@ -111,41 +108,24 @@ def _sum(one: AngleMap, other: AngleMap) -> AngleMap:
 
 
 def _bias(name: str, positions: BiasMap, rates: ScaleFactorMap, earth: float, n: int) -> Finding:
-    value, error, freedom = _estimate_term(name, positions)
-    term = SCALE if name == MEAN else f"{SCALE} {name}"
-    if term not in rates.fit.names:
-        return _finding(f"bias map {name}", "deg/h", (value, error, freedom), n)
-    index = rates.fit.names.index(term)
-    share = (
-        earth * rates.fit.value(term),
-        abs(earth) * rates.fit.deviation(term),
-        float(rates.fit.freedoms[index]),
-    )
-    return _finding(f"bias map {name}", "deg/h", _less((value, error, freedom), share), n)
-
-
-def _estimate_term(name: str, positions: BiasMap) -> Estimate:
-    """A term of the position test: over runs where there are three, else of the first."""
-    values = [fit.value(name) for fit in positions.fits]
+    """A term of the position test, over runs where there are three, else of the first, less Earth's
+    rate times the scale factor's (degrees of freedom: F. E. Satterthwaite, 1946)."""
+    fit, values = positions.fits[0], [fit.value(name) for fit in positions.fits]
+    value, error, freedom = values[0], fit.deviation(name), float(fit.freedom)
     if len(values) > 2:
         error = float(np.std(values, ddof=1) / np.sqrt(len(values)))
-        return float(np.mean(values)), error, len(values) - 1
-    return values[0], positions.fits[0].deviation(name), positions.fits[0].freedom
-
-
-def _less(one: Estimate, other: Estimate) -> Estimate:
-    """Difference of independent estimates (degrees of freedom: F. E. Satterthwaite, 1946)."""
-    parts = np.array([one[1], other[1]]) ** 2
-    variance = float(parts.sum())
-    inverse = float(parts @ (parts / np.array([one[2], other[2]])))
-    freedom = variance**2 / inverse if inverse > 0 else min(one[2], other[2])
-    return one[0] - other[0], float(np.sqrt(variance)), freedom
-
-
-def _finding(name: str, unit: str, estimate: Estimate, n: int) -> Finding:
-    value, error, freedom = estimate
+        value, freedom = float(np.mean(values)), len(values) - 1.0
+    term = SCALE if name == MEAN else f"{SCALE} {name}"
+    if term in rates.fit.names:
+        value -= earth * rates.fit.value(term)
+        other = rates.fit.freedom_of(term)
+        parts = np.array([error, abs(earth) * rates.fit.deviation(term)]) ** 2
+        inverse = float(parts @ (parts / np.array([freedom, other])))
+        variance = float(parts.sum())
+        freedom = variance**2 / inverse if inverse > 0 else min(freedom, other)
+        error = float(np.sqrt(variance))
     reach = float(stats.t.ppf(0.975, freedom)) * error
-    return Finding(name, value, unit, value - reach, value + reach, n)
+    return Finding(f"bias map {name}", value, "deg/h", value - reach, value + reach, n)
 
 
 def _angle_errors(rates: ScaleFactorMap) -> list[tuple[str, Finding]]:

@@ -10,14 +10,10 @@ force, and the pattern turns again. A virtual rotation V moves the dead zone to 
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import chain
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.dead_zone.free_runs import (
-    compare_with_adler,
-    draw,
-    find_residual_dead_zone,
-    tabulate_runs,
-)
+from pyhrg.bench.dead_zone import free_runs
 from pyhrg.bench.dead_zone.lock import Run, read_run
 from pyhrg.bench.dead_zone.turning import FOURTH, fit_turning, is_turning
 from pyhrg.bench.estimation.harmonics import MEAN, Fit
@@ -67,7 +63,7 @@ def record(bench: Bench, longest: float = LONGEST) -> list[Test]:
     W_L: plain, under virtual rotation, with Eq. (5) and with Eq. (7), both of the measured map."""
     bench = replace(bench, device=replace(bench.device, bias_map=AngleMap()))
     tests = bench.run(plan_map_runs(bench))
-    fitted, _ = fit_turning([test.log for test in tests], bench.device.site.latitude)
+    fitted, _ = fit_turning([test.log for test in tests], bench.device.site)
     lock = math.hypot(*map(fitted.value, FOURTH))
     duration = CAPTURES / (4 * bench.device.bryan_factor * lock) if lock > 0 else math.inf
     if duration > longest:
@@ -80,12 +76,11 @@ def record(bench: Bench, longest: float = LONGEST) -> list[Test]:
         (CANCELLED, 0.0, FEWER, cancel(bench.device, fitted)),
     )
     for kind, turn, rates, device in series:
-        courses = {
-            r: make_spin(bench, interval, (r + turn) * lock, duration, turn * lock) for r in rates
-        }
-        tests += replace(bench, device=device).run(
-            [PowerOn(f"{kind}_{turn:g}_{rate:g}", kind, c) for rate, c in courses.items()]
-        )
+        power_ons = []
+        for rate in rates:
+            course = make_spin(bench, interval, (rate + turn) * lock, duration, turn * lock)
+            power_ons.append(PowerOn(f"{kind}_{turn:g}_{rate:g}", kind, course))
+        tests += replace(bench, device=device).run(power_ons)
     return tests
 
 
@@ -99,15 +94,13 @@ def cancel(device: Device, fitted: Fit) -> Device:
     """A gyro with the map's fourth harmonic cancelled by force (paper, Eq. 7, factors
     corrected); the mean is taken out of the output."""
     cosine, sine = map(fitted.value, FOURTH)
+    anisotropy = 4 * device.bryan_factor * math.hypot(cosine, sine)
     model = {
-        "controller.cancellation.dampingAnisotropy": 4
-        * device.bryan_factor
-        * math.hypot(cosine, sine),
+        "controller.cancellation.dampingAnisotropy": anisotropy,
         "controller.cancellation.dampingAxis": math.atan2(cosine, -sine) / 4,
     }
-    return replace(
-        device, bias_map=AngleMap(mean=fitted.value(MEAN)), model={**device.model, **model}
-    )
+    mean = AngleMap(mean=fitted.value(MEAN))
+    return replace(device, bias_map=mean, model={**device.model, **model})
 
 
 def read_runs(campaign: Campaign, kind: str) -> tuple[list[Run], list[str]]:
@@ -115,7 +108,7 @@ def read_runs(campaign: Campaign, kind: str) -> tuple[list[Run], list[str]]:
     found, excluded = [], []
     for test in select_tests(campaign, kind):
         try:
-            found.append(read_run(test.log, campaign.site.latitude, read_bryan_factor(campaign)))
+            found.append(read_run(test.log, campaign.site, read_bryan_factor(campaign)))
         except BenchError as error:
             excluded.append(str(error))
     return found, excluded
@@ -127,24 +120,23 @@ def evaluate(campaign: Campaign) -> Outcome:
     maps = [test.log for test in tests]
     if not maps:
         raise BenchError(f"{campaign.device}: no log turns the pattern by 90 deg below 10 deg/s")
-    fitted, refused = fit_turning(maps, campaign.site.latitude)
+    fitted, refused = fit_turning(maps, campaign.site)
     lock = estimate_amplitude("lock rate", fitted, FOURTH, "deg/h")
-    plain, excluded = read_runs(campaign, PLAIN)
-    by_output, more = read_runs(campaign, COMPENSATED)
-    by_force, most = read_runs(campaign, CANCELLED)
+    groups = [read_runs(campaign, kind) for kind in (PLAIN, COMPENSATED, CANCELLED)]
+    (plain, by_output, by_force), excluded = zip(*groups, strict=True)
     everything = [*plain, *by_output, *by_force]
     capture = 1 / (4 * read_bryan_factor(campaign) * lock.value) if lock.value > 0 else math.inf
     return Outcome(
         findings=(
             lock,
-            *compare_with_adler(plain, fitted, lock.value),
-            *find_residual_dead_zone(by_output, by_force),
+            *free_runs.compare_with_adler(plain, fitted, lock.value),
+            *free_runs.find_residual_dead_zone(by_output, by_force),
         ),
         verdict=_verdict(plain, lock, capture),
-        tables=(tabulate_runs(everything, fitted, lock.value),) if everything else (),
+        tables=(free_runs.tabulate_runs(everything, fitted, lock.value),) if everything else (),
         warnings=tuple(refused),
-        exclusions=(*list_exclusions(tests), *excluded, *more, *most),
-        draw=lambda figure: draw(figure, plain, by_force, fitted, lock.value),
+        exclusions=(*list_exclusions(tests), *chain(*excluded)),
+        draw=lambda figure: free_runs.draw(figure, plain, by_force, fitted, lock.value),
         values={"capture_time": capture},
     )
 
@@ -153,24 +145,18 @@ def _verdict(plain: Sequence[Run], lock: Finding, capture: float) -> str:
     if not lock.low > 0:
         most = lock.high / DEG_PER_H
         return f"No dead zone is seen: the map's fourth harmonic is at most {most:.2g} deg/h."
-    text = (
-        f"The pattern locks in below {lock.value_in_unit:.4g} deg/h, captured within "
-        f"{capture / HOUR:.3g} h"
-    )
-    caught = [run for run in plain if run.locked]
-    if not caught:
-        return (
-            f"{text}; no free run shows it: each takes {CAPTURES:g} times that, and is simulated "
-            f"up to {LONGEST / HOUR:g} h."
-        )
-    return f"{text}; {len(caught)} of {len(plain)} free runs are locked."
+    below, within = f"{lock.value_in_unit:.4g} deg/h", f"{capture / HOUR:.3g} h"
+    shown = f"{sum(run.locked for run in plain)} of {len(plain)} free runs are locked"
+    if not any(run.locked for run in plain):
+        shown = f"no free run shows it: each takes {CAPTURES:g} times that, and is simulated "
+        shown += f"up to {LONGEST / HOUR:g} h"
+    return f"The pattern locks in below {below}, captured within {within}; {shown}."
 
 
 PROCEDURE: Procedure = Procedure(
     name="dead-zone",
     group="dead zone",
     title="Dead zone, its compensation and its cancellation",
-    rows=("threshold",),
     source="paper 2.4, Eqs. 4 to 7; Adler 1946",
     kinds=(MAP, PLAIN, COMPENSATED, CANCELLED, "rate"),
     record=record,

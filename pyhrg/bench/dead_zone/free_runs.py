@@ -19,21 +19,18 @@ from pyhrg.theory.closed_forms import adler_lock_angle, adler_mean_rate
 def compare_with_adler(plain: Sequence[Run], fitted: Fit, lock: float) -> tuple[Finding, ...]:
     """Free runs against Adler's closed form with the map's terms."""
     mean = fitted.value(MEAN)
-    free = [run for run in plain if not run.locked and run.rotation == 0.0]
-    held = [run for run in plain if run.locked and run.rotation == 0.0]
-    moved = [run for run in plain if not run.locked and run.rotation != 0.0]
+    still, turned = ([r for r in plain if (r.rotation != 0.0) == way] for way in (False, True))
+    squares = [(r.net + mean) ** 2 - r.pattern_rate**2 for r in still if not r.locked]
+    angles = [_lock_angle_error(r, fitted, lock) for r in still if r.locked]
+    shifts = [
+        r.net + mean - math.copysign(math.hypot(r.pattern_rate, lock), r.net)
+        for r in turned
+        if not r.locked
+    ]
     return (
-        _mean(
-            "lock rate from mean rates",
-            [math.sqrt(max(0.0, (r.net + mean) ** 2 - r.pattern_rate**2)) for r in free],
-            "deg/h",
-        ),
-        _mean("lock angle error", [_lock_angle_error(r, fitted, lock) for r in held], "deg"),
-        _mean(
-            "dead zone shift error",
-            [r.net + mean - math.copysign(math.hypot(r.pattern_rate, lock), r.net) for r in moved],
-            "deg/h",
-        ),
+        _mean("lock rate from mean rates", [math.sqrt(max(0.0, x)) for x in squares], "deg/h"),
+        _mean("lock angle error", angles, "deg"),
+        _mean("dead zone shift error", shifts, "deg/h"),
     )
 
 
@@ -102,18 +99,11 @@ def _panel(axes: Axes, runs: Sequence[Run], lock: float, mean: float, rotation: 
     """Runs and curve over 2.5 W_L either side of the dead zone's middle."""
     net = np.linspace(-2.5, 2.5, 1001) * lock
     shown = (net + rotation) / DEG_PER_H
-    axes.axvspan(
-        (rotation - mean - lock) / DEG_PER_H, (rotation - mean + lock) / DEG_PER_H,
-        color="0.9", label="dead zone",
-    )  # fmt: skip
+    ends = ((rotation - mean + way * lock) / DEG_PER_H for way in (-1, 1))
+    axes.axvspan(*ends, color="0.9", label="dead zone")
     axes.plot(shown, net / DEG_PER_H, "k:", lw=1, label="no dead zone")
-    axes.plot(
-        shown,
-        adler_mean_rate(net + mean, lock) / DEG_PER_H,
-        "k-",
-        lw=1.2,
-        label="Adler, of the map",
-    )
+    expected = adler_mean_rate(net + mean, lock) / DEG_PER_H
+    axes.plot(shown, expected, "k-", lw=1.2, label="Adler, of the map")
     if runs:
         points = np.array([(run.rate, run.pattern_rate) for run in runs]) / DEG_PER_H
         axes.plot(*points.T, "o", color=BLUE, label="free runs")

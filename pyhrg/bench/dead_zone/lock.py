@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pyhrg.bench.outcome import BenchError
-from pyhrg.common.site import EARTH_RATE
+from pyhrg.common.site import Site
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
 
@@ -42,7 +42,7 @@ class Run:
         return self.rate - self.rotation
 
 
-def read_run(log: Log, latitude: float, bryan_factor: float) -> Run:
+def read_run(log: Log, site: Site, bryan_factor: float) -> Run:
     """State of the pattern in a log."""
     log.require("table_angle", "gyro_angle", "wave_angle", "virtual_rotation", "axis_up")
     time, wave, n = log.time, log.wave_angle, len(log.time)
@@ -50,7 +50,7 @@ def read_run(log: Log, latitude: float, bryan_factor: float) -> Run:
         raise BenchError(
             f"{log.source}: expected 100 rows or more of one virtual rotation, got {n}"
         )
-    earth = EARTH_RATE * math.sin(latitude) * float(np.mean(log.axis_up))
+    earth = site.vertical_rate * float(np.mean(log.axis_up))
     table = (log.table_angle[-1] - log.table_angle[0]) / (time[-1] - time[0])
     late, half = slice(n - n // 4, n), n // 2
     locked = bool(np.ptp(wave[late]) < STILL)

@@ -13,9 +13,9 @@ from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, MEAN, Fit, name_
 from pyhrg.bench.estimation.row_fit import Part, compute_inflations, fit_rows
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.plateaus import find_plateaus
-from pyhrg.bench.readings.segments import SEGMENT
+from pyhrg.bench.readings.segments import COLUMNS, SEGMENT
 from pyhrg.common.arrays import Array
-from pyhrg.common.site import EARTH_RATE
+from pyhrg.common.site import Site
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
 
@@ -39,18 +39,16 @@ GROUPS = {
 def is_turning(log: Log) -> bool:
     """Whether a log is fit for the map: table slow, pattern turned by it, drive and rotation
     constant."""
-    log.require(
-        "table_angle", "axis_up", "gyro_angle", "wave_angle", "virtual_rotation", "drive_on"
-    )
+    log.require(*COLUMNS)
     rate = np.max(np.abs(np.diff(log.table_angle))) / log.interval
     still = np.all(log.virtual_rotation == 0.0) and np.all(log.drive_on > 0.5)
     return bool(still and 0.0 < rate < FASTEST and np.ptp(log.wave_angle) >= SWEPT)
 
 
-def fit_turning(logs: Sequence[Log], latitude: float) -> tuple[Fit, list[str]]:
+def fit_turning(logs: Sequence[Log], site: Site) -> tuple[Fit, list[str]]:
     """Bias map of turning logs, rad/s: mean, harmonics 4 and where they can be seen 2 and 8, and
     what goes with the rate; and a sentence on each term that can't be identified."""
-    rows = [stretch for log in logs for stretch in _stretches(log, latitude)]
+    rows = [stretch for log in logs for stretch in _stretches(log, site)]
     count = sum(map(len, rows))
     if count < 10:
         raise BenchError(f"{logs[0].source}: {count} segments of the turning pattern; 10 needed")
@@ -58,11 +56,8 @@ def fit_turning(logs: Sequence[Log], latitude: float) -> tuple[Fit, list[str]]:
     parts = [_part(stretch, fastest) for stretch in rows]
     names, refused = [MEAN], []
     for name, group in GROUPS.items():
-        trial = [*names, *group]
-        if (
-            len(trial) + 2 < count
-            and max(compute_inflations(parts, trial).values()) <= LARGEST_INFLATION
-        ):
+        trial, enough = [*names, *group], len(names) + len(group) + 2 < count
+        if enough and max(compute_inflations(parts, trial).values()) <= LARGEST_INFLATION:
             names = trial
         elif name == "harmonic 4":
             raise BenchError(f"{logs[0].source}: the pattern turned too little to see {name}")
@@ -84,7 +79,7 @@ def _part(stretch: Array, fastest: float) -> Part:
     return Part(scaled, span * error, float(span[0]))
 
 
-def _stretches(log: Log, latitude: float) -> list[Array]:
+def _stretches(log: Log, site: Site) -> list[Array]:
     """One array (n, 9) a plateau, a row for each of its equally long segments: output less input
     rate, table's rate, length, mean cos 2, sin 2, ... sin 8."""
     stretches = []
@@ -97,7 +92,7 @@ def _stretches(log: Log, latitude: float) -> list[Array]:
             rate = (log.table_angle[begin + rows] - log.table_angle[begin]) / span
             output = (log.gyro_angle[begin + rows] - log.gyro_angle[begin]) / span
             axis_up = np.mean(log.axis_up[begin + 1 : begin + rows + 1])
-            earth = EARTH_RATE * np.sin(latitude) * axis_up
+            earth = site.vertical_rate * axis_up
             angle = log.wave_angle[begin : begin + rows + 1]
             means = (_mean(trig, order * angle) for order in (2, 4, 8) for trig in (np.cos, np.sin))
             found.append((float(output - rate - earth), float(rate), span, *means))

@@ -120,14 +120,13 @@ def find_bandwidth(response: Response) -> Finding:
     low, value, high = (
         _find_crossing(response.frequency, g) for g in (gain - reach, gain, gain + reach)
     )
-    name, n, turn = "bandwidth", len(response.ratio), 2 * np.pi
+    n, turn, note = len(response.ratio), 2 * np.pi, "-3 dB"
     if np.isinf(value):
-        last = float(response.frequency[-1])
+        value = float(response.frequency[-1])
+        low, high = min(low, value), np.inf
         note = "at least: the gain is above -3 dB at every frequency of the table"
-        return Finding(
-            name, last * turn, "Hz", min(low, last) * turn, np.inf, n, note, at_least=True
-        )
-    return Finding(name, value * turn, "Hz", low * turn, high * turn, n, "-3 dB", at_least=True)
+    bounds = (value * turn, "Hz", low * turn, high * turn)
+    return Finding("bandwidth", *bounds, n, note, at_least=True)
 
 
 def _find_crossing(frequency: Array, gain: Array) -> float:
@@ -153,6 +152,9 @@ def evaluate(campaign: Campaign) -> Outcome:
         estimate_mean(f"gain at {response.frequency[i]:g} Hz", np.abs(response.ratio[:, i]), "1")
         for i in (0, -1)
     ]
+    header, mean = ("frequency, Hz", "gain", "+- 95 %", "phase, deg"), response.mean
+    columns = (response.frequency, np.abs(mean), response.reach, np.angle(mean) / DEG)
+    rows = tuple(tuple(f"{x:.6g}" for x in row) for row in zip(*columns, strict=True))
     half = tests[0].log.interval / 2
     limit = "at least " if np.isinf(width.high) else ""
     return Outcome(
@@ -162,22 +164,13 @@ def evaluate(campaign: Campaign) -> Outcome:
             f"{delay.value / 1e-6:.2g} us at the samples; a user who holds the last sample "
             f"sees {half / 1e-3:g} ms more on average."
         ),
-        tables=(_make_table(response),),
+        tables=(Table("Frequency response", header, rows),),
         exclusions=list_exclusions(tests),
         draw=lambda figure: draw(figure, response),
     )
 
 
-def _make_table(response: Response) -> Table:
-    mean = response.mean
-    columns = (response.frequency, np.abs(mean), response.reach, np.angle(mean) / DEG)
-    rows = [tuple(f"{value:.6g}" for value in row) for row in zip(*columns, strict=True)]
-    header = ("frequency, Hz", "gain", "+- 95 %", "phase, deg")
-    return Table("Frequency response", header, tuple(rows))
-
-
 def draw(figure: Figure, response: Response) -> None:
-    """Draw gain and phase against the frequency."""
     frequency, mean = response.frequency, response.mean
     above, below = figure.subplots(2, 1, sharex=True)
     decibel = 20 * np.log10(np.abs(mean))

@@ -17,7 +17,7 @@ from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.plateaus import find_plateaus
 from pyhrg.common.pages.markup import Table
-from pyhrg.common.site import EARTH_RATE
+from pyhrg.common.site import Site
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign, Test
@@ -91,13 +91,13 @@ def read_steps(campaign: Campaign, sign: int) -> list[Step]:
     steps = [
         step
         for test in require_tests(campaign, KIND)
-        for step in _read_steps(test.log, campaign.site.latitude)
+        for step in _read_steps(test.log, campaign.site)
         if sign * step.rate > 0
     ]
     return sorted(steps, key=lambda step: abs(step.rate))
 
 
-def _read_steps(log: Log, latitude: float) -> list[Step]:
+def _read_steps(log: Log, site: Site) -> list[Step]:
     log.require("axis_up")
     steps = []
     for plateau in find_plateaus(log, SETTLE + 10 * log.interval):
@@ -105,7 +105,7 @@ def _read_steps(log: Log, latitude: float) -> list[Step]:
             continue
         settled = replace(plateau, first=plateau.first + round(SETTLE / log.interval))
         rows = slice(settled.first, settled.last + 1)
-        earth = EARTH_RATE * np.sin(latitude) * np.mean(log.axis_up[rows])
+        earth = site.vertical_rate * np.mean(log.axis_up[rows])
         error = (settled.mean_rate(log, log.gyro_angle) - earth) / plateau.rate - 1
         valid = not np.any(log.valid[rows] < 1 - 1e-9)
         steps.append(Step(plateau.rate, float(error), bool(valid)))
@@ -150,6 +150,12 @@ def evaluate(campaign: Campaign) -> Outcome:
                 "the range takes at least 3"
             )
     findings = [make_finding(f"measuring range {name}", steps) for name, steps in both.items()]
+    header = ("rate, deg/s", "error, ppm", "valid")
+    cells = {
+        name: [(f"{s.rate / DEG:.6g}", f"{s.error / 1e-6:.3g}", "yes" * s.valid) for s in steps]
+        for name, steps in both.items()
+    }
+    tables = tuple(Table(f"Steps, {n}", header, tuple(rows)) for n, rows in cells.items())
     worst = min(findings, key=lambda f: (0.0 if np.isnan(f.value) else f.value, f.high))
     unseen = any(np.isnan(test.log.valid).any() for test in tests)
     return Outcome(
@@ -158,20 +164,14 @@ def evaluate(campaign: Campaign) -> Outcome:
             f"Within {ERROR_LIMIT / 1e-6:g} ppm of the input and valid up to "
             f"{worst.value_in_unit:.5g} deg/s either way; {worst.note}."
         ),
-        tables=tuple(_make_table(name, steps) for name, steps in both.items()),
+        tables=tables,
         warnings=(NO_VALIDITY,) if unseen else (),
         exclusions=list_exclusions(tests),
         draw=lambda figure: draw(figure, both),
     )
 
 
-def _make_table(name: str, steps: Sequence[Step]) -> Table:
-    rows = [(f"{s.rate / DEG:.6g}", f"{s.error / 1e-6:.3g}", "yes" * s.valid) for s in steps]
-    return Table(f"Steps, {name}", ("rate, deg/s", "error, ppm", "valid"), tuple(rows))
-
-
 def draw(figure: Figure, both: dict[str, list[Step]]) -> None:
-    """Draw the error against the rate, both directions."""
     axes = figure.add_subplot(title="Measuring range")
     for (name, steps), mark in zip(both.items(), ("o", "s"), strict=True):
         rate = np.array([abs(step.rate) for step in steps]) / DEG
@@ -188,7 +188,6 @@ PROCEDURE: Procedure = Procedure(
     name="range",
     group="dynamic",
     title="Measuring range",
-    rows=("measuring range",),
     source="paper Table 1; IEEE Std 1431: input range, highest rate within the nonlinearity limit",
     kinds=(KIND,),
     record=record,

@@ -19,7 +19,7 @@ from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
-from pyhrg.common.site import EARTH_RATE
+from pyhrg.common.site import Site
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign, Test
@@ -67,7 +67,7 @@ def record(bench: Bench, runs: int = RUNS, duration: float = DURATION) -> list[T
     return replace(bench, device=device).run(tasks)
 
 
-def measure_start_up(log: Log, latitude: float) -> StartUp:
+def measure_start_up(log: Log, site: Site) -> StartUp:
     """Start-up of one power-on."""
     log.require("gyro_angle", "amplitude", "amplitude_setpoint", "axis_up")
     rows = round(AVERAGE / log.interval)
@@ -80,7 +80,7 @@ def measure_start_up(log: Log, latitude: float) -> StartUp:
         raise BenchError(
             f"{log.source}: rows are missing; the start-up takes them from power-on on"
         )
-    earth = EARTH_RATE * np.sin(latitude) * float(np.mean(log.axis_up))
+    earth = site.vertical_rate * float(np.mean(log.axis_up))
     rate = (log.gyro_angle[rows:] - log.gyro_angle[:-rows]) / AVERAGE - earth
     half = n // 2
     span = log.time[-1] - log.time[half]
@@ -114,7 +114,7 @@ def _find_last_start(time: Array, good: NDArray[np.bool_], latest: float) -> flo
 def evaluate(campaign: Campaign) -> Outcome:
     """Median and largest value of both times over the power-ons."""
     tests = require_tests(campaign, KIND)
-    runs = [measure_start_up(test.log, campaign.site.latitude) for test in tests]
+    runs = [measure_start_up(test.log, campaign.site) for test in tests]
     findings = (
         *summarize_times("time to valid output", [run.valid for run in runs], runs[0].interval),
         *summarize_times("time to specification", [run.within for run in runs], runs[0].interval),
@@ -144,24 +144,21 @@ def summarize_times(
     2^(1-n) for any distribution (sign test). The smallest is taken one row earlier. A time is NaN
     where the event is not in the record; `interval` is that of a row, s.
     """
-    n = len(samples)
-    largest = Finding(f"greatest {name}", float(np.max(samples)), "s", n=n)
+    n, name_largest = len(samples), f"greatest {name}"
+    smallest, middle, largest = (float(f(samples)) for f in (np.min, np.median, np.max))
     if np.isnan(samples).any():
         missing = f"{np.isnan(samples).sum()} of {n} not in the first half of the log"
-        return Finding(name, np.nan, "s", n=n, note=missing), replace(largest, note=missing)
-    coverage = 1 - 2.0 ** (1 - n)
-    median = Finding(name, float(np.median(samples)), "s", n=n)
-    if coverage < 0.95:
-        median = replace(median, note=f"median; {n} of at least 6 power-ons: no interval")
-    else:
-        median = replace(
-            median,
-            low=float(np.min(samples)) - interval,
-            high=largest.value,
-            note=f"median; interval from smallest to largest of {n}, confidence {coverage:.1%}",
-        )
+        values = ((name, np.nan), (name_largest, largest))
+        first, second = (Finding(label, x, "s", n=n, note=missing) for label, x in values)
+        return first, second
     note = f"no interval: another power-on exceeds it with probability 1/{n + 1}"
-    return median, replace(largest, note=note)
+    greatest = Finding(name_largest, largest, "s", n=n, note=note)
+    coverage = 1 - 2.0 ** (1 - n)
+    if coverage < 0.95:
+        note = f"median; {n} of at least 6 power-ons: no interval"
+        return Finding(name, middle, "s", n=n, note=note), greatest
+    note = f"median; interval from smallest to largest of {n}, confidence {coverage:.1%}"
+    return Finding(name, middle, "s", smallest - interval, largest, n, note), greatest
 
 
 def _list_warnings(tests: Sequence[Test], runs: Sequence[StartUp]) -> tuple[str, ...]:
@@ -178,7 +175,6 @@ def _list_warnings(tests: Sequence[Test], runs: Sequence[StartUp]) -> tuple[str,
 
 
 def draw(figure: Figure, runs: Sequence[StartUp]) -> None:
-    """Draw the error of the averaged rate against the time since power-on."""
     axes = figure.add_subplot(title="Start-up")
     for number, run in enumerate(runs):
         label = f"{len(runs)} power-ons" if number == 0 else None
@@ -203,7 +199,6 @@ PROCEDURE: Procedure = Procedure(
     name="start-up",
     group="dynamic",
     title="Start-up time, to valid output and to specification",
-    rows=("start-up time",),
     source="paper 2.3, 3.2; IEEE Std 1431-2004, 5.3.6",
     kinds=(KIND,),
     record=record,

@@ -6,6 +6,7 @@ half of each dwell is used. This test doesn't show a dead zone by damping anisot
 is captured only after 1/D, hours, and until then the output follows the input (`dead_zone`).
 """
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -51,16 +52,6 @@ class Response:
     value: float
     reach: float
     n: int
-
-    @property
-    def sensed(self) -> bool:
-        """Whether the whole interval is at half or more."""
-        return self.value - self.reach >= SENSED_RESPONSE
-
-    @property
-    def missed(self) -> bool:
-        """Whether the whole interval is below half."""
-        return self.value + self.reach < SENSED_RESPONSE
 
 
 def make_programme(bench: Bench, rates: Sequence[float], repeats: int, dwell: float) -> Programme:
@@ -124,10 +115,10 @@ def find_threshold(name: str, responses: Sequence[Response]) -> Finding:
     (infinite if there is none).
     """
     rising = sorted(responses, key=lambda response: abs(response.rate))
-    value = _find_smallest(rising, [response.value >= SENSED_RESPONSE for response in rising])
-    high = _find_smallest(rising, [response.sensed for response in rising])
-    low = max((abs(r.rate) for r in rising if r.missed), default=0.0)
-    n = sum(response.n for response in rising)
+    value = _find_smallest(rising, [r.value >= SENSED_RESPONSE for r in rising])
+    high = _find_smallest(rising, [r.value - r.reach >= SENSED_RESPONSE for r in rising])
+    missed = (abs(r.rate) for r in rising if r.value + r.reach < SENSED_RESPONSE)
+    low, n = max(missed, default=0.0), sum(response.n for response in rising)
     if np.isinf(value):
         return Finding(name, np.nan, "deg/s", low, high, n, "the greatest rate is not sensed")
     lowest = value == abs(rising[0].rate)
@@ -136,38 +127,42 @@ def find_threshold(name: str, responses: Sequence[Response]) -> Finding:
 
 def _find_smallest(rising: Sequence[Response], passed: Sequence[bool]) -> float:
     """Smallest rate from which on all responses have passed; infinite if the largest has not."""
-    smallest = np.inf
-    for response, ok in zip(reversed(rising), reversed(passed), strict=True):
-        if not ok:
-            break
-        smallest = abs(response.rate)
-    return float(smallest)
+    last_failed = max((i for i, ok in enumerate(passed) if not ok), default=-1)
+    return abs(rising[last_failed + 1].rate) if last_failed + 1 < len(rising) else math.inf
 
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Threshold in both directions, and the response at every rate."""
     tests = require_tests(campaign, KIND)
     responses = measure_responses([test.log for test in tests])
-    sides = {
-        "positive": [r for r in responses if r.rate > 0],
-        "negative": [r for r in responses if r.rate < 0],
-    }
-    for name, side in sides.items():
-        if not side:
-            raise BenchError(
-                f"{tests[0].log.source}: no {name} rates, the threshold takes both signs"
-            )
+    sides: dict[str, list[Response]] = {"positive": [], "negative": []}
+    for response in responses:
+        sides["positive" if response.rate > 0 else "negative"].append(response)
+    for name in (name for name, side in sides.items() if not side):
+        raise BenchError(f"{tests[0].log.source}: no {name} rates, the threshold takes both signs")
     findings = [find_threshold(f"threshold {name}", side) for name, side in sides.items()]
     worst = max(findings, key=lambda f: (np.isnan(f.value), f.value, f.high))
+    note = f" ({worst.note})" if worst.note else ""
+    single = [
+        Finding(
+            f"response to {name} {abs(r.rate) / DEG:.3g} deg per s",
+            *(r.value, "1", r.value - r.reach, r.value + r.reach, r.n),
+        )
+        for name, side in reversed(sides.items())
+        for r in side
+    ]
+    rows = tuple(
+        (f"{r.rate / DEG:.3g}", f"{r.value:.4f}", f"{r.reach:.4f}", str(r.n)) for r in responses
+    )
     longest = max(
         log.time[p.last] - log.time[p.first] + log.interval
         for log in (test.log for test in tests)
         for p in find_plateaus(log, 10 * log.interval)
     )
     return Outcome(
-        findings=(replace(worst, name="threshold"), *findings, *map(_make_finding, responses)),
-        verdict=_describe_verdict(worst),
-        tables=(_make_table(responses),),
+        findings=(replace(worst, name="threshold"), *findings, *single),
+        verdict=f"Threshold {worst.value_in_unit:.3g} deg/s{note}, the worse of both signs.",
+        tables=(Table("Responses", ("rate, deg/s", "response", "+- 95 %", "n"), rows),),
         warnings=(
             f"dwells last {longest:.4g} s: a dead zone by damping anisotropy captures the pattern "
             "within 1/D, so that one with 1/D longer than that is not seen here",
@@ -177,27 +172,7 @@ def evaluate(campaign: Campaign) -> Outcome:
     )
 
 
-def _describe_verdict(worst: Finding) -> str:
-    note = f" ({worst.note})" if worst.note else ""
-    return f"Threshold {worst.value_in_unit:.3g} deg/s{note}, the worse of both signs."
-
-
-def _make_finding(response: Response) -> Finding:
-    sign = "positive" if response.rate > 0 else "negative"
-    name = f"response to {sign} {abs(response.rate) / DEG:.3g} deg per s"
-    low, high = response.value - response.reach, response.value + response.reach
-    return Finding(name, response.value, "1", low, high, response.n)
-
-
-def _make_table(responses: Sequence[Response]) -> Table:
-    rows = [
-        (f"{r.rate / DEG:.3g}", f"{r.value:.4f}", f"{r.reach:.4f}", str(r.n)) for r in responses
-    ]
-    return Table("Responses", ("rate, deg/s", "response", "+- 95 %", "n"), tuple(rows))
-
-
 def draw(figure: Figure, responses: Sequence[Response]) -> None:
-    """Draw the response against the rate, both directions."""
     axes = figure.add_subplot(title="Threshold, 95 % intervals", xscale="log")
     for sign, name, mark in ((1, "positive", "+"), (-1, "negative", "s")):
         side = [r for r in responses if sign * r.rate > 0]
@@ -214,7 +189,6 @@ PROCEDURE: Procedure = Procedure(
     name="threshold",
     group="dynamic",
     title="Threshold around the dead zone",
-    rows=("threshold",),
     source="paper 2.4, 3.2; IEEE Std 528: threshold; GJB 585B, half of the expected output",
     kinds=(KIND,),
     record=record,

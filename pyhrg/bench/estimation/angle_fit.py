@@ -14,7 +14,7 @@ import numpy as np
 from scipy import fft, optimize, stats
 
 from pyhrg.bench.estimation.harmonics import Fit
-from pyhrg.bench.estimation.row_fit import compute_matrix_inflations
+from pyhrg.bench.estimation.row_fit import compute_eigenvalues, compute_matrix_inflations
 from pyhrg.bench.outcome import Finding
 from pyhrg.common.arrays import Array
 
@@ -61,11 +61,8 @@ def compute_largest_inflation(records: Sequence[Record]) -> float:
 
 def fit_angles(records: Sequence[Record]) -> AngleFit:
     """Fit of several records by common terms and common noise."""
+    steps, differences = _compute_components(records)
     tables = [_compute_increments(record) for record in records]
-    steps = np.concatenate(
-        [np.full(len(t), r.interval) for t, r in zip(tables, records, strict=True)]
-    )
-    differences = np.concatenate([compute_eigenvalues(len(table)) for table in tables])
     matrix = np.concatenate([fft.dst(table, type=1, norm="ortho", axis=0) for table in tables])
     terms = matrix.shape[1] - 1
     if len(matrix) < terms + 3:
@@ -81,9 +78,12 @@ def _compute_increments(record: Record) -> Array:
     return np.diff(np.column_stack([*record.columns.values(), record.angle]), axis=0)
 
 
-def compute_eigenvalues(count: int) -> Array:
-    """(count,) eigenvalues of the tridiagonal matrix (2, -1), ordered as the sine transform."""
-    return 2 - 2 * np.cos(np.pi * np.arange(1, count + 1) / (count + 1))
+def _compute_components(records: Sequence[Record]) -> Array:
+    """(2, n) variances of the transformed increments for unit rate noise and unit angle noise."""
+    counts = [len(record.angle) - 1 for record in records]
+    steps = [np.full(n, record.interval) for n, record in zip(counts, records, strict=True)]
+    differences = [compute_eigenvalues(count) for count in counts]
+    return np.array([np.concatenate(steps), np.concatenate(differences)])
 
 
 def _estimate_variances(matrix: Array, steps: Array, differences: Array) -> tuple[float, float]:
@@ -147,12 +147,7 @@ def estimate_walk(fit: AngleFit, records: Sequence[Record]) -> Walk:
     noises, to which each sine of the increments contributes. A chi-square estimate with f degrees
     of freedom has the variance 2 N^4 / f: that gives f.
     """
-    steps, differences = [], []
-    for record in records:
-        count = len(record.angle) - 1
-        steps.append(np.full(count, record.interval))
-        differences.append(compute_eigenvalues(count))
-    parts = np.array([np.concatenate(steps), np.concatenate(differences)])
+    parts = _compute_components(records)
     weighted = parts / (np.array([fit.rate_noise, fit.angle_noise]) @ parts)
     information = weighted @ weighted.T / 2
     share = fit.freedom / parts.shape[1]

@@ -38,6 +38,13 @@ def make_columns(
     return columns
 
 
+def average_wave(trig: np.ufunc, order: int, angle: Array) -> Array:
+    """(n,) mean of cosine or sine (`trig`) of `order` times an angle (n + 1,), rad, that is linear
+    between its values."""
+    middle, swept = (angle[1:] + angle[:-1]) / 2, np.diff(angle)
+    return np.asarray(trig(order * middle) * np.sinc(order * swept / (2 * np.pi)))
+
+
 def compute_inflations(columns: dict[str, Array]) -> dict[str, float]:
     """Variance inflation factor (uncentred) of each term; infinite where a term is zero or lies in
     the span of the others."""
@@ -73,6 +80,11 @@ class Fit:
     residual: Array
     freedom: int
     freedoms: Array
+
+    @property
+    def terms(self) -> dict[str, float]:
+        """Values of the terms, SI, by name."""
+        return dict(zip(self.names, self.values.tolist(), strict=True))
 
     def value(self, name: str) -> float:
         """Value of a term, SI."""

@@ -55,10 +55,12 @@ class Part:
 
     def variances(self) -> tuple[Array, Array]:
         """(n,) variances of the sine-transformed rows for unit rate noise and unit angle noise."""
-        n = len(self)
-        share = np.pi * np.arange(1, n + 1) / (n + 1)
-        unit_angle: Array = 2 - 2 * np.cos(share)
-        return np.full(n, self.interval), unit_angle
+        return np.full(len(self), self.interval), compute_eigenvalues(len(self))
+
+
+def compute_eigenvalues(count: int) -> Array:
+    """(count,) eigenvalues of the tridiagonal matrix (2, -1), ordered as the sine transform."""
+    return 2 - 2 * np.cos(np.pi * np.arange(1, count + 1) / (count + 1))
 
 
 def fit_rows(parts: Sequence[Part], names: Sequence[str]) -> Fit:
@@ -176,11 +178,11 @@ class _Problem:
         """(m,) degrees of freedom of the terms: 2 v^2 over the variance of their variance v."""
         variance = densities @ self.components
         covariance = self.solve(densities)[1]
-        slopes = []
-        for part in self.components:
-            weighted = (self.matrix * (part / variance**2)[:, None]).T @ self.matrix
-            slopes.append(np.diag(covariance @ weighted @ covariance))
-        gradient = np.array(slopes)
+        weighted = (
+            (self.matrix * (part / variance**2)[:, None]).T @ self.matrix
+            for part in self.components
+        )
+        gradient = np.array([np.diag(covariance @ each @ covariance) for each in weighted])
         uncertain = np.einsum("im,ij,jm->m", gradient, spread, gradient)
         return np.maximum(2 * np.diag(covariance) ** 2 / uncertain, SMALLEST_FREEDOM)
 
@@ -219,13 +221,10 @@ def compute_matrix_inflations(matrix: Array) -> list[float]:
     zero or lies in the span of the others."""
     norms = np.linalg.norm(matrix, axis=0)
     matrix = np.asarray(np.linalg.qr(matrix, mode="r"))
+    matrix = matrix / np.where(norms, norms, 1.0)
     result = []
-    for i, norm in enumerate(norms):
-        if norm == 0.0:
-            result.append(np.inf)
-            continue
-        others = np.delete(matrix / np.where(norms, norms, 1.0), i, axis=1)
-        own = matrix[:, i] / norm
+    for i, own in enumerate(matrix.T):
+        others = np.delete(matrix, i, axis=1)
         fitted = others @ np.linalg.lstsq(others, own, rcond=1e-10)[0]
         square = float(np.sum((own - fitted) ** 2))
         result.append(1 / square if square > 1e-9 else np.inf)

@@ -106,11 +106,9 @@ def compute_length_interval(length: float, deviation: float, freedom: float) -> 
     def below(true: float) -> float:
         return float(stats.ncf.cdf(statistic, 2, freedom, true**2))
 
-    ratio, reach = length / deviation, 10.0
-    return (
-        deviation * _find_crossing(below, 0.975, ratio + reach),
-        deviation * _find_crossing(below, 0.025, ratio + reach),
-    )
+    end = length / deviation + 10.0
+    low, high = (_find_crossing(below, level, end) for level in (0.975, 0.025))
+    return deviation * low, deviation * high
 
 
 def _find_crossing(falling: Callable[[float], float], level: float, end: float) -> float:

@@ -72,11 +72,10 @@ def select_separable(columns: Mapping[str, Array]) -> tuple[dict[str, Array], di
     refused: dict[str, str] = {}
     for name, column in columns.items():
         trial = {**accepted, name: column}
+        worst = _compute_largest_inflation(trial)
         if len(trial) + SCATTER_POINTS > len(column):
             refused[name] = f"{len(column)} data points are too few to fit {name} as well"
-            continue
-        worst = max(_compute_inflations(trial).values())
-        if np.isfinite(worst) and worst <= LARGEST_FITTED_INFLATION:
+        elif worst <= LARGEST_FITTED_INFLATION:
             accepted[name] = column
         elif np.ptp(column) == 0.0:
             refused[name] = f"{name} has no value: the records don't vary what it depends on"
@@ -89,17 +88,17 @@ def select_separable(columns: Mapping[str, Array]) -> tuple[dict[str, Array], di
     return accepted, refused
 
 
-def _compute_inflations(columns: Mapping[str, Array]) -> dict[str, float]:
-    """Variance inflation factor (centred) of each column but the mean."""
+def _compute_largest_inflation(columns: Mapping[str, Array]) -> float:
+    """Largest variance inflation factor (centred) of the columns but the mean."""
     names = [name for name in columns if name != MEAN]
     if not names:
-        return {MEAN: 1.0}
+        return 1.0
     matrix = np.column_stack([columns[name] - np.mean(columns[name]) for name in names])
     norms = np.linalg.norm(matrix, axis=0)
     sizes = np.array([np.linalg.norm(columns[name]) for name in names])
     if np.any(norms <= 1e-9 * sizes):
-        return {MEAN: np.inf}
+        return np.inf
     correlation = (matrix / norms).T @ (matrix / norms)
     if np.linalg.cond(correlation) > 1e9:
-        return {MEAN: np.inf}
-    return dict(zip(names, np.diag(np.linalg.inv(correlation)), strict=True))
+        return np.inf
+    return float(np.max(np.diag(np.linalg.inv(correlation))))

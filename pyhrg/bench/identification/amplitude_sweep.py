@@ -11,27 +11,13 @@ import numpy as np
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.row_fit import Part
+from pyhrg.bench.identification import rate_reversal
 from pyhrg.bench.identification.identification_figure import draw_terms
-from pyhrg.bench.identification.rate_reversal import (
-    EIGHTH,
-    GAIN,
-    SCALE,
-    SKEW,
-    find_eighth_harmonic,
-    make_pickoff_columns,
-)
+from pyhrg.bench.identification.rate_reversal import EIGHTH, GAIN, SCALE, SKEW
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
-from pyhrg.bench.readings.output_rows import (
-    BIAS_TERMS,
-    Rows,
-    Terms,
-    compute_output_error,
-    fit_terms,
-    make_bias_columns,
-    read_bryan_factor,
-    require_steady_rows,
-)
+from pyhrg.bench.readings import output_rows
+from pyhrg.bench.readings.output_rows import BIAS_TERMS, Rows, Terms
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
 
@@ -49,7 +35,6 @@ DRIFTING = "amplitudes must go up and down again, or temperature may look like s
 def record(
     bench: Bench, amplitudes: Sequence[float] = AMPLITUDES, dwell: float = DWELL
 ) -> list[Test]:
-    """One power-on through all amplitudes."""
     course = bench.programme(INTERVAL)
     for amplitude in amplitudes:
         course.command(amplitude_setpoint=amplitude).spin(RATE, dwell)
@@ -59,7 +44,7 @@ def record(
 def find_stretches(campaign: Campaign) -> list[Rows]:
     """Steady rows at each amplitude."""
     logs = [test.log for test in require_tests(campaign, KIND)]
-    stretches = require_steady_rows(logs, "frequency_offset")
+    stretches = output_rows.require_steady_rows(logs, "frequency_offset")
     found = {float(rows.values("amplitude_setpoint")[0]) for rows in stretches}
     if len(found) < 2:
         raise BenchError(f"{logs[0].source}: {len(found)} amplitude; the test needs 2")
@@ -68,18 +53,15 @@ def find_stretches(campaign: Campaign) -> list[Rows]:
 
 def fit_cubic(campaign: Campaign, stretches: Sequence[Rows]) -> Terms:
     """Cubic of the pick-offs from the output angle; bias and scale factor may be one."""
-    k = read_bryan_factor(campaign)
+    k = output_rows.read_bryan_factor(campaign)
     parts = []
     for rows in stretches:
         excess = float(rows.values("amplitude_setpoint")[0]) ** 2 - 1
         turned = np.diff(np.sin(8 * rows.ends("wave_angle")))
-        columns = {
-            **make_bias_columns(rows),
-            **make_pickoff_columns(rows, k),
-            CUBIC: 3 / (32 * k) * excess * turned,
-        }
-        parts.append(Part(columns, compute_output_error(rows, campaign.site), rows.log.interval))
-    return fit_terms(parts, [*BIAS_TERMS, *EIGHTH, CUBIC, SCALE, GAIN, SKEW], REASON)
+        columns = output_rows.make_bias_columns(rows) | rate_reversal.make_pickoff_columns(rows, k)
+        columns[CUBIC] = 3 / (32 * k) * excess * turned
+        parts.append(output_rows.make_output_part(rows, campaign.site, columns))
+    return output_rows.fit_terms(parts, [*BIAS_TERMS, *EIGHTH, CUBIC, SCALE, GAIN, SKEW], REASON)
 
 
 def fit_duffing(stretches: Sequence[Rows]) -> Terms:
@@ -105,7 +87,7 @@ def fit_duffing(stretches: Sequence[Rows]) -> Terms:
         }
         scaled = {name: h * values for name, values in columns.items()}
         parts.append(Part(scaled, h * rows.values("frequency_offset"), h))
-    return fit_terms(parts, list(parts[0].columns), DRIFTING)
+    return output_rows.fit_terms(parts, list(parts[0].columns), DRIFTING)
 
 
 def evaluate(campaign: Campaign) -> Outcome:
@@ -120,7 +102,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         findings=(
             frequency.finding(DUFFING, "mHz"),
             output.finding(CUBIC, "ppm"),
-            *find_eighth_harmonic(output),
+            *rate_reversal.find_eighth_harmonic(output),
         ),
         verdict=(
             "What follows the square of the amplitude is stiffness (frequency) or a cubic of the "

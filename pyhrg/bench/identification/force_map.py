@@ -15,7 +15,7 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.row_fit import Part
 from pyhrg.bench.estimation.sizes import estimate_anisotropy, make_component_findings
 from pyhrg.bench.figures import COLOURS, finish_axes
-from pyhrg.bench.identification.virtual_rotation import make_programme
+from pyhrg.bench.identification.virtual_rotation import WAYS, make_programme
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.readings.output_rows import Rows, Terms, fit_terms, require_steady_rows
@@ -35,8 +35,6 @@ DISTURBING = (*("by rotation", "by rotation cos4", "by rotation sin4", "cos8", "
 held over a control period Ts do to the amplitude by moving on a tangent: (2 k V)^2 Ts/2."""
 REASON = "the pattern must come to angles over most of 90 deg"
 
-Sensitivity = Callable[[Array, Array], tuple[Array, Array]]
-
 
 def record(bench: Bench, rate: float = RATE, pattern_turn: float = 180 * DEG) -> list[Test]:
     """One power-on each way, the pattern turned by virtual rotation."""
@@ -44,45 +42,35 @@ def record(bench: Bench, rate: float = RATE, pattern_turn: float = 180 * DEG) ->
     return bench.run([PowerOn(f"force_map_{way}", KIND, c) for way, c in courses.items()])
 
 
-WAYS = {"pos": 1.0, "neg": -1.0}
+SENSITIVITIES: dict[str, Callable[[Array, Array], tuple[Array, Array]]] = {
+    "quadrature_force": lambda cosine, sine: (sine / 2, -cosine / 2),
+    "frequency_offset": lambda cosine, sine: (-cosine / 2, -sine / 2),
+    "amplitude_force": lambda cosine, sine: (cosine / 2, sine / 2),
+}
+"""Sensitivity of a loop's column, the quadrature force over amplitude, to the anisotropy's cosine
+and sine part (of the split, the split and the damping), from cos 4th and sin 4th."""
 
 
-def split_in_force(cosine: Array, sine: Array) -> tuple[Array, Array]:
-    """Quadrature force over amplitude by dw cos 4th_w and dw sin 4th_w."""
-    return sine / 2, -cosine / 2
-
-
-def split_in_frequency(cosine: Array, sine: Array) -> tuple[Array, Array]:
-    """Loop frequency by dw cos 4th_w and dw sin 4th_w."""
-    return -cosine / 2, -sine / 2
-
-
-def damping_in_force(cosine: Array, sine: Array) -> tuple[Array, Array]:
-    """Amplitude force by D cos 4th_tau and D sin 4th_tau."""
-    return cosine / 2, sine / 2
-
-
-def fit_loop_map(campaign: Campaign, column: str, sensitivity: Sensitivity) -> Terms:
+def fit_loop_map(campaign: Campaign, column: str) -> Terms:
     """Mean and anisotropy of a loop's column over all angles; each power-on has its own mean
     frequency and drift (temperature moves it by 85 ppm/K)."""
     tests = {test.log.source: test.log for test in require_tests(campaign, *KINDS)}
     stretches = require_steady_rows(list(tests.values()), column, at_rest=True)
     own = column == "frequency_offset"
-    names, parts = dict.fromkeys([*([] if own else [MEAN])]), []
+    names, parts = dict[str, int](), []
     for rows in stretches:
         number = list(tests).index(rows.log.source)
         means = {f"{MEAN} {number}": 0, f"drift {number}": 1} if own else {MEAN: 0}
-        names.update(dict.fromkeys(means))
-        parts.append(_part(rows, column, sensitivity, means))
-    order = [*[name for name in names if name.startswith(MEAN)], *VECTOR]
-    order += [name for name in names if name.startswith("drift")]
-    terms = fit_terms(parts, [*order, *DISTURBING], REASON)
+        names |= means
+        parts.append(_part(rows, column, means))
+    constant, drifts = ([name for name, power in names.items() if power == p] for p in (0, 1))
+    terms = fit_terms(parts, [*constant, *VECTOR, *drifts, *DISTURBING], REASON)
     if not set(VECTOR) <= set(terms.fit.names):
         raise BenchError(f"{', '.join(tests)}: {column}: {REASON}")
     return terms
 
 
-def _part(rows: Rows, column: str, sensitivity: Sensitivity, means: dict[str, int]) -> Part:
+def _part(rows: Rows, column: str, means: dict[str, int]) -> Part:
     h, values = rows.log.interval, rows.values(column)
     if column == "quadrature_force":
         values = values / rows.values("amplitude_setpoint")
@@ -90,19 +78,14 @@ def _part(rows: Rows, column: str, sensitivity: Sensitivity, means: dict[str, in
     turned = rows.values("virtual_rotation")
     odd = dict(zip(DISTURBING, (turned, turned * c4, turned * s4, c8, s8, turned**2), strict=True))
     elapsed = (rows.values("time") - rows.log.time[-1] / 2) / rows.log.time[-1]
-    columns = {
-        **{name: elapsed**power for name, power in means.items()},
-        **dict(zip(VECTOR, sensitivity(c4, s4), strict=True)),
-        **odd,
-    }
+    columns = {name: elapsed**power for name, power in means.items()} | odd
+    columns |= zip(VECTOR, SENSITIVITIES[column](c4, s4), strict=True)
     return Part({name: h * values for name, values in columns.items()}, h * values, h)
 
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Split and axis twice over, the decay time, and the amplitude force's own anisotropy."""
-    force = fit_loop_map(campaign, "quadrature_force", split_in_force)
-    frequency = fit_loop_map(campaign, "frequency_offset", split_in_frequency)
-    amplitude = fit_loop_map(campaign, "amplitude_force", damping_in_force)
+    force, frequency, amplitude = (fit_loop_map(campaign, column) for column in SENSITIVITIES)
     names = ("frequency split", "stiffness axis")
     again = ("frequency split from loop frequency", "stiffness axis from loop frequency")
     apparent = ("apparent damping anisotropy", "apparent damping axis")
@@ -120,7 +103,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         ),
         exclusions=list_exclusions(require_tests(campaign, *KINDS)),
         draw=lambda figure: draw(figure, [force, frequency]),
-        values={"terms": {name: force.fit.value(name) for name in force.fit.names}},
+        values={"terms": force.fit.terms},
     )
 
 

@@ -10,7 +10,7 @@ from pyhrg.bench.estimation.harmonics import Fit
 from pyhrg.bench.estimation.row_fit import Part, fit_rows
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.readings.output_rows import SHORTEST_ROWS
-from pyhrg.bench.readings.segments import AT_REST
+from pyhrg.bench.readings.segments import AT_REST, split_rows
 from pyhrg.common.site import Site
 from pyhrg.common.units import DEG
 from pyhrg.fmu import CONTROL_PERIOD
@@ -56,17 +56,14 @@ def find_decays(log: Log, site: Site, k: float) -> list[Decay]:
     The gyro's output shows how the pattern turns, with more digits than its angle is logged with.
     """
     log.require("gyro_angle", "wave_angle", "amplitude", "drive_on", "table_angle", "axis_up")
-    found = []
-    for stretch in log.stretches("gyro_angle", "wave_angle", "amplitude", "table_angle"):
-        rows = np.arange(len(log.time))[stretch]
-        free = log.drive_on[rows] < 0.5
-        edges = np.flatnonzero(np.diff(free.astype(int)))
-        for edge in edges[~free[edges]]:
-            stop = edges[edges > edge]
-            last = int(stop[0]) + 1 if len(stop) else len(rows)
-            if last - edge > SHORTEST_ROWS:
-                found.append(_decay(log, int(rows[edge]), int(rows[last - 1]) + 1, site, k))
-    return found
+    free = log.drive_on < 0.5
+    switched = np.diff(free, prepend=free[:1])
+    return [
+        _decay(log, first - 1, last, site, k)
+        for stretch in log.stretches("gyro_angle", "wave_angle", "amplitude", "table_angle")
+        for first, last in split_rows(stretch, switched[stretch])
+        if first > stretch.start and free[first] and last - first >= SHORTEST_ROWS
+    ]
 
 
 def _decay(log: Log, before: int, last: int, site: Site, k: float) -> Decay:
@@ -80,14 +77,16 @@ def _decay(log: Log, before: int, last: int, site: Site, k: float) -> Decay:
         )
     if np.min(log.amplitude[free]) <= 0:
         raise BenchError(f"{log.source}: amplitude 0 or less after {log.time[before]:g} s")
+    turned = -k * (log.gyro_angle[before:last] - log.gyro_angle[before])
     since = np.diff(log.amplitude[before:last]) * CONTROL_PERIOD / log.interval
     return Decay(
         source=log.source,
         interval=log.interval,
         time=log.time[free] - log.time[before],
-        turned=-k * (log.gyro_angle[free] - log.gyro_angle[before]),
+        turned=turned[1:],
         amplitude=log.amplitude[free] + since,
-        angle_at_start=_angle(log, slice(before, last), k),
+        # averaged over the digits of all rows
+        angle_at_start=float(np.mean(log.wave_angle[before:last] - turned)),
         rotation=site.vertical_rate * float(np.mean(log.axis_up[free])),
     )
 
@@ -111,12 +110,6 @@ class Gyro:
         return describe_shell(terms).orbit(
             decay.time, start, -self.k * decay.rotation, self.pickoff
         )
-
-
-def _angle(log: Log, rows: slice, k: float) -> float:
-    """Pattern angle at the first of the rows, averaged over the digits of them all."""
-    turned = -k * (log.gyro_angle[rows] - log.gyro_angle[rows.start])
-    return float(np.mean(log.wave_angle[rows] - turned))
 
 
 def fit_decays(found: Sequence[Decay], gyro: Gyro, start: Array) -> Fit:
@@ -153,9 +146,8 @@ def _nearby(found: Sequence[Decay], gyro: Gyro, start: Array) -> Array:
     def left(terms: Array) -> Array:
         orbits = [gyro.orbit(decay, terms) for decay in found]
         pairs = zip(orbits, found, strict=True)
-        return np.concatenate(
-            [part for o, d in pairs for part in (o[0] - d.angle, o[1] - np.log(d.amplitude))]
-        )
+        parts = ((o[0] - d.angle, o[1] - np.log(d.amplitude)) for o, d in pairs)
+        return np.concatenate([part for both in parts for part in both])
 
     across = np.array([0.0, 0.0, 0.0, -start[4], start[3]])
     # gradients are as small as the readings' noise, and say nothing of the end

@@ -15,14 +15,8 @@ from pyhrg.bench.figures import COLOURS, finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.output_rows import (
-    Rows,
-    Terms,
-    compute_output_error,
-    fit_terms,
-    read_bryan_factor,
-    require_steady_rows,
-)
+from pyhrg.bench.readings import output_rows
+from pyhrg.bench.readings.output_rows import Rows, Terms
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.campaign import Campaign, Test
@@ -50,15 +44,14 @@ def make_programme(bench: Bench, dwell: float = DWELL) -> Programme:
 
 
 def record(bench: Bench, dwell: float = DWELL) -> list[Test]:
-    """One power-on."""
     return bench.run([PowerOn("phase_step", KIND, make_programme(bench, dwell))])
 
 
 def fit_response(campaign: Campaign) -> tuple[Terms, list[Rows]]:
     """Response over the expected one, with the bias and its creep at each position."""
     logs = [test.log for test in require_tests(campaign, KIND)]
-    stretches = require_steady_rows(logs, "quadrature_force", at_rest=True)
-    k = read_bryan_factor(campaign)
+    stretches = output_rows.require_steady_rows(logs, "quadrature_force", at_rest=True)
+    k = output_rows.read_bryan_factor(campaign)
     places: dict[tuple[str, int], list[Rows]] = {}
     for rows in stretches:
         place = (rows.log.source, round(float(rows.values("table_angle")[0]) / (0.1 * DEG)))
@@ -75,12 +68,12 @@ def fit_response(campaign: Campaign) -> tuple[Terms, list[Rows]]:
                 f"creep {number}": h * turned,
                 RESPONSE: -h * rows.values("phase_offset") * _force(rows) / (2 * k),
             }
-            parts.append(Part(columns, compute_output_error(rows, campaign.site), h))
+            parts.append(output_rows.make_output_part(rows, campaign.site, columns))
             ordered.append(rows)
     offsets = {float(offset) for rows in stretches for offset in rows.values("phase_offset")[:1]}
     if len(offsets) < 2:
         raise BenchError(f"{logs[0].source}: {len(offsets)} phase offset; the test needs 2")
-    terms = fit_terms(parts, names, REASON)
+    terms = output_rows.fit_terms(parts, names, REASON)
     return terms, ordered
 
 
@@ -96,6 +89,11 @@ def _mean_force(rows: Rows) -> float:
     return float(np.mean(_force(rows)))
 
 
+def _find_place(part: Part) -> str:
+    """Name of the bias at the position of a part."""
+    return next(name for name in part.columns if name.startswith("bias"))
+
+
 def evaluate(campaign: Campaign) -> Outcome:
     """Response, the split that it sees, and the phase at which the bias would vanish."""
     terms, stretches = fit_response(campaign)
@@ -106,7 +104,7 @@ def evaluate(campaign: Campaign) -> Outcome:
             terms.finding(RESPONSE, "1", "response to phase over that of the quadrature force"),
             seen,
             Finding("frequency split in the quadrature force, times sin 4th", force, "mHz"),
-            _apparent_phase(terms, stretches, read_bryan_factor(campaign)),
+            _apparent_phase(terms, stretches, output_rows.read_bryan_factor(campaign)),
         ),
         verdict=(
             "A phase error makes bias of the split as the quadrature force says where the response "
@@ -125,8 +123,7 @@ def _apparent_phase(terms: Terms, stretches: list[Rows], k: float) -> Finding:
         return Finding(name, np.nan, "mrad", note=terms.refused[RESPONSE])
     forces: dict[str, list[float]] = {}
     for part, rows in zip(terms.parts, stretches, strict=True):
-        place = next(n for n in part.columns if n.startswith("bias"))
-        forces.setdefault(place, []).append(_mean_force(rows))
+        forces.setdefault(_find_place(part), []).append(_mean_force(rows))
     bias = max(forces, key=lambda place: abs(float(np.mean(forces[place]))))
     factor = -2 * k / float(np.mean(forces[bias]))
     return terms.finding(bias, "mrad", name, factor)
@@ -138,7 +135,6 @@ def draw(figure: Figure, terms: Terms, stretches: list[Rows]) -> None:
     groups: dict[str, list[tuple[float, float, float]]] = {}
     for part, rows in zip(terms.parts, stretches, strict=True):
         span = len(part) * part.interval
-        place = next(name for name in part.columns if name.startswith("bias"))
         sums = {
             n: terms.fit.value(n) * float(np.sum(part.columns[n]))
             for n in terms.fit.names
@@ -147,7 +143,9 @@ def draw(figure: Figure, terms: Terms, stretches: list[Rows]) -> None:
         creep = sum(value for name, value in sums.items() if name.startswith("creep"))
         rate = (float(np.sum(part.values)) - creep) / span
         model = sum(sums.values()) - creep
-        groups.setdefault(place, []).append((rows.values("phase_offset")[0], rate, model / span))
+        groups.setdefault(_find_place(part), []).append(
+            (rows.values("phase_offset")[0], rate, model / span)
+        )
     for (place, points), colour in zip(groups.items(), COLOURS, strict=False):
         offset, rate, model = np.array(sorted(points)).T
         number = int(place.split()[1]) + 1

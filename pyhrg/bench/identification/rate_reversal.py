@@ -11,20 +11,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.estimation.row_fit import Part
 from pyhrg.bench.identification.identification_figure import draw_terms
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
-from pyhrg.bench.readings.output_rows import (
-    BIAS_TERMS,
-    Rows,
-    Terms,
-    compute_output_error,
-    fit_terms,
-    make_bias_columns,
-    read_bryan_factor,
-    require_steady_rows,
-)
+from pyhrg.bench.readings import output_rows
+from pyhrg.bench.readings.output_rows import BIAS_TERMS, Rows, Terms
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
@@ -42,16 +33,9 @@ REASON = "the table must turn both ways, each over most of 90 deg of pattern"
 
 def record(bench: Bench, rates: Sequence[float] = RATES, duration: float = DURATION) -> list[Test]:
     """One power-on a rate."""
-    return bench.run(
-        [
-            PowerOn(
-                f"rate_{abs(rate) / DEG:g}dps_{'pos' if rate > 0 else 'neg'}",
-                KIND,
-                bench.programme(INTERVAL).spin(rate, duration),
-            )
-            for rate in rates
-        ]
-    )
+    names = [f"rate_{abs(rate) / DEG:g}dps_{'pos' if rate > 0 else 'neg'}" for rate in rates]
+    courses = [bench.programme(INTERVAL).spin(rate, duration) for rate in rates]
+    return bench.run([PowerOn(n, KIND, course) for n, course in zip(names, courses, strict=True)])
 
 
 def make_pickoff_columns(rows: Rows, k: float) -> dict[str, Array]:
@@ -68,22 +52,21 @@ def make_pickoff_columns(rows: Rows, k: float) -> dict[str, Array]:
 
 def fit_pickoff_errors(campaign: Campaign) -> Terms:
     """Bias map, scale factor and pick-off errors from all rates together."""
-    stretches, _ = select_slow_rows(campaign)
-    k = read_bryan_factor(campaign)
+    k = output_rows.read_bryan_factor(campaign)
     parts = [
-        Part(
-            {**make_bias_columns(rows), **make_pickoff_columns(rows, k)},
-            compute_output_error(rows, campaign.site),
-            rows.log.interval,
+        output_rows.make_output_part(
+            rows, campaign.site, output_rows.make_bias_columns(rows) | make_pickoff_columns(rows, k)
         )
-        for rows in stretches
+        for rows in select_slow_rows(campaign)[0]
     ]
-    return fit_terms(parts, [*BIAS_TERMS, SCALE, GAIN, SKEW, *EIGHTH], REASON)
+    return output_rows.fit_terms(parts, [*BIAS_TERMS, SCALE, GAIN, SKEW, *EIGHTH], REASON)
 
 
 def select_slow_rows(campaign: Campaign) -> tuple[list[Rows], tuple[str, ...]]:
     """Steady rows that loops follow, and a sentence on each faster stretch."""
-    stretches = require_steady_rows([test.log for test in require_tests(campaign, KIND)])
+    stretches = output_rows.require_steady_rows(
+        [test.log for test in require_tests(campaign, KIND)]
+    )
     fast = [rows for rows in stretches if abs(_rate(rows)) > FASTEST]
     left_out = tuple(
         f"{rows.log.source}: {_rate(rows) / DEG:.3g} deg/s left out: above {FASTEST / DEG:g} deg/s "
@@ -119,9 +102,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         raise BenchError(f"{names}: {terms.refused[SCALE]}; else it is taken for a bias")
     return Outcome(
         findings=(
-            terms.finding(GAIN, "ppm"),
-            terms.finding(SKEW, "ppm"),
-            terms.finding(SCALE, "ppm"),
+            *(terms.finding(name, "ppm") for name in (GAIN, SKEW, SCALE)),
             *find_eighth_harmonic(terms),
             *(terms.finding(name, "deg/h") for name in BIAS_TERMS),
         ),
@@ -132,7 +113,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         warnings=tuple(terms.refused.values()),
         exclusions=(*list_exclusions(require_tests(campaign, KIND)), *left_out),
         draw=lambda figure: draw_terms(figure, title, stretches, terms, labels),
-        values={"terms": {name: terms.fit.value(name) for name in terms.fit.names}},
+        values={"terms": terms.fit.terms},
     )
 
 

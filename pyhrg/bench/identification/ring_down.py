@@ -9,7 +9,7 @@ Where the pattern stays near one angle, only the part of the anisotropy that mov
 With dw = 0: tan 2(th - th_tau) = tan 2(th0 - th_tau) e^{D t}.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -19,15 +19,8 @@ from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.estimation.harmonics import Fit
 from pyhrg.bench.estimation.sizes import estimate_anisotropy, make_component_findings
 from pyhrg.bench.figures import COLOURS
-from pyhrg.bench.identification import rate_reversal
-from pyhrg.bench.identification.free_decay import (
-    TERMS,
-    Decay,
-    Gyro,
-    describe_shell,
-    find_decays,
-    fit_decays,
-)
+from pyhrg.bench.identification import free_decay, rate_reversal
+from pyhrg.bench.identification.free_decay import TERMS, Decay, Gyro
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
@@ -70,7 +63,7 @@ def fit_ring_downs(campaign: Campaign) -> tuple[Fit, list[Decay], Gyro]:
     """
     logs = [test.log for test in require_tests(campaign, KIND)]
     k, site = read_bryan_factor(campaign), campaign.site
-    found = [decay for log in logs for decay in find_decays(log, site, k)]
+    found = [decay for log in logs for decay in free_decay.find_decays(log, site, k)]
     if not found:
         raise BenchError(
             f"{', '.join(log.source for log in logs)}: the drive is nowhere off for more than "
@@ -80,8 +73,8 @@ def fit_ring_downs(campaign: Campaign) -> tuple[Fit, list[Decay], Gyro]:
     rate = float(np.log(first.amplitude[0] / first.amplitude[-1]) / np.ptp(first.time))
     split = _split_guess(campaign)
     gyro = Gyro(k, _pickoff(campaign))
-    fit = fit_decays(found, gyro, np.array([rate, 0.0, 0.0, split.real, split.imag]))
-    if (describe_shell(fit.values).split.conjugate() * split).real < 0:
+    fit = free_decay.fit_decays(found, gyro, np.array([rate, 0.0, 0.0, split.real, split.imag]))
+    if (free_decay.describe_shell(fit.values).split.conjugate() * split).real < 0:
         fit = replace(fit, values=fit.values * [1, 1, 1, -1, -1])
     return fit, found, gyro
 
@@ -119,7 +112,10 @@ def evaluate(campaign: Campaign) -> Outcome:
     """Decay time, damping anisotropy and split with their axes."""
     fit, found, gyro = fit_ring_downs(campaign)
     rate, (low, high) = fit.value(TERMS[0]), fit.interval(TERMS[0])
-    damping, split = (TERMS[1], TERMS[2]), (TERMS[3], TERMS[4])
+    damping, split = (
+        (TERMS[1], TERMS[2]),
+        (TERMS[3], TERMS[4]),
+    )
     return Outcome(
         findings=(
             Finding("decay time", 1 / rate, "s", 1 / high, 1 / low, len(fit.residual)),
@@ -133,49 +129,33 @@ def evaluate(campaign: Campaign) -> Outcome:
             "drives take no part. Held to be zero: quadrature when the drive was switched off "
             "(q0/a would add 2 q0/a times the split), tilt of the input axis."
         ),
-        warnings=(
-            *_narrow(found),
-            *_unknown(gyro),
-            *_walking(found, describe_shell(fit.values).split),
-        ),
+        warnings=tuple(_list_warnings(found, gyro, free_decay.describe_shell(fit.values).split)),
         exclusions=list_exclusions(require_tests(campaign, KIND)),
         draw=lambda figure: draw(figure, found, fit, gyro),
-        values={"terms": {name: fit.value(name) for name in TERMS}},
+        values={"terms": fit.terms},
     )
 
 
-def _narrow(found: Sequence[Decay]) -> tuple[str, ...]:
-    """Whether the pattern saw enough angles, by the resultant of its fourth harmonic."""
-    phases = np.concatenate([np.exp(4j * decay.angle) for decay in found])
-    seen = (1 - abs(np.mean(phases))) * 2
-    if seen > 0.5:
-        return ()
-    return (
-        "all ring-downs lie near one pattern angle: what of the damping anisotropy changes the "
-        "decay alone is seen only as far as the pattern moved, or not at all",
-    )
-
-
-def _unknown(gyro: Gyro) -> tuple[str, ...]:
-    if gyro.pickoff:
-        return ()
-    return (
-        "no table rate both ways in this campaign: the pick-offs' errors are held to be zero; a "
-        "gain mismatch g errs by g/4 of the angle that the pattern turns over",
-    )
-
-
-def _walking(found: Sequence[Decay], split: complex) -> tuple[str, ...]:
-    """Whether the quadrature, which noise of the forces lets walk, comes out as angle."""
+def _list_warnings(found: Sequence[Decay], gyro: Gyro, split: complex) -> Iterator[str]:
+    # the resultant of the fourth harmonic of the angles that the pattern saw
+    if abs(np.mean(np.concatenate([np.exp(4j * decay.angle) for decay in found]))) >= 0.75:
+        yield (
+            "all ring-downs lie near one pattern angle: what of the damping anisotropy changes the "
+            "decay alone is seen only as far as the pattern moved, or not at all"
+        )
+    if not gyro.pickoff:
+        yield (
+            "no table rate both ways in this campaign: the pick-offs' errors are held to be zero; "
+            "a gain mismatch g errs by g/4 of the angle that the pattern turns over"
+        )
     longest = max(float(decay.time[-1]) for decay in found)
-    turned = abs(split) * longest
-    if turned <= WALKING:
-        return ()
-    return (
-        f"split times duration is {turned:.2g} rad ({longest:.4g} s): the quadrature walks with "
-        "the noise of the forces and the split turns that into angle, which the fit takes for "
-        "white noise; at 0.75 rad its 95 % intervals hold the truth in about 90 % only",
-    )
+    if abs(split) * longest > WALKING:
+        yield (
+            f"split times duration is {abs(split) * longest:.2g} rad ({longest:.4g} s): the "
+            "quadrature walks with the noise of the forces and the split turns that into angle, "
+            "which the fit takes for white noise; at 0.75 rad its 95 % intervals hold the truth in "
+            "about 90 % only"
+        )
 
 
 def draw(figure: Figure, found: Sequence[Decay], fit: Fit, gyro: Gyro) -> None:
@@ -190,11 +170,10 @@ def draw(figure: Figure, found: Sequence[Decay], fit: Fit, gyro: Gyro) -> None:
         above.plot(decay.time, (decay.angle - without) / ARCSEC, ".", ms=3, color=colour)
         above.plot(decay.time, (with_damping - without) / ARCSEC, color=colour, lw=1, label=label)
         below.plot(decay.time, (decay.angle - with_damping) / ARCSEC, color=colour, lw=0.8)
-    above.set_ylabel("turned by damping, arcsec")
-    below.set(
-        ylabel="residual of the fit, arcsec", xlabel="time since the drive was switched off, s"
-    )
-    above.set_title("Ring-downs: pattern angle less rotation and split")
+    title = "Ring-downs: pattern angle less rotation and split"
+    above.set(title=title, ylabel="turned by damping, arcsec")
+    below.set(ylabel="residual of the fit, arcsec")
+    below.set_xlabel("time since the drive was switched off, s")
     figure.legend(title="pattern", fontsize="small", loc="outside right upper")
     for axes in (above, below):
         axes.grid(alpha=0.3)

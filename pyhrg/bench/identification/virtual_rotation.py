@@ -8,19 +8,12 @@ sign with V, the bias map does not.
 import numpy as np
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.estimation.row_fit import Part
 from pyhrg.bench.identification.identification_figure import draw_terms
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.output_rows import (
-    BIAS_TERMS,
-    Rows,
-    compute_output_error,
-    fit_terms,
-    make_bias_columns,
-    require_steady_rows,
-)
+from pyhrg.bench.readings import output_rows
+from pyhrg.bench.readings.output_rows import BIAS_TERMS, Rows
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Campaign, Test
@@ -28,7 +21,10 @@ from pyhrg.records.campaign import Campaign, Test
 KIND = "virtual_rotation"
 RATE = 1 * DEG
 REST = 10.0
-GAIN, COSINE, SINE = "virtual rotation", "virtual rotation cos4", "virtual rotation sin4"
+GAIN = "virtual rotation"
+WAVES = COSINE, SINE = ("virtual rotation cos4", "virtual rotation sin4")
+WAYS = {"pos": 1.0, "neg": -1.0}
+"""Sign of the rotation, by the name of its power-on."""
 REASON = "the pattern must be turned both ways, each over most of 90 deg"
 
 
@@ -40,36 +36,29 @@ def make_programme(bench: Bench, rate: float, pattern_turn: float = 180 * DEG) -
 
 def record(bench: Bench, rate: float = RATE, pattern_turn: float = 180 * DEG) -> list[Test]:
     """One power-on each way."""
-    return bench.run(
-        [
-            PowerOn(
-                f"virtual_rotation_{way}", KIND, make_programme(bench, sign * rate, pattern_turn)
-            )
-            for way, sign in (("pos", 1.0), ("neg", -1.0))
-        ]
-    )
+    courses = {w: make_programme(bench, sign * rate, pattern_turn) for w, sign in WAYS.items()}
+    return bench.run([PowerOn(f"virtual_rotation_{w}", KIND, c) for w, c in courses.items()])
 
 
 def make_columns(rows: Rows) -> dict[str, Array]:
     """Terms of the output, rad."""
     turned = rows.values("virtual_rotation") * rows.log.interval
+    waves = (turned * rows.mean_trig(trig, 4) for trig in (np.cos, np.sin))
     return {
-        **make_bias_columns(rows),
+        **output_rows.make_bias_columns(rows),
         GAIN: turned,
-        COSINE: turned * rows.mean_trig(np.cos, 4),
-        SINE: turned * rows.mean_trig(np.sin, 4),
+        **dict(zip(WAVES, waves, strict=True)),
     }
 
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Gain error, sums of mismatches, and the bias map that they are told from."""
     tests = require_tests(campaign, KIND)
-    stretches = require_steady_rows([test.log for test in tests])
+    stretches = output_rows.require_steady_rows([test.log for test in tests])
     parts = [
-        Part(make_columns(rows), compute_output_error(rows, campaign.site), rows.log.interval)
-        for rows in stretches
+        output_rows.make_output_part(rows, campaign.site, make_columns(rows)) for rows in stretches
     ]
-    terms = fit_terms(parts, [*BIAS_TERMS, GAIN, COSINE, SINE], REASON)
+    terms = output_rows.fit_terms(parts, [*BIAS_TERMS, GAIN, *WAVES], REASON)
     labels = [f"V = {rows.values('virtual_rotation')[0] / DEG:+.3g} deg/s" for rows in stretches]
     title = "Output under virtual rotation, less Earth's rate"
     if GAIN in terms.refused:
@@ -89,7 +78,7 @@ def evaluate(campaign: Campaign) -> Outcome:
         warnings=tuple(terms.refused.values()),
         exclusions=list_exclusions(tests),
         draw=lambda figure: draw_terms(figure, title, stretches, terms, labels),
-        values={"terms": {name: terms.fit.value(name) for name in terms.fit.names}},
+        values={"terms": terms.fit.terms},
     )
 
 

@@ -13,11 +13,11 @@ from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.noise_records import Noise, NoiseRecord, fit_noise_of_tests
+from pyhrg.bench.readings.noise_records import Noise, fit_noise_of_tests
 from pyhrg.bench.readings.segments import WARM_UP
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG, DEG_PER_H, HOUR
-from pyhrg.noise.allan import AllanDeviation, estimate_allan_deviation
+from pyhrg.noise.allan import estimate_allan_deviation
 from pyhrg.noise.coefficients import Coefficient, NoiseCoefficients, compute_allan_deviation
 from pyhrg.records.campaign import Campaign, Test
 
@@ -52,7 +52,6 @@ def plan_power_ons(bench: Bench, duration: float = DURATION) -> list[PowerOn]:
 
 
 def record(bench: Bench) -> list[Test]:
-    """Run them."""
     return bench.run(plan_power_ons(bench))
 
 
@@ -78,15 +77,13 @@ def _findings(found: Noise | None, state: str) -> list[Finding]:
     if found is None:
         note = "the campaign has no such test"
         return [Finding(name + state, np.nan, unit, note=note) for name, unit in TERMS.values()]
-    return [
-        _finding(getattr(found.coefficients, key), name + state, unit, found.n)
-        for key, (name, unit) in TERMS.items()
-    ]
-
-
-def _finding(coefficient: Coefficient, name: str, unit: str, n: int) -> Finding:
-    note = "" if coefficient.present else "not told from zero: an upper bound"
-    return Finding(name, coefficient.value, unit, coefficient.low, coefficient.high, n, note)
+    findings = []
+    for key, (name, unit) in TERMS.items():
+        level: Coefficient = getattr(found.coefficients, key)
+        note = "" if level.present else "not told from zero: an upper bound"
+        values = (level.value, unit, level.low, level.high, found.n)
+        findings.append(Finding(name + state, *values, note))
+    return findings
 
 
 def _ratio(off: Noise | None, on: Noise | None) -> Finding:
@@ -159,7 +156,10 @@ def draw(figure: Figure, states: Mapping[str, Noise]) -> None:
     axes = figure.add_subplot(xscale="log", yscale="log", title=title)
     bounds = []
     for (state, noise), (colour, marker, offset) in zip(states.items(), STYLES, strict=False):
-        measured = _measure_allan_deviation(noise.longest)
+        spectrum, interval = noise.longest.spectrum, noise.longest.interval
+        measured = estimate_allan_deviation(spectrum.rest, interval)
+        # up to where taking the trends out hardly changes it
+        measured = measured.up_to(noise.longest.n * interval / (2 * (1 + len(spectrum.products))))
         tau, low, high = measured.tau, measured.low / DEG_PER_H, measured.high / DEG_PER_H
         bounds += [np.min(low), np.max(high)]
         axes.fill_between(tau, low, high, color=colour, alpha=0.2, lw=0)
@@ -170,13 +170,6 @@ def draw(figure: Figure, states: Mapping[str, Noise]) -> None:
         _draw_slopes(axes, noise.coefficients, tau, fitted, colour, offset)
     finish_axes(axes, "cluster time, s", "Allan deviation, deg/h", grid="both")
     axes.set_ylim(min(bounds) / 1.5, max(bounds) * 2)
-
-
-def _measure_allan_deviation(record: NoiseRecord) -> AllanDeviation:
-    """Allan deviation of a record without its trends, where taking them out hardly changes it."""
-    measured = estimate_allan_deviation(record.spectrum.rest, record.interval)
-    trends = 1 + len(record.spectrum.products)
-    return measured.up_to(record.n * record.interval / (2 * trends))
 
 
 def _draw_slopes(
@@ -205,7 +198,6 @@ PROCEDURE: Procedure = Procedure(
     name="random-walk",
     group="noise",
     title="Random walk without and with virtual rotation",
-    rows=("random walk",),
     source="paper 2.5 and 3.2; IEEE Std 952, annex C; restricted likelihood of the angle",
     kinds=KINDS,
     record=record,

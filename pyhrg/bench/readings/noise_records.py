@@ -2,13 +2,12 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import select_tests
-from pyhrg.bench.readings.segments import AT_REST, WARM_UP
+from pyhrg.bench.readings.segments import AT_REST, WARM_UP, split_rows
 from pyhrg.noise.coefficients import NoiseCoefficients, NoiseError
 from pyhrg.noise.fitting import MIN_SAMPLES, check_record, fit_coefficients
 from pyhrg.noise.likelihood import Spectrum, compute_spectrum
@@ -72,8 +71,7 @@ def _find_steady(log: Log) -> Iterator[slice]:
     warm = int(np.searchsorted(log.time, WARM_UP))
     settle = round(SETTLE / log.interval)
     for part in log.stretches("gyro_angle", "wave_angle", "virtual_rotation", "table_angle"):
-        inside = part.start + np.flatnonzero(broken[part])
-        for before, after in pairwise([part.start, *inside.tolist(), part.stop]):
+        for before, after in split_rows(part, broken[part]):
             first = max(before + (settle if broken[before] else 0), warm)
             if after > first:
                 yield slice(first, after)
@@ -141,9 +139,9 @@ def fit_noise_of_tests(campaign: Campaign, kind: str, turning: bool) -> Noise | 
     `turning` chooses the stretches with virtual rotation, else those without.
     """
     tests = select_tests(campaign, kind)
-    found = [record for test in tests for record in find_noise_records(test.log)]
     if not tests:
         return None
+    found = (record for test in tests for record in find_noise_records(test.log))
     wanted = [record for record in found if (record.rotation != 0) == turning]
     if not wanted:
         state = "with" if turning else "without"

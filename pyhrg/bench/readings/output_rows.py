@@ -5,16 +5,15 @@ pick-offs are errors of the angle th, so that they need no duration. Errors of d
 are rates (`pyhrg.theory`).
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 
-from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, Fit
+from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, Fit, average_wave
 from pyhrg.bench.estimation.row_fit import Part, compute_inflations, fit_rows
 from pyhrg.bench.outcome import BenchError, Finding
-from pyhrg.bench.readings.segments import AT_REST
+from pyhrg.bench.readings.segments import AT_REST, split_rows
 from pyhrg.common.arrays import Array
 from pyhrg.common.site import Site
 from pyhrg.records import Log
@@ -57,15 +56,9 @@ class Rows:
         """(n,) changes of a column over the rows."""
         return np.diff(self.ends(name))
 
-    def mean_trig(self, trig: Callable[[Array], Array], order: int) -> Array:
+    def mean_trig(self, trig: np.ufunc, order: int) -> Array:
         """(n,) mean over each row of `trig`, cosine or sine, of `order` times the pattern angle."""
-        angle = self.ends("wave_angle")
-        middle, swept = (angle[1:] + angle[:-1]) / 2, np.diff(angle)
-        return trig(order * middle) * np.sinc(order * swept / (2 * np.pi))
-
-    def earth_rate(self, site: Site) -> Array:
-        """(n,) Earth's rate on the input axis, rad/s."""
-        return site.vertical_rate * self.values("axis_up")
+        return average_wave(trig, order, self.ends("wave_angle"))
 
 
 COMMANDS = ("axis_up", "virtual_rotation", "amplitude_setpoint", "phase_offset", "drive_on")
@@ -81,21 +74,16 @@ def find_steady_rows(log: Log, *names: str, at_rest: bool = False) -> list[Rows]
     """
     log.require(*ANGLES, *COMMANDS, *names)
     wait = int(np.ceil(TRANSIENT / log.interval - 1e-9))
-    stretches = []
-    for stretch in log.stretches(*ANGLES, *names):
-        rows = np.arange(len(log.time))[stretch]
-        changed = np.zeros(len(rows), dtype=bool)
-        for name in COMMANDS:
-            held = getattr(log, name)[stretch]
-            changed |= np.diff(held, prepend=held[:1]) != 0
-        if at_rest:
-            table = log.table_angle[stretch]
-            changed |= np.abs(np.diff(table, prepend=table[:1])) > AT_REST
-        bounds = [0, *np.flatnonzero(changed).tolist(), len(rows)]
-        for begin, end in pairwise(bounds):
-            if end - begin - wait >= SHORTEST_ROWS and log.drive_on[rows[begin]] > 0.5:
-                stretches.append(Rows(log, int(rows[begin]) + max(wait, 1), int(rows[end - 1]) + 1))
-    return stretches
+    held = np.stack([getattr(log, name) for name in COMMANDS])
+    changed = np.any(np.diff(held, axis=1, prepend=held[:, :1]) != 0, axis=0)
+    if at_rest:
+        changed |= np.abs(np.diff(log.table_angle, prepend=log.table_angle[:1])) > AT_REST
+    return [
+        Rows(log, begin + max(wait, 1), end)
+        for stretch in log.stretches(*ANGLES, *names)
+        for begin, end in split_rows(stretch, changed[stretch])
+        if end - begin - wait >= SHORTEST_ROWS and log.drive_on[begin] > 0.5
+    ]
 
 
 def require_steady_rows(logs: Sequence[Log], *names: str, at_rest: bool = False) -> list[Rows]:
@@ -119,10 +107,11 @@ def make_bias_columns(rows: Rows) -> dict[str, Array]:
     }
 
 
-def compute_output_error(rows: Rows, site: Site) -> Array:
-    """(n,) increments of the output less those of table and Earth, rad."""
-    earth = rows.earth_rate(site) * rows.log.interval
-    return rows.increments("gyro_angle") - rows.increments("table_angle") - earth
+def make_output_part(rows: Rows, site: Site, columns: Mapping[str, Array]) -> Part:
+    """Output of rows, to be fitted by columns (n,) of what a unit of each term adds to it, rad."""
+    earth = site.vertical_rate * rows.values("axis_up") * rows.log.interval
+    error = rows.increments("gyro_angle") - rows.increments("table_angle") - earth
+    return Part(columns, error, rows.log.interval)
 
 
 def read_bryan_factor(campaign: Campaign) -> float:
@@ -164,13 +153,11 @@ def fit_terms(parts: Sequence[Part], names: Sequence[str], reason: str) -> Terms
     accepted: list[str] = []
     refused = {}
     for name in names:
-        worst = max(compute_inflations(parts, [*accepted, name]).values())
-        if worst > LARGEST_INFLATION:
-            refused[name] = (
-                f"{name} can't be separated from {' and '.join(accepted) or 'zero'}: {reason}"
-            )
-        else:
+        if max(compute_inflations(parts, [*accepted, name]).values()) <= LARGEST_INFLATION:
             accepted.append(name)
+        else:
+            others = " and ".join(accepted) or "zero"
+            refused[name] = f"{name} can't be separated from {others}: {reason}"
     try:
         return Terms(fit_rows(parts, accepted), refused, parts)
     except ValueError as error:

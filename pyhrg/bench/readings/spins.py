@@ -7,11 +7,11 @@ its own (`pyhrg.bench.scale_factor`).
 
 import math
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 
 from pyhrg.bench.outcome import BenchError
+from pyhrg.bench.readings.segments import split_rows
 from pyhrg.records import Log
 
 SLOWEST = math.radians(1.0)
@@ -41,16 +41,14 @@ def find_spins(log: Log, vertical_rate: float) -> list[Spin]:
     rates = np.diff(log.table_angle, prepend=log.table_angle[:1]) / log.interval
     steady = np.abs(rates) > SLOWEST
     steady[1:] &= np.abs(np.diff(rates)) < 1e-3 * np.abs(rates[1:]) + 1e-7
-    measured = []
-    for stretch in log.stretches("gyro_angle", "wave_angle", "table_angle"):
-        rows = np.arange(len(steady))[stretch]
-        bounds = [-1, *np.flatnonzero(~steady[rows]).tolist(), len(rows)]
-        for before, after in pairwise(bounds):
-            if after - before > 3:
-                part = slice(int(rows[before + 1]), int(rows[after - 1]) + 1)
-                spin = _measure_spin(log, part, vertical_rate)
-                measured += [spin] if spin else []
-    return measured
+    parts = (
+        slice(begin if steady[begin] else begin + 1, end)
+        for stretch in log.stretches("gyro_angle", "wave_angle", "table_angle")
+        for begin, end in split_rows(stretch, ~steady[stretch])
+        if end > begin
+    )
+    measured = [_measure_spin(log, p, vertical_rate) for p in parts if p.stop - p.start > 2]
+    return [spin for spin in measured if spin]
 
 
 def _measure_spin(log: Log, part: slice, vertical_rate: float) -> Spin | None:

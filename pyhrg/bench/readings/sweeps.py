@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.bench.estimation.angle_fit import Record, compute_largest_inflation
-from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, name_terms
-from pyhrg.bench.readings.turns import RATE_TOLERANCE, SETTLE, TURN_TOLERANCE
-from pyhrg.common.arrays import Array
-from pyhrg.common.site import EARTH_RATE
+from pyhrg.bench.estimation.harmonics import LARGEST_INFLATION, average_wave, name_terms
+from pyhrg.bench.readings.segments import split_rows
+from pyhrg.bench.readings.turns import SETTLE, TURN_TOLERANCE, Turn, find_rate_changes
+from pyhrg.common.site import Site
 from pyhrg.common.units import DEG
 from pyhrg.records import Log
 
@@ -32,26 +32,19 @@ ORDERS = (4, 2, 8)
 
 
 @dataclass(frozen=True)
-class Sweep:
-    """A stretch of n rows at constant virtual rotation and table rate; arrays are (n,).
+class Sweep(Turn):
+    """A turn of the table, or a rest, at constant virtual rotation.
 
-    source: the log.
-    interval: of its rows, s.
     virtual_rotation: as an input rate, rad/s; 0 without.
-    table_rate: rad/s; 0 at rest.
-    time: s. pattern_angle: rad.
-    input_angle: of table and Earth since the beginning, rad.
-    excess: output less input angle since the beginning, rad.
     """
 
-    source: str
-    interval: float
     virtual_rotation: float
-    table_rate: float
-    time: Array
-    pattern_angle: Array
-    input_angle: Array
-    excess: Array
+
+    @property
+    def table_rate(self) -> float:
+        """Mean rate of the table, rad/s; 0 at rest."""
+        moved = abs(float(self.table_angle[-1] - self.table_angle[0]))
+        return super().table_rate if moved > TURN_TOLERANCE * len(self.time) else 0.0
 
     def average_period(self) -> tuple[float, float] | None:
         """Mean error of the output rate, rad/s, over a whole period of the bias map, and that
@@ -66,75 +59,54 @@ class Sweep:
     def record(self, orders: Sequence[int], kinds: Sequence[str]) -> Record:
         """Record for a fit of the excess: mean and harmonics (`orders`) of each kind of terms."""
         steps = np.diff(self.time)
-        middle = (self.pattern_angle[1:] + self.pattern_angle[:-1]) / 2
-        swept = np.diff(self.pattern_angle)
         waves = {"": self.time - self.time[0]}
         for order in orders:
             for name, trig in zip(name_terms(order), (np.cos, np.sin), strict=True):
-                mean = trig(order * middle) * np.sinc(order * swept / (2 * np.pi))
+                mean = average_wave(trig, order, self.pattern_angle)
                 waves[f" {name}"] = np.concatenate([[0.0], np.cumsum(mean * steps)])
         rates = {BIAS: 1.0, GAIN: self.virtual_rotation, SCALE: self.input_rate}
-        columns = {
-            f"{kind}{name}": rates[kind] * wave for kind in kinds for name, wave in waves.items()
-        }
+        pairs = ((kind, name) for kind in kinds for name in waves)
+        columns = {f"{kind}{name}": rates[kind] * waves[name] for kind, name in pairs}
         return Record(self.interval, self.excess, columns)
 
-    @property
-    def input_rate(self) -> float:
-        """Mean input rate of table and Earth, rad/s."""
-        return float(self.input_angle[-1] / (self.time[-1] - self.time[0]))
 
-
-def find_sweeps(log: Log, latitude: float) -> list[Sweep]:
+def find_sweeps(log: Log, site: Site) -> list[Sweep]:
     """Sweeps of a log in order of time, from a settling time after each change."""
     log.require("table_angle", "axis_up", "virtual_rotation", "gyro_angle", "wave_angle")
     settle = math.ceil(SETTLE / log.interval)
-    stretches = []
-    for stretch in log.stretches("table_angle", "virtual_rotation", "gyro_angle", "wave_angle"):
-        rows = np.arange(len(log.time))[stretch]
-        broken = np.flatnonzero(_find_changes(log, stretch))
-        for first, after in zip([0, *broken], [*broken, len(rows)], strict=True):
-            if after - first > settle + SHORTEST_ROWS:
-                stretches.append(
-                    _read_sweep(log, latitude, slice(rows[first] + settle, rows[after - 1] + 1))
-                )
-    return stretches
+    return [
+        _read_sweep(log, site, slice(first + settle, after))
+        for stretch in log.stretches("table_angle", "virtual_rotation", "gyro_angle", "wave_angle")
+        for first, after in split_rows(stretch, _find_changes(log, stretch))
+        if after - first > settle + SHORTEST_ROWS
+    ]
 
 
 def _find_changes(log: Log, rows: slice) -> NDArray[np.bool_]:
     """Mask of rows at which table rate or a command changes or the output is not valid."""
     turned = np.diff(log.table_angle[rows], prepend=log.table_angle[rows][:1])
-    changed = np.abs(np.diff(turned, prepend=0.0)) > TURN_TOLERANCE + RATE_TOLERANCE * np.abs(
-        turned
-    )
+    changed = find_rate_changes(turned)
     for values in (log.virtual_rotation, log.axis_up, log.drive_on):
         changed |= np.diff(values[rows], prepend=values[rows][:1]) != 0
     return np.asarray(changed | (log.drive_on[rows] < 0.5) | (log.valid[rows] < 0.999))
 
 
-def _read_sweep(log: Log, latitude: float, rows: slice) -> Sweep:
+def _read_sweep(log: Log, site: Site, rows: slice) -> Sweep:
     time, table, pattern, gyro = (
         np.asarray(values[rows])
         for values in (log.time, log.table_angle, log.wave_angle, log.gyro_angle)
     )
-    span = time[-1] - time[0]
-    earth = EARTH_RATE * math.sin(latitude) * float(np.mean(log.axis_up[rows]))
+    earth = site.vertical_rate * float(np.mean(log.axis_up[rows]))
     angle = table - table[0] + earth * (time - time[0])
-    moved = float(table[-1] - table[0])
-    rate = moved / span if abs(moved) > TURN_TOLERANCE * len(time) else 0.0
-    command = float(log.virtual_rotation[rows][-1])
-    excess = gyro - gyro[0] - angle
-    return Sweep(log.source, log.interval, command, rate, time, pattern, angle, excess)
+    command, excess = float(log.virtual_rotation[rows][-1]), gyro - gyro[0] - angle
+    return Sweep(log.source, log.interval, time, table, pattern, angle, excess, command)
 
 
 def select_orders(sweeps: Sequence[Sweep], kinds: Sequence[str]) -> tuple[int, ...]:
     """Harmonics that the sweeps can separate, the same for all kinds of terms."""
-    orders: list[int] = []
+    orders: tuple[int, ...] = ()
     for order in ORDERS:
-        trial = [*orders, order]
-        if (
-            compute_largest_inflation([sweep.record(trial, kinds) for sweep in sweeps])
-            <= LARGEST_INFLATION
-        ):
-            orders.append(order)
-    return tuple(orders)
+        records = [sweep.record((*orders, order), kinds) for sweep in sweeps]
+        if compute_largest_inflation(records) <= LARGEST_INFLATION:
+            orders += (order,)
+    return orders

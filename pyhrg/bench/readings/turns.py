@@ -4,11 +4,12 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
-from pyhrg.bench.readings.segments import COLUMNS
+from pyhrg.bench.readings.segments import COLUMNS, split_rows
 from pyhrg.common.arrays import Array
-from pyhrg.common.site import EARTH_RATE
+from pyhrg.common.site import Site
 from pyhrg.common.units import ARCSEC, DEG
 from pyhrg.records import Log
 
@@ -47,12 +48,12 @@ class Turn:
     @property
     def table_rate(self) -> float:
         """Mean rate of the table, rad/s."""
-        return _compute_rate(self.table_angle, self.time)
+        return float((self.table_angle[-1] - self.table_angle[0]) / (self.time[-1] - self.time[0]))
 
     @property
     def input_rate(self) -> float:
         """Mean rate of table and Earth on the input axis, rad/s."""
-        return _compute_rate(self.input_angle, self.time)
+        return float((self.input_angle[-1] - self.input_angle[0]) / (self.time[-1] - self.time[0]))
 
     @property
     def periods(self) -> float:
@@ -72,9 +73,9 @@ class Turn:
         return time, angle, excess
 
 
-def find_turns(log: Log, latitude: float) -> list[Turn]:
+def find_turns(log: Log, site: Site) -> list[Turn]:
     """Steady stretches of at least one period, in order of time."""
-    stretches = _find_all(log, latitude)
+    stretches = _find_all(log, site)
     whole = [turn for turn in stretches if turn.periods >= WHOLE_PERIOD]
     if not whole:
         longest = max((turn.periods for turn in stretches), default=0.0) * PERIOD / DEG
@@ -85,54 +86,50 @@ def find_turns(log: Log, latitude: float) -> list[Turn]:
     return whole
 
 
-def list_short_turns(log: Log, latitude: float) -> list[str]:
+def list_short_turns(log: Log, site: Site) -> list[str]:
     """A sentence on each steady stretch that is shorter than one period."""
     return [
         f"{log.source}: {turn.time[0]:.6g} to {turn.time[-1]:.6g} s at {turn.table_rate / DEG:.3g} "
         f"deg/s left out: the pattern turned by {turn.periods * PERIOD / DEG:.3g} deg, less than "
         f"the {PERIOD / DEG:g} deg of a period"
-        for turn in _find_all(log, latitude)
+        for turn in _find_all(log, site)
         if turn.periods < WHOLE_PERIOD
     ]
 
 
-def _find_all(log: Log, latitude: float) -> list[Turn]:
+def _find_all(log: Log, site: Site) -> list[Turn]:
     log.require(*COLUMNS)
-    return [_read_turn(log, latitude, rows) for rows in _find_steady(log)]
+    return [_read_turn(log, site, rows) for rows in _find_steady(log)]
 
 
 def _find_steady(log: Log) -> list[slice]:
     """Rows of each stretch without gap, with drive on, no virtual rotation and a steady rate."""
     turned = np.diff(log.table_angle, prepend=log.table_angle[:1])
-    moving = (
-        (np.abs(turned) > TURN_TOLERANCE) & (log.virtual_rotation == 0.0) & (log.drive_on > 0.5)
-    )
-    moving &= ~(log.valid < 0.999)
-    unsteady = np.abs(np.diff(turned, prepend=0.0)) > TURN_TOLERANCE + RATE_TOLERANCE * np.abs(
-        turned
-    )
+    moving = (np.abs(turned) > TURN_TOLERANCE) & (log.virtual_rotation == 0.0)
+    moving &= (log.drive_on > 0.5) & ~(log.valid < 0.999)
+    unsteady = find_rate_changes(turned)
     settle = math.ceil(SETTLE / log.interval)
-    stretches = []
-    for stretch in log.stretches(*COLUMNS):
-        rows = np.arange(len(turned))[stretch]
-        broken = np.flatnonzero(~moving[rows] | unsteady[rows])
-        for first, after in zip([0, *broken], [*broken, len(rows)], strict=True):
-            if after - first > settle + 8:
-                stretches.append(slice(int(rows[first]) + settle, int(rows[after - 1]) + 1))
-    return stretches
+    return [
+        slice(first + settle, after)
+        for stretch in log.stretches(*COLUMNS)
+        for first, after in split_rows(stretch, (~moving | unsteady)[stretch])
+        if after - first > settle + 8
+    ]
 
 
-def _read_turn(log: Log, latitude: float, rows: slice) -> Turn:
+def find_rate_changes(turned: Array) -> NDArray[np.bool_]:
+    """(n,) whether the table's turn in a row, rad, differs from that in the row before, first 0."""
+    change = np.abs(np.diff(turned, prepend=0.0))
+    return np.asarray(change > TURN_TOLERANCE + RATE_TOLERANCE * np.abs(turned))
+
+
+def _read_turn(log: Log, site: Site, rows: slice) -> Turn:
     time, table, pattern, gyro, axis_up = (
         np.asarray(values[rows])
         for values in (log.time, log.table_angle, log.wave_angle, log.gyro_angle, log.axis_up)
     )
     # axis_up of a row is valid from the end of the row before to the end of this row
-    earth = EARTH_RATE * math.sin(latitude) * np.cumsum(axis_up) * log.interval
+    earth = site.vertical_rate * np.cumsum(axis_up) * log.interval
     angle = table - table[0] + earth - earth[0]
     excess = gyro - gyro[0] - angle
     return Turn(log.source, log.interval, time, table, pattern, angle, excess)
-
-
-def _compute_rate(angle: Array, time: Array) -> float:
-    return float((angle[-1] - angle[0]) / (time[-1] - time[0]))

@@ -24,19 +24,14 @@ class Judgement:
         limit, else `not decided`; `not measured` where the finding has no value."""
         if math.isnan(self.finding.value):
             return "not measured"
-        low, high = self._magnitude()
+        low, high = self.finding.interval_in_unit
+        if math.isnan(low + high):
+            return "not decided"
+        ends = sorted((abs(low), abs(high)))
+        low, high = (0.0 if low < 0 < high else ends[0]), ends[1]
         if self.finding.at_least:
             return "meets" if low >= self.limit else "fails" if high < self.limit else "not decided"
         return "meets" if high <= self.limit else "fails" if low > self.limit else "not decided"
-
-    def _magnitude(self) -> tuple[float, float]:
-        """95 % interval of the magnitude; NaN where the finding has no interval, so that every
-        comparison is false."""
-        low, high = self.finding.interval_in_unit
-        if math.isnan(low + high):
-            return math.nan, math.nan
-        ends = sorted((abs(low), abs(high)))
-        return (0.0 if low < 0 < high else ends[0]), ends[1]
 
     def __str__(self) -> str:
         finding = self.finding

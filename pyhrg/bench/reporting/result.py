@@ -10,7 +10,7 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pyhrg.bench.outcome import Finding, Outcome
+from pyhrg.bench.outcome import Outcome
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.reporting import page
 from pyhrg.bench.reporting.document import format_document
@@ -69,15 +69,15 @@ class TestResult:
         `fails`, `not decided` or `not measured`.
         """
         words = {j.finding.key: j.word for j in judge_findings(self.outcome, self.limits)}
-        rows = [self._row(finding, words) for finding in self.outcome.findings]
-        index = pd.Index([finding.key for finding in self.outcome.findings], name="key")
-        return pd.DataFrame(rows, columns=list(COLUMNS), index=index)
-
-    def _row(self, finding: Finding, words: Mapping[str, str]) -> tuple[object, ...]:
-        low, high = finding.interval_in_unit
-        target, word = self.limits.get(finding.key, math.nan), words.get(finding.key, "")
-        values = (finding.value_in_unit, finding.unit, low, high, finding.n)
-        return (finding.name, *values, target, word, finding.note)
+        rows = {
+            f.key: (
+                *(f.name, f.value_in_unit, f.unit, *f.interval_in_unit, f.n),
+                *(self.limits.get(f.key, math.nan), words.get(f.key, ""), f.note),
+            )
+            for f in self.outcome.findings
+        }
+        index = pd.Index(list(rows), name="key")
+        return pd.DataFrame(list(rows.values()), columns=list(COLUMNS), index=index)
 
     @property
     def rows(self) -> pd.DataFrame:
@@ -221,20 +221,16 @@ class BenchResults:
             else page.make_failure_section(a.procedure, a.reason)
             for a in self.attempts
         ]
-        text = page.make_page(title, self._make_overview(), sections, notes)
+        overview = self._make_table_1() if len(self.attempts) > 1 else None
+        text = page.make_page(title, overview, sections, notes)
         write_whole(folder / PAGE, text.encode())
 
     def __str__(self) -> str:
         sections = [f"HRG bench: {self.subject}", *map(str, self.attempts)]
-        overview = self._make_overview()
-        sections += [format_table(overview)] if overview else []
+        sections += [format_table(self._make_table_1())] if len(self.attempts) > 1 else []
         return "\n\n".join([*sections, *self._list_unmatched()])
 
     __repr__ = __str__
-
-    def _make_overview(self) -> Table | None:
-        """The paper's Table 1; None for a single test."""
-        return self._make_table_1() if len(self.attempts) > 1 else None
 
     def _make_table_1(self) -> Table:
         return make_table_1({result.name: result.outcome for result in self.results})
@@ -244,8 +240,7 @@ class BenchResults:
         specification may well limit the findings of other tests."""
         if len(self.attempts) < 2:
             return []
-        outcomes = [result.outcome for result in self.results]
-        unmatched = describe_unmatched_limits(outcomes, self.limits)
+        unmatched = describe_unmatched_limits([r.outcome for r in self.results], self.limits)
         return [f"Specification: {sentence}" for sentence in unmatched]
 
 

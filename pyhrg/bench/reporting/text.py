@@ -54,13 +54,10 @@ def format_table(table: Table) -> str:
     last = len(widths) - 1
 
     def line(row: tuple[str, ...]) -> str:
-        gaps = [
-            " " * (width - _count_columns(cell)) for cell, width in zip(row, widths, strict=True)
-        ]
-        parts = [
-            cell + gap if i in (0, last) else gap + cell
-            for i, (cell, gap) in enumerate(zip(row, gaps, strict=True))
-        ]
+        parts = []
+        for i, (cell, width) in enumerate(zip(row, widths, strict=True)):
+            gap = " " * (width - _count_columns(cell))
+            parts.append(cell + gap if i in (0, last) else gap + cell)
         return "  ".join(parts).rstrip()
 
     return "\n".join([table.title, *map(line, cells)])

@@ -7,7 +7,7 @@ repeatability the standard deviation of K over power-ons.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -20,12 +20,8 @@ from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_deviation
 from pyhrg.bench.procedure import Procedure, require_tests
 from pyhrg.bench.programme import Programme
 from pyhrg.bench.readings.turns import PERIOD, SETTLE, Turn, find_turns
-from pyhrg.bench.scale_factor.rate_tests import (
-    INTERVAL,
-    RUNS,
-    WARM_UP,
-    list_turn_exclusions,
-)
+from pyhrg.bench.scale_factor import rate_tests
+from pyhrg.bench.scale_factor.rate_tests import INTERVAL, RUNS, WARM_UP
 from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG
@@ -86,7 +82,10 @@ def make_programme(bench: Bench, rates: Sequence[float] = RATES) -> Programme:
         rows = np.ceil(count * period / INTERVAL)
         exact = count * PERIOD / (bench.device.bryan_factor * rows * INTERVAL)
         for signed in (exact, -exact):
-            course.spin(signed - earth, (rows + np.ceil((SETTLE + 1.0) / INTERVAL)) * INTERVAL)
+            course.spin(
+                signed - earth,
+                (rows + np.ceil((SETTLE + 1.0) / INTERVAL)) * INTERVAL,
+            )
     return course
 
 
@@ -114,7 +113,6 @@ def read_line(turns: Sequence[Turn]) -> Line:
 
 
 def _count_rates(rates: Array) -> int:
-    """Number of different positive rates."""
     positive = np.sort(rates[rates > 0])
     return len(positive) - int(np.sum(np.diff(positive) < RATE_TOLERANCE * positive[1:]))
 
@@ -122,7 +120,7 @@ def _count_rates(rates: Array) -> int:
 def read_lines(campaign: Campaign) -> list[Line]:
     """Input and output rates of each power-on."""
     tests = require_tests(campaign, KIND)
-    lines = [read_line(find_turns(test.log, campaign.site.latitude)) for test in tests]
+    lines = [read_line(find_turns(test.log, campaign.site)) for test in tests]
     for test, line in zip(tests, lines, strict=True):
         same = len(line.input) == len(lines[0].input)
         if not same or np.any(np.abs(line.input / lines[0].input - 1) > RATE_TOLERANCE):
@@ -145,6 +143,11 @@ def evaluate(campaign: Campaign) -> Outcome:
         estimate_mean("bias", [line.fit()[1] for line in lines], "deg/h"),
     )
     top = max(float(np.max(np.abs(line.input))) for line in lines) / DEG
+    columns = ([x.input / DEG, (x.output / x.input - 1) * 1e6, x.residual * 1e6] for x in lines)
+    rows = tuple(
+        (f"{r:+.4g}", f"{e:.4f}", f"{x:.5f}") for r, e, x in np.mean(list(columns), axis=0).T
+    )
+    header = ("input, deg/s", "output's error, ppm", "residual, ppm of the largest")
     return Outcome(
         findings=findings,
         verdict=(
@@ -152,8 +155,8 @@ def evaluate(campaign: Campaign) -> Outcome:
             f"{nonlinearity.value_in_unit:.2g} ppm of the largest; both ways differ by "
             f"{asymmetry.value_in_unit:.2g} ppm."
         ),
-        tables=(_make_table(lines),),
-        exclusions=list_turn_exclusions(campaign, KIND),
+        tables=(Table("Rates, means of all power-ons", header, rows),),
+        exclusions=rate_tests.list_turn_exclusions(campaign, KIND),
         draw=lambda figure: draw(figure, lines),
     )
 
@@ -168,34 +171,18 @@ def _estimate_nonlinearity(lines: Sequence[Line]) -> Finding:
 
 def _estimate_asymmetry(lines: Sequence[Line]) -> Finding:
     signed = estimate_mean("scale factor asymmetry", [line.asymmetry for line in lines], "ppm")
-    bounds = np.abs([signed.low, signed.high])
-    low = 0.0 if signed.low <= 0.0 <= signed.high else float(np.min(bounds))
+    low, high = sorted((abs(signed.low), abs(signed.high)))
+    low = 0.0 if signed.low <= 0.0 <= signed.high else low
     note = signed.note or "of the power-ons' mean, either sign"
-    return Finding(
-        signed.name, abs(signed.value), "ppm", low, float(np.max(bounds)), signed.n, note
-    )
-
-
-def _make_table(lines: Sequence[Line]) -> Table:
-    rates = np.mean([line.input for line in lines], axis=0) / DEG
-    errors = np.mean([line.output / line.input - 1 for line in lines], axis=0) * 1e6
-    residuals = np.mean([line.residual for line in lines], axis=0) * 1e6
-    rows = [
-        (f"{r:+.4g}", f"{e:.4f}", f"{x:.5f}")
-        for r, e, x in zip(rates, errors, residuals, strict=True)
-    ]
-    header = ("input, deg/s", "output's error, ppm", "residual, ppm of the largest")
-    return Table("Rates, means of all power-ons", header, tuple(rows))
+    return replace(signed, value=abs(signed.value), low=low, high=high, note=note)
 
 
 def draw(figure: Figure, lines: Sequence[Line]) -> None:
-    """Draw the residuals of each power-on and their mean against the rate."""
     axes = figure.add_subplot(title="Output less its best line")
     for number, line in enumerate(lines):
         label = f"{len(lines)} power-ons" if number == 0 else None
-        axes.plot(
-            line.input / DEG, line.residual * 1e6, "o", color="C0", ms=4, alpha=0.4, label=label
-        )
+        points = (line.input / DEG, line.residual * 1e6, "o")
+        axes.plot(*points, color="C0", ms=4, alpha=0.4, label=label)
     mean = np.mean([line.residual for line in lines], axis=0)
     axes.plot(lines[0].input / DEG, mean * 1e6, "k-", lw=1.2, label="mean")
     axes.set_xscale("symlog", linthresh=1.0)
@@ -206,11 +193,6 @@ PROCEDURE: Procedure = Procedure(
     name="linearity",
     group="scale factor",
     title="Scale-factor nonlinearity, symmetry and repeatability",
-    rows=(
-        "scale factor nonlinearity",
-        "scale factor symmetry",
-        "scale factor repeatability, room temperature",
-    ),
     source="GJB 2426A and IEEE Std 952 (formulas); whole periods of the pattern: paper 1.2",
     kinds=(KIND,),
     record=record,

@@ -26,8 +26,8 @@ INTERVAL = 0.1
 
 def read_rate_turns(campaign: Campaign, slow: bool) -> list[Turn]:
     """Turns of the campaign's rate tests at rates up to `FASTEST_RATE_A` (`slow`), or above."""
-    tests, latitude = require_tests(campaign, KIND), campaign.site.latitude
-    turns = [turn for test in tests for turn in find_turns(test.log, latitude)]
+    tests, site = require_tests(campaign, KIND), campaign.site
+    turns = [turn for test in tests for turn in find_turns(test.log, site)]
     chosen = [turn for turn in turns if (abs(turn.table_rate) <= FASTEST_RATE_A) == slow]
     if not chosen:
         rates = ", ".join(f"{turn.table_rate / DEG:.3g}" for turn in turns)
@@ -42,8 +42,8 @@ def read_rate_turns(campaign: Campaign, slow: bool) -> list[Turn]:
 def list_turn_exclusions(campaign: Campaign, *kinds: str) -> tuple[str, ...]:
     """A sentence on each part of the logs of these kinds that is not used: excluded on reading, or
     too short a turn."""
-    tests, latitude = require_tests(campaign, *kinds), campaign.site.latitude
-    short = (text for test in tests for text in list_short_turns(test.log, latitude))
+    tests, site = require_tests(campaign, *kinds), campaign.site
+    short = (text for test in tests for text in list_short_turns(test.log, site))
     return (*list_exclusions(tests), *short)
 
 

@@ -51,13 +51,11 @@ class ScaleFactorMap:
         """Scale-factor error less its mean, at pattern angles, rad; of the shape of the angles."""
         phase = np.multiply.outer(pattern_angle, self.orders)
         waves = np.stack([np.cos(phase), np.sin(phase)], axis=-1).reshape(*phase.shape[:-1], -1)
-        values = [self.fit.value(name) for name in self.harmonics()]
-        return np.asarray(waves @ np.array(values))
+        return np.asarray(waves @ np.array([self.fit.value(name) for name in self.harmonics()]))
 
     def findings(self) -> tuple[Finding, ...]:
         """Findings: scale factor, its variation, pick-off errors, other harmonics, bias."""
-        orders = [order for order in self.orders if order != 4]
-        names = [f"{SCALE} {name}" for order in orders for name in name_terms(order)]
+        names = [name for name in self.harmonics() if not name.endswith("4")]
         fastest = max(abs(turn.table_rate) for turn in self.turns) / DEG
         note = (
             f"part that is even in the rate, up to {fastest:.3g} deg/s: the bias map and errors of "

@@ -13,14 +13,8 @@ from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.readings.output_rows import read_bryan_factor
 from pyhrg.bench.readings.turns import Turn
-from pyhrg.bench.scale_factor.rate_tests import (
-    KIND,
-    RUNS,
-    draw_both_ways,
-    list_turn_exclusions,
-    make_turn_power_ons,
-    read_rate_turns,
-)
+from pyhrg.bench.scale_factor import rate_tests
+from pyhrg.bench.scale_factor.rate_tests import KIND, RUNS
 from pyhrg.bench.scale_factor.scale_factor import (
     BIAS,
     ScaleFactorMap,
@@ -41,7 +35,7 @@ def record(
     bench: Bench, runs: int = RUNS, periods: int = PERIODS, rate: float = RATE
 ) -> list[Test]:
     """Tests of `runs` power-ons in each direction at a table rate, rad/s."""
-    return bench.run(make_turn_power_ons(bench, rate, periods, runs))
+    return bench.run(rate_tests.make_turn_power_ons(bench, rate, periods, runs))
 
 
 def compute_residual(turn: Turn, k: float) -> Array:
@@ -60,25 +54,24 @@ def compute_residual(turn: Turn, k: float) -> Array:
 def evaluate(campaign: Campaign) -> Outcome:
     """Scale factor, its map over the circumference, and the bias."""
     k = read_bryan_factor(campaign)
-    fitted = fit_scale_factor_map(read_rate_turns(campaign, slow=True), k)
+    fitted = fit_scale_factor_map(rate_tests.read_rate_turns(campaign, slow=True), k)
     residuals = [compute_residual(turn, k) for turn in fitted.turns]
     return Outcome(
         findings=(*fitted.findings(), *_summarize_residuals(residuals)),
         verdict=_describe_verdict(fitted),
         tables=(make_period_table(fitted.turns),),
         warnings=fitted.refused,
-        exclusions=list_turn_exclusions(campaign, KIND),
+        exclusions=rate_tests.list_turn_exclusions(campaign, KIND),
         draw=lambda figure: draw(figure, fitted, residuals),
-        values={"scale_factor_map": dict(zip(fitted.fit.names, fitted.fit.values, strict=True))},
+        values={"scale_factor_map": fitted.fit.terms},
     )
 
 
 def _summarize_residuals(residuals: list[Array]) -> tuple[Finding, ...]:
     """The paper's own figures of the angle error, without correction for noise."""
     rows = np.concatenate(residuals)
-    deviation, largest = float(np.std(rows, ddof=1)), float(np.max(np.abs(rows)))
+    deviation, largest, n = float(np.std(rows, ddof=1)), float(np.max(np.abs(rows))), len(rows)
     note = "as read, with the noise and the bias over the rate: no interval"
-    n = len(rows)
     return (
         Finding("angle residual", deviation, "arcsec", n=n, note=f"standard deviation, {note}"),
         Finding("largest angle residual", largest, "arcsec", n=n, note=note),
@@ -98,13 +91,10 @@ def _describe_verdict(fitted: ScaleFactorMap) -> str:
 
 
 def draw(figure: Figure, fitted: ScaleFactorMap, residuals: list[Array]) -> None:
-    """Draw the angle errors of both directions against the pattern angle."""
     axes = figure.add_subplot(title="Angle residual; where both ways differ, the bias shows")
-    points = [
-        (turn.pattern_angle[: len(values)], values / ARCSEC)
-        for turn, values in zip(fitted.turns, residuals, strict=True)
-    ]
-    draw_both_ways(axes, fitted.turns, points)
+    pairs = zip(fitted.turns, residuals, strict=True)
+    points = [(turn.pattern_angle[: len(values)], values / ARCSEC) for turn, values in pairs]
+    rate_tests.draw_both_ways(axes, fitted.turns, points)
     axes.set_ylabel("error of the pattern angle, arcsec")
     axes.legend(markerscale=3)
 
@@ -113,7 +103,6 @@ PROCEDURE: Procedure = Procedure(
     name="scale-factor-angle",
     group="scale factor",
     title="Scale factor over the circumference, method A (5 deg/s, angle)",
-    rows=("scale factor stability, room temperature",),
     source="paper 4.2, first method, and Eqs. 2 and 3; both directions: docs/paper.md",
     kinds=(KIND,),
     record=record,

@@ -8,24 +8,18 @@ to the angle (`scale_factor`) needs no average.
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from matplotlib.figure import Figure
-from scipy import stats
 
 from pyhrg.bench.bench import Bench
-from pyhrg.bench.outcome import BenchError, Finding, Outcome
+from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_pooled_deviation
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.readings.output_rows import read_bryan_factor
 from pyhrg.bench.readings.turns import Turn
-from pyhrg.bench.scale_factor.rate_tests import (
-    KIND,
-    RUNS,
-    draw_both_ways,
-    list_turn_exclusions,
-    make_turn_power_ons,
-    read_rate_turns,
-)
+from pyhrg.bench.scale_factor import rate_tests
+from pyhrg.bench.scale_factor.rate_tests import KIND, RUNS
 from pyhrg.bench.scale_factor.scale_factor import (
     ScaleFactorMap,
     fit_scale_factor_map,
@@ -47,7 +41,7 @@ def record(
     bench: Bench, runs: int = RUNS, periods: int = PERIODS, rate: float = RATE
 ) -> list[Test]:
     """Tests of `runs` power-ons in each direction at a table rate, rad/s."""
-    return bench.run(make_turn_power_ons(bench, rate, periods, runs))
+    return bench.run(rate_tests.make_turn_power_ons(bench, rate, periods, runs))
 
 
 def compute_rate_error(turn: Turn) -> tuple[Array, Array]:
@@ -65,12 +59,6 @@ def compute_rate_error(turn: Turn) -> tuple[Array, Array]:
     return pattern, np.asarray(error)
 
 
-def compute_kept_share(turn: Turn, k: float) -> float:
-    """Share of the fourth harmonic that the averages keep."""
-    duration = round(SMOOTHING / turn.interval) * turn.interval
-    return float(np.sinc(4 * k * turn.input_rate * duration / (2 * np.pi)))
-
-
 def estimate_stability(turns: Sequence[Turn]) -> Finding:
     """Standard deviation of the scale factor over the periods of a turn, pooled over the turns.
 
@@ -80,22 +68,23 @@ def estimate_stability(turns: Sequence[Turn]) -> Finding:
     for turn in turns:
         _, angle, excess = turn.whole_periods(each=1)
         groups.append((np.diff(excess) / np.diff(angle))[::2])
-    freedom = sum(len(group) - 1 for group in groups)
-    if freedom < 1:
+    if max(map(len, groups)) < 2:
         return Finding(name, np.nan, "ppm", note="needs 3 periods of the pattern in one turn")
-    square = sum(float(np.sum((group - group.mean()) ** 2)) for group in groups)
-    low, high = np.sqrt(square / stats.chi2.ppf([0.975, 0.025], freedom))
     note = "standard deviation of whole periods of the pattern"
-    value = float(np.sqrt(square / freedom))
-    return Finding(name, value, "ppm", float(low), float(high), freedom + 1, note)
+    pooled = estimate_pooled_deviation(name, groups, "ppm", note)
+    return replace(pooled, n=sum(len(group) - 1 for group in groups) + 1)
 
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Scale factor, its map over the circumference, its stability in run, and the bias."""
     k = read_bryan_factor(campaign)
-    fitted = fit_scale_factor_map(read_rate_turns(campaign, slow=False), k)
+    fitted = fit_scale_factor_map(rate_tests.read_rate_turns(campaign, slow=False), k)
     errors = [compute_rate_error(turn) for turn in fitted.turns]
-    shares = [compute_kept_share(turn, k) for turn in fitted.turns]
+    durations = (round(SMOOTHING / turn.interval) * turn.interval for turn in fitted.turns)
+    shares = [
+        float(np.sinc(4 * k * turn.input_rate * duration / (2 * np.pi)))
+        for turn, duration in zip(fitted.turns, durations, strict=True)
+    ]
     return Outcome(
         findings=(
             *fitted.findings(),
@@ -108,9 +97,9 @@ def evaluate(campaign: Campaign) -> Outcome:
         ),
         tables=(make_period_table(fitted.turns),),
         warnings=(*fitted.refused, _describe_lag(fitted, k)),
-        exclusions=list_turn_exclusions(campaign, KIND),
+        exclusions=rate_tests.list_turn_exclusions(campaign, KIND),
         draw=lambda figure: draw(figure, fitted, errors),
-        values={"scale_factor_map": dict(zip(fitted.fit.names, fitted.fit.values, strict=True))},
+        values={"scale_factor_map": fitted.fit.terms},
     )
 
 
@@ -139,17 +128,15 @@ def _summarize_averages(
 
 
 def draw(figure: Figure, fitted: ScaleFactorMap, errors: list[tuple[Array, Array]]) -> None:
-    """Draw the averages of both directions and the fitted map against the pattern angle."""
     axes = figure.add_subplot(
         title=f"Scale factor over the circumference, averages of {SMOOTHING:g} s"
     )
-    grid = np.linspace(0.0, np.pi, 361)
-    points = [(pattern, error * 1e6) for pattern, error in errors]
-    draw_both_ways(axes, fitted.turns, points)
-    mean = fitted.fit.value("scale factor")
-    axes.plot(
-        grid / DEG, (mean + fitted.evaluate(grid)) * 1e6, "k-", lw=1.2, label="fit to the angle"
+    rate_tests.draw_both_ways(
+        axes, fitted.turns, [(pattern, error * 1e6) for pattern, error in errors]
     )
+    grid = np.linspace(0.0, np.pi, 361)
+    curve = (fitted.fit.value("scale factor") + fitted.evaluate(grid)) * 1e6
+    axes.plot(grid / DEG, curve, "k-", lw=1.2, label="fit to the angle")
     axes.set_ylabel("rate error over rate, ppm")
     axes.legend(markerscale=3)
 
@@ -158,7 +145,6 @@ PROCEDURE: Procedure = Procedure(
     name="scale-factor-rate",
     group="scale factor",
     title="Scale factor over the circumference, method B (100 deg/s, rate)",
-    rows=("scale factor stability, room temperature",),
     source="paper 4.2, second method, and Eqs. 2 and 3; both directions: docs/paper.md",
     kinds=(KIND,),
     record=record,

@@ -55,14 +55,11 @@ def _pairs(found: Sequence[Sweep]) -> list[Cycle]:
             rest = rest[1:]
             continue
         rest = rest[2:]
-        (first, period), (second, back) = (
-            one.average_period() or (0.0, 0.0),
-            other.average_period() or (0.0, 0.0),
-        )
+        (first, period), (second, back) = (x.average_period() or (0.0, 0.0) for x in (one, other))
         gain = (second - first) / (2 * one.virtual_rotation)
         length = (one.time[-1] - one.time[0]) + (other.time[-1] - other.time[0])
-        mean = (first + second) / 2
-        cycles.append(Cycle(mean, length, float(one.pattern_angle[0]), gain, min(period, back)))
+        start, mean = float(one.pattern_angle[0]), (first + second) / 2
+        cycles.append(Cycle(mean, length, start, gain, min(period, back)))
     return cycles
 
 

@@ -13,14 +13,8 @@ from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
 from pyhrg.bench.bias.bias_test import RUNS
-from pyhrg.bench.estimation.angle_fit import (
-    AngleFit,
-    Record,
-    estimate_walk,
-    estimate_walk_ratio,
-    fit_angles,
-    make_walk_finding,
-)
+from pyhrg.bench.estimation import angle_fit
+from pyhrg.bench.estimation.angle_fit import AngleFit, Record
 from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_deviation, estimate_mean
 from pyhrg.bench.procedure import Procedure, list_exclusions, require_tests
@@ -69,14 +63,14 @@ def record(bench: Bench, runs: int = RUNS, count: int = CYCLES) -> list[Test]:
     """Seven power-ons with virtual rotation and seven without, both left all around the
     circumference."""
     angles = bench.device.power_on_angle + np.arange(runs) * 180 * DEG / runs
-    tasks = []
-    for name, rotation in (("on", ROTATION), ("off", 0.0)):
-        course = make_programme(bench, rotation, count)
-        tasks += [
-            PowerOn(f"self_calibration_{name}_{run + 1}", KIND, course, float(angle))
-            for run, angle in enumerate(angles)
+    courses = {"on": make_programme(bench, ROTATION, count), "off": make_programme(bench, 0, count)}
+    return bench.run(
+        [
+            PowerOn(f"self_calibration_{name}_{run}", KIND, course, float(angle))
+            for name, course in courses.items()
+            for run, angle in enumerate(angles, 1)
         ]
-    return bench.run(tasks)
+    )
 
 
 GAIN_ERROR = "virtual rotation gain error"
@@ -86,15 +80,15 @@ HELD = "with the hold of the forces, -Ts/2 tau, and -(W_L/V)^2/2 of a large map"
 def evaluate(campaign: Campaign) -> Outcome:
     """Bias, stability, repeatability, scale factor and random walk, on and off."""
     tests = require_tests(campaign, *KINDS)
-    found = [find_sweeps(test.log, campaign.site.latitude) for test in tests]
+    found = [find_sweeps(test.log, campaign.site) for test in tests]
     rotating = [[s for s in log if s.virtual_rotation != 0.0] for log in found]
     resting = [[s for s in log if s.virtual_rotation == 0.0 == s.table_rate] for log in found]
     on = cycles.pair_cycles(rotating)
     off = cycles.cut_rests([log for log in resting if log], find_averaging_time(on))
     turning, rotation = _rotating_fit([s for log in rotating for s in log])
     still, rest = _resting_fit([s for log in resting for s in log])
-    walks = estimate_walk(turning, rotation), estimate_walk(still, rest)
-    ratio = estimate_walk_ratio("random walk on over off", *walks)
+    walks = angle_fit.estimate_walk(turning, rotation), angle_fit.estimate_walk(still, rest)
+    ratio = angle_fit.estimate_walk_ratio("random walk on over off", *walks)
     bias = estimate_mean("bias on", [c.rate for run in on for c in run], "deg/h")
     gain = estimate_mean(GAIN_ERROR, [c.gain for r in on for c in r], "ppm", HELD)
     findings = (
@@ -103,8 +97,8 @@ def evaluate(campaign: Campaign) -> Outcome:
         *_scatter("off", off),
         gain,
         *_scale_factors(campaign, turning),
-        make_walk_finding("angle random walk on", walks[0]),
-        make_walk_finding("angle random walk off", walks[1]),
+        angle_fit.make_walk_finding("angle random walk on", walks[0]),
+        angle_fit.make_walk_finding("angle random walk off", walks[1]),
         ratio,
     )
     return Outcome(
@@ -147,7 +141,7 @@ def _rotating_fit(found: list[Sweep]) -> tuple[AngleFit, list[Record]]:
         )
     orders = select_orders(found, kinds)
     records = [sweep.record(orders, kinds) for sweep in found]
-    return fit_angles(records), records
+    return angle_fit.fit_angles(records), records
 
 
 def _resting_fit(found: list[Sweep]) -> tuple[AngleFit, list[Record]]:
@@ -157,13 +151,10 @@ def _resting_fit(found: list[Sweep]) -> tuple[AngleFit, list[Record]]:
     records = []
     for number, sweep in enumerate(found):
         time = (sweep.time - sweep.time[0]) / (sweep.time[-1] - sweep.time[0])
-        columns = {
-            f"{i}, {power}": time**power * (i == number)
-            for i in range(len(found))
-            for power in (1, 2, 3)
-        }
+        powers = [(i, power) for i in range(len(found)) for power in (1, 2, 3)]
+        columns = {f"{i}, {power}": time**power * (i == number) for i, power in powers}
         records.append(Record(sweep.interval, sweep.excess, columns))
-    return fit_angles(records), records
+    return angle_fit.fit_angles(records), records
 
 
 def _scale_factors(campaign: Campaign, turning: AngleFit) -> tuple[Finding, ...]:
@@ -172,7 +163,7 @@ def _scale_factors(campaign: Campaign, turning: AngleFit) -> tuple[Finding, ...]
         return (Finding("scale factor error on", np.nan, "ppm", note=note),)
     logs = [t for t in require_tests(campaign, KIND) if not np.any(t.log.virtual_rotation)]
     off = fit_scale_factor_map(
-        [turn for test in logs for turn in find_turns(test.log, campaign.site.latitude)],
+        [turn for test in logs for turn in find_turns(test.log, campaign.site)],
         read_bryan_factor(campaign),
     )
     return (
@@ -196,7 +187,6 @@ def _verdict(found: dict[str, Finding]) -> str:
 
 
 def draw(figure: Figure, on: Sequence[Sequence[Cycle]], off: Sequence[Sequence[Cycle]]) -> None:
-    """Means over a cycle, with virtual rotation and at rest."""
     axes = figure.add_subplot(title="Self-calibration by virtual rotation", xlim=(0, 180))
     for runs, mark, colour, label in (
         (off, "s", "#D55E00", "off: pattern left where it is"),
@@ -212,7 +202,6 @@ PROCEDURE: Procedure = Procedure(
     name="self-calibration",
     group="self-calibration",
     title="Self-calibration by virtual rotation: gained and lost",
-    rows=("bias repeatability, room temperature", "random walk"),
     source="paper 2.5 and 4.2 (left open there)",
     kinds=KINDS,
     record=record,

@@ -7,8 +7,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.bench.bench import HELD_INPUTS, compute_step_middles, interpolate_rows
-from pyhrg.bench.programme import Programme
+from pyhrg.bench.bench import compute_step_middles, interpolate_rows
+from pyhrg.bench.programme import HELD_INPUTS, Programme
 
 Array = NDArray[np.float64]
 

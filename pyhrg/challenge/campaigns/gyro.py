@@ -10,13 +10,12 @@ from numpy.typing import NDArray
 from scipy.fft import irfft, next_fast_len, rfft, rfftfreq
 
 from pyhrg.bench.bench import (
-    HELD_INPUTS,
-    LOGGED_COMMANDS,
     LOOP_OUTPUTS,
     Bench,
     compute_earth_rate,
     record_rows,
 )
+from pyhrg.bench.programme import HELD_INPUTS, LOGGED_COMMANDS
 from pyhrg.challenge.campaigns.course import Course
 from pyhrg.challenge.campaigns.instruments import Instruments, record_log
 from pyhrg.device.device import Device

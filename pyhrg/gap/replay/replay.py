@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.bench.bench import (
-    HELD_INPUTS,
     LOOP_OUTPUTS,
     compute_earth_rate,
     compute_step_middles,
     interpolate_rows,
     record_rows,
 )
+from pyhrg.bench.programme import HELD_INPUTS
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES

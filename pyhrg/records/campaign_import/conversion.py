@@ -4,15 +4,14 @@ import math
 from datetime import datetime
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import quote
 from pyhrg.records.campaign_import.column_mapping import ColumnMapping
 from pyhrg.records.campaign_import.layout import Cells
 from pyhrg.records.columns import LogError
 from pyhrg.records.timing import find_even_steps
 
-Array = NDArray[np.float64]
 MAX_UNWRAPPED_STEP = 0.4
 """Largest step of a wrapped angle, as a share of its period, whose direction is certain. Chosen;
 half a period is the limit."""

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import replace_folder
 from pyhrg.records.campaign import Campaign, Test, write_campaign
@@ -15,7 +16,7 @@ from pyhrg.records.campaign_import.mapping import CampaignMapping, TestMapping, 
 from pyhrg.records.campaign_import.preview import ImportedTest, describe_tests
 from pyhrg.records.columns import COLUMNS
 from pyhrg.records.log import Log, build_log
-from pyhrg.records.table import Array, Table, check_range
+from pyhrg.records.table import Table, check_range
 from pyhrg.records.timing import drop_repeated_rows, find_interval
 
 
@@ -42,11 +43,8 @@ class ImportedCampaign:
         return describe_tests(self.mapping, self.tests)
 
     def _make_campaign(self, logs: list[Log]) -> Campaign:
-        mappings = (test.mapping for test in self.tests)
-        tests = tuple(
-            Test(test.id, test.kind, test.role, log)
-            for test, log in zip(mappings, logs, strict=True)
-        )
+        pairs = ((test.mapping, log) for test, log in zip(self.tests, logs, strict=True))
+        tests = tuple(Test(m.id, m.kind, m.role, log) for m, log in pairs)
         return Campaign(self.mapping.device, self.mapping.site, self.mapping.nominal, tests)
 
 

@@ -6,10 +6,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.records.columns import BY_FIELD, COLUMNS, LogError
 from pyhrg.records.log import Log
-
-Array = NDArray[np.float64]
 
 AVERAGED_FIELDS = (
     *("acceleration_x", "acceleration_y", "acceleration_z", "virtual_rotation"),

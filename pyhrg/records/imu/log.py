@@ -5,14 +5,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import quote
 from pyhrg.common.reading.limits import LARGEST_NUMBER
 from pyhrg.records.columns import LogError
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 MIN_ROWS = 10
 """Smallest number of rows of a log. Chosen: fewer show neither an interval nor a unit."""
@@ -49,8 +47,12 @@ def parse_numbers(
     """
     if len(lines) < least:
         raise LogError(f"{source}: found {len(lines)} rows of values, expected at least {least}")
-    table = _parse_plain(lines, delimiter, places)
-    if table is None or table.shape != (len(lines), len(names)):
+    text = io.StringIO("\n".join(lines))
+    try:
+        table = np.loadtxt(text, delimiter=delimiter, comments=None, usecols=places, ndmin=2)
+    except ValueError:  # a field is no number, or lines differ in length
+        table = np.empty((0, 0))
+    if table.shape != (len(lines), len(names)):
         table = _parse_field_by_field(source, lines, first_row, names, delimiter, places)
     check_finite(source, table, first_row, names)
     return table
@@ -86,17 +88,6 @@ def _make_length_error(source: str, row: int, found: int, names: Sequence[str]) 
     )
 
 
-def _parse_plain(
-    lines: Sequence[str], delimiter: str | None, places: Sequence[int] | None
-) -> Array | None:
-    """The values; None where a field is no number or lines differ in length."""
-    text = io.StringIO("\n".join(lines))
-    try:
-        return np.loadtxt(text, delimiter=delimiter, comments=None, usecols=places, ndmin=2)
-    except ValueError:
-        return None
-
-
 def _parse_field_by_field(
     source: str,
     lines: Sequence[str],
@@ -113,13 +104,9 @@ def _parse_field_by_field(
             raise _make_length_error(source, first_row + i, len(fields), names)
         chosen_fields = fields if places is None else [fields[place] for place in places]
         for j, (name, field) in enumerate(zip(names, chosen_fields, strict=True)):
-            table[i, j] = _parse_number(source, first_row + i, name, field)
+            try:
+                table[i, j] = float(field)
+            except ValueError:
+                found = quote(field.strip()) if field.strip() else "nothing"
+                raise make_field_error(source, first_row + i, name, found, "a number") from None
     return table
-
-
-def _parse_number(source: str, row: int, name: str, field: str) -> float:
-    try:
-        return float(field)
-    except ValueError:
-        found = quote(field.strip()) if field.strip() else "nothing"
-        raise make_field_error(source, row, name, found, "a number") from None

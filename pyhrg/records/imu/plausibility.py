@@ -6,11 +6,11 @@ from functools import cached_property
 
 import numpy as np
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import ARCSEC, DEG, MICRO_G, STANDARD_GRAVITY
 from pyhrg.records.columns import LogError
 from pyhrg.records.imu.columns import Quantity
-from pyhrg.records.imu.log import Array
 
 BLOCK_LENGTH = 0.1
 """Length of the blocks over which readings are averaged, s. Chosen: no vehicle turns far in it."""
@@ -106,9 +106,8 @@ def _check_swapped(readings: Readings) -> None:
 def _is_gravity(sizes: Array, gravity: float) -> bool:
     """Whether blocks show gravity, in the first window or in the whole log."""
     first = sizes[: round(WINDOW_LENGTH / BLOCK_LENGTH)]
-    return _is_near(first, gravity, RESTING_FORCE_RANGE) or _is_near(
-        sizes, gravity, MOVING_FORCE_RANGE
-    )
+    ranges = ((first, RESTING_FORCE_RANGE), (sizes, MOVING_FORCE_RANGE))
+    return any(_is_near(some, gravity, within) for some, within in ranges)
 
 
 def _check_gravity(readings: Readings) -> None:
@@ -174,9 +173,7 @@ def _check_earth_rate(readings: Readings) -> None:
         f"are {small} given": EARTH_RATE / ARCSEC,
     }
     sizes |= _list_mixups(kind, own, readings.interval)
-    fitting = [
-        guess for guess, size in sizes.items() if abs(rate / size - 1) < EARTH_RATE_TOLERANCE
-    ]
+    fitting = [g for g, size in sizes.items() if abs(rate / size - 1) < EARTH_RATE_TOLERANCE]
     if fitting:
         found = f"a rate of {rate:.3g} {stated}s per second at rest"
         raise readings.error(kind, found, f"Earth's, {own:.3g}", ", or ".join(fitting))

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from pyhrg.common.arrays import Array
 from pyhrg.common.reading.parquet import parse_parquet
 from pyhrg.records.columns import LogError
 from pyhrg.records.imu.columns import (
@@ -14,7 +15,6 @@ from pyhrg.records.imu.columns import (
 from pyhrg.records.imu.increments import Increments
 from pyhrg.records.imu.log import (
     MIN_ROWS,
-    Array,
     RecordedImu,
     check_finite,
     check_lengths,
@@ -89,7 +89,6 @@ def _build_log(
 
 
 def _find_interval(source: str, time: Array, first_row: int) -> float:
-    """The sampling interval, s."""
     steps = np.diff(time)
     interval = float(np.median(steps))
     wrong = steps <= 0

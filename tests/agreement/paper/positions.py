@@ -37,8 +37,7 @@ def _aliasing() -> dict[str, float]:
     bench = Bench(load_fmu("HRGSlow"), device, step=position_plans.PROCEDURE.step)
     tests = position_plans.record(bench)
     runs = [
-        read_segments(test.log, SITE.latitude, full_circumference.SETTLE, warm_up=30.0)
-        for test in tests
+        read_segments(test.log, SITE, full_circumference.SETTLE, warm_up=30.0) for test in tests
     ]
     found = {}
     for plan in summarize_plans(runs):

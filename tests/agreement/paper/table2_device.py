@@ -98,7 +98,7 @@ def run_new_method(device: Device) -> Figures:
 
 def _figures(bench: Bench, power_ons: list[PowerOn], average: float, settle: float) -> Figures:
     rates = [
-        read_segments(test.log, bench.device.site.latitude, settle, average, warm_up=WARM_UP).rate
+        read_segments(test.log, bench.device.site, settle, average, warm_up=WARM_UP).rate
         / DEG_PER_H
         for test in bench.run(power_ons)
     ]

@@ -8,7 +8,7 @@ in both directions.
 import numpy as np
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias.environment.g_sensitivity import AXES, SETTLE, Sensitivity, make_outcome
+from pyhrg.bench.bias.environment.g_sensitivity import AXES, SETTLE, fit_sensitivity, make_outcome
 from pyhrg.bench.bias.environment.tumble import PATTERN_ANGLES, turn_pattern
 from pyhrg.bench.outcome import Outcome
 from pyhrg.bench.procedure import Procedure
@@ -45,28 +45,24 @@ def make_programme(
 
 
 def record(bench: Bench) -> list[Test]:
-    """Test of one power-on with all axes."""
     return bench.run([PowerOn("centrifuge", KIND, make_programme(bench))])
 
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Linear and quadratic coefficients of the bias against specific force."""
-    return make_outcome(campaign, KIND, "Bias on the centrifuge", _describe_verdict)
-
-
-def _describe_verdict(result: Sensitivity) -> str:
+    result = fit_sensitivity(campaign, KIND)
     size = np.max(np.abs(result.points.acceleration)) / STANDARD_GRAVITY
     columns = {n: c for n, c in result.columns.items() if n.startswith("g ")}
     share = sum(result.fitted.value(n) * c for n, c in columns.items())
     worst = float(np.max(np.abs(share)) / DEG_PER_H) if columns else np.nan
-    return f"Specific force of up to {size:.3g} g moves the bias by up to {worst:.2g} deg/h."
+    verdict = f"Specific force of up to {size:.3g} g moves the bias by up to {worst:.2g} deg/h."
+    return make_outcome(campaign, result, KIND, "Bias on the centrifuge", verdict)
 
 
 PROCEDURE: Procedure = Procedure(
     name="centrifuge",
     group="bias",
     title="Bias on the centrifuge",
-    rows=("g-dependent bias",),
     source="paper 3.2 (centrifuge test and model); IEEE Std 1431-2004",
     kinds=(KIND,),
     record=record,

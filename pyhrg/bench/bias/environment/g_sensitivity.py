@@ -5,7 +5,6 @@ force a changes the gaps and the axes of the shell, so that each coefficient has
 a fourth harmonic of the pattern angle th. Records at one pattern angle give their sum only.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,9 +12,10 @@ from matplotlib.figure import Figure
 
 from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
 from pyhrg.bench.estimation.terms import PatternBasis, choose_pattern_basis, select_separable
+from pyhrg.bench.figures import COLOURS
 from pyhrg.bench.outcome import BenchError, Finding, Outcome
 from pyhrg.bench.procedure import list_exclusions, require_tests
-from pyhrg.bench.readings.dwells import Points, join_points, read_points
+from pyhrg.bench.readings.segments import Points, join_points, read_points
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG_PER_H, STANDARD_GRAVITY
 from pyhrg.records.campaign import Campaign
@@ -45,26 +45,29 @@ class Sensitivity:
 
     def findings(self) -> tuple[Finding, ...]:
         """Bias and its sensitivities; NaN for a sensitivity that the records don't determine."""
-        plain = [name for name in self.columns if name.startswith(("bias", "g "))]
-        fitted = [self._make_finding(name) for name in plain]
-        missing = [
+        note = f"without specific force, {self.basis.place}"
+        fitted = (
+            self.fitted.finding(n, n, _choose_unit(n), note="" if "4" in n else self.basis.place)
+            for n in self.columns
+            if n.startswith("g ")
+        )
+        bias = self.fitted.finding(MEAN, "bias", "deg/h", note=note)
+        return (bias, *fitted, *self.missing)
+
+    @property
+    def missing(self) -> list[Finding]:
+        """The sensitivities, harmonics apart, that the records don't determine, and why."""
+        return [
             Finding(name, np.nan, _choose_unit(name), note=text)
             for name, text in self.refused.items()
-            if name.startswith("g ") and "cos4" not in name and "sin4" not in name
+            if name.startswith("g ") and "4" not in name
         ]
-        note = f"without specific force, {self.basis.place}"
-        mean = self.fitted.finding(MEAN, "bias", "deg/h", note=note)
-        return (mean, *fitted, *missing)
-
-    def _make_finding(self, name: str) -> Finding:
-        note = "" if "4" in name else self.basis.place
-        return self.fitted.finding(name, name, _choose_unit(name), note=note)
 
 
 def fit_sensitivity(campaign: Campaign, kind: str) -> Sensitivity:
     """Fit of all power-ons of a kind together."""
     logs = [test.log for test in require_tests(campaign, kind)]
-    data = join_points([read_points(log, campaign.site.latitude, SETTLE) for log in logs])
+    data = join_points([read_points(log, campaign.site, SETTLE) for log in logs])
     different = len(np.unique(np.round(data.acceleration), axis=0))
     if different < 3:
         names = ", ".join(log.source for log in logs)
@@ -98,50 +101,36 @@ def make_force_columns(acceleration: Array) -> dict[str, Array]:
 
 
 def make_outcome(
-    campaign: Campaign, kind: str, title: str, describe_verdict: Callable[[Sensitivity], str]
+    campaign: Campaign, result: Sensitivity, kind: str, title: str, verdict: str
 ) -> Outcome:
     """Bias and its sensitivity to specific force, of all tests of a kind."""
-    result = fit_sensitivity(campaign, kind)
-    return Outcome(
-        findings=result.findings(),
-        verdict=describe_verdict(result),
-        warnings=list_warnings(result),
-        exclusions=list_exclusions(require_tests(campaign, kind)),
-        draw=lambda figure: draw(figure, result, title),
-        values={"terms": dict(zip(result.fitted.names, result.fitted.values, strict=True))},
-    )
-
-
-def list_warnings(result: Sensitivity) -> tuple[str, ...]:
-    """A sentence on each sensitivity that the records don't determine, harmonics apart."""
-    sentences = [
-        s for name, s in result.refused.items() if "4" not in name and name.startswith("g ")
-    ]
+    warnings = [finding.note for finding in result.missing]
     if result.basis.angle is not None:
-        sentences.append(
+        warnings.append(
             "the pattern hardly moved: sensitivities are those at its angle, and their constant "
             "part can't be separated from their fourth harmonic"
         )
-    return tuple(sentences)
+    return Outcome(
+        findings=result.findings(),
+        verdict=verdict,
+        warnings=tuple(warnings),
+        exclusions=list_exclusions(require_tests(campaign, kind)),
+        draw=lambda figure: draw(figure, result, title),
+        values={"terms": result.fitted.terms},
+    )
 
 
 def draw(figure: Figure, result: Sensitivity, title: str) -> None:
     """Draw the bias against each axis's specific force, without the other terms of the fit."""
     panels = figure.subplots(1, 3, sharey=True)
     for axis, force, colour, panel in zip(
-        AXES, result.points.acceleration.T, ("#0072B2", "#D55E00", "#009E73"), panels, strict=True
+        AXES, result.points.acceleration.T / STANDARD_GRAVITY, COLOURS, panels, strict=False
     ):
         own = [n for n in (f"g bias {axis}", f"g squared {axis}{axis}") if n in result.columns]
         part = sum((result.fitted.value(n) * result.columns[n] for n in own), np.zeros(len(force)))
-        panel.plot(
-            force / STANDARD_GRAVITY,
-            (part + result.fitted.residual) / DEG_PER_H,
-            ".",
-            color=colour,
-            ms=4,
-        )
+        panel.plot(force, (part + result.fitted.residual) / DEG_PER_H, ".", color=colour, ms=4)
         order = np.argsort(force)
-        panel.plot(force[order] / STANDARD_GRAVITY, part[order] / DEG_PER_H, "k-", lw=1)
+        panel.plot(force[order], part[order] / DEG_PER_H, "k-", lw=1)
         panel.set_xlabel(f"specific force along {axis}, g")
         panel.grid(alpha=0.3)
     panels[0].set_ylabel("bias by this axis, deg/h (line: fit)")

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.dwells import FORCES
+from pyhrg.bench.readings.segments import FORCES
 from pyhrg.common.arrays import Array
 from pyhrg.common.site import Site
 from pyhrg.common.units import STANDARD_GRAVITY
@@ -61,8 +61,9 @@ def find_pulses(log: Log, site: Site) -> list[Pulse]:
     force = _read_pulse_force(log)
     starts, ends = _find_bounds(log, force)
     angle = _remove_drift(log, site, starts[0])
-    pairs = zip(starts, ends, strict=True)
-    return [pulse for a, b in pairs if (pulse := _measure_pulse(log, force, angle, int(a), int(b)))]
+    pairs = zip(starts.tolist(), ends.tolist(), strict=True)
+    pulses = [_measure_pulse(log, force, angle, start, end) for start, end in pairs]
+    return [pulse for pulse in pulses if pulse]
 
 
 def read_quiet_changes(log: Log, site: Site) -> list[float]:
@@ -120,8 +121,9 @@ def _measure_pulse(log: Log, force: Array, angle: Array, start: int, end: int) -
     if before.start < 0 or after.stop > len(angle):
         return None
     level = float(np.mean(angle[before]))
-    peak = np.unravel_index(np.argmax(np.abs(force[start : end + 1])), force[start : end + 1].shape)
-    sign = "+" if force[start : end + 1][peak] > 0 else "-"
+    shaken = force[start : end + 1]
+    peak = np.unravel_index(np.argmax(np.abs(shaken)), shaken.shape)
+    sign = "+" if shaken[peak] > 0 else "-"
     swing = float(np.max(np.abs(angle[start : after.start] - level)))
     kept = float(np.mean(angle[after])) - level
     valid = log.valid[start : after.stop]

@@ -11,7 +11,12 @@ from dataclasses import replace
 import numpy as np
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias.environment.g_sensitivity import SETTLE, Sensitivity, make_outcome
+from pyhrg.bench.bias.environment.g_sensitivity import (
+    SETTLE,
+    Sensitivity,
+    fit_sensitivity,
+    make_outcome,
+)
 from pyhrg.bench.outcome import Outcome
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.programme import Programme
@@ -60,13 +65,13 @@ def make_programme(
 
 
 def record(bench: Bench) -> list[Test]:
-    """Test of one power-on with twelve positions."""
     return bench.run([PowerOn("tumble", KIND, make_programme(bench))])
 
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Bias and its sensitivity to specific force."""
-    outcome = make_outcome(campaign, KIND, "Bias in the tumble", _describe_verdict)
+    result = fit_sensitivity(campaign, KIND)
+    outcome = make_outcome(campaign, result, KIND, "Bias in the tumble", _describe_verdict(result))
     warning = (
         "Earth's rate on the input axis is proportional to specific force along it: a scale-factor "
         f"error of 1 ppm reads as {campaign.site.vertical_rate * 1e-6 / DEG_PER_H:.1g} deg/h/g "
@@ -92,7 +97,6 @@ PROCEDURE: Procedure = Procedure(
     name="tumble",
     group="bias",
     title="Bias under gravity (12 positions)",
-    rows=("g-dependent bias",),
     source="IEEE Std 1431-2004, multi-position tumble; paper 2.2 and 3.2",
     kinds=(KIND,),
     record=record,

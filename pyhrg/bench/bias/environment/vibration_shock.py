@@ -9,6 +9,7 @@ device for the power-ons afterwards.
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import chain
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -42,6 +43,7 @@ SHOCK = "shock"
 KEPT_ANGLE = "angle kept after a pulse"
 VIBRATION_AXIS = {"vibration_along": "z", "vibration_across": "x"}
 """Axis of the vibration, by kind of test."""
+AFTER = [kind for kind in STATES if kind not in VIBRATION_AXIS]
 RUNS = 4
 SEGMENTS = 2
 STEADY, RANDOM = 0.1, 0.1
@@ -62,19 +64,6 @@ def make_still_programme(bench: Bench) -> Programme:
     return course
 
 
-def make_vibration_programme(bench: Bench, axis: str, run: int) -> Programme:
-    """Programme of one power-on under vibration along x or z, drawn anew for each run."""
-    course, generator = (
-        make_still_programme(bench),
-        np.random.default_rng([bench.seed, ord(axis), run]),
-    )
-    n = len(course)
-    force = course.values(f"acceleration_{axis}") + SHAKE * generator.standard_normal(n)
-    vibration = STEADY + RANDOM * generator.standard_normal(n)
-    course.override(**{f"acceleration_{axis}": force, "vibration": vibration})
-    return course
-
-
 def make_shock_programme(bench: Bench) -> Programme:
     """Programme of one power-on with three pulses in both directions of each axis."""
     course = bench.programme(ROW if bench.step < COARSE else bench.step).rest(WARM_UP)
@@ -85,14 +74,17 @@ def make_shock_programme(bench: Bench) -> Programme:
 
 
 def make_power_ons(bench: Bench, kind: str, runs: int) -> list[PowerOn]:
-    """Power-ons of one kind."""
-    courses = [
-        make_vibration_programme(bench, VIBRATION_AXIS[kind], n)
-        if kind in VIBRATION_AXIS
-        else make_still_programme(bench)
-        for n in range(runs)
-    ]
-    return [PowerOn(f"{kind}_{n + 1}", kind, course) for n, course in enumerate(courses)]
+    """Power-ons of one kind; vibration, along x or z, is drawn anew for each."""
+    power_ons = []
+    for run in range(runs):
+        course = make_still_programme(bench)
+        if axis := VIBRATION_AXIS.get(kind):
+            generator, n = np.random.default_rng([bench.seed, ord(axis), run]), len(course)
+            force = course.values(f"acceleration_{axis}") + SHAKE * generator.standard_normal(n)
+            vibration = STEADY + RANDOM * generator.standard_normal(n)
+            course.override(**{f"acceleration_{axis}": force, "vibration": vibration})
+        power_ons.append(PowerOn(f"{kind}_{run + 1}", kind, course))
+    return power_ons
 
 
 def record(bench: Bench, changed: Device | None = None, runs: int = RUNS) -> list[Test]:
@@ -102,13 +94,14 @@ def record(bench: Bench, changed: Device | None = None, runs: int = RUNS) -> lis
     larger `resonator.material.mountingDamping`); the same gyro if None.
     """
     after = replace(bench, device=changed or bench.device)
-    tests = bench.run(
-        [p for kind in (BEFORE, *VIBRATION_AXIS) for p in make_power_ons(bench, kind, runs)]
-    )
     fine = replace(bench, step=min(ROW, bench.step) if bench.step < COARSE else bench.step)
-    tests += fine.run([PowerOn(SHOCK, SHOCK, make_shock_programme(fine))])
-    kinds = [kind for kind in STATES if kind not in VIBRATION_AXIS]
-    return tests + after.run([p for kind in kinds for p in make_power_ons(after, kind, runs)])
+    return [
+        *bench.run(
+            [p for kind in (BEFORE, *VIBRATION_AXIS) for p in make_power_ons(bench, kind, runs)]
+        ),
+        *fine.run([PowerOn(SHOCK, SHOCK, make_shock_programme(fine))]),
+        *after.run([p for kind in AFTER for p in make_power_ons(after, kind, runs)]),
+    ]
 
 
 def evaluate(campaign: Campaign) -> Outcome:
@@ -121,9 +114,8 @@ def evaluate(campaign: Campaign) -> Outcome:
     if not any(groups[kind] for kind in STATES) and not select_tests(campaign, SHOCK):
         raise BenchError(f"{campaign.device}: nothing to compare with {BEFORE}")
     measured = {text: groups[kind] for kind, text in STATES.items() if groups[kind]}
-    findings = [
-        f for text, runs in measured.items() for f in _estimate_changes(text, groups[BEFORE], runs)
-    ]
+    changes = [_estimate_changes(text, groups[BEFORE], runs) for text, runs in measured.items()]
+    findings = list(chain(*changes))
     missing = [text for kind, text in STATES.items() if not groups[kind]]
     used = select_tests(campaign, BEFORE, *STATES, SHOCK)
     return Outcome(
@@ -146,10 +138,10 @@ def _estimate_changes(
 ) -> tuple[Finding, ...]:
     terms = {MEAN: f"bias change {text}"}
     terms |= {name: f"bias {name} change {text}" for h in (2, 4) for name in name_terms(h)}
-    changes = tuple(
-        estimate_change(label, [r.value(t) for r in before], [r.value(t) for r in after], "deg/h")
-        for t, label in terms.items()
-    )
+    changes = []
+    for term, label in terms.items():
+        first, second = ([r.fitted.value(term) for r in runs] for runs in (before, after))
+        changes.append(estimate_change(label, first, second, "deg/h"))
     return (*changes, estimate_noise_ratio(f"noise ratio {text}", before, after))
 
 
@@ -186,7 +178,6 @@ def _describe_verdict(findings: Sequence[Finding]) -> str:
 
 
 def draw(figure: Figure, groups: dict[str, Sequence[Circumference]]) -> None:
-    """Draw the bias over the circumference before, during and after."""
     axes = figure.add_subplot(title="Bias over the circumference before, during and after")
     colours = ("#000000", "#D55E00", "#E69F00", "#0072B2", "#009E73")
     for (text, runs), colour, marker in zip(groups.items(), colours, "o^vsD", strict=False):
@@ -219,8 +210,10 @@ def estimate_noise_ratio(
     name: str, before: Sequence[Circumference], during: Sequence[Circumference]
 ) -> Finding:
     """Ratio of the fits' residual standard deviations, during over before, with an F interval."""
-    m, n = (sum(run.fitted.freedom for run in runs) for runs in (before, during))
-    x, y = (sum(run.noise for run in runs) / free for runs, free in ((before, m), (during, n)))
+    fits = [[run.fitted for run in runs] for runs in (before, during)]
+    m, n = (sum(fit.freedom for fit in group) for group in fits)
+    squares = (sum(float(fit.residual @ fit.residual) for fit in group) for group in fits)
+    x, y = (square / freedom for square, freedom in zip(squares, (m, n), strict=True))
     if x <= 0:
         return Finding(name, np.nan, "1", note="no noise before")
     low, high = (np.sqrt(y / x / stats.f.ppf(p, n, m)) for p in (0.975, 0.025))
@@ -232,7 +225,6 @@ PROCEDURE: Procedure = Procedure(
     name="vibration-shock",
     group="bias",
     title="Bias before, during and after vibration and shock",
-    rows=("bias change before, during and after vibration", "shock resistance"),
     source="paper Table 1 and 2.2; GJB 2426A, vibration and shock tests",
     kinds=(BEFORE, *STATES, SHOCK),
     record=record,

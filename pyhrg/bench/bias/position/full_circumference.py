@@ -12,20 +12,15 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pyhrg.bench.bench import Bench, PowerOn
-from pyhrg.bench.bias.bias_test import RUNS, BiasTest, summarize_runs
-from pyhrg.bench.bias.position.position_runs import (
-    describe_leakage,
-    estimate_between,
-    estimate_within,
-    read_complete_runs,
-)
+from pyhrg.bench.bias.bias_test import RUNS, BiasTest
+from pyhrg.bench.bias.position import position_runs
 from pyhrg.bench.bias.position.positions import HARMONICS, Plan, choose_plan, select_visible
 from pyhrg.bench.estimation.harmonics import MEAN, TILT, Fit, fit, make_columns, name_terms
 from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import BenchError, Finding, Outcome, estimate_mean
 from pyhrg.bench.procedure import Option, Procedure, list_exclusions, require_tests
 from pyhrg.bench.programme import Programme
-from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Segments
+from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Points
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.campaign import Campaign, Test
@@ -73,12 +68,12 @@ class BiasMap:
             return estimate_mean(label, [fitted.value(name) for fitted in self.fits], "deg/h")
         return self.fits[0].finding(name, label, "deg/h", note="of the first run")
 
-    def remove_tilt(self, run: Segments) -> Array:
+    def remove_tilt(self, run: Points) -> Array:
         """(n,) rates of a run without the tilt of the input axis, rad/s."""
         if not self.tilt:
             return run.rate
-        waves = (np.cos(run.table_angle), np.sin(run.table_angle))
-        lean = sum(self.value(name) * wave for name, wave in zip(TILT, waves, strict=True))
+        cosine, sine = map(self.value, TILT)
+        lean = cosine * np.cos(run.table_angle) + sine * np.sin(run.table_angle)
         return np.asarray(run.rate - lean)
 
     @property
@@ -136,16 +131,17 @@ def record(
     if spacing_deg is not None and not 1 <= spacing_deg <= 720:
         raise BenchError(f"{spacing_deg:g} deg between positions: expected 1 to 720")
     factor = bench.device.bryan_factor
-    if spacing_deg is None:
-        plan = choose_plan(positions, factor)
-    else:
-        plan = Plan(positions, spacing_deg * DEG, factor)
+    plan = (
+        Plan(positions, spacing_deg * DEG, factor)
+        if spacing_deg
+        else choose_plan(positions, factor)
+    )
     return bench.run(make_power_ons(bench, plan, runs, segments))
 
 
 def measure_bias(campaign: Campaign) -> BiasTest:
     """Bias, stability and repeatability of the campaign's position tests (paper 4.1)."""
-    return summarize_runs(read_runs(campaign))
+    return BiasTest(read_runs(campaign))
 
 
 def measure_mean_bias(campaign: Campaign) -> float:
@@ -153,23 +149,23 @@ def measure_mean_bias(campaign: Campaign) -> float:
     return fit_map(read_runs(campaign), wanted=(4,), tilt=False).value(MEAN)
 
 
-def read_runs(campaign: Campaign) -> list[Segments]:
+def read_runs(campaign: Campaign) -> list[Points]:
     """Data points of each power-on, equally many at each position."""
-    return read_complete_runs(require_tests(campaign, KIND), campaign.site.latitude, SETTLE)[0]
+    return position_runs.read_complete_runs(require_tests(campaign, KIND), campaign.site, SETTLE)[0]
 
 
 def fit_map(
-    runs: Sequence[Segments], wanted: Sequence[int] = HARMONICS, tilt: bool = True
+    runs: Sequence[Points], wanted: Sequence[int] = HARMONICS, tilt: bool = True
 ) -> BiasMap:
     """Bias map of the terms that the positions can separate, fitted to each run.
 
     The data points of all runs lie at the same positions.
     """
+    first = runs[0]
+    positions = [first.dwell == number for number in np.unique(first.dwell)]
     pattern, table = (
-        np.array(
-            [np.mean(getattr(runs[0], name)[runs[0].dwell == d]) for d in np.unique(runs[0].dwell)]
-        )
-        for name in ("pattern_angle", "table_angle")
+        np.array([np.mean(angle[chosen]) for chosen in positions])
+        for angle in (first.pattern_angle, first.table_angle)
     )
     seen, with_tilt, refused = select_visible(pattern, table, wanted, tilt)
     fits = tuple(
@@ -182,28 +178,24 @@ def fit_map(
 def evaluate(campaign: Campaign) -> Outcome:
     """Bias, stability, repeatability, variances within and between positions, bias map."""
     tests = require_tests(campaign, KIND)
-    runs, exclusions = read_complete_runs(tests, campaign.site.latitude, SETTLE)
-    test, fitted = summarize_runs(runs), fit_map(runs)
-    within = estimate_within("within positions", runs)
-    between = estimate_between("between positions", runs, fitted.fits)
-    maps = tuple(fitted.finding(name) for name in fitted.names)
+    runs, exclusions = position_runs.read_complete_runs(tests, campaign.site, SETTLE)
+    test, fitted = BiasTest(runs), fit_map(runs)
+    within = position_runs.estimate_within("within positions", runs)
+    between = position_runs.estimate_between("between positions", runs, fitted.fits)
+    maps = [fitted.finding(name) for name in fitted.names]
+    if 4 in fitted.harmonics:
+        cosine, sine = name_terms(4)
+        sizes = [float(np.hypot(f.value(cosine), f.value(sine))) for f in fitted.fits]
+        maps.insert(0, estimate_mean("fourth harmonic", sizes, "deg/h", "amplitude"))
     return Outcome(
-        findings=(*test.findings(), within, between, *_estimate_amplitude(fitted), *maps),
+        findings=(*test.findings(), within, between, *maps),
         verdict=_describe_verdict(test, within.value, between.value),
         tables=(test.table(),),
-        warnings=(*fitted.refused, *filter(None, [describe_leakage(runs[0])])),
+        warnings=(*fitted.refused, *filter(None, [position_runs.describe_leakage(runs[0])])),
         exclusions=(*list_exclusions(tests), *exclusions),
         draw=lambda figure: draw(figure, runs, fitted),
         values={"bias_map": {name: fitted.value(name) for name in fitted.names}},
     )
-
-
-def _estimate_amplitude(fitted: BiasMap) -> tuple[Finding, ...]:
-    if 4 not in fitted.harmonics:
-        return ()
-    cosine, sine = name_terms(4)
-    sizes = [float(np.hypot(f.value(cosine), f.value(sine))) for f in fitted.fits]
-    return (estimate_mean("fourth harmonic", sizes, "deg/h", "amplitude"),)
 
 
 def _describe_verdict(test: BiasTest, within: float, between: float) -> str:
@@ -214,8 +206,7 @@ def _describe_verdict(test: BiasTest, within: float, between: float) -> str:
     return f"{stability}; positions differ {share}."
 
 
-def draw(figure: Figure, runs: Sequence[Segments], fitted: BiasMap) -> None:
-    """Draw data points and bias map against the pattern angle."""
+def draw(figure: Figure, runs: Sequence[Points], fitted: BiasMap) -> None:
     axes = figure.add_subplot(
         title="Bias over the circumference" + (", tilt removed" if fitted.tilt else ""),
         xlim=(0, 180),
@@ -236,7 +227,6 @@ PROCEDURE: Procedure = Procedure(
     name="full-circumference",
     group="bias",
     title="Bias over the full circumference (8N positions)",
-    rows=("bias stability, room temperature", "bias repeatability, room temperature"),
     source="paper 4.1, items 1 to 5; harmonics and tilt: docs/paper.md",
     kinds=(KIND,),
     record=record,

@@ -7,7 +7,7 @@ from 0 to 1.07 A. At 22.5 or 11.25 deg it is A / sqrt 2 times sqrt(n/(n-1)) for 
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -20,7 +20,7 @@ from pyhrg.bench.estimation.harmonics import fit, make_columns, name_terms
 from pyhrg.bench.figures import finish_axes
 from pyhrg.bench.outcome import Finding, Outcome
 from pyhrg.bench.procedure import Procedure, require_tests
-from pyhrg.bench.readings.segments import WARM_UP, Segments, read_segments
+from pyhrg.bench.readings.segments import Points, read_segments
 from pyhrg.common.arrays import Array
 from pyhrg.common.pages.markup import Table
 from pyhrg.common.units import DEG, DEG_PER_H
@@ -54,20 +54,18 @@ class PlanReport:
 
 def record(bench: Bench) -> list[Test]:
     """Tests of every plan from every start angle, with one data point at each position."""
-    k = bench.device.bryan_factor
-    plans = [Plan(plan.positions, plan.pattern_step, k) for plan in PLANS]
+    plans = [replace(plan, bryan_factor=bench.device.bryan_factor) for plan in PLANS]
+    courses = [make_programme(bench, plan, 1) for plan in plans]
     return bench.run(
         [
-            PowerOn(
-                f"plan_{n + 1}_start_{m + 1:02}", KIND, make_programme(bench, plan, 1), float(start)
-            )
-            for n, plan in enumerate(plans)
-            for m, start in enumerate(STARTS)
+            PowerOn(f"plan_{n}_start_{m:02}", KIND, course, float(start))
+            for n, course in enumerate(courses, 1)
+            for m, start in enumerate(STARTS, 1)
         ]
     )
 
 
-def summarize_plans(runs: Sequence[Segments]) -> list[PlanReport]:
+def summarize_plans(runs: Sequence[Points]) -> list[PlanReport]:
     """Reports of the plans, to which runs belong by number and spacing of their positions."""
     plans: dict[tuple[int, float], list[tuple[float, float]]] = {}
     for run in runs:
@@ -83,9 +81,8 @@ def summarize_plans(runs: Sequence[Segments]) -> list[PlanReport]:
 
 def evaluate(campaign: Campaign) -> Outcome:
     """Range of the bias stability that each plan reports, and the map fitted to all runs."""
-    latitude = campaign.site.latitude
     logs = [test.log for test in require_tests(campaign, KIND)]
-    runs = [read_segments(log, latitude, SETTLE, warm_up=WARM_UP) for log in logs]
+    runs = [read_segments(log, campaign.site, SETTLE) for log in logs]
     pattern, rate = (
         np.concatenate([getattr(run, name) for run in runs]) for name in ("pattern_angle", "rate")
     )
@@ -96,34 +93,33 @@ def evaluate(campaign: Campaign) -> Outcome:
         (r.name, *(f"{x / DEG_PER_H:.4f}" for x in (r.stability.min(), r.stability.max())))
         for r in reports
     )
+    ratios = [
+        Finding(
+            *(f"most over least, {r.name}", float(r.stability.max() / r.stability.min()), "1"),
+            n=len(r.start),
+            note="over start angles",
+        )
+        for r in reports
+    ]
+    aliased = [r.name for r, ratio in zip(reports, ratios, strict=True) if ratio.value > 2]
     return Outcome(
         findings=(
             Finding("fourth harmonic", amplitude, "deg/h", note="amplitude A, of all runs"),
             Finding("rms of the map", amplitude / math.sqrt(2), "deg/h", note="A / sqrt 2"),
-            *(_make_finding(r) for r in reports),
+            *ratios,
         ),
-        verdict=_describe_verdict(reports),
+        verdict=(
+            f"Figures of {', '.join(aliased)} depend on where the pattern starts: the fourth "
+            "harmonic aliases."
+            if aliased
+            else "No plan's figure depends on where the pattern starts by more than a factor of 2."
+        ),
         tables=(Table("Reported bias stability, deg/h", ("plan", "least", "most"), rows),),
         draw=lambda figure: draw(figure, reports, amplitude),
     )
 
 
-def _make_finding(report: PlanReport) -> Finding:
-    ratio = float(report.stability.max() / report.stability.min())
-    n = len(report.start)
-    return Finding(f"most over least, {report.name}", ratio, "1", n=n, note="over start angles")
-
-
-def _describe_verdict(reports: Sequence[PlanReport]) -> str:
-    aliased = [r for r in reports if r.stability.max() > 2 * r.stability.min()]
-    if not aliased:
-        return "No plan's figure depends on where the pattern starts by more than a factor of 2."
-    names = ", ".join(r.name for r in aliased)
-    return f"Figures of {names} depend on where the pattern starts: the fourth harmonic aliases."
-
-
 def draw(figure: Figure, reports: Sequence[PlanReport], amplitude: float) -> None:
-    """Draw the reported bias stability against the start angle."""
     axes = figure.add_subplot(xlim=(0, 90), title="Bias stability that a plan of positions reports")
     for report, mark in zip(reports, "osv^" * len(reports), strict=False):
         axes.plot(

@@ -11,8 +11,9 @@ import numpy as np
 from pyhrg.bench.estimation.harmonics import Fit
 from pyhrg.bench.estimation.spread import estimate_excess
 from pyhrg.bench.outcome import BenchError, Finding, estimate_pooled_deviation
-from pyhrg.bench.readings.segments import SEGMENT, WARM_UP, Segments, read_segments
+from pyhrg.bench.readings.segments import SEGMENT, Points, read_segments
 from pyhrg.common.arrays import Array
+from pyhrg.common.site import Site
 from pyhrg.common.units import DEG
 from pyhrg.records.campaign import Test
 
@@ -25,28 +26,31 @@ SMALLEST_LEAKAGE = 0.02
 
 
 def read_complete_runs(
-    tests: Sequence[Test], latitude: float, settle: float
-) -> tuple[list[Segments], list[str]]:
+    tests: Sequence[Test], site: Site, settle: float
+) -> tuple[list[Points], list[str]]:
     """Data points of each complete power-on, equally many at each position.
 
     `settle` seconds at the beginning of each rest are not used. Returns the runs, and a sentence on
     each power-on or data point that is not used.
     """
-    candidates = [read_segments(test.log, latitude, settle, warm_up=WARM_UP) for test in tests]
+    candidates = [read_segments(test.log, site, settle) for test in tests]
     expected = max(points.dwells for points in candidates)
     runs, exclusions = [], []
     for test, points in zip(tests, candidates, strict=True):
         reason = _describe_incompleteness(points, expected)
         if not reason:
             runs.append(_balance(points))
-            reason = _describe_balancing(points, runs[-1])
+            fewer, each = len(points) - len(runs[-1]), len(runs[-1]) // points.dwells
+            if fewer:
+                left = f"{fewer} of {len(points)} data points left out"
+                reason = f"{left}: a position has no more than {each}"
         exclusions += [f"{test.log.source}: {reason}"] if reason else []
     if not runs:
         raise BenchError("; ".join(exclusions))
     return runs, exclusions
 
 
-def _describe_incompleteness(points: Segments, expected: int) -> str:
+def _describe_incompleteness(points: Points, expected: int) -> str:
     """Why a power-on can't be used; empty where it can."""
     count = points.dwells
     present = f"{count} positions hold a segment of {SEGMENT:g} s after settling"
@@ -64,24 +68,15 @@ def _describe_incompleteness(points: Segments, expected: int) -> str:
     return ""
 
 
-def _balance(points: Segments) -> Segments:
+def _balance(points: Points) -> Points:
     """The first data points of each position, equally many at each."""
     dwells, counts = np.unique(points.dwell, return_counts=True)
     fewest = counts.min()
     keep = np.concatenate([np.flatnonzero(points.dwell == d)[:fewest] for d in dwells])
-    return Segments(*(getattr(points, name)[keep] for name in points.__dataclass_fields__))
+    return points.part(keep)
 
 
-def _describe_balancing(points: Segments, balanced: Segments) -> str:
-    """Number of data points that balancing excluded, in words; empty for none."""
-    fewer = len(points) - len(balanced)
-    if not fewer:
-        return ""
-    each = len(balanced) // balanced.dwells
-    return f"{fewer} of {len(points)} data points left out: a position has no more than {each}"
-
-
-def describe_leakage(points: Segments) -> str:
+def describe_leakage(points: Points) -> str:
     """Share of the fourth harmonic in the mean over positions, in words; empty for little.
 
     Evenly spaced positions sample the harmonic at evenly spaced phases. Their sum is zero only
@@ -101,12 +96,12 @@ BETWEEN = "standard deviation of the positions' true means, without the noise"
 ONE_POINT = "one point a position: can't be separated"
 
 
-def group_by_position(run: Segments) -> list[Array]:
+def group_by_position(run: Points) -> list[Array]:
     """Rates of each position's data points, rad/s, in the order of the positions."""
     return [run.rate[run.dwell == number] for number in np.unique(run.dwell)]
 
 
-def estimate_within(name: str, runs: Sequence[Segments], note: str = WITHIN) -> Finding:
+def estimate_within(name: str, runs: Sequence[Points], note: str = WITHIN) -> Finding:
     """Standard deviation (n - 1) of a position's data points, pooled over positions and runs; NaN
     where each position has one point."""
     groups = [group for run in runs for group in group_by_position(run)]
@@ -115,7 +110,7 @@ def estimate_within(name: str, runs: Sequence[Segments], note: str = WITHIN) -> 
     return estimate_pooled_deviation(name, groups, "deg/h", note)
 
 
-def estimate_between(name: str, runs: Sequence[Segments], fits: Sequence[Fit]) -> Finding:
+def estimate_between(name: str, runs: Sequence[Points], fits: Sequence[Fit]) -> Finding:
     """Standard deviation (n - 1) of the positions' true means, root mean square over the runs.
 
     The noise is estimated from the residual of the bias map, or from the scatter within positions

@@ -71,14 +71,14 @@ def select_visible(
     Returns accepted harmonics, whether the tilt is accepted, and a sentence on each term that is
     not.
     """
-    distinct = _count_distinct(pattern_angle, table_angle)
+    pairs = np.column_stack([pattern_angle % math.pi, table_angle % (2 * math.pi)]) / DEG
+    distinct = len(np.unique(np.round(pairs), axis=0))  # that differ by 1 deg or more
     accepted: list[int] = []
     with_tilt = False
     refused = []
-    order: list[int | None] = [*[h for h in (4,) if h in wanted]]
-    order += [None] if tilt else []
-    order += [h for h in wanted if h != 4]
-    for term in order:
+    harmonics = sorted(wanted, key=lambda order: order != 4)
+    first = harmonics[: int(4 in wanted)]
+    for term in (*first, *([None] if tilt else []), *harmonics[len(first) :]):
         trial = [*accepted, term] if term is not None else accepted
         columns = make_columns(pattern_angle, table_angle, trial, with_tilt or term is None)
         worst = max(compute_inflations(columns).values())
@@ -103,13 +103,6 @@ def select_visible(
         hidden = "nothing else is fitted, for harmonic 4 would show as tilt or as another harmonic"
         return [], False, [*refused, hidden]
     return sorted(accepted), with_tilt, refused
-
-
-def _count_distinct(pattern_angle: Array, table_angle: Array) -> int:
-    """Number of positions that differ by 1 deg or more: pattern modulo 180 deg, table modulo a
-    turn."""
-    pairs = np.column_stack([pattern_angle % math.pi, table_angle % (2 * math.pi)]) / DEG
-    return len(np.unique(np.round(pairs), axis=0))
 
 
 def choose_plan(positions: int, bryan_factor: float = 0.277) -> Plan:

@@ -98,15 +98,25 @@ def evaluate(campaign: Campaign) -> Outcome:
         raise BenchError(
             f"{campaign.device}: {len(tests)} monthly tests; a year needs at least {FEWEST_MONTHS}"
         )
-    bias = _measure_bias(campaign, tests)
+    fits = [fit_circumference(test, campaign.site).fitted for test in tests]
+    noise = float(np.sqrt(np.mean([fit.deviation(MEAN) ** 2 for fit in fits])))
+    means = np.array([fit.value(MEAN) for fit in fits])
+    bias = Months(means, noise, sum(fit.freedom for fit in fits))
     scale = _measure_scale_factor(campaign, tests)
+    months = np.array([bias.values / DEG_PER_H, scale.values / PPM]).T
+    rows = tuple((str(month), f"{b:.5f}", f"{s:.4f}") for month, (b, s) in enumerate(months, 1))
+    header = ("month", "mean bias, deg/h", "scale-factor error, ppm")
     return Outcome(
         findings=(
             *_make_findings("bias", bias, "deg/h"),
             *_make_findings("scale factor", scale, "ppm"),
         ),
-        verdict=_describe_verdict(bias, scale),
-        tables=(_make_table(bias, scale),),
+        verdict=(
+            f"Over {len(months)} months the bias varies by {np.std(months[:, 0], ddof=1):.2g} "
+            f"deg/h and the scale factor by {np.std(months[:, 1], ddof=1):.2g} ppm (standard "
+            "deviations)."
+        ),
+        tables=(Table("Months", header, rows),),
         warnings=(
             f"tests are taken as a month apart, in order: {tests[0].id} to {tests[-1].id}",
             "in the model only the decay time ages",
@@ -116,24 +126,11 @@ def evaluate(campaign: Campaign) -> Outcome:
     )
 
 
-def _measure_bias(campaign: Campaign, tests: Sequence[Test]) -> Months:
-    """Monthly means over the circumference; the noise is that of the fits."""
-    runs = [fit_circumference(test, campaign.site).fitted for test in tests]
-    noise = np.sqrt(np.mean([run.deviation(MEAN) ** 2 for run in runs]))
-    freedom = sum(run.freedom for run in runs)
-    return Months(np.array([run.value(MEAN) for run in runs]), float(noise), freedom)
-
-
 def _measure_scale_factor(campaign: Campaign, tests: Sequence[Test]) -> Months:
     """Monthly means over pairs of spins; the noise is from how the pairs of a month differ."""
     rate = campaign.site.vertical_rate
-    months = [
-        [
-            compute_scale_factor_error(pair)
-            for pair in pair_spins(find_spins(test.log, rate), test.log.source)
-        ]
-        for test in tests
-    ]
+    pairs = [pair_spins(find_spins(test.log, rate), test.log.source) for test in tests]
+    months = [list(map(compute_scale_factor_error, month)) for month in pairs]
     each, size = estimate_pooled_deviation("", months, "ppm").value, sum(map(len, months))
     noise = each * math.sqrt(len(months) / size)
     return Months(np.array([np.mean(month) for month in months]), noise, size - len(months))
@@ -149,24 +146,7 @@ def _make_findings(name: str, months: Months, unit: str) -> tuple[Finding, ...]:
     )
 
 
-def _describe_verdict(bias: Months, scale: Months) -> str:
-    deviations = [float(np.std(months.values, ddof=1)) for months in (bias, scale)]
-    return (
-        f"Over {len(bias.values)} months the bias varies by {deviations[0] / DEG_PER_H:.2g} deg/h "
-        f"and the scale factor by {deviations[1] / PPM:.2g} ppm (standard deviations)."
-    )
-
-
-def _make_table(bias: Months, scale: Months) -> Table:
-    rows = tuple(
-        (str(month), f"{b / DEG_PER_H:.5f}", f"{s / PPM:.4f}")
-        for month, (b, s) in enumerate(zip(bias.values, scale.values, strict=True), 1)
-    )
-    return Table("Months", ("month", "mean bias, deg/h", "scale-factor error, ppm"), rows)
-
-
 def draw(figure: Figure, bias: Months, scale: Months) -> None:
-    """Draw bias and scale factor against the age, with their drifts."""
     panels = figure.subplots(2, 1, sharex=True)
     series = (
         (bias, DEG_PER_H, "bias, deg/h", "#0072B2"),
@@ -188,7 +168,6 @@ PROCEDURE: Procedure = Procedure(
     name="annual",
     group="bias",
     title="Bias and scale factor over a year",
-    rows=("annual bias stability", "annual scale factor stability"),
     source="paper Table 1; monthly power-ons, standard deviation and range",
     kinds=(KIND,),
     record=record,

@@ -41,19 +41,27 @@ def evaluate(campaign: Campaign) -> Outcome:
     result = fit_temperature(campaign)
     logs = [test.log for test in require_tests(campaign, KIND)]
     scale, scale_warnings = estimate_scale_factor(campaign, logs, result.thermometers)
+    meter, header = result.thermometers[0], ("temperature, degC", "mean bias, deg/h", "100 s means")
+    note = meter.note
+    note += "" if np.isnan(meter.lag) else "; least squares of every row, no interval"
+    rows = tuple(
+        (f"{level:.1f}", f"{soak.mean / DEG_PER_H:.5f}", str(soak.n))
+        for level, soak in result.soaks().items()
+    )
     return Outcome(
         findings=(
             *_estimate_spreads(result),
             *_make_slopes(result),
-            *_make_lag_findings(result),
+            Finding("thermal lag", meter.lag, "s", note=note),
+            Finding("frequency per kelvin", meter.frequency_per_kelvin, "Hz/K", note=note),
             *scale,
         ),
         verdict=_describe_verdict(result),
-        tables=(_make_table(result),),
+        tables=(Table("Soaks", header, rows),),
         warnings=(*_list_warnings(result), *scale_warnings),
         exclusions=list_exclusions(require_tests(campaign, KIND)),
         draw=lambda figure: draw(figure, result),
-        values={"terms": dict(zip(result.fitted.names, result.fitted.values, strict=True))},
+        values={"terms": result.fitted.terms},
     )
 
 
@@ -113,25 +121,12 @@ def _make_slopes(result: Thermal) -> tuple[Finding, ...]:
     return tuple(findings)
 
 
-def _make_lag_findings(result: Thermal) -> tuple[Finding, ...]:
-    """Thermal lag and frequency coefficient from the first power-on."""
-    meter = result.thermometers[0]
-    note = meter.note
-    if not np.isnan(meter.lag):
-        note += "; least squares of every row, no interval"
-    return (
-        Finding("thermal lag", meter.lag, "s", note=note),
-        Finding("frequency per kelvin", meter.frequency_per_kelvin, "Hz/K", note=note),
-    )
-
-
 def _describe_verdict(result: Thermal) -> str:
     span = np.ptp(result.temperature)
     spread = float(np.std(result.points.rate, ddof=1))
     ratio = spread / result.noise if result.noise > 0 else np.inf
-    source = (
-        "over the circumference" if result.basis.angle is None else "creep of the pattern included"
-    )
+    whole = result.basis.angle is None
+    source = "over the circumference" if whole else "creep of the pattern included"
     return (
         f"Bias stability {spread / DEG_PER_H:.2g} deg/h over {span:.3g} K, {source}: {ratio:.3g} "
         "times the residual of a fit by pattern angle and temperature."
@@ -152,16 +147,7 @@ def _list_warnings(result: Thermal) -> tuple[str, ...]:
     return tuple(dict.fromkeys(sentences))
 
 
-def _make_table(result: Thermal) -> Table:
-    rows = tuple(
-        (f"{level:.1f}", f"{soak.mean / DEG_PER_H:.5f}", str(soak.n))
-        for level, soak in result.soaks().items()
-    )
-    return Table("Soaks", ("temperature, degC", "mean bias, deg/h", "100 s means"), rows)
-
-
 def draw(figure: Figure, result: Thermal) -> None:
-    """Draw the bias against the resonator's temperature, by soaks and ramps up and down."""
     axes = figure.add_subplot(
         title=f"Bias over temperature, without its map ({result.basis.place})"
     )
@@ -173,9 +159,8 @@ def draw(figure: Figure, result: Thermal) -> None:
         ("ramp down", ~resting & ~up, "#0072B2", "v"),
     )
     for label, chosen, colour, marker in groups:
-        axes.plot(
-            result.temperature[chosen], bias[chosen], marker, color=colour, label=label, ms=3.5
-        )
+        points = (result.temperature[chosen], bias[chosen], marker)
+        axes.plot(*points, color=colour, label=label, ms=3.5)
     finish_axes(axes, "resonator above the reference temperature, K", "bias, deg/h")
 
 
@@ -183,12 +168,6 @@ PROCEDURE: Procedure = Procedure(
     name="full-temperature",
     group="bias",
     title="Bias and scale factor over temperature",
-    rows=(
-        "bias stability, full temperature",
-        "bias repeatability, full temperature",
-        "scale factor stability, full temperature",
-        "scale factor repeatability, full temperature",
-    ),
     source="paper Table 1; GJB 2426A and IEEE Std 1431, temperature tests: soaks and ramps",
     kinds=(KIND,),
     record=record,

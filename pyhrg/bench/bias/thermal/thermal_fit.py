@@ -11,8 +11,7 @@ from pyhrg.bench.estimation.harmonics import MEAN, Fit, fit
 from pyhrg.bench.estimation.terms import PatternBasis, choose_pattern_basis, select_separable
 from pyhrg.bench.outcome import BenchError
 from pyhrg.bench.procedure import require_tests
-from pyhrg.bench.readings.dwells import Points, join_points, read_points
-from pyhrg.bench.readings.segments import WARM_UP
+from pyhrg.bench.readings.segments import WARM_UP, Points, join_points, read_points
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import MINUTE, ZERO_CELSIUS
 from pyhrg.records import Log
@@ -107,7 +106,7 @@ def fit_temperature(campaign: Campaign) -> Thermal:
     nominal_lag = campaign.nominal.get("thermal_lag_s")
     reference = campaign.nominal.get("reference_temperature_degC", 25.0) + ZERO_CELSIUS
     logs = [test.log for test in require_tests(campaign, KIND)]
-    parts = [read_points(log, campaign.site.latitude, SETTLE, warm_up=WARM_UP) for log in logs]
+    parts = [read_points(log, campaign.site, SETTLE, warm_up=WARM_UP) for log in logs]
     meters = tuple(estimate_temperature(log, nominal_lag) for log in logs)
     warm, rates, warming, case = (
         np.concatenate(c) for c in zip(*map(_read_temperatures, logs, meters, parts), strict=True)
@@ -134,15 +133,13 @@ def fit_temperature(campaign: Campaign) -> Thermal:
 def _read_temperatures(log: Log, meter: Thermometer, part: Points) -> tuple[Array, ...]:
     """For each data point: temperature of the resonator, K, rates of the case's and of the
     resonator's temperature, K/s, and temperature of the case, K."""
-    case = fill_gaps(log.temperature)
-    rows = list(zip(part.first, part.last, strict=True))
-    warm, mean = (
-        np.array([np.mean(values[a : b + 1]) for a, b in rows])
+    rows, case = list(zip(part.first, part.last, strict=True)), fill_gaps(log.temperature)
+    (warm, warming), (mean, rate) = (
+        (
+            np.array([np.mean(values[a : b + 1]) for a, b in rows]),
+            np.asarray((values[part.last] - values[part.first]) / part.duration),
+        )
         for values in (meter.temperature, case)
-    )
-    rate, warming = (
-        np.asarray((values[part.last] - values[part.first]) / part.duration)
-        for values in (case, meter.temperature)
     )
     return warm, rate, warming, mean
 

@@ -10,12 +10,7 @@ from pyhrg.bench.bias.thermal.thermometer import Thermometer
 from pyhrg.bench.estimation.harmonics import MEAN, fit
 from pyhrg.bench.estimation.spread import estimate_spread
 from pyhrg.bench.outcome import BenchError, Finding, estimate_pooled_deviation
-from pyhrg.bench.readings.spins import (
-    compute_scale_factor_error,
-    compute_scale_factor_harmonic,
-    find_spins,
-    pair_spins,
-)
+from pyhrg.bench.readings import spins
 from pyhrg.common.arrays import Array
 from pyhrg.common.units import ZERO_CELSIUS
 from pyhrg.records import Log
@@ -57,14 +52,11 @@ def _read_pairs(
     log: Log, meter: Thermometer, vertical_rate: float
 ) -> tuple[Array, Array, NDArray[np.complex128]]:
     """Temperature of the resonator, K, scale-factor error of each pair of spins, its harmonic."""
-    pairs = pair_spins(find_spins(log, vertical_rate), log.source)
+    pairs = spins.pair_spins(spins.find_spins(log, vertical_rate), log.source)
     warm = [np.mean(meter.temperature[a.first : b.last + 1]) for a, b in pairs]
-    errors = [compute_scale_factor_error(pair) for pair in pairs]
-    return (
-        np.array(warm),
-        np.array(errors),
-        np.array(list(map(compute_scale_factor_harmonic, pairs))),
-    )
+    errors = [spins.compute_scale_factor_error(pair) for pair in pairs]
+    harmonics = [spins.compute_scale_factor_harmonic(pair) for pair in pairs]
+    return np.array(warm), np.array(errors), np.array(harmonics)
 
 
 def make_findings(

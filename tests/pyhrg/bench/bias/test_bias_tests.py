@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pyhrg.bench.bias.bias_test import BiasTest, summarize_runs
+from pyhrg.bench.bias.bias_test import BiasTest
 from pyhrg.bench.bias.position import fixed_position, full_circumference
 from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.outcome import BenchError
@@ -14,7 +14,7 @@ from pyhrg.device.device import Device
 from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
 from pyhrg.theory import closed_forms as theory
-from tests.pyhrg.bench.cases import QUIET, slow_bench
+from tests.pyhrg.bench.cases import QUIET, make_points, slow_bench
 
 
 def measure(fmu: GyroFmu, device: Device, plan: Plan, segments: int = 1) -> BiasTest:
@@ -80,7 +80,7 @@ def test_eight_positions_can_not_show_the_eighth_harmonic(slow_fmu: GyroFmu) -> 
 
 def test_fixed_position_sees_one_point_of_the_map(slow_fmu: GyroFmu) -> None:
     bench = slow_bench(slow_fmu, QUIET)
-    test = summarize_runs(
+    test = BiasTest(
         fixed_position.read_runs(bench.campaign(bench.run(fixed_position.make_power_ons(bench, 1))))
     )
     at_start = float(theory.static_bias(QUIET, QUIET.power_on_angle))
@@ -116,7 +116,7 @@ def test_too_few_positions_are_refused(slow_fmu: GyroFmu) -> None:
 
 def test_stability_and_repeatability_are_the_papers() -> None:
     """Stability: mean of the runs' deviations; repeatability: deviation of the runs' means."""
-    test = BiasTest((np.array([1.0, 3.0]), np.array([2.0, 6.0])))
+    test = BiasTest([make_points([1.0, 3.0]), make_points([2.0, 6.0])])
     assert test.stability == pytest.approx((np.sqrt(2) + np.sqrt(8)) / 2)
     assert test.repeatability == pytest.approx(np.sqrt(2))
     assert test.bias == pytest.approx(3.0)

@@ -11,6 +11,7 @@ from pyhrg.bench.dead_zone import dead_zone
 from pyhrg.bench.dead_zone.lock import read_run
 from pyhrg.bench.estimation.sizes import compute_length_interval
 from pyhrg.bench.outcome import BenchError, Outcome
+from pyhrg.common.site import Site
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.device.ready_devices import TYPICAL
 from pyhrg.fmu import GyroFmu
@@ -123,7 +124,7 @@ def test_a_short_run_has_no_mean_rate(slow_fmu: GyroFmu) -> None:
     course = dead_zone.make_spin(bench, 1.0, 2 * theory.lock_rate(CAPTURING), 200.0)
     log = bench.log(PowerOn("short", dead_zone.PLAIN, course)).log
     with pytest.raises(BenchError, match="short: the pattern is not locked and turned by"):
-        read_run(log, 0.0, 0.277)
+        read_run(log, Site(latitude=0.0), 0.277)
 
 
 def test_a_resting_table_has_no_map(slow_fmu: GyroFmu) -> None:

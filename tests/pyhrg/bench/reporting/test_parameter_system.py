@@ -8,7 +8,7 @@ import pytest
 
 from pyhrg.bench.catalogue import PROCEDURES
 from pyhrg.bench.outcome import Finding, Outcome
-from pyhrg.bench.reporting.parameter_system import TABLE_1, make_table_1
+from pyhrg.bench.reporting.parameter_system import ADDED, TABLE_1, make_table_1
 
 
 def printed() -> set[str]:
@@ -30,14 +30,8 @@ def test_every_row_has_a_test_or_a_reason() -> None:
 
 
 def test_rows_are_those_of_the_paper() -> None:
-    ours = {re.sub(r"\s", "", row.printed) for row in TABLE_1 if row.column != "added"}
+    ours = {re.sub(r"\s", "", row.printed) for row in TABLE_1 if row not in ADDED}
     assert ours == printed()
-
-
-def test_terms_that_procedures_claim_are_rows() -> None:
-    terms = {row.term for row in TABLE_1}
-    for procedure in PROCEDURES:
-        assert set(procedure.rows) <= terms, procedure.name
 
 
 def test_a_figure_stands_in_its_row() -> None:

@@ -9,6 +9,7 @@ from benchmarks.intervals.self_calibration import repeat
 from pyhrg.bench.outcome import BenchError, Outcome
 from pyhrg.bench.readings.sweeps import find_sweeps
 from pyhrg.bench.self_calibration.self_calibration import ROTATION, evaluate, record
+from pyhrg.common.site import Site
 from pyhrg.common.units import DEG_PER_H, DEG_PER_SQRT_H, PPM
 from pyhrg.device.device import Device
 from pyhrg.device.ready_devices import TYPICAL
@@ -102,11 +103,9 @@ def test_invalid_rows_are_in_no_sweep(campaign: Campaign) -> None:
     log = next(t.log for t in campaign.tests if np.any(t.log.virtual_rotation))
     valid = log.valid.copy()
     valid[500:510] = 0.0
-    whole, broken = (
-        len(find_sweeps(x, campaign.site.latitude)) for x in (log, replace(log, valid=valid))
-    )
+    whole, broken = (len(find_sweeps(x, campaign.site)) for x in (log, replace(log, valid=valid)))
     assert broken == whole + 1
-    spans = [(s.time[0], s.time[-1]) for s in find_sweeps(replace(log, valid=valid), 0.7)]
+    spans = [(s.time[0], s.time[-1]) for s in find_sweeps(replace(log, valid=valid), Site())]
     assert not any(begin < 505 < end for begin, end in spans)
 
 

@@ -11,18 +11,18 @@ from pyhrg.bench.bias.position.position_runs import (
     estimate_within,
 )
 from pyhrg.bench.estimation.harmonics import Fit, fit
-from pyhrg.bench.readings.segments import Segments
+from pyhrg.bench.readings.segments import Points
+from tests.pyhrg.bench.cases import make_points
 
 
-def run(rates: list[list[float]]) -> Segments:
+def run(rates: list[list[float]]) -> Points:
     """Of rates by position."""
     count = [len(group) for group in rates]
     rate = np.concatenate([np.array(group) for group in rates])
-    zero = np.zeros_like(rate)
-    return Segments(rate, zero, zero, np.repeat(np.arange(len(rates)), count), zero)
+    return make_points(rate, np.repeat(np.arange(len(rates)), count))
 
 
-def means(runs: list[Segments]) -> list[Fit]:
+def means(runs: list[Points]) -> list[Fit]:
     """Fits by nothing but a mean."""
     return [fit({"mean": np.ones(len(one))}, one.rate) for one in runs]
 

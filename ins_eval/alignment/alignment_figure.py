@@ -4,8 +4,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ins_eval.alignment.result import Alignment, History, euler_from_rotation_vector
-from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import euler_from_mat
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 
 ANGLES = (("heading", 2, "tab:blue"), ("pitch", 1, "tab:orange"), ("roll", 0, "tab:green"))

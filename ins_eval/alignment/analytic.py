@@ -6,9 +6,9 @@ from numpy.typing import ArrayLike
 from ins_eval.alignment.bias_instability import mean_variance
 from ins_eval.alignment.result import AlignmentError
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import mat_from_euler
 from ins_eval.common.sensor_errors import SensorErrors
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 

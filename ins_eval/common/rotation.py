@@ -6,7 +6,7 @@ roll (Groves 2013, Eqs. 2.22 to 2.25).
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
+from pyhrg.common.arrays import Array
 
 
 def mat_from_euler(roll: Array, pitch: Array, yaw: Array) -> Array:

@@ -11,8 +11,8 @@ from typing import Literal
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.error_model.motion import Motion
+from pyhrg.common.arrays import Array
 
 ANGULAR_GAIN = 0.277
 """Angular gain (Bryan factor) k of a hemispherical gyro: the pattern lags the case by k times its

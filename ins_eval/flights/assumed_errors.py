@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.error_model.effects import (
     Effect,
@@ -26,6 +25,7 @@ from ins_eval.imu.imu import Imu
 from ins_eval.imu.map_sizes import MapSizes
 from ins_eval.imu.sensor_error_model import IDEAL_SENSORS, OFF_DIAGONAL, SensorErrorModel
 from ins_eval.imu.stated_gyros import StatedGyros
+from pyhrg.common.arrays import Array
 from pyhrg.noise.flicker import compute_process_variance
 
 SizedEffect = tuple[Effect, ArrayLike]

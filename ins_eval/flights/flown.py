@@ -7,9 +7,9 @@ import pandas as pd
 import xarray as xr
 
 from ins_eval.alignment.result import Alignment
-from ins_eval.common.arrays import Array
 from ins_eval.error_model.budget.adjoint import Weights
 from ins_eval.flights.plan import Plan
+from pyhrg.common.arrays import Array
 
 ALIGNMENT = "alignment beyond its sensors' means"
 COLUMNS = ("effect", "axis", "north_contribution_m", "east_contribution_m")

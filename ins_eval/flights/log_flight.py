@@ -7,7 +7,6 @@ import numpy as np
 import xarray as xr
 
 from ins_eval.alignment.align import align
-from ins_eval.common.arrays import Array
 from ins_eval.common.state import State, Track
 from ins_eval.flights.assumed_errors import assume_errors
 from ins_eval.flights.flight import hold_height
@@ -22,6 +21,7 @@ from ins_eval.flights.truth import count_still_increments
 from ins_eval.imu.imu import Imu
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.results import flights
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 Reference = Callable[[Array], Track]

@@ -4,7 +4,6 @@ import numpy as np
 import pandas as pd
 
 from ins_eval.alignment.result import Alignment
-from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import euler_from_mat
 from ins_eval.common.state import State, Track
 from ins_eval.error_model.budget.adjoint import compute_weights
@@ -15,6 +14,7 @@ from ins_eval.flights.linear import STEP, choose_steps, prepare_flight_model
 from ins_eval.flights.plan import Plan
 from ins_eval.flights.truth import Truth
 from ins_eval.trajectories.trajectory import Knots, Trajectory
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 END_MARGIN = 4

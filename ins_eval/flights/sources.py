@@ -6,7 +6,6 @@ from pathlib import Path
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.common.state import Track, position_error
 from ins_eval.flights.log_flight import Reference, stand_still
 from ins_eval.imu.gyros import FmuGyros
@@ -16,6 +15,7 @@ from ins_eval.imu.specification import load_imu
 from ins_eval.trajectories.recorded_drive import Drive, read_drive
 from ins_eval.trajectories.trajectory import Knots, Trajectory
 from pyhrg.common.arguments import check_number, check_whole_number
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.log import RecordedImu
 

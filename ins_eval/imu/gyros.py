@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fmu_build.bundle import build_fmu
-from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.map_sizes import MapSizes, size_maps
 from ins_eval.imu.mounting import Mounting
@@ -17,6 +16,7 @@ from ins_eval.imu.stated_gyros import GyroReading
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position import full_circumference
 from pyhrg.bench.dynamic.start_up import START
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.device import device_file
 from pyhrg.device.keys import KEYS

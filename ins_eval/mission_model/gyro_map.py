@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.error_model.effects import ANGULAR_GAIN
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.fmu import GyroFmu
 

@@ -13,7 +13,6 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.common.arrays import Array
 from ins_eval.error_model.aligning import model_alignment
 from ins_eval.error_model.effects import Effect, accelerometer_bias
 from ins_eval.error_model.linear_model import AXES, LinearModel, linearize
@@ -26,6 +25,7 @@ from ins_eval.mission_model.missions import SETTLING, STILL, StudyMission
 from ins_eval.mission_model.noise_weights import compute_error_weights, compute_noise_covariances
 from ins_eval.navigation.height import Clamped
 from ins_eval.trajectories.trajectory import Trajectory
+from pyhrg.common.arrays import Array
 
 STEP = 1.0
 """Step of the linear model, s. Chosen."""

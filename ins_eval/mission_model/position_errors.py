@@ -8,13 +8,13 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.common.arrays import Array
 from ins_eval.mission_model.alignment_at_rest import compute_second_order_error
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.noise_weights import factor_covariances
 from ins_eval.mission_model.pattern_drift import compute_drift_products
 from ins_eval.mission_model.signals import ENVIRONMENT, STEADY, WARMING, slice_coefficients
 from ins_eval.mission_model.triad_block import TriadBlock
+from pyhrg.common.arrays import Array
 from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
 

@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.error_model.effects import (
     ANGULAR_GAIN,
     Effect,
@@ -31,6 +30,7 @@ from ins_eval.mission_model.warming import (
     compute_resonator_warming_rate,
     compute_resonator_warmth,
 )
+from pyhrg.common.arrays import Array
 
 Regressor = Callable[[Motion], Array]
 

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.common.metrics import PairedRatio, compute_paired_ratio
 from ins_eval.common.parallel import map_in_threads
 from ins_eval.imu.sensor_error_model import TYPICAL_ACCELEROMETERS
@@ -16,6 +15,7 @@ from ins_eval.parking.mission import Mission
 from ins_eval.parking.triad import DRIVES, TriadFlights, fly_triad
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position.positions import Plan
+from pyhrg.common.arrays import Array
 from pyhrg.device.ready_devices import TYPICAL, Device
 from pyhrg.fmu import GyroFmu
 

@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.study.gyros.drift import Flight
 from ins_eval.study.gyros.true_maps import compute_turning_bias, read_flight_coefficients, start_at
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.noise.coefficients import COEFFICIENT_NAMES

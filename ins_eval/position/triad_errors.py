@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.mission_model.alignment_at_rest import compute_second_order_error
 from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.mission_weights import MissionWeights
@@ -10,6 +9,7 @@ from ins_eval.mission_model.pattern_drift import compute_drift_products
 from ins_eval.mission_model.position_errors import compute_map_errors
 from ins_eval.mission_model.signals import ENVIRONMENT, STEADY, WARMING, slice_coefficients
 from ins_eval.position.gyro import Gyro
+from pyhrg.common.arrays import Array
 from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
 MAP_PARTS = {

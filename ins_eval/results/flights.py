@@ -5,10 +5,10 @@ from collections.abc import Sequence
 import numpy as np
 import xarray as xr
 
-from ins_eval.common.arrays import Array
 from ins_eval.common.state import Track, TrackError, track_error
 from ins_eval.results import quantities
 from ins_eval.results.quantities import Quantity
+from pyhrg.common.arrays import Array
 
 POSITION, VELOCITY, ATTITUDE = slice(0, 3), slice(3, 6), slice(6, 9)
 """Places in a covariance's first nine rows, as `TrackError` orders them."""

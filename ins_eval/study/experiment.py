@@ -31,10 +31,9 @@ from ins_eval.study.gyros.population import RAW, TRIMMED
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.specification import CONDITION, MEAN, TEST, PlannedMission, Study
 from ins_eval.trajectories.catalogue import find_mission_file
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, MICRO_G
 from pyhrg.fmu import GyroFmu
-
-Array = NDArray[np.float64]
 
 DEFAULT_SETTINGS: dict[str, Any] = {
     "trimmed": TRIMMED,

@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 import pyarrow as pa
-from numpy.typing import NDArray
 
 from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.mission_weights import MissionWeights
@@ -37,9 +36,9 @@ from ins_eval.study.run.block import Arrays
 from ins_eval.study.specification import CONDITION, MEAN, Study
 from ins_eval.study.tables import columns
 from ins_eval.study.tables.table import make_table
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG_PER_H, HOUR, MICRO_G
 
-Array = NDArray[np.float64]
 Rules = Mapping[str, ConstantRule]
 """Rules of a class by predictor."""
 

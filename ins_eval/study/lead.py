@@ -9,7 +9,6 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.mission_model.missions import StudyMission, plan_mission
 from ins_eval.study.cosimulated import MissionTruth, cosimulate
@@ -18,11 +17,10 @@ from ins_eval.study.gyros.drawn_triad import AXES, DrawnTriad, TriadDistribution
 from ins_eval.study.gyros.drift import Flight, draw_flight
 from ins_eval.study.gyros.makers_calibration import calibrate_gyro
 from ins_eval.study.gyros.measured_gyro import measure_gyro
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.device.ready_devices import TABLE2
 from pyhrg.fmu import GyroFmu
-
-Array = NDArray[np.float64]
 
 DEVICE, MISSION, HOURS = "table2", "car", 1.0
 BENCH = BenchPlan(runs=7, fixed_runs=7, segments=3, fixed_segments=36)

@@ -10,11 +10,11 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
 from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.manoeuvres.manoeuvre import Leg
 from ins_eval.trajectories.manoeuvres.overlays import OverlayMotion
 from ins_eval.trajectories.trajectory import Knots
+from pyhrg.common.arrays import Array
 
 MAX_LATITUDE = math.radians(89.0)
 """Largest latitude of a path, rad. Chosen: at a pole north and east end."""

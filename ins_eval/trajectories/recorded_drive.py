@@ -8,9 +8,9 @@ import numpy as np
 from scipy.integrate import cumulative_simpson
 
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
 from ins_eval.trajectories.errors import TrajectoryError, check_durations
 from ins_eval.trajectories.trajectory import Knots, Trajectory
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import quote
 from pyhrg.common.reading.csv_rows import parse_csv
 from pyhrg.common.reading.files import decode, read_unpacked

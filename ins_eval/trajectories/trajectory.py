@@ -11,9 +11,9 @@ import numpy as np
 from scipy.interpolate import BSpline, make_interp_spline
 
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import body_rate_from_euler, mat_from_euler
 from ins_eval.common.state import State, Track
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(3)

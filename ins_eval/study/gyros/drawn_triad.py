@@ -16,13 +16,12 @@ from ins_eval.study.gyros.makers_calibration import Method, calibrate_gyro
 from ins_eval.study.gyros.measured_gyro import MeasuredGyro, measure_gyro
 from ins_eval.study.gyros.population import TRIMMED, Population
 from ins_eval.study.gyros.true_maps import compute_turning_bias, read_flight_coefficients, start_at
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import ARCSEC, MICRO_G
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.noise.coefficients import COEFFICIENT_NAMES
-
-Array = NDArray[np.float64]
 
 AXES = 3
 

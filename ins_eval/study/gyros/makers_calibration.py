@@ -3,16 +3,14 @@
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.mission_model.gyro_map import HARMONICS, NAMES, GyroMap
 from ins_eval.study.gyros.bench_maps import fit_bias_maps, fit_scale_maps
 from ins_eval.study.gyros.bench_plan import CALIBRATION, BenchPlan, record_campaign
 from pyhrg.bench.calibration.calibration_maps import add_maps
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import AngleMap, Device
 from pyhrg.fmu import GyroFmu
-
-Array = NDArray[np.float64]
 
 Method = Literal["mean", "map"]
 METHODS: tuple[Method, ...] = get_args(Method)

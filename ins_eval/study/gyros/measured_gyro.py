@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.mission_model.gyro_map import TERMS, GyroMap
 from ins_eval.mission_model.pattern_drift import TURNING_TERMS
@@ -15,11 +14,10 @@ from pyhrg.bench.bias.bias_test import summarize_runs
 from pyhrg.bench.bias.position import fixed_position, full_circumference
 from pyhrg.bench.procedure import require_tests
 from pyhrg.bench.readings.segments import SEGMENT, WARM_UP
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.records.campaign import Campaign
-
-Array = NDArray[np.float64]
 
 SHORT_ROWS, LONG_ROWS = 1, 25
 """Two spacings of 1 s readings that separate the noise of a reading from the random walk; both are

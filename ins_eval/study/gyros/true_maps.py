@@ -4,16 +4,14 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.mission_model.gyro_map import FAST, NAMES, SLOW, GyroMap, Sweep, measure_gyro_map
 from ins_eval.mission_model.pattern_drift import TURNING_TERMS
 from ins_eval.mission_model.signals import STEADY, WARMING, slice_coefficients
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.fmu import GyroFmu
-
-Array = NDArray[np.float64]
 
 SOAKED_LAG = 1.0
 """Thermal lag of a gyro whose map is measured at another temperature, s: it follows at once."""

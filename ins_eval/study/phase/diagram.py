@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.error_model.effects import ANGULAR_GAIN
 from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.missions import StudyMission
@@ -22,6 +21,7 @@ from ins_eval.study.predictors.parts.map_drift import MapDrift
 from ins_eval.study.predictors.parts.turned_maps import turn_weights, undo_start
 from ins_eval.study.predictors.stability_rule import compute_rule_distance
 from ins_eval.study.scores.resampling import bootstrap
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import HOUR
 
 FACTOR = 2.0

@@ -9,15 +9,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.triad_block import TriadBlock
 from ins_eval.study.predictors import true_parameters
 from ins_eval.study.predictors.stability_rule import compute_rule_distance
 from ins_eval.study.predictors.unpredictable import compute_unpredictable_covariance
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 FLIGHTS = 256
 """Number of start angles from which each training triad flies. Chosen."""

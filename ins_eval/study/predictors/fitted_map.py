@@ -5,9 +5,6 @@ change as the gyros warm (Eq. 4). The spread comes from the bench's uncertainty,
 between bench and flight, noise and accelerometers (Eqs. 6 to 8).
 """
 
-import numpy as np
-from numpy.typing import NDArray
-
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.study.predictors.bench_figures import BenchFigures
 from ins_eval.study.predictors.parts.drawn_errors import draw_at_angles, draw_at_any_angle
@@ -15,8 +12,7 @@ from ins_eval.study.predictors.parts.expected_error import compute_expected_erro
 from ins_eval.study.predictors.parts.map_drift import MapDrift
 from ins_eval.study.predictors.parts.turned_maps import start_maps
 from ins_eval.study.predictors.prediction import SampledPrediction
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 
 def predict(

@@ -4,7 +4,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.mission_model.gyro_map import TERMS, evaluate_terms
 from ins_eval.mission_model.mission_weights import MissionWeights
@@ -19,9 +18,8 @@ from ins_eval.study.predictors.prediction import Prediction
 from ins_eval.study.predictors.rms_over_angles import compute_gyro_rms
 from ins_eval.study.predictors.unpredictable import compute_unpredictable_covariance
 from ins_eval.study.tables import columns
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG_PER_H
-
-Array = NDArray[np.float64]
 
 TURN_ONS = 7
 """Number of turn-ons of the test whose patterns start anywhere, as the paper's (4.1)."""

@@ -1,11 +1,9 @@
 """Error of a mission by noise, accelerometers and mounting, which no gyro map predicts (Eq. 8)."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.mission_model.mission_weights import MissionWeights
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 
 def compute_unpredictable_covariance(

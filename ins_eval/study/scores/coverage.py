@@ -1,12 +1,10 @@
 """Coverage of predicted intervals, with exact binomial intervals (Eq. 15)."""
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.stats import binomtest
 
 from ins_eval.study.scores.resampling import CONFIDENCE, Estimate
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 
 def estimate_coverage(flown: Array, low: Array, high: Array, seed: int) -> Estimate:

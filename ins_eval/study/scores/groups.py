@@ -5,12 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
 
 from ins_eval.study.tables import columns
 from ins_eval.study.tables.score import ALL
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 
 @dataclass(frozen=True)

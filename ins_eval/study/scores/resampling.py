@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.study.tables.score import Score
+from pyhrg.common.arrays import Array
 
-Array = NDArray[np.float64]
 Statistic = Callable[..., Array]
 
 CONFIDENCE = 0.95

@@ -3,15 +3,11 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
 from ins_eval.study.scores.groups import FlightGroup
 from ins_eval.study.scores.resampling import Estimate, Statistic, bootstrap
 from ins_eval.study.tables import columns
 from ins_eval.study.tables.score import Score
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 
 @dataclass(frozen=True)

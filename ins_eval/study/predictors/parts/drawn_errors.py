@@ -1,13 +1,11 @@
 """Sampled errors of triads (Eq. 7): maps, power-on angles and noise are drawn, the same for all."""
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.stats import qmc
 
 from ins_eval.study.predictors.parts.turned_maps import turn_weights
 from ins_eval.study.predictors.prediction import SampledPrediction
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 DRAWS = 2048
 """Number of samples, a power of two for Sobol's sequence. Chosen: the standard error of the

@@ -1,13 +1,11 @@
 """The error of known maps, with the second-order error of the alignment (Eq. 4)."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.mission_model.alignment_at_rest import compute_second_order_error
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.position_errors import compute_map_errors
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 
 def compute_expected_error(weights: MissionWeights, maps: Array) -> Array:

@@ -1,11 +1,9 @@
 """Maps, and weights of maps, for patterns that start at other angles (mission_model.md, Eq. 2)."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.mission_model.gyro_map import HARMONICS, TERMS
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 
 def start_maps(maps: Array, angles: Array) -> Array:

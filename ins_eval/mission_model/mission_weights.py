@@ -61,7 +61,7 @@ class MissionWeights:
 
     @property
     def gyros(self) -> Array:
-        """(k, 2, 2 TERMS, 3) weights of a `GyroMap` that is constant in flight."""
+        """(k, 2, 2 TERMS, 3) weights of a map that is constant in flight."""
         return self.maps[:, :, : 2 * TERMS]
 
 

@@ -91,7 +91,7 @@ SIGNALS = (
 STEADY, WARMING, ENVIRONMENT = slice(0, 1), slice(1, 3), slice(3, 7)
 """Groups of `SIGNALS`: constant, by warmth, by the environment."""
 COUNT = len(SIGNALS) * 2 * TERMS
-"""Number of coefficients in flight: those of a `GyroMap` for each signal in turn."""
+"""Number of coefficients in flight: those of a map for each signal in turn."""
 
 
 def slice_coefficients(signals: slice) -> slice:

@@ -16,9 +16,9 @@ from ins_eval.error_model.effects import ANGULAR_GAIN
 from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.missions import StudyMission
 from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.turned_maps import turn_weights, undo_start
 from ins_eval.study.phase.turning import DURATION, compute_turning_weights
 from ins_eval.study.predictors.parts.map_drift import MapDrift
-from ins_eval.study.predictors.parts.turned_maps import turn_weights, undo_start
 from ins_eval.study.predictors.stability_rule import compute_rule_distance
 from ins_eval.study.scores.resampling import bootstrap
 from pyhrg.common.arrays import Array

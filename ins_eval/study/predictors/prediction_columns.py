@@ -8,12 +8,12 @@ import numpy as np
 from ins_eval.mission_model.gyro_map import TERMS, evaluate_terms
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.turned_maps import undo_start
 from ins_eval.study.predictors import fitted_map, stability_rule, true_parameters
 from ins_eval.study.predictors.bench_figures import collect_bench_figures
 from ins_eval.study.predictors.class_constants import ConstantRule, compute_ratios
 from ins_eval.study.predictors.parts import map_drift
 from ins_eval.study.predictors.parts.map_drift import MapDrift
-from ins_eval.study.predictors.parts.turned_maps import undo_start
 from ins_eval.study.predictors.prediction import Prediction
 from ins_eval.study.predictors.rms_over_angles import compute_gyro_rms
 from ins_eval.study.predictors.unpredictable import compute_unpredictable_covariance

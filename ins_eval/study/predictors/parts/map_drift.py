@@ -13,8 +13,8 @@ from scipy.optimize import nnls
 
 from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.signals import COUNT
+from ins_eval.mission_model.turned_maps import undo_start
 from ins_eval.study.predictors.bench_figures import BenchFigures
-from ins_eval.study.predictors.parts.turned_maps import undo_start
 from pyhrg.common.arrays import Array
 
 

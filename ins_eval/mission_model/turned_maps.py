@@ -7,13 +7,13 @@ from pyhrg.common.arrays import Array
 
 
 def start_maps(maps: Array, angles: Array) -> Array:
-    """(..., n TERMS, 3) maps over the pattern's turn from angles (..., 3), rad, as
-    `GyroMap.start_at`; leading dimensions are broadcast."""
+    """(..., n TERMS, 3) maps over the pattern's turn from angles (..., 3), rad; leading dimensions
+    are broadcast."""
     return _rotate_harmonics(maps, angles, sign=1.0)
 
 
 def undo_start(maps: Array, angles: Array) -> Array:
-    """The inverse of `started`."""
+    """The inverse of `start_maps`."""
     return _rotate_harmonics(maps, angles, sign=-1.0)
 
 

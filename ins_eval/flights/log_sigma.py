@@ -13,7 +13,7 @@ from ins_eval.flights.assumed_errors import AssumedErrors
 from ins_eval.flights.linear import STEP, choose_steps, prepare_flight_model
 from ins_eval.flights.plan import Plan
 from ins_eval.flights.truth import Truth
-from ins_eval.trajectories.trajectory import Knots, Trajectory
+from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
@@ -67,4 +67,4 @@ def _trace(plan: Plan, start: State, way: Track) -> Trajectory:
     after = channels[-1] + np.arange(1, END_MARGIN + 1)[:, None] * (channels[-1] - channels[-2])
     rows = np.concatenate([np.tile(channels[0], (len(before) - 1, 1)), channels, after])
     later = way.time[-1] + spacing * np.arange(1, END_MARGIN + 1)
-    return Trajectory("log", Knots(np.concatenate([before, way.time, later]), *rows.T))
+    return Trajectory("log", np.concatenate([before, way.time, later]), rows)

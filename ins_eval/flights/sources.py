@@ -1,19 +1,18 @@
 """What a user names: IMUs at a rate, recorded logs with their place, and a log's truth."""
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
-from ins_eval.common.state import Track, position_error
+from ins_eval.common.state import position_error
 from ins_eval.flights.log_flight import Reference, stand_still
 from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.recorded import read_record
 from ins_eval.imu.specification import load_imu
-from ins_eval.trajectories.recorded_drive import Drive, read_drive
-from ins_eval.trajectories.trajectory import Knots, Trajectory
+from ins_eval.trajectories.recorded_drive import read_drive
+from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.arguments import check_number, check_whole_number
 from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
@@ -97,9 +96,5 @@ def find_reference(name: str, position: Array, first: float, last: float) -> Ref
             f"{name}: begins {distance / 1000:.4g} km from where the log was recorded; expected "
             f"at most {MAX_START_DISTANCE / 1000:g} km"
         )
-    return _interpolate(drive, first)
-
-
-def _interpolate(drive: Drive, first: float) -> Callable[[Array], Track]:
-    knots = Knots(drive.time + first, *drive.position.T, *drive.euler.T)
-    return Trajectory(drive.name, knots).track
+    channels = np.hstack([drive.position, drive.euler])
+    return Trajectory(drive.name, drive.time + first, channels).track

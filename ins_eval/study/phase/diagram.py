@@ -4,13 +4,13 @@ The training triads fly from many start angles by the linear model, on a turntab
 steadily (`turning`). Their maps are scaled to each ratio of map and noise.
 """
 
-import csv
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 
 from ins_eval.error_model.effects import ANGULAR_GAIN
 from ins_eval.mission_model.gyro_map import TERMS
@@ -167,13 +167,8 @@ def _compute_triad_rms(values: Array) -> Array:
 
 def write_rows(rows: Sequence[Mapping[str, Any]], path: Path) -> None:
     """Write rows of `COLUMNS` as CSV, with a header."""
-    with path.open("w", newline="") as file:
-        writer = csv.DictWriter(file, COLUMNS)
-        writer.writeheader()
-        writer.writerows(
-            {key: f"{value:.6g}" if isinstance(value, float) else value for key, value in r.items()}
-            for r in rows
-        )
+    table = pd.DataFrame(rows, columns=list(COLUMNS))
+    table.to_csv(path, index=False, float_format="%.6g", na_rep="nan", lineterminator="\r\n")
 
 
 def describe_phase_diagram(

@@ -68,17 +68,13 @@ class FmuGyros:
     def measure(
         self, truth: Increments, mounting: Mounting, generator: np.random.Generator
     ) -> GyroReading:
-        """See `Gyros`."""
+        """Simulate the gyros on the true motion."""
         self.check_interval(truth.interval)
         fmu = self.fmu or GyroFmu(build_fmu())
         devices = self.devices(generator)
         if self.start_up:
             devices = [with_start_up(each) for each in devices]
         return simulate_gyros(fmu, devices, truth, mounting, generator, self.calibrated)
-
-    def from_power_on(self) -> "FmuGyros":
-        """Return the same gyros with their start-up."""
-        return replace(self, start_up=True)
 
     @property
     def map_sizes(self) -> tuple[MapSizes, ...]:
@@ -88,7 +84,8 @@ class FmuGyros:
 
     @property
     def errors(self) -> SensorErrors:
-        """See `Gyros`. The bias is that at rest, at any pattern angle."""
+        """Sensor errors of one gyro that a linear model should assume; the bias is that at rest,
+        at any pattern angle."""
         devices = [replace(self.device, **own) for own in self.differences]
         return SensorErrors(
             gyro_bias=_rms([sizes.rest_bias for sizes in self.map_sizes]),

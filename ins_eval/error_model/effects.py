@@ -71,6 +71,23 @@ def accelerometer_scale_factor() -> Effect:
     return Effect("accelerometer scale factor", "accelerometer", lambda motion: motion.force)
 
 
+def misalignment(sensor: Sensor) -> tuple[Effect, Effect]:
+    """What each axis feels of the next and of the one after it (Groves 2013, Eq. 4.16): input axes
+    that lean towards these."""
+
+    def felt(shift: int) -> Callable[[Motion], Array]:
+        def regressor(motion: Motion) -> Array:
+            return np.roll(motion.rate if sensor == "gyro" else motion.force, -shift, axis=1)
+
+        return regressor
+
+    family = f"{sensor} misalignment"
+    return (
+        Effect(f"{family}, next axis", sensor, felt(1), family=family),
+        Effect(f"{family}, axis after", sensor, felt(2), family=family),
+    )
+
+
 def bias_map(harmonic: int, first_angle: Array) -> tuple[Effect, Effect]:
     """Bias map: cosine and sine of `harmonic` times the physical pattern angle, which is
     `first_angle` (3,), rad, at the start."""

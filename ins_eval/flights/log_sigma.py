@@ -61,7 +61,8 @@ def _trace(plan: Plan, start: State, way: Track) -> Trajectory:
     """A trajectory through the navigated states, at rest before time 0 and steady after the end."""
     spacing = way.time[0]
     before = -spacing * np.arange(np.ceil((plan.alignment or 0.0) / spacing) + END_MARGIN, -1, -1)
-    euler = np.array([euler_from_mat(mat) for mat in (start.mat_nb, *way.mat_nb)])
+    attitudes = np.concatenate([start.mat_nb[None], way.mat_nb])
+    euler = np.stack(euler_from_mat(attitudes), axis=-1)
     moving = np.concatenate([[start.position], way.position])
     channels = np.hstack([moving, np.unwrap(euler, axis=0)])
     after = channels[-1] + np.arange(1, END_MARGIN + 1)[:, None] * (channels[-1] - channels[-2])

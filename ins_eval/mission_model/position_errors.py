@@ -75,7 +75,7 @@ def compute_position_errors(
         accelerometers=compute_accelerometer_errors(weights, triads.accelerometers),
         mounting=compute_map_errors(weights.mounting, triads.mounting),
         noise=draw_noise_errors(weights, triads.noise, triads.seeds, mission),
-        alignment=compute_alignment_errors(weights, triads),
+        alignment=compute_alignment_errors(weights, triads.in_flight, triads.accelerometers),
     )
 
 
@@ -90,11 +90,21 @@ def compute_accelerometer_errors(weights: MissionWeights, biases: Array) -> Arra
     return np.asarray(np.einsum("kia,ra->rki", weights.accelerometers, biases))
 
 
-def compute_alignment_errors(weights: MissionWeights, triads: TriadBlock) -> Array:
-    """(r, k, 2) second-order error of the alignment, m (Eq. 8). Gyro noise averages out over the
-    alignment and is left out."""
-    rate = np.einsum("ca,rca->ra", weights.alignment.rates, triads.in_flight)
-    return compute_second_order_error(weights.alignment, rate, triads.accelerometers)
+def compute_alignment_errors(
+    weights: MissionWeights, maps: Array, accelerometers: Array | None = None
+) -> Array:
+    """(r, k, 2) second-order error of the alignment, m (Eq. 8), of coefficients in flight
+    (r, COUNT, 3) and accelerometer biases (r, 3), m/s^2, none by default. Gyro noise averages out
+    over the alignment and is left out."""
+    rate = np.einsum("ca,rca->ra", weights.alignment.rates, maps)
+    force = np.zeros_like(rate) if accelerometers is None else accelerometers
+    return compute_second_order_error(weights.alignment, rate, force)
+
+
+def compute_expected_error(weights: MissionWeights, maps: Array) -> Array:
+    """(r, k, 2) error, m, of known coefficients in flight (r, COUNT, 3) alone, the alignment's
+    second order included (study_predictors.md, Eq. 4)."""
+    return compute_map_errors(weights.maps, maps) + compute_alignment_errors(weights, maps)
 
 
 def draw_noise_errors(

@@ -52,7 +52,6 @@ def measure_noise(record: Increments, position: Array, stated: SensorErrors) -> 
     Args:
         record: of a vehicle that stands, people moving in it, or sways.
         position: (3,) latitude, longitude, rad, and height, m.
-        stated: sensor errors.
 
     Raises:
         AlignmentError: a record that can't be aligned on.

@@ -50,7 +50,6 @@ def write_conclusion(study: Study, arrays: Arrays, folder: Path) -> None:
     """Write `FILES` into a folder.
 
     Args:
-        study: the study.
         arrays: results of `experiment.compute_block` for all triads.
         folder: an existing folder.
     """

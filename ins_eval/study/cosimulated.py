@@ -94,8 +94,6 @@ def cosimulate(
 
     Args:
         fmu: `HRG`; or, without noise, `HRGSlow`, whose loops are in their steady state.
-        truth: the mission.
-        triad: the triad.
         noise: seed of the noise of gyros and accelerometers, from which each gyro gets its own;
             None leaves out all noise.
     """

@@ -76,10 +76,6 @@ def compute_block(study: Study, triads: range) -> Arrays:
     """Results of a block of triads by name: the fields of `TriadBlock` for each calibration; for
     each calibration and mission the fields of `PositionErrors`, by the linear model, and the errors
     of the co-simulations.
-
-    Args:
-        study: the study.
-        triads: numbers of the block's triads.
     """
     arrays: dict[str, NDArray[Any]] = {}
     drawn = {method: _draw_triads(study, method, triads) for method in list_methods(study)}

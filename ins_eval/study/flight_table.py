@@ -81,9 +81,7 @@ def tabulate_flights(study: Study, arrays: Arrays, trained: Mapping[Method, Trai
     """A row for each triad, calibration and mission, then those of the conditions.
 
     Args:
-        study: the study.
         arrays: results of `experiment.compute_block` for all triads.
-        trained: result of `train_methods`.
     """
     return pa.concat_tables(list(_tabulate(study, arrays, trained)))
 

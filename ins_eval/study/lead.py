@@ -40,7 +40,6 @@ def bench_lead(fmu: GyroFmu, seed: int) -> Array:
 
     Args:
         fmu: `HRGSlow`.
-        seed: seed of the study.
     """
     measured = measure_gyro(fmu, _calibrate(fmu, seed), BENCH, _draw_seeds(seed)[1])
     return np.array([measured.fixed_stability, measured.circumference_stability])
@@ -59,7 +58,6 @@ def fly_lead(
     Args:
         slow, fmu: `HRGSlow`, on which the maker's tests run, and `HRG`, which flies.
         truth: the mission of `plan_lead`.
-        seed: seed of the study.
         flights: numbers of the flights, from 0.
         count: number of all flights, over which the start angles are spread.
     """

@@ -55,7 +55,6 @@ def score_predictions(
     Args:
         table: a study's table, with one calibration.
         outside: predictions by name of their predictor (`read_predictions`).
-        seed: seed of the bootstraps.
         inside: probability of the predicted intervals.
     """
     judged = _add_naive(table, inside)

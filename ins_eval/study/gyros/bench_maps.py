@@ -32,7 +32,6 @@ def fit_bias_maps(tests: Campaign, scale: Array) -> Array:
     """(runs, TERMS) bias maps, rad/s, one fit for each power-on of the circumference test.
 
     Args:
-        tests: the gyro's tests.
         scale: (TERMS,) scale-factor map, which makes a bias of the Earth's rate.
 
     Raises:

@@ -59,8 +59,6 @@ def record_campaign(
 
     Args:
         fmu: `HRGSlow`.
-        device: the gyro.
-        plan: the length of the tests.
         seed: seed of all noise, from 0.
         fixed: whether the fixed-position test is among them.
     """

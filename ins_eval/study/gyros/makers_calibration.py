@@ -24,10 +24,7 @@ def calibrate_gyro(
 
     Args:
         fmu: `HRGSlow`.
-        device: the gyro as it is built.
-        method: one of `METHODS`.
         seed: seed of the tests' noise, from 0.
-        plan: length of the tests.
     """
     tests = record_campaign(fmu, device, plan, seed, fixed=False)
     scale = fit_scale_maps(tests).mean(axis=0)

@@ -63,7 +63,6 @@ def record_tests(
 
     Args:
         fmu: `HRGSlow`.
-        device: the calibrated gyro.
         plan: length of the tests; two power-ons or more.
         seed: seed of the tests' noise, from 0.
     """

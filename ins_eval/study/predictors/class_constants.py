@@ -62,7 +62,6 @@ def compute_ratios(
 
     Args:
         weights: weights of the mission at its end alone.
-        training: the triads.
         stability: (r, 3) their stabilities, rad/s.
         accelerometer_bias: standard deviation of each accelerometer's bias, m/s^2.
         mounting: standard deviation of each input axis' lean in each of two directions, rad.

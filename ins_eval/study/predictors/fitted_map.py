@@ -26,12 +26,9 @@ def predict(
     """Errors of triads whose gyros' power-on angles are known.
 
     Args:
-        bench: figures of r triads.
-        weights: weights of the mission.
         drift: distribution of the maps' drift, from other triads.
         other: (r, k, 2, 2) covariance of the error by noise and accelerometers, m^2.
         start_angle: (r, 3) pattern angles at power-on, rad.
-        seed: seed of the samples.
     """
     expected = compute_expected_error(weights, start_maps(bench.maps, start_angle))
     sigma, standard = drift.compute_sigma_with_bench(bench), drift.standard

@@ -93,11 +93,7 @@ def predict_all(
     """Predictions by key of `columns.PREDICTORS`; only the true parameters' use true maps.
 
     Args:
-        weights: weights of the mission.
-        triads: the block.
-        model: the model from training triads.
         rules: rules of the mission's class by predictor.
-        seed: seed of the samples.
     """
     bench, drift, angle = collect_bench_figures(triads), model.drift, triads.start_angle
     other = _compute_other_covariance(weights, bench.noise, model)
@@ -130,7 +126,6 @@ def tabulate_predictions(predicted: dict[str, Prediction], inside: float) -> dic
     """(r,) values of the columns of predictions, at one time.
 
     Args:
-        predicted: predictions by key.
         inside: probability of the intervals; they are central.
     """
     table, ends = {}, ((1 - inside) / 2, (1 + inside) / 2)

@@ -18,7 +18,6 @@ def predict(weights: MissionWeights, maps: Array, other: Array) -> NormalPredict
     """Errors of triads whose maps in flight are known.
 
     Args:
-        weights: weights of the mission.
         maps: (r, COUNT, 3) true coefficients in flight.
         other: (r, k, 2, 2) covariance of the error by noise, accelerometers and mounting, m^2.
     """

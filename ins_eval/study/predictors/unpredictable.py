@@ -12,7 +12,6 @@ def compute_unpredictable_covariance(
     """(r, k, 2, 2) covariance of the error, m^2.
 
     Args:
-        weights: weights of the mission.
         noise: (r, 4, 3) noise coefficients of each gyro, SI.
         accelerometer_bias: standard deviation of each accelerometer's bias, m/s^2.
         mounting: standard deviation of the angle by which each input axis leans, in each of two

@@ -14,7 +14,6 @@ def estimate_coverage(flown: Array, low: Array, high: Array, seed: int) -> Estim
 
     Args:
         flown, low, high: (r, m) flown errors and ends of their intervals.
-        seed: seed of the draw.
     """
     triads = np.arange(len(flown))
     chosen = np.random.default_rng(seed).integers(flown.shape[1], size=len(flown))

@@ -41,9 +41,6 @@ class FlightGroup:
 def group_flights(table: pd.DataFrame) -> Iterator[FlightGroup]:
     """Groups by calibration and role: all classes together, then each class.
 
-    Args:
-        table: a table with the columns of `columns`.
-
     Raises:
         ValueError: a triad lacks a mission, or has one twice.
     """

@@ -59,10 +59,8 @@ def shuffle_devices(
     """The negative control: the statistic when each triad has another triad's predictions.
 
     Args:
-        statistic: takes the flown and the predicted.
         flown: (r, m, ...) flown errors.
         predicted: (r, m, ...) each; all are permuted alike, and no triad keeps its own.
-        seed: seed of the permutations.
 
     Returns:
         mean over permutations, and the range that holds `CONFIDENCE` of them.

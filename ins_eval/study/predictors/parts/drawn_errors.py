@@ -30,7 +30,6 @@ def draw_at_angles(
         standard: (n, c) deviations in units of sigma; each row occurred together in one gyro.
         other: (r, k, 2, 2) covariance of the error by noise and accelerometers, m^2.
         start_angle: (r, 3) pattern angles at power-on, rad.
-        seed: seed of the samples.
     """
     random = np.random.default_rng(seed)
     deviations = _draw_deviations(standard, random).reshape(DRAWS, -1)

@@ -59,7 +59,6 @@ def estimate_map_drift(bench: BenchFigures, in_flight: Array, start_angle: Array
     Large squares scatter more and have smaller weights.
 
     Args:
-        bench: figures of the training triads.
         in_flight: (r, COUNT, 3) true coefficients in flight.
         start_angle: (r, 3) pattern angles at power-on, rad.
     """

@@ -56,19 +56,11 @@ def bias_sensitivity(latitude: ArrayLike, gravity: ArrayLike) -> Array:
     return sensitivity
 
 
-def mean_error_variances(errors: SensorErrors, duration: float) -> tuple[float, float]:
-    """Return the variances of mean rate, (rad/s)^2, and mean specific force, (m/s^2)^2.
-
-    They are those of the bias, and of bias instability, white noise and the quantization at both
-    ends, averaged over the duration, s.
-    """
+def mean_rate_variance(errors: SensorErrors, duration: float) -> float:
+    """Return the variance of a mean rate, (rad/s)^2: that of the bias, and of bias instability,
+    white noise and the quantization at both ends, averaged over the duration, s."""
     rate = errors.gyro_bias**2 + mean_variance(errors.gyro_bias_instability)
     rate += (
         errors.angle_random_walk**2 / duration + errors.angle_quantization_step**2 / 6 / duration**2
     )
-    force = errors.accelerometer_bias**2 + mean_variance(errors.accelerometer_bias_instability)
-    force += (
-        errors.velocity_random_walk**2 / duration
-        + errors.velocity_quantization_step**2 / 6 / duration**2
-    )
-    return rate, force
+    return rate

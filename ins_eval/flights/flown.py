@@ -8,10 +8,10 @@ import xarray as xr
 
 from ins_eval.alignment.result import Alignment
 from ins_eval.error_model.budget.adjoint import Weights
+from ins_eval.error_model.budget.sigma_budget import INITIAL
 from ins_eval.flights.plan import Plan
 from pyhrg.common.arrays import Array
 
-ALIGNMENT = "alignment beyond its sensors' means"
 COLUMNS = ("effect", "axis", "north_contribution_m", "east_contribution_m")
 
 
@@ -36,7 +36,7 @@ class Budget:
             for effect in contribution["effect"].values
             for axis in contribution["axis"].values
         ]
-        rows.append((ALIGNMENT, "", *map(float, self.shares["initial"].sum("state").values)))
+        rows.append((INITIAL, "", *map(float, self.shares["initial"].sum("state").values)))
         return pd.DataFrame([row for row in rows if any(row[2:])], columns=list(COLUMNS))
 
 

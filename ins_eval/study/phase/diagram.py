@@ -169,16 +169,3 @@ def write_rows(rows: Sequence[Mapping[str, Any]], path: Path) -> None:
     """Write rows of `COLUMNS` as CSV, with a header."""
     table = pd.DataFrame(rows, columns=list(COLUMNS))
     table.to_csv(path, index=False, float_format="%.6g", na_rep="nan", lineterminator="\r\n")
-
-
-def describe_phase_diagram(
-    rows: list[dict[str, Any]], missions: Mapping[str, tuple[float, float]]
-) -> dict[str, Any]:
-    """The diagram as JSON values; missions: turning and median map over noise by class."""
-    return {
-        "factor": FACTOR,
-        "hours": DURATION / HOUR,
-        "start_angles": ANGLES,
-        "rows": rows,
-        "missions": {name: list(place) for name, place in missions.items()},
-    }

@@ -74,7 +74,16 @@ class FmuGyros:
         devices = self.devices(generator)
         if self.start_up:
             devices = [with_start_up(each) for each in devices]
-        return simulate_gyros(fmu, devices, truth, mounting, generator, self.calibrated)
+        benches = [Bench(fmu, device, seed=int(generator.integers(2**63))) for device in devices]
+        forces = [resolve_force_in_case(truth, axis) for axis in mounting.axes]
+        components = mounting.project(truth.rotation)
+        outputs = simulate_together(benches, components, forces, truth.interval)
+        rotation = np.stack([output.rotation for output in outputs], axis=1)
+        if self.calibrated:
+            rotation -= [calibrate_mean_bias(bench) * truth.interval for bench in benches]
+        pattern = np.stack([output.pattern_angle for output in outputs], axis=1)
+        ready = np.logical_and.reduce([output.ready for output in outputs])
+        return GyroReading(rotation, pattern, ready)
 
     @property
     def map_sizes(self) -> tuple[MapSizes, ...]:
@@ -102,30 +111,6 @@ def read_differences(document: Mapping[str, Any], source: str) -> dict[str, Any]
     return {
         name: getattr(stated, name) for name in (fields_by_key.get(key, key) for key in document)
     }
-
-
-def simulate_gyros(
-    fmu: GyroFmu,
-    devices: Sequence[Device],
-    truth: Increments,
-    mounting: Mounting,
-    generator: np.random.Generator,
-    calibrated: bool = True,
-) -> GyroReading:
-    """Simulate three given gyros on the true motion.
-
-    calibrated: whether each gyro's mean bias is measured on the bench and subtracted.
-    """
-    benches = [Bench(fmu, device, seed=int(generator.integers(2**63))) for device in devices]
-    forces = [resolve_force_in_case(truth, axis) for axis in mounting.axes]
-    components = mounting.project(truth.rotation)
-    outputs = simulate_together(benches, components, forces, truth.interval)
-    rotation = np.stack([output.rotation for output in outputs], axis=1)
-    if calibrated:
-        rotation -= [calibrate_mean_bias(bench) * truth.interval for bench in benches]
-    pattern = np.stack([output.pattern_angle for output in outputs], axis=1)
-    ready = np.logical_and.reduce([output.ready for output in outputs])
-    return GyroReading(rotation, pattern, ready)
 
 
 def calibrate_mean_bias(bench: Bench) -> float:

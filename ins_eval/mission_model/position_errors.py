@@ -72,7 +72,9 @@ def compute_position_errors(
         drift=compute_map_errors(
             weights.drift, compute_drift_products(triads.in_flight, triads.turning)
         ),
-        accelerometers=compute_accelerometer_errors(weights, triads.accelerometers),
+        accelerometers=np.asarray(
+            np.einsum("kia,ra->rki", weights.accelerometers, triads.accelerometers)
+        ),
         mounting=compute_map_errors(weights.mounting, triads.mounting),
         noise=draw_noise_errors(weights, triads.noise, triads.seeds, mission),
         alignment=compute_alignment_errors(weights, triads.in_flight, triads.accelerometers),
@@ -83,11 +85,6 @@ def compute_map_errors(weights: Array, coefficients: Array) -> Array:
     """(r, k, 2) position error, m, of coefficients (r, c, 3) with weights (k, 2, c, 3) (Eq. 6)."""
     k, r = len(weights), len(coefficients)
     return (coefficients.reshape(r, -1) @ weights.reshape(2 * k, -1).T).reshape(r, k, 2)
-
-
-def compute_accelerometer_errors(weights: MissionWeights, biases: Array) -> Array:
-    """(r, k, 2) position error, m, of accelerometer biases (r, 3), m/s^2."""
-    return np.asarray(np.einsum("kia,ra->rki", weights.accelerometers, biases))
 
 
 def compute_alignment_errors(

@@ -1,4 +1,5 @@
-from .flights.align_record import AlignedRecord, align
+from .flights.align_record import align
+from .flights.align_report import AlignedRecord
 from .flights.fly import Flight, fly, fly_log
 from .imu.recorded import read_record
 from .imu.specification import list_imus, load_imu

@@ -159,8 +159,8 @@ def _score_ratios(scorer: _Scorer) -> Iterator[Score]:
 def _score_coverage(scorer: _Scorer) -> Iterator[Score]:
     """Coverage of intervals; only the fitted map's have a requirement."""
     for predictor in PREDICTORS:
-        ends = (scorer.group.select(name) for name in (predictor.low, predictor.high))
-        coverage = estimate_coverage(scorer.flown, *ends, seed=scorer.seed)
+        low, high = (scorer.group.select(name) for name in (predictor.low, predictor.high))
+        coverage = estimate_coverage(scorer.flown, low, high, scorer.seed)
         requirement = NO_REQUIREMENT
         if predictor.key == FITTED_MAP:
             verdict = judge_contains(coverage, scorer.inside)

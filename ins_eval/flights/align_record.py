@@ -8,7 +8,7 @@ from ins_eval.alignment.measured_noise import measure_noise
 from ins_eval.flights.align_report import AlignedRecord, StandingRecord
 from ins_eval.flights.flight import spawn_seeds
 from ins_eval.flights.plan import LONGEST_ALIGNMENT
-from ins_eval.flights.sources import Place, load_imu_at_rate, read_placed_record
+from ins_eval.flights.sources import load_imu_at_rate, read_placed_record
 from ins_eval.imu.imu import Imu
 from ins_eval.mission_model.missions import SETTLING
 from ins_eval.trajectories.catalogue import load_trajectory
@@ -48,7 +48,7 @@ def align(
     if log is None:
         record = simulate_record(loaded, trajectory, seconds, check_seed(seed))
     else:
-        place = Place(latitude_deg, longitude_deg, height_m)
+        place = latitude_deg, longitude_deg, height_m
         record = read_standing_record(Path(log), place, from_s, seconds)
     alignment = align_increments(record.increments, record.position, loaded.errors)
     if log is None:
@@ -58,10 +58,12 @@ def align(
     return AlignedRecord(record, alignment, noise.errors, loaded.name, noise)
 
 
-def read_standing_record(path: Path, place: Place, from_s: float, seconds: float) -> StandingRecord:
+def read_standing_record(
+    path: Path, place: tuple[float | None, float, float], from_s: float, seconds: float
+) -> StandingRecord:
     """A stretch of a log, from a time since its beginning on."""
     check_number("from_s", from_s, 0, 1e6)
-    log, position = read_placed_record(path, place)
+    log, position = read_placed_record(path, *place)
     increments = log.increments
     begin, count = (round(time / increments.interval) for time in (from_s, seconds))
     if begin + count > len(increments):

@@ -13,7 +13,6 @@ from ins_eval.flights.plan import HeightMode, Plan, plan_log, plan_simulation
 from ins_eval.flights.report import Flight
 from ins_eval.flights.sources import (
     NO_TRUTH,
-    Place,
     find_reference,
     load_imu_at_rate,
     read_placed_record,
@@ -128,8 +127,7 @@ def fly_log(
         HrgError: an argument out of range, a file that can't be used, or a failed alignment.
     """
     path = Path(log)
-    place = Place(latitude_deg, longitude_deg, height_m)
-    record, position = read_placed_record(path, place)
+    record, position = read_placed_record(path, latitude_deg, longitude_deg, height_m)
     plan = plan_log(
         path.name, record.increments, hours=hours, samples=samples, height=height, align_s=align_s
     )

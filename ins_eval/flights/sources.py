@@ -1,6 +1,6 @@
 """What a user names: IMUs at a rate, recorded logs with their place, and a log's truth."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -26,29 +26,6 @@ away is another one."""
 HIGHEST_LATITUDE_DEG = 89.0
 
 
-@dataclass(frozen=True)
-class Place:
-    """Where a log was recorded; without a latitude, the log itself must say it."""
-
-    latitude_deg: float | None = None
-    longitude_deg: float = 0.0
-    height_m: float = 0.0
-
-    def check(self) -> "Place":
-        """The place itself."""
-        if self.latitude_deg is None:
-            for name in ("longitude_deg", "height_m"):
-                if getattr(self, name):
-                    raise HrgError(
-                        f"{name}: found {getattr(self, name):g}, expected latitude_deg as well"
-                    )
-            return self
-        check_number("latitude_deg", self.latitude_deg, -HIGHEST_LATITUDE_DEG, HIGHEST_LATITUDE_DEG)
-        check_number("longitude_deg", self.longitude_deg, -360, 360)
-        check_number("height_m", self.height_m, -1000, 100_000)
-        return self
-
-
 def load_imu_at_rate(imu: Imu | str, rate_hz: int | None) -> Imu:
     """An IMU, a ready one or one from a file, at its own rate or another."""
     name = imu.name if isinstance(imu, Imu) else imu
@@ -63,16 +40,23 @@ def load_imu_at_rate(imu: Imu | str, rate_hz: int | None) -> Imu:
     return loaded
 
 
-def read_placed_record(path: Path, place: Place) -> tuple[RecordedImu, Array]:
-    """A recorded log, and (3,) latitude, longitude (rad), height (m) of the place."""
+def read_placed_record(
+    path: Path, latitude_deg: float | None, longitude_deg: float, height_m: float
+) -> tuple[RecordedImu, Array]:
+    """A recorded log, and (3,) latitude, longitude (rad), height (m) of the place where it was
+    recorded; without a latitude, the log itself must say it."""
     record = read_record(path)
-    place = place.check()
-    if place.latitude_deg is None:
+    if latitude_deg is None:
+        for name, value in (("longitude_deg", longitude_deg), ("height_m", height_m)):
+            if value:
+                raise HrgError(f"{name}: found {value:g}, expected latitude_deg as well")
         if record.position is None:
             raise HrgError(f"{path}: doesn't say where it was recorded; expected latitude_deg")
         return record, record.position
-    position = [np.deg2rad(place.latitude_deg), np.deg2rad(place.longitude_deg), place.height_m]
-    return record, np.array(position)
+    check_number("latitude_deg", latitude_deg, -HIGHEST_LATITUDE_DEG, HIGHEST_LATITUDE_DEG)
+    check_number("longitude_deg", longitude_deg, -360, 360)
+    check_number("height_m", height_m, -1000, 100_000)
+    return record, np.array([np.deg2rad(latitude_deg), np.deg2rad(longitude_deg), height_m])
 
 
 def find_reference(name: str, position: Array, first: float, last: float) -> Reference | None:

@@ -12,7 +12,6 @@ from pathlib import Path
 from fmu_build.archive.bill_of_materials import list_materials
 from fmu_build.archive.description import describe_build, describe_fmi2, describe_fmi3
 from fmu_build.archive.documentation.document import write_documentation
-from fmu_build.archive.icon import draw_icon
 from fmu_build.archive.licences import list_licence_files, read_licence
 from fmu_build.archive.reference import simulate_reference
 from fmu_build.archive.terminals import describe_terminals
@@ -46,6 +45,8 @@ SOURCES = (
     "derivative.c",
 )
 SHELLS = {2: "fmi2.c", 3: "fmi3.c"}
+ICON = Path(__file__).parent / "archive" / "icon.png"
+"""A shell seen from above, at rest and vibrating, among its eight electrodes."""
 
 Progress = Callable[[str], None]
 
@@ -161,7 +162,7 @@ def write_fmu(
 
 PARTS = ("equations", "code", "c", "binaries", "archive")
 """The rooms of this package that determine what the FMU is."""
-SUFFIXES = ("py", "css", "c", "h")
+SUFFIXES = ("py", "css", "png", "txt", "c", "h")
 
 
 def digest_sources() -> str:
@@ -202,15 +203,16 @@ def _make_enclosures(
     """What an archive holds beside its description, sources and binaries (`content`), by path."""
     run = simulate_reference(root.identifier, content)
     page = write_documentation(dae, root, version("hrg"), run)
+    icon = ICON.read_bytes()
     found = {
         "documentation/index.html": page.encode(),
         "terminalsAndIcons/terminalsAndIcons.xml": describe_terminals(dae).encode(),
-        "terminalsAndIcons/icon.png": draw_icon(),
+        "terminalsAndIcons/icon.png": icon,
         "extra/org.cyclonedx/bom.json": list_materials(root.identifier, content).encode(),
     }
     found |= run.files(root.identifier)
     found |= {f"documentation/licenses/{n}": text for n, text in list_licence_files(fmi).items()}
-    return found | ({"model.png": draw_icon()} if fmi == 2 else {})
+    return found | ({"model.png": icon} if fmi == 2 else {})
 
 
 def _place_binaries(libraries: dict[str, bytes], identifier: str, fmi: int) -> dict[str, bytes]:

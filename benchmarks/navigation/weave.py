@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
 from ins_eval.common import earth
-from ins_eval.trajectories.trajectory import Knots, Trajectory
+from ins_eval.trajectories.trajectory import Trajectory
 
 Array = NDArray[np.float64]
 
@@ -42,8 +42,8 @@ class Weave:
         turn_rate = self.swing * 2 * np.pi / self.period * np.cos(phase)
         roll = np.arctan(self.speed * turn_rate / earth.gravity(latitude, self.height))
         yaw = self._yaw(time)
-        knots = Knots(time, latitude, longitude, level + self.height, roll, level, yaw)
-        return Trajectory("weave", knots)
+        channels = [latitude, longitude, level + self.height, roll, level, yaw]
+        return Trajectory("weave", time, np.stack(channels, axis=-1))
 
     def _yaw(self, time: Array) -> Array:
         return self.heading + self.swing * np.sin(2 * np.pi * time / self.period)

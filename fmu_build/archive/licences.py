@@ -9,29 +9,8 @@ import fmpy
 
 from fmu_build.binaries.platforms import BuildError
 
-CEPHES = """\
-Cephes Mathematical Library, Stephen L. Moshier
-Polynomials of sin, cos and atan in sources/arithmetic.h
-
-Cephes Math Library Release 2.8: June, 2000
-Copyright 1984, 1985, 1995, 2000 by Stephen L. Moshier
-
-Its author's words: "Some software in this archive may be from the book _Methods and Programs for
-Mathematical Functions_ (Prentice-Hall or Simon & Schuster International, 1989) or from the Cephes
-Mathematical Library, a commercial product. In either event, it is copyrighted by the author. What
-you see here may be used freely but it comes with no support or guarantee."
-"""
-
-FDLIBM = """\
-fdlibm, Freely Distributable Math Library
-Polynomial of log in sources/arithmetic.h
-
-Copyright (C) 1993 by Sun Microsystems, Inc. All rights reserved.
-
-Developed at SunPro, a Sun Microsystems, Inc. business.
-Permission to use, copy, modify, and distribute this software is freely granted, provided that
-this notice is preserved.
-"""
+NOTICES = Path(__file__).with_name("notices")
+"""Notices of the work of others that the sources hold, by file."""
 
 
 @dataclass(frozen=True)
@@ -64,11 +43,8 @@ def read_licence() -> Licence:
 
 def list_licence_files(fmi: int) -> dict[str, bytes]:
     """Content of the folder, by file name; `license.txt` is the entry point."""
-    notices = {
-        "cephes.txt": CEPHES,
-        "fdlibm.txt": FDLIBM,
-        "fmi_headers.txt": _fmi_headers(fmi),
-    }
+    notices = {file.name: file.read_text(encoding="utf-8") for file in NOTICES.glob("*.txt")}
+    notices["fmi_headers.txt"] = _fmi_headers(fmi)
     licence = read_licence()
     lines = [
         f"SPDX-License-Identifier: {licence.expression}",

@@ -12,8 +12,8 @@ from ins_eval.alignment.kalman.fine import align_by_kalman_filter
 from ins_eval.alignment.result import Alignment, AlignmentError
 from ins_eval.alignment.shown_latitude import check_latitude
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 MIN_DURATION = 30.0

@@ -4,8 +4,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ins_eval.alignment.result import Alignment, History, euler_from_rotation_vector
-from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import euler_from_mat
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 
 ANGLES = (("heading", 2, "tab:blue"), ("pitch", 1, "tab:orange"), ("roll", 0, "tab:green"))
@@ -39,7 +39,7 @@ def plot_alignment(result: Alignment, name: str = "") -> Figure:
 def euler_history_deg(history: History) -> tuple[Array, Array]:
     """Return roll, pitch, heading (m, 3), deg, and their one-sigma (m, 3); the heading has no jumps
     and ends between 0 and 360."""
-    euler = np.array([euler_from_mat(mat_nb) for mat_nb in history.mat_nb])
+    euler = np.stack(euler_from_mat(history.mat_nb), axis=-1)
     turns = np.array([euler_from_rotation_vector(mat_nb) for mat_nb in history.mat_nb])
     variance = np.einsum("mij,mjk,mik->mi", turns, history.covariance, turns)
     euler[:, 2] = np.unwrap(euler[:, 2])

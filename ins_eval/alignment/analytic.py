@@ -6,9 +6,9 @@ from numpy.typing import ArrayLike
 from ins_eval.alignment.bias_instability import mean_variance
 from ins_eval.alignment.result import AlignmentError
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import mat_from_euler
 from ins_eval.common.sensor_errors import SensorErrors
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 
@@ -56,19 +56,11 @@ def bias_sensitivity(latitude: ArrayLike, gravity: ArrayLike) -> Array:
     return sensitivity
 
 
-def mean_error_variances(errors: SensorErrors, duration: float) -> tuple[float, float]:
-    """Return the variances of mean rate, (rad/s)^2, and mean specific force, (m/s^2)^2.
-
-    They are those of the bias, and of bias instability, white noise and the quantization at both
-    ends, averaged over the duration, s.
-    """
+def mean_rate_variance(errors: SensorErrors, duration: float) -> float:
+    """Return the variance of a mean rate, (rad/s)^2: that of the bias, and of bias instability,
+    white noise and the quantization at both ends, averaged over the duration, s."""
     rate = errors.gyro_bias**2 + mean_variance(errors.gyro_bias_instability)
     rate += (
         errors.angle_random_walk**2 / duration + errors.angle_quantization_step**2 / 6 / duration**2
     )
-    force = errors.accelerometer_bias**2 + mean_variance(errors.accelerometer_bias_instability)
-    force += (
-        errors.velocity_random_walk**2 / duration
-        + errors.velocity_quantization_step**2 / 6 / duration**2
-    )
-    return rate, force
+    return rate

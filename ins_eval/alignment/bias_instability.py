@@ -5,7 +5,7 @@ Its variation before the record counts as the stated bias (docs/methods/alignmen
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
+from pyhrg.common.arrays import Array
 
 PROCESSES = 3
 """Number of Gauss-Markov processes that approximate flicker noise. Chosen: with them the Allan

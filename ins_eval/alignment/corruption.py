@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ins_eval.alignment.kalman.dead_reckoning import MIN_STEPS
 from ins_eval.alignment.result import Alignment, AlignmentError
-from ins_eval.common.arrays import Array
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 Rows = NDArray[np.int64]

@@ -13,7 +13,6 @@ from scipy.spatial.transform import Rotation
 
 from ins_eval.alignment.result import AlignmentError
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
 from ins_eval.navigation.algebra import (
     add,
     add_quaternions,
@@ -23,6 +22,7 @@ from ins_eval.navigation.algebra import (
 )
 from ins_eval.navigation.body_step import integrate_body_step
 from ins_eval.navigation.coefficients import StepCoefficients, derive_coefficients
+from pyhrg.common.arrays import Array
 from pyhrg.common.caches.compiled import compile_loop
 from pyhrg.records.imu.increments import Increments
 

@@ -14,8 +14,8 @@ from scipy.optimize import minimize
 from ins_eval.alignment.inertial_frame import fit_inertial_frame
 from ins_eval.alignment.kalman.dead_reckoning import Reckoning
 from ins_eval.alignment.kalman.fine import reckon_until_linear, run_filter
-from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 PRIOR_SIGMA = float(np.log(10))
@@ -52,7 +52,6 @@ def measure_noise(record: Increments, position: Array, stated: SensorErrors) -> 
     Args:
         record: of a vehicle that stands, people moving in it, or sways.
         position: (3,) latitude, longitude, rad, and height, m.
-        stated: sensor errors.
 
     Raises:
         AlignmentError: a record that can't be aligned on.

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import euler_from_mat
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import DEG
 

@@ -6,7 +6,7 @@ Gravity gives the vertical, and the gyros give Earth's rate about it: RATE sin(l
 
 import numpy as np
 
-from ins_eval.alignment.analytic import mean_error_variances
+from ins_eval.alignment.analytic import mean_rate_variance
 from ins_eval.alignment.result import AlignmentError
 from ins_eval.common import earth
 from ins_eval.common.sensor_errors import SensorErrors
@@ -40,7 +40,7 @@ def check_latitude(record: Increments, latitude: float, errors: SensorErrors) ->
         return
     parts = [part.mean() for part in np.array_split(record.rotation @ up, PARTS)]
     scatter = np.var(parts, ddof=1) / PARTS / record.interval**2
-    stated, _ = mean_error_variances(errors, record.duration)
+    stated = mean_rate_variance(errors, record.duration)
     bound = RATE_TOLERANCE * earth.RATE + BOUND_SIGMA * np.sqrt(stated + scatter)
     measured, expected = float(mean @ up), earth.RATE * np.sin(latitude)
     if abs(measured - expected) > bound:

@@ -11,7 +11,7 @@ import numpy as np
 from scipy.optimize import elementwise
 from scipy.special import ndtr
 
-from ins_eval.common.arrays import Array
+from pyhrg.common.arrays import Array
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(48)
 _SLOPE = np.pi / 2 * _NODES

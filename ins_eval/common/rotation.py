@@ -4,9 +4,11 @@
 roll (Groves 2013, Eqs. 2.22 to 2.25).
 """
 
+from typing import Any
+
 import numpy as np
 
-from ins_eval.common.arrays import Array
+from pyhrg.common.arrays import Array
 
 
 def mat_from_euler(roll: Array, pitch: Array, yaw: Array) -> Array:
@@ -22,12 +24,12 @@ def mat_from_euler(roll: Array, pitch: Array, yaw: Array) -> Array:
     return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
 
 
-def euler_from_mat(mat_nb: Array) -> tuple[float, float, float]:
-    """Return roll, pitch, yaw, rad, of one `mat_nb` (3, 3); the nose must not point straight up or
-    down (Groves 2013, Eq. 2.25)."""
-    roll = float(np.arctan2(mat_nb[2, 1], mat_nb[2, 2]))
-    pitch = float(np.arcsin(np.clip(-mat_nb[2, 0], -1.0, 1.0)))
-    return roll, pitch, float(np.arctan2(mat_nb[1, 0], mat_nb[0, 0]))
+def euler_from_mat(mat_nb: Array) -> tuple[Any, Any, Any]:
+    """Return roll, pitch, yaw (...), rad, of `mat_nb` (..., 3, 3); the nose must not point straight
+    up or down (Groves 2013, Eq. 2.25)."""
+    roll = np.arctan2(mat_nb[..., 2, 1], mat_nb[..., 2, 2])
+    pitch = np.arcsin(np.clip(-mat_nb[..., 2, 0], -1.0, 1.0))
+    return roll, pitch, np.arctan2(mat_nb[..., 1, 0], mat_nb[..., 0, 0])
 
 
 def body_rate_from_euler(

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
+from pyhrg.common.arrays import Array
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ from math import factorial
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
+from pyhrg.common.arrays import Array
 
 
 def discretize(f: Array, density: Array, step: float) -> tuple[Array, Array]:

@@ -4,11 +4,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import skew
 from ins_eval.error_model.motion import Motion, step_mean
 from ins_eval.error_model.states import ATTITUDE, COUNT, HEIGHT_INTEGRAL, POSITION, VELOCITY
 from ins_eval.navigation.height import BaroDamped, Clamped, Height
+from pyhrg.common.arrays import Array
 
 NORTH, EAST, DOWN = 0, 1, 2
 

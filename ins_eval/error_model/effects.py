@@ -11,8 +11,8 @@ from typing import Literal
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.error_model.motion import Motion
+from pyhrg.common.arrays import Array
 
 ANGULAR_GAIN = 0.277
 """Angular gain (Bryan factor) k of a hemispherical gyro: the pattern lags the case by k times its
@@ -69,6 +69,23 @@ def gyro_scale_factor() -> Effect:
 def accelerometer_scale_factor() -> Effect:
     """Relative scale-factor error of the accelerometers."""
     return Effect("accelerometer scale factor", "accelerometer", lambda motion: motion.force)
+
+
+def misalignment(sensor: Sensor) -> tuple[Effect, Effect]:
+    """What each axis feels of the next and of the one after it (Groves 2013, Eq. 4.16): input axes
+    that lean towards these."""
+
+    def felt(shift: int) -> Callable[[Motion], Array]:
+        def regressor(motion: Motion) -> Array:
+            return np.roll(motion.rate if sensor == "gyro" else motion.force, -shift, axis=1)
+
+        return regressor
+
+    family = f"{sensor} misalignment"
+    return (
+        Effect(f"{family}, next axis", sensor, felt(1), family=family),
+        Effect(f"{family}, axis after", sensor, felt(2), family=family),
+    )
 
 
 def bias_map(harmonic: int, first_angle: Array) -> tuple[Effect, Effect]:

@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.error_model.discretisation import discretize, transitions_to_step_end
 from ins_eval.error_model.dynamics import dynamics, free_states, sensor_inputs
@@ -14,6 +13,7 @@ from ins_eval.error_model.effects import BIASES, Effect
 from ins_eval.error_model.motion import BOOLE, PARTS, Motion, step_mean
 from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import Height
+from pyhrg.common.arrays import Array
 
 AXES = 3
 

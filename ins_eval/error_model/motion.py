@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.trajectories.trajectory import Trajectory
+from pyhrg.common.arrays import Array
 
 PARTS = 4
 """Parts of a step; there is a node at each bound."""

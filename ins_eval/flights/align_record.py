@@ -1,67 +1,19 @@
 """The front door of alignment: a standing vehicle's attitude from a log or a simulated IMU."""
 
-from dataclasses import dataclass
 from pathlib import Path
-
-from matplotlib.figure import Figure
 
 from ins_eval.alignment.align import MIN_DURATION
 from ins_eval.alignment.align import align as align_increments
-from ins_eval.alignment.alignment_figure import plot_alignment
-from ins_eval.alignment.measured_noise import MeasuredNoise, measure_noise
-from ins_eval.alignment.result import Alignment
-from ins_eval.common.sensor_errors import SensorErrors
-from ins_eval.flights import align_report
-from ins_eval.flights.align_report import StandingRecord
+from ins_eval.alignment.measured_noise import measure_noise
+from ins_eval.flights.align_report import AlignedRecord, StandingRecord
 from ins_eval.flights.flight import spawn_seeds
 from ins_eval.flights.plan import LONGEST_ALIGNMENT
-from ins_eval.flights.sources import Place, load_imu_at_rate, read_placed_record
+from ins_eval.flights.sources import load_imu_at_rate, read_placed_record
 from ins_eval.imu.imu import Imu
 from ins_eval.mission_model.missions import SETTLING
 from ins_eval.trajectories.catalogue import load_trajectory
 from pyhrg.common.arguments import check_number, check_seed
 from pyhrg.common.errors import HrgError
-from pyhrg.common.files import stage_files
-
-
-@dataclass(frozen=True)
-class AlignedRecord:
-    """A record with the attitude found on it.
-
-    record: what was aligned on; alignment: attitude with its covariance; errors: sensor errors that
-    the covariance rests on.
-    """
-
-    record: StandingRecord
-    alignment: Alignment
-    errors: SensorErrors
-    prior: str
-    noise: MeasuredNoise | None = None
-
-    @property
-    def summary(self) -> str:
-        """Heading, pitch and roll with their one-sigma, in words."""
-        lines = align_report.describe_prior(self.prior, self.noise)
-        return "\n".join([align_report.summarize(self.record, self.alignment), *lines])
-
-    @property
-    def files(self) -> tuple[str, ...]:
-        """Names of the files that `write` makes."""
-        return align_report.FILES
-
-    def plot(self) -> Figure:
-        """How heading, pitch and roll settle, with their one-sigma."""
-        return plot_alignment(self.alignment, self.record.name)
-
-    def write(self, folder: Path | str) -> None:
-        """Write `align.json` and `align.png` into a folder, both or none.
-
-        Raises:
-            OSError: the folder can't be written.
-        """
-        with stage_files(Path(folder), self.files) as aside:
-            prior = align_report.document_prior(self.prior, self.noise)
-            align_report.write(self.record, self.alignment, self.errors, prior, aside)
 
 
 def align(
@@ -96,7 +48,7 @@ def align(
     if log is None:
         record = simulate_record(loaded, trajectory, seconds, check_seed(seed))
     else:
-        place = Place(latitude_deg, longitude_deg, height_m)
+        place = latitude_deg, longitude_deg, height_m
         record = read_standing_record(Path(log), place, from_s, seconds)
     alignment = align_increments(record.increments, record.position, loaded.errors)
     if log is None:
@@ -106,10 +58,12 @@ def align(
     return AlignedRecord(record, alignment, noise.errors, loaded.name, noise)
 
 
-def read_standing_record(path: Path, place: Place, from_s: float, seconds: float) -> StandingRecord:
+def read_standing_record(
+    path: Path, place: tuple[float | None, float, float], from_s: float, seconds: float
+) -> StandingRecord:
     """A stretch of a log, from a time since its beginning on."""
     check_number("from_s", from_s, 0, 1e6)
-    log, position = read_placed_record(path, place)
+    log, position = read_placed_record(path, *place)
     increments = log.increments
     begin, count = (round(time / increments.interval) for time in (from_s, seconds))
     if begin + count > len(increments):

@@ -1,4 +1,4 @@
-"""An alignment in words and as files."""
+"""A record with the attitude found on it, in words and as files."""
 
 import json
 from dataclasses import dataclass
@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from matplotlib.figure import Figure
 
 from ins_eval.alignment.alignment_figure import plot_alignment
 from ins_eval.alignment.measured_noise import MeasuredNoise
@@ -15,6 +15,8 @@ from ins_eval.common.rotation import euler_from_mat
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.flights.report import describe_alignment, list_versions
 from ins_eval.results.png import save_png
+from pyhrg.common.arrays import Array
+from pyhrg.common.files import stage_files
 from pyhrg.common.units import DEG_PER_H, DEG_PER_SQRT_H, MICRO_G
 from pyhrg.records.imu.increments import Increments
 
@@ -33,92 +35,117 @@ class StandingRecord:
 
     name: str
     increments: Increments
-    position: NDArray[np.float64]
-    mat_nb: NDArray[np.float64] | None = None
+    position: Array
+    mat_nb: Array | None = None
 
 
-def summarize(record: StandingRecord, alignment: Alignment) -> str:
-    """Heading, pitch and roll with their one-sigma, in words."""
-    numbers = describe_alignment(alignment)
-    increments = record.increments
-    lines = [
-        f"{record.name}: {increments.duration:g} s at {1 / increments.interval:g} Hz, "
-        f"from {increments.start:g} s, at latitude {np.rad2deg(record.position[0]):.4f} deg",
-        "",
-        f"{'':<10}{'deg':>12}{'1-sigma':>12}" + ("" if record.mat_nb is None else f"{'error':>12}"),
-    ]
-    error = None if record.mat_nb is None else find_angle_errors_deg(alignment, record.mat_nb)
-    for name in ANGLES:
-        line = f"{name:<10}{numbers[f'{name}_deg']:>12.4f}{numbers[f'{name}_sigma_deg']:>12.4f}"
-        lines.append(line + (f"{error[name]:>12.4f}" if error else ""))
-    sway = f"the vehicle sways by {1000 * alignment.sway:.3g} mm (1-sigma, each level axis)"
-    return "\n".join([*lines, "", "method: fine", sway])
+@dataclass(frozen=True)
+class AlignedRecord:
+    """A record with the attitude found on it.
+
+    record: what was aligned on; alignment: attitude with its covariance; errors: sensor errors that
+    the covariance rests on; prior: name of the IMU that they are taken from; noise: what the record
+    itself shows of them.
+    """
+
+    record: StandingRecord
+    alignment: Alignment
+    errors: SensorErrors
+    prior: str
+    noise: MeasuredNoise | None = None
+
+    @property
+    def summary(self) -> str:
+        """Heading, pitch and roll with their one-sigma, in words."""
+        record, numbers = self.record, describe_alignment(self.alignment)
+        increments, error = record.increments, self._find_error_deg()
+        lines = [
+            f"{record.name}: {increments.duration:g} s at {1 / increments.interval:g} Hz, "
+            f"from {increments.start:g} s, at latitude {np.rad2deg(record.position[0]):.4f} deg",
+            "",
+            f"{'':<10}{'deg':>12}{'1-sigma':>12}" + (f"{'error':>12}" if error else ""),
+        ]
+        for name in ANGLES:
+            line = f"{name:<10}{numbers[f'{name}_deg']:>12.4f}{numbers[f'{name}_sigma_deg']:>12.4f}"
+            lines.append(line + (f"{error[name]:>12.4f}" if error else ""))
+        sway = 1000 * self.alignment.sway
+        sways = f"the vehicle sways by {sway:.3g} mm (1-sigma, each level axis)"
+        return "\n".join([*lines, "", "method: fine", sways, *self._describe_prior()])
+
+    @property
+    def files(self) -> tuple[str, ...]:
+        """Names of the files that `write` makes."""
+        return FILES
+
+    def plot(self) -> Figure:
+        """How heading, pitch and roll settle, with their one-sigma."""
+        return plot_alignment(self.alignment, self.record.name)
+
+    def write(self, folder: Path | str) -> None:
+        """Write `align.json` and `align.png` into a folder, both or none.
+
+        Raises:
+            OSError: the folder can't be written.
+        """
+        with stage_files(Path(folder), FILES) as aside:
+            text = json.dumps(self._make_document(), indent=2) + "\n"
+            (aside / "align.json").write_text(text)
+            save_png(self.plot(), aside / "align.png")
+
+    def _describe_prior(self) -> list[str]:
+        """What the 1-sigma rests on, in words."""
+        found = self._document_prior().get("measured")
+        if found is None:
+            return [f"errors assumed: those of the {self.prior} IMU"]
+        return [
+            f"noise of this record: {found['angle_random_walk_deg_per_sqrt_h']:.2g} deg/sqrt(h) "
+            f"within {found['angle_random_walk_relative_sigma']:.0%}, "
+            f"{found['velocity_random_walk_m_per_s_per_sqrt_s']:.2g} m/s/sqrt(s) within "
+            f"{found['velocity_random_walk_relative_sigma']:.0%}",
+            f"prior: random walks of the {self.prior} IMU, a decade wide; its biases are assumed",
+        ]
+
+    def _document_prior(self) -> dict[str, Any]:
+        """What the 1-sigma rests on, for align.json."""
+        if self.noise is None:
+            return {"prior": self.prior}
+        errors, (angle, velocity, _) = self.noise.errors, self.noise.relative_sigma.tolist()
+        measured = {
+            "angle_random_walk_deg_per_sqrt_h": errors.angle_random_walk / DEG_PER_SQRT_H,
+            "angle_random_walk_relative_sigma": angle,
+            "velocity_random_walk_m_per_s_per_sqrt_s": errors.velocity_random_walk,
+            "velocity_random_walk_relative_sigma": velocity,
+        }
+        return {"prior": self.prior, "measured": measured}
+
+    def _make_document(self) -> dict[str, Any]:
+        """Content of align.json."""
+        record, increments, error = self.record, self.record.increments, self._find_error_deg()
+        return {
+            "schema": SCHEMA,
+            "versions": list_versions(),
+            "record": record.name,
+            "from_s": increments.start,
+            "duration_s": increments.duration,
+            "rate_hz": 1 / increments.interval,
+            "latitude_deg": float(np.rad2deg(record.position[0])),
+            "believed": _list_assumed_errors(self.errors),
+            **self._document_prior(),
+            "alignment": describe_alignment(self.alignment),
+            **({"error_deg": error} if error else {}),
+        }
+
+    def _find_error_deg(self) -> dict[str, float] | None:
+        """Heading, pitch and roll, aligned less true; None if the truth isn't known."""
+        if self.record.mat_nb is None:
+            return None
+        found, true = (euler_from_mat(m) for m in (self.alignment.mat_nb, self.record.mat_nb))
+        roll, pitch, heading = np.rad2deg(np.subtract(found, true))
+        wrapped = (np.array([heading, pitch, roll]) + 180) % 360 - 180
+        return dict(zip(ANGLES, map(float, wrapped), strict=True))
 
 
-def describe_prior(imu: str, noise: MeasuredNoise | None) -> list[str]:
-    """What the 1-sigma rests on, in words."""
-    if noise is None:
-        return [f"errors assumed: those of the {imu} IMU"]
-    found = document_prior(imu, noise)["measured"]
-    return [
-        f"noise of this record: {found['angle_random_walk_deg_per_sqrt_h']:.2g} deg/sqrt(h) within "
-        f"{found['angle_random_walk_relative_sigma']:.0%}, "
-        f"{found['velocity_random_walk_m_per_s_per_sqrt_s']:.2g} m/s/sqrt(s) within "
-        f"{found['velocity_random_walk_relative_sigma']:.0%}",
-        f"prior: random walks of the {imu} IMU, a decade wide; its biases are assumed",
-    ]
-
-
-def document_prior(imu: str, noise: MeasuredNoise | None) -> dict[str, Any]:
-    """What the 1-sigma rests on, for align.json."""
-    if noise is None:
-        return {"prior": imu}
-    measured = {
-        "angle_random_walk_deg_per_sqrt_h": noise.errors.angle_random_walk / DEG_PER_SQRT_H,
-        "angle_random_walk_relative_sigma": float(noise.relative_sigma[0]),
-        "velocity_random_walk_m_per_s_per_sqrt_s": noise.errors.velocity_random_walk,
-        "velocity_random_walk_relative_sigma": float(noise.relative_sigma[1]),
-    }
-    return {"prior": imu, "measured": measured}
-
-
-def make_document(
-    record: StandingRecord, alignment: Alignment, errors: SensorErrors, prior: dict[str, Any]
-) -> dict[str, Any]:
-    """Content of align.json."""
-    increments = record.increments
-    result = {
-        "schema": SCHEMA,
-        "versions": list_versions(),
-        "record": record.name,
-        "from_s": increments.start,
-        "duration_s": increments.duration,
-        "rate_hz": 1 / increments.interval,
-        "latitude_deg": float(np.rad2deg(record.position[0])),
-        "believed": list_assumed_errors(errors),
-        **prior,
-        "alignment": describe_alignment(alignment),
-    }
-    if record.mat_nb is not None:
-        result["error_deg"] = find_angle_errors_deg(alignment, record.mat_nb)
-    return result
-
-
-def write(
-    record: StandingRecord,
-    alignment: Alignment,
-    errors: SensorErrors,
-    prior: dict[str, Any],
-    folder: Path,
-) -> None:
-    """Write `FILES` into an existing folder."""
-    text = json.dumps(make_document(record, alignment, errors, prior), indent=2) + "\n"
-    (folder / "align.json").write_text(text)
-    save_png(plot_alignment(alignment, record.name), folder / "align.png")
-
-
-def list_assumed_errors(errors: SensorErrors) -> dict[str, float]:
-    """Sensor errors that the covariance rests on."""
+def _list_assumed_errors(errors: SensorErrors) -> dict[str, float]:
     return {
         "gyro_bias_deg_per_h": errors.gyro_bias / DEG_PER_H,
         "gyro_bias_instability_deg_per_h": errors.gyro_bias_instability / DEG_PER_H,
@@ -127,12 +154,3 @@ def list_assumed_errors(errors: SensorErrors) -> dict[str, float]:
         "accelerometer_bias_instability_ug": errors.accelerometer_bias_instability / MICRO_G,
         "velocity_random_walk_m_per_s_per_sqrt_s": errors.velocity_random_walk,
     }
-
-
-def find_angle_errors_deg(alignment: Alignment, mat_nb: np.ndarray) -> dict[str, float]:
-    """Heading, pitch and roll, aligned less true."""
-    roll, pitch, heading = np.rad2deg(
-        np.subtract(euler_from_mat(alignment.mat_nb), euler_from_mat(mat_nb))
-    )
-    wrapped = (np.array([heading, pitch, roll]) + 180) % 360 - 180
-    return dict(zip(ANGLES, map(float, wrapped), strict=True))

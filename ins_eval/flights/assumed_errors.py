@@ -1,13 +1,12 @@
 """What the linear model assumes of an IMU: effects, and the standard deviations of each."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.error_model.effects import (
     Effect,
@@ -17,15 +16,15 @@ from ins_eval.error_model.effects import (
     bias_map,
     gyro_bias,
     gyro_scale_factor,
+    misalignment,
     pick_off_map,
 )
 from ins_eval.error_model.linear_model import AXES
-from ins_eval.error_model.motion import Motion
 from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.map_sizes import MapSizes
 from ins_eval.imu.sensor_error_model import IDEAL_SENSORS, OFF_DIAGONAL, SensorErrorModel
-from ins_eval.imu.stated_gyros import StatedGyros
+from pyhrg.common.arrays import Array
 from pyhrg.noise.flicker import compute_process_variance
 
 SizedEffect = tuple[Effect, ArrayLike]
@@ -80,22 +79,6 @@ def assume_errors(imu: Imu, first_angle: Array | None = None) -> AssumedErrors:
     )
 
 
-def model_misalignment(sensor: Sensor) -> tuple[Effect, Effect]:
-    """What each axis feels of the next and of the one after it (Groves 2013, Eq. 4.16)."""
-
-    def felt(shift: int) -> Callable[[Motion], Array]:
-        def regressor(motion: Motion) -> Array:
-            return np.roll(motion.rate if sensor == "gyro" else motion.force, -shift, axis=1)
-
-        return regressor
-
-    family = f"{sensor} misalignment"
-    return (
-        Effect(f"{family}, next axis", sensor, felt(1), family=family),
-        Effect(f"{family}, axis after", sensor, felt(2), family=family),
-    )
-
-
 def _list_gyro_effects(imu: Imu, first_angle: Array | None) -> list[SizedEffect]:
     """Constant effects of the gyros with their deviations, of all axes or of each."""
     if isinstance(imu.gyros, FmuGyros):
@@ -103,7 +86,7 @@ def _list_gyro_effects(imu: Imu, first_angle: Array | None) -> list[SizedEffect]
         triad = IDEAL_SENSORS
         own = _list_map_effects(imu.gyros.map_sizes, angle)
     else:
-        triad = imu.gyros.error_model if isinstance(imu.gyros, StatedGyros) else IDEAL_SENSORS
+        triad = imu.gyros.error_model
         own = [
             (gyro_bias(), triad.bias.sizes(AXES)),
             (gyro_scale_factor(), triad.scale_factor.sizes(AXES)),
@@ -142,5 +125,5 @@ def _size_misalignment(
     axes = np.arange(AXES)
     return [
         (effect, matrix[axes, (axes + shift) % AXES])
-        for shift, effect in enumerate(model_misalignment(sensor), start=1)
+        for shift, effect in enumerate(misalignment(sensor), start=1)
     ]

@@ -7,7 +7,6 @@ import numpy as np
 
 from ins_eval.alignment.align import align
 from ins_eval.alignment.result import Alignment
-from ins_eval.common.arrays import Array
 from ins_eval.common.state import Track
 from ins_eval.flights.plan import Plan
 from ins_eval.flights.truth import Truth
@@ -15,6 +14,7 @@ from ins_eval.imu.imu import Imu, ImuReading, StartUpError
 from ins_eval.mission_model.missions import SETTLING
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
 from ins_eval.navigation.strapdown import navigate
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 

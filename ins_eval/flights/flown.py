@@ -1,17 +1,13 @@
-"""Flights of a plan: attitudes, positions, and whose the errors are."""
+"""Whose the errors of a flight are: its budget."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import pandas as pd
 import xarray as xr
 
-from ins_eval.alignment.result import Alignment
-from ins_eval.common.arrays import Array
 from ins_eval.error_model.budget.adjoint import Weights
-from ins_eval.flights.plan import Plan
+from ins_eval.error_model.budget.sigma_budget import INITIAL
 
-ALIGNMENT = "alignment beyond its sensors' means"
 COLUMNS = ("effect", "axis", "north_contribution_m", "east_contribution_m")
 
 
@@ -36,35 +32,5 @@ class Budget:
             for effect in contribution["effect"].values
             for axis in contribution["axis"].values
         ]
-        rows.append((ALIGNMENT, "", *map(float, self.shares["initial"].sum("state").values)))
+        rows.append((INITIAL, "", *map(float, self.shares["initial"].sum("state").values)))
         return pd.DataFrame([row for row in rows if any(row[2:])], columns=list(COLUMNS))
-
-
-@dataclass(frozen=True)
-class FlightData:
-    """Flights of a plan, compared with the truth if it is known.
-
-    start: (3,) position at time 0: latitude, longitude (rad), height (m); alignments: one a run,
-    none if the runs start from the truth; dataset: navigated states by run and time; where a truth
-    is known, true states and errors; the linear model's one-sigma; for simulated IMUs, the
-    navigator's own error; sigma_budget: of a log, the final one-sigma by effect and axis
-    (`compute_sigma_budget`).
-    """
-
-    plan: Plan
-    trajectory: str
-    imu: str
-    start: Array
-    alignments: Sequence[Alignment]
-    dataset: xr.Dataset
-    budget: Budget | None = None
-    sigma_budget: pd.DataFrame | None = None
-
-    @property
-    def title(self) -> str:
-        """Trajectory, length, IMU, rate and height."""
-        plan = self.plan
-        minutes = plan.duration / 60
-        length = f"{minutes / 60:.4g} h" if minutes >= 60 else f"{minutes:.4g} min"
-        rate = f"{1 / plan.interval:.4g} Hz"
-        return f"{self.trajectory}, {length}, {self.imu} at {rate}, height {plan.height}"

@@ -3,20 +3,16 @@
 from collections.abc import Callable
 from pathlib import Path
 
-import pandas as pd
 import xarray as xr
-from matplotlib.figure import Figure
 
-from ins_eval.flights import report
 from ins_eval.flights.assumed_errors import assume_errors
 from ins_eval.flights.flight import fly_runs
-from ins_eval.flights.flown import FlightData
 from ins_eval.flights.linear import compute_error_budget, propagate_flight_covariance
 from ins_eval.flights.log_flight import navigate_log
 from ins_eval.flights.plan import HeightMode, Plan, plan_log, plan_simulation
+from ins_eval.flights.report import Flight
 from ins_eval.flights.sources import (
     NO_TRUTH,
-    Place,
     find_reference,
     load_imu_at_rate,
     read_placed_record,
@@ -24,58 +20,10 @@ from ins_eval.flights.sources import (
 from ins_eval.flights.truth import count_still_increments, sample_truth
 from ins_eval.imu.imu import Imu
 from ins_eval.results import flights
-from ins_eval.results.growth_figure import draw_growth
-from ins_eval.results.map_figure import draw_map
 from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.errors import MovingStartError
 from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.errors import HrgError
-from pyhrg.common.files import stage_files
-
-
-class Flight(FlightData):
-    """Flights of one plan, with their dataset, summary, error budget and figures."""
-
-    @property
-    def summary(self) -> str:
-        """Alignment, errors at the end and error budget in words."""
-        return report.summarize(self)
-
-    @property
-    def budget_table(self) -> pd.DataFrame:
-        """Contributions to run 1's final position error, m, by effect and axis; of a log, those to
-        its one-sigma."""
-        if self.sigma_budget is not None:
-            return self.sigma_budget
-        return self.budget.table if self.budget else pd.DataFrame()
-
-    @property
-    def files(self) -> tuple[str, ...]:
-        """Names of the files that `write` makes."""
-        return tuple(report.list_writers(self))
-
-    def plot(self) -> Figure:
-        """Path on a map, with the error at the end where a truth is known."""
-        return draw_map(self.dataset.assign_attrs(title=self.title))
-
-    def plot_growth(self) -> Figure:
-        """Position error over time with its one-sigma.
-
-        Raises:
-            HrgError: no truth is known.
-        """
-        if "radial_error" not in self.dataset:
-            raise HrgError(f"{self.title}: no truth is known; expected one")
-        return draw_growth(self.dataset.assign_attrs(title=self.title))
-
-    def write(self, folder: Path | str) -> None:
-        """Write `files` into a folder, all or none.
-
-        Raises:
-            OSError: the folder can't be written.
-        """
-        with stage_files(Path(folder), self.files) as aside:
-            report.write(self, aside)
 
 
 def fly(
@@ -179,12 +127,10 @@ def fly_log(
         HrgError: an argument out of range, a file that can't be used, or a failed alignment.
     """
     path = Path(log)
-    place = Place(latitude_deg, longitude_deg, height_m)
-    record, position = read_placed_record(path, place)
+    record, position = read_placed_record(path, latitude_deg, longitude_deg, height_m)
     plan = plan_log(
         path.name, record.increments, hours=hours, samples=samples, height=height, align_s=align_s
     )
     reference = find_reference(truth, position, -(plan.alignment or 0.0), plan.duration)
     imu = load_imu_at_rate(errors_of, None)
-    flown = navigate_log(plan, path.name, record.increments, position, imu, reference)
-    return Flight(**vars(flown))
+    return navigate_log(plan, path.name, record.increments, position, imu, reference)

@@ -8,7 +8,6 @@ from scipy.spatial.transform import Rotation
 
 from ins_eval.alignment.result import Alignment
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.error_model.aligning import model_alignment
 from ins_eval.error_model.budget.adjoint import compute_weights
@@ -33,6 +32,7 @@ from ins_eval.flights.flown import Budget
 from ins_eval.flights.plan import Plan
 from ins_eval.flights.truth import Truth
 from ins_eval.imu.imu import Imu, ImuReading
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 STEP = 0.5

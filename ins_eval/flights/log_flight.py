@@ -7,21 +7,21 @@ import numpy as np
 import xarray as xr
 
 from ins_eval.alignment.align import align
-from ins_eval.common.arrays import Array
 from ins_eval.common.state import State, Track
 from ins_eval.flights.assumed_errors import assume_errors
 from ins_eval.flights.flight import hold_height
-from ins_eval.flights.flown import FlightData
 from ins_eval.flights.log_sigma import (
     choose_fine_rows,
     propagate_log_covariance,
     thin_track,
 )
 from ins_eval.flights.plan import Plan
+from ins_eval.flights.report import Flight
 from ins_eval.flights.truth import count_still_increments
 from ins_eval.imu.imu import Imu
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.results import flights
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 Reference = Callable[[Array], Track]
@@ -46,7 +46,7 @@ def navigate_log(
     position: Array,
     imu: Imu,
     reference: Reference | None,
-) -> FlightData:
+) -> Flight:
     """Align on a log's beginning, and navigate.
 
     position: (3,) at its beginning: latitude, longitude, rad, height, m; imu: that whose errors are
@@ -71,6 +71,4 @@ def navigate_log(
     )
     dataset = xr.merge([dataset, flights.tabulate_sigmas(track.time, sigma)])
     place = np.asarray(position)
-    return FlightData(
-        plan, "dead reckoning", name, place, [alignment], dataset, sigma_budget=budget
-    )
+    return Flight(plan, "dead reckoning", name, place, [alignment], dataset, sigma_budget=budget)

@@ -4,7 +4,6 @@ import numpy as np
 import pandas as pd
 
 from ins_eval.alignment.result import Alignment
-from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import euler_from_mat
 from ins_eval.common.state import State, Track
 from ins_eval.error_model.budget.adjoint import compute_weights
@@ -14,7 +13,8 @@ from ins_eval.flights.assumed_errors import AssumedErrors
 from ins_eval.flights.linear import STEP, choose_steps, prepare_flight_model
 from ins_eval.flights.plan import Plan
 from ins_eval.flights.truth import Truth
-from ins_eval.trajectories.trajectory import Knots, Trajectory
+from ins_eval.trajectories.trajectory import Trajectory
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 END_MARGIN = 4
@@ -61,10 +61,11 @@ def _trace(plan: Plan, start: State, way: Track) -> Trajectory:
     """A trajectory through the navigated states, at rest before time 0 and steady after the end."""
     spacing = way.time[0]
     before = -spacing * np.arange(np.ceil((plan.alignment or 0.0) / spacing) + END_MARGIN, -1, -1)
-    euler = np.array([euler_from_mat(mat) for mat in (start.mat_nb, *way.mat_nb)])
+    attitudes = np.concatenate([start.mat_nb[None], way.mat_nb])
+    euler = np.stack(euler_from_mat(attitudes), axis=-1)
     moving = np.concatenate([[start.position], way.position])
     channels = np.hstack([moving, np.unwrap(euler, axis=0)])
     after = channels[-1] + np.arange(1, END_MARGIN + 1)[:, None] * (channels[-1] - channels[-2])
     rows = np.concatenate([np.tile(channels[0], (len(before) - 1, 1)), channels, after])
     later = way.time[-1] + spacing * np.arange(1, END_MARGIN + 1)
-    return Trajectory("log", Knots(np.concatenate([before, way.time, later]), *rows.T))
+    return Trajectory("log", np.concatenate([before, way.time, later]), rows)

@@ -1,25 +1,32 @@
-"""Flights in words and as files."""
+"""Flights of a plan, in words and as files."""
 
 import json
 import math
 import platform
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import xarray as xr
+from matplotlib.figure import Figure
 
 from ins_eval.alignment.result import Alignment
 from ins_eval.common.state import position_error
 from ins_eval.error_model.budget.budget_figure import plot_budget
 from ins_eval.error_model.budget.sigma_budget import COLUMNS as SIGMA_COLUMNS
-from ins_eval.flights.flown import COLUMNS, FlightData
+from ins_eval.flights.flown import COLUMNS, Budget
+from ins_eval.flights.plan import Plan
 from ins_eval.results import tables
 from ins_eval.results.growth_figure import draw_growth
 from ins_eval.results.map_figure import draw_map
 from ins_eval.results.png import save_png
+from pyhrg.common.arrays import Array
+from pyhrg.common.errors import HrgError
+from pyhrg.common.files import stage_files
 
 SCHEMA = "hrg-nav/1"
 COMPONENTS = ("north", "east", "radial")
@@ -27,47 +34,106 @@ LABEL, NUMBER = 42, 12
 """Widths of the printed table's first column and of the others, characters."""
 
 
-def list_writers(flight: FlightData) -> dict[str, Callable[[Path], Any]]:
-    """Functions that write the files of flights, by name: more with a truth or a budget."""
-    dataset = flight.dataset.assign_attrs(title=flight.title)
-    writers: dict[str, Callable[[Path], Any]] = {
-        "nav.json": lambda path: path.write_text(
-            json.dumps(make_document(flight), indent=2) + "\n"
-        ),
-        "flights.csv": lambda path: tables.write_csv(dataset, path),
-        "flights.parquet": lambda path: tables.write_parquet(dataset, path),
-        "flights.nc": lambda path: tables.write_netcdf(dataset, path),
-        "map.png": lambda path: save_png(draw_map(dataset), path),
-    }
-    if "radial_error" in flight.dataset:
-        writers["growth.png"] = lambda path: save_png(draw_growth(dataset), path)
-    if budget := flight.budget:
-        writers["budget.csv"] = lambda path: tables.write_table(budget.table, path)
-        writers["budget.png"] = lambda path: save_png(
-            plot_budget(budget.weights, budget.shares, flight.title), path
-        )
-    if (parts := flight.sigma_budget) is not None:
-        writers["budget.csv"] = lambda path: tables.write_table(parts, path)
-    return writers
+@dataclass(frozen=True)
+class Flight:
+    """Flights of one plan, compared with the truth if it is known.
+
+    start: (3,) position at time 0: latitude, longitude (rad), height (m); alignments: one a run,
+    none if the runs start from the truth; dataset: navigated states by run and time; where a truth
+    is known, true states and errors; the linear model's one-sigma; for simulated IMUs, the
+    navigator's own error; sigma_budget: of a log, the final one-sigma by effect and axis
+    (`compute_sigma_budget`).
+    """
+
+    plan: Plan
+    trajectory: str
+    imu: str
+    start: Array
+    alignments: Sequence[Alignment]
+    dataset: xr.Dataset
+    budget: Budget | None = None
+    sigma_budget: pd.DataFrame | None = None
+
+    @property
+    def title(self) -> str:
+        """Trajectory, length, IMU, rate and height."""
+        plan = self.plan
+        minutes = plan.duration / 60
+        length = f"{minutes / 60:.4g} h" if minutes >= 60 else f"{minutes:.4g} min"
+        rate = f"{1 / plan.interval:.4g} Hz"
+        return f"{self.trajectory}, {length}, {self.imu} at {rate}, height {plan.height}"
+
+    @property
+    def summary(self) -> str:
+        """Alignment, errors at the end and error budget in words."""
+        last = self.dataset.isel(time=-1)
+        head = f"at the end, after {float(last['time']) / 3600:.4g} h"
+        lines = [f"{head:<{LABEL}}" + "".join(f"{name:>{NUMBER}}" for name in COMPONENTS)]
+        lines += [_line(label, row) for label, row in _end_rows(self, last)]
+        return "\n".join([self.title, "", *_alignment_lines(self), *lines, *_budget_lines(self)])
+
+    @property
+    def budget_table(self) -> pd.DataFrame:
+        """Contributions to run 1's final position error, m, by effect and axis; of a log, those to
+        its one-sigma."""
+        if self.sigma_budget is not None:
+            return self.sigma_budget
+        return self.budget.table if self.budget else pd.DataFrame()
+
+    @property
+    def files(self) -> tuple[str, ...]:
+        """Names of the files that `write` makes: more with a truth or a budget."""
+        return tuple(self._list_writers())
+
+    def plot(self) -> Figure:
+        """Path on a map, with the error at the end where a truth is known."""
+        return draw_map(self.dataset.assign_attrs(title=self.title))
+
+    def plot_growth(self) -> Figure:
+        """Position error over time with its one-sigma.
+
+        Raises:
+            HrgError: no truth is known.
+        """
+        if "radial_error" not in self.dataset:
+            raise HrgError(f"{self.title}: no truth is known; expected one")
+        return draw_growth(self.dataset.assign_attrs(title=self.title))
+
+    def write(self, folder: Path | str) -> None:
+        """Write `files` into a folder, all or none.
+
+        Raises:
+            OSError: the folder can't be written.
+        """
+        writers = self._list_writers()
+        with stage_files(Path(folder), tuple(writers)) as aside:
+            for name, writer in writers.items():
+                writer(aside / name)
+
+    def _list_writers(self) -> dict[str, Callable[[Path], Any]]:
+        """Functions that write the files, by name."""
+        dataset = self.dataset.assign_attrs(title=self.title)
+        writers: dict[str, Callable[[Path], Any]] = {
+            "nav.json": lambda path: path.write_text(
+                json.dumps(_make_document(self), indent=2) + "\n"
+            ),
+            "flights.csv": lambda path: tables.write_csv(dataset, path),
+            "flights.parquet": lambda path: tables.write_parquet(dataset, path),
+            "flights.nc": lambda path: tables.write_netcdf(dataset, path),
+            "map.png": lambda path: save_png(self.plot(), path),
+        }
+        if "radial_error" in self.dataset:
+            writers["growth.png"] = lambda path: save_png(self.plot_growth(), path)
+        if self.budget or self.sigma_budget is not None:
+            writers["budget.csv"] = lambda path: tables.write_table(self.budget_table, path)
+        if budget := self.budget:
+            writers["budget.png"] = lambda path: save_png(
+                plot_budget(budget.weights, budget.shares, self.title), path
+            )
+        return writers
 
 
-def write(flight: FlightData, folder: Path) -> None:
-    """Write all files into an existing folder."""
-    for name, writer in list_writers(flight).items():
-        writer(folder / name)
-
-
-def summarize(flight: FlightData) -> str:
-    """Alignment, errors at the end and error budget in words."""
-    last = flight.dataset.isel(time=-1)
-    head = f"at the end, after {float(last['time']) / 3600:.4g} h"
-    rows = _end_rows(flight, last)
-    lines = [f"{head:<{LABEL}}" + "".join(f"{name:>{NUMBER}}" for name in COMPONENTS)]
-    lines += [_line(label, row) for label, row in rows]
-    return "\n".join([flight.title, "", *_alignment_lines(flight), *lines, *_budget_lines(flight)])
-
-
-def make_document(flight: FlightData) -> dict[str, Any]:
+def _make_document(flight: Flight) -> dict[str, Any]:
     """Content of nav.json."""
     plan = flight.plan
     result: dict[str, Any] = {
@@ -87,7 +153,8 @@ def make_document(flight: FlightData) -> dict[str, Any]:
         "alignments": [describe_alignment(alignment) for alignment in flight.alignments],
     }
     if "own_north_error" in flight.dataset:
-        result["largest_own_error_mm"] = find_largest_own_error_mm(flight.dataset)
+        own = np.hypot(flight.dataset["own_north_error"], flight.dataset["own_east_error"])
+        result["largest_own_error_mm"] = float(np.max(own)) * 1000
     if flight.budget:
         result["budget_of_run_1"] = flight.budget.table.to_dict("records")
     if flight.sigma_budget is not None:
@@ -99,11 +166,6 @@ def list_versions() -> dict[str, str]:
     """Versions of this package and of the libraries that its numbers rest on."""
     libraries = {name: version(name) for name in ("hrg", "numpy", "scipy", "numba", "filterpy")}
     return {"python": platform.python_version(), **libraries}
-
-
-def find_largest_own_error_mm(dataset: xr.Dataset) -> float:
-    """Largest horizontal error of the flight on ideal increments, mm."""
-    return float(np.max(np.hypot(dataset["own_north_error"], dataset["own_east_error"]))) * 1000
 
 
 def describe_alignment(alignment: Alignment) -> dict[str, Any]:
@@ -122,7 +184,7 @@ def describe_alignment(alignment: Alignment) -> dict[str, Any]:
     }
 
 
-def _end_document(flight: FlightData) -> dict[str, Any]:
+def _end_document(flight: Flight) -> dict[str, Any]:
     last = flight.dataset.isel(time=-1)
     names = [f"{component}_error_m" for component in COMPONENTS]
     names += ["heading_error_deg", "north_sigma_m", "east_sigma_m", "heading_sigma_deg"]
@@ -140,7 +202,7 @@ def _finite(value: Any) -> Any:
     return value if math.isfinite(value) else None
 
 
-def _end_rows(flight: FlightData, last: xr.Dataset) -> list[tuple[str, list[float]]]:
+def _end_rows(flight: Flight, last: xr.Dataset) -> list[tuple[str, list[float]]]:
     if "north_error" not in last:
         return [("from where it was aligned, m", _measure_motion(flight, last)), *_sigma_rows(last)]
     errors = [last[f"{name}_error"].values for name in COMPONENTS]
@@ -160,21 +222,21 @@ def _sigma_rows(last: xr.Dataset) -> list[tuple[str, list[float]]]:
     return [("1-sigma by the linear model, m", [*sigma, math.hypot(*sigma)])]
 
 
-def _measure_motion(flight: FlightData, last: xr.Dataset) -> list[float]:
+def _measure_motion(flight: Flight, last: xr.Dataset) -> list[float]:
     """North, east and radial, m, from the start to the end."""
     position = np.array([np.deg2rad(last[f"{name}itude"].item()) for name in ("lat", "long")])
     north, east, _ = position_error(np.append(position, last["height"].item()), flight.start)
     return [float(north), float(east), math.hypot(north, east)]
 
 
-def _alignment_lines(flight: FlightData) -> list[str]:
+def _alignment_lines(flight: Flight) -> list[str]:
     if not flight.alignments:
         return ["starts from the true position, velocity and attitude", ""]
     which = "alignment" if len(flight.alignments) == 1 else "alignment of run 1"
     return [f"{which}: {flight.alignments[0]}", ""]
 
 
-def _budget_lines(flight: FlightData) -> list[str]:
+def _budget_lines(flight: Flight) -> list[str]:
     if flight.sigma_budget is not None:
         parts = flight.sigma_budget.groupby("effect", sort=False)[list(SIGMA_COLUMNS[2:])]
         rows = parts.agg(lambda each: float(np.linalg.norm(each)))

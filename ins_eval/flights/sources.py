@@ -1,21 +1,20 @@
 """What a user names: IMUs at a rate, recorded logs with their place, and a log's truth."""
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
-from ins_eval.common.state import Track, position_error
+from ins_eval.common.state import position_error
 from ins_eval.flights.log_flight import Reference, stand_still
 from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.recorded import read_record
 from ins_eval.imu.specification import load_imu
-from ins_eval.trajectories.recorded_drive import Drive, read_drive
-from ins_eval.trajectories.trajectory import Knots, Trajectory
+from ins_eval.trajectories.recorded_drive import read_drive
+from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.arguments import check_number, check_whole_number
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.log import RecordedImu
 
@@ -25,29 +24,6 @@ MAX_START_DISTANCE = 1000.0
 """Distance of a drive's beginning from the place that a log states, m; a drive that begins farther
 away is another one."""
 HIGHEST_LATITUDE_DEG = 89.0
-
-
-@dataclass(frozen=True)
-class Place:
-    """Where a log was recorded; without a latitude, the log itself must say it."""
-
-    latitude_deg: float | None = None
-    longitude_deg: float = 0.0
-    height_m: float = 0.0
-
-    def check(self) -> "Place":
-        """The place itself."""
-        if self.latitude_deg is None:
-            for name in ("longitude_deg", "height_m"):
-                if getattr(self, name):
-                    raise HrgError(
-                        f"{name}: found {getattr(self, name):g}, expected latitude_deg as well"
-                    )
-            return self
-        check_number("latitude_deg", self.latitude_deg, -HIGHEST_LATITUDE_DEG, HIGHEST_LATITUDE_DEG)
-        check_number("longitude_deg", self.longitude_deg, -360, 360)
-        check_number("height_m", self.height_m, -1000, 100_000)
-        return self
 
 
 def load_imu_at_rate(imu: Imu | str, rate_hz: int | None) -> Imu:
@@ -64,16 +40,23 @@ def load_imu_at_rate(imu: Imu | str, rate_hz: int | None) -> Imu:
     return loaded
 
 
-def read_placed_record(path: Path, place: Place) -> tuple[RecordedImu, Array]:
-    """A recorded log, and (3,) latitude, longitude (rad), height (m) of the place."""
+def read_placed_record(
+    path: Path, latitude_deg: float | None, longitude_deg: float, height_m: float
+) -> tuple[RecordedImu, Array]:
+    """A recorded log, and (3,) latitude, longitude (rad), height (m) of the place where it was
+    recorded; without a latitude, the log itself must say it."""
     record = read_record(path)
-    place = place.check()
-    if place.latitude_deg is None:
+    if latitude_deg is None:
+        for name, value in (("longitude_deg", longitude_deg), ("height_m", height_m)):
+            if value:
+                raise HrgError(f"{name}: found {value:g}, expected latitude_deg as well")
         if record.position is None:
             raise HrgError(f"{path}: doesn't say where it was recorded; expected latitude_deg")
         return record, record.position
-    position = [np.deg2rad(place.latitude_deg), np.deg2rad(place.longitude_deg), place.height_m]
-    return record, np.array(position)
+    check_number("latitude_deg", latitude_deg, -HIGHEST_LATITUDE_DEG, HIGHEST_LATITUDE_DEG)
+    check_number("longitude_deg", longitude_deg, -360, 360)
+    check_number("height_m", height_m, -1000, 100_000)
+    return record, np.array([np.deg2rad(latitude_deg), np.deg2rad(longitude_deg), height_m])
 
 
 def find_reference(name: str, position: Array, first: float, last: float) -> Reference | None:
@@ -97,9 +80,5 @@ def find_reference(name: str, position: Array, first: float, last: float) -> Ref
             f"{name}: begins {distance / 1000:.4g} km from where the log was recorded; expected "
             f"at most {MAX_START_DISTANCE / 1000:g} km"
         )
-    return _interpolate(drive, first)
-
-
-def _interpolate(drive: Drive, first: float) -> Callable[[Array], Track]:
-    knots = Knots(drive.time + first, *drive.position.T, *drive.euler.T)
-    return Trajectory(drive.name, knots).track
+    channels = np.hstack([drive.position, drive.euler])
+    return Trajectory(drive.name, drive.time + first, channels).track

@@ -4,11 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.common.state import State, Track
 from ins_eval.flights.plan import Plan
 from ins_eval.mission_model.missions import SETTLING
 from ins_eval.trajectories.trajectory import Trajectory
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 

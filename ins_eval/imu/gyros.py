@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fmu_build.bundle import build_fmu
-from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.map_sizes import MapSizes, size_maps
 from ins_eval.imu.mounting import Mounting
@@ -17,6 +16,7 @@ from ins_eval.imu.stated_gyros import GyroReading
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position import full_circumference
 from pyhrg.bench.dynamic.start_up import START
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.device import device_file
 from pyhrg.device.keys import KEYS
@@ -68,17 +68,22 @@ class FmuGyros:
     def measure(
         self, truth: Increments, mounting: Mounting, generator: np.random.Generator
     ) -> GyroReading:
-        """See `Gyros`."""
+        """Simulate the gyros on the true motion."""
         self.check_interval(truth.interval)
         fmu = self.fmu or GyroFmu(build_fmu())
         devices = self.devices(generator)
         if self.start_up:
             devices = [with_start_up(each) for each in devices]
-        return simulate_gyros(fmu, devices, truth, mounting, generator, self.calibrated)
-
-    def from_power_on(self) -> "FmuGyros":
-        """Return the same gyros with their start-up."""
-        return replace(self, start_up=True)
+        benches = [Bench(fmu, device, seed=int(generator.integers(2**63))) for device in devices]
+        forces = [resolve_force_in_case(truth, axis) for axis in mounting.axes]
+        components = mounting.project(truth.rotation)
+        outputs = simulate_together(benches, components, forces, truth.interval)
+        rotation = np.stack([output.rotation for output in outputs], axis=1)
+        if self.calibrated:
+            rotation -= [calibrate_mean_bias(bench) * truth.interval for bench in benches]
+        pattern = np.stack([output.pattern_angle for output in outputs], axis=1)
+        ready = np.logical_and.reduce([output.ready for output in outputs])
+        return GyroReading(rotation, pattern, ready)
 
     @property
     def map_sizes(self) -> tuple[MapSizes, ...]:
@@ -88,7 +93,8 @@ class FmuGyros:
 
     @property
     def errors(self) -> SensorErrors:
-        """See `Gyros`. The bias is that at rest, at any pattern angle."""
+        """Sensor errors of one gyro that a linear model should assume; the bias is that at rest,
+        at any pattern angle."""
         devices = [replace(self.device, **own) for own in self.differences]
         return SensorErrors(
             gyro_bias=_rms([sizes.rest_bias for sizes in self.map_sizes]),
@@ -105,30 +111,6 @@ def read_differences(document: Mapping[str, Any], source: str) -> dict[str, Any]
     return {
         name: getattr(stated, name) for name in (fields_by_key.get(key, key) for key in document)
     }
-
-
-def simulate_gyros(
-    fmu: GyroFmu,
-    devices: Sequence[Device],
-    truth: Increments,
-    mounting: Mounting,
-    generator: np.random.Generator,
-    calibrated: bool = True,
-) -> GyroReading:
-    """Simulate three given gyros on the true motion.
-
-    calibrated: whether each gyro's mean bias is measured on the bench and subtracted.
-    """
-    benches = [Bench(fmu, device, seed=int(generator.integers(2**63))) for device in devices]
-    forces = [resolve_force_in_case(truth, axis) for axis in mounting.axes]
-    components = mounting.project(truth.rotation)
-    outputs = simulate_together(benches, components, forces, truth.interval)
-    rotation = np.stack([output.rotation for output in outputs], axis=1)
-    if calibrated:
-        rotation -= [calibrate_mean_bias(bench) * truth.interval for bench in benches]
-    pattern = np.stack([output.pattern_angle for output in outputs], axis=1)
-    ready = np.logical_and.reduce([output.ready for output in outputs])
-    return GyroReading(rotation, pattern, ready)
 
 
 def calibrate_mean_bias(bench: Bench) -> float:

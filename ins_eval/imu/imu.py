@@ -6,9 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.common.sensor_errors import SensorErrors
+from ins_eval.imu.gyros import FmuGyros
 from ins_eval.imu.mounting import ORTHOGONAL, Mounting
 from ins_eval.imu.sensor_error_model import IDEAL_SENSORS, SensorErrorModel
-from ins_eval.imu.stated_gyros import IDEAL_GYROS, Gyros
+from ins_eval.imu.stated_gyros import IDEAL_GYROS, StatedGyros
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import STANDARD_GRAVITY
 from pyhrg.records.imu.increments import Increments
@@ -44,7 +45,7 @@ class Imu:
     name: for reports.
     """
 
-    gyros: Gyros = IDEAL_GYROS
+    gyros: FmuGyros | StatedGyros = IDEAL_GYROS
     accelerometers: SensorErrorModel = IDEAL_SENSORS
     interval: float = 0.01
     mounting: Mounting = ORTHOGONAL
@@ -77,7 +78,9 @@ class Imu:
 
     def from_power_on(self) -> "Imu":
         """Return the same IMU for a record that begins when it is switched on."""
-        return replace(self, gyros=self.gyros.from_power_on())
+        if not isinstance(self.gyros, FmuGyros):
+            return self
+        return replace(self, gyros=replace(self.gyros, start_up=True))
 
     @property
     def errors(self) -> SensorErrors:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ins_eval.common.arrays import Array
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 
 MAX_CONDITION_NUMBER = 20.0

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import MICRO_G
 from pyhrg.noise.flicker import draw_flicker
 

@@ -8,7 +8,7 @@ from ins_eval.imu.gyros import FmuGyros, read_differences
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.mounting import ORTHOGONAL, Mounting, MountingError, make_mounting
 from ins_eval.imu.sensor_error_model import AxisConstants, SensorErrorModel
-from ins_eval.imu.stated_gyros import Gyros, StatedGyros
+from ins_eval.imu.stated_gyros import StatedGyros
 from pyhrg.common.toml_table import SpecificationError, TomlTable, read_table
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G, PPM
 from pyhrg.device.device_file import DeviceError
@@ -120,7 +120,7 @@ def _mounting(table: TomlTable) -> Mounting:
         raise table.error("axes", axes, f"three input axes, each [x, y, z]: {error}") from error
 
 
-def _gyros(table: TomlTable, folder: Path) -> Gyros:
+def _gyros(table: TomlTable, folder: Path) -> FmuGyros | StatedGyros:
     if "device" in table.values:
         return _fmu_gyros(table, folder)
     kind = table.text("kind", "ideal", ("ideal", "simple"))

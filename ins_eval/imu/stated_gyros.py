@@ -1,15 +1,14 @@
-"""The interface of three gyros, and gyros that are simulated by their stated errors."""
+"""Three gyros that are simulated by their stated errors."""
 
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.mounting import Mounting
 from ins_eval.imu.sensor_error_model import IDEAL_SENSORS, SensorErrorModel
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 
@@ -27,22 +26,6 @@ class GyroReading:
     ready: NDArray[np.bool_] | None = None
 
 
-class Gyros(Protocol):
-    """Interface of three gyros."""
-
-    def measure(
-        self, truth: Increments, mounting: Mounting, generator: np.random.Generator
-    ) -> GyroReading:
-        """Simulate the gyros on the true motion."""
-
-    def from_power_on(self) -> "Gyros":
-        """Return the same gyros for a record that begins when they are switched on."""
-
-    @property
-    def errors(self) -> SensorErrors:
-        """Sensor errors of one gyro that a linear model should assume."""
-
-
 @dataclass(frozen=True)
 class StatedGyros:
     """Gyros with stated errors, none by default; they need no FMU."""
@@ -52,17 +35,14 @@ class StatedGyros:
     def measure(
         self, truth: Increments, mounting: Mounting, generator: np.random.Generator
     ) -> GyroReading:
-        """See `Gyros`."""
+        """Simulate the gyros on the true motion."""
         components = mounting.project(truth.rotation)
         return GyroReading(self.error_model.measure(components, truth.interval, generator))
 
-    def from_power_on(self) -> "StatedGyros":
-        """Return the same gyros, which have no start-up."""
-        return self
-
     @property
     def errors(self) -> SensorErrors:
-        """See `Gyros`. Scale factor and misalignment are left out: they depend on the manoeuvre."""
+        """Sensor errors of one gyro that a linear model should assume. Scale factor and
+        misalignment are left out: they depend on the manoeuvre."""
         return SensorErrors(
             gyro_bias=self.error_model.bias.size,
             angle_random_walk=self.error_model.random_walk,

@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from ins_eval.alignment.analytic import attitude_at_rest, bias_sensitivity
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
+from pyhrg.common.arrays import Array
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.error_model.effects import ANGULAR_GAIN
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 from pyhrg.fmu import GyroFmu
 
@@ -20,29 +20,6 @@ TERMS = 1 + 2 * len(HARMONICS)
 """Number of terms of a map: the mean, and a cosine and a sine of each harmonic."""
 NAMES = ("mean", *(f"{wave}{h}" for h in HARMONICS for wave in ("cos", "sin")))
 """Names of the terms, as in `pyhrg.device.device.AngleMap`, which has no sixth harmonic."""
-
-
-@dataclass(frozen=True)
-class GyroMap:
-    """Coefficients of `evaluate_terms`. bias: (TERMS,) rad/s; scale: (TERMS,) scale-factor error,
-    1."""
-
-    bias: Array
-    scale: Array
-
-    def start_at(self, angle: float) -> "GyroMap":
-        """This map as a function of the pattern's turn from this angle, rad (Eq. 2)."""
-        return GyroMap(_turn(self.bias, angle), _turn(self.scale, angle))
-
-    @property
-    def coefficients(self) -> Array:
-        """(2 TERMS,) coefficients of the bias, then of the scale factor."""
-        return np.concatenate([self.bias, self.scale])
-
-    @staticmethod
-    def from_coefficients(coefficients: Array) -> "GyroMap":
-        """The map of (2 TERMS,) coefficients."""
-        return GyroMap(coefficients[:TERMS], coefficients[TERMS:])
 
 
 def evaluate_terms(angle: Array) -> Array:
@@ -55,15 +32,6 @@ def fit_coefficients(rows: Array, values: Array) -> Array:
     """(c,) least-squares coefficients of values (n,) by the normal equations, which suffice: the
     columns of rows (n, c) are harmonics over whole periods, nearly orthogonal."""
     return np.asarray(np.linalg.solve(rows.T @ rows, rows.T @ values))
-
-
-def _turn(coefficients: Array, angle: float) -> Array:
-    turned = np.array(coefficients, dtype=float)
-    for place, h in enumerate(HARMONICS):
-        cos, sin = coefficients[1 + 2 * place : 3 + 2 * place]
-        c, s = np.cos(h * angle), np.sin(h * angle)
-        turned[1 + 2 * place : 3 + 2 * place] = cos * c + sin * s, sin * c - cos * s
-    return turned
 
 
 SETTLING_S = 10.0
@@ -101,8 +69,9 @@ def measure_gyro_map(
     parameters: Mapping[str, float],
     inputs: Mapping[str, Array] | None = None,
     sweep: Sweep = SLOW,
-) -> GyroMap:
-    """The map of a gyro, by least squares over half a turn of the pattern in each direction.
+) -> Array:
+    """(2 TERMS,) coefficients of a gyro's bias, rad/s, then of its scale-factor error, by least
+    squares over half a turn of the pattern in each direction.
 
     Half a turn is a period of the second harmonic.
 
@@ -121,4 +90,4 @@ def measure_gyro_map(
         at = evaluate_terms(0.5 * (ends[1:, 1] + ends[:-1, 1]))
         rows.append(np.hstack([at, np.sign(rate) * at]))
     fitted = fit_coefficients(np.vstack(rows), np.concatenate(errors))
-    return GyroMap(fitted[:TERMS], fitted[TERMS:] / sweep.rate)
+    return np.concatenate([fitted[:TERMS], fitted[TERMS:] / sweep.rate])

@@ -8,14 +8,12 @@ weighted sum of its coefficients (`position_errors`).
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.common.arrays import Array
 from ins_eval.error_model.aligning import model_alignment
-from ins_eval.error_model.effects import Effect, accelerometer_bias
+from ins_eval.error_model.effects import Effect, accelerometer_bias, misalignment
 from ins_eval.error_model.linear_model import AXES, LinearModel, linearize
 from ins_eval.error_model.motion import Motion, sample_motion, step_mean
 from ins_eval.error_model.states import ATTITUDE, COUNT
@@ -26,6 +24,7 @@ from ins_eval.mission_model.missions import SETTLING, STILL, StudyMission
 from ins_eval.mission_model.noise_weights import compute_error_weights, compute_noise_covariances
 from ins_eval.navigation.height import Clamped
 from ins_eval.trajectories.trajectory import Trajectory
+from pyhrg.common.arrays import Array
 
 STEP = 1.0
 """Step of the linear model, s. Chosen."""
@@ -61,7 +60,7 @@ class MissionWeights:
 
     @property
     def gyros(self) -> Array:
-        """(k, 2, 2 TERMS, 3) weights of a `GyroMap` that is constant in flight."""
+        """(k, 2, 2 TERMS, 3) weights of a map that is constant in flight."""
         return self.maps[:, :, : 2 * TERMS]
 
 
@@ -72,7 +71,7 @@ def compute_mission_weights(mission: StudyMission) -> MissionWeights:
     effects = [
         *signals.list_signal_effects(),
         *pattern_drift.list_drift_effects(integrals),
-        *list_mounting_effects(),
+        *misalignment("gyro"),
         accelerometer_bias(),
     ]
     aligning = round((STILL - SETTLING) / STEP)
@@ -94,19 +93,6 @@ def compute_mission_weights(mission: StudyMission) -> MissionWeights:
         noise=compute_noise_covariances(weights, STEP, round(SETTLING / STEP)),
         alignment=_describe_alignment(trajectory, effects[: signals.COUNT], attitude),
     )
-
-
-def list_mounting_effects() -> list[Effect]:
-    """Effects of input axes that lean towards the next body axis, and towards the one after: a gyro
-    measures a share of the rate about that axis."""
-    return [
-        Effect(f"mounting, axis {ahead} ahead", "gyro", partial(_read_rate_ahead, ahead))
-        for ahead in (1, 2)
-    ]
-
-
-def _read_rate_ahead(ahead: int, motion: Motion) -> Array:
-    return np.roll(motion.rate, -ahead, axis=1)
 
 
 def _linearize_mission(

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.signal import lfilter
 
-from ins_eval.common.arrays import Array
+from pyhrg.common.arrays import Array
 from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
 FMU_FLICKER_LAGS = 0.01 * 8.0 ** np.arange(8)

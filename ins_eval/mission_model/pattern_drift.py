@@ -12,13 +12,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.error_model.effects import ANGULAR_GAIN, Effect, pattern_angle
 from ins_eval.error_model.linear_model import AXES
 from ins_eval.error_model.motion import PARTS, Motion
 from ins_eval.mission_model.gyro_map import HARMONICS, TERMS
 from ins_eval.mission_model.signals import STEADY, WARMING, slice_coefficients
 from ins_eval.trajectories.trajectory import Trajectory
+from pyhrg.common.arrays import Array
 
 FOURTH_HARMONIC = 1 + 2 * HARMONICS.index(4)
 TURNING_TERMS = (0, FOURTH_HARMONIC, FOURTH_HARMONIC + 1)

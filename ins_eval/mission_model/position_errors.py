@@ -8,13 +8,13 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.common.arrays import Array
 from ins_eval.mission_model.alignment_at_rest import compute_second_order_error
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.noise_weights import factor_covariances
 from ins_eval.mission_model.pattern_drift import compute_drift_products
 from ins_eval.mission_model.signals import ENVIRONMENT, STEADY, WARMING, slice_coefficients
 from ins_eval.mission_model.triad_block import TriadBlock
+from pyhrg.common.arrays import Array
 from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
 
@@ -72,10 +72,12 @@ def compute_position_errors(
         drift=compute_map_errors(
             weights.drift, compute_drift_products(triads.in_flight, triads.turning)
         ),
-        accelerometers=compute_accelerometer_errors(weights, triads.accelerometers),
+        accelerometers=np.asarray(
+            np.einsum("kia,ra->rki", weights.accelerometers, triads.accelerometers)
+        ),
         mounting=compute_map_errors(weights.mounting, triads.mounting),
         noise=draw_noise_errors(weights, triads.noise, triads.seeds, mission),
-        alignment=compute_alignment_errors(weights, triads),
+        alignment=compute_alignment_errors(weights, triads.in_flight, triads.accelerometers),
     )
 
 
@@ -85,16 +87,21 @@ def compute_map_errors(weights: Array, coefficients: Array) -> Array:
     return (coefficients.reshape(r, -1) @ weights.reshape(2 * k, -1).T).reshape(r, k, 2)
 
 
-def compute_accelerometer_errors(weights: MissionWeights, biases: Array) -> Array:
-    """(r, k, 2) position error, m, of accelerometer biases (r, 3), m/s^2."""
-    return np.asarray(np.einsum("kia,ra->rki", weights.accelerometers, biases))
+def compute_alignment_errors(
+    weights: MissionWeights, maps: Array, accelerometers: Array | None = None
+) -> Array:
+    """(r, k, 2) second-order error of the alignment, m (Eq. 8), of coefficients in flight
+    (r, COUNT, 3) and accelerometer biases (r, 3), m/s^2, none by default. Gyro noise averages out
+    over the alignment and is left out."""
+    rate = np.einsum("ca,rca->ra", weights.alignment.rates, maps)
+    force = np.zeros_like(rate) if accelerometers is None else accelerometers
+    return compute_second_order_error(weights.alignment, rate, force)
 
 
-def compute_alignment_errors(weights: MissionWeights, triads: TriadBlock) -> Array:
-    """(r, k, 2) second-order error of the alignment, m (Eq. 8). Gyro noise averages out over the
-    alignment and is left out."""
-    rate = np.einsum("ca,rca->ra", weights.alignment.rates, triads.in_flight)
-    return compute_second_order_error(weights.alignment, rate, triads.accelerometers)
+def compute_expected_error(weights: MissionWeights, maps: Array) -> Array:
+    """(r, k, 2) error, m, of known coefficients in flight (r, COUNT, 3) alone, the alignment's
+    second order included (study_predictors.md, Eq. 4)."""
+    return compute_map_errors(weights.maps, maps) + compute_alignment_errors(weights, maps)
 
 
 def draw_noise_errors(

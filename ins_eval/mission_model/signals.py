@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.error_model.effects import (
     ANGULAR_GAIN,
     Effect,
@@ -31,6 +30,7 @@ from ins_eval.mission_model.warming import (
     compute_resonator_warming_rate,
     compute_resonator_warmth,
 )
+from pyhrg.common.arrays import Array
 
 Regressor = Callable[[Motion], Array]
 
@@ -91,7 +91,7 @@ SIGNALS = (
 STEADY, WARMING, ENVIRONMENT = slice(0, 1), slice(1, 3), slice(3, 7)
 """Groups of `SIGNALS`: constant, by warmth, by the environment."""
 COUNT = len(SIGNALS) * 2 * TERMS
-"""Number of coefficients in flight: those of a `GyroMap` for each signal in turn."""
+"""Number of coefficients in flight: those of a map for each signal in turn."""
 
 
 def slice_coefficients(signals: slice) -> slice:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import NDArray
 
-from ins_eval.common.arrays import Array
+from pyhrg.common.arrays import Array
 
 
 @dataclass(frozen=True)

@@ -7,8 +7,8 @@ share, 0 to 1, of the final rise of temperature. Times are seconds since the ali
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.mission_model.missions import CASE_WARM_UP, STILL, WARM_UP
+from pyhrg.common.arrays import Array
 
 
 def compute_case_warmth(time: Array) -> Array:

@@ -5,7 +5,6 @@ The equations are in docs/methods/navigation.md.
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.navigation.algebra import (
     SMALL_ANGLE_SQUARED,
     Vector,
@@ -16,6 +15,7 @@ from ins_eval.navigation.algebra import (
     subtract,
 )
 from ins_eval.navigation.coefficients import StepCoefficients
+from pyhrg.common.arrays import Array
 from pyhrg.common.caches.compiled import compile_loop
 
 

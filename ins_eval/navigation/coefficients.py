@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.polynomial import Polynomial
 
-from ins_eval.common.arrays import Array
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 
 SAMPLES_PER_STEP = (2, 3, 4)

@@ -6,7 +6,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 
 Gains = tuple[float, float, float]

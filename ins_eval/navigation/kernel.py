@@ -10,7 +10,6 @@ from typing import NamedTuple
 import numpy as np
 
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
 from ins_eval.navigation.algebra import (
     Quaternion,
     Vector,
@@ -30,6 +29,7 @@ from ins_eval.navigation.algebra import (
 from ins_eval.navigation.body_step import integrate_body_step
 from ins_eval.navigation.coefficients import StepCoefficients
 from ins_eval.navigation.height import VerticalChannel
+from pyhrg.common.arrays import Array
 from pyhrg.common.caches.compiled import compile_loop
 
 MAX_LATITUDE = np.deg2rad(89.5)

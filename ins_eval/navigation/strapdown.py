@@ -7,11 +7,11 @@ The equations are in docs/methods/navigation.md.
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ins_eval.common.arrays import Array
 from ins_eval.common.state import State, Track
 from ins_eval.navigation import kernel
 from ins_eval.navigation.coefficients import derive_coefficients
 from ins_eval.navigation.height import Height
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.increments import Increments
 

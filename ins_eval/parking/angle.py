@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG
 
 BiasMap = Callable[[Array], Array]

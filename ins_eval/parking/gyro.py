@@ -4,7 +4,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.imu.gyros import GyroOutput, resolve_force_in_case, simulate_gyro, with_start_up
 from ins_eval.parking.angle import find_flattest_extreme, find_flattest_zero
 from ins_eval.parking.case import Known, Start
@@ -13,6 +12,7 @@ from pyhrg.bench.bias.position.positions import Plan
 from pyhrg.bench.calibration.calibration import apply_maps, plan_power_ons
 from pyhrg.bench.calibration.calibration_maps import fit_maps, make_angle_map
 from pyhrg.bench.estimation.harmonics import make_columns
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import AngleMap, Device
 from pyhrg.records.imu.increments import Increments
 

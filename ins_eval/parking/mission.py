@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.alignment.analytic import level_and_gyrocompass
-from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import euler_from_mat
 from ins_eval.common.state import State, position_error
 from ins_eval.imu.imu import StartUpError
@@ -18,6 +17,7 @@ from ins_eval.mission_model.missions import STILL
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
 from ins_eval.trajectories.trajectory import Trajectory
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 INTERVAL = 0.01

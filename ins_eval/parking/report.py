@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.common.metrics import median_interval
 from ins_eval.parking.case import CASES
 from ins_eval.parking.figure import plot_comparison
 from ins_eval.parking.study import Comparison, compare_with_first_case
 from ins_eval.parking.triad import RECORDS
 from ins_eval.results.png import save_png
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG, NAUTICAL_MILE
 
 SCHEMA = "hrg-parking/1"

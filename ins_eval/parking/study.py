@@ -1,23 +1,28 @@
 """The experiment: triads flown with their level gyros' patterns parked, and not."""
 
+import os
 import threading
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, fields
 from pathlib import Path
+from typing import TypeVar
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.common.metrics import PairedRatio, compute_paired_ratio
-from ins_eval.common.parallel import map_in_threads
 from ins_eval.imu.sensor_error_model import TYPICAL_ACCELEROMETERS
 from ins_eval.parking.gyro import measure_maps
 from ins_eval.parking.mission import Mission
 from ins_eval.parking.triad import DRIVES, TriadFlights, fly_triad
 from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position.positions import Plan
+from pyhrg.common.arrays import Array
 from pyhrg.device.ready_devices import TYPICAL, Device
 from pyhrg.fmu import GyroFmu
+
+Item = TypeVar("Item")
+Result = TypeVar("Result")
 
 
 @dataclass(frozen=True)
@@ -88,35 +93,42 @@ def compare(
         gyros = [measure_maps(bench, plan) for bench in benches]
         return fly_triad(gyros, velocity, mission)
 
+    one_triad = DRIVES * len(mission.time)
     flown = map_in_threads(
         fly,
         np.random.SeedSequence(seed).spawn(triads),
         fmu.stop,
         workers,
-        _count_progress(mission, triads, progress),
+        lambda done: progress(done * one_triad, triads * one_triad) if progress else None,
     )
+    by_triad = {
+        f.name: np.stack([getattr(each, f.name) for each in flown], axis=1)
+        for f in fields(TriadFlights)
+    }
     return Comparison(
-        seed=seed,
-        device=device.name,
-        mission=mission.name,
-        time=mission.time,
-        radial=np.stack([each.radial for each in flown], axis=1),
-        heading=np.stack([each.heading for each in flown], axis=1),
-        ready=np.stack([each.ready for each in flown], axis=1),
-        start_up=np.stack([each.start_up for each in flown], axis=1),
+        seed=seed, device=device.name, mission=mission.name, time=mission.time, **by_triad
     )
 
 
-def _count_progress(
-    mission: Mission, triads: int, progress: Callable[[int, int], None] | None
-) -> Callable[[TriadFlights], None]:
-    """A function that reports one triad more at each call."""
-    one_triad = DRIVES * len(mission.time)
-    total = triads * one_triad
-    minutes = iter(range(one_triad, total + 1, one_triad))
+def map_in_threads(
+    work: Callable[[Item], Result],
+    items: Sequence[Item],
+    stop: threading.Event,
+    workers: int | None = None,
+    report: Callable[[int], object] = lambda done: None,
+) -> list[Result]:
+    """Apply `work` to all items on several threads, and return the results in their order.
 
-    def report(_: TriadFlights) -> None:
-        if progress is not None:
-            progress(next(minutes), total)
-
-    return report
+    `work` should release the interpreter lock; `stop` is set when a call fails, so that running
+    calls can end early; `report` is called with the number of results, after each.
+    """
+    results = []
+    with ThreadPoolExecutor(workers or len(os.sched_getaffinity(0))) as pool:
+        try:
+            for result in pool.map(work, items):
+                results.append(result)
+                report(len(results))
+        except BaseException:
+            stop.set()
+            raise
+    return results

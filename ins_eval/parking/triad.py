@@ -6,12 +6,12 @@ from functools import cache
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.imu.gyros import GyroOutput
 from ins_eval.mission_model.missions import STILL
 from ins_eval.parking.case import CASES, LIMIT, Case, Known, Start
 from ins_eval.parking.gyro import MappedGyro
 from ins_eval.parking.mission import INTERVAL, Mission, find_ready_time
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 VERTICAL = 2

@@ -4,9 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
+from ins_eval.mission_model.turned_maps import start_maps
 from ins_eval.study.gyros.drift import Flight
-from ins_eval.study.gyros.true_maps import compute_turning_bias, read_flight_coefficients, start_at
+from ins_eval.study.gyros.true_maps import compute_turning_bias, read_flight_coefficients
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.noise.coefficients import COEFFICIENT_NAMES
@@ -36,13 +37,12 @@ class Gyro:
         Returns (r, signals.COUNT, 3) coefficients of the maps, and (r, pattern_drift.TURNING_TERMS,
         3) bias that turns the pattern, rad/s.
         """
-        triads = angles.tolist()
-        maps = [[start_at(self.coefficients, angle) for angle in triad] for triad in triads]
+        maps = start_maps(np.repeat(self.coefficients[:, None], 3, axis=1), angles)
         turning = [
             [compute_turning_bias(self.device, self.coefficients, angle) for angle in triad]
-            for triad in triads
+            for triad in angles.tolist()
         ]
-        return np.moveaxis(np.array(maps), 1, -1), np.moveaxis(np.array(turning), 1, -1)
+        return maps, np.moveaxis(np.array(turning), 1, -1)
 
     def make_flights(self, angles: Array) -> tuple[Flight, ...]:
         """Flights of three such gyros, from their power-on angles (3,), rad."""

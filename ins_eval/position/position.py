@@ -6,7 +6,6 @@ from pathlib import Path
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import StudyMission, plan_mission
 from ins_eval.mission_model.weights_cache import load_mission_weights
@@ -23,6 +22,7 @@ from ins_eval.study.gyros.drawn_triad import DrawnTriad
 from ins_eval.study.scores.resampling import Estimate, bootstrap
 from ins_eval.trajectories import catalogue
 from ins_eval.trajectories.errors import TrajectoryError
+from pyhrg.common.arrays import Array
 from pyhrg.fmu import GyroFmu
 
 COSIMULATED_TRIADS = 2

@@ -2,14 +2,13 @@
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
-from ins_eval.mission_model.alignment_at_rest import compute_second_order_error
 from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.pattern_drift import compute_drift_products
-from ins_eval.mission_model.position_errors import compute_map_errors
+from ins_eval.mission_model.position_errors import compute_alignment_errors, compute_map_errors
 from ins_eval.mission_model.signals import ENVIRONMENT, STEADY, WARMING, slice_coefficients
 from ins_eval.position.gyro import Gyro
+from pyhrg.common.arrays import Array
 from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 
 MAP_PARTS = {
@@ -40,14 +39,13 @@ def compute_error_parts(
     gyros lie along forward, right and down.
     """
     maps, turning = in_flight
-    rate = np.einsum("ca,rca->ra", weights.alignment.rates, maps)
     return {
         **{
             name: compute_map_errors(weights.maps[:, :, part], maps[:, part])
             for name, part in MAP_PARTS.items()
         },
         DRIFT_PART: compute_map_errors(weights.drift, compute_drift_products(maps, turning)),
-        ALIGNMENT_PART: compute_second_order_error(weights.alignment, rate, np.zeros_like(rate)),
+        ALIGNMENT_PART: compute_alignment_errors(weights, maps),
     }
 
 

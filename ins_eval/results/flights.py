@@ -5,10 +5,11 @@ from collections.abc import Sequence
 import numpy as np
 import xarray as xr
 
-from ins_eval.common.arrays import Array
+from ins_eval.common.rotation import euler_from_mat
 from ins_eval.common.state import Track, TrackError, track_error
 from ins_eval.results import quantities
 from ins_eval.results.quantities import Quantity
+from pyhrg.common.arrays import Array
 
 POSITION, VELOCITY, ATTITUDE = slice(0, 3), slice(3, 6), slice(6, 9)
 """Places in a covariance's first nine rows, as `TrackError` orders them."""
@@ -59,16 +60,16 @@ def error_columns(error: TrackError) -> Array:
 
 def _state_columns(track: Track) -> Array:
     """(9, m) as `quantities.NAVIGATED` names them: deg, m, m/s."""
-    m = track.mat_nb
+    roll, pitch, heading = np.rad2deg(euler_from_mat(track.mat_nb))
     return np.stack(
         [
             np.rad2deg(track.position[:, 0]),
             wrap_deg(np.rad2deg(track.position[:, 1])),
             track.position[:, 2],
             *track.velocity.T,
-            np.rad2deg(np.arctan2(m[:, 1, 0], m[:, 0, 0])) % 360,
-            np.rad2deg(np.arcsin(np.clip(-m[:, 2, 0], -1, 1))),
-            np.rad2deg(np.arctan2(m[:, 2, 1], m[:, 2, 2])),
+            heading % 360,
+            pitch,
+            roll,
         ]
     )
 

@@ -5,7 +5,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ins_eval.common.arrays import Array
+from pyhrg.common.arrays import Array
 
 KILOMETRES_FROM = 5000.0
 """Errors beyond this are drawn in km, m."""

@@ -8,8 +8,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Ellipse
 
-from ins_eval.common.arrays import Array
 from ins_eval.results.map_grid import lay_out_map, unwrap_deg
+from pyhrg.common.arrays import Array
 
 TRUE_COLOR, NAVIGATED_COLOR = "black", "tab:blue"
 

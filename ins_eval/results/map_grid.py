@@ -9,8 +9,8 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator
 from matplotlib.transforms import blended_transform_factory
 
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
 from ins_eval.results.flights import wrap_deg
+from pyhrg.common.arrays import Array
 
 MARGIN = 0.08
 """Margin around what is drawn, as a share of the map's larger side."""

@@ -3,7 +3,6 @@
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.study.experiment import (
     NOISELESS,
@@ -19,8 +18,7 @@ from ins_eval.study.scores.resampling import bootstrap
 from ins_eval.study.specification import Study
 from ins_eval.study.tables import score
 from ins_eval.study.tables.score import ALL, Score
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 LARGEST_RELATIVE_DIFFERENCE = 0.01
 """Largest accepted ratio of the rms difference to the rms error. Chosen."""

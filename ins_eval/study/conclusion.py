@@ -14,13 +14,14 @@ from ins_eval.study.conditions import CONDITIONS
 from ins_eval.study.experiment import FLOWN, LEAD, open_missions, select_triads
 from ins_eval.study.flight_table import Training, tabulate_flights, train_methods
 from ins_eval.study.gyros.makers_calibration import Method
+from ins_eval.study.phase import diagram
 from ins_eval.study.phase.diagram import (
     compute_map_over_noise,
     compute_phase_diagram,
     compute_turning,
-    describe_phase_diagram,
     write_rows,
 )
+from ins_eval.study.phase.turning import DURATION
 from ins_eval.study.predictors.class_constants import compute_constant
 from ins_eval.study.report import page
 from ins_eval.study.run.block import Arrays
@@ -39,7 +40,7 @@ from ins_eval.study.tables import columns, score
 from ins_eval.study.tables.score import ALL, Score
 from ins_eval.study.tables.table import TABLE, write_table
 from pyhrg.common.made_by import list_versions
-from pyhrg.common.units import DEG, DEG_PER_H
+from pyhrg.common.units import DEG, DEG_PER_H, HOUR
 
 PHASE_TABLE = "phase_diagram.csv"
 FILES = (TABLE, PHASE_TABLE, page.PAGE, DOCUMENT)
@@ -50,7 +51,6 @@ def write_conclusion(study: Study, arrays: Arrays, folder: Path) -> None:
     """Write `FILES` into a folder.
 
     Args:
-        study: the study.
         arrays: results of `experiment.compute_block` for all triads.
         folder: an existing folder.
     """
@@ -115,7 +115,8 @@ def _describe_lead(study: Study, arrays: Arrays) -> dict[str, Any]:
 def _describe_phase_diagram(
     study: Study, arrays: Arrays, trained: Mapping[Method, Training]
 ) -> dict[str, Any]:
-    """The phase diagram of the training triads, and where the judged ones fly in it."""
+    """The phase diagram of the training triads, and where the judged ones fly in it: turning and
+    median map over noise by class."""
     if MEAN not in trained:
         return {}
     triads = select_triads(arrays, MEAN)
@@ -125,11 +126,16 @@ def _describe_phase_diagram(
     ratio = float(np.median(compute_map_over_noise(judged)))
     with open_missions(study) as missions:
         places = {
-            planned.mission_class: (compute_turning(mission), ratio)
+            planned.mission_class: [compute_turning(mission), ratio]
             for planned, mission in zip(study.missions, missions, strict=True)
         }
-    rows = compute_phase_diagram(training, trained[MEAN].model.drift, study.seed)
-    return describe_phase_diagram(rows, places)
+    return {
+        "factor": diagram.FACTOR,
+        "hours": DURATION / HOUR,
+        "start_angles": diagram.ANGLES,
+        "rows": compute_phase_diagram(training, trained[MEAN].model.drift, study.seed),
+        "missions": places,
+    }
 
 
 def _score_conditions(flights: pd.DataFrame, seed: int, inside: float) -> Iterator[Score]:

@@ -13,6 +13,7 @@ from ins_eval.mission_model.gyro_map import TERMS, evaluate_terms
 from ins_eval.mission_model.missions import StudyMission, plan_mission
 from ins_eval.mission_model.triad_block import TriadBlock
 from ins_eval.study.gyros.drawn_triad import (
+    AXES,
     DrawnTriad,
     TriadDistribution,
     draw_triad,
@@ -118,33 +119,21 @@ def _self_calibrate(sample: ConditionSample) -> TriadBlock:
     before."""
     plan = sample.distribution.calibration
 
-    def calibrate_flight(number: int, axis: int, flight: Flight) -> Flight:
-        seed = _make_calibration_seed(sample.study, number, axis)
+    def fly(drawn: DrawnTriad, axis: int, seed: int) -> Flight:
+        flight = drawn.flights[axis]
         return replace(flight, device=calibrate_gyro(sample.fmu, flight.device, "map", seed, plan))
 
-    triads = [
-        replace(
-            drawn,
-            flights=tuple(calibrate_flight(number, *each) for each in enumerate(drawn.flights)),
-        )
-        for number, drawn in sample.drawn.items()
-    ]
-    return tabulate_triads(sample.fmu, triads)
+    return _fly_again(sample, fly)
 
 
 def _fly_years_later(sample: ConditionSample) -> TriadBlock:
     """Triads of the same gyros that fly `STALE_AGE` after their calibration and their bench."""
     drift = replace(sample.distribution.drift, age=STALE_AGE)
 
-    def fly(number: int, axis: int, device: Device) -> Flight:
-        seed = _make_calibration_seed(sample.study, number, axis)
-        return draw_flight(device, drift, np.random.default_rng(seed))
+    def fly(drawn: DrawnTriad, axis: int, seed: int) -> Flight:
+        return draw_flight(drawn.calibrated[axis], drift, np.random.default_rng(seed))
 
-    triads = [
-        replace(drawn, flights=tuple(fly(number, *each) for each in enumerate(drawn.calibrated)))
-        for number, drawn in sample.drawn.items()
-    ]
-    return tabulate_triads(sample.fmu, triads)
+    return _fly_again(sample, fly)
 
 
 def _draw_noisy_triads(sample: ConditionSample) -> TriadBlock:
@@ -154,10 +143,20 @@ def _draw_noisy_triads(sample: ConditionSample) -> TriadBlock:
     return tabulate_triads(sample.fmu, [draw_triad(sample.fmu, noisy, seed) for seed in seeds])
 
 
-def _make_calibration_seed(study: Study, number: int, axis: int) -> int:
-    """Seed of a gyro's self-calibration, or of its later flight."""
-    sequence = np.random.SeedSequence(study.seed, spawn_key=(number, axis))
-    return int(sequence.generate_state(1, np.uint64)[0] >> 1)
+def _fly_again(
+    sample: ConditionSample, fly: Callable[[DrawnTriad, int, int], Flight]
+) -> TriadBlock:
+    """The triads in other flights, each from its triad, the axis of the gyro, and a seed."""
+
+    def make_seed(number: int, axis: int) -> int:
+        sequence = np.random.SeedSequence(sample.study.seed, spawn_key=(number, axis))
+        return int(sequence.generate_state(1, np.uint64)[0] >> 1)
+
+    triads = [
+        replace(each, flights=tuple(fly(each, a, make_seed(number, a)) for a in range(AXES)))
+        for number, each in sample.drawn.items()
+    ]
+    return tabulate_triads(sample.fmu, triads)
 
 
 CONDITIONS = (

@@ -8,7 +8,6 @@ from contextlib import ExitStack
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.alignment.analytic import level_and_gyrocompass
 from ins_eval.common.state import State, position_error
@@ -21,10 +20,9 @@ from ins_eval.navigation.strapdown import navigate
 from ins_eval.study.gyros.drawn_triad import DrawnTriad
 from ins_eval.study.gyros.drift import Flight
 from ins_eval.study.gyros.true_maps import list_slow_parameters
+from pyhrg.common.arrays import Array
 from pyhrg.fmu import Gyro, GyroFmu, record_together
 from pyhrg.records.imu.increments import Increments
-
-Array = NDArray[np.float64]
 
 INTERVAL = 0.01
 """Interval of the IMU's increments, s. Chosen."""
@@ -96,8 +94,6 @@ def cosimulate(
 
     Args:
         fmu: `HRG`; or, without noise, `HRGSlow`, whose loops are in their steady state.
-        truth: the mission.
-        triad: the triad.
         noise: seed of the noise of gyros and accelerometers, from which each gyro gets its own;
             None leaves out all noise.
     """

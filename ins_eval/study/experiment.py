@@ -31,10 +31,9 @@ from ins_eval.study.gyros.population import RAW, TRIMMED
 from ins_eval.study.run.block import Arrays
 from ins_eval.study.specification import CONDITION, MEAN, TEST, PlannedMission, Study
 from ins_eval.trajectories.catalogue import find_mission_file
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, MICRO_G
 from pyhrg.fmu import GyroFmu
-
-Array = NDArray[np.float64]
 
 DEFAULT_SETTINGS: dict[str, Any] = {
     "trimmed": TRIMMED,
@@ -77,10 +76,6 @@ def compute_block(study: Study, triads: range) -> Arrays:
     """Results of a block of triads by name: the fields of `TriadBlock` for each calibration; for
     each calibration and mission the fields of `PositionErrors`, by the linear model, and the errors
     of the co-simulations.
-
-    Args:
-        study: the study.
-        triads: numbers of the block's triads.
     """
     arrays: dict[str, NDArray[Any]] = {}
     drawn = {method: _draw_triads(study, method, triads) for method in list_methods(study)}

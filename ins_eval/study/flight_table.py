@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 import pyarrow as pa
-from numpy.typing import NDArray
 
 from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.mission_weights import MissionWeights
@@ -37,9 +36,9 @@ from ins_eval.study.run.block import Arrays
 from ins_eval.study.specification import CONDITION, MEAN, Study
 from ins_eval.study.tables import columns
 from ins_eval.study.tables.table import make_table
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import ARCSEC, DEG_PER_H, HOUR, MICRO_G
 
-Array = NDArray[np.float64]
 Rules = Mapping[str, ConstantRule]
 """Rules of a class by predictor."""
 
@@ -82,9 +81,7 @@ def tabulate_flights(study: Study, arrays: Arrays, trained: Mapping[Method, Trai
     """A row for each triad, calibration and mission, then those of the conditions.
 
     Args:
-        study: the study.
         arrays: results of `experiment.compute_block` for all triads.
-        trained: result of `train_methods`.
     """
     return pa.concat_tables(list(_tabulate(study, arrays, trained)))
 

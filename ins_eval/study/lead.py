@@ -9,7 +9,6 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.mission_model.missions import StudyMission, plan_mission
 from ins_eval.study.cosimulated import MissionTruth, cosimulate
@@ -18,11 +17,10 @@ from ins_eval.study.gyros.drawn_triad import AXES, DrawnTriad, TriadDistribution
 from ins_eval.study.gyros.drift import Flight, draw_flight
 from ins_eval.study.gyros.makers_calibration import calibrate_gyro
 from ins_eval.study.gyros.measured_gyro import measure_gyro
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.device.ready_devices import TABLE2
 from pyhrg.fmu import GyroFmu
-
-Array = NDArray[np.float64]
 
 DEVICE, MISSION, HOURS = "table2", "car", 1.0
 BENCH = BenchPlan(runs=7, fixed_runs=7, segments=3, fixed_segments=36)
@@ -42,7 +40,6 @@ def bench_lead(fmu: GyroFmu, seed: int) -> Array:
 
     Args:
         fmu: `HRGSlow`.
-        seed: seed of the study.
     """
     measured = measure_gyro(fmu, _calibrate(fmu, seed), BENCH, _draw_seeds(seed)[1])
     return np.array([measured.fixed_stability, measured.circumference_stability])
@@ -61,7 +58,6 @@ def fly_lead(
     Args:
         slow, fmu: `HRGSlow`, on which the maker's tests run, and `HRG`, which flies.
         truth: the mission of `plan_lead`.
-        seed: seed of the study.
         flights: numbers of the flights, from 0.
         count: number of all flights, over which the start angles are spread.
     """

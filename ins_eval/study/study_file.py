@@ -33,7 +33,6 @@ def load_study(name_or_path: str | Path, seed: int | None = None) -> Study:
 
     Args:
         name_or_path: one of `READY`, or a file (TOML).
-        seed: seed instead of the file's.
 
     Raises:
         HrgError: neither a name nor a file; or as `read_study`.
@@ -55,7 +54,6 @@ def read_study(path: Path, seed: int | None = None) -> Study:
             mission), `file` (relative to this one's folder) or `recorded` (a recorded drive, which
             is left out where it does not exist); further `class` and, if it differs
             from the study's, `hours`. Tables are those of `settings.SETTING_TABLES`.
-        seed: seed instead of the file's.
 
     Raises:
         SpecificationError: an unreadable file; a key that is unknown or missing; a value out of

@@ -1,8 +1,7 @@
 """Fields of missions and manoeuvres: SI inside, a unit in the key outside, a range."""
 
 import sys
-from abc import ABC, abstractmethod
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import MISSING, Field, dataclass, field, fields
 from typing import Any, TypeGuard, TypeVar
 
@@ -15,84 +14,37 @@ UNITS = {"arcsec": ARCSEC, "deg": DEG, "deg_s": DEG, "m": 1.0, "m_s": 1.0, "s": 
 """SI value of each unit that a key may end in; a number without one has none."""
 
 
-class Kind(ABC):
-    """The values that a field takes; those of files and inside are the same by default."""
+@dataclass(frozen=True)
+class Kind:
+    """The values that a field takes.
 
-    @property
-    @abstractmethod
-    def expected(self) -> str:
-        """What is expected, in words."""
+    expected: what they are, in words; holds: whether a file's value is one of them; unit: of a
+    quantity in a file, a key of `UNITS`; None of other values, which are the same in files and
+    inside.
+    """
 
-    @abstractmethod
-    def holds(self, value: object) -> bool:
-        """Whether a value inside is one of them."""
+    expected: str
+    holds: Callable[[Any], bool]
+    unit: str | None = None
 
-    def from_file(self, value: object) -> Any:
+    def from_file(self, value: Any) -> Any:
         """The value inside of a file's value."""
-        return value
+        return value if self.unit is None or not _is_number(value) else value * UNITS[self.unit]
 
-    def to_file(self, value: object) -> Any:
+    def to_file(self, value: Any) -> Any:
         """The file's value of a value inside."""
-        return value
-
-
-@dataclass(frozen=True)
-class Quantity(Kind):
-    """A number in a unit and its range, in that unit."""
-
-    unit: str
-    low: float
-    high: float
-
-    @property
-    def expected(self) -> str:
-        return f"{self.low:g} to {self.high:g}{' ' * bool(self.unit)}{self.unit.replace('_', '/')}"
-
-    def from_file(self, value: object) -> Any:
-        return value * UNITS[self.unit] if _is_number(value) else value
-
-    def holds(self, value: object) -> bool:
-        """Whether the SI value is a number within the range, rounding aside."""
-        plain = self.to_file(value)
-        slack = 1e-12 * max(abs(self.low), abs(self.high))
-        return _is_number(plain) and self.low - slack <= plain <= self.high + slack
-
-    def to_file(self, value: object) -> Any:
-        return value / UNITS[self.unit] if _is_number(value) else value
-
-
-@dataclass(frozen=True)
-class Whole(Kind):
-    """A whole number and its range."""
-
-    low: int
-    high: int
-
-    @property
-    def expected(self) -> str:
-        return f"a whole number from {self.low} to {self.high}"
-
-    def holds(self, value: object) -> bool:
-        return type(value) is int and self.low <= value <= self.high
-
-
-@dataclass(frozen=True)
-class Choice(Kind):
-    """One of some words."""
-
-    words: tuple[str, ...]
-
-    @property
-    def expected(self) -> str:
-        return " or ".join(f'"{word}"' for word in self.words)
-
-    def holds(self, value: object) -> bool:
-        return isinstance(value, str) and value in self.words
+        return value if self.unit is None or not _is_number(value) else value / UNITS[self.unit]
 
 
 def quantity(unit: str, low: float, high: float, default: Any = MISSING) -> Any:
-    """A field whose key in files is its name and unit; range and default in that unit."""
-    kind = Quantity(unit, low, high)
+    """A field whose key in files is its name and unit; range and default in that unit. The range
+    allows for rounding."""
+    slack = 1e-12 * max(abs(low), abs(high))
+    kind = Kind(
+        f"{low:g} to {high:g}{' ' * bool(unit)}{unit.replace('_', '/')}",
+        lambda value: _is_number(value) and low - slack <= value <= high + slack,
+        unit,
+    )
     if default is not MISSING:
         default = kind.from_file(default)
     return field(default=default, metadata={"kind": kind})
@@ -100,25 +52,25 @@ def quantity(unit: str, low: float, high: float, default: Any = MISSING) -> Any:
 
 def whole(low: int, high: int, default: Any = MISSING) -> Any:
     """A field that is a whole number; a default of None means that it may be left out."""
-    return field(default=default, metadata={"kind": Whole(low, high)})
+    kind = Kind(
+        f"a whole number from {low} to {high}",
+        lambda value: type(value) is int and low <= value <= high,
+    )
+    return field(default=default, metadata={"kind": kind})
 
 
-def choice(*words: str) -> Any:
-    """A field that is one of some words, the first of them by default."""
-    return field(default=words[0], metadata={"kind": Choice(words)})
-
-
-def required_choice(*words: str) -> Any:
-    """A field that is one of some words."""
-    return field(metadata={"kind": Choice(words)})
+def choice(*words: str, required: bool = False) -> Any:
+    """A field that is one of some words, the first of them by default unless it is required."""
+    expected = " or ".join(f'"{word}"' for word in words)
+    kind = Kind(expected, lambda value: isinstance(value, str) and value in words)
+    return field(default=MISSING if required else words[0], metadata={"kind": kind})
 
 
 def keys(table: type) -> Iterator[tuple[str, Field[Any], Kind]]:
     """Key in files, field, and kind of all fields of a dataclass that have one."""
     for f in fields(table):
         if kind := f.metadata.get("kind"):
-            unit = getattr(kind, "unit", "")
-            yield f"{f.name}_{unit}" if unit else f.name, f, kind
+            yield f"{f.name}_{kind.unit}" if kind.unit else f.name, f, kind
 
 
 T = TypeVar("T", bound="Checked")
@@ -130,9 +82,8 @@ class Checked:
 
     def __post_init__(self) -> None:
         for key, f, kind in keys(type(self)):
-            value = getattr(self, f.name)
-            if not (kind.holds(value) or (value is None and f.default is None)):
-                found = kind.to_file(value)
+            found = kind.to_file(getattr(self, f.name))
+            if not (kind.holds(found) or (found is None and f.default is None)):
                 shown = f"{found:.10g}" if isinstance(found, float) else quote(found)
                 raise TrajectoryError(f"{key}: found {shown}, expected {kind.expected}")
 

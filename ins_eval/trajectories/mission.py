@@ -13,7 +13,8 @@ from ins_eval.trajectories.errors import MovingStartError, TrajectoryError, chec
 from ins_eval.trajectories.keys import Checked, quantity
 from ins_eval.trajectories.manoeuvres.manoeuvre import Entry, Leg, Manoeuvre, Place
 from ins_eval.trajectories.manoeuvres.overlays import Overlay
-from ins_eval.trajectories.trajectory import Knots, Trajectory
+from ins_eval.trajectories.trajectory import Trajectory
+from pyhrg.common.arrays import Array
 
 HEIGHT_RANGE = (-1000.0, 200_000.0)
 """Heights that a mission may reach, m. Chosen."""
@@ -95,12 +96,12 @@ def build_trajectory(mission: Mission, duration: float, still: float = 0.0) -> T
     start = mission.start
     origin = np.array([start.latitude, start.longitude, start.height, start.heading])
     try:
-        knots = path.compute_knots(origin, legs, motions, still, until)
+        time, channels = path.compute_knots(origin, legs, motions, still, until)
     except TrajectoryError as error:
         raise TrajectoryError(f"{mission.name}: {error}") from None
     deflection = mission.deflection
-    trajectory = Trajectory(mission.name, knots, (deflection.north, deflection.east))
-    _check_ranges(trajectory, knots)
+    trajectory = Trajectory(mission.name, time, channels, (deflection.north, deflection.east))
+    _check_ranges(trajectory, time, channels[:, 2])
     return trajectory
 
 
@@ -115,11 +116,11 @@ def _check_joint(before: Leg, after: Leg) -> None:
         )
 
 
-def _check_ranges(trajectory: Trajectory, knots: Knots) -> None:
-    omega, force = trajectory.rate_and_force(knots.time)
+def _check_ranges(trajectory: Trajectory, time: Array, height: Array) -> None:
+    omega, force = trajectory.rate_and_force(time)
     low, high = HEIGHT_RANGE
     for values, lowest, highest, unit in (
-        (knots.height, low, high, "m of height"),
+        (height, low, high, "m of height"),
         (np.linalg.norm(force, axis=-1), 0.0, MAX_SPECIFIC_FORCE, "m/s2 of specific force"),
         (np.linalg.norm(omega, axis=-1), 0.0, MAX_ROTATION_RATE, "rad/s"),
     ):
@@ -127,7 +128,7 @@ def _check_ranges(trajectory: Trajectory, knots: Knots) -> None:
         if np.any(wrong):
             i = int(np.argmax(wrong))
             raise TrajectoryError(
-                f"{trajectory.name}: at {knots.time[i]:.1f} s it has {values[i]:.4g} {unit}; "
+                f"{trajectory.name}: at {time[i]:.1f} s it has {values[i]:.4g} {unit}; "
                 f"expected {lowest:g} to {highest:g}: is a speed too high, or a duration too short?"
             )
 

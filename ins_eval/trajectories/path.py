@@ -10,11 +10,10 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
 from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.manoeuvres.manoeuvre import Leg
 from ins_eval.trajectories.manoeuvres.overlays import OverlayMotion
-from ins_eval.trajectories.trajectory import Knots
+from pyhrg.common.arrays import Array
 
 MAX_LATITUDE = math.radians(89.0)
 """Largest latitude of a path, rad. Chosen: at a pole north and east end."""
@@ -90,9 +89,9 @@ def compute_knots(
     motions: Sequence[OverlayMotion],
     still: float,
     until: float,
-) -> Knots:
-    """Compute equally spaced knots: at rest for `still` s, then along the legs from time 0 until up
-    to one spacing after `until`, s.
+) -> tuple[Array, Array]:
+    """Times (n,), s, and channels (n, 6), as `Trajectory` takes them, of equally spaced knots: at
+    rest for `still` s, then along the legs from time 0 until up to one spacing after `until`, s.
 
     state: (4,) latitude, longitude, rad, height, m, and heading, rad, at time 0. The last leg is
     continued as it ends.
@@ -109,7 +108,7 @@ def compute_knots(
     rows.append(leg.channels(grid[-1:], state[:, None]))
     moving = np.concatenate(rows)
     standing = np.broadcast_to(moving[0], (len(before), 6))
-    return Knots(np.concatenate([before, grid]), *np.concatenate([standing, moving]).T)
+    return np.concatenate([before, grid]), np.concatenate([standing, moving])
 
 
 def _choose_spacing(legs: Sequence[Leg], motions: Sequence[OverlayMotion]) -> float:

@@ -8,28 +8,16 @@ import numpy as np
 from scipy.integrate import cumulative_simpson
 
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
 from ins_eval.trajectories.errors import TrajectoryError, check_durations
-from ins_eval.trajectories.trajectory import Knots, Trajectory
+from ins_eval.trajectories.trajectory import Trajectory
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import quote
 from pyhrg.common.reading.csv_rows import parse_csv
 from pyhrg.common.reading.files import decode, read_unpacked
 from pyhrg.common.reading.limits import LARGEST_NUMBER
 
-COLUMNS = (
-    "time_s",
-    "latitude_deg",
-    "longitude_deg",
-    "height_m",
-    "velocity_north_m_s",
-    "velocity_east_m_s",
-    "velocity_down_m_s",
-    "roll_deg",
-    "pitch_deg",
-    "yaw_deg",
-)
-"""Columns of the file; others are ignored."""
 LIMITS = {
+    "time_s": (-LARGEST_NUMBER, LARGEST_NUMBER),
     "latitude_deg": (-89.0, 89.0),
     "longitude_deg": (-360.0, 360.0),
     "height_m": (-1000.0, 50_000.0),
@@ -40,7 +28,9 @@ LIMITS = {
     "pitch_deg": (-80.0, 80.0),
     "yaw_deg": (-720.0, 720.0),
 }
-"""Range of each column. Chosen."""
+"""Columns of the file, others are ignored, and the range of each. Chosen."""
+COLUMNS = tuple(LIMITS)
+EULER = COLUMNS[-3:]
 MIN_ROWS = 10
 """Smallest number of rows. Chosen."""
 MIN_DURATION = 10.0
@@ -87,25 +77,16 @@ def read_drive(path: Path) -> Drive:
             range; time that does not increase; a long gap; too few rows; angles that turn too fast;
             velocities that contradict the positions.
     """
-    rows = _read_rows(path)
-    table = np.array(rows)
-    columns = {name: table[:, i] for i, name in enumerate(COLUMNS)}
-    time = columns["time_s"]
+    time, latitude, longitude, height, *others = np.array(_read_rows(path)).T
     _check_time(path, time)
-    euler_names = ("roll_deg", "pitch_deg", "yaw_deg")
     drive = Drive(
         name=path.name,
         time=time - time[0],
         position=np.stack(
-            [
-                np.deg2rad(columns["latitude_deg"]),
-                np.unwrap(np.deg2rad(columns["longitude_deg"])),
-                columns["height_m"],
-            ],
-            axis=-1,
+            [np.deg2rad(latitude), np.unwrap(np.deg2rad(longitude)), height], axis=-1
         ),
-        velocity=np.stack([columns[f"velocity_{x}_m_s"] for x in ("north", "east", "down")], -1),
-        euler=np.stack([np.unwrap(np.deg2rad(columns[name])) for name in euler_names], -1),
+        velocity=np.stack(others[:3], axis=-1),
+        euler=np.stack([np.unwrap(np.deg2rad(angle)) for angle in others[3:]], axis=-1),
     )
     _check_turns(path, drive)
     _check_velocity(path, drive)
@@ -138,7 +119,7 @@ def repeat_drive(drive: Drive, duration: float, still: float = 0.0) -> Trajector
             f"{drive.name}: repeated for {duration / 3600:g} h it leaves latitudes "
             f"{LIMITS['latitude_deg'][0]:g} to {LIMITS['latitude_deg'][1]:g}; fly it for less"
         )
-    return Trajectory(drive.name, Knots(np.concatenate(time), *p.T, *e.T))
+    return Trajectory(drive.name, np.concatenate(time), np.hstack([p, e]))
 
 
 def _join(
@@ -232,7 +213,7 @@ def _parse_row(path: Path, line: int, row: list[str], places: list[int]) -> list
             value = float(text)
         except ValueError:
             raise DriveError(f"{path}: row {line}, {name}: {quote(text)} is not a number") from None
-        low, high = LIMITS.get(name, (-LARGEST_NUMBER, LARGEST_NUMBER))
+        low, high = LIMITS[name]
         if not low <= value <= high:
             found = f"row {line}, {name}: {text}"
             raise DriveError(f"{path}: {found}; expected {low:g} to {high:g}")
@@ -263,17 +244,17 @@ def _check_time(path: Path, time: Array) -> None:
 def _check_turns(path: Path, drive: Drive) -> None:
     rates = np.abs(np.diff(drive.euler, axis=0)) / np.diff(drive.time)[:, None]
     row, axis = np.unravel_index(np.argmax(rates), rates.shape)
-    if rates[row, axis] > MAX_TURN_RATE:
-        name = ("roll_deg", "pitch_deg", "yaw_deg")[axis]
+    fastest = rates[row, axis]
+    if fastest > MAX_TURN_RATE:
         raise DriveError(
-            f"{path}: row {row + 3}, {name}: turns at {np.rad2deg(rates[row, axis]):.0f} deg/s; "
+            f"{path}: row {row + 3}, {EULER[axis]}: turns at {np.rad2deg(fastest):.0f} deg/s; "
             f"expected at most {np.rad2deg(MAX_TURN_RATE):.0f} deg/s"
         )
 
 
 def _check_velocity(path: Path, drive: Drive) -> None:
-    knots = Knots(drive.time, *drive.position.T, *drive.euler.T)
-    derived = Trajectory(drive.name, knots).velocity(drive.time)
+    channels = np.hstack([drive.position, drive.euler])
+    derived = Trajectory(drive.name, drive.time, channels).velocity(drive.time)
     difference = float(np.sqrt(np.mean(np.sum((derived - drive.velocity) ** 2, axis=1))))
     if difference > MAX_VELOCITY_DIFFERENCE:
         raise DriveError(

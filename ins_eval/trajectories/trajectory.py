@@ -5,15 +5,13 @@ are its exact derivatives, and the IMU's increments integrate them by Gauss-Lege
 nothing here inverts the equations of the navigator.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
 from scipy.interpolate import BSpline, make_interp_spline
 
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import body_rate_from_euler, mat_from_euler
 from ins_eval.common.state import State, Track
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(3)
@@ -23,42 +21,24 @@ _CHUNK = 20_000
 """Intervals that are integrated at once; chosen to limit memory."""
 
 
-@dataclass(frozen=True)
-class Knots:
-    """Points that a trajectory passes through, all (n,): s, rad, m; yaw without jumps of a turn."""
-
-    time: Array
-    latitude: Array
-    longitude: Array
-    height: Array
-    roll: Array
-    pitch: Array
-    yaw: Array
-
-    def channels(self) -> Array:
-        """Return all but time as columns (n, 6)."""
-        return np.stack(
-            [self.latitude, self.longitude, self.height, self.roll, self.pitch, self.yaw], axis=-1
-        )
-
-
 class Trajectory:
     """Motion of a vehicle between the times `start` and `end`, s, of its first and last knot.
 
-    deflection: of the vertical along all of it, north and east, rad.
+    time: (n,) of the knots, s; channels: (n, 6) latitude, longitude, rad, height, m, roll, pitch,
+    yaw, rad, at the knots, without jumps of a turn; deflection: of the vertical along all of it,
+    north and east, rad.
     """
 
     def __init__(
-        self, name: str, knots: Knots, deflection: tuple[float, float] = (0.0, 0.0)
+        self, name: str, time: Array, channels: Array, deflection: tuple[float, float] = (0.0, 0.0)
     ) -> None:
         self.name = name
         self.deflection = deflection
-        self.start = float(knots.time[0])
-        self.end = float(knots.time[-1])
-        channels = knots.channels()
+        self.start = float(time[0])
+        self.end = float(time[-1])
         self._origin = np.append(channels[0, :3], np.zeros(3))
         """Position at the first knot; the spline holds differences from it, exactly 0 at rest."""
-        self._spline: BSpline = make_interp_spline(knots.time, channels - self._origin, k=5)
+        self._spline: BSpline = make_interp_spline(time, channels - self._origin, k=5)
         self._knots = np.unique(self._spline.t)
         self._rate = self._spline.derivative(1)
         self._acceleration = self._spline.derivative(2)

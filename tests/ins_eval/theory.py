@@ -13,7 +13,7 @@ from scipy.linalg import expm
 
 from ins_eval.alignment.kalman import standing
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
+from pyhrg.common.arrays import Array
 
 STATES = 7
 """Attitude about north, east and down (rad), velocity north and east (m/s), position north and

@@ -10,8 +10,8 @@ import numpy as np
 
 from ins_eval.alignment.bias_instability import PROCESSES, correlation_times
 from ins_eval.alignment.kalman import standing
-from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
+from pyhrg.common.arrays import Array
 from pyhrg.noise.flicker import compute_process_variance
 
 CORE = slice(0, standing.STATES)

@@ -9,11 +9,11 @@ from scipy.spatial.transform import Rotation
 from ins_eval.alignment.kalman import aligning_model, standing
 from ins_eval.alignment.result import AlignmentError
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.common.state import State, Track, position_error
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 STEP = 2.0

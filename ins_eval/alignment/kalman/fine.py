@@ -22,8 +22,8 @@ from ins_eval.alignment.kalman.dead_reckoning import (
 )
 from ins_eval.alignment.kalman.tilting import Tilting, estimate_tilting
 from ins_eval.alignment.result import Alignment, AlignmentError, History
-from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 MAX_LINEAR_ERROR = 1e-4

@@ -8,9 +8,9 @@ height is clamped, so that an uncertain gravity is not taken for a tilt.
 import numpy as np
 
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
 from ins_eval.common.rotation import skew
 from ins_eval.common.sensor_errors import SensorErrors
+from pyhrg.common.arrays import Array
 
 STATES = 13
 ATTITUDE, VELOCITY, DISPLACEMENT = slice(0, 3), slice(3, 5), slice(5, 7)

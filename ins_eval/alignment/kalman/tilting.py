@@ -10,8 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import minimize
 
-from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
+from pyhrg.common.arrays import Array
 
 BOUNDS = ((1e-7, 1.0), (1e-10, 1.0))
 """Search ranges of `Tilting`. Chosen: below the lower ends the heading does not change."""

@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.error_model.linear_model import LinearModel
 from ins_eval.error_model.states import COUNT
+from pyhrg.common.arrays import Array
 
 COMPONENTS = ("north", "east")
 HORIZONTAL = np.eye(COUNT)[:2]

@@ -5,10 +5,10 @@ from collections.abc import Mapping
 import numpy as np
 import xarray as xr
 
-from ins_eval.common.arrays import Array
 from ins_eval.error_model.budget.adjoint import COMPONENTS, SENSORS, Weights
 from ins_eval.error_model.budget.decomposition import sum_over_steps
 from ins_eval.error_model.states import NAMES
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 

@@ -4,11 +4,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.error_model.effects import Effect, Sensor
 from ins_eval.error_model.linear_model import AXES
 from ins_eval.error_model.motion import Motion, step_mean
+from pyhrg.common.arrays import Array
 from pyhrg.records.imu.increments import Increments
 
 UNEXPLAINED = "noise and rest"

@@ -6,8 +6,8 @@ import numpy as np
 import pandas as pd
 from scipy.signal import lfilter
 
-from ins_eval.common.arrays import Array
 from ins_eval.error_model.budget.adjoint import BODY, Weights
+from pyhrg.common.arrays import Array
 
 COLUMNS = ("effect", "axis", "north_sigma_m", "east_sigma_m")
 INITIAL, NOISE = "alignment beyond its sensors' means", "random walks"

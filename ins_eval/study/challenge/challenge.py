@@ -45,7 +45,6 @@ def hand_out_challenge(
     The study runs first, and goes on where it was interrupted.
 
     Args:
-        out: folder of the challenge.
         seed: seed of everything random. Whoever knows it can compute the truth.
         study: a study, the name of one that comes with the package, or a file, with one
             calibration.

@@ -28,7 +28,6 @@ def read_predictions(path: Path, flights: Collection[Flight]) -> pd.DataFrame:
 
     Args:
         path: the file; other columns are ignored.
-        flights: the flights that are to be predicted.
 
     Raises:
         PredictionsError: a column or a flight is missing, twice there or unknown; a number is not

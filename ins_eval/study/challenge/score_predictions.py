@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
 
 from ins_eval.study.challenge.predictions_file import HIGH, LOW, MEDIAN
 from ins_eval.study.scores import measures
@@ -17,9 +16,8 @@ from ins_eval.study.scores.resampling import Estimate, bootstrap
 from ins_eval.study.specification import TEST, TRAIN
 from ins_eval.study.tables import columns
 from ins_eval.study.tables.columns import Predictor
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import NAUTICAL_MILE
-
-Array = NDArray[np.float64]
 
 NAIVE = Predictor("naive", "Training triads' median", "the errors of the training triads alone")
 """The predictor that looks at no gyro: quantiles of the training triads' errors."""
@@ -57,7 +55,6 @@ def score_predictions(
     Args:
         table: a study's table, with one calibration.
         outside: predictions by name of their predictor (`read_predictions`).
-        seed: seed of the bootstraps.
         inside: probability of the predicted intervals.
     """
     judged = _add_naive(table, inside)

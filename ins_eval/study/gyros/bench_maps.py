@@ -7,16 +7,14 @@ hundredth of the cost.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.error_model.effects import ANGULAR_GAIN
 from ins_eval.mission_model.gyro_map import HARMONICS, TERMS, evaluate_terms, fit_coefficients
 from pyhrg.bench.bias.position import full_circumference
 from pyhrg.bench.readings.turns import Turn
 from pyhrg.bench.scale_factor.rate_tests import read_rate_turns
+from pyhrg.common.arrays import Array
 from pyhrg.records.campaign import Campaign
-
-Array = NDArray[np.float64]
 
 
 def fit_scale_maps(tests: Campaign) -> Array:
@@ -34,7 +32,6 @@ def fit_bias_maps(tests: Campaign, scale: Array) -> Array:
     """(runs, TERMS) bias maps, rad/s, one fit for each power-on of the circumference test.
 
     Args:
-        tests: the gyro's tests.
         scale: (TERMS,) scale-factor map, which makes a bias of the Earth's rate.
 
     Raises:

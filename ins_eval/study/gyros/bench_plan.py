@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from ins_eval.error_model.effects import ANGULAR_GAIN
-from pyhrg.bench.bench import Bench, PowerOn
+from pyhrg.bench.bench import Bench
 from pyhrg.bench.bias.position import fixed_position, full_circumference
 from pyhrg.bench.bias.position.positions import Plan, choose_plan
 from pyhrg.bench.scale_factor.rate_tests import make_turn_power_ons
@@ -59,25 +59,18 @@ def record_campaign(
 
     Args:
         fmu: `HRGSlow`.
-        device: the gyro.
-        plan: the length of the tests.
         seed: seed of all noise, from 0.
         fixed: whether the fixed-position test is among them.
     """
     bench = Bench(fmu, device, seed=seed, step=SAMPLE_INTERVAL)
-    power_ons = _plan_map_tests(bench, plan)
+    positions = _choose_positions(plan)
+    power_ons = [
+        *full_circumference.make_power_ons(bench, positions, plan.runs, plan.segments),
+        *make_turn_power_ons(bench, TABLE_RATE, plan.periods, plan.runs),
+    ]
     if fixed:
         power_ons += fixed_position.make_power_ons(bench, plan.fixed_runs, plan.fixed_segments)
     return bench.campaign([bench.log(power_on) for power_on in power_ons])
-
-
-def _plan_map_tests(bench: Bench, plan: BenchPlan) -> list[PowerOn]:
-    return [
-        *full_circumference.make_power_ons(
-            bench, _choose_positions(plan), plan.runs, plan.segments
-        ),
-        *make_turn_power_ons(bench, TABLE_RATE, plan.periods, plan.runs),
-    ]
 
 
 @cache

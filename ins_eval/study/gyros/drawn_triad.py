@@ -4,7 +4,7 @@ Each triad draws from its own child of the study's seed, so that a triad is the 
 block and on whatever worker it is made.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,13 +16,12 @@ from ins_eval.study.gyros.makers_calibration import Method, calibrate_gyro
 from ins_eval.study.gyros.measured_gyro import MeasuredGyro, measure_gyro
 from ins_eval.study.gyros.population import TRIMMED, Population
 from ins_eval.study.gyros.true_maps import compute_turning_bias, read_flight_coefficients, start_at
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import ARCSEC, MICRO_G
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.noise.coefficients import COEFFICIENT_NAMES
-
-Array = NDArray[np.float64]
 
 AXES = 3
 
@@ -129,24 +128,14 @@ def tabulate_triads(fmu: GyroFmu, triads: list[DrawnTriad]) -> TriadBlock:
     """Triads as arrays; their true maps are measured by simulation of the FMU `HRGSlow`."""
     flights = [[_read_flight_map(fmu, flight) for flight in each.flights] for each in triads]
 
-    def measured(name: str) -> Array:
-        return np.array([[getattr(gyro, name) for gyro in each.measured] for each in triads])
-
     def stacked(values: list[list[Array]]) -> Array:
         return np.moveaxis(np.array(values), 1, -1)
 
-    def rates(name: str) -> Array:
-        return stacked([[getattr(g, name).coefficients for g in each.measured] for each in triads])
-
     return TriadBlock(
-        fixed_stability=measured("fixed_stability"),
-        fixed_repeatability=measured("fixed_repeatability"),
-        circumference_stability=measured("circumference_stability"),
-        instability=measured("instability"),
-        random_walk=measured("random_walk"),
-        fitted_map=rates("fitted_map"),
-        map_per_kelvin=rates("map_per_kelvin"),
-        map_variance=stacked([[gyro.map_variance for gyro in each.measured] for each in triads]),
+        **{
+            each.name: stacked([[getattr(g, each.name) for g in t.measured] for t in triads])
+            for each in fields(MeasuredGyro)
+        },
         start_angle=np.array([[f.power_on_angle for f in each.flights] for each in triads]),
         rise=np.array([[f.rise for f in each.flights] for each in triads]),
         in_flight=stacked([[coefficients for coefficients, _ in each] for each in flights]),

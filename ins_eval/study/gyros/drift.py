@@ -4,14 +4,12 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.mission_model.warming import compute_case_warmth
+from pyhrg.common.arrays import Array
 from pyhrg.common.errors import HrgError
 from pyhrg.common.units import YEAR
 from pyhrg.device.device import Device
-
-Array = NDArray[np.float64]
 
 AGEING_SHARE = 0.02
 """Standard deviation of each mechanism's change in a year, as a share of its size; it grows with

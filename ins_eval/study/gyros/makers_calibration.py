@@ -3,16 +3,14 @@
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ins_eval.mission_model.gyro_map import HARMONICS, NAMES, GyroMap
+from ins_eval.mission_model.gyro_map import HARMONICS, NAMES
 from ins_eval.study.gyros.bench_maps import fit_bias_maps, fit_scale_maps
 from ins_eval.study.gyros.bench_plan import CALIBRATION, BenchPlan, record_campaign
 from pyhrg.bench.calibration.calibration_maps import add_maps
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import AngleMap, Device
 from pyhrg.fmu import GyroFmu
-
-Array = NDArray[np.float64]
 
 Method = Literal["mean", "map"]
 METHODS: tuple[Method, ...] = get_args(Method)
@@ -26,24 +24,16 @@ def calibrate_gyro(
 
     Args:
         fmu: `HRGSlow`.
-        device: the gyro as it is built.
-        method: one of `METHODS`.
         seed: seed of the tests' noise, from 0.
-        plan: length of the tests.
     """
     tests = record_campaign(fmu, device, plan, seed, fixed=False)
     scale = fit_scale_maps(tests).mean(axis=0)
-    measured = GyroMap(fit_bias_maps(tests, scale).mean(axis=0), scale)
-    return correct_gyro(device, measured, method)
-
-
-def correct_gyro(device: Device, measured: GyroMap, method: Method) -> Device:
-    """The gyro whose electronics correct a map, or its means only."""
-    scale_factor = float(measured.scale[0])
+    bias = fit_bias_maps(tests, scale).mean(axis=0)
+    scale_factor = float(scale[0])
     if method == "mean":
-        return add_maps(device, AngleMap(mean=float(measured.bias[0])), AngleMap(), scale_factor)
-    angle = _convert_to_angle_errors(measured.scale)
-    return add_maps(device, _make_angle_map(measured.bias), _make_angle_map(angle), scale_factor)
+        return add_maps(device, AngleMap(mean=float(bias[0])), AngleMap(), scale_factor)
+    angle = _convert_to_angle_errors(scale)
+    return add_maps(device, _make_angle_map(bias), _make_angle_map(angle), scale_factor)
 
 
 def _convert_to_angle_errors(scale: Array) -> Array:

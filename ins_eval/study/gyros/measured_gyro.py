@@ -4,9 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ins_eval.mission_model.gyro_map import TERMS, GyroMap
+from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.pattern_drift import TURNING_TERMS
 from ins_eval.study.gyros.bench_maps import fit_bias_maps, fit_scale_maps
 from ins_eval.study.gyros.bench_plan import WARM_RISE, BenchPlan, record_campaign
@@ -15,11 +14,10 @@ from pyhrg.bench.bias.bias_test import BiasTest
 from pyhrg.bench.bias.position import fixed_position, full_circumference
 from pyhrg.bench.procedure import require_tests
 from pyhrg.bench.readings.segments import SEGMENT, WARM_UP
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
 from pyhrg.records.campaign import Campaign
-
-Array = NDArray[np.float64]
 
 SHORT_ROWS, LONG_ROWS = 1, 25
 """Two spacings of 1 s readings that separate the noise of a reading from the random walk; both are
@@ -35,7 +33,7 @@ class MeasuredGyro:
     fixed_stability: in-run bias stability at one position, rad/s;
     fixed_repeatability: standard deviation of the mean bias there between power-ons, rad/s;
     circumference_stability: bias stability over all positions, rad/s;
-    fitted_map: mean over the power-ons; map_per_kelvin: its change per kelvin;
+    fitted_map: (2 TERMS,) mean over the power-ons; map_per_kelvin: its change per kelvin;
     map_variance: (2 TERMS,) variance of the errors of the map's coefficients in another power-on.
     It is the scatter over power-ons, pooled in two groups of terms for bias and scale factor each:
     mean and fourth harmonic, which power-ons change, and the others;
@@ -46,8 +44,8 @@ class MeasuredGyro:
     fixed_stability: float
     fixed_repeatability: float
     circumference_stability: float
-    fitted_map: GyroMap
-    map_per_kelvin: GyroMap
+    fitted_map: Array
+    map_per_kelvin: Array
     map_variance: Array
     random_walk: float
     instability: float
@@ -65,7 +63,6 @@ def record_tests(
 
     Args:
         fmu: `HRGSlow`.
-        device: the calibrated gyro.
         plan: length of the tests; two power-ons or more.
         seed: seed of the tests' noise, from 0.
     """
@@ -84,7 +81,7 @@ def evaluate_campaigns(tests: Campaign, warm: Campaign) -> MeasuredGyro:
     at_rest = BiasTest(fixed)
     scale = fit_scale_maps(tests)
     bias = fit_bias_maps(tests, scale.mean(axis=0))
-    fitted = GyroMap(bias.mean(axis=0), scale.mean(axis=0))
+    fitted = np.concatenate([bias.mean(axis=0), scale.mean(axis=0)])
     walk = _estimate_random_walk(tests)
     return MeasuredGyro(
         fixed_stability=at_rest.stability,
@@ -98,10 +95,10 @@ def evaluate_campaigns(tests: Campaign, warm: Campaign) -> MeasuredGyro:
     )
 
 
-def _estimate_warming(cool: GyroMap, warm: Campaign) -> GyroMap:
+def _estimate_warming(cool: Array, warm: Campaign) -> Array:
     scale = fit_scale_maps(warm).mean(axis=0)
     bias = fit_bias_maps(warm, scale).mean(axis=0)
-    return GyroMap((bias - cool.bias) / WARM_RISE, (scale - cool.scale) / WARM_RISE)
+    return (np.concatenate([bias, scale]) - cool) / WARM_RISE
 
 
 def _pool_scatter(values: Array) -> Array:

@@ -4,16 +4,15 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ins_eval.mission_model.gyro_map import FAST, NAMES, SLOW, GyroMap, Sweep, measure_gyro_map
+from ins_eval.mission_model.gyro_map import FAST, NAMES, SLOW, TERMS, Sweep, measure_gyro_map
 from ins_eval.mission_model.pattern_drift import TURNING_TERMS
 from ins_eval.mission_model.signals import STEADY, WARMING, slice_coefficients
+from ins_eval.mission_model.turned_maps import start_maps
+from pyhrg.common.arrays import Array
 from pyhrg.device.device import Device
 from pyhrg.device.fmu_parameters import LOOP_FREQUENCIES
 from pyhrg.fmu import GyroFmu
-
-Array = NDArray[np.float64]
 
 SOAKED_LAG = 1.0
 """Thermal lag of a gyro whose map is measured at another temperature, s: it follows at once."""
@@ -73,12 +72,8 @@ def read_flight_coefficients(fmu: GyroFmu, device: Device, rise: float) -> Array
 
 
 def start_at(coefficients: Array, angle: float) -> Array:
-    """(signals.COUNT,) coefficients over the pattern's turn from an angle, rad (Eq. 2 of
-    docs/methods/mission_model.md)."""
-    maps = coefficients.reshape(-1, 2 * len(NAMES))
-    return np.concatenate(
-        [GyroMap.from_coefficients(each).start_at(angle).coefficients for each in maps]
-    )
+    """(n TERMS,) coefficients of one gyro over the pattern's turn from an angle, rad."""
+    return start_maps(coefficients[:, None], np.array([angle]))[:, 0]
 
 
 def compute_turning_bias(device: Device, coefficients: Array, angle: float) -> Array:
@@ -87,8 +82,7 @@ def compute_turning_bias(device: Device, coefficients: Array, angle: float) -> A
     warm = slice_coefficients(slice(STEADY.start, WARMING.stop))
     residual = coefficients[warm].reshape(3, -1).sum(axis=0)
     corrected = np.array([getattr(device.bias_map, name, 0.0) for name in NAMES])
-    bias = GyroMap.from_coefficients(residual).bias + corrected
-    return GyroMap(bias, np.zeros_like(bias)).start_at(angle).bias[list(TURNING_TERMS)]
+    return start_at(residual[:TERMS] + corrected, angle)[list(TURNING_TERMS)]
 
 
 def list_slow_parameters(device: Device) -> Mapping[str, float]:
@@ -103,4 +97,4 @@ def _read_coefficients(
     inputs: Mapping[str, Array] | None = None,
     sweep: Sweep = SLOW,
 ) -> Array:
-    return measure_gyro_map(fmu, list_slow_parameters(device), inputs, sweep).coefficients
+    return measure_gyro_map(fmu, list_slow_parameters(device), inputs, sweep)

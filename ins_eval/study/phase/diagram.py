@@ -4,24 +4,24 @@ The training triads fly from many start angles by the linear model, on a turntab
 steadily (`turning`). Their maps are scaled to each ratio of map and noise.
 """
 
-import csv
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 
-from ins_eval.common.arrays import Array
 from ins_eval.error_model.effects import ANGULAR_GAIN
 from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.missions import StudyMission
 from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.turned_maps import turn_weights, undo_start
 from ins_eval.study.phase.turning import DURATION, compute_turning_weights
 from ins_eval.study.predictors.parts.map_drift import MapDrift
-from ins_eval.study.predictors.parts.turned_maps import turn_weights, undo_start
 from ins_eval.study.predictors.stability_rule import compute_rule_distance
 from ins_eval.study.scores.resampling import bootstrap
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import HOUR
 
 FACTOR = 2.0
@@ -167,23 +167,5 @@ def _compute_triad_rms(values: Array) -> Array:
 
 def write_rows(rows: Sequence[Mapping[str, Any]], path: Path) -> None:
     """Write rows of `COLUMNS` as CSV, with a header."""
-    with path.open("w", newline="") as file:
-        writer = csv.DictWriter(file, COLUMNS)
-        writer.writeheader()
-        writer.writerows(
-            {key: f"{value:.6g}" if isinstance(value, float) else value for key, value in r.items()}
-            for r in rows
-        )
-
-
-def describe_phase_diagram(
-    rows: list[dict[str, Any]], missions: Mapping[str, tuple[float, float]]
-) -> dict[str, Any]:
-    """The diagram as JSON values; missions: turning and median map over noise by class."""
-    return {
-        "factor": FACTOR,
-        "hours": DURATION / HOUR,
-        "start_angles": ANGLES,
-        "rows": rows,
-        "missions": {name: list(place) for name, place in missions.items()},
-    }
+    table = pd.DataFrame(rows, columns=list(COLUMNS))
+    table.to_csv(path, index=False, float_format="%.6g", na_rep="nan", lineterminator="\r\n")

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
 from ins_eval.error_model.aligning import model_alignment
 from ins_eval.error_model.effects import ANGULAR_GAIN
 from ins_eval.error_model.linear_model import AXES, linearize
@@ -21,6 +20,7 @@ from ins_eval.mission_model.missions import SETTLING, STILL
 from ins_eval.mission_model.noise_weights import compute_error_weights, compute_noise_covariances
 from ins_eval.mission_model.signals import list_signal_effects
 from ins_eval.navigation.height import Clamped
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG, HOUR
 
 LATITUDE = 40 * DEG

@@ -3,13 +3,11 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.mission_model.signals import COUNT
 from ins_eval.mission_model.triad_block import TriadBlock
 from ins_eval.study.gyros.bench_plan import WARM_RISE
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 
 @dataclass(frozen=True)

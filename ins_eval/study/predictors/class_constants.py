@@ -9,15 +9,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.triad_block import TriadBlock
 from ins_eval.study.predictors import true_parameters
 from ins_eval.study.predictors.stability_rule import compute_rule_distance
-from ins_eval.study.predictors.unpredictable import compute_unpredictable_covariance
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 FLIGHTS = 256
 """Number of start angles from which each training triad flies. Chosen."""
@@ -52,31 +49,21 @@ class ScaledPrediction:
         return np.asarray(self.distance * np.quantile(self.ratios, share))
 
 
-def compute_ratios(
-    weights: MissionWeights,
-    training: TriadBlock,
-    stability: Array,
-    accelerometer_bias: float,
-    mounting: float,
-    seed: int,
+def fly_training_triads(
+    weights: MissionWeights, training: TriadBlock, other: Array, seed: int
 ) -> Array:
-    """(r, `FLIGHTS`) errors of linear flights of the training triads, in units of the usual rule.
+    """(r, `FLIGHTS`) horizontal errors, m, of linear flights of the training triads.
 
     Args:
         weights: weights of the mission at its end alone.
-        training: the triads.
-        stability: (r, 3) their stabilities, rad/s.
-        accelerometer_bias: standard deviation of each accelerometer's bias, m/s^2.
-        mounting: standard deviation of each input axis' lean in each of two directions, rad.
+        other: (r, 1, 2, 2) covariance of the error by noise, accelerometers and mounting, m^2.
         seed: seed of the start angles and of the noise.
     """
-    other = compute_unpredictable_covariance(weights, training.noise, accelerometer_bias, mounting)
     flown = true_parameters.fly_from_any_angle(
         weights, training.in_flight, other, training.start_angle, seed
     )
     step = flown.samples.shape[1] // FLIGHTS
-    errors = np.linalg.norm(flown.samples[:, ::step, -1], axis=-1)
-    return np.asarray(errors / compute_rule_distance(stability, weights.time)[:, -1:])
+    return np.asarray(np.linalg.norm(flown.samples[:, ::step, -1], axis=-1))
 
 
 def join_missions(ratios: Sequence[Array]) -> ConstantRule:

@@ -5,18 +5,14 @@ change as the gyros warm (Eq. 4). The spread comes from the bench's uncertainty,
 between bench and flight, noise and accelerometers (Eqs. 6 to 8).
 """
 
-import numpy as np
-from numpy.typing import NDArray
-
 from ins_eval.mission_model.mission_weights import MissionWeights
+from ins_eval.mission_model.position_errors import compute_expected_error
+from ins_eval.mission_model.turned_maps import start_maps
 from ins_eval.study.predictors.bench_figures import BenchFigures
 from ins_eval.study.predictors.parts.drawn_errors import draw_at_angles, draw_at_any_angle
-from ins_eval.study.predictors.parts.expected_error import compute_expected_error
 from ins_eval.study.predictors.parts.map_drift import MapDrift
-from ins_eval.study.predictors.parts.turned_maps import start_maps
 from ins_eval.study.predictors.prediction import SampledPrediction
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 
 def predict(
@@ -30,12 +26,9 @@ def predict(
     """Errors of triads whose gyros' power-on angles are known.
 
     Args:
-        bench: figures of r triads.
-        weights: weights of the mission.
         drift: distribution of the maps' drift, from other triads.
         other: (r, k, 2, 2) covariance of the error by noise and accelerometers, m^2.
         start_angle: (r, 3) pattern angles at power-on, rad.
-        seed: seed of the samples.
     """
     expected = compute_expected_error(weights, start_maps(bench.maps, start_angle))
     sigma, standard = drift.compute_sigma_with_bench(bench), drift.standard

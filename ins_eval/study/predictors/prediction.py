@@ -4,11 +4,9 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.common.radial_error import radius_quantile
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 
 class Prediction(Protocol):

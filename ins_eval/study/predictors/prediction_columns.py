@@ -4,24 +4,22 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.mission_model.gyro_map import TERMS, evaluate_terms
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.turned_maps import undo_start
 from ins_eval.study.predictors import fitted_map, stability_rule, true_parameters
 from ins_eval.study.predictors.bench_figures import collect_bench_figures
-from ins_eval.study.predictors.class_constants import ConstantRule, compute_ratios
+from ins_eval.study.predictors.class_constants import ConstantRule, fly_training_triads
 from ins_eval.study.predictors.parts import map_drift
 from ins_eval.study.predictors.parts.map_drift import MapDrift
-from ins_eval.study.predictors.parts.turned_maps import undo_start
 from ins_eval.study.predictors.prediction import Prediction
 from ins_eval.study.predictors.rms_over_angles import compute_gyro_rms
 from ins_eval.study.predictors.unpredictable import compute_unpredictable_covariance
 from ins_eval.study.tables import columns
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG_PER_H
-
-Array = NDArray[np.float64]
 
 TURN_ONS = 7
 """Number of turn-ons of the test whose patterns start anywhere, as the paper's (4.1)."""
@@ -51,16 +49,16 @@ def train(training: TriadBlock, accelerometer_bias: float, mounting: float) -> T
 def compute_class_ratios(
     weights: MissionWeights, training: TriadBlock, model: TrainedModel, seed: int
 ) -> dict[str, Array]:
-    """`compute_ratios` in a mission, by the predictor whose stability it takes; weights at the end
-    alone."""
+    """(r, n) errors of the training triads' flights in units of the usual rule, by the predictor
+    whose stability it takes; weights at the end alone."""
+    other = _compute_other_covariance(weights, training.noise, model)
+    flown = fly_training_triads(weights, training, other, seed)
     stabilities = {
         columns.FIXED_CLASS: training.fixed_stability,
         columns.CIRCUMFERENCE_CLASS: training.circumference_stability,
     }
     return {
-        key: compute_ratios(
-            weights, training, stability, model.accelerometer_bias, model.mounting, seed
-        )
+        key: flown / stability_rule.compute_rule_distance(stability, weights.time)[:, -1:]
         for key, stability in stabilities.items()
     }
 
@@ -95,20 +93,13 @@ def predict_all(
     """Predictions by key of `columns.PREDICTORS`; only the true parameters' use true maps.
 
     Args:
-        weights: weights of the mission.
-        triads: the block.
-        model: the model from training triads.
         rules: rules of the mission's class by predictor.
-        seed: seed of the samples.
     """
     bench, drift, angle = collect_bench_figures(triads), model.drift, triads.start_angle
     other = _compute_other_covariance(weights, bench.noise, model)
     true_other = _compute_other_covariance(weights, triads.noise, model)
-    fixed, circumference, time = (
-        bench.fixed_stability,
-        bench.circumference_stability,
-        weights.time,
-    )
+    fixed, circumference = bench.fixed_stability, bench.circumference_stability
+    time = weights.time
     return {
         columns.FIXED_RULE: stability_rule.predict(fixed, time),
         columns.CIRCUMFERENCE_RULE: stability_rule.predict(circumference, time),
@@ -132,7 +123,6 @@ def tabulate_predictions(predicted: dict[str, Prediction], inside: float) -> dic
     """(r,) values of the columns of predictions, at one time.
 
     Args:
-        predicted: predictions by key.
         inside: probability of the intervals; they are central.
     """
     table, ends = {}, ((1 - inside) / 2, (1 + inside) / 2)

@@ -2,11 +2,9 @@
 angle."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ins_eval.study.predictors.parts.turned_maps import turn_weights
-
-Array = NDArray[np.float64]
+from ins_eval.mission_model.turned_maps import turn_weights
+from pyhrg.common.arrays import Array
 
 _ANGLES = np.pi * np.arange(16) / 16
 """Sixteen angles average the squares of harmonics up to the eighth exactly."""

@@ -5,12 +5,10 @@ circular normal distribution, the circular error probable.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.study.predictors.prediction import NormalPrediction
+from pyhrg.common.arrays import Array
 from pyhrg.common.units import DEG_PER_H, HOUR, NAUTICAL_MILE
-
-Array = NDArray[np.float64]
 
 DRIFT_PER_STABILITY = (NAUTICAL_MILE / HOUR) / (0.01 * DEG_PER_H)
 """Drift of the position per bias stability, m/s per rad/s."""

@@ -5,22 +5,19 @@ unknown. No predictor from a bench can do better.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.mission_model.mission_weights import MissionWeights
+from ins_eval.mission_model.position_errors import compute_expected_error
+from ins_eval.mission_model.turned_maps import undo_start
 from ins_eval.study.predictors.parts.drawn_errors import draw_at_any_angle
-from ins_eval.study.predictors.parts.expected_error import compute_expected_error
-from ins_eval.study.predictors.parts.turned_maps import undo_start
 from ins_eval.study.predictors.prediction import NormalPrediction, SampledPrediction
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 
 def predict(weights: MissionWeights, maps: Array, other: Array) -> NormalPrediction:
     """Errors of triads whose maps in flight are known.
 
     Args:
-        weights: weights of the mission.
         maps: (r, COUNT, 3) true coefficients in flight.
         other: (r, k, 2, 2) covariance of the error by noise, accelerometers and mounting, m^2.
     """

@@ -1,11 +1,9 @@
 """Error of a mission by noise, accelerometers and mounting, which no gyro map predicts (Eq. 8)."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.mission_model.mission_weights import MissionWeights
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 
 def compute_unpredictable_covariance(
@@ -14,7 +12,6 @@ def compute_unpredictable_covariance(
     """(r, k, 2, 2) covariance of the error, m^2.
 
     Args:
-        weights: weights of the mission.
         noise: (r, 4, 3) noise coefficients of each gyro, SI.
         accelerometer_bias: standard deviation of each accelerometer's bias, m/s^2.
         mounting: standard deviation of the angle by which each input axis leans, in each of two

@@ -68,9 +68,7 @@ def run_experiment(
     """Run a study, or the part of it that is not done.
 
     Args:
-        study: the study.
         out: output folder; finished blocks of the same study there are not computed again.
-        experiment: the experiment.
         cluster: who computes; it has no influence on any byte.
         progress: is called whenever triads are finished, and once at the beginning.
 

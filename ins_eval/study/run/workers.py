@@ -74,9 +74,7 @@ def run_blocks(
     """Compute blocks, in any order.
 
     Args:
-        client: client of the cluster.
         work: computes a block's file; a pure function, so that a lost block is computed again.
-        numbers: numbers of the blocks.
         name: name of the study, the same for the same work.
         done: is called with number and file of each finished block.
 

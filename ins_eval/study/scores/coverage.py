@@ -1,12 +1,10 @@
 """Coverage of predicted intervals, with exact binomial intervals (Eq. 15)."""
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.stats import binomtest
 
 from ins_eval.study.scores.resampling import CONFIDENCE, Estimate
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 
 def estimate_coverage(flown: Array, low: Array, high: Array, seed: int) -> Estimate:
@@ -16,7 +14,6 @@ def estimate_coverage(flown: Array, low: Array, high: Array, seed: int) -> Estim
 
     Args:
         flown, low, high: (r, m) flown errors and ends of their intervals.
-        seed: seed of the draw.
     """
     triads = np.arange(len(flown))
     chosen = np.random.default_rng(seed).integers(flown.shape[1], size=len(flown))

@@ -5,12 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
 
 from ins_eval.study.tables import columns
 from ins_eval.study.tables.score import ALL
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 
 @dataclass(frozen=True)
@@ -42,9 +40,6 @@ class FlightGroup:
 
 def group_flights(table: pd.DataFrame) -> Iterator[FlightGroup]:
     """Groups by calibration and role: all classes together, then each class.
-
-    Args:
-        table: a table with the columns of `columns`.
 
     Raises:
         ValueError: a triad lacks a mission, or has one twice.

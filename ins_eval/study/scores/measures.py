@@ -5,10 +5,9 @@ the same.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.stats import rankdata
 
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 
 def compute_r2(flown: Array, predicted: Array) -> Array:

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ins_eval.study.tables.score import Score
+from pyhrg.common.arrays import Array
 
-Array = NDArray[np.float64]
 Statistic = Callable[..., Array]
 
 CONFIDENCE = 0.95
@@ -59,10 +59,8 @@ def shuffle_devices(
     """The negative control: the statistic when each triad has another triad's predictions.
 
     Args:
-        statistic: takes the flown and the predicted.
         flown: (r, m, ...) flown errors.
         predicted: (r, m, ...) each; all are permuted alike, and no triad keeps its own.
-        seed: seed of the permutations.
 
     Returns:
         mean over permutations, and the range that holds `CONFIDENCE` of them.

@@ -1,27 +1,29 @@
 """All scores of a study's table, with their intervals and requirements."""
 
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 
 import pandas as pd
 
 from ins_eval.study.scores import measures
 from ins_eval.study.scores.coverage import estimate_coverage
-from ins_eval.study.scores.groups import group_flights
+from ins_eval.study.scores.groups import FlightGroup, group_flights
 from ins_eval.study.scores.judge import judge_bounds, judge_contains, judge_outside
-from ins_eval.study.scores.resampling import bootstrap, shuffle_devices
-from ins_eval.study.scores.scorer import Scorer
+from ins_eval.study.scores.resampling import Estimate, Statistic, bootstrap, shuffle_devices
 from ins_eval.study.tables import columns, score
 from ins_eval.study.tables.columns import (
     CIRCUMFERENCE_CLASS,
     CIRCUMFERENCE_RULE,
     FITTED_MAP,
     FIXED_RULE,
+    PREDICTOR_OF,
     PREDICTORS,
     TRUE_PARAMETERS,
     TURN_ON,
     TURN_ON_ANYWHERE,
 )
 from ins_eval.study.tables.score import Score
+from pyhrg.common.arrays import Array
 
 RANKED_BY: Mapping[str, str] = {
     FIXED_RULE: columns.GYROS_FIXED,
@@ -48,6 +50,52 @@ WRONG_FACTOR = 2.0
 Chosen."""
 
 
+NO_REQUIREMENT = ("", "")
+
+
+@dataclass(frozen=True)
+class _Scorer:
+    """Makes the scores of a group of flights.
+
+    seed: of bootstraps and permutations; inside: probability of the predicted intervals.
+    """
+
+    group: FlightGroup
+    seed: int
+    inside: float
+
+    @property
+    def flown(self) -> Array:
+        """(r, m) flown horizontal errors, m."""
+        return self.group.select(columns.FLOWN_RADIAL)
+
+    def estimate(self, statistic: Statistic, *samples: Array) -> Estimate:
+        """A statistic with its bootstrap interval."""
+        return bootstrap(statistic, samples, self.seed)
+
+    def score(
+        self,
+        name: str,
+        key: str,
+        estimate: Estimate,
+        requirement: tuple[str, str] = NO_REQUIREMENT,
+        shuffled: bool = False,
+    ) -> Score:
+        """The score of this group; requirement: `asked` and `verdict` of `Score`."""
+        return estimate.score(
+            score=name,
+            predictor=key,
+            calibration=self.group.calibration,
+            mission_class=self.group.mission_class,
+            role=self.group.role,
+            n=self.group.triads,
+            seed=self.seed,
+            shuffled=shuffled,
+            asked=requirement[0],
+            verdict=requirement[1],
+        )
+
+
 def score_flights(table: pd.DataFrame, seed: int, inside: float = 0.9) -> list[Score]:
     """Scores of a table of flights, by calibration, role and class.
 
@@ -60,95 +108,83 @@ def score_flights(table: pd.DataFrame, seed: int, inside: float = 0.9) -> list[S
         ValueError: a triad lacks a mission or has one twice, or a group has fewer than two triads.
     """
     parts = (_score_r2, _score_control, _score_ratios, _score_coverage, _score_ranking)
-    scorers = [Scorer(group, seed, inside) for group in group_flights(table)]
+    scorers = [_Scorer(group, seed, inside) for group in group_flights(table)]
     return [found for scorer in scorers for part in parts for found in part(scorer)]
 
 
-def _score_r2(scorer: Scorer) -> Iterator[Score]:
+def _score_r2(scorer: _Scorer) -> Iterator[Score]:
     """R2 of predicted = flown; the fitted map has a requirement."""
+    group, flown = scorer.group, scorer.flown
     for predictor in PREDICTORS:
-        samples = [scorer.flown, scorer.median(predictor.key)]
-        r2 = bootstrap(measures.compute_r2, samples, scorer.seed)
+        r2 = scorer.estimate(measures.compute_r2, flown, group.select(predictor.median))
+        requirement = NO_REQUIREMENT
         if predictor.key == FITTED_MAP:
-            verdict, asked = judge_bounds(r2, SMALLEST_R2), f">= {SMALLEST_R2:g}"
-            yield scorer.fill_score(score.R2_RADIAL, FITTED_MAP, r2, asked=asked, verdict=verdict)
-        else:
-            yield scorer.fill_score(score.R2_RADIAL, predictor.key, r2)
-    flown, leaning = scorer.group.select_pair("flown"), scorer.group.select_pair("mounting")
+            requirement = f">= {SMALLEST_R2:g}", judge_bounds(r2, SMALLEST_R2)
+        yield scorer.score(score.R2_RADIAL, predictor.key, r2, requirement)
+    both, leaning = group.select_pair("flown"), group.select_pair("mounting")
     for key in (FITTED_MAP, TRUE_PARAMETERS):
-        expected, statistic = scorer.group.select_pair(key), measures.compute_component_r2
-        yield scorer.make_score(score.R2_COMPONENTS, key, statistic, [flown, expected])
-        yield scorer.make_score(score.R2_MOUNTED, key, statistic, [flown - leaning, expected])
-    medians = [scorer.median(key) for key in (FITTED_MAP, TRUE_PARAMETERS)]
-    yield scorer.make_score(
-        score.R2_SHORTFALL, FITTED_MAP, measures.compute_r2_shortfall, [scorer.flown, *medians]
-    )
-    yield scorer.make_score(
-        score.MOUNTING_SHARE, "", measures.compute_power_share, [flown, leaning]
-    )
+        for name, errors in ((score.R2_COMPONENTS, both), (score.R2_MOUNTED, both - leaning)):
+            r2 = scorer.estimate(measures.compute_component_r2, errors, group.select_pair(key))
+            yield scorer.score(name, key, r2)
+    medians = [group.select(PREDICTOR_OF[key].median) for key in (FITTED_MAP, TRUE_PARAMETERS)]
+    shortfall = scorer.estimate(measures.compute_r2_shortfall, flown, *medians)
+    yield scorer.score(score.R2_SHORTFALL, FITTED_MAP, shortfall)
+    share = scorer.estimate(measures.compute_power_share, both, leaning)
+    yield scorer.score(score.MOUNTING_SHARE, "", share)
 
 
-def _score_control(scorer: Scorer) -> Iterator[Score]:
+def _score_control(scorer: _Scorer) -> Iterator[Score]:
     """Negative control: the fitted map of another triad must not predict the error."""
-    flown, predicted = scorer.group.select_pair("flown"), scorer.group.select_pair(FITTED_MAP)
+    flown, predicted = (scorer.group.select_pair(name) for name in ("flown", FITTED_MAP))
     r2 = shuffle_devices(measures.compute_component_r2, flown, [predicted], scorer.seed)
-    verdict = judge_bounds(r2, high=0.0)
-    yield scorer.fill_score(
-        score.R2_COMPONENTS, FITTED_MAP, r2, shuffled=True, asked="<= 0", verdict=verdict
-    )
+    requirement = "<= 0", judge_bounds(r2, high=0.0)
+    yield scorer.score(score.R2_COMPONENTS, FITTED_MAP, r2, requirement, shuffled=True)
 
 
-def _score_ratios(scorer: Scorer) -> Iterator[Score]:
+def _score_ratios(scorer: _Scorer) -> Iterator[Score]:
     """Flown over predicted; requirements on the size by both bench tests."""
     for predictor in PREDICTORS:
-        samples = [scorer.flown, scorer.median(predictor.key)]
-        ratio = bootstrap(measures.compute_median_ratio, samples, scorer.seed)
-        asked, verdict = "", ""
+        median = scorer.group.select(predictor.median)
+        ratio = scorer.estimate(measures.compute_median_ratio, scorer.flown, median)
+        requirement = NO_REQUIREMENT
         if predictor.key == FIXED_RULE:
-            asked = f"wrong by a factor of {WRONG_FACTOR:g}"
             verdict = judge_outside(ratio, 1 / WRONG_FACTOR, WRONG_FACTOR)
+            requirement = f"wrong by a factor of {WRONG_FACTOR:g}", verdict
         if predictor.key == CIRCUMFERENCE_CLASS:
-            asked = f"within a factor of {SIZE_FACTOR:g}"
             verdict = judge_bounds(ratio, 1 / SIZE_FACTOR, SIZE_FACTOR)
-        yield scorer.fill_score(
-            score.MEDIAN_RATIO, predictor.key, ratio, asked=asked, verdict=verdict
-        )
+            requirement = f"within a factor of {SIZE_FACTOR:g}", verdict
+        yield scorer.score(score.MEDIAN_RATIO, predictor.key, ratio, requirement)
 
 
-def _score_coverage(scorer: Scorer) -> Iterator[Score]:
+def _score_coverage(scorer: _Scorer) -> Iterator[Score]:
     """Coverage of intervals; only the fitted map's have a requirement."""
     for predictor in PREDICTORS:
-        ends = scorer.interval(predictor.key)
-        coverage = estimate_coverage(scorer.flown, *ends, seed=scorer.seed)
-        asked, verdict = "", ""
+        low, high = (scorer.group.select(name) for name in (predictor.low, predictor.high))
+        coverage = estimate_coverage(scorer.flown, low, high, scorer.seed)
+        requirement = NO_REQUIREMENT
         if predictor.key == FITTED_MAP:
-            asked = f"{scorer.inside:g} within its interval"
             verdict = judge_contains(coverage, scorer.inside)
-        yield scorer.fill_score(
-            score.COVERAGE, predictor.key, coverage, asked=asked, verdict=verdict
-        )
+            requirement = f"{scorer.inside:g} within its interval", verdict
+        yield scorer.score(score.COVERAGE, predictor.key, coverage, requirement)
 
 
-def _score_ranking(scorer: Scorer) -> Iterator[Score]:
+def _score_ranking(scorer: _Scorer) -> Iterator[Score]:
     """Rank correlation of bench figures with the rms over power-on angles, its negative control,
     and that of triads with their single flights."""
     flown, statistic = scorer.group.select(columns.GYROS_FLOWN), measures.compute_spearman
     for key, column in RANKED_BY.items():
         figure = scorer.group.select(column)
-        rank = bootstrap(statistic, [flown, figure], scorer.seed)
-        asked, verdict = "", ""
+        rank = scorer.estimate(statistic, flown, figure)
+        requirement = NO_REQUIREMENT
         if key == FIXED_RULE:
-            asked, verdict = "0 within its interval", judge_contains(rank, 0.0)
+            requirement = "0 within its interval", judge_contains(rank, 0.0)
         if key == CIRCUMFERENCE_RULE:
-            asked, verdict = f">= {SMALLEST_SPEARMAN:g}", judge_bounds(rank, SMALLEST_SPEARMAN)
-        yield scorer.fill_score(score.SPEARMAN, key, rank, asked=asked, verdict=verdict)
+            requirement = f">= {SMALLEST_SPEARMAN:g}", judge_bounds(rank, SMALLEST_SPEARMAN)
+        yield scorer.score(score.SPEARMAN, key, rank, requirement)
         control = shuffle_devices(statistic, flown, [figure], scorer.seed)
-        asked, verdict = "0 within its interval", judge_contains(control, 0.0)
-        yield scorer.fill_score(
-            score.SPEARMAN, key, control, shuffled=True, asked=asked, verdict=verdict
-        )
+        requirement = "0 within its interval", judge_contains(control, 0.0)
+        yield scorer.score(score.SPEARMAN, key, control, requirement, shuffled=True)
     for key, column in RANKED_TRIADS.items():
-        samples = [scorer.flown, scorer.group.select(column)]
-        yield scorer.make_score(
-            score.FLIGHT_SPEARMAN, key, measures.compute_flight_spearman, samples
-        )
+        figure = scorer.group.select(column)
+        rank = scorer.estimate(measures.compute_flight_spearman, scorer.flown, figure)
+        yield scorer.score(score.FLIGHT_SPEARMAN, key, rank)

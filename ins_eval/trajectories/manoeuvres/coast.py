@@ -9,11 +9,11 @@ from scipy.integrate import solve_ivp
 from scipy.interpolate import BSpline, make_interp_spline
 
 from ins_eval.common import earth
-from ins_eval.common.arrays import Array
 from ins_eval.trajectories.errors import TrajectoryError
 from ins_eval.trajectories.keys import quantity
 from ins_eval.trajectories.manoeuvres.manoeuvre import Entry, Leg, Manoeuvre, make_leg
 from ins_eval.trajectories.manoeuvres.signals import Steps, lobe
+from pyhrg.common.arrays import Array
 
 STEEPEST = math.radians(85.0)
 """Largest climb angle of a fall, rad. Chosen: straight up, the heading has no meaning."""

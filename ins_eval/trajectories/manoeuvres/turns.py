@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import brentq
 
-from ins_eval.trajectories.keys import choice, quantity, required_choice
+from ins_eval.trajectories.keys import choice, quantity
 from ins_eval.trajectories.manoeuvres.manoeuvre import (
     Entry,
     Leg,
@@ -62,7 +62,7 @@ class CoordinatedTurn(Manoeuvre):
 class UTurn(Manoeuvre):
     """A coordinated turn by 180 deg."""
 
-    side: str = required_choice("right", "left")
+    side: str = choice("right", "left", required=True)
     bank: float = quantity("deg", 0.1, 80, 25)
     ramp: float = quantity("s", 0.1, 100, 4)
 

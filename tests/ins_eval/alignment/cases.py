@@ -10,7 +10,7 @@ from ins_eval.common import earth
 from ins_eval.common.rotation import mat_from_euler
 from ins_eval.common.sensor_errors import SensorErrors
 from ins_eval.imu.sensor_error_model import AxisConstants, SensorErrorModel
-from ins_eval.trajectories.trajectory import Knots, Trajectory
+from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.units import DEG
 from pyhrg.records.imu.increments import Increments
 
@@ -85,16 +85,15 @@ def _make_record(
     time: Array, shift: list[Array], turn: list[Array], seconds: float, interval: float
 ) -> tuple[Increments, Array]:
     radius = earth.meridian_radius(LATITUDE)
-    knots = Knots(
-        time,
+    channels = [
         POSITION[0] + shift[0] / radius,
         POSITION[1] + shift[1] / radius,
         POSITION[2] + shift[2],
         0.02 + turn[0],
         -0.03 + turn[1],
         1.0 + turn[2],
-    )
-    trajectory = Trajectory("standing", knots)
+    ]
+    trajectory = Trajectory("standing", time, np.stack(channels, axis=-1))
     record = trajectory.increments(0.0, interval, round(seconds / interval))
     return record, trajectory.mat_nb(np.array(seconds))
 

@@ -12,7 +12,7 @@ from ins_eval.common.rotation import mat_from_euler
 from ins_eval.common.state import State, position_error
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
-from ins_eval.trajectories.trajectory import Knots, Trajectory
+from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.imu.increments import Increments
 from tests.ins_eval import theory
@@ -74,9 +74,8 @@ def turn_on_the_spot(turn: float) -> Trajectory:
     s = np.clip(time / TURN_DURATION, 0.0, 1.0)
     zero = np.zeros_like(time)
     yaw = turn * s**3 * (10 - 15 * s + 6 * s**2)
-    return Trajectory(
-        "turn", Knots(time, np.full_like(time, LATITUDE), zero, zero, zero, zero, yaw)
-    )
+    channels = [np.full_like(time, LATITUDE), zero, zero, zero, zero, yaw]
+    return Trajectory("turn", time, np.stack(channels, axis=-1))
 
 
 def test_without_a_turn_the_bias_stays_hidden() -> None:

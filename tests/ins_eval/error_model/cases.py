@@ -13,7 +13,7 @@ from ins_eval.error_model.linear_model import LinearModel
 from ins_eval.error_model.states import COUNT
 from ins_eval.navigation.height import Clamped, Height
 from ins_eval.navigation.strapdown import navigate
-from ins_eval.trajectories.trajectory import Knots, Trajectory
+from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.records.imu.increments import Increments
 
 EVERY = 60.0
@@ -53,7 +53,8 @@ def weave(latitude_deg: float, duration: float, roll_every: float = 1e9) -> Traj
         roll += 2 * np.pi * s**3 * (10 - 15 * s + 6 * s**2)
     pitch = np.full_like(t, 0.03)
     height = 5000 + 500 * np.sin(2 * np.pi * t / 900)
-    return Trajectory("weave", Knots(t, latitude, longitude, height, bank + roll, pitch, heading))
+    channels = [latitude, longitude, height, bank + roll, pitch, heading]
+    return Trajectory("weave", t, np.stack(channels, axis=-1))
 
 
 @dataclass(frozen=True)

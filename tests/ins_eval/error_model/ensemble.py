@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from ins_eval.common.arrays import Array
 from ins_eval.error_model.linear_model import AXES, LinearModel
 from ins_eval.error_model.states import COUNT
+from pyhrg.common.arrays import Array
 
 
 def draw_ensemble(

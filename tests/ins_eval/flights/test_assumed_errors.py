@@ -5,11 +5,11 @@ import math
 import numpy as np
 import pytest
 
+from ins_eval.error_model.effects import misalignment
 from ins_eval.error_model.motion import sample_motion
 from ins_eval.flights.assumed_errors import (
     ASSUMED_FLICKER_TIMES,
     assume_errors,
-    model_misalignment,
 )
 from ins_eval.imu import specification
 from ins_eval.imu.imu import Imu
@@ -71,7 +71,7 @@ def test_stated_biases_stay_on_their_axes() -> None:
 
 def test_misalignment_feels_the_other_axes() -> None:
     motion = sample_motion(catalogue.load_trajectory("car", 60.0), 0.0, 1.0, 60)
-    following, after = (effect.regressor(motion) for effect in model_misalignment("accelerometer"))
+    following, after = (effect.regressor(motion) for effect in misalignment("accelerometer"))
     np.testing.assert_array_equal(following[:, 0], motion.force[:, 1])
     np.testing.assert_array_equal(after[:, 0], motion.force[:, 2])
     np.testing.assert_array_equal(following[:, 2], motion.force[:, 0])

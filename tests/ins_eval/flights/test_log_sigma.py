@@ -8,9 +8,9 @@ from scipy.stats import chi2
 
 from ins_eval.flights import linear
 from ins_eval.flights.assumed_errors import assume_errors
-from ins_eval.flights.flown import FlightData
 from ins_eval.flights.log_flight import navigate_log
 from ins_eval.flights.plan import Plan
+from ins_eval.flights.report import Flight
 from ins_eval.flights.truth import sample_truth
 from ins_eval.imu.imu import Imu
 from ins_eval.imu.specification import load_imu
@@ -26,7 +26,7 @@ def imu() -> Imu:
 
 
 @pytest.fixture(scope="module")
-def logs(imu: Imu) -> list[FlightData]:
+def logs(imu: Imu) -> list[Flight]:
     """10 cars recorded with the truth, seeds 0 to 9."""
     car = load_trajectory("car", PLAN.duration, 200.0)
     ideal = car.increments(-200.0, PLAN.interval, 200 * RATE + PLAN.count)
@@ -37,7 +37,7 @@ def logs(imu: Imu) -> list[FlightData]:
     ]
 
 
-def test_one_sigma_holds(logs: list[FlightData]) -> None:
+def test_one_sigma_holds(logs: list[Flight]) -> None:
     """Squared errors of position over 10 logs in chi-square's 99.9 % interval."""
     whole = 0.0
     for log in logs:
@@ -51,7 +51,7 @@ def test_one_sigma_holds(logs: list[FlightData]) -> None:
     assert low < whole < high
 
 
-def test_one_sigma_is_that_of_the_true_way(logs: list[FlightData], imu: Imu) -> None:
+def test_one_sigma_is_that_of_the_true_way(logs: list[Flight], imu: Imu) -> None:
     """Along the navigated way instead of the true one: within 2 %."""
     truth = sample_truth(PLAN, load_trajectory("car", PLAN.duration, 220.0))
     alignment = logs[0].alignments[0]
@@ -61,7 +61,7 @@ def test_one_sigma_is_that_of_the_true_way(logs: list[FlightData], imu: Imu) -> 
     assert found[1][-1] == pytest.approx(np.sqrt(covariance[-1, 1, 1]), rel=0.02)
 
 
-def test_budget_adds_up_to_the_one_sigma(logs: list[FlightData]) -> None:
+def test_budget_adds_up_to_the_one_sigma(logs: list[Flight]) -> None:
     """Constants, processes, walks and alignment, in squares, to 1e-6."""
     log = logs[0]
     assert log.sigma_budget is not None

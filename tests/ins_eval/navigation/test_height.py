@@ -7,7 +7,7 @@ from ins_eval.common import earth
 from ins_eval.common.state import State, Track
 from ins_eval.navigation.height import BaroDamped, Clamped, Free, Height
 from ins_eval.navigation.strapdown import navigate
-from ins_eval.trajectories.trajectory import Knots, Trajectory
+from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.errors import HrgError
 from pyhrg.records.imu.increments import Increments
 from tests.ins_eval import theory
@@ -29,9 +29,8 @@ def climbing() -> Trajectory:
     w = 2 * np.pi / 100
     zero = np.zeros_like(time)
     height = 500 - 300 * np.cos(w * time)
-    return Trajectory(
-        "climb", Knots(time, LATITUDE + 1.57e-5 * time, zero, height, zero, zero, zero)
-    )
+    channels = [LATITUDE + 1.57e-5 * time, zero, height, zero, zero, zero]
+    return Trajectory("climb", time, np.stack(channels, axis=-1))
 
 
 def test_free_height_runs_away_as_a_hyperbolic_cosine() -> None:

@@ -7,7 +7,7 @@ from ins_eval.common.state import track_error
 from ins_eval.navigation.coefficients import SAMPLES_PER_STEP
 from ins_eval.navigation.height import Clamped
 from ins_eval.navigation.strapdown import navigate
-from ins_eval.trajectories.trajectory import Knots, Trajectory
+from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.records.imu.increments import Increments
 
 SECONDS = 60
@@ -23,8 +23,8 @@ def rolls() -> tuple[Trajectory, Increments]:
     roll = 2 * np.pi * (np.floor(time / 12.0) + s**4 * (35 - 84 * s + 70 * s**2 - 20 * s**3))
     zero = np.zeros_like(time)
     latitude = np.deg2rad(45.0) + 2.8e-5 * time
-    knots = Knots(time, latitude, 3.9e-5 * time, zero + 5000.0, roll, zero + 0.02, zero + 0.78)
-    trajectory = Trajectory("rolls", knots)
+    channels = [latitude, 3.9e-5 * time, zero + 5000.0, roll, zero + 0.02, zero + 0.78]
+    trajectory = Trajectory("rolls", time, np.stack(channels, axis=-1))
     return trajectory, trajectory.increments(0.0, 1 / FINE, SECONDS * FINE)
 
 

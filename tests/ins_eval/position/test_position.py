@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.missions import plan_mission
 from ins_eval.mission_model.position_errors import compute_position_errors
+from ins_eval.mission_model.turned_maps import turn_weights
 from ins_eval.mission_model.weights_cache import load_mission_weights
 from ins_eval.position.diagnosis import read_diagnosed_gyro
 from ins_eval.position.gyro import measure_gyro
@@ -23,7 +24,6 @@ from ins_eval.position.triad_errors import (
     draw_power_on_angles,
 )
 from ins_eval.study.gyros.true_maps import read_flight_coefficients
-from ins_eval.study.predictors.parts.turned_maps import turn_weights
 from ins_eval.study.scores.resampling import Estimate
 from pyhrg.common.units import DEG_PER_H
 from pyhrg.fmu import GyroFmu

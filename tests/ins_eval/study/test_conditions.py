@@ -7,6 +7,7 @@ import pytest
 
 from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.turned_maps import undo_start
 from ins_eval.study.conditions import CONDITIONS, NOISY_DRIVES, ConditionSample
 from ins_eval.study.gyros.drawn_triad import (
     DrawnTriad,
@@ -16,7 +17,6 @@ from ins_eval.study.gyros.drawn_triad import (
     tabulate_triads,
 )
 from ins_eval.study.gyros.population import TRIMMED
-from ins_eval.study.predictors.parts.turned_maps import undo_start
 from ins_eval.study.specification import TEST
 from pyhrg.bench.calibration.calibration_maps import add_maps
 from pyhrg.common.units import DEG_PER_H

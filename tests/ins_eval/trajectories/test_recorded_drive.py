@@ -19,7 +19,7 @@ from ins_eval.trajectories.recorded_drive import (
     read_drive,
     repeat_drive,
 )
-from ins_eval.trajectories.trajectory import Knots, Trajectory
+from ins_eval.trajectories.trajectory import Trajectory
 
 REAL = Path(__file__).parents[4] / "shared" / "real"
 Rows = list[list[str]]
@@ -241,7 +241,7 @@ def city() -> Drive:
 
 def spline_drive(drive: Drive, rows: slice) -> Trajectory:
     return Trajectory(
-        "part", Knots(drive.time[rows], *drive.position[rows].T, *drive.euler[rows].T)
+        "part", drive.time[rows], np.hstack([drive.position[rows], drive.euler[rows]])
     )
 
 

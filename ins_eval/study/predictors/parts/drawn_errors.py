@@ -1,13 +1,11 @@
 """Sampled errors of triads (Eq. 7): maps, power-on angles and noise are drawn, the same for all."""
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.stats import qmc
 
-from ins_eval.study.predictors.parts.turned_maps import turn_weights
+from ins_eval.mission_model.turned_maps import turn_weights
 from ins_eval.study.predictors.prediction import SampledPrediction
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 DRAWS = 2048
 """Number of samples, a power of two for Sobol's sequence. Chosen: the standard error of the
@@ -32,7 +30,6 @@ def draw_at_angles(
         standard: (n, c) deviations in units of sigma; each row occurred together in one gyro.
         other: (r, k, 2, 2) covariance of the error by noise and accelerometers, m^2.
         start_angle: (r, 3) pattern angles at power-on, rad.
-        seed: seed of the samples.
     """
     random = np.random.default_rng(seed)
     deviations = _draw_deviations(standard, random).reshape(DRAWS, -1)

@@ -9,15 +9,13 @@ Its distribution is that of the training triads's drifts in units of their stand
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import nnls
 
 from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.signals import COUNT
+from ins_eval.mission_model.turned_maps import undo_start
 from ins_eval.study.predictors.bench_figures import BenchFigures
-from ins_eval.study.predictors.parts.turned_maps import undo_start
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 
 @dataclass(frozen=True)
@@ -61,7 +59,6 @@ def estimate_map_drift(bench: BenchFigures, in_flight: Array, start_angle: Array
     Large squares scatter more and have smaller weights.
 
     Args:
-        bench: figures of the training triads.
         in_flight: (r, COUNT, 3) true coefficients in flight.
         start_angle: (r, 3) pattern angles at power-on, rad.
     """

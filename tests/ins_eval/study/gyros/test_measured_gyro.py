@@ -23,7 +23,7 @@ def test_maker_takes_out_what_he_should(slow_fmu: GyroFmu, raw: Device, method: 
     before = measure_gyro_map(slow_fmu, list_slow_parameters(raw))
     device = calibrate_gyro(slow_fmu, raw, method, seed=1)
     left = measure_gyro_map(slow_fmu, list_slow_parameters(device))
-    for was, now in ((before.bias, left.bias), (before.scale, left.scale)):
+    for was, now in zip(np.split(before, 2), np.split(left, 2), strict=True):
         assert abs(now[0]) < 0.1 * np.linalg.norm(was)
         harmonics = np.linalg.norm(now[1:]) / np.linalg.norm(was[1:])
         assert harmonics < 0.05 if method == "map" else 0.95 < harmonics < 1.05
@@ -35,9 +35,9 @@ def test_bench_knows_the_gyro(slow_fmu: GyroFmu, raw: Device) -> None:
     true = measure_gyro_map(slow_fmu, list_slow_parameters(device))
     known = measure_gyro(slow_fmu, device, BenchPlan(), seed=2)
     deviation = np.sqrt(known.map_variance)
-    assert np.all(np.abs(known.fitted_map.coefficients - true.coefficients) < 4.5 * deviation)
+    assert np.all(np.abs(known.fitted_map - true) < 4.5 * deviation)
     assert known.random_walk == pytest.approx(device.angle_random_walk, rel=0.3)
-    spread = np.linalg.norm(true.bias[1:]) / np.sqrt(2)
+    spread = np.linalg.norm(true[1:TERMS]) / np.sqrt(2)
     assert known.circumference_stability > 0.8 * spread
     assert deviation.shape == (2 * TERMS,)
 
@@ -47,10 +47,10 @@ def test_bench_knows_what_the_map_gains(slow_fmu: GyroFmu, raw: Device) -> None:
     of the bias is seen, far above them."""
     device = calibrate_gyro(slow_fmu, raw, "map", seed=1)
     cool, warm = (
-        measure_gyro_map(slow_fmu, list_slow_parameters(soak_gyro(device, rise))).coefficients
+        measure_gyro_map(slow_fmu, list_slow_parameters(soak_gyro(device, rise)))
         for rise in (0.0, WARM_RISE)
     )
     known = measure_gyro(slow_fmu, device, BenchPlan(), seed=2)
     true, deviation = (warm - cool) / WARM_RISE, np.sqrt(known.map_variance) / WARM_RISE
-    assert np.all(np.abs(known.map_per_kelvin.coefficients - true) < 4.5 * deviation)
+    assert np.all(np.abs(known.map_per_kelvin - true) < 4.5 * deviation)
     assert np.max(np.abs(true[:TERMS])) > 5 * deviation[0]

@@ -9,10 +9,10 @@ from ins_eval.mission_model.gyro_map import TERMS
 from ins_eval.mission_model.mission_weights import MissionWeights
 from ins_eval.mission_model.signals import COUNT
 from ins_eval.mission_model.triad_block import TriadBlock
+from ins_eval.mission_model.turned_maps import start_maps
 from ins_eval.study.gyros.bench_plan import WARM_RISE
 from ins_eval.study.predictors import prediction_columns
 from ins_eval.study.predictors.class_constants import ConstantRule
-from ins_eval.study.predictors.parts.turned_maps import start_maps
 from pyhrg.common.units import ARCSEC, DEG_PER_H, DEG_PER_SQRT_H, HOUR, MICRO_G
 from pyhrg.noise.coefficients import COEFFICIENT_NAMES
 

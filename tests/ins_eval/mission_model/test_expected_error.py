@@ -7,8 +7,7 @@ import pytest
 
 from ins_eval.mission_model.mission_weights import MissionWeights, compute_mission_weights
 from ins_eval.mission_model.missions import plan_mission
-from ins_eval.mission_model.position_errors import compute_position_errors
-from ins_eval.study.predictors.parts.expected_error import compute_expected_error
+from ins_eval.mission_model.position_errors import compute_expected_error, compute_position_errors
 from tests.ins_eval.study.predictors import cases
 
 

@@ -1,9 +1,9 @@
-"""Turned maps against `GyroMap`, one by one."""
+"""Turned maps against the terms that they are coefficients of."""
 
 import numpy as np
 
-from ins_eval.mission_model.gyro_map import TERMS, GyroMap
-from ins_eval.study.predictors.parts.turned_maps import start_maps, turn_weights, undo_start
+from ins_eval.mission_model.gyro_map import TERMS, evaluate_terms
+from ins_eval.mission_model.turned_maps import start_maps, turn_weights, undo_start
 
 RANDOM = np.random.default_rng(1)
 MAPS = RANDOM.normal(size=(5, 2 * TERMS, 3))
@@ -11,10 +11,12 @@ ANGLES = RANDOM.uniform(0, 7, size=(5, 3))
 
 
 def test_started_as_each_map_is() -> None:
-    turned = start_maps(MAPS, ANGLES)
+    turned, turn = start_maps(MAPS, ANGLES), RANDOM.uniform(0, 7, size=20)
     for r, axis in np.ndindex(5, 3):
-        single = GyroMap.from_coefficients(MAPS[r, :, axis]).start_at(float(ANGLES[r, axis]))
-        np.testing.assert_allclose(turned[r, :, axis], single.coefficients, atol=1e-12)
+        at_turn, at_angle = (evaluate_terms(turn + start) for start in (0.0, ANGLES[r, axis]))
+        for part in (slice(0, TERMS), slice(TERMS, None)):
+            expected = at_angle @ MAPS[r, part, axis]
+            np.testing.assert_allclose(at_turn @ turned[r, part, axis], expected, atol=1e-12)
 
 
 def test_unstarted_takes_it_back() -> None:

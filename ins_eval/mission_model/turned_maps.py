@@ -1,21 +1,19 @@
 """Maps, and weights of maps, for patterns that start at other angles (mission_model.md, Eq. 2)."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ins_eval.mission_model.gyro_map import HARMONICS, TERMS
-
-Array = NDArray[np.float64]
+from pyhrg.common.arrays import Array
 
 
 def start_maps(maps: Array, angles: Array) -> Array:
-    """(..., n TERMS, 3) maps over the pattern's turn from angles (..., 3), rad, as
-    `GyroMap.start_at`; leading dimensions are broadcast."""
+    """(..., n TERMS, 3) maps over the pattern's turn from angles (..., 3), rad; leading dimensions
+    are broadcast."""
     return _rotate_harmonics(maps, angles, sign=1.0)
 
 
 def undo_start(maps: Array, angles: Array) -> Array:
-    """The inverse of `started`."""
+    """The inverse of `start_maps`."""
     return _rotate_harmonics(maps, angles, sign=-1.0)
 
 

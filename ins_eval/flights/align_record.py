@@ -32,8 +32,8 @@ def align(
 
     Args:
         log: recorded log of a standing vehicle; None simulates an IMU on one.
-        imu: the IMU that is simulated; of a log, its biases are assumed, and its random walks are
-            the prior of those that the record itself shows.
+        imu: the IMU that is simulated; of a log, its biases are assumed. The random walks are
+            estimated from the record, with the IMU's as prior.
         trajectory: mission before whose start the simulated vehicle stands.
         from_s: time in the log at which the record begins, s.
         seconds: duration of the record, s.

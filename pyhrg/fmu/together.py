@@ -21,7 +21,7 @@ def record_together(
 ) -> list[tuple[Array, Array]]:
     """Record gyros of one FMU, each as `Gyro.record` does it, from the same time on.
 
-    What can't go together goes one by one: gyros with noise and without, different numbers of rows,
+    What can't go together goes one by one: noise in some gyros only, different numbers of rows,
     rows that are new for some only, quasi-steady models, and all where there is no compiler.
 
     Args:

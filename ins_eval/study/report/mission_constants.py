@@ -1,4 +1,5 @@
-"""What bench figures are worth in each mission of a study: the constants of its classes."""
+"""What bench figures are worth in each mission of a study: the constants of its classes, which
+`predictors/class_constants.py` makes from the training triads."""
 
 from dataclasses import dataclass
 

@@ -74,8 +74,8 @@ def predict_error(
 ) -> list[PredictedError]:
     """Position errors that bench figures predict, with intervals, one for each figure given.
 
-    The constant of the mission's class is read from a finished study (prediction by the class over
-    prediction by the usual rule), for its gyros and duration.
+    The constant of the mission's class, its prediction divided by that of the usual rule, is read
+    from a finished study. It is valid only for the study's gyros and duration.
 
     Args:
         study: folder of a finished study, such as that of `validate`.

@@ -28,7 +28,7 @@ UNEXPLAINED_PROBABILITY = 0.5
 """The verdict is `unexplained` where something outside the catalogue takes part with at least this
 probability: more probable than not."""
 BEYOND_PROBABILITY = 0.975
-"""A known parameter is a cause where it is off by more than its tolerance with at least this
+"""A known parameter is a cause where it is off by more than its tolerance with more than this
 probability: its 95 % interval lies beyond."""
 MENTIONED_PROBABILITY = 0.01
 """What may take part outside the catalogue is listed above this probability. Chosen."""
@@ -112,7 +112,7 @@ def _find_known_causes(attribution: Attribution) -> list[Cause]:
 
 
 def list_known_values(attribution: Attribution) -> tuple[KnownValue, ...]:
-    """Known parameters that the tests show to be off, but not by more than their tolerance."""
+    """Known parameters that are significantly off, but not shown to exceed their tolerance."""
     values = []
     nominal = attribution.nominal
     for effect, (size, covariance) in attribution.posterior.best.departures.items():

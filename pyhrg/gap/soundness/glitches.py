@@ -54,7 +54,8 @@ a coarse log explain. Chosen: above the rounding of numbers."""
 MIN_ROWS = 50
 """Fewest rows in which glitches are looked for. Chosen."""
 MAX_GLITCHES, MAX_GLITCH_SHARE = 6, 4e-3
-"""A column with more glitches than both, a number and a share of its rows, has noise. Chosen."""
+"""More glitches than the larger of this number and this share of the rows count as noise: none is
+reported. Chosen."""
 MAX_REPORTED = 3
 """Glitches of a column that are reported one by one."""
 
@@ -103,7 +104,7 @@ def check_glitches(log: Log, nominal: Device) -> list[Exclusion]:
 
 def _find_contradictions(log: Log, nominal: Device) -> Mask:
     """(n,) rows whose output angle is not what its definition makes of the pattern angle. None
-    where there would be many: the columns are then sampled apart."""
+    where there would be many: the two columns were then sampled at different times."""
     departure = compute_departure(log, nominal.bryan_factor, log.gyro_angle, log.wave_angle)
     sigma = _estimate_deviation(departure[np.isfinite(departure)])
     glitches = np.abs(departure) > max(MIN_SIZE_SIGMA * sigma, MIN_CONTRADICTION)

@@ -22,8 +22,8 @@ GRAVITY_RATIO = 0.00344978650684
 """Centrifugal acceleration over gravitation at the equator, m = RATE^2 a^2 b / GM."""
 
 PLUMB_LINE = 8.08e-9
-"""North component of normal gravity per metre of height and sin 2 phi, with the sign reversed,
-1/s^2: the curvature of the plumb line (Groves 2013, Eq. 2.140)."""
+"""The north component of normal gravity is -PLUMB_LINE h sin(2 phi) at height h, by the curvature
+of the plumb line, 1/s^2 (Groves 2013, Eq. 2.140)."""
 
 
 @compile_loop

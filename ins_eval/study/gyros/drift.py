@@ -56,8 +56,8 @@ class Flight:
 
 
 def draw_flight(device: Device, drift: Drift, generator: np.random.Generator) -> Flight:
-    """A calibrated gyro in a flight: aged, powered on once more. Its electronics start the pattern
-    where they started it on the bench, with the same scatter."""
+    """A calibrated gyro in a flight: aged, powered on once more. Its pattern starts
+    normally distributed about `power_on_angle`, as on the bench."""
     old = age_gyro(device, drift.age, generator)
     rise = generator.uniform(drift.coolest, drift.warmest)
     angle = old.power_on_angle + generator.normal(0.0, old.power_on_scatter)

@@ -48,7 +48,7 @@ Pair = tuple[int, int]
 MENTIONED_PAIRS = 2
 """Number of pairs that the reason for a test mentions."""
 VISIBLE_SIGMA = 1.0
-"""A kind of test separates a pair at all when an hour of it does so by more than this. Chosen."""
+"""Smallest separation of a pair in an hour of a test, sigma, that counts. Chosen."""
 SEPARATION_SIGMA = 6.0
 """Separation after which a pair counts as separated, even if the tests so far favour the wrong
 hypothesis. Chosen."""

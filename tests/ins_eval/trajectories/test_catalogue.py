@@ -130,7 +130,7 @@ def test_missile_is_one_that_can_fly() -> None:
 
 @pytest.mark.parametrize("name", ["car", "city"])
 def test_corners_can_be_driven(name: str) -> None:
-    """Below 0.5 g level, which dry tyres hold; the car's U-turns were 0.6 g."""
+    """Horizontal specific force stays below 0.5 g, which dry tyres hold."""
     path = catalogue.load_trajectory(name, 3600.0)
     time = np.linspace(0.0, 3600.0, 14_401)
     force = np.einsum("nij,nj->ni", path.mat_nb(time), path.rate_and_force(time)[1])

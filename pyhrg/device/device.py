@@ -75,7 +75,7 @@ class Device(ScalarParameters):
         return {**values, **self.model}
 
     def draw_turn_on(self, generator: "np.random.Generator") -> dict[str, float]:
-        """Values as of `fmu_parameters` at one power-on, with normal, independent turn-on scatter."""
+        """Values as of `fmu_parameters` at one power-on, with normal and independent scatter."""
         stated = {**self.fmu_values(), **self.model}
         drawn = {
             name: stated[name] + generator.normal(0.0, deviation)

@@ -62,7 +62,7 @@ def test_plot_is_of_one_calibration(result: StudyResult) -> None:
     legend = axes.get_legend()
     assert legend
     assert any(text.get_text().startswith("fitted map") for text in legend.get_texts())
-    with pytest.raises(HrgError, match="calibration: found 'best', expected 'map' or 'mean'"):
+    with pytest.raises(HrgError, match="calibration: found 'best', expected 'mean' or 'map'"):
         result.plot(calibration="best")
 
 

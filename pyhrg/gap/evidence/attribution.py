@@ -38,8 +38,8 @@ Chosen."""
 MAX_HALVINGS = 8
 """Number of times that a step to a gyro which the FMU refuses is halved. Chosen."""
 LINEARIZATION_DECAY = 4.0
-"""Factor by which the allowed linearization error falls each time that the search returns to a set.
-Chosen."""
+"""Factor by which the allowed linearization error falls each time that the search returns to a set
+that it had left. Chosen."""
 NEGLIGIBLE_CHI2 = 1.0
 """Linearization error, as chi-square, that counts as zero: the power of a row's noise. Chosen."""
 LINEAR_DISTANCE = math.sqrt(NEGLIGIBLE_CHI2 / LINEARIZATION_ERROR)
@@ -131,7 +131,7 @@ class _Iteration:
     _differentiated_at: gyro at which all sensitivities were taken last.
     _linearization_error: allowed linearization error, as chi-square.
     _error_limit: upper limit of the next one.
-    _visited_sets: most probable sets so far.
+    _visited_sets: most probable set of each round so far.
     _compared_groups: set of effects for which the noises were compared last.
     """
 
@@ -147,7 +147,7 @@ class _Iteration:
         self._to_differentiate: Collection[Effect] = catalogue.parameters
         self._differentiated_at = nominal
         self._linearization_error = self._error_limit = math.inf
-        self._visited_sets = set[frozenset[Group]]()
+        self._visited_sets: list[frozenset[Group]] = []
         self._compared_groups: tuple[Group, ...] | None = None
         self.device = nominal
         self.noise = NoiseHypothesis(build_angle_noise(nominal), ())
@@ -213,13 +213,13 @@ class _Iteration:
         return self.posterior.best
 
     def _allow_linearization_error(self, chi2: float, hypothesis: Hypothesis) -> None:
-        """Allow this error. Where the search returns to a set, it may be alternating between sets
-        that explain the residual about as well: less error is allowed from then on."""
+        """Allow this error. Where the search returns to a set that it had left, it may alternate
+        between sets that explain the residual about as well: less error is allowed from then on."""
         groups = frozenset(hypothesis.ranking.best.groups)
         error = min(chi2, self._error_limit)
-        if groups in self._visited_sets:
+        if groups in self._visited_sets[:-1] and groups != self._visited_sets[-1]:
             self._error_limit = error / LINEARIZATION_DECAY
-        self._visited_sets.add(groups)
+        self._visited_sets.append(groups)
         self._linearization_error = error if error > NEGLIGIBLE_CHI2 else 0.0
 
     def step_length(self, hypothesis: Hypothesis) -> float:

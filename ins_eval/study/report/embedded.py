@@ -1,6 +1,5 @@
 """Data for the page's script: the points, and each panel's scores in words."""
 
-import json
 import math
 from collections.abc import Iterable
 from typing import Any
@@ -11,6 +10,7 @@ from ins_eval.study.report.claims import format_score
 from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
 from ins_eval.study.tables.score import MEDIAN_RATIO, R2_RADIAL, SPEARMAN, Score
+from pyhrg.common.pages.markup import embed_json
 
 DIGITS = 4
 """Significant digits of a point's numbers. Chosen: more are not visible."""
@@ -28,8 +28,7 @@ def embed_study(data: StudyData) -> str:
         "numbers": {name: [_round(v) for v in table[name]] for name in NUMBERS},
         "captions": list_captions(data.scores),
     }
-    text = json.dumps(content, separators=(",", ":"), allow_nan=False)
-    return text.replace("<", "\\u003c")
+    return embed_json(content)
 
 
 def list_captions(scores: Iterable[Score]) -> dict[str, str]:

@@ -1,7 +1,6 @@
 """The user's own gyro: a form that predicts its error from bench figures and a mission."""
 
 import html
-import json
 import math
 from typing import Any
 
@@ -18,7 +17,7 @@ from ins_eval.study.report.mission_constants import (
     read_constants,
 )
 from ins_eval.study.study_data import StudyData
-from pyhrg.common.pages.markup import make_paragraph
+from pyhrg.common.pages.markup import embed_json, make_choice, make_paragraph
 
 LEAD = (
     "Type what your bench says of your gyros (rms of the three): their bias stability at a fixed "
@@ -39,9 +38,9 @@ def render_own_gyro(data: StudyData) -> str:
         'autocomplete="off"></label>'
         for test in TESTS
     )
-    missions = _render_choice("mission", {name: name for name in data.missions})
-    calibrations = _render_choice(
-        "calibration", {name: name_calibration(name) for name in data.calibrations}
+    missions = make_choice("mission", "Mission", {name: name for name in data.missions})
+    calibrations = make_choice(
+        "calibration", "Calibration", {name: name_calibration(name) for name in data.calibrations}
     )
     return (
         f"{make_paragraph(LEAD)}"
@@ -61,17 +60,8 @@ def _choose_figures(data: StudyData) -> dict[str, str]:
     return {test.key: f"{value:.2g}" for test, value in zip(TESTS, found, strict=True)}
 
 
-def _render_choice(key: str, options: dict[str, str]) -> str:
-    listed = "".join(
-        f'<option value="{html.escape(value)}">{html.escape(text)}</option>'
-        for value, text in options.items()
-    )
-    select = f'<select name="{key}" autocomplete="off">{listed}</select>'
-    return f"<label>{key.capitalize()} {select}</label>"
-
-
 def _embed_constants(data: StudyData) -> str:
-    """JSON that can stand inside a script element: the constants, and the words of a prediction."""
+    """JSON for the page's script: the constants, and the words of a prediction."""
     content = {
         "sentence": SENTENCE,
         "beyond": BEYOND,
@@ -82,8 +72,7 @@ def _embed_constants(data: StudyData) -> str:
             _describe(each) for each in read_constants(data) if math.isfinite(each.median)
         ],
     }
-    text = json.dumps(content, separators=(",", ":"), allow_nan=False)
-    return text.replace("<", "\\u003c")
+    return embed_json(content)
 
 
 def _describe(constant: MissionConstant) -> dict[str, Any]:

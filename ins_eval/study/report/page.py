@@ -1,6 +1,5 @@
 """The report as one HTML page, which needs no network and no script."""
 
-import html
 from dataclasses import replace
 from importlib.resources import files
 from pathlib import Path
@@ -19,7 +18,7 @@ from ins_eval.study.study_data import StudyData
 from ins_eval.study.tables import columns as c
 from ins_eval.study.tables.score import ALL
 from pyhrg.common.files import stage_files
-from pyhrg.common.pages.markup import make_paragraph
+from pyhrg.common.pages.markup import make_choice, make_paragraph
 from pyhrg.common.pages.shell import make_contents, make_document, read_asset
 from pyhrg.common.units import NAUTICAL_MILE
 
@@ -82,23 +81,14 @@ def _render_opening(data: StudyData) -> str:
 
 def _render_filters(data: StudyData) -> str:
     """The form of the filters, hidden until the script runs."""
-    calibrations = {key: name_calibration(key) for key in data.calibrations}
-    classes = {key: key for key in data.classes}
-    predictors = {p.key: p.title for p in c.PREDICTORS}
+    every = {ALL: "all"}
+    calibrations = every | {key: name_calibration(key) for key in data.calibrations}
+    classes = every | {key: key for key in data.classes}
+    predictors = every | {p.key: p.title for p in c.PREDICTORS}
     return (
         '<form id="filters" hidden aria-label="What the figures show">'
-        + _render_choice("calibration", "all", calibrations, next(iter(calibrations)))
-        + _render_choice("class", "all", classes, ALL)
-        + _render_choice("predictor", "all", predictors, ALL)
+        + make_choice("calibration", "Calibration", calibrations, next(iter(data.calibrations)))
+        + make_choice("class", "Class", classes, ALL)
+        + make_choice("predictor", "Predictor", predictors, ALL)
         + '</form><p id="empty" class="headline" role="status" hidden></p>'
     )
-
-
-def _render_choice(key: str, every: str, options: dict[str, str], selected: str) -> str:
-    listed = "".join(
-        f'<option value="{html.escape(value)}"{" selected" if value == selected else ""}>'
-        f"{html.escape(text)}</option>"
-        for value, text in {ALL: every, **options}.items()
-    )
-    select = f'<select name="{key}" autocomplete="off">{listed}</select>'
-    return f"<label>{key.capitalize()} {select}</label>"

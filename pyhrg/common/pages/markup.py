@@ -1,7 +1,8 @@
 """Pieces of HTML, made of text that is escaped."""
 
 import html
-from collections.abc import Sequence
+import json
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 
@@ -29,6 +30,22 @@ def make_table(content: Table) -> str:
 def make_wide_table(content: Table, style: str = "") -> str:
     """A table that scrolls sideways where it is wider than the page."""
     return f'<div class="{f"wide {style}".strip()}">{make_table(content)}</div>'
+
+
+def make_choice(key: str, title: str, options: Mapping[str, str], selected: str = "") -> str:
+    """A labelled choice among options, texts by value; `selected` is the value chosen at first."""
+    listed = "".join(
+        f'<option value="{html.escape(value)}"{" selected" if value == selected else ""}>'
+        f"{html.escape(text)}</option>"
+        for value, text in options.items()
+    )
+    return f'<label>{title} <select name="{key}" autocomplete="off">{listed}</select></label>'
+
+
+def embed_json(content: Mapping[str, object]) -> str:
+    """JSON that can stand inside a script element."""
+    text = json.dumps(content, separators=(",", ":"), allow_nan=False)
+    return text.replace("<", "\\u003c")
 
 
 def _make_row(cells: Sequence[str], tag: str) -> str:

@@ -1,9 +1,6 @@
 """The section of residuals by coordinate: panels, and pickers of channel, test and coordinate."""
 
-import html
-from collections.abc import Mapping
-
-from pyhrg.common.pages.markup import make_paragraph
+from pyhrg.common.pages.markup import make_choice, make_paragraph
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.report.figures.panels import ALL, Panel, compute_panels, draw_panel
 from pyhrg.gap.report.figures.views import AXES, VIEWS
@@ -38,9 +35,9 @@ def _build_pickers(result: CampaignDiagnosis, drawn: tuple[Panel, ...]) -> str:
     axes = {a.key: a.title for a in AXES if a in moving}
     return (
         '<form id="filters" hidden aria-label="Which residuals are shown">'
-        + _build_select("view", "Channel", {v.key: v.title for v in VIEWS}, _pick_view(result))
-        + _build_select("test", "Test", {ALL: "all tests", **{t: t for t in tests}}, ALL)
-        + _build_select("axis", "Coordinate", {ALL: "all", **axes}, ALL)
+        + make_choice("view", "Channel", {v.key: v.title for v in VIEWS}, _pick_view(result))
+        + make_choice("test", "Test", {ALL: "all tests", **{t: t for t in tests}}, ALL)
+        + make_choice("axis", "Coordinate", {ALL: "all", **axes}, ALL)
         + "</form>"
     )
 
@@ -51,12 +48,3 @@ def _pick_view(result: CampaignDiagnosis) -> str:
     shares = sum_shares(result.diagnosis.where, lambda place: place.channel)
     largest = max(shares, key=lambda c: shares[c], default="gyro_angle")
     return next(v.key for v in reversed(VIEWS) if v.channel == largest)
-
-
-def _build_select(key: str, title: str, options: Mapping[str, str], first: str) -> str:
-    listed = "".join(
-        f'<option value="{html.escape(value)}"{" selected" if value == first else ""}>'
-        f"{html.escape(text)}</option>"
-        for value, text in options.items()
-    )
-    return f'<label>{title} <select name="{key}" autocomplete="off">{listed}</select></label>'

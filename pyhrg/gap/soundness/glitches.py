@@ -108,7 +108,7 @@ def _find_contradictions(log: Log, nominal: Device) -> Mask:
     departure = compute_departure(log, nominal.bryan_factor, log.gyro_angle, log.wave_angle)
     sigma = _estimate_deviation(departure[np.isfinite(departure)])
     glitches = np.abs(departure) > max(MIN_SIZE_SIGMA * sigma, MIN_CONTRADICTION)
-    return glitches & (np.sum(glitches) <= max(MAX_GLITCHES, MAX_GLITCH_SHARE * len(glitches)))
+    return _keep_if_few(glitches, len(glitches))
 
 
 def _describe(log: Log, field: str, glitches: Mask) -> str:
@@ -159,7 +159,12 @@ def find_glitches(series: Array, rows: Mask) -> Mask:
     excepted = 2 * MAX_GLITCHES
     largest = elsewhere[-1 - excepted] if len(elsewhere) > excepted else 0.0
     glitches &= sizes > MIN_SIZE_ELSEWHERE * largest
-    return glitches & (np.sum(glitches) <= max(MAX_GLITCHES, MAX_GLITCH_SHARE * np.sum(rows)))
+    return _keep_if_few(glitches, int(np.sum(rows)))
+
+
+def _keep_if_few(glitches: Mask, rows: int) -> Mask:
+    """The glitches among so many rows, or none: if there are many, they are noise."""
+    return glitches & (np.sum(glitches) <= max(MAX_GLITCHES, MAX_GLITCH_SHARE * rows))
 
 
 def _window_steps(series: Array, rows: Mask, length: int) -> Array:

@@ -33,7 +33,7 @@ def _draw_growth(axes: Axes, result: Comparison) -> None:
     axes.set_ylim(bottom=np.median(result.radial[:, :, -1], axis=1).min() / NAUTICAL_MILE / 30)
     axes.set_xlim(0, hours[-1])
     axes.set_xlabel("time since alignment, h")
-    axes.set_ylabel("radial error, median (band: 95 %), nmi (1 nmi = 1.852 km), log axis")
+    axes.set_ylabel("median radial error (band: 95 %), log axis\nnmi (1 nmi = 1.852 km)")
     axes.grid(which="both", alpha=0.25)
 
 

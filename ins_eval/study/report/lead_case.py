@@ -104,7 +104,7 @@ class LeadCase:
             f'<path class="flight" d="{svg.draw_line(x(hours), y(each))}"/>' for each in flown
         )
         median, name = np.median(flown, axis=0), f"flown, median of {len(flown)}"
-        lines += _draw_named(x(hours), y(median), name, "flown")
+        lines += _draw_named(x(hours), y(median), name, "flown", below=True)
         for test, line, colour in zip(TESTS, promised, ("c1", "c0"), strict=True):
             lines += _draw_named(x(hours), y(line), f"promised: {test}", colour)
         return draw_axes(
@@ -131,8 +131,10 @@ def read_lead_case(about: Mapping[str, Any]) -> LeadCase | None:
     )
 
 
-def _draw_named(across: Array, up: Array, name: str, colour: str) -> str:
+def _draw_named(across: Array, up: Array, name: str, colour: str, below: bool = False) -> str:
+    """A line with its name at its end, above it or below."""
+    height = up[-1] + (32 if below else -8)
     return (
         f'<g class="lead {colour}"><path d="{svg.draw_line(across, up)}"/>'
-        f'<text x="{across[-1] - 4:.0f}" y="{up[-1] - 8:.0f}" text-anchor="end">{name}</text></g>'
+        f'<text x="{across[-1] - 4:.0f}" y="{height:.0f}" text-anchor="end">{name}</text></g>'
     )

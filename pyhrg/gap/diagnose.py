@@ -29,31 +29,27 @@ from pyhrg.gap.evidence.hypothesis import Hypothesis
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.noise.noise_search import find_noise_equivalents
 from pyhrg.gap.evidence.noise.quantization import add_quantization
-from pyhrg.gap.evidence.noise.unstated_noise import complete_stated_noise
 from pyhrg.gap.evidence.residuals import compute_residuals
 from pyhrg.gap.findings import diagnosis as diagnosis_file
 from pyhrg.gap.findings import verdict as verdicts
 from pyhrg.gap.findings.diagnosis import Diagnosis, Leftover, Verdict
+from pyhrg.gap.findings.faults import list_fault_causes, list_tolerated_faults
 from pyhrg.gap.findings.localisation import locate_gap
 from pyhrg.gap.findings.materiality import IMMATERIAL, measure_leftover
 from pyhrg.gap.findings.quantity import measure_sizes
 from pyhrg.gap.next_test.next_test import suggest_next_test
 from pyhrg.gap.next_test.rivals import find_rivals
 from pyhrg.gap.next_test.static_test import suggest_static_test
-from pyhrg.gap.replay.free_pattern import truncate_free_pattern
-from pyhrg.gap.replay.instruments import describe_encoder_noise
-from pyhrg.gap.replay.observations import CHANNELS, ObservedTest, observe_test
-from pyhrg.gap.replay.replay import has_start_angle
+from pyhrg.gap.preparation import Preparation, prepare_campaign
+from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
 from pyhrg.gap.replay.simulation import Simulation, load_simulation
-from pyhrg.gap.soundness import nominal_device, screen_campaign
 from pyhrg.gap.whitening.channel_noise import CampaignNoise, build_angle_noise
 from pyhrg.records import campaign as campaigns
-from pyhrg.records.campaign import Campaign, CampaignError
+from pyhrg.records.campaign import Campaign
 from pyhrg.records.columns import BY_FIELD
 
 Array = NDArray[np.float64]
 
-NO_START = "{}: not used: no row with both gyro_angle_deg and wave_angle_deg: no start angle"
 BEFORE_FILE, AFTER_FILE = "before.toml", "after.toml"
 """Device files of the nominal and of the identified device."""
 FILES = (BEFORE_FILE, AFTER_FILE, *CLOSED_FILES, diagnosis_file.FILE)
@@ -197,9 +193,10 @@ def diagnose(
     if not all(0 <= limit < math.inf for limit in asdict(bound).values()):
         raise HrgError(f"bound: found {bound}, expected numbers from 0 on")
     if not isinstance(campaign, Campaign):
-        campaign = campaigns.read_campaign(Path(campaign))
+        campaign = campaigns.read_campaign(Path(campaign), any_sign=True)
     simulation = simulation or load_simulation(report)
-    nominal, tests, excluded = _prepare(campaign, simulation)
+    prepared = prepare_campaign(campaign, simulation)
+    nominal, tests = prepared.nominal, prepared.tests
     fitted = [test for test in tests if not test.test.is_holdout]
     attribution = attribute_gap(simulation, nominal, fitted, catalogue, report)
     attribution = refine_terms(simulation, attribution, catalogue.noises)
@@ -214,29 +211,10 @@ def diagnose(
     report("verifying, and looking for the next test")
     closing = verify_terms(simulation, attribution, tests, closing)
     summary = _summarize(
-        campaign.device, simulation, catalogue, attribution, tests, closing, excluded, bound
+        campaign.device, simulation, catalogue, attribution, prepared, closing, bound
     )
     ends = closing.device, tuple(tests), closing.before, closing.after
     return CampaignDiagnosis(summary, attribution, nominal, *ends)
-
-
-def _prepare(
-    campaign: Campaign, simulation: Simulation
-) -> tuple[Device, list[ObservedTest], tuple[str, ...]]:
-    """The nominal device, the tests that can be used (held-out ones last), and a sentence on each
-    thing that was left out."""
-    usable, excluded = screen_campaign(campaign)
-    nominal = nominal_device(usable)
-    started = [test for test in usable.tests if has_start_angle(test.log)]
-    excluded += tuple(NO_START.format(test.id) for test in usable.tests if test not in started)
-    to_fit = [observe_test(test, nominal) for test in started if not test.is_holdout]
-    if not to_fit:
-        raise CampaignError("; ".join(["no test can be fitted to", *excluded]))
-    nominal, notes = complete_stated_noise(simulation, nominal, to_fit)
-    excluded += (*notes, *describe_encoder_noise({t.test.id: t.encoder_noise for t in to_fit}))
-    observed = [observe_test(test, nominal) for test in started]
-    tests = [truncate_free_pattern(simulation, nominal, test) for test in observed]
-    return nominal, sorted(tests, key=lambda test: test.test.is_holdout), excluded
 
 
 def _complete_noise(
@@ -260,17 +238,20 @@ def _summarize(
     simulation: Simulation,
     catalogue: Catalogue,
     attribution: Attribution,
-    tests: Sequence[ObservedTest],
+    prepared: Preparation,
     closing: Closing,
-    excluded: tuple[str, ...],
     bound: Leftover,
 ) -> Diagnosis:
     features = verdicts.check_residuals(attribution)
     before, after = ([of["gyro_angle"] for of in r] for r in (closing.before, closing.after))
-    gap = compute_gap_figures(tests, before, after, attribution.noise.noise)
+    gap = compute_gap_figures(prepared.tests, before, after, attribution.noise.noise)
     left = measure_leftover(attribution, gap)
     verdict, causes, unknown_probability = verdicts.reach_verdict(
-        attribution, catalogue.effects, features, left.exceeds(bound)
+        attribution,
+        catalogue.effects,
+        list_fault_causes(prepared.faults),
+        features,
+        left.exceeds(bound),
     )
     stated = build_angle_noise(attribution.nominal)
     stated_noise = replace(attribution.channel_noise, angle=stated)
@@ -290,9 +271,12 @@ def _summarize(
         )
         or suggest_static_test(attribution.noise, stated),
         unnamed=verdicts.list_unnamed(attribution, features),
-        excluded=excluded,
+        excluded=prepared.sentences,
         settled=attribution.settled,
-        within_tolerance=verdicts.list_known_values(attribution),
+        within_tolerance=(
+            *verdicts.list_known_values(attribution),
+            *list_tolerated_faults(prepared.faults),
+        ),
         left=left,
         bound=bound,
         terms=closing.terms,

@@ -81,8 +81,12 @@ class Campaign:
         return [test for test in self.tests if test.kind in kinds]
 
 
-def read_campaign(folder: Path | str) -> Campaign:
+def read_campaign(folder: Path | str, *, any_sign: bool = False) -> Campaign:
     """Read a campaign's index (docs/records.md); logs are read when they are asked for.
+
+    Args:
+        folder: of the campaign.
+        any_sign: whether the table's angle may count against the gyro's, as in `read_log`.
 
     Raises:
         CampaignError: there is no index, it has another schema, or a key is missing or has a wrong
@@ -94,7 +98,8 @@ def read_campaign(folder: Path | str) -> Campaign:
         index.require(key, expected)
     site = read_site(index)
     nominal = index.table("nominal")
-    tests = tuple(_read_test(Path(folder), entry, site) for entry in index.tables("tests"))
+    entries = index.tables("tests")
+    tests = tuple(_read_test(Path(folder), entry, site, any_sign) for entry in entries)
     _check_names(Path(folder) / INDEX, tests)
     return Campaign(
         device=_read_text(index, "device"),
@@ -154,20 +159,20 @@ def _check_names(path: Path, tests: tuple[Test, ...]) -> None:
             raise CampaignError(f"{path}: test {name!r}: expected a file name, each once")
 
 
-def _read_test(folder: Path, entry: TomlTable, site: Site) -> Test:
+def _read_test(folder: Path, entry: TomlTable, site: Site, any_sign: bool) -> Test:
     file = _read_text(entry, "file")
     if not FILE_NAME.fullmatch(file):
         raise entry.error("file", file, "the name of a file in the campaign's folder")
     interval = entry.number("interval_s", None, *INTERVAL_RANGE)
     n = entry.whole_number("n", None, 0, 1_000_000_000)
-    stored = partial(_read_log, folder / file, interval, n, site)
+    stored = partial(_read_log, folder / file, interval, n, site, any_sign)
     role = entry.text("role", None, ROLES)
     return Test(_read_text(entry, "id"), _read_text(entry, "kind"), role, stored)
 
 
-def _read_log(path: Path, interval: float, n: int, site: Site) -> Log:
+def _read_log(path: Path, interval: float, n: int, site: Site, any_sign: bool) -> Log:
     """Read a log; another number of rows than the `n` that the index states is an exclusion."""
-    log = read_log(path, interval_s=interval, latitude_deg=site.latitude_deg)
+    log = read_log(path, interval_s=interval, latitude_deg=site.latitude_deg, any_sign=any_sign)
     if len(log.time) == n:
         return log
     note = f"{len(log.time)} rows are of use; {INDEX} says {n}"

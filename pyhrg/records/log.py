@@ -103,7 +103,11 @@ class Log:
 
 
 def read_log(
-    path: Path | str, *, interval_s: float | None = None, latitude_deg: float | None = None
+    path: Path | str,
+    *,
+    interval_s: float | None = None,
+    latitude_deg: float | None = None,
+    any_sign: bool = False,
 ) -> Log:
     """Read a log from a CSV file (docs/records.md), gzipped or not.
 
@@ -116,6 +120,8 @@ def read_log(
         interval_s: sampling interval, s; the median time step if None.
         latitude_deg: geodetic latitude of the site; with it, the gyro's angle must show Earth's
             rate.
+        any_sign: whether the table's angle may count against the gyro's. A diagnosis finds and
+            turns such a sign; for all else it is an error.
 
     Raises:
         LogError: the file can't be read; a column stands there twice or under another unit; there
@@ -124,18 +130,21 @@ def read_log(
             another unit than the header says.
     """
     table = read_table(Path(path))
-    return build_log(table, interval_s, None if latitude_deg is None else latitude_deg * DEG)
+    latitude = None if latitude_deg is None else latitude_deg * DEG
+    return build_log(table, interval_s, latitude, any_sign)
 
 
-def build_log(table: Table, interval: float | None, latitude: float | None) -> Log:
+def build_log(
+    table: Table, interval: float | None, latitude: float | None, any_sign: bool = False
+) -> Log:
     """A log of a table's rows, checked and with notes on what was left out. The interval is in s,
     by default the median time step; without the site's latitude, rad, Earth's rate is not looked
-    for."""
+    for; `any_sign` as in `read_log`."""
     table = timing.drop_repeated_rows(table)
     interval = timing.find_interval(table, interval)
     table = timing.note_gaps(_note_missing_values(table), interval)
     table = saturation.remove_saturation(table, interval)
-    mixups.check_units(table, interval)
+    mixups.check_units(table, interval, any_sign)
     if latitude is not None:
         mixups.check_earth_rate(table, interval, latitude)
     return Log(table.source, interval, exclusions=table.notes, **table.columns)

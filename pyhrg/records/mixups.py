@@ -30,10 +30,11 @@ MIN_EARTH_RATE = 0.2 * EARTH_RATE
 """Smallest component of Earth's rate on the input axis that is looked for, rad/s. Chosen."""
 
 
-def check_units(table: Table, interval: float) -> None:
-    """Compare the gyro's angle with the table's, the pattern's with the gyro's, force with 1 g."""
+def check_units(table: Table, interval: float, any_sign: bool) -> None:
+    """Compare the gyro's angle with the table's, the pattern's with the gyro's, force with 1 g.
+    With `any_sign`, the table's angle may count against the gyro's."""
     steps = _compute_steps(table, interval)
-    _check_table(table, steps, interval)
+    _check_table(table, steps, interval, any_sign)
     _check_wave(table, steps)
     _check_gravity(table)
 
@@ -77,7 +78,7 @@ def _compute_steps(table: Table, interval: float) -> dict[str, Array]:
     return steps
 
 
-def _check_table(table: Table, steps: dict[str, Array], interval: float) -> None:
+def _check_table(table: Table, steps: dict[str, Array], interval: float, any_sign: bool) -> None:
     """Regress the gyro's steps on the table's, where Earth's rate hardly counts."""
     turned, gyro = _select_finite(steps["table"], steps["gyro"])
     weight = float(np.sum(turned**2))
@@ -85,7 +86,7 @@ def _check_table(table: Table, steps: dict[str, Array], interval: float) -> None
     if np.sum(np.abs(turned)) < MIN_TURN or earth > (MIXUP_FACTOR - 1) * weight:
         return
     ratio = float(np.sum(turned * gyro)) / weight
-    if 1 / MIXUP_FACTOR < -ratio < MIXUP_FACTOR:
+    if 1 / MIXUP_FACTOR < -ratio < MIXUP_FACTOR and not any_sign:
         raise LogError(
             f"{table.source}: column {BY_FIELD['gyro_angle'].name}: turns {ratio:.3g} times as far "
             "as table_angle turns; expected about 1: is a sign reversed?"

@@ -15,6 +15,7 @@ from pyhrg.gap.findings.diagnosis import Diagnosis, DiagnosisError
 from pyhrg.gap.findings.term import Term
 from pyhrg.gap.replay.observations import CHANNELS, ObservedTest
 from pyhrg.gap.replay.simulation import ChannelValues, Simulation, add_channels
+from pyhrg.gap.soundness.fault import FAULT_NAMES
 
 Array = NDArray[np.float64]
 Residuals = Mapping[str, Array]
@@ -36,16 +37,16 @@ class Closing:
 
 def read_identified_device(nominal: Device, diagnosis: Diagnosis) -> Device:
     """The nominal device with the causes of a diagnosis, and what is off within its tolerance, put
-    in; causes that are noise are left out. A `DiagnosisError` where the catalogue has no such
-    effect, or a parameter is missing."""
+    in; noise, and faults of bench and record, are left out. A `DiagnosisError` where the catalogue
+    has no such effect, or a parameter is missing."""
     device = nominal
     found = [("causes", cause.effect, cause.parameters) for cause in diagnosis.causes]
     found += [("within_tolerance", k.name, k.parameters) for k in diagnosis.within_tolerance]
     for key, name, parameters in found:
-        if name in NOISE_EFFECTS:
+        if name in NOISE_EFFECTS or name in FAULT_NAMES:
             continue
         if name not in EFFECTS:
-            names = ", ".join((*EFFECTS, *NOISE_EFFECTS))
+            names = ", ".join((*EFFECTS, *NOISE_EFFECTS, *FAULT_NAMES))
             raise DiagnosisError(f"{key}: {name}: expected one of {names}")
         missing = [k.name for k in EFFECTS[name].keys if k.name not in parameters]
         if missing:

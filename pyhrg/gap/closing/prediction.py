@@ -21,6 +21,7 @@ from pyhrg.gap.soundness import nominal_device
 from pyhrg.gap.soundness.glitches import mend_inputs
 from pyhrg.gap.soundness.inputs import complete_inputs
 from pyhrg.gap.soundness.interruption import mend_drive
+from pyhrg.gap.soundness.mounting import mend_mounting
 from pyhrg.records import Log, LogError
 from pyhrg.records import campaign as campaigns
 from pyhrg.records.campaign import Campaign, Test
@@ -74,8 +75,8 @@ def predict(
     found = _read(diagnosis, campaign.device)
     identified = read_identified_device(nominal, found)
     if not isinstance(log, Log):
-        log = records.read_log(Path(log), latitude_deg=campaign.site.latitude_deg)
-    log, notes = _repair_inputs(log, nominal)
+        log = records.read_log(Path(log), latitude_deg=campaign.site.latitude_deg, any_sign=True)
+    log, notes = _repair_inputs(log, nominal, found)
     for note in notes:
         report(note)
     test = observe_test(Test("prediction", "manoeuvre", "holdout", log), nominal)
@@ -113,15 +114,16 @@ def write_prediction(prediction: pd.DataFrame, path: Path) -> None:
     write_whole(path, ("time_s,gyro_angle_deg\n" + "".join(rows)).encode())
 
 
-def _repair_inputs(log: Log, nominal: Device) -> tuple[Log, list[str]]:
-    """A log whose inputs can be replayed, and a sentence on each thing that was filled in, cut or
-    assumed: the same as in a diagnosis."""
+def _repair_inputs(log: Log, nominal: Device, diagnosis: Diagnosis) -> tuple[Log, list[str]]:
+    """A log whose inputs can be replayed, and a sentence on each thing that was turned, filled in,
+    cut or assumed: the same as in a diagnosis."""
+    log, turned = mend_mounting(log, [p for cause in diagnosis.causes for p in cause.parameters])
     log, mended = mend_inputs(log)
-    log, filled = complete_inputs(log, nominal)
+    log, _, filled = complete_inputs(log, nominal)
     log, interrupted = mend_drive(log, nominal)
     if not has_start_angle(log):
         raise LogError(
             f"{log.source}: no row with gyro_angle_deg and wave_angle_deg; expected one, which "
             "gives the start angle"
         )
-    return log, [*mended, *filled, *interrupted]
+    return log, [*turned, *mended, *filled, *interrupted]

@@ -112,5 +112,5 @@ def _measure_whitened(
         if rows.any():
             steps = np.diff(test.log.time[rows], prepend=0.0)
             series = residual[name][rows][:, None]
-            white.append(whiten(series, steps, noise.get_model(name, test)).series[:, 0])
+            white.append(whiten(series, steps, noise.get_model(name, test, rows)).series[:, 0])
     return float(np.sqrt(np.mean(np.concatenate(white) ** 2))) if white else 0.0

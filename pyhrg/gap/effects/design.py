@@ -217,7 +217,7 @@ def whiten_rows(
     rows = part.test.rows[channel]
     steps = np.diff(part.test.log.time[rows], prepend=0.0)
     unmodelled = part.unmodelled[channel][rows]
-    return whiten(series[rows], steps, noise.get_model(channel, part.test), unmodelled)
+    return whiten(series[rows], steps, noise.get_model(channel, part.test, rows), unmodelled)
 
 
 def _assemble(columns: Mapping[Group, NDArray[np.int64]], blocks: Sequence[Block]) -> Design:

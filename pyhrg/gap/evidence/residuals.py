@@ -34,7 +34,6 @@ class Residual:
     interval: length of a row, s.
     noise: noise model of the channel.
     unmodelled: (n,) shape that may be there (`whiten`'s last argument).
-    encoder: white noise of the turntable's encoder, part of the output angle's noise, rad.
     """
 
     test: str
@@ -44,7 +43,6 @@ class Residual:
     interval: float
     noise: NoiseModel
     unmodelled: Array | None = None
-    encoder: float = 0.0
 
     @cached_property
     def white(self) -> Array:
@@ -90,9 +88,8 @@ def compute_residuals(
                     values[rows],
                     np.diff(part.test.log.time[rows], prepend=0.0),
                     part.test.log.interval,
-                    noise.get_model(channel, part.test),
+                    noise.get_model(channel, part.test, rows),
                     part.unmodelled[channel][rows],
-                    part.test.encoder_noise,
                 )
             )
     return residuals

@@ -56,16 +56,19 @@ def check_residuals(attribution: Attribution) -> tuple[ResidualFeature, ...]:
 def reach_verdict(
     attribution: Attribution,
     effects: Sequence[Effect],
+    faults: Sequence[Cause],
     features: Sequence[ResidualFeature],
     is_material: bool,
 ) -> tuple[Verdict, tuple[Cause, ...], float]:
-    """Verdict, causes among the effects of the catalogue and the noises, and the probability that
-    something outside the catalogue takes part (Eq. (1)), which counts for the verdict only if it
-    is material. Features are what the residuals may show besides steady noise."""
+    """Verdict, causes among the effects of the catalogue and the noises, then the faults of bench
+    and record, and the probability that something outside the catalogue takes part (Eq. (1)), which
+    counts for the verdict only if it is material. Features are what the residuals may show besides
+    steady noise."""
     causes = [
         *_effect_causes(attribution, effects),
         *_find_known_causes(attribution),
         *(_noise_cause(attribution, added) for added in attribution.noise.added),
+        *faults,
     ]
     absent = [1 - attribution.posterior.unknown_probability, *(1 - f.probability for f in features)]
     unknown = 1 - math.prod(absent)

@@ -1,13 +1,13 @@
 """Which channels and rows of a campaign's logs are compared with the simulation."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
-from pyhrg.gap.replay.instruments import estimate_encoder_noise
+from pyhrg.gap.replay.reading_noise import ReadingNoise
 from pyhrg.gap.replay.replay import HELD_COLUMNS, ReplayInputs, prepare_inputs
 from pyhrg.records import Log
 from pyhrg.records.campaign import Test
@@ -64,14 +64,15 @@ class ObservedTest:
 
     rows: (n,) by channel. The angle must be present too, since it gives the pattern's position.
     transient: (n,) rows in which loops are not settled, so that their replay needs sampled loops.
-    encoder_noise: standard deviation of the table encoder's white noise, rad.
+    reading_noise: (n,) by channel, SI: standard deviation of the white noise that readings of the
+        bench's angles add to a comparison; a channel without any is missing.
     """
 
     test: Test
     inputs: ReplayInputs
     rows: Mapping[str, Mask]
     transient: Mask
-    encoder_noise: float
+    reading_noise: Mapping[str, Array] = field(default_factory=dict)
 
     @property
     def log(self) -> Log:
@@ -105,8 +106,22 @@ def observe_test(test: Test, nominal: Device) -> ObservedTest:
             compared &= log.drive_on > 0
         rows[name] = compared
     rows["temperature"] = np.isfinite(log.temperature)
-    encoder_noise = estimate_encoder_noise(inputs.log.table_angle, log.gyro_angle)
-    return ObservedTest(test, inputs, rows, transient, encoder_noise)
+    return ObservedTest(test, inputs, rows, transient)
+
+
+def add_reading_noise(
+    test: ObservedTest, noise: ReadingNoise, slopes: Mapping[str, Array]
+) -> ObservedTest:
+    """The test with a bench's reading noise; `slopes` are the (n,) derivatives of each channel by
+    the output angle, since all others are compared at the measured pattern angle
+    (docs/methods/replay.md, Eq. 10)."""
+    table = test.inputs.log.table_angle
+    rates = np.abs(np.gradient(table, test.log.interval))
+    encoder = noise.encoder.value if np.ptp(table) else 0.0
+    angle = np.hypot(encoder, noise.jitter * rates)
+    by_channel = {name: np.abs(slope) * angle for name, slope in slopes.items()}
+    by_channel["gyro_angle"] = angle
+    return replace(test, reading_noise={n: v for n, v in by_channel.items() if v.any()})
 
 
 def _find_transient_rows(log: Log, inputs: ReplayInputs, settling_time: float) -> Mask:

@@ -5,7 +5,6 @@ from collections.abc import Sequence
 
 from pyhrg.common.pages.markup import make_paragraph
 from pyhrg.common.pages.svg import format_number
-from pyhrg.device.keys import KEYS
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.effects.design import Group
 from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
@@ -17,6 +16,7 @@ from pyhrg.gap.report.words import (
     format_percent,
     format_value,
     parse_parameter,
+    read_told_value,
     show_share,
 )
 
@@ -33,7 +33,7 @@ def build_causes(result: CampaignDiagnosis) -> str:
     if diagnosis.causes:
         rows = [row for cause in diagnosis.causes for row in _make_rows(cause, result)]
         header = ("Effect", "Probability", "Parameter", "Value (95 % interval)", "Nominal", "Unit")
-        title = "Total values, as in after.toml"
+        title = "Total values, as in after.toml where it has them"
         parts.append(build_table(title, (*header, "Confounded with"), rows))
     else:
         parts.append(make_paragraph("No effect of the catalogue is needed."))
@@ -47,8 +47,7 @@ def _make_rows(cause: Cause, result: CampaignDiagnosis) -> list[tuple[str, ...]]
     rows: list[tuple[str, ...]] = []
     for i, (name, value) in enumerate(cause.parameters.items()):
         words, unit, scale = parse_parameter(name)
-        key = next(k for k in KEYS if k.name == name)
-        nominal = key.from_si(getattr(result.nominal, key.field)) * scale
+        nominal = scale * read_told_value(result.nominal, name)
         low, high = (scale * end for end in cause.interval_95[name])
         text = format_value(scale * value, low, high)
         equivalents = ", ".join(format_effect(e) for e in cause.equivalents) or "–"

@@ -3,7 +3,6 @@
 import textwrap
 
 from pyhrg.common.pages.svg import format_number
-from pyhrg.device.keys import KEYS
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, GapFigure, KnownValue
 from pyhrg.gap.report.closing import describe_closing
@@ -20,6 +19,7 @@ from pyhrg.gap.report.words import (
     format_value,
     join_words,
     parse_parameter,
+    read_told_value,
 )
 
 FAMILIES = {
@@ -36,6 +36,15 @@ NOTHING_NEXT = {
     "unexplained": "Look at the residuals by coordinate below: no known form explains them.",
 }
 """What to do where there are no causes, no terms and no next test."""
+REMEDIES = {
+    "mounting_sign": "Turn the sign where it is recorded, or the gyro where it is mounted.",
+    "drive_interruption": "Find out why the drive was lost, and repeat these tests.",
+    "encoder_noise": "Check the table encoder and its wiring.",
+    "time_jitter": "Let the recorder latch encoder and gyro at the same edge of its clock.",
+    "lost_rows": "Check the recorder: it loses rows.",
+    "outliers": "Check the recorder: it writes wrong readings.",
+}
+"""What to do about a fault of bench or record."""
 USE_DEVICE = "after.toml and closed.fmu are this gyro: use them from now on."
 USE_TERMS = "closed.fmu is this gyro with its equation, closed.mo its text: use them from now on."
 WIDTH, INDENT = 100, 14
@@ -159,7 +168,8 @@ def _say_what_next(diagnosis: Diagnosis) -> list[str]:
         if nearest := find_nearest(term):
             name = f"{nearest[0].name} ({nearest[0].number})"
             sentences.append(f"{name_term(term)} is next to {name}. To tell: {nearest[0].test}.")
-    if diagnosis.causes or diagnosis.terms:
+    sentences += [REMEDIES[c.effect] for c in diagnosis.causes if c.effect in REMEDIES]
+    if any(c.effect not in REMEDIES for c in diagnosis.causes) or diagnosis.terms:
         sentences.append(USE_TERMS if diagnosis.terms else USE_DEVICE)
     return sentences or [NOTHING_NEXT[diagnosis.verdict]]
 
@@ -185,10 +195,10 @@ def _describe_cause(cause: Cause, result: CampaignDiagnosis) -> str:
         words, unit, scale = parse_parameter(name)
         low, high = (scale * end for end in cause.interval_95[name])
         label = _label(words, cause.effect)
-        key = next(key for key in KEYS if key.name == name)
-        told = key.from_si(getattr(result.nominal, key.field)) * scale
+        told = scale * read_told_value(result.nominal, name)
         instead = f", not {format_number(told)}" if told else ""
-        values.append(f"{label}{format_value(scale * value, low, high)} {unit}{instead}")
+        number = f"{format_value(scale * value, low, high)} {unit}".rstrip()
+        values.append(f"{label}{number}{instead}")
     return f"{_begin(format_effect(cause.effect))}: {'; '.join(values)}."
 
 

@@ -6,8 +6,11 @@ import re
 from collections.abc import Sequence
 
 from pyhrg.common.pages.svg import format_number
+from pyhrg.device.device import Device
+from pyhrg.device.keys import KEYS
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Group
+from pyhrg.gap.soundness.fault import SOUND_VALUES
 
 SUFFIXES = {
     "_deg_h_per_K_min": "deg/h per K/min",
@@ -17,6 +20,7 @@ SUFFIXES = {
     "_rad_per_K": "rad/K",
     "_deg_h": "deg/h",
     "_arcsec": "arcsec",
+    "_percent": "%",
     "_per_K": "1/K",
     "_per_g": "1/g",
     "_per_s": "1/s",
@@ -120,15 +124,27 @@ def join_words(words: Sequence[str]) -> str:
 
 def parse_parameter(parameter: str) -> tuple[str, str, float]:
     """Words for a parameter, the unit it is shown in, and the factor from its own unit to that."""
+    if parameter.endswith("_sign"):
+        return format_name(parameter), "", 1.0
     for suffix, unit in SUFFIXES.items():
         if parameter.endswith(suffix):
             return format_name(parameter.removesuffix(suffix)), unit, 1.0
     return format_name(parameter), "ppm", 1e6
 
 
+def read_told_value(nominal: Device, parameter: str) -> float:
+    """What was told of a parameter of a cause, in the unit of its name."""
+    if parameter in SOUND_VALUES:
+        return SOUND_VALUES[parameter]
+    key = next(key for key in KEYS if key.name == parameter)
+    return key.from_si(getattr(nominal, key.field))
+
+
 def format_value(value: float, low: float, high: float) -> str:
-    """A value and its interval, to two digits of the interval's width."""
+    """A value and its interval, to two digits of the interval's width; an exact one alone."""
     width = high - low
+    if not width:
+        return format_number(value)
     if not (math.isfinite(width) and width > 0):
         return format_interval(value, low, high)
     largest = max(abs(low), abs(high), abs(value))

@@ -53,7 +53,7 @@ MIN_CONTRADICTION = 1e-5
 a coarse log explain. Chosen: above the rounding of numbers."""
 MIN_ROWS = 50
 """Fewest rows in which glitches are looked for. Chosen."""
-MAX_GLITCHES, MAX_GLITCH_SHARE = 6, 4e-3
+MAX_GLITCHES, MAX_GLITCH_SHARE = 6, 0.02
 """More glitches than the larger of this number and this share of the rows count as noise: none is
 reported. Chosen."""
 MAX_REPORTED = 3

@@ -1,11 +1,13 @@
 """Completion of a log's inputs, so that every row can be replayed; each assumption is stated."""
 
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pyhrg.device.device import Device
+from pyhrg.gap.replay.reading_noise import estimate_scatter
 from pyhrg.gap.soundness.attitude import ACCELERATIONS
 from pyhrg.gap.soundness.exclusion import Array, find_runs, has_values, replace_columns
 from pyhrg.records import COLUMNS, Log, LogError
@@ -19,13 +21,27 @@ RATE_TOLERANCE = 1e-3
 """Relative change of the table's rate across missing rows that counts as none. Chosen."""
 REST_TOLERANCE = 1e-6
 """Turn of the table that counts as none, rad. Chosen."""
+NOISE_SIGMA = 10.0
+"""Change of the table's turn in a row that noise of the encoder explains, in standard deviations of
+its noise. Chosen: a change of rate is known from up to four readings."""
 COMMANDS = ("axis_up", "virtual_rotation", "amplitude_setpoint", "phase_offset", "drive_on")
 """Inputs that are constant between changes."""
 CONTINUOUS_INPUTS = ("table_angle", "temperature", *ACCELERATIONS)
 """Inputs that are interpolated linearly."""
 
 
-def complete_inputs(log: Log, nominal: Device) -> tuple[Log, list[str]]:
+class CompleteInputs(NamedTuple):
+    """A log whose inputs are known in every row, and how it came about.
+
+    missing: (n,) rows whose inputs are filled in; sentences: one on each assumption.
+    """
+
+    log: Log
+    missing: NDArray[np.bool_]
+    sentences: list[str]
+
+
+def complete_inputs(log: Log, nominal: Device) -> CompleteInputs:
     """A log with every row from its start and known inputs in each, and a sentence on each
     assumption. Raises a `LogError` where the start, the attitude or too many rows are missing.
 
@@ -48,7 +64,7 @@ def complete_inputs(log: Log, nominal: Device) -> tuple[Log, list[str]]:
     if missing.any():
         log = _fill_inputs(log, known)
         notes.append(f"{log.source}: {np.sum(missing)} missing rows: inputs filled in, outputs not")
-    return log, notes
+    return CompleteInputs(log, missing, notes)
 
 
 def _add_missing_columns(log: Log, nominal: Device) -> tuple[Log, list[str]]:
@@ -135,7 +151,8 @@ def _keeps_rate(log: Log, first: int, end: int) -> bool:
     across = (angle[end] - angle[first - 1]) / (end - first + 1) / interval
     before = (angle[first - 1] - (angle[first - 2] if first > 1 else 0.0)) / interval
     after = (angle[end + 1] - angle[end]) / interval if end + 1 < len(angle) else across
-    allowed = RATE_TOLERANCE * abs(across) + REST_TOLERANCE / interval
+    least = REST_TOLERANCE + NOISE_SIGMA * estimate_scatter(angle[np.isfinite(angle)])
+    allowed = RATE_TOLERANCE * abs(across) + least / interval
     return bool(max(abs(before - across), abs(after - across)) <= allowed)
 
 

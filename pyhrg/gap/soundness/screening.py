@@ -3,6 +3,7 @@
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,15 +18,17 @@ from pyhrg.gap.soundness.exclusion import (
     apply_exclusions,
     has_values,
 )
+from pyhrg.gap.soundness.fault import Fault, LogFaults, sum_log_faults
 from pyhrg.gap.soundness.glitches import check_glitches, mend_inputs
-from pyhrg.gap.soundness.inputs import complete_inputs
+from pyhrg.gap.soundness.inputs import CONTINUOUS_INPUTS, complete_inputs
 from pyhrg.gap.soundness.interruption import mend_drive
+from pyhrg.gap.soundness.mounting import find_mounting_faults, mend_mounting
 from pyhrg.gap.soundness.resonator import (
     check_amplitude,
     check_swapped_forces,
     estimate_decay_time,
 )
-from pyhrg.records import LogError
+from pyhrg.records import Log, LogError
 from pyhrg.records.campaign import INDEX, Campaign, CampaignError, Test
 
 REQUIRED_KEYS = ("coriolis_factor", "decay_time_s", "frequency_Hz")
@@ -33,6 +36,18 @@ REQUIRED_KEYS = ("coriolis_factor", "decay_time_s", "frequency_Hz")
 MAX_CONTRADICTING_SHARE = 0.5
 """Share of contradicting logs above which the campaign is refused, since the nominal values or all
 logs must then be wrong. Chosen."""
+
+
+class Screening(NamedTuple):
+    """What screening makes of a campaign.
+
+    campaign: that can be diagnosed; sentences: one for everything left out or assumed; faults: of
+    bench and record, found and mended.
+    """
+
+    campaign: Campaign
+    sentences: tuple[str, ...]
+    faults: tuple[Fault, ...]
 
 
 @dataclass(frozen=True)
@@ -43,6 +58,7 @@ class ScreenedTest:
     angles: exclusions of whole angle columns, which no gyro explains.
     estimates: of nominal values.
     notes: what was left out of the log or assumed.
+    faults: what was counted in the log.
     """
 
     test: Test
@@ -50,6 +66,7 @@ class ScreenedTest:
     angles: tuple[Exclusion, ...]
     estimates: tuple[NominalEstimate, ...]
     notes: tuple[str, ...]
+    faults: LogFaults
 
     @property
     def usable(self) -> Test:
@@ -74,8 +91,8 @@ class ScreenedTest:
         return has_values(log, "gyro_angle") or has_values(log, "wave_angle")
 
 
-def screen_campaign(campaign: Campaign) -> tuple[Campaign, tuple[str, ...]]:
-    """The campaign that can be diagnosed, and a sentence for everything left out or assumed.
+def screen_campaign(campaign: Campaign) -> Screening:
+    """The campaign that can be diagnosed, with faults of bench and record mended.
 
     Every test has inputs that can be replayed row by row. Outputs are NaN where they are missing or
     contradict what the campaign format fixes. Limits are wide: no real error of a gyro exceeds
@@ -90,7 +107,15 @@ def screen_campaign(campaign: Campaign) -> tuple[Campaign, tuple[str, ...]]:
         f"{INDEX}: nominal.{key}: not known, ignored" for key in campaign.nominal if key in unknown
     ]
     nominal = nominal_device(campaign)
-    results = [_screen_test(test, nominal) for test in campaign.tests]
+    logs = [_read_log(test) for test in campaign.tests]
+    pairs = list(zip(campaign.tests, logs, strict=True))
+    to_fit = [log for test, log in pairs if isinstance(log, Log) and not test.is_holdout]
+    mounting = find_mounting_faults(to_fit, nominal)
+    turned = [fault.kind.parameter for fault in mounting]
+    results = [
+        log if isinstance(log, str) else _screen_test(test, log, nominal, turned)
+        for test, log in pairs
+    ]
     screened = [result for result in results if isinstance(result, ScreenedTest)]
     _check_column_order(screened)
     _check_gyro([estimate for each in screened for estimate in each.estimates])
@@ -107,13 +132,14 @@ def screen_campaign(campaign: Campaign) -> tuple[Campaign, tuple[str, ...]]:
         raise CampaignError(f"no test that may be fitted can be used: {reasons}")
     if not any(test.is_holdout for test in tests):
         notes.append("no test is held out: a diagnosis can't be verified")
-    return replace(campaign, tests=tuple(tests)), tuple(notes)
+    faults = (*mounting, *sum_log_faults([each.faults for each in screened]))
+    return Screening(replace(campaign, tests=tuple(tests)), tuple(notes), faults)
 
 
 def describe_screening(campaign: Campaign) -> str:
     """What a diagnosis would leave out of a campaign or take for granted, in words."""
     try:
-        _, exclusions = screen_campaign(campaign)
+        exclusions = screen_campaign(campaign).sentences
     except CampaignError as error:
         return f"a diagnosis would refuse it: {error}"
     if not exclusions:
@@ -187,8 +213,8 @@ def _read_angles(test: Test) -> bytes:
     return test.log.gyro_angle.tobytes() + test.log.wave_angle.tobytes()
 
 
-def _screen_test(test: Test, nominal: Device) -> ScreenedTest | str:
-    """The test without what contradicts itself, or a sentence why it can't be used."""
+def _read_log(test: Test) -> Log | str:
+    """The log of a test, or a sentence why it can't be used."""
     try:
         log = test.log
         if len(log.time) < 2 or not np.all(np.diff(log.time) > 0):
@@ -197,13 +223,24 @@ def _screen_test(test: Test, nominal: Device) -> ScreenedTest | str:
             )
     except LogError as error:
         return f"{test.id}: not used: {error}"
+    return log
+
+
+def _screen_test(
+    test: Test, log: Log, nominal: Device, turned: Sequence[str]
+) -> ScreenedTest | str:
+    """The test without what contradicts itself, or a sentence why it can't be used; `turned` are
+    the signs of the mounting that are reversed."""
     notes = [f"{log.source}: {note}" for note in log.exclusions]
-    log, mended = mend_inputs(log)
+    log, signs = mend_mounting(log, turned)
+    read = log
+    log, mended = mend_inputs(read)
     wrong_inputs = check_attitude(log, test.kind, nominal) + check_temperature(log, nominal)
-    notes += [*mended, *(exclusion.sentence for exclusion in wrong_inputs)]
+    notes += [*signs, *mended, *(exclusion.sentence for exclusion in wrong_inputs)]
+    wrong_rows = _count_changed_rows(read, log, CONTINUOUS_INPUTS)
     try:
-        log, filled = complete_inputs(apply_exclusions(log, wrong_inputs), nominal)
-        log, interrupted = mend_drive(log, nominal)
+        complete, missing, filled = complete_inputs(apply_exclusions(log, wrong_inputs), nominal)
+        log, interrupted = mend_drive(complete, nominal)
     except LogError as error:
         return "; ".join([f"{test.id}: not used: {error}", *notes])
     angles = check_angles(log, nominal)
@@ -211,6 +248,15 @@ def _screen_test(test: Test, nominal: Device) -> ScreenedTest | str:
     remaining = apply_exclusions(log, [*angles, *others])
     glitches = check_glitches(remaining, nominal)
     remaining = apply_exclusions(remaining, glitches)
+    wrong = [exclusion.rows for exclusion in (*angles, *glitches) if exclusion.rows is not None]
+    faults = LogFaults(
+        rows=len(log.time),
+        lost_rows=int(np.sum(missing)),
+        wrong_rows=wrong_rows + int(np.sum(np.any(wrong, axis=0))),
+        interruptions=len(interrupted),
+        interrupted_s=log.interval * _count_changed_rows(complete, log, ("drive_on",)),
+        interval_s=log.interval,
+    )
     return ScreenedTest(
         replace(test, recording=remaining),
         frozenset(find_column_orders(log, nominal)),
@@ -226,4 +272,11 @@ def _screen_test(test: Test, nominal: Device) -> ScreenedTest | str:
             *interrupted,
             *(exclusion.sentence for exclusion in (*angles, *others, *glitches)),
         ),
+        faults,
     )
+
+
+def _count_changed_rows(before: Log, after: Log, fields: Sequence[str]) -> int:
+    """Number of rows in which any of these fields has another value, NaN aside."""
+    changes = [np.abs(getattr(before, name) - getattr(after, name)) > 0 for name in fields]
+    return int(np.sum(np.any(changes, axis=0)))

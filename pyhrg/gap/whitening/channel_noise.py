@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pyhrg.common.robust import estimate_robust_deviation
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.instruments import estimate_reading_steps
-from pyhrg.gap.replay.observations import ObservedTest
+from pyhrg.gap.replay.observations import Mask, ObservedTest
 from pyhrg.gap.replay.replay import list_measured_temperatures
 from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel
 
@@ -62,10 +62,16 @@ class CampaignNoise:
     thermometer_lag: float
     bryan_factor: float
 
-    def get_model(self, channel: str, test: ObservedTest) -> NoiseModel:
-        """Noise of a channel in the rows of a test (docs/methods/whitening.md, Eqs. 13 to 17)."""
+    def get_model(self, channel: str, test: ObservedTest, rows: Mask | None = None) -> NoiseModel:
+        """Noise of a channel in a test, or in some rows (docs/methods/whitening.md, Eqs. 13-17)."""
+        own, read = self._get_own_model(channel, test), test.reading_noise.get(channel)
+        chosen = read if read is None or rows is None else read[rows]
+        return own.add_reading_noise(chosen)
+
+    def _get_own_model(self, channel: str, test: ObservedTest) -> NoiseModel:
+        """Noise of a channel that is the same in all rows of a test."""
         if channel == "gyro_angle":
-            return self.angle.add_white_noise(test.encoder_noise)
+            return self.angle
         interval = test.log.interval
         nearest = min(self.white_noise[channel], key=lambda known: abs(math.log(known / interval)))
         white = self.white_noise[channel][nearest]

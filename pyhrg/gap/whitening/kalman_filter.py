@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 def compute_innovations(
     series: Array,
     steps: Array,
-    white: float,
+    white: Array,
     walks: Array,
     lags: Array,
     rates: Array,
@@ -27,11 +27,11 @@ def compute_innovations(
     """Log determinant of the covariance of (n, p) readings; fills in the normalised innovations
     (Eqs. 6 to 10).
 
-    `steps` are (n,) times since the reading before, s; `white` is the variance of a reading's white
-    noise, `walks` are the (2,) spectral densities that drive angle and rate. Each of m lags has a
+    `steps` are (n,) times since the reading before, s; `white` are the (n,) variances of their
+    white noise, `walks` the (2,) spectral densities that drive angle and rate. Each of m lags has a
     time constant, s, a spectral density that drives it, and a rate: 1 where it adds to the rate, 0
     where it adds to the reading. A covariance that repeats to the bit is not computed again: with
-    equal steps the filter becomes stationary.
+    equal steps and variances the filter becomes stationary.
     """
     m = len(lags) + 2
     state = np.zeros((m, series.shape[1]))
@@ -46,14 +46,16 @@ def compute_innovations(
     before, angle_row = covariance.copy(), np.zeros(m)
     unscaled_gain, gain = np.zeros(m), np.zeros(m)
     deviation = logarithm = log_determinant = 0.0
-    changes, last_step = True, -1.0
+    changes, last_step, last_white = True, -1.0, -1.0
     for i in range(len(series)):
+        if white[i] != last_white:
+            last_white, changes = white[i], True
         if steps[i] != last_step:
             last_step, changes = steps[i], True
             _fill_transition(last_step, walks, lags, rates, densities, kept, integrated, added)
         if changes:
             _predict_covariance(covariance, kept, integrated, added, angle_row)
-            variance = _fill_gain(covariance, reading, white, unscaled_gain, gain)
+            variance = _fill_gain(covariance, reading, last_white, unscaled_gain, gain)
             deviation, logarithm = np.sqrt(variance), np.log(variance)
             changes = _update_covariance(covariance, before, unscaled_gain, variance)
         log_determinant += logarithm

@@ -5,8 +5,7 @@ model, the filter and the likelihood are Eqs. 1 to 12 of docs/methods/whitening.
 R. E. Kalman, J. Basic Eng. 82 (1960); F. C. Schweppe, IEEE Trans. Inf. Theory 11 (1965).
 """
 
-import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -55,6 +54,7 @@ class NoiseModel:
         noise reaches a channel in this form, through the resonator's thermal lag.
     lag: time constant of that lag, s.
     correlated: one more, exponentially correlated, term.
+    reading_noise: (n,) standard deviations of further white noise of each reading.
     """
 
     angle_white_noise: float
@@ -64,16 +64,21 @@ class NoiseModel:
     lagged: float = 0.0
     lag: float = 600.0
     correlated: CorrelatedNoise | None = None
+    reading_noise: Array | None = field(default=None, compare=False)
 
     def at(self, term: str, level: float) -> "NoiseModel":
         """This noise with one term, a field's name, at another level."""
         values: dict[str, Any] = {term: level}
         return replace(self, **values)
 
-    def add_white_noise(self, level: float) -> "NoiseModel":
-        """This noise with independent white noise of this standard deviation added."""
-        total = math.hypot(self.angle_white_noise, level)
-        return self.at("angle_white_noise", total) if level else self
+    def add_reading_noise(self, levels: Array | None) -> "NoiseModel":
+        """This noise with independent white noise of (n,) standard deviations added."""
+        return self if levels is None else replace(self, reading_noise=levels)
+
+    def compute_white_noise(self, n: int) -> Array:
+        """(n,) standard deviation of each reading's white noise, of either kind."""
+        own = np.full(n, self.angle_white_noise)
+        return own if self.reading_noise is None else np.hypot(own, self.reading_noise)
 
     @cached_property
     def states(self) -> "MarkovStates":
@@ -140,16 +145,14 @@ def whiten(
 
 
 def _whiten_by_filter(series: Array, steps: Array, noise: NoiseModel) -> WhitenedSeries:
+    white = noise.compute_white_noise(len(series))
     walks = noise.angle_random_walk, noise.rate_random_walk, noise.bias_instability
     if not (any(walks) or noise.lagged or noise.correlated):
-        return WhitenedSeries(
-            series / noise.angle_white_noise,
-            2 * len(series) * float(np.log(noise.angle_white_noise)),
-        )
+        return WhitenedSeries(series / white[:, None], 2 * float(np.log(white).sum()))
     s = noise.states
     innovations = np.empty_like(series)
     log_determinant = compute_innovations(
-        np.ascontiguousarray(series), steps, noise.angle_white_noise**2, s.walks, s.lags, s.rates,
+        np.ascontiguousarray(series), steps, white**2, s.walks, s.lags, s.rates,
         s.densities, innovations,
     )  # fmt: skip
     return WhitenedSeries(innovations, float(log_determinant))
@@ -175,4 +178,4 @@ def draw_noise(noise: NoiseModel, n: int, interval: float, generator: np.random.
             lagging += np.asarray(lfilter([1.0], [1.0, -kept], steps))
     steps = generator.normal(0.0, noise.angle_random_walk * np.sqrt(interval), n)
     walk = np.cumsum(rate * interval + steps)
-    return np.asarray(reading + walk + generator.normal(0.0, noise.angle_white_noise, n))
+    return np.asarray(reading + walk + generator.normal(0.0, noise.compute_white_noise(n)))

@@ -41,9 +41,8 @@ def log_likelihood(residuals: Sequence[Residual], noise: NoiseModel) -> float:
     """Log likelihood of residuals of the output angle under a noise, up to a constant."""
     total = 0.0
     for residual in residuals:
-        white = whiten(
-            residual.values[:, None], residual.steps, noise.add_white_noise(residual.encoder)
-        )
+        own = noise.add_reading_noise(residual.noise.reading_noise)
+        white = whiten(residual.values[:, None], residual.steps, own)
         total -= (float((white.series**2).sum()) + white.log_determinant) / 2
     return total
 

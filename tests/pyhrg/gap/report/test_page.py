@@ -10,10 +10,12 @@ from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.evidence.noise.noise_hypothesis import UnnamedNoise
 from pyhrg.gap.evidence.posterior import Posterior
 from pyhrg.gap.findings.diagnosis import UNSETTLED, WORSE, Cause, NextTest
+from pyhrg.gap.findings.faults import list_fault_causes, list_tolerated_faults
 from pyhrg.gap.findings.term import Formula, Term
 from pyhrg.gap.report.page import build_page
 from pyhrg.gap.report.sections import Section
-from pyhrg.gap.report.verdict import answer_questions, summarize_diagnosis
+from pyhrg.gap.report.verdict import REMEDIES, USE_DEVICE, answer_questions, summarize_diagnosis
+from pyhrg.gap.soundness.fault import FAULT_NAMES, LOST_ROWS, OUTLIERS, TABLE_SIGN, Fault
 from pyhrg.gap.whitening.whitening import CorrelatedNoise
 from tests.elements import elements
 
@@ -77,6 +79,30 @@ def test_the_cause_is_told_with_its_interval(text: str) -> None:
     told = re.search(r"Damping anisotropy: ([\d.e−]+) \(", text)
     assert told
     assert float(told[1].replace("−", "-")) == pytest.approx(3e-6, rel=0.02)
+
+
+def test_faults_of_bench_and_record_are_told_with_what_to_do(
+    without_gap: CampaignDiagnosis,
+) -> None:
+    faults = Fault(TABLE_SIGN, -1.0, 1e-4), Fault(LOST_ROWS, 2.0, 0.0), Fault(OUTLIERS, 0.1, 0.0)
+    causes, listed = list_fault_causes(faults), list_tolerated_faults(faults)
+    diagnosis = replace(
+        without_gap.diagnosis, verdict="explained", causes=causes, within_tolerance=listed
+    )
+    answers = answer_questions(replace(without_gap, diagnosis=diagnosis))
+    assert answers["Where"][0] == "In the bench and the record."
+    assert answers["What"] == [
+        "Mounting sign: table angle sign −1 (−1.0002 to −0.999804), not 1.",
+        "Lost rows: 2 %.",
+        "Within its tolerance: outliers: 0.1 %, not 0.",
+    ]
+    assert answers["What next"][:2] == [REMEDIES["mounting_sign"], REMEDIES["lost_rows"]]
+    assert USE_DEVICE not in answers["What next"]
+    assert "after.toml where it has them" in build_page(replace(without_gap, diagnosis=diagnosis))
+
+
+def test_every_fault_has_a_remedy() -> None:
+    assert set(REMEDIES) == set(FAULT_NAMES)
 
 
 def test_page_and_terminal_begin_with_the_same_five_answers(

@@ -21,6 +21,8 @@ from pyhrg.gap.report.words import (
         ("rate_random_walk_deg_h_sqrt_h", ("rate random walk", "deg/h/√h", 1.0)),
         ("phase_rad_per_K", ("phase", "rad/K", 1.0)),
         ("pickoff_gain_mismatch", ("pickoff gain mismatch", "ppm", 1e6)),
+        ("lost_rows_percent", ("lost rows", "%", 1.0)),
+        ("axis_up_sign", ("axis up sign", "", 1.0)),
     ],
 )
 def test_a_parameter_has_words_and_a_unit(name: str, expected: tuple[str, str, float]) -> None:
@@ -37,7 +39,7 @@ def test_no_unit_is_left_in_the_words_of_the_catalogue() -> None:
 def test_values_have_the_digits_that_their_interval_gives() -> None:
     assert format_value(2.68888e-6, 2.68798e-6, 2.68978e-6).startswith("2.68888e−06 (2.68798e−06")
     assert format_value(33.1774, 33.1699, 33.1848) == "33.1774 (33.1699 to 33.1848)"
-    assert format_value(0.3, 0.3, 0.3) == "0.3 (0.3 to 0.3)"
+    assert format_value(0.3, 0.3, 0.3) == "0.3"
 
 
 def test_nothing_is_certain() -> None:

@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 
 from pyhrg.common.units import ARCSEC
 from pyhrg.gap.soundness import screen_campaign
-from pyhrg.gap.soundness.glitches import MAX_GLITCHES, MIN_ROWS, find_glitches
+from pyhrg.gap.soundness.glitches import MAX_GLITCH_SHARE, MIN_ROWS, find_glitches
 from pyhrg.gap.soundness.inputs import CONTINUOUS_INPUTS
 from pyhrg.records import Log
 from pyhrg.records.campaign import Campaign
@@ -59,7 +59,7 @@ def test_a_glitch_beside_missing_rows_is_found() -> None:
     [
         add_glitches(slice(500, 504)),
         add_glitches(slice(500, None)),
-        add_glitches(*range(100, 900, 800 // (2 * MAX_GLITCHES))),
+        add_glitches(*range(100, 900, round(400 / (MAX_GLITCH_SHARE * ROWS)))),
         draw_series(1) + BIG * np.abs(np.arange(ROWS) - 500),
         draw_series(1) * np.where(np.arange(ROWS) // 40 == 10, BIG, 1.0),
         np.round(draw_series(1) / BIG) * BIG,
@@ -110,7 +110,7 @@ def test_a_glitch_is_excluded_and_reported(
     quiet = change_logs(error_free, added(noise, field), test) if field in NOISY else error_free
     assert screen_campaign(quiet)[1] == ()
     glitch = np.where(np.arange(len(log.time)) == row, size, 0.0)
-    screened, exclusions = screen_campaign(change_logs(quiet, added(glitch, field), test))
+    screened, exclusions, _ = screen_campaign(change_logs(quiet, added(glitch, field), test))
     assert exclusions[0].startswith(f"{test}: column {column}: ")
     assert f"at time_s {log.time[row]:g}, expected" in exclusions[0]
     before, after = (_log(each, test) for each in (quiet, screened))
@@ -136,7 +136,7 @@ def test_an_output_angle_that_contradicts_the_pattern_angle_is_left_out(
     log = next(other.log for other in error_free.tests if other.id == "pos")
     wrong = np.zeros(len(log.time))
     wrong[row] = 20 * ARCSEC
-    screened, exclusions = screen_campaign(
+    screened, exclusions, _ = screen_campaign(
         change_logs(error_free, added(wrong, "gyro_angle"), "pos")
     )
     assert [sentence[-8:] for sentence in exclusions] == ["left out"]

@@ -31,7 +31,7 @@ STRENGTH = 10
 
 
 def assert_unchanged(given: Campaign) -> None:
-    screened, exclusions = screen_campaign(given)
+    screened, exclusions, _ = screen_campaign(given)
     assert exclusions == ()
     assert [test.id for test in screened.tests] == [test.id for test in given.tests]
     for before, after in zip(given.tests, screened.tests, strict=True):
@@ -115,7 +115,7 @@ def test_nominal_values_are_checked(error_free: Campaign) -> None:
         screen_campaign(replace(error_free, nominal=short))
     with pytest.raises(DeviceError, match=r"nominal: decay_time_s: found -1\.0, expected 1 to"):
         screen_campaign(replace(error_free, nominal=short | {"decay_time_s": -1.0}))
-    screened, exclusions = screen_campaign(
+    screened, exclusions, _ = screen_campaign(
         replace(error_free, nominal={**error_free.nominal, "colour": 3.0})
     )
     assert exclusions == ("campaign.json: nominal.colour: not known, ignored",)
@@ -146,7 +146,7 @@ EXCLUDED: list[tuple[Change, tuple[str, ...], str]] = [
 def test_an_impossible_output_is_excluded(
     error_free: Campaign, change: Change, fields: tuple[str, ...], message: str
 ) -> None:
-    screened, exclusions = screen_campaign(change_logs(error_free, change, "still"))
+    screened, exclusions, _ = screen_campaign(change_logs(error_free, change, "still"))
     assert len(exclusions) == 1
     assert re.match(rf"still: columns? .*{message}", exclusions[0])
     for test in screened.tests:
@@ -172,7 +172,7 @@ NOT_USED: list[tuple[Change, str]] = [
 def test_a_test_that_cannot_be_replayed_is_excluded(
     error_free: Campaign, change: Change, message: str
 ) -> None:
-    screened, exclusions = screen_campaign(change_logs(error_free, change, "pos"))
+    screened, exclusions, _ = screen_campaign(change_logs(error_free, change, "pos"))
     assert [test.id for test in screened.tests] == [t.id for t in error_free.tests if t.id != "pos"]
     assert any(re.search(message, text) for text in exclusions)
     assert any(text.startswith("pos: not used: ") for text in exclusions)
@@ -182,7 +182,7 @@ def test_an_unreadable_log_is_excluded(error_free: Campaign, tmp_path: Path) -> 
     campaign.write_campaign(error_free, tmp_path)
     (tmp_path / "pos.csv.gz").write_bytes(b"time_s\n1\nx\n")
     (tmp_path / "neg.csv.gz").unlink()
-    screened, exclusions = screen_campaign(campaign.read_campaign(tmp_path))
+    screened, exclusions, _ = screen_campaign(campaign.read_campaign(tmp_path))
     assert len(screened.tests) == len(error_free.tests) - 2
     assert "pos: not used: pos.csv.gz: row 3, time_s: 'x'; expected a number" in exclusions
     assert any(re.match(r"neg: not used: .*No such file", text) for text in exclusions)
@@ -205,7 +205,7 @@ def test_nothing_to_fit_is_refused(error_free: Campaign) -> None:
 
 def test_a_holdout_that_is_also_fitted_is_dropped(error_free: Campaign) -> None:
     copy = replace(error_free.tests[0], id="copy", role="holdout")
-    screened, exclusions = screen_campaign(replace(error_free, tests=(*error_free.tests, copy)))
+    screened, exclusions, _ = screen_campaign(replace(error_free, tests=(*error_free.tests, copy)))
     assert exclusions == ("copy: not used: the same log as still",)
     assert len(screened.tests) == len(error_free.tests)
     assert screen_campaign(drop_tests(error_free, "ride"))[1] == (

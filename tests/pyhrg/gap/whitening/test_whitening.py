@@ -25,7 +25,9 @@ def integrated_lag(t: Array, tau: float, power: float) -> Array:
 
 def covariance(t: Array, noise: NoiseModel) -> Array:
     low, high = np.minimum.outer(t, t), np.maximum.outer(t, t)
-    total = noise.angle_white_noise**2 * np.eye(len(t)) + noise.angle_random_walk**2 * low
+    read = 0.0 if noise.reading_noise is None else noise.reading_noise
+    total = np.diag(np.full(len(t), noise.angle_white_noise**2) + read**2)
+    total += noise.angle_random_walk**2 * low
     total += noise.rate_random_walk**2 * low**2 * (3 * high - low) / 6
     apart = np.exp(-(high - low) / noise.lag) - np.exp(-(high + low) / noise.lag)
     total += noise.lagged**2 / noise.lag / 2 * apart
@@ -56,6 +58,9 @@ NOISES = [
         lag=600.0,
     ),
 ]
+TURNING = np.repeat([0.0, 0.5, 0.0, 2.0], 30)
+"""Noise of readings, equal over many rows."""
+NOISES += [NoiseModel(0.3, walk).add_reading_noise(TURNING) for walk in (0.0, 0.2)]
 
 
 @pytest.mark.parametrize("times", [EVEN, UNEVEN], ids=["even", "uneven"])

@@ -1,0 +1,52 @@
+"""Faults of bench and record in a diagnosis: causes beyond their tolerance, listed within it."""
+
+from collections.abc import Iterable, Sequence
+
+from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95
+from pyhrg.gap.findings.diagnosis import Cause, KnownValue
+from pyhrg.gap.findings.verdict import BEYOND_PROBABILITY
+from pyhrg.gap.soundness.fault import Fault
+
+
+def list_fault_causes(faults: Iterable[Fault]) -> tuple[Cause, ...]:
+    """Causes of the faults that exceed their tolerance, one a name."""
+    groups: dict[str, list[Fault]] = {}
+    for fault in filter(_is_beyond, faults):
+        groups.setdefault(fault.kind.name, []).append(fault)
+    return tuple(
+        Cause(
+            name,
+            max(fault.beyond_probability for fault in group),
+            {fault.kind.parameter: fault.value for fault in group},
+            {fault.kind.parameter: _interval(fault) for fault in group},
+            family=group[0].kind.family,
+        )
+        for name, group in groups.items()
+    )
+
+
+def list_tolerated_faults(faults: Sequence[Fault]) -> tuple[KnownValue, ...]:
+    """Faults that do not exceed their tolerance, with more probability than a cause may lack."""
+    return tuple(
+        KnownValue(
+            fault.kind.name,
+            fault.kind.family,
+            fault.kind.parameter,
+            fault.value,
+            fault.kind.sound,
+            _interval(fault),
+            fault.kind.tolerance,
+            {fault.kind.parameter: fault.value},
+        )
+        for fault in faults
+        if not _is_beyond(fault)
+    )
+
+
+def _is_beyond(fault: Fault) -> bool:
+    return fault.beyond_probability > BEYOND_PROBABILITY
+
+
+def _interval(fault: Fault) -> tuple[float, float]:
+    half_width = NORMAL_95 * fault.sigma
+    return fault.value - half_width, fault.value + half_width

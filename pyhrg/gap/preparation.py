@@ -1,0 +1,67 @@
+"""From a campaign to what a diagnosis works on: the nominal device and the tests that are used."""
+
+from typing import NamedTuple
+
+from pyhrg.device.device import Device
+from pyhrg.gap.evidence.noise.unstated_noise import complete_stated_noise
+from pyhrg.gap.replay.free_pattern import truncate_free_pattern
+from pyhrg.gap.replay.observations import ObservedTest, add_reading_noise, observe_test
+from pyhrg.gap.replay.reading_noise import (
+    ReadingNoise,
+    describe_reading_noise,
+    estimate_reading_noise,
+)
+from pyhrg.gap.replay.replay import has_start_angle
+from pyhrg.gap.replay.simulation import Simulation
+from pyhrg.gap.soundness import nominal_device, screen_campaign
+from pyhrg.gap.soundness.fault import Fault, list_reading_faults
+from pyhrg.records.campaign import Campaign, CampaignError, Test
+
+NO_START = "{}: not used: no row with both gyro_angle_deg and wave_angle_deg: no start angle"
+
+
+class Preparation(NamedTuple):
+    """What a diagnosis works on.
+
+    tests: that can be used, held-out ones last; sentences: one on each thing that was left out,
+    mended or assumed; faults: of bench and record.
+    """
+
+    nominal: Device
+    tests: list[ObservedTest]
+    sentences: tuple[str, ...]
+    faults: tuple[Fault, ...]
+
+
+def prepare_campaign(campaign: Campaign, simulation: Simulation) -> Preparation:
+    """Screen a campaign, complete the noise that its nominal device states, and select what each
+    test has to compare.
+
+    Raises:
+        CampaignError: no test can be fitted.
+    """
+    usable, excluded, faults = screen_campaign(campaign)
+    nominal = nominal_device(usable)
+    started = [test for test in usable.tests if has_start_angle(test.log)]
+    excluded += tuple(NO_START.format(test.id) for test in usable.tests if test not in started)
+    to_fit = [observe_test(test, nominal) for test in started if not test.is_holdout]
+    if not to_fit:
+        raise CampaignError("; ".join(["no test can be fitted to", *excluded]))
+    nominal, notes = complete_stated_noise(simulation, nominal, to_fit)
+    noise = estimate_reading_noise([t.log for t in started if not t.is_holdout])
+    excluded += (*notes, *describe_reading_noise(noise))
+    tests = [_observe_test(simulation, nominal, test, noise) for test in started]
+    tests.sort(key=lambda test: test.test.is_holdout)
+    return Preparation(nominal, tests, excluded, (*faults, *list_reading_faults(noise)))
+
+
+def _observe_test(
+    simulation: Simulation, nominal: Device, test: Test, noise: ReadingNoise
+) -> ObservedTest:
+    """What a test has to compare, with the noise of the bench's readings."""
+    observed = truncate_free_pattern(simulation, nominal, observe_test(test, nominal))
+    if noise == ReadingNoise():
+        return observed
+    by_pattern = simulation.differentiate_by_angle(nominal, observed).slopes
+    by_output = {name: nominal.bryan_factor * slope for name, slope in by_pattern.items()}
+    return add_reading_noise(observed, noise, by_output)

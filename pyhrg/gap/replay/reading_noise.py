@@ -1,0 +1,193 @@
+"""White noise of the bench's angle readings: of the table encoder, and of the times of reading.
+
+A reading at a wrong time t + e makes an error e times the rate. Noise of the encoder and of both
+times of reading are found from all tests together (docs/methods/replay.md, Eqs. 4 and 9).
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import nnls
+
+from pyhrg.common.robust import estimate_robust_deviation
+from pyhrg.common.units import ARCSEC
+from pyhrg.records import Log
+
+Array = NDArray[np.float64]
+
+DIFFERENCE_ORDER = 4
+"""Order of the differences: high enough that smooth motion and encoder errors that last for many
+rows contribute almost nothing. Chosen."""
+VARIANCE_GAIN = math.comb(2 * DIFFERENCE_ORDER, DIFFERENCE_ORDER)
+"""Variance of such a difference of white noise over that of the noise."""
+OUTLIER_SIGMA = 5.0
+"""Differences above this many robust standard deviations are moves of the table. Chosen."""
+MIN_DIFFERENCES = 30
+"""Fewest differences from which a variance is estimated. Chosen."""
+REST_RATE = 1e-4
+"""Table rate below which the table counts as resting, rad/s. Chosen."""
+SIGNIFICANCE_SIGMA = 4.0
+"""A noise counts as present above this many standard errors of its variance. Chosen."""
+MIN_NOISE = 1e-8
+"""Noise of an angle below which it counts as none, rad. Chosen."""
+
+
+class Level(NamedTuple):
+    """A noise's standard deviation, and the standard error of that; 0 where it is insignificant."""
+
+    value: float
+    sigma: float
+
+
+NONE = Level(0.0, 0.0)
+"""Level of a noise that is insignificant."""
+
+
+@dataclass(frozen=True)
+class ReadingNoise:
+    """White noise of a bench's readings of angles.
+
+    encoder: of the table encoder, rad.
+    encoder_jitter, gyro_jitter: of the times at which encoder and gyro are read, s.
+    """
+
+    encoder: Level = NONE
+    encoder_jitter: Level = NONE
+    gyro_jitter: Level = NONE
+
+    @property
+    def jitter(self) -> float:
+        """Standard deviation of the time between the two readings of a row, s."""
+        return math.hypot(self.encoder_jitter.value, self.gyro_jitter.value)
+
+
+class Variance(NamedTuple):
+    """Variance of a reading's noise in rows of about one table rate of one test.
+
+    interval: of the rows, s; square_rate: mean square of the table's rate, rad^2/s^2; value, error:
+    variance, rad^2, and its standard error.
+    """
+
+    interval: float
+    square_rate: float
+    value: float
+    error: float
+
+
+def estimate_reading_noise(logs: Sequence[Log]) -> ReadingNoise:
+    """Noise of encoder and times of reading, from all logs of a bench.
+
+    Motion appears in encoder and gyro alike. The variance of either one's noise is therefore its
+    covariance with the difference of the two. It is constant, or grows with the square of the
+    table's rate: least squares without negative variances tell the two apart.
+    """
+    pairs = [pair for log in logs for pair in _measure_variances(log)]
+    of_encoder = [own for own, _ in pairs if own]
+    encoder, encoder_jitter = _fit_levels(of_encoder, by_interval=False)
+    _, gyro_jitter = _fit_levels([own for _, own in pairs], by_interval=True)
+    return ReadingNoise(encoder, encoder_jitter, gyro_jitter)
+
+
+def _measure_variances(log: Log) -> Iterator[tuple[Variance | None, Variance]]:
+    """Variances of encoder and gyro in the rows of a log, by octaves of the table's rate; None
+    where the encoder stands still, which says nothing of its noise."""
+    table, gyro = (np.diff(a, DIFFERENCE_ORDER) for a in (log.table_angle, log.gyro_angle))
+    apart = table - gyro
+    turn = log.table_angle[DIFFERENCE_ORDER:] - log.table_angle[:-DIFFERENCE_ORDER]
+    rates = np.abs(turn) / (DIFFERENCE_ORDER * log.interval)
+    octaves = np.floor(np.log2(np.maximum(rates, REST_RATE) / REST_RATE))
+    known = np.isfinite(apart)
+    for octave in np.unique(octaves[known]):
+        rows = known & (octaves == octave)
+        rows[rows] = _is_inlier(table[rows]) & _is_inlier(apart[rows])
+        if np.sum(rows) >= MIN_DIFFERENCES:
+            place = log.interval, float(np.mean(rates[rows] ** 2))
+            encoder, own = table[rows] * apart[rows], -gyro[rows] * apart[rows]
+            of_encoder = Variance(*place, *_average(encoder)) if turn[rows].any() else None
+            yield of_encoder, Variance(*place, *_average(own))
+
+
+def _average(products: Array) -> tuple[float, float]:
+    """Variance of the noise, from products of differences, and its standard error."""
+    independent = len(products) / DIFFERENCE_ORDER
+    error = math.hypot(float(np.std(products)), MIN_NOISE**2) / math.sqrt(independent)
+    return float(np.mean(products)) / VARIANCE_GAIN, error / VARIANCE_GAIN
+
+
+def _is_inlier(series: Array) -> NDArray[np.bool_]:
+    return np.asarray(np.abs(series) <= OUTLIER_SIGMA * estimate_robust_deviation(series))
+
+
+def estimate_scatter(angle: Array) -> float:
+    """Standard deviation of the white noise of most of (n,) readings, rad, jitter included."""
+    differences = np.diff(angle, DIFFERENCE_ORDER)
+    return (
+        estimate_robust_deviation(differences) / math.sqrt(VARIANCE_GAIN)
+        if len(differences)
+        else 0.0
+    )
+
+
+def _fit_levels(variances: Sequence[Variance], *, by_interval: bool) -> tuple[Level, Level]:
+    """Noise that is the same at any rate, rad, and jitter of the time of reading, s.
+
+    With `by_interval`, the first is another for each length of a row (that of the shortest is
+    given): a random walk grows with it. If only one of the two is significant beside the other, the
+    one that explains more stays alone.
+    """
+    if not variances:
+        return NONE, NONE
+    intervals = np.array([v.interval for v in variances])
+    same = [intervals == each for each in np.unique(intervals)]
+    whites = [rows.astype(float) for rows in same] if by_interval else [np.ones(len(variances))]
+    squares = np.array([v.square_rate for v in variances])
+    (*white, jitter), _ = _solve(variances, [*whites, squares])
+    if jitter.value and any(level.value for level in white):
+        return white[0], jitter
+    (white, misfit), ((jitter,), other) = (_solve(variances, c) for c in (whites, [squares]))
+    return (white[0], NONE) if misfit < other else (NONE, jitter)
+
+
+def _solve(variances: Sequence[Variance], columns: Sequence[Array]) -> tuple[list[Level], float]:
+    """Levels whose squares, times their columns, fit the variances best, and their chi-square."""
+    values, errors = np.array([(v.value, v.error) for v in variances]).T
+    weighted = np.column_stack(columns) / errors[:, None]
+    scale = np.sqrt((weighted**2).sum(axis=0))
+    scale[scale == 0] = 1.0
+    unit = weighted / scale
+    solution, misfit = nnls(unit, values / errors)
+    deviations = np.sqrt(np.diag(np.linalg.pinv(unit.T @ unit)))
+    levels = []
+    for column, square, deviation in zip(
+        columns, solution / scale, deviations / scale, strict=True
+    ):
+        is_large = square * float(np.max(column)) > MIN_NOISE**2
+        is_there = is_large and square > SIGNIFICANCE_SIGMA * deviation
+        level = math.sqrt(square)
+        levels.append(Level(level, float(deviation) / (2 * level)) if is_there else NONE)
+    return levels, float(misfit) ** 2
+
+
+def describe_reading_noise(noise: ReadingNoise) -> list[str]:
+    """A sentence for each noise that is there."""
+    sentences = []
+    if noise.encoder.value:
+        size = noise.encoder.value / ARCSEC
+        sentences.append(
+            f"table_angle_deg: scatters by {size:.2g} arcsec where the gyro does not: counts as "
+            "noise of the encoder"
+        )
+    for column, jitter in (
+        ("table_angle_deg", noise.encoder_jitter),
+        ("gyro_angle_deg", noise.gyro_jitter),
+    ):
+        if jitter.value:
+            sentences.append(
+                f"{column}: scatters by {jitter.value:.2g} s times the table's rate: counts as "
+                "noise of the time of reading"
+            )
+    return sentences

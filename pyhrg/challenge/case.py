@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from pyhrg.challenge.campaigns.course import make_course
 from pyhrg.challenge.campaigns.gyro import TrueGyro
 from pyhrg.challenge.campaigns.instruments import Instruments
-from pyhrg.challenge.campaigns.laboratory import LEVELS, Laboratory, draw_laboratory
+from pyhrg.challenge.campaigns.laboratory import LEVELS, Laboratory, draw_laboratory, vary_each
 from pyhrg.challenge.campaigns.nominal import draw_nominal, draw_site
 from pyhrg.challenge.campaigns.plans import Plan, plan_further_tests, plan_tests
 from pyhrg.challenge.truths.meter import Meter, make_measured_course
@@ -112,10 +112,11 @@ def prepare_case(case: Case, simulation: Simulation) -> PreparedCase:
     own = Instruments().draw_another(gyro)
     made = plan_tests(device, _generator(case, BENCH), complete=bool(case.without))
     fitted = [(make_measured_course(p.programme), p.start_angle) for p in made if p.role == "fit"]
-    meter = Meter(simulation, device, fitted, own)
+    level = LEVELS[case.level]
+    meter = Meter(simulation, device, fitted, own, vary_each(device, level))
     effects = case.without or EFFECT_NAMES
     drawing = Drawing(meter, _generator(case, EFFECT), case.strengths, effects)
-    laboratory = draw_laboratory(device, LEVELS[case.level], _generator(case, LABORATORY))
+    laboratory = draw_laboratory(device, level, _generator(case, LABORATORY))
     state = drawing.state(case.kind)
     return PreparedCase(case, nominal, site, device, own, made, state, laboratory)
 

@@ -112,6 +112,17 @@ def draw_laboratory(told: Device, level: float, generator: np.random.Generator) 
     return Laboratory(level, errors)
 
 
+def vary_each(told: Device, level: float) -> list[Laboratory]:
+    """Laboratories of a level in each of which one component of one known parameter is off, by its
+    tolerance times the level; none where the level is 0."""
+    none = dict.fromkeys((field for known in KNOWN for field in known.fields), 0.0)
+    return [
+        Laboratory(level, {**none, known.fields[0]: level * known.tolerance_of(told), **angle})
+        for known in KNOWN * bool(level)
+        for angle in ([{known.fields[1]: a} for a in (0.0, np.pi / 2)] if known.periods else [{}])
+    ]
+
+
 def _follow(series: Array, interval: float, lag: float) -> Array:
     """(n,) readings of an instrument with a first-order lag, s, of a series that is linear between
     rows of an interval, s; it has settled at the first value."""

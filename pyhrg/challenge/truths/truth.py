@@ -12,7 +12,8 @@ from scipy.optimize import brentq
 
 from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.challenge.truths.form import load_forms
-from pyhrg.challenge.truths.meter import Meter, set_noise
+from pyhrg.challenge.truths.meter import Meter
+from pyhrg.challenge.truths.noise_strength import set_noise
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
 from pyhrg.gap.effects.catalogue import EFFECT_NAMES, EFFECTS, NOISE_EFFECTS, Effect

@@ -35,6 +35,7 @@ class Case:
     strengths: range that strengths of effects are drawn from, sigmas.
     without: effects that are removed from the diagnosis' catalogue; the true effect is one of them.
     level: of `LEVELS`: how far nominal values and bench are off.
+    data: of `AMOUNTS`: how many tests there are, how long, and in which rows.
     """
 
     name: str
@@ -43,6 +44,7 @@ class Case:
     strengths: tuple[float, float]
     without: tuple[str, ...] = ()
     level: str = "ideal"
+    data: str = "full"
 
 
 @dataclass(frozen=True)
@@ -110,7 +112,7 @@ def prepare_case(case: Case, simulation: Simulation) -> PreparedCase:
     nominal, site = draw_nominal(gyro), draw_site(gyro)
     device = replace(device_file.from_table(nominal, "nominal"), site=site)
     own = Instruments().draw_another(gyro)
-    made = plan_tests(device, _generator(case, BENCH), complete=bool(case.without))
+    made = plan_tests(device, _generator(case, BENCH), bool(case.without), case.data)
     fitted = [(make_measured_course(p.programme), p.start_angle) for p in made if p.role == "fit"]
     level = LEVELS[case.level]
     meter = Meter(simulation, device, fitted, own, vary_each(device, level))
@@ -128,7 +130,8 @@ def generate_case(case: Case, fmus: Fmus) -> tuple[Campaign, Truth]:
     noise = np.concatenate([noise for test, noise in made if test.is_holdout])
     rms = float(np.sqrt(np.mean(noise**2))) / ARCSEC
     campaign = drawn.campaign([test for test, _ in made])
-    return campaign, replace(drawn.state.truth, holdout_noise_arcsec=rms)
+    beyond = drawn.laboratory.list_beyond(drawn.device)
+    return campaign, replace(drawn.state.truth, holdout_noise_arcsec=rms, beyond=beyond)
 
 
 def add_next_test(case: Case, campaign: Campaign, kind: str, hours: float, fmus: Fmus) -> Campaign:

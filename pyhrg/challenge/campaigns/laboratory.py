@@ -54,6 +54,12 @@ class Laboratory:
         site = replace(told.site, latitude=latitude)
         return replace(told, frequency=frequency, site=site, **own)
 
+    def list_beyond(self, told: Device) -> tuple[str, ...]:
+        """Names of the known parameters that are off by more than their tolerance."""
+        return tuple(
+            k.name for k in KNOWN if abs(self.errors.get(k.fields[0], 0.0)) > k.tolerance_of(told)
+        )
+
     def read(self, log: Log, reference_temperature: float) -> Log:
         """A true log as the instruments of this laboratory read it, without noise."""
         if not self.level:

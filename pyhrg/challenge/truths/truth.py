@@ -28,7 +28,7 @@ COUNTS = {
     "weak": (1, 1),
     "left_out": (1, 1),
     "pair": (2, 2),
-    "several": (3, 7),
+    "several": (3, 8),
 }
 """Fewest and most effects of the catalogue in each kind."""
 MAX_ATTEMPTS = 100
@@ -55,6 +55,7 @@ class Truth:
     coordinate: in which this form shows.
     stand_ins: effects that these tests can't separate from the effect that was left out.
     holdout_noise_arcsec: rms of the true noise in the output angle of the held-out tests.
+    beyond: known parameters that are off by more than their tolerance.
     """
 
     kind: str
@@ -65,6 +66,7 @@ class Truth:
     coordinate: str | None = None
     stand_ins: tuple[str, ...] = ()
     holdout_noise_arcsec: float | None = None
+    beyond: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

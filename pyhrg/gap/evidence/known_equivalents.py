@@ -6,40 +6,41 @@ classes").
 """
 
 import math
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Group
 from pyhrg.gap.effects.known_parameters import KnownParameters
 from pyhrg.gap.evidence.evidence import EQUIVALENCE_LOG_ODDS, fit
-from pyhrg.gap.evidence.hypothesis import Hypothesis, make_feasibility_check
+from pyhrg.gap.evidence.hypothesis import make_feasibility_check
 
 
 def find_known_equivalents(
-    hypothesis: Hypothesis, nominal: Device, cause: Effect, candidates: Iterable[Effect]
+    known: KnownParameters,
+    groups: Sequence[Group],
+    nominal: Device,
+    cause: Effect,
+    candidates: Iterable[Effect],
 ) -> tuple[str, ...]:
-    """Names of the candidates that explain about as much as the cause in its place. The cause or
-    the candidate is a known parameter."""
-    groups = hypothesis.ranking.best.groups
+    """Names of the candidates that explain about as much as the cause in its place, beside the
+    other groups of the most probable set. The cause or the candidate is a known parameter."""
     others = [group for group in groups if group != cause]
-    threshold = _score_set(hypothesis, nominal, [*others, cause]) - EQUIVALENCE_LOG_ODDS
+    threshold = _score_set(known, nominal, [*others, cause]) - EQUIVALENCE_LOG_ODDS
     return tuple(
         other.name
         for other in candidates
-        if other != cause
-        and other not in groups
-        and _score_set(hypothesis, nominal, [*others, other]) > threshold
+        if other not in (cause, *others)
+        and _score_set(known, nominal, [*others, other]) > threshold
     )
 
 
-def _score_set(hypothesis: Hypothesis, nominal: Device, groups: Collection[Group]) -> float:
+def _score_set(known: KnownParameters, nominal: Device, groups: Collection[Group]) -> float:
     """Log likelihood of a set whose sizes are integrated out, up to a constant. Known parameters
     within it may have any size; all others have their tolerances. Minus infinity where the sizes
     can't be told apart or no gyro can have them."""
-    exact = hypothesis.exact
-    tolerances = {e: size for e, size in exact.tolerances.items() if e not in groups}
-    design = KnownParameters(exact.whole, tolerances).marginal
+    tolerances = {e: size for e, size in known.tolerances.items() if e not in groups}
+    design = KnownParameters(known.whole, tolerances).marginal
     if not set(groups) <= set(design.groups):
         return -math.inf
     fitted = fit(design, list(groups))

@@ -82,13 +82,13 @@ def reach_verdict(
 def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[Cause]:
     causes = []
     best, posterior, nominal = attribution.ranking.best, attribution.posterior, attribution.nominal
-    known = posterior.best.exact.effects
+    known = posterior.best.exact
     covariances = dict(zip(best.groups, best.covariances, strict=True))
     for effect, size in best.named.items():
         total = effect.vector(nominal) + size
         others = [e.name for e in find_equivalents(attribution.design, best, effect, effects)]
         others += posterior.equivalents(effect.name)
-        others += find_known_equivalents(posterior.best, nominal, effect, known)
+        others += find_known_equivalents(known, best.groups, nominal, effect, known.effects)
         causes.append(
             Cause(
                 effect.name,
@@ -105,13 +105,14 @@ def _find_known_causes(attribution: Attribution, effects: Sequence[Effect]) -> l
     """Known parameters whose 95 % interval lies beyond their tolerance."""
     causes = []
     best, nominal = attribution.posterior.best, attribution.nominal
+    known, groups = best.exact, best.ranking.best.groups
     for effect, (size, covariance) in best.departures.items():
         total = effect.vector(nominal) + size
         probability = _compute_beyond(effect.tolerance_of(nominal), size, covariance)
         if probability > BEYOND_PROBABILITY:
             intervals = _intervals(effect, total, covariance)
-            values, known = effect.parameters(total), best.exact.effects
-            others = find_known_equivalents(best, nominal, effect, (*effects, *known))
+            values, candidates = effect.parameters(total), (*effects, *known.effects)
+            others = find_known_equivalents(known, groups, nominal, effect, candidates)
             causes.append(Cause(effect.name, probability, values, intervals, others, effect.family))
     return causes
 

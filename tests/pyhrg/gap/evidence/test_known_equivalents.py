@@ -23,8 +23,8 @@ SIGMAS = 12.0
 def test_each_names_the_other(
     cause: Effect, other: Effect, correlation: float, are_equivalent: bool
 ) -> None:
-    """Tolerances are 1 sigma in these rows, so a known parameter of 12 sigma is beyond its own. With
-    a correlation of 0.9 the other leaves a chi-square of 27."""
+    """Tolerances are 1 sigma in these rows: a known parameter of 12 sigma is beyond its own. With a
+    correlation of 0.9 the other leaves a chi-square of 27."""
     draws = np.random.default_rng(1).normal(size=(400, 3))
     unit, across, third = np.linalg.qr(draws)[0].T
     same = correlation * unit + np.sqrt(1 - correlation**2) * across

@@ -114,10 +114,9 @@ def run_challenge(
         several: number with three to eight effects, up to ten times as strong.
         left_out: number with an effect that is removed from the catalogue, each in turn.
         strongest: strengths are drawn from 6 sigma up to this.
-        level: "ideal", "good-lab" (each nominal value and each property of the bench is off within
-            its tolerance) or "rough-lab" (within three times that).
-        data: "full", "few" (one or two kinds of tests beside the held-out one), "short" (tests a
-            tenth as long) or "coarse" (rows of at least 1 s).
+        level: "ideal", "good-lab" (nominal values and bench are off within their tolerances) or
+            "rough-lab" (within three times that).
+        data: "full", "few" (one or two kinds of tests), "short" (a tenth as long) or "coarse".
         seed: of everything random; the same seed gives the same bytes on any number of workers.
         others: folders of finished challenges of other seeds, scored together with this one.
         workers: campaigns at a time; all cores if None.
@@ -134,13 +133,10 @@ def run_challenge(
     for name, count in counts.items():
         check_whole_number("pairs" if name == "pair" else name, count, 0, MAX_CASES)
     if not DETECTION_SIGMAS < strongest < math.inf:
-        raise HrgError(
-            f"strongest: found {strongest:g}, expected a number above {DETECTION_SIGMAS:g}"
-        )
-    if level not in LEVELS:
-        raise HrgError(f"level: found {level!r}, expected {', '.join(LEVELS)}")
-    if data not in AMOUNTS:
-        raise HrgError(f"data: found {data!r}, expected {', '.join(AMOUNTS)}")
+        raise HrgError(f"strongest: found {strongest:g}, expected above {DETECTION_SIGMAS:g}")
+    for name, choice, choices in (("level", level, LEVELS), ("data", data, AMOUNTS)):
+        if choice not in choices:
+            raise HrgError(f"{name}: found {choice!r}, expected {', '.join(choices)}")
     settings = Settings(counts, check_seed(seed), strongest, level, data)
     challenge = Challenge(Folder(Path(out)), settings, diagnose or diagnose_folder, progress)
     try:

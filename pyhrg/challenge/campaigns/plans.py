@@ -61,10 +61,9 @@ class Variation:
             value = value / SHORTENING
         return max(self.about(value, unit, spread), unit)
 
-    def fixed(self, value: float, unit: float = 1.0) -> float:
-        """A duration that is not drawn, s; shortened likewise."""
-        shortened = round(value / SHORTENING / unit) * unit
-        return max(shortened, unit) if self.data == "short" else value
+    def shorten(self, duration: float) -> float:
+        """A duration that is not drawn, s; a tenth of it if tests are short, at least 1 s."""
+        return max(round(duration / SHORTENING), 1.0) if self.data == "short" else duration
 
     def sign(self) -> int:
         """Plus or minus one."""
@@ -171,7 +170,7 @@ def virtual_rotation(rate_deg_per_s: float) -> Callable[[Variation], Programme]:
     """A rest, then a commanded rotation of the pattern."""
 
     def profile(vary: Variation) -> Programme:
-        course = vary.programme(1.0).rest(vary.fixed(9))
+        course = vary.programme(1.0).rest(vary.shorten(9))
         course.command(virtual_rotation=vary.about(rate_deg_per_s, 1e-3) * DEG)
         return course.rest(vary.duration(491))
 
@@ -191,7 +190,7 @@ def thermal(vary: Variation) -> Programme:
 def amplitude(vary: Variation) -> Programme:
     """Three amplitude set points one after the other, while the table turns."""
     low, high = vary.about(0.8, 0.01, 0.05), vary.about(1.2, 0.01, 0.05)
-    rate, held = vary.sign() * vary.about(5) * DEG, vary.fixed(80.0)
+    rate, held = vary.sign() * vary.about(5) * DEG, vary.shorten(80.0)
     course = spin_up(vary.programme(0.1).command(amplitude_setpoint=low), rate, held)
     course.command(amplitude_setpoint=1.0).spin(rate, held)
     return course.command(amplitude_setpoint=high).spin(rate, held)

@@ -245,7 +245,7 @@ def test_command_prints_the_table(
         ({"seed": -1}, "seed: found -1, expected"),
         ({"workers": 0}, "workers: found 0, expected"),
         ({"data": "none"}, "data: found 'none', expected full, few, short, coarse"),
-        ({"strongest": 6.0}, "strongest: found 6, expected a number above 6"),
+        ({"strongest": 6.0}, "strongest: found 6, expected above 6"),
     ],
 )
 def test_arguments_out_of_range_are_refused(

@@ -267,10 +267,8 @@ def _concatenate(residuals: Sequence[Residual]) -> Array:
 def _integrate_out(known: Array, gap: Array) -> Array:
     """(n,) gap, whitened with noise of unit variance and (n, k) responses of random sizes of unit
     variance: (I + K K^T)^(-1/2) times it."""
-    squares, directions = np.linalg.eigh(known.T @ known)
-    seen = squares > RANK_TOLERANCE * squares.max(initial=0.0)
-    shapes = known @ (directions[:, seen] / np.sqrt(squares[seen]))
-    kept = 1 / np.sqrt(1 + squares[seen])
+    shapes, sizes, _ = np.linalg.svd(known, full_matrices=False)
+    kept = 1 / np.sqrt(1 + sizes**2)
     return np.asarray(gap - shapes @ ((1 - kept) * (shapes.T @ gap)))
 
 

@@ -88,7 +88,7 @@ def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[
         total = effect.vector(nominal) + size
         others = [e.name for e in find_equivalents(attribution.design, best, effect, effects)]
         others += posterior.equivalents(effect.name)
-        others += find_known_equivalents(known, best.groups, nominal, effect, known.effects)
+        others += find_known_equivalents(known, best, nominal, effect, known.effects)
         causes.append(
             Cause(
                 effect.name,
@@ -105,14 +105,14 @@ def _find_known_causes(attribution: Attribution, effects: Sequence[Effect]) -> l
     """Known parameters whose 95 % interval lies beyond their tolerance."""
     causes = []
     best, nominal = attribution.posterior.best, attribution.nominal
-    known, groups = best.exact, best.ranking.best.groups
+    known, fitted = best.exact, best.ranking.best
     for effect, (size, covariance) in best.departures.items():
         total = effect.vector(nominal) + size
         probability = _compute_beyond(effect.tolerance_of(nominal), size, covariance)
         if probability > BEYOND_PROBABILITY:
             intervals = _intervals(effect, total, covariance)
             values, candidates = effect.parameters(total), (*effects, *known.effects)
-            others = find_known_equivalents(known, groups, nominal, effect, candidates)
+            others = find_known_equivalents(known, fitted, nominal, effect, candidates)
             causes.append(Cause(effect.name, probability, values, intervals, others, effect.family))
     return causes
 

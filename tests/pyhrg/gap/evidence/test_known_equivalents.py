@@ -6,6 +6,7 @@ import pytest
 from pyhrg.device.device import Device
 from pyhrg.gap.effects.catalogue import EFFECTS, Effect
 from pyhrg.gap.effects.known_parameters import KnownParameters
+from pyhrg.gap.evidence.evidence import fit
 from pyhrg.gap.evidence.known_equivalents import find_known_equivalents
 from tests.pyhrg.gap.made_up import design_of
 
@@ -13,26 +14,32 @@ ROTATION, DELAY = EFFECTS["drive_frame_rotation"], EFFECTS["loop_delay"]
 LATITUDE, OFFSET = EFFECTS["site_latitude"], EFFECTS["thermometer_offset"]
 SCALES = {ROTATION: 1e7, LATITUDE: 1e4, OFFSET: 5.0}
 """Sigma per unit."""
-SIGMAS = 12.0
 
 
 @pytest.mark.parametrize(
     ("cause", "other"), [(ROTATION, LATITUDE), (LATITUDE, ROTATION), (LATITUDE, OFFSET)]
 )
+@pytest.mark.parametrize(("size", "tolerance"), [(12.0, 1.0), (25.0, 10.0)])
 @pytest.mark.parametrize(("correlation", "are_equivalent"), [(1.0, True), (0.9, False)])
 def test_each_names_the_other(
-    cause: Effect, other: Effect, correlation: float, are_equivalent: bool
+    cause: Effect,
+    other: Effect,
+    correlation: float,
+    are_equivalent: bool,
+    size: float,
+    tolerance: float,
 ) -> None:
-    """Tolerances are 1 sigma in these rows: a known parameter of 12 sigma is beyond its own. With a
-    correlation of 0.9 the other leaves a chi-square of 27."""
+    """Size and tolerance are in sigma of these rows: a known parameter is beyond its own. With a
+    correlation of 0.9 the other leaves a chi-square of 27. A size of 2.5 tolerances is not
+    improbable, but an effect that leaves it so is none in its place."""
     draws = np.random.default_rng(1).normal(size=(400, 3))
     unit, across, third = np.linalg.qr(draws)[0].T
     same = correlation * unit + np.sqrt(1 - correlation**2) * across
     columns = {cause: SCALES[cause] * unit, other: -SCALES[other] * same, DELAY: 1e5 * third}
-    design = design_of({e: column[:, None] for e, column in columns.items()}, SIGMAS * unit)
-    tolerances = {e: 1 / SCALES[e] for e in (cause, other) if e.family != "gyro"}
-    groups = [cause] if cause.family == "gyro" else []
-    found = find_known_equivalents(
-        KnownParameters(design, tolerances), groups, Device(), cause, [other, DELAY]
-    )
+    design = design_of({e: column[:, None] for e, column in columns.items()}, size * unit)
+    tolerances = {e: tolerance / SCALES[e] for e in (cause, other) if e.family != "gyro"}
+    known = KnownParameters(design, tolerances)
+    best = fit(known.marginal, [cause] if cause.family == "gyro" else [])
+    assert best is not None
+    found = find_known_equivalents(known, best, Device(), cause, [other, DELAY])
     assert found == ((other.name,) if are_equivalent else ())

@@ -17,17 +17,23 @@ SCALES = {ROTATION: 1e7, LATITUDE: 1e4, OFFSET: 5.0}
 
 
 @pytest.mark.parametrize(
-    ("cause", "other"), [(ROTATION, LATITUDE), (LATITUDE, ROTATION), (LATITUDE, OFFSET)]
+    ("cause", "other", "size", "tolerance"),
+    [
+        (ROTATION, LATITUDE, 12.0, 1.0),
+        (ROTATION, LATITUDE, 25.0, 10.0),
+        (LATITUDE, ROTATION, 12.0, 1.0),
+        (LATITUDE, ROTATION, 25.0, 10.0),
+        (LATITUDE, OFFSET, 12.0, 1.0),
+    ],
 )
-@pytest.mark.parametrize(("size", "tolerance"), [(12.0, 1.0), (25.0, 10.0)])
 @pytest.mark.parametrize(("correlation", "are_equivalent"), [(1.0, True), (0.9, False)])
 def test_each_names_the_other(
     cause: Effect,
     other: Effect,
-    correlation: float,
-    are_equivalent: bool,
     size: float,
     tolerance: float,
+    correlation: float,
+    are_equivalent: bool,
 ) -> None:
     """Size and tolerance are in sigma of these rows: a known parameter is beyond its own. With a
     correlation of 0.9 the other leaves a chi-square of 27. A size of 2.5 tolerances is not

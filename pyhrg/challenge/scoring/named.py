@@ -15,6 +15,8 @@ NAMED_PROBABILITY = 0.5
 """Posterior probability from which an equivalence class of causes counts as named (chosen)."""
 ANSWERS = ("explained", "ambiguous")
 """Verdicts that exclude a cause outside the catalogue."""
+FAMILIES = {name: effect.family for name, effect in EFFECTS.items()}
+"""Family of each effect and known parameter by name. Noises are the gyro's."""
 LEAST_PROBABILITY = 1e-3
 """Smallest probability that the log score takes, so that a name that is missing has one. Chosen."""
 
@@ -110,17 +112,13 @@ def is_family_right(case: ScoredCase) -> bool:
     members; a cause without a name counts as the gyro's. A known parameter that is off by more than
     its tolerance need not be named."""
     truth, diagnosis = case.truth, case.diagnosis
-    stated = [{_find_family(name) for name in own} for own in list_named(diagnosis)]
+    families = FAMILIES | {cause.effect: cause.family for cause in diagnosis.causes}
+    stated = [{families.get(name, "gyro") for name in own} for own in list_named(diagnosis)]
     stated += [{"gyro"}] if diagnosis.verdict == "unexplained" else []
     is_gyros = truth.kind != "none"
-    true = {_find_family(name) for name in truth.beyond} | ({"gyro"} if is_gyros else set())
-    is_found = any("gyro" in families for families in stated)
-    return is_found >= is_gyros and all(families & true for families in stated)
-
-
-def _find_family(name: str) -> str:
-    """The family of an effect or known parameter; a noise is the gyro's."""
-    return EFFECTS[name].family if name in EFFECTS else "gyro"
+    true = {FAMILIES[name] for name in truth.beyond} | ({"gyro"} if is_gyros else set())
+    is_found = any("gyro" in own for own in stated)
+    return is_found >= is_gyros and all(own & true for own in stated)
 
 
 def score_names(cases: Sequence[AnyCase], seed: int) -> list[Figure]:

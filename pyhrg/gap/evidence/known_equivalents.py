@@ -27,12 +27,15 @@ def find_known_equivalents(
     candidates: Iterable[Effect],
 ) -> tuple[str, ...]:
     """Names of the candidates that explain about as much as the cause in its place, beside the
-    other groups of the most probable set. The cause or the candidate is a known parameter. In the
-    candidate's set no other known parameter is beyond its tolerance than beside the cause."""
+    other groups of the most probable set. The cause or the candidate is a known parameter. The
+    candidate's set explains more than these groups alone do, and in it no other known parameter is
+    beyond its tolerance than beside the cause."""
     others = [group for group in best.groups if group != cause]
     allowed = _find_beyond(known, best) - {cause}
+    alone = _score_set(known, nominal, others, known.effects)
     freed = _score_set(known, nominal, [*others, cause], allowed)
-    threshold = max(known.marginal.log_likelihood + best.log_evidence, freed) - EQUIVALENCE_LOG_ODDS
+    stated = known.marginal.log_likelihood + best.log_evidence
+    threshold = max(alone, freed - EQUIVALENCE_LOG_ODDS, stated - EQUIVALENCE_LOG_ODDS)
     return tuple(
         other.name
         for other in candidates

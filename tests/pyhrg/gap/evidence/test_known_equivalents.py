@@ -20,9 +20,9 @@ SCALES = {ROTATION: 1e7, LATITUDE: 1e4, OFFSET: 5.0}
     ("cause", "other", "size", "tolerance"),
     [
         (ROTATION, LATITUDE, 12.0, 1.0),
-        (ROTATION, LATITUDE, 25.0, 10.0),
+        (ROTATION, LATITUDE, 40.0, 10.0),
         (LATITUDE, ROTATION, 12.0, 1.0),
-        (LATITUDE, ROTATION, 25.0, 10.0),
+        (LATITUDE, ROTATION, 40.0, 10.0),
         (LATITUDE, OFFSET, 12.0, 1.0),
     ],
 )
@@ -36,8 +36,8 @@ def test_each_names_the_other(
     are_equivalent: bool,
 ) -> None:
     """Size and tolerance are in sigma of these rows: a known parameter is beyond its own. With a
-    correlation of 0.9 the other leaves a chi-square of 27. A size of 2.5 tolerances is not
-    improbable, but an effect that leaves it so is none in its place."""
+    correlation of 0.9 the other leaves a chi-square of 27. A size of four tolerances is not
+    very improbable, but an effect that leaves it so is none in its place."""
     draws = np.random.default_rng(1).normal(size=(400, 3))
     unit, across, third = np.linalg.qr(draws)[0].T
     same = correlation * unit + np.sqrt(1 - correlation**2) * across
@@ -49,3 +49,15 @@ def test_each_names_the_other(
     assert best is not None
     found = find_known_equivalents(known, best, Device(), cause, [other, DELAY])
     assert found == ((other.name,) if are_equivalent else ())
+
+
+@pytest.mark.parametrize("size", [13.0, 16.0, 25.0])
+def test_what_explains_nothing_is_no_equivalent(size: float) -> None:
+    """Of a latitude that is hardly beyond its tolerance of 10 sigma."""
+    unit, third = np.linalg.qr(np.random.default_rng(1).normal(size=(400, 2)))[0].T
+    residual = size * unit + 0.5 * third
+    design = design_of({LATITUDE: 1e4 * unit[:, None], DELAY: 1e5 * third[:, None]}, residual)
+    known = KnownParameters(design, {LATITUDE: 1e-3})
+    best = fit(known.marginal, [])
+    assert best is not None
+    assert find_known_equivalents(known, best, Device(), LATITUDE, [DELAY]) == ()

@@ -9,7 +9,13 @@ from numpy.typing import NDArray
 from pyhrg.challenge.campaigns.course import make_course
 from pyhrg.challenge.campaigns.gyro import TrueGyro
 from pyhrg.challenge.campaigns.instruments import Instruments
-from pyhrg.challenge.campaigns.laboratory import LEVELS, Laboratory, draw_laboratory, vary_each
+from pyhrg.challenge.campaigns.laboratory import (
+    ENCODER_NOISE,
+    LEVELS,
+    Laboratory,
+    draw_laboratory,
+    vary_each,
+)
 from pyhrg.challenge.campaigns.nominal import draw_nominal, draw_site
 from pyhrg.challenge.campaigns.plans import Plan, plan_further_tests, plan_tests
 from pyhrg.challenge.truths.meter import Meter, make_measured_course
@@ -128,7 +134,8 @@ def generate_case(case: Case, fmus: Fmus) -> tuple[Campaign, Truth]:
     drawn = prepare_case(case, fmus.simulation)
     made = drawn.record_tests([(plan, fmus.of(plan)) for plan in drawn.plans], NOISE)
     noise = np.concatenate([noise for test, noise in made if test.is_holdout])
-    rms = float(np.sqrt(np.mean(noise**2))) / ARCSEC
+    encoder = drawn.laboratory.level * ENCODER_NOISE
+    rms = float(np.sqrt(np.mean(noise**2) + encoder**2)) / ARCSEC
     campaign = drawn.campaign([test for test, _ in made])
     beyond = drawn.laboratory.list_beyond(drawn.device)
     return campaign, replace(drawn.state.truth, holdout_noise_arcsec=rms, beyond=beyond)

@@ -107,18 +107,26 @@ def is_right(case: ScoredCase) -> bool:
     return has_all_named(case) and has_none_invented(case)
 
 
+def is_unexplained(case: ScoredCase) -> bool:
+    """The diagnosis states a cause outside the catalogue, whether it is material or not."""
+    return case.diagnosis.unknown_probability >= NAMED_PROBABILITY
+
+
 def is_family_right(case: ScoredCase) -> bool:
-    """The families of the named classes are those of what is wrong, each class by one of its
-    members; a cause without a name counts as the gyro's. A known parameter that is off by more than
-    its tolerance need not be named."""
+    """What is wrong is stated, and each named class has a member of a family that is wrong. A cause
+    without a name is of the bench where its terms, or its true coordinate, are, else of the gyro. A
+    known parameter that is off by more than its tolerance need not be named."""
     truth, diagnosis = case.truth, case.diagnosis
     families = FAMILIES | {cause.effect: cause.family for cause in diagnosis.causes}
     stated = [{families.get(name, "gyro") for name in own} for own in list_named(diagnosis)]
-    stated += [{"gyro"}] if diagnosis.verdict == "unexplained" else []
-    is_gyros = truth.kind != "none"
-    true = {FAMILIES[name] for name in truth.beyond} | ({"gyro"} if is_gyros else set())
-    is_found = any("gyro" in own for own in stated)
-    return is_found >= is_gyros and all(own & true for own in stated)
+    if is_unexplained(case):
+        places = {term.place for term in diagnosis.terms}
+        stated.append({"bench"} if places == {"bench"} else {"gyro"})
+    faulty = "bench" if truth.coordinate == "table_angle" else "gyro"
+    true = {faulty} if truth.kind != "none" else set()
+    is_found = all(any(family in own for own in stated) for family in true)
+    true |= {FAMILIES[name] for name in truth.beyond}
+    return is_found and all(own & true for own in stated)
 
 
 def score_names(cases: Sequence[AnyCase], seed: int) -> list[Figure]:

@@ -8,7 +8,6 @@ from itertools import pairwise
 from pyhrg.challenge.scoring.calibration import score_calibration
 from pyhrg.challenge.scoring.figure import Figure, Sense, proportion, quantile
 from pyhrg.challenge.scoring.named import (
-    NAMED_PROBABILITY,
     AnyCase,
     ScoredCase,
     has_all_named,
@@ -16,6 +15,7 @@ from pyhrg.challenge.scoring.named import (
     is_family_right,
     is_refused,
     is_right,
+    is_unexplained,
     is_wrong,
     list_answered,
     list_named,
@@ -58,7 +58,7 @@ def score_figures(cases: Sequence[AnyCase], seed: int) -> list[Figure]:
     none, outside, left_out = (by_kind.get(kind, []) for kind in ("none", "outside", "left_out"))
     single, pair, several = (by_kind.get(kind, []) for kind in ("single", "pair", "several"))
     known = single + pair
-    answered = list_answered(known)
+    answered = list_answered(known + several)
     claims = [list_claims(case) for case in list_answered(none + known + several + outside)]
     ratios = [ratio for ratio in map(find_residual_over_noise, answered) if ratio is not None]
     covered = [covered for case in answered for covered in list_coverage(case)]
@@ -116,11 +116,6 @@ def _share(
 def is_alarm(case: ScoredCase) -> bool:
     """The diagnosis states a gap that is not there."""
     return is_wrong(case) or case.diagnosis.verdict == "unexplained"
-
-
-def is_unexplained(case: ScoredCase) -> bool:
-    """The diagnosis states a cause outside the catalogue, whether it is material or not."""
-    return case.diagnosis.unknown_probability >= NAMED_PROBABILITY
 
 
 def is_blamed(case: ScoredCase) -> bool:

@@ -180,8 +180,7 @@ def list_read_out_fields(log: Log) -> tuple[str, ...]:
 
 def read_change(rows: Mapping[str, Array], old: Device, new: Device, log: Log) -> dict[str, Array]:
     """(n,) by field of a log: what another recorder makes of the same outputs. It reads angles
-    later, and counts the frequency of a resonator that is detuned in proportion to its frequency from
-    another one (docs/methods/replay.md, "Frequency")."""
+    later, and counts the frequency from another one (docs/methods/replay.md, "Frequency")."""
     late = new.clock_latency - old.clock_latency + (new.clock_rate - old.clock_rate) * log.time
     change = {name: np.zeros(len(log.time)) for name in rows}
     for name in ANGLES if late.any() else ():

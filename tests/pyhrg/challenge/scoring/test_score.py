@@ -228,8 +228,9 @@ def test_a_known_parameter_in_a_class_holds_the_effect() -> None:
         (Truth("none"), said(Cause(DAMPING, 0.9)), False),
         (Truth("none", beyond=(LATITUDE,)), said(Cause(LATITUDE, 0.9, family="bench")), True),
         (Truth("none", beyond=(LATITUDE,)), said(verdict="no_gap"), True),
-        (Truth("outside", form="jump"), said(verdict="unexplained"), True),
-        (Truth("none"), said(verdict="unexplained"), False),
+        (Truth("outside", form="jump"), said(verdict="no_gap", unknown=0.9), True),
+        (Truth("outside", coordinate="table_angle"), said(verdict="no_gap", unknown=0.9), False),
+        (Truth("none"), said(verdict="unexplained", unknown=0.9), False),
     ],
 )
 def test_where_it_is_wrong(truth: Truth, diagnosis: Diagnosis, right: bool) -> None:

@@ -111,7 +111,7 @@ class Drawing:
     def _draw_effects(self, kind: str) -> TrueState | None:
         """A truth of effects of the catalogue; None where the tests can't show them at the drawn
         strengths."""
-        least, most = COUNTS[kind]
+        least, most = COUNTS[kind][0], min(COUNTS[kind][1], len(self.effects))
         count = least if least == most else int(self.generator.integers(least, most + 1))
         names = self.generator.choice(self.effects, size=count, replace=False).tolist()
         device = self.meter.believed

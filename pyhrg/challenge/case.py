@@ -9,7 +9,13 @@ from numpy.typing import NDArray
 from pyhrg.challenge.campaigns.course import make_course
 from pyhrg.challenge.campaigns.gyro import TrueGyro
 from pyhrg.challenge.campaigns.instruments import Instruments
-from pyhrg.challenge.campaigns.laboratory import LEVELS, Laboratory, draw_laboratory
+from pyhrg.challenge.campaigns.laboratory import (
+    ENCODER_NOISE,
+    LEVELS,
+    Laboratory,
+    draw_laboratory,
+    vary_each,
+)
 from pyhrg.challenge.campaigns.nominal import draw_nominal, draw_site
 from pyhrg.challenge.campaigns.plans import Plan, plan_further_tests, plan_tests
 from pyhrg.challenge.truths.meter import Meter, make_measured_course
@@ -35,6 +41,7 @@ class Case:
     strengths: range that strengths of effects are drawn from, sigmas.
     without: effects that are removed from the diagnosis' catalogue; the true effect is one of them.
     level: of `LEVELS`: how far nominal values and bench are off.
+    data: of `AMOUNTS`: how many tests there are, how long, and in which rows.
     """
 
     name: str
@@ -43,6 +50,7 @@ class Case:
     strengths: tuple[float, float]
     without: tuple[str, ...] = ()
     level: str = "ideal"
+    data: str = "full"
 
 
 @dataclass(frozen=True)
@@ -110,12 +118,13 @@ def prepare_case(case: Case, simulation: Simulation) -> PreparedCase:
     nominal, site = draw_nominal(gyro), draw_site(gyro)
     device = replace(device_file.from_table(nominal, "nominal"), site=site)
     own = Instruments().draw_another(gyro)
-    made = plan_tests(device, _generator(case, BENCH), complete=bool(case.without))
+    made = plan_tests(device, _generator(case, BENCH), bool(case.without), case.data)
     fitted = [(make_measured_course(p.programme), p.start_angle) for p in made if p.role == "fit"]
-    meter = Meter(simulation, device, fitted, own)
+    level = LEVELS[case.level]
+    meter = Meter(simulation, device, fitted, own, vary_each(device, level))
     effects = case.without or EFFECT_NAMES
     drawing = Drawing(meter, _generator(case, EFFECT), case.strengths, effects)
-    laboratory = draw_laboratory(device, LEVELS[case.level], _generator(case, LABORATORY))
+    laboratory = draw_laboratory(device, level, _generator(case, LABORATORY))
     state = drawing.state(case.kind)
     return PreparedCase(case, nominal, site, device, own, made, state, laboratory)
 
@@ -125,9 +134,11 @@ def generate_case(case: Case, fmus: Fmus) -> tuple[Campaign, Truth]:
     drawn = prepare_case(case, fmus.simulation)
     made = drawn.record_tests([(plan, fmus.of(plan)) for plan in drawn.plans], NOISE)
     noise = np.concatenate([noise for test, noise in made if test.is_holdout])
-    rms = float(np.sqrt(np.mean(noise**2))) / ARCSEC
+    encoder = drawn.laboratory.level * ENCODER_NOISE
+    rms = float(np.sqrt(np.mean(noise**2) + encoder**2)) / ARCSEC
     campaign = drawn.campaign([test for test, _ in made])
-    return campaign, replace(drawn.state.truth, holdout_noise_arcsec=rms)
+    beyond = drawn.laboratory.list_beyond(drawn.device)
+    return campaign, replace(drawn.state.truth, holdout_noise_arcsec=rms, beyond=beyond)
 
 
 def add_next_test(case: Case, campaign: Campaign, kind: str, hours: float, fmus: Fmus) -> Campaign:

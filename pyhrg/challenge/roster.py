@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from pyhrg.challenge.campaigns.laboratory import LEVELS
+from pyhrg.challenge.campaigns.plans import AMOUNTS
 from pyhrg.challenge.case import Case
 from pyhrg.challenge.truths.seal import ChallengeError, encode_json
 from pyhrg.challenge.truths.truth import DETECTION_SIGMAS, KINDS
@@ -36,12 +37,14 @@ errors at once."""
 @dataclass(frozen=True)
 class Settings:
     """The settings that determine a challenge: number of cases by kind, seed of everything, and
-    strength that effects are drawn up to, sigmas; level of realism, of `LEVELS`."""
+    strength that effects are drawn up to, sigmas; level of realism, of `LEVELS`; amount of data, of
+    `AMOUNTS`."""
 
     counts: Mapping[str, int]
     seed: int
     strongest: float = STRONGEST_SIGMAS
     level: str = "ideal"
+    data: str = "full"
 
     def cases(self) -> list[Case]:
         """All cases. Neither name nor order reveals a case's kind."""
@@ -58,6 +61,7 @@ class Settings:
                 strengths=self._get_strengths(kinds[i]),
                 without=(effects[i],) if i in effects else (),
                 level=self.level,
+                data=self.data,
             )
             for place, (i, seed) in enumerate(zip(order, seeds.tolist(), strict=True), 1)
         ]
@@ -112,7 +116,7 @@ class Folder:
         for folder in (self.root / "campaigns", self.root / "truths", self.root / "diagnoses"):
             folder.mkdir(parents=True, exist_ok=True)
         asked = {"seed": settings.seed, "counts": dict(settings.counts), "to": settings.strongest}
-        asked["level"] = settings.level
+        asked |= {"level": settings.level, "data": settings.data}
         text = encode_json({**asked, MADE_BY: list_versions()})
         if self.settings.exists() and read_bytes(self.settings, DOCUMENT_BYTES) != text:
             found = read_json(self.settings, ChallengeError)
@@ -137,6 +141,7 @@ class Folder:
             table.whole_number("seed", None, 0, 2**63 - 1),
             table.number("to", None, DETECTION_SIGMAS, math.inf),
             table.text("level", None, tuple(LEVELS)),
+            table.text("data", None, AMOUNTS),
         )
 
     def read_hashes(self) -> dict[str, str]:

@@ -7,16 +7,24 @@ from functools import cache, partial
 from pathlib import Path
 
 from pyhrg.challenge.campaigns.laboratory import LEVELS
+from pyhrg.challenge.campaigns.plans import AMOUNTS
 from pyhrg.challenge.case import Case, Fmus, add_next_test, generate_case
 from pyhrg.challenge.roster import MAX_CASES, STRONGEST_SIGMAS, Folder, Settings
+from pyhrg.challenge.scoring.named import AnyCase, RefusedCase, ScoredCase
 from pyhrg.challenge.scoring.report import Finished, Score, write
-from pyhrg.challenge.scoring.score import ScoredCase
-from pyhrg.challenge.truths.seal import ChallengeError, hash_truth, open_truth, seal_truth
+from pyhrg.challenge.truths.seal import (
+    ChallengeError,
+    encode_json,
+    hash_truth,
+    open_truth,
+    seal_truth,
+)
 from pyhrg.challenge.truths.truth import DETECTION_SIGMAS
 from pyhrg.challenge.work import share_work
 from pyhrg.common.arguments import check_seed, check_whole_number, choose_workers
 from pyhrg.common.errors import HrgError
-from pyhrg.common.files import replace_folder
+from pyhrg.common.files import replace_folder, write_whole
+from pyhrg.common.toml_table import read_json_table
 from pyhrg.fmu import GyroError
 from pyhrg.gap.diagnose import diagnose as diagnose_campaign
 from pyhrg.gap.effects.catalogue import FULL_CATALOGUE
@@ -25,6 +33,8 @@ from pyhrg.gap.findings.diagnosis_reader import read_diagnosis
 from pyhrg.gap.replay.simulation import Simulation, load_model, load_simulation
 from pyhrg.records import campaign as campaigns
 
+REFUSAL = "refusal.json"
+"""In the place of a diagnosis: the sentence with which the campaign was refused."""
 Diagnose = Callable[[Path, Path, Sequence[str]], None]
 """Diagnoses the campaign of a folder into `diagnosis.json` of another, its catalogue without the
 effects of these names; importable by name, for other processes."""
@@ -67,8 +77,10 @@ class Challenge:
 
     def _is_to_be_settled(self, case: Case) -> bool:
         """Whether a next test is proposed for one or two effects of the catalogue."""
-        diagnosis = read_diagnosis(self.folder.diagnosis(case.name))
-        return case.kind in ("single", "pair") and diagnosis.next_test is not None
+        out = self.folder.diagnosis(case.name)
+        if case.kind not in ("single", "pair") or not (out / FILE).exists():
+            return False
+        return read_diagnosis(out).next_test is not None
 
 
 def run_challenge(
@@ -83,6 +95,7 @@ def run_challenge(
     left_out: int = 0,
     strongest: float = STRONGEST_SIGMAS,
     level: str = "ideal",
+    data: str = "full",
     seed: int = 1,
     others: Sequence[Path | str] = (),
     workers: int | None = None,
@@ -98,11 +111,12 @@ def run_challenge(
         pairs: number with two effects.
         outside: number with an effect that the catalogue lacks.
         weak: number with one effect of 1 to 6 sigma.
-        several: number with three to seven effects, up to ten times as strong.
+        several: number with three to eight effects, up to ten times as strong.
         left_out: number with an effect that is removed from the catalogue, each in turn.
         strongest: strengths are drawn from 6 sigma up to this.
-        level: "ideal", "good-lab" (each nominal value and each property of the bench is off within
-            its tolerance) or "rough-lab" (within three times that).
+        level: "ideal", "good-lab" (nominal values and bench are off within their tolerances) or
+            "rough-lab" (within three times that).
+        data: "full", "few" (one or two kinds of tests), "short" (a tenth as long) or "coarse".
         seed: of everything random; the same seed gives the same bytes on any number of workers.
         others: folders of finished challenges of other seeds, scored together with this one.
         workers: campaigns at a time; all cores if None.
@@ -119,12 +133,11 @@ def run_challenge(
     for name, count in counts.items():
         check_whole_number("pairs" if name == "pair" else name, count, 0, MAX_CASES)
     if not DETECTION_SIGMAS < strongest < math.inf:
-        raise HrgError(
-            f"strongest: found {strongest:g}, expected a number above {DETECTION_SIGMAS:g}"
-        )
-    if level not in LEVELS:
-        raise HrgError(f"level: found {level!r}, expected {', '.join(LEVELS)}")
-    settings = Settings(counts, check_seed(seed), strongest, level)
+        raise HrgError(f"strongest: found {strongest:g}, expected above {DETECTION_SIGMAS:g}")
+    for name, choice, choices in (("level", level, LEVELS), ("data", data, AMOUNTS)):
+        if choice not in choices:
+            raise HrgError(f"{name}: found {choice!r}, expected {', '.join(choices)}")
+    settings = Settings(counts, check_seed(seed), strongest, level, data)
     challenge = Challenge(Folder(Path(out)), settings, diagnose or diagnose_folder, progress)
     try:
         return challenge.run(choose_workers(workers), [Folder(Path(other)) for other in others])
@@ -147,14 +160,22 @@ def _load_simulation_once() -> Simulation:
 def read_finished(folder: Folder) -> Finished:
     """A finished challenge, read from its folder; its truths are checked by their hashes."""
     settings, published = folder.begun(), folder.read_hashes()
-    names = [case.name for case in settings.cases()]
-    cases = []
-    for name in names:
-        truth = open_truth(folder.truth(name), published.get(name, "nothing"))
-        diagnosis, again = read_diagnosis(folder.diagnosis(name)), folder.next.diagnosis(name)
-        then = read_diagnosis(again) if (again / FILE).exists() else None
-        cases.append(ScoredCase(name, truth, diagnosis, then))
+    cases = [
+        _read_case(folder, case.name, published.get(case.name, "nothing"))
+        for case in settings.cases()
+    ]
     return Finished(settings, cases)
+
+
+def _read_case(folder: Folder, name: str, published: str) -> AnyCase:
+    """A case's truth, checked by its published hash, with its diagnosis or the refusal."""
+    truth, out = open_truth(folder.truth(name), published), folder.diagnosis(name)
+    if (out / REFUSAL).exists():
+        refusal = read_json_table(out / REFUSAL, ChallengeError).text("refused", None)
+        return RefusedCase(name, truth, refusal)
+    again = folder.next.diagnosis(name)
+    then = read_diagnosis(again) if (again / FILE).exists() else None
+    return ScoredCase(name, truth, read_diagnosis(out), then)
 
 
 def _generate(challenge: Challenge, case: Case) -> str:
@@ -194,13 +215,17 @@ def _diagnose_next(challenge: Challenge, case: Case) -> None:
 
 
 def _diagnose_once(challenge: Challenge, case: Case, campaign: Path, out: Path) -> None:
-    """Diagnose a campaign unless its diagnosis exists."""
-    if (out / FILE).exists():
+    """Diagnose a campaign unless its diagnosis, or the sentence that refused it, exists."""
+    if (out / FILE).exists() or (out / REFUSAL).exists():
         return
     with replace_folder(out) as aside:
-        challenge.diagnose(campaign, aside, case.without)
-        if not (aside / FILE).exists():
-            raise ChallengeError(f"{campaign}: the diagnosis has written no {FILE}")
+        try:
+            challenge.diagnose(campaign, aside, case.without)
+        except HrgError as error:
+            write_whole(aside / REFUSAL, encode_json({"refused": str(error)}))
+        else:
+            if not (aside / FILE).exists():
+                raise ChallengeError(f"{campaign}: the diagnosis has written no {FILE}")
 
 
 @cache

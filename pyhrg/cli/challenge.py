@@ -13,11 +13,18 @@ COUNTS = {
     "pairs": "with two effects (default 150)",
     "outside": "with an effect that the catalogue lacks (default 150)",
     "weak": "with one effect of 1 to 6 sigma, for the curve of recognition against strength",
-    "several": "with three to seven effects, up to ten times as strong",
+    "several": "with three to eight effects, up to ten times as strong",
     "left-out": "with an effect that is removed from the catalogue, each in turn",
 }
 """What the campaigns of each kind have; their counts are options."""
-ARGUMENTS = (*(name.replace("-", "_") for name in COUNTS), "strongest", "level", "seed", "workers")
+ARGUMENTS = (
+    *(name.replace("-", "_") for name in COUNTS),
+    "strongest",
+    "level",
+    "data",
+    "seed",
+    "workers",
+)
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -38,6 +45,12 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="LEVEL",
         help="ideal (default); good-lab: nominal values and bench are off within their "
         "tolerances; rough-lab: within three times that",
+    )
+    parser.add_argument(
+        "--data",
+        metavar="AMOUNT",
+        help="full (default); few: one or two kinds of tests beside the held-out one; short: tests "
+        "a tenth as long; coarse: rows of at least 1 s",
     )
     parser.add_argument("--seed", type=int, metavar="N", help="of everything random (default 1)")
     parser.add_argument(

@@ -54,6 +54,12 @@ class Laboratory:
         site = replace(told.site, latitude=latitude)
         return replace(told, frequency=frequency, site=site, **own)
 
+    def list_beyond(self, told: Device) -> tuple[str, ...]:
+        """Names of the known parameters that are off by more than their tolerance."""
+        return tuple(
+            k.name for k in KNOWN if abs(self.errors.get(k.fields[0], 0.0)) > k.tolerance_of(told)
+        )
+
     def read(self, log: Log, reference_temperature: float) -> Log:
         """A true log as the instruments of this laboratory read it, without noise."""
         if not self.level:
@@ -110,6 +116,17 @@ def draw_laboratory(told: Device, level: float, generator: np.random.Generator) 
         if known.periods:
             errors[known.fields[1]] = float(generator.uniform(0, 2 * np.pi))
     return Laboratory(level, errors)
+
+
+def vary_each(told: Device, level: float) -> list[Laboratory]:
+    """Laboratories of a level in each of which one component of one known parameter is off, by its
+    tolerance times the level; none where the level is 0."""
+    none = dict.fromkeys((field for known in KNOWN for field in known.fields), 0.0)
+    return [
+        Laboratory(level, {**none, known.fields[0]: level * known.tolerance_of(told), **angle})
+        for known in KNOWN * bool(level)
+        for angle in ([{known.fields[1]: a} for a in (0.0, np.pi / 2)] if known.periods else [{}])
+    ]
 
 
 def _follow(series: Array, interval: float, lag: float) -> Array:

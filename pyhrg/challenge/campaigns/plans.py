@@ -16,6 +16,11 @@ STILL_ROWS = 10.0
 """Length of a row of a further test at rest, s (chosen)."""
 SPIN_UP = 19
 """Number of rows in which the table accelerates to its rate."""
+AMOUNTS = ("full", "few", "short", "coarse")
+"""Amounts of data: all tests; one or two kinds; tests a tenth as long; rows of at least 1 s. The
+held-out test is always there."""
+SHORTENING, COARSE_ROW = 10.0, 1.0
+"""How much shorter short tests are; length of a coarse row, s."""
 TURNS = (45, 90, 180, 360)
 """Angles that a vehicle's heading turns by, deg."""
 
@@ -33,13 +38,15 @@ class Plan:
 
 @dataclass(frozen=True)
 class Variation:
-    """Begins programmes for a device, and draws their numbers."""
+    """Begins programmes for a device, and draws their numbers; data: of `AMOUNTS`."""
 
     device: Device
     generator: np.random.Generator
+    data: str = "full"
 
     def programme(self, interval: float) -> Programme:
-        """An empty programme in rows of `interval` seconds."""
+        """An empty programme in rows of `interval` seconds, or of a coarse row if longer."""
+        interval = max(interval, COARSE_ROW) if self.data == "coarse" else interval
         return Programme(interval, self.device.site.gravity, self.device.reference_temperature)
 
     def about(self, value: float, unit: float = 0.01, spread: float = 0.1) -> float:
@@ -47,6 +54,16 @@ class Variation:
         multiple of the unit."""
         varied = value * (1 + spread * self.generator.uniform(-1, 1))
         return round(round(varied / unit) * unit, 9)
+
+    def duration(self, value: float, unit: float = 1.0, spread: float = 0.1) -> float:
+        """A duration drawn about a value, s; a tenth of it if tests are short, at least a unit."""
+        if self.data == "short":
+            value = value / SHORTENING
+        return max(self.about(value, unit, spread), unit)
+
+    def shorten(self, duration: float) -> float:
+        """A duration that is not drawn, s; a tenth of it if tests are short, at least 1 s."""
+        return max(round(duration / SHORTENING), 1.0) if self.data == "short" else duration
 
     def sign(self) -> int:
         """Plus or minus one."""
@@ -58,11 +75,16 @@ Profiled = tuple[str, str, str, Callable[[Variation], Programme]]
 
 
 def plan_tests(
-    device: Device, generator: np.random.Generator, complete: bool = False
+    device: Device, generator: np.random.Generator, complete: bool = False, data: str = "full"
 ) -> list[Plan]:
     """Plans of one campaign's tests, in the order of `TESTS`. If it need not be complete, one or
-    two kinds of tests may be missing, but neither the held-out test nor the test at rest."""
-    made = _draw_plans(TESTS, device, generator)
+    two kinds of tests may be missing, but neither the held-out test nor the test at rest. Of few
+    data, there are one or two kinds of tests beside the held-out one."""
+    made = _draw_plans(TESTS, device, generator, data)
+    if data == "few":
+        kinds = sorted({plan.kind for plan in made if plan.role == "fit"})
+        kept = {"manoeuvre", *generator.choice(kinds, generator.integers(1, 3), replace=False)}
+        return [plan for plan in made if plan.kind in kept]
     spare = sorted({plan.kind for plan in made} - {"static", "manoeuvre"})
     missing = generator.choice((0, 1, 2), p=(0.7, 0.2, 0.1))
     without = set(generator.choice(spare, size=missing, replace=False))
@@ -95,9 +117,9 @@ def plan_further_tests(
 
 
 def _draw_plans(
-    tests: Sequence[Profiled], device: Device, generator: np.random.Generator
+    tests: Sequence[Profiled], device: Device, generator: np.random.Generator, data: str = "full"
 ) -> list[Plan]:
-    vary = Variation(device, generator)
+    vary = Variation(device, generator, data)
     return [
         Plan(name, kind, role, profile(vary), generator.uniform(0, math.pi / 2))
         for name, kind, role, profile in tests
@@ -106,14 +128,14 @@ def _draw_plans(
 
 def static(vary: Variation) -> Programme:
     """At rest."""
-    return vary.programme(1.0).rest(vary.about(3600, 60))
+    return vary.programme(1.0).rest(vary.duration(3600, 60))
 
 
 def positions(vary: Variation) -> Programme:
     """Rests at eight pattern angles, 22.5 deg apart; the table turns between them."""
     course = vary.programme(1.0)
     step = 22.5 * DEG / vary.device.bryan_factor
-    dwell = vary.about(579, 1, 0.05)
+    dwell = vary.duration(579, 1, 0.05)
     rate = vary.about(4.06137, 1e-3) * DEG
     course.rest(dwell + 20)
     for _ in range(7):
@@ -132,7 +154,7 @@ def rates(rate_deg_per_s: float, duration: float) -> Callable[[Variation], Progr
     """A test at a constant rate of the table."""
 
     def profile(vary: Variation) -> Programme:
-        rate, length = vary.about(rate_deg_per_s) * DEG, vary.about(duration, 1)
+        rate, length = vary.about(rate_deg_per_s) * DEG, vary.duration(duration)
         return spin_up(vary.programme(0.1), rate, length)
 
     return profile
@@ -140,17 +162,17 @@ def rates(rate_deg_per_s: float, duration: float) -> Callable[[Variation], Progr
 
 def ring_down(vary: Variation) -> Programme:
     """A rest, then a ring-down with the drive off."""
-    course = vary.programme(1.0).rest(vary.about(19, 1))
-    return course.command(drive_on=0.0).rest(vary.about(381, 1))
+    course = vary.programme(1.0).rest(vary.duration(19))
+    return course.command(drive_on=0.0).rest(vary.duration(381))
 
 
 def virtual_rotation(rate_deg_per_s: float) -> Callable[[Variation], Programme]:
     """A rest, then a commanded rotation of the pattern."""
 
     def profile(vary: Variation) -> Programme:
-        course = vary.programme(1.0).rest(9)
+        course = vary.programme(1.0).rest(vary.shorten(9))
         course.command(virtual_rotation=vary.about(rate_deg_per_s, 1e-3) * DEG)
-        return course.rest(vary.about(491, 1))
+        return course.rest(vary.duration(491))
 
     return profile
 
@@ -160,23 +182,23 @@ def thermal(vary: Variation) -> Programme:
     reference = vary.device.reference_temperature
     hot, cold = reference + vary.about(35, 1), reference - vary.about(35, 1)
     first, last = (hot, cold) if vary.sign() > 0 else (cold, hot)
-    course = vary.programme(10.0).rest(vary.about(1800, 10))
-    course.heat(first, vary.about(2400, 10)).rest(vary.about(2400, 10))
-    return course.heat(last, vary.about(5800, 10)).rest(vary.about(2000, 10))
+    course = vary.programme(10.0).rest(vary.duration(1800, 10))
+    course.heat(first, vary.duration(2400, 10)).rest(vary.duration(2400, 10))
+    return course.heat(last, vary.duration(5800, 10)).rest(vary.duration(2000, 10))
 
 
 def amplitude(vary: Variation) -> Programme:
     """Three amplitude set points one after the other, while the table turns."""
     low, high = vary.about(0.8, 0.01, 0.05), vary.about(1.2, 0.01, 0.05)
-    rate = vary.sign() * vary.about(5) * DEG
-    course = spin_up(vary.programme(0.1).command(amplitude_setpoint=low), rate, 80.0)
-    course.command(amplitude_setpoint=1.0).spin(rate, 80.0)
-    return course.command(amplitude_setpoint=high).spin(rate, 80.0)
+    rate, held = vary.sign() * vary.about(5) * DEG, vary.shorten(80.0)
+    course = spin_up(vary.programme(0.1).command(amplitude_setpoint=low), rate, held)
+    course.command(amplitude_setpoint=1.0).spin(rate, held)
+    return course.command(amplitude_setpoint=high).spin(rate, held)
 
 
 def phase_step(vary: Variation) -> Programme:
     """Phase offset of 0, then positive, then negative, then 0."""
-    step, dwell = vary.about(2e-3, 1e-4, 0.25), vary.about(400, 10)
+    step, dwell = vary.about(2e-3, 1e-4, 0.25), vary.duration(400, 10)
     course = vary.programme(1.0)
     for offset in (0.0, step, -step, 0.0):
         course.command(phase_offset=offset).rest(dwell)
@@ -186,7 +208,7 @@ def phase_step(vary: Variation) -> Programme:
 def tumble(vary: Variation) -> Programme:
     """Six attitudes: input axis up, down, and level with x up, down, y up, down."""
     course = vary.programme(1.0)
-    dwell = vary.about(400, 10)
+    dwell = vary.duration(400, 10)
     attitudes = [(1.0, 0.0), (-1.0, 0.0)] + [(0.0, across * math.pi / 2) for across in (0, 2, 1, 3)]
     for axis_up, across in attitudes:
         course.attitude(axis_up, across).rest(dwell)

@@ -6,13 +6,11 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pyhrg.challenge.scoring.figure import CONFIDENCE, Figure, Sense
+from pyhrg.challenge.scoring.figure import CONFIDENCE, RESAMPLES, Figure, Sense
 
 Array = NDArray[np.float64]
 BINS = 10
 """Number of bins of claims by their probability, with equal counts."""
-RESAMPLES = 400
-"""Number of bootstrap resamples for the interval."""
 Claims = Sequence[tuple[float, bool]]
 """Stated probability of each claim, and whether the claim is true."""
 

@@ -2,13 +2,15 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 from scipy.stats import beta, binom
 
 CONFIDENCE = 0.95
+RESAMPLES = 400
+"""Number of bootstrap resamples for an interval."""
 Sense = Literal["at most", "at least", "about"]
 
 
@@ -38,8 +40,9 @@ class Figure:
         return meets_low if self.sense == "at least" else meets_high and meets_low
 
 
-def proportion(name: str, outcomes: Sequence[bool], sense: Sense, target: float) -> Figure:
-    """A share of cases, with the exact interval of C. Clopper and E. Pearson (1934)."""
+def proportion(name: str, outcomes: Sequence[float], sense: Sense, target: float) -> Figure:
+    """A share of cases, with the exact interval of C. Clopper and E. Pearson (1934); or a mean of
+    numbers from 0 to 1, with the interval of a share of the same size, whose variance is larger."""
     n, hits = len(outcomes), sum(outcomes)
     if not n:
         return Figure(name, 0, math.nan, 0.0, 1.0, sense, target)
@@ -47,6 +50,24 @@ def proportion(name: str, outcomes: Sequence[bool], sense: Sense, target: float)
     low = float(beta.ppf(tail, hits, n - hits + 1)) if hits else 0.0
     high = float(beta.isf(tail, hits + 1, n - hits)) if hits < n else 1.0
     return Figure(name, n, hits / n, low, high, sense, target)
+
+
+def f1(name: str, right: int, wrong: int, target: float) -> Figure:
+    """The F1 score, 2 r / (2 r + w), of r right names and w wrong or missing ones. The exact
+    interval of the share r / (r + w) gives its own."""
+    share = proportion(name, [True] * right + [False] * wrong, "at least", target)
+    value, low, high = (2 * s / (1 + s) for s in (share.value, share.low, share.high))
+    return replace(share, value=value, low=low, high=high)
+
+
+def mean(name: str, values: Sequence[float], seed: int, sense: Sense, target: float) -> Figure:
+    """A mean over campaigns, with its interval by resampling them (percentiles)."""
+    if not values:
+        return Figure(name, 0, math.nan, -math.inf, math.inf, sense, target)
+    drawn = np.random.default_rng(seed).choice(values, (RESAMPLES, len(values))).mean(axis=1)
+    tail = (1 - CONFIDENCE) / 2
+    low, high = np.quantile(drawn, (tail, 1 - tail)).tolist()
+    return Figure(name, len(values), float(np.mean(values)), low, high, sense, target)
 
 
 def quantile(

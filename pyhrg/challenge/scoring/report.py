@@ -10,12 +10,13 @@ from typing import Any
 from pyhrg.challenge.roster import Settings
 from pyhrg.challenge.scoring import score
 from pyhrg.challenge.scoring.figure import Figure
-from pyhrg.challenge.scoring.score import CurvePoint, ScoredCase
+from pyhrg.challenge.scoring.named import AnyCase, RefusedCase, is_right, list_named
+from pyhrg.challenge.scoring.score import CurvePoint
 from pyhrg.challenge.truths.seal import encode_json
 from pyhrg.challenge.truths.truth import DETECTION_SIGMAS
 from pyhrg.common.files import write_whole
 
-SCHEMA = "hrg-challenge-score/2"
+SCHEMA = "hrg-challenge-score/3"
 SIGNS = {"at most": "<=", "at least": ">=", "about": "="}
 
 
@@ -24,7 +25,7 @@ class Finished:
     """One challenge's cases with their answers."""
 
     settings: Settings
-    cases: Sequence[ScoredCase]
+    cases: Sequence[AnyCase]
 
 
 @dataclass(frozen=True)
@@ -34,7 +35,7 @@ class Score:
     challenges: Sequence[Finished]
 
     @property
-    def cases(self) -> list[ScoredCase]:
+    def cases(self) -> list[AnyCase]:
         """Cases of all challenges."""
         return [case for challenge in self.challenges for case in challenge.cases]
 
@@ -84,6 +85,8 @@ def write(result: Score, path: Path) -> None:
             {
                 "seed": challenge.settings.seed,
                 "counts": dict(challenge.settings.counts),
+                "level": challenge.settings.level,
+                "data": challenge.settings.data,
                 "strengths_sigmas": [DETECTION_SIGMAS, challenge.settings.strongest],
                 "cases": [_describe_case(case) for case in challenge.cases],
             }
@@ -104,13 +107,15 @@ def _format_numbers(figure: Figure) -> str:
     return f"{figure.value:8.3f}{ends:>19}{figure.n:6d}"
 
 
-def _describe_case(case: ScoredCase) -> dict[str, Any]:
+def _describe_case(case: AnyCase) -> dict[str, Any]:
+    if isinstance(case, RefusedCase):
+        return {"name": case.name, "truth": asdict(case.truth), "refused": case.refusal}
     return {
         "name": case.name,
         "truth": asdict(case.truth),
         "verdict": case.diagnosis.verdict,
-        "named": sorted(sorted(effects) for effects in score.list_named(case.diagnosis)),
-        "right": score.is_right(case),
+        "named": sorted(sorted(effects) for effects in list_named(case.diagnosis)),
+        "right": is_right(case),
         "terms": [
             {"place": t.place, "coordinates": t.coordinates, "function": t.function}
             for t in case.diagnosis.terms

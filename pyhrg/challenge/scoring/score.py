@@ -3,19 +3,32 @@
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from itertools import pairwise, permutations
+from itertools import pairwise
 
 from pyhrg.challenge.scoring.calibration import score_calibration
 from pyhrg.challenge.scoring.figure import Figure, Sense, proportion, quantile
-from pyhrg.challenge.truths.truth import DETECTION_SIGMAS, Truth
+from pyhrg.challenge.scoring.named import (
+    AnyCase,
+    ScoredCase,
+    has_all_named,
+    has_none_invented,
+    is_family_right,
+    is_refused,
+    is_right,
+    is_unexplained,
+    is_wrong,
+    list_answered,
+    list_named,
+    merge_classes,
+    score_names,
+)
+from pyhrg.challenge.truths.truth import DETECTION_SIGMAS
 from pyhrg.device.declarations import read_declarations
 from pyhrg.device.device import Device
 from pyhrg.device.keys import KEYS
 from pyhrg.gap.effects.catalogue import EFFECTS
 from pyhrg.gap.findings.diagnosis import Diagnosis
 
-NAMED_PROBABILITY = 0.5
-"""Posterior probability from which an equivalence class of effects counts as named (chosen)."""
 COORDINATES = {
     effect.name: frozenset(effect.coordinates)
     for declaration in read_declarations(Device).values()
@@ -24,20 +37,8 @@ COORDINATES = {
 }
 """Coordinates in which the greatest share of an effect's gap may lie, by the effect's name; both
 as the record format calls them. A catalogue may lack the effect."""
-ANSWERS = ("explained", "ambiguous")
-"""Verdicts that exclude a cause outside the catalogue."""
 STRENGTH_EDGES = (1.0, 1.5, 2.0, 3.0, 4.0, DETECTION_SIGMAS, 10.0, 20.0, math.inf)
 """Edges of the strengths that the points of a curve stand for, sigmas."""
-
-
-@dataclass(frozen=True)
-class ScoredCase:
-    """A truth with its diagnosis; `then` is the diagnosis with the next test."""
-
-    name: str
-    truth: Truth
-    diagnosis: Diagnosis
-    then: Diagnosis | None = None
 
 
 @dataclass(frozen=True)
@@ -49,40 +50,47 @@ class CurvePoint:
     right: Figure
 
 
-def score_figures(cases: Sequence[ScoredCase], seed: int) -> list[Figure]:
+def score_figures(cases: Sequence[AnyCase], seed: int) -> list[Figure]:
     """All figures with their targets (docs/methods/challenge.md); seed: of the resampling."""
-    by_kind: dict[str, list[ScoredCase]] = {}
+    by_kind: dict[str, list[AnyCase]] = {}
     for case in cases:
         by_kind.setdefault(case.truth.kind, []).append(case)
     none, outside, left_out = (by_kind.get(kind, []) for kind in ("none", "outside", "left_out"))
     single, pair, several = (by_kind.get(kind, []) for kind in ("single", "pair", "several"))
     known = single + pair
-    claims = [list_claims(case) for case in none + known + outside]
-    ratios = [ratio for ratio in map(find_residual_over_noise, known) if ratio is not None]
-    covered = [covered for case in known for covered in list_coverage(case)]
-    removed = [share for share in map(find_removed_share, outside) if share is not None]
-    settled = [is_settled(case) for case in known if case.then]
+    answered = list_answered(known + several)
+    claims = [list_claims(case) for case in list_answered(none + known + several + outside)]
+    ratios = [ratio for ratio in map(find_residual_over_noise, answered) if ratio is not None]
+    covered = [covered for case in answered for covered in list_coverage(case)]
+    removed = [find_removed_share(case) for case in list_answered(outside)]
+    shares = [share for share in removed if share is not None]
+    settled = [is_settled(case) for case in answered if case.then]
     return [
         _share("false alarm without a gap", none, is_alarm, "at most", 0.02),
         _share("single: right effect or its class", single, is_right, "at least", 0.95),
         _share("pair: right effects or their classes", pair, is_right, "at least", 0.90),
-        _share("several: right effects or their classes", several, is_right, "at least", 0.90),
-        _share("outside: recognised", outside, is_unexplained, "at least", 0.85),
-        _share("outside: blamed on a named effect", outside, is_blamed, "at most", 0.10),
+        _share("several: all named", several, has_all_named, "at least", 0.85),
+        _share("several: none invented", several, has_none_invented, "at least", 0.95),
+        _share("effects: blamed on another", known + several, is_wrong, "at most", 0.03),
+        _share("where: gyro, nominal, bench or record", cases, is_family_right, "at least", 0.98),
+        _share("outside: recognised", outside, is_unexplained, "at least", 0.90),
+        _share("outside: blamed on a named effect", outside, is_blamed, "at most", 0.03),
         _share("outside: a term in the right coordinate", outside, is_placed, "at least", 0.80),
-        quantile("outside: held-out excess removed, median", removed, 0.5, "at least", 0.90),
-        quantile("outside: held-out excess removed, 25 %", removed, 0.25, "at least", 0.70),
+        quantile("outside: held-out excess removed, median", shares, 0.5, "at least", 0.90),
+        quantile("outside: held-out excess removed, 25 %", shares, 0.25, "at least", 0.70),
         _share("a term where there is none", none + known, has_term, "at most", 0.02),
         _share("left out: none of these, or a stand-in", left_out, is_owned, "at least", 0.85),
+        *score_names(cases, seed),
         proportion("95 % intervals that cover", covered, "about", 0.95),
         score_calibration("calibration error", claims, seed, "at most", 0.05),
         quantile("held-out residual over noise, median", ratios, 0.5, "at most", 1.1),
         quantile("held-out residual over noise, 90 %", ratios, 0.9, "at most", 1.3),
         proportion("next test settles the class", settled, "at least", 0.95),
+        proportion("diagnosis refused", list(map(is_refused, cases)), "at most", 0.0),
     ]
 
 
-def score_curve(cases: Sequence[ScoredCase]) -> list[CurvePoint]:
+def score_curve(cases: Sequence[AnyCase]) -> list[CurvePoint]:
     """How often one effect is rightly named, by its strength."""
     single = [case for case in cases if case.truth.kind in ("single", "weak")]
     points = []
@@ -94,44 +102,24 @@ def score_curve(cases: Sequence[ScoredCase]) -> list[CurvePoint]:
 
 def _share(
     name: str,
-    cases: Sequence[ScoredCase],
+    cases: Sequence[AnyCase],
     judge: Callable[[ScoredCase], bool],
     sense: Sense,
     target: float,
 ) -> Figure:
-    return proportion(name, [judge(case) for case in cases], sense, target)
-
-
-def merge_classes(diagnosis: Diagnosis) -> list[tuple[frozenset[str], float]]:
-    """Equivalence classes of the gyro's effects with their probabilities; causes that share an
-    effect are merged."""
-    merged: list[tuple[frozenset[str], float]] = []
-    for cause in (cause for cause in diagnosis.causes if cause.family == "gyro"):
-        effects, probability = cause.equivalence_class, cause.probability
-        for other in [entry for entry in merged if entry[0] & effects]:
-            merged.remove(other)
-            effects, probability = effects | other[0], probability + other[1]
-        merged.append((effects, min(1.0, probability)))
-    return merged
-
-
-def list_named(diagnosis: Diagnosis) -> list[frozenset[str]]:
-    """Equivalence classes with a probability of at least `NAMED_PROBABILITY`."""
-    return [effects for effects, p in merge_classes(diagnosis) if p >= NAMED_PROBABILITY]
+    """A share of campaigns; one that was refused counts against the diagnosis."""
+    refused = sense == "at most"
+    outcomes = [judge(c) if isinstance(c, ScoredCase) else refused for c in cases]
+    return proportion(name, outcomes, sense, target)
 
 
 def is_alarm(case: ScoredCase) -> bool:
-    """The diagnosis states a gap of the gyro."""
-    return bool(list_named(case.diagnosis)) or case.diagnosis.verdict == "unexplained"
-
-
-def is_unexplained(case: ScoredCase) -> bool:
-    """The diagnosis states a cause outside the catalogue, whether it is material or not."""
-    return case.diagnosis.unknown_probability >= NAMED_PROBABILITY
+    """The diagnosis states a gap that is not there."""
+    return is_wrong(case) or case.diagnosis.verdict == "unexplained"
 
 
 def is_blamed(case: ScoredCase) -> bool:
-    """The diagnosis explains the gap by named effects of the gyro alone."""
+    """The diagnosis explains the gap by named causes alone."""
     return not is_unexplained(case) and bool(list_named(case.diagnosis))
 
 
@@ -150,17 +138,6 @@ def find_removed_share(case: ScoredCase) -> float | None:
     no excess."""
     percent = case.diagnosis.gap.shrink_percent
     return None if percent is None else percent / 100
-
-
-def is_right(case: ScoredCase) -> bool:
-    """As many classes were named as there are effects, each with one of them in it."""
-    named = list_named(case.diagnosis)
-    if case.diagnosis.verdict not in ANSWERS or len(named) != len(case.truth.effects):
-        return False
-    return any(
-        all(effect in effects for effect, effects in zip(case.truth.effects, order, strict=True))
-        for order in permutations(named)
-    )
 
 
 def is_owned(case: ScoredCase) -> bool:
@@ -198,7 +175,7 @@ def is_settled(case: ScoredCase) -> bool:
 def list_claims(case: ScoredCase) -> list[tuple[float, bool]]:
     """Each stated probability, and whether its claim is true."""
     unknown = (case.diagnosis.unknown_probability, case.truth.kind == "outside")
-    true = set(case.truth.effects)
+    true = {*case.truth.effects, *case.truth.beyond}
     return [*((p, bool(effects & true)) for effects, p in merge_classes(case.diagnosis)), unknown]
 
 

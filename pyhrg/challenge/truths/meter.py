@@ -4,17 +4,18 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
-from typing import Any
+from functools import cached_property, partial
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import minimize, minimize_scalar
+from scipy.optimize import minimize_scalar
 
 from pyhrg.bench.programme import Programme
 from pyhrg.challenge.campaigns.course import Course, make_course
 from pyhrg.challenge.campaigns.gyro import Disturbance, TrueGyro
 from pyhrg.challenge.campaigns.instruments import Instruments
+from pyhrg.challenge.campaigns.laboratory import Laboratory
+from pyhrg.challenge.truths.noise_strength import measure_noise, set_noise
 from pyhrg.challenge.truths.unsteadiness import measure_unsteadiness
 from pyhrg.device.device import Device
 from pyhrg.fmu import CONTROL_PERIOD
@@ -35,9 +36,6 @@ RANK_TOLERANCE = 1e-7
 """Relative singular value below which a combination of effects counts as dependent."""
 LOG_SIZE_RANGE = (math.log(1e-4), math.log(10.0))
 """Range of a noise over its scale that is searched, natural logarithms."""
-LEVELS = ("angle_random_walk", "angle_white_noise")
-STATED_LEVEL_SIGMA = 0.03
-"""Standard deviation of the logarithm of a stated noise level."""
 MIN_FORCE = 1e-9
 """Smallest force that another is divided by, 1/s."""
 SLOPE_SHIFTS = (-1e-3, 1e-3)
@@ -77,12 +75,15 @@ class Meter:
     simulation: both fidelities.
     believed: the nominal device.
     tests: course and start angle, rad, of each test that a diagnosis may fit.
+    laboratories: each with one known parameter that is off by a standard deviation. Strengths count
+        beside these parameters: what they imitate within their tolerances counts as noise.
     """
 
     simulation: Simulation
     believed: Device
     tests: Sequence[tuple[Course, float]]
     instruments: Instruments
+    laboratories: Sequence[Laboratory] = ()
 
     def sigmas_of(self, name: str, parameters: Mapping[str, float]) -> float:
         """Strength of an effect of the catalogue, by the campaign format's parameters.
@@ -130,24 +131,29 @@ class Meter:
         return np.column_stack([c / (np.linalg.norm(c) or 1.0) for c in columns])
 
     def residual(self, device: Device, disturbance: Disturbance = NOTHING) -> Array:
-        """(n,) whitened residual of all tests and channels."""
-        residuals = self._whiten_residuals(device, disturbance)
-        return np.concatenate([series for test in residuals for series in test.values()])
+        """(n,) whitened residual of all tests and channels, known parameters integrated out
+        (Eq. 4)."""
+        series = [self._compute_residuals(device, disturbance), *self._known_residuals]
+        gap, *known = (_concatenate(self._whiten(device, own)) for own in series)
+        return _integrate_out(np.column_stack(known), gap) if known else gap
 
     def sigmas_of_unsteady(self, disturbance: Disturbance) -> float:
         """Strength of noise bursts beyond the best stationary noise."""
         series: dict[tuple[str, float], list[Array]] = {}
-        tests = zip(self.tests, self._whiten_residuals(self.believed, disturbance), strict=True)
-        for (course, _), residuals in tests:
+        white = self._whiten(self.believed, self._compute_residuals(self.believed, disturbance))
+        for (course, _), residuals in zip(self.tests, white, strict=True):
             for channel, residual in residuals.items():
                 series.setdefault((channel, course.interval), []).append(residual)
         return measure_unsteadiness(list(series.values()))
 
-    def _whiten_residuals(self, device: Device, disturbance: Disturbance) -> list[Residual]:
-        """Whitened residuals of each test, less what they are without a gap."""
+    def _compute_residuals(self, device: Device, disturbance: Disturbance) -> list[Residual]:
+        """Residuals of each test, less what they are without a gap."""
         logs = self._simulate_logs(device, disturbance)
         every = zip(logs, self._nominal_tests, self._expected, strict=True)
-        return [self._whiten(device, *each) for each in every]
+        return [
+            {n: r - expected[n] for n, r in self._compute_residual(log, nominal).items()}
+            for log, nominal, expected in every
+        ]
 
     def _simulate_logs(self, device: Device, disturbance: Disturbance) -> list[Log]:
         logs = []
@@ -157,22 +163,33 @@ class Meter:
             logs.append(disturbance.shown(gyro.exact("", course, start, np.zeros((1, 1)))))
         return logs
 
+    @cached_property
+    def _known_residuals(self) -> list[list[Residual]]:
+        """Residuals of all tests of the nominal device in each laboratory."""
+        reference = self.believed.reference_temperature
+        return [
+            self._compute_residuals(
+                laboratory.true_device(self.believed),
+                Disturbance(shown=partial(laboratory.read, reference_temperature=reference)),
+            )
+            for laboratory in self.laboratories
+        ]
+
     def _replay(self, inputs: ReplayInputs) -> dict[str, Array]:
         shape = len(inputs.log.time), inputs.log.interval
         fmu = self.simulation.model(*shape)
         return replay_inputs(fmu, self.believed, inputs, _choose_step(*shape))
 
-    def _whiten(
-        self, device: Device, log: Log, nominal: NominalTest, expected: Residual
-    ) -> Residual:
-        noises = self._build_noises(device, log)
-        white = {}
-        for name, residual in self._compute_residual(log, nominal).items():
-            rows = nominal.rows[name]
-            gap = (residual - expected[name])[rows, None]
-            steps = np.diff(log.time[rows], prepend=0.0)
-            out = nominal.carrier_terms[name][rows]
-            white[name] = whiten(gap, steps, noises[name], out).series[:, 0]
+    def _whiten(self, device: Device, residuals: Sequence[Residual]) -> list[Residual]:
+        """The compared rows of residuals of each test, whitened with a device's noise."""
+        white = []
+        for nominal, gaps in zip(self._nominal_tests, residuals, strict=True):
+            noises, own = self._build_noises(device, nominal.log.interval), Residual()
+            for name, gap in gaps.items():
+                rows, out = nominal.rows[name], nominal.carrier_terms[name]
+                steps = np.diff(nominal.log.time[rows], prepend=0.0)
+                own[name] = whiten(gap[rows, None], steps, noises[name], out[rows]).series[:, 0]
+            white.append(own)
         return white
 
     @cached_property
@@ -207,11 +224,11 @@ class Meter:
         at_angle = {name: residual[name] + nominal.slopes[name] * turned for name in CHANNELS}
         return _scale_force(log, at_angle)
 
-    def _build_noises(self, device: Device, log: Log) -> dict[str, NoiseModel]:
+    def _build_noises(self, device: Device, interval: float) -> dict[str, NoiseModel]:
         """Noise by channel. A replay gets the logged temperature, so the thermometer's noise enters
         amplitude force and frequency, smoothed by the thermal lag."""
         own, lag = self.instruments, self.believed.thermal_lag
-        warm = own.temperature * math.sqrt(log.interval)
+        warm = own.temperature * math.sqrt(interval)
         detuned = abs(self.believed.frequency * self.believed.frequency_per_kelvin)
         damped = abs(self.believed.decay_time_per_kelvin)
         return {
@@ -229,20 +246,8 @@ class Meter:
 
     def sigmas_of_noise(self, device: Device, against: Device | None = None) -> float:
         """Strength of a device's noise beyond that of another device, the believed one by default
-        (Eq. 2): the root of twice the divergence of the spectra of the output's increments
-        (P. Whittle, 1953). The other's stated levels may be off by `STATED_LEVEL_SIGMA`."""
-        other = against or self.believed
-
-        def compute_squared_strength(logarithms: Array) -> float:
-            off = zip(LEVELS, np.exp(STATED_LEVEL_SIGMA * logarithms), strict=True)
-            changed: dict[str, Any] = {name: getattr(other, name) * x for name, x in off}
-            moved = replace(other, **changed)
-            divergence = sum(_divergence(device, moved, course) for course, _ in self.tests)
-            return 2 * divergence + float(logarithms @ logarithms)
-
-        return math.sqrt(
-            max(float(minimize(compute_squared_strength, np.zeros(len(LEVELS))).fun), 0.0)
-        )
+        (Eq. 2)."""
+        return measure_noise(device, against or self.believed, [course for course, _ in self.tests])
 
     def sigmas_of_noise_beyond(self, noise: NoiseEffect, device: Device) -> float:
         """Strength of a device's noise beyond that level of another noise that imitates it best."""
@@ -253,6 +258,18 @@ class Meter:
             return self.sigmas_of_noise(device, set_noise(self.believed, noise, value))
 
         return float(minimize_scalar(compute_strength, bounds=LOG_SIZE_RANGE, method="bounded").fun)
+
+
+def _concatenate(residuals: Sequence[Residual]) -> Array:
+    return np.concatenate([series for test in residuals for series in test.values()])
+
+
+def _integrate_out(known: Array, gap: Array) -> Array:
+    """(n,) gap, whitened with noise of unit variance and (n, k) responses of random sizes of unit
+    variance: (I + K K^T)^(-1/2) times it."""
+    shapes, sizes, _ = np.linalg.svd(known, full_matrices=False)
+    kept = 1 / np.sqrt(1 + sizes**2)
+    return np.asarray(gap - shapes @ ((1 - kept) * (shapes.T @ gap)))
 
 
 def make_measured_course(programme: Programme) -> Course:
@@ -268,27 +285,3 @@ def _scale_force(log: Log, by_channel: Mapping[str, Array]) -> Residual:
     """The channels, with the amplitude force relative to the logged one, as its noise is stated."""
     force = np.maximum(np.abs(log.amplitude_force), MIN_FORCE)
     return {**by_channel, "amplitude_force": by_channel["amplitude_force"] / force}
-
-
-def set_noise(device: Device, noise: NoiseEffect, value: float) -> Device:
-    """A device with a noise at this value, SI."""
-    changed: dict[str, Any] = {noise.field: value}
-    return replace(device, **changed)
-
-
-def _divergence(device: Device, other: Device, course: Course) -> float:
-    """Divergence of the spectra of two devices' output increments in a test."""
-    frequency = np.arange(1, len(course)) / (2 * len(course))
-    ratio = _density(device, frequency, course) / _density(other, frequency, course)
-    return float(np.sum(ratio - 1 - np.log(ratio)) / 2)
-
-
-def _density(device: Device, frequency: Array, course: Course) -> Array:
-    """Spectrum of an angle's increments over an interval, frequencies in cycles per row."""
-    interval = course.interval
-    white = device.angle_white_noise**2 + device.quantization_step**2 / 12
-    step = 4 * np.sin(math.pi * frequency) ** 2
-    rate = device.angle_random_walk**2 * interval
-    flicker = device.bias_instability**2 * interval**2 / (2 * math.pi * frequency)
-    walk = device.rate_random_walk**2 * interval**3 / step
-    return np.asarray(white * step + rate + flicker + walk)

@@ -12,7 +12,8 @@ from scipy.optimize import brentq
 
 from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.challenge.truths.form import load_forms
-from pyhrg.challenge.truths.meter import Meter, set_noise
+from pyhrg.challenge.truths.meter import Meter
+from pyhrg.challenge.truths.noise_strength import set_noise
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroError
 from pyhrg.gap.effects.catalogue import EFFECT_NAMES, EFFECTS, NOISE_EFFECTS, Effect
@@ -27,7 +28,7 @@ COUNTS = {
     "weak": (1, 1),
     "left_out": (1, 1),
     "pair": (2, 2),
-    "several": (3, 7),
+    "several": (3, 8),
 }
 """Fewest and most effects of the catalogue in each kind."""
 MAX_ATTEMPTS = 100
@@ -54,6 +55,7 @@ class Truth:
     coordinate: in which this form shows.
     stand_ins: effects that these tests can't separate from the effect that was left out.
     holdout_noise_arcsec: rms of the true noise in the output angle of the held-out tests.
+    beyond: known parameters that are off by more than their tolerance.
     """
 
     kind: str
@@ -64,6 +66,7 @@ class Truth:
     coordinate: str | None = None
     stand_ins: tuple[str, ...] = ()
     holdout_noise_arcsec: float | None = None
+    beyond: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -108,7 +111,7 @@ class Drawing:
     def _draw_effects(self, kind: str) -> TrueState | None:
         """A truth of effects of the catalogue; None where the tests can't show them at the drawn
         strengths."""
-        least, most = COUNTS[kind]
+        least, most = COUNTS[kind][0], min(COUNTS[kind][1], len(self.effects))
         count = least if least == most else int(self.generator.integers(least, most + 1))
         names = self.generator.choice(self.effects, size=count, replace=False).tolist()
         device = self.meter.believed

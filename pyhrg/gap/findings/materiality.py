@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from pyhrg.common.units import ARCSEC, DEG_PER_H
 from pyhrg.gap.evidence.attribution import Attribution
+from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis
 from pyhrg.gap.evidence.residuals import Removed, compute_residuals
 from pyhrg.gap.findings.diagnosis import Gap, Leftover
 from pyhrg.gap.replay.observations import CHANNELS
@@ -44,15 +45,27 @@ def measure_leftover(attribution: Attribution, gap: Gap) -> Leftover:
         if len(time) > 1 and time[-1] - time[0] >= MIN_RATE_TIME
     ]
     excess = [
-        math.sqrt(max(figure.after**2 - figure.floor_95[1] ** 2, 0.0))
+        math.sqrt(max(figure.after**2 - figure.floor_95[1] ** 2, 0.0)) * ARCSEC
         for figure in (gap.fit_angle_arcsec, gap.holdout_angle_arcsec)
         if figure is not None
     ]
+    noise_angle, noise_rate = measure_unnamed_noise(attribution.noise)
     return Leftover(
-        max(_rms([angle for _, angle in angles]) / ARCSEC, *excess),
-        max(rates, default=0.0) / DEG_PER_H,
+        max(_rms([angle for _, angle in angles]), noise_angle, *excess) / ARCSEC,
+        max([*rates, noise_rate]) / DEG_PER_H,
         max(_rms([v for _, v in by_channel[name]]) / scale for name, scale in scales.items()),
     )
+
+
+def measure_unnamed_noise(noise: NoiseHypothesis) -> tuple[float, float]:
+    """Standard deviation of a noise that the catalogue lacks, in the angle, rad, and in the mean
+    rate over `MIN_RATE_TIME`, rad/s. The noise floor holds it, so nothing else shows it."""
+    if not noise.unnamed:
+        return 0.0, 0.0
+    correlated = noise.unnamed.correlated
+    if not correlated.of_rate:
+        return correlated.level, 0.0
+    return 0.0, correlated.level * min(math.sqrt(2 * correlated.lag / MIN_RATE_TIME), 1.0)
 
 
 def _list_term_responses(attribution: Attribution) -> Mapping[str, list[tuple[Array, Array]]]:

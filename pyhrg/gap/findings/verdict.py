@@ -15,6 +15,7 @@ from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.evidence.attribution import Attribution
 from pyhrg.gap.evidence.evidence import find_equivalents
 from pyhrg.gap.evidence.hypothesis import sigma_along
+from pyhrg.gap.evidence.known_equivalents import find_known_equivalents
 from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95, AddedNoise
 from pyhrg.gap.evidence.noise.quantization import is_coarsely_quantized
 from pyhrg.gap.evidence.residual_features import ResidualFeature, find_residual_features
@@ -66,7 +67,7 @@ def reach_verdict(
     steady noise."""
     causes = [
         *_effect_causes(attribution, effects),
-        *_find_known_causes(attribution),
+        *_find_known_causes(attribution, effects),
         *(_noise_cause(attribution, added) for added in attribution.noise.added),
         *faults,
     ]
@@ -83,12 +84,14 @@ def reach_verdict(
 
 def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[Cause]:
     causes = []
-    best, posterior = attribution.ranking.best, attribution.posterior
+    best, posterior, nominal = attribution.ranking.best, attribution.posterior, attribution.nominal
+    known = posterior.best.exact
     covariances = dict(zip(best.groups, best.covariances, strict=True))
     for effect, size in best.named.items():
-        total = effect.vector(attribution.nominal) + size
+        total = effect.vector(nominal) + size
         others = [e.name for e in find_equivalents(attribution.design, best, effect, effects)]
         others += posterior.equivalents(effect.name)
+        others += find_known_equivalents(known, best, nominal, effect, known.effects)
         causes.append(
             Cause(
                 effect.name,
@@ -101,16 +104,19 @@ def _effect_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[
     return causes
 
 
-def _find_known_causes(attribution: Attribution) -> list[Cause]:
+def _find_known_causes(attribution: Attribution, effects: Sequence[Effect]) -> list[Cause]:
     """Known parameters whose 95 % interval lies beyond their tolerance."""
     causes = []
-    for effect, (size, covariance) in attribution.posterior.best.departures.items():
-        total = effect.vector(attribution.nominal) + size
-        probability = _compute_beyond(effect.tolerance_of(attribution.nominal), size, covariance)
+    best, nominal = attribution.posterior.best, attribution.nominal
+    known, fitted = best.exact, best.ranking.best
+    for effect, (size, covariance) in best.departures.items():
+        total = effect.vector(nominal) + size
+        probability = _compute_beyond(effect.tolerance_of(nominal), size, covariance)
         if probability > BEYOND_PROBABILITY:
             intervals = _intervals(effect, total, covariance)
-            parameters = effect.parameters(total)
-            causes.append(Cause(effect.name, probability, parameters, intervals, (), effect.family))
+            values, candidates = effect.parameters(total), (*effects, *known.effects)
+            others = find_known_equivalents(known, fitted, nominal, effect, candidates)
+            causes.append(Cause(effect.name, probability, values, intervals, others, effect.family))
     return causes
 
 

@@ -180,10 +180,13 @@ def list_read_out_fields(log: Log) -> tuple[str, ...]:
 
 def read_change(rows: Mapping[str, Array], old: Device, new: Device, log: Log) -> dict[str, Array]:
     """(n,) by field of a log: what another recorder makes of the same outputs. It reads angles
-    later, and counts the frequency from another one."""
+    later, and counts the frequency from another one (docs/methods/replay.md, "Frequency")."""
     late = new.clock_latency - old.clock_latency + (new.clock_rate - old.clock_rate) * log.time
     change = {name: np.zeros(len(log.time)) for name in rows}
     for name in ANGLES if late.any() else ():
         change[name] = late * np.gradient(rows[name], log.interval)
-    change["frequency_offset"] += new.frequency_error - old.frequency_error
+    detuned = (rows["frequency_offset"] - old.frequency_error) / (
+        old.frequency_error + new.frequency
+    )
+    change["frequency_offset"] += (new.frequency_error - old.frequency_error) * (1 + detuned)
     return change

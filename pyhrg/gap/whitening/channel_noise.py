@@ -83,7 +83,7 @@ class CampaignNoise:
                 white = math.hypot(white, self.per_kelvin[channel] * kelvin * share)
             step = self.reading_steps.get(test.test.id, 0.0)
             rounding = CorrelatedNoise(
-                self.per_kelvin[channel] * step / 2,
+                self.per_kelvin[channel] * self._lasting_error(step),
                 THERMOMETER_CORRELATION * self.thermal_lag,
                 of_rate=False,
             )
@@ -94,6 +94,15 @@ class CampaignNoise:
             walk = 2 * self.bryan_factor * self.angle.angle_random_walk
             return NoiseModel(white, angle_random_walk=walk)
         return NoiseModel(white)
+
+    def _lasting_error(self, step: float) -> float:
+        """Rounding error that lasts for many readings of a thermometer with this step, K (Eq. 16).
+        The noise before rounding is that of the quietest test: no test is sure to have more."""
+        if not step:
+            return 0.0
+        coarse = [self.temperature[name] for name, own in self.reading_steps.items() if own]
+        variance = max(min(coarse) ** 2 - step**2 / 12, 0.0)
+        return step / 2 * math.exp(-2 * math.pi**2 * variance / step**2)
 
 
 def estimate_campaign_noise(

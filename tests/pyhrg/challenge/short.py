@@ -37,7 +37,7 @@ def resting(duration: float = 60.0) -> Course:
 
 
 def short_plans(
-    device: Device, generator: np.random.Generator, complete: bool = False
+    device: Device, generator: np.random.Generator, complete: bool = False, data: str = "full"
 ) -> list[Plan]:
     """Two tests of half a minute."""
     spin = Programme(1.0, GRAVITY).spin(5 * DEG, 30.0)

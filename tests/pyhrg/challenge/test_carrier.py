@@ -20,7 +20,7 @@ FAST = ("rate_high_pos", "rate_high_neg")
 
 
 def fast_plans(
-    device: Device, generator: np.random.Generator, complete: bool = False
+    device: Device, generator: np.random.Generator, complete: bool = False, data: str = "full"
 ) -> list[Plan]:
     """A while at rest, and both ways at 100 deg/s."""
     vary = Variation(device, generator)

@@ -51,6 +51,11 @@ def says_nothing(campaign: Path, out: Path, without: Sequence[str]) -> None:
     """As a diagnosis that failed without a word."""
 
 
+def refuses(campaign: Path, out: Path, without: Sequence[str]) -> None:
+    """As a diagnosis of records that can't be used."""
+    raise HrgError(f"{campaign.name}: no test can be fitted to")
+
+
 def is_killed(campaign: Path, out: Path, without: Sequence[str]) -> None:
     """As by a system that has no memory left."""
     os.kill(os.getpid(), signal.SIGKILL)
@@ -77,6 +82,18 @@ def test_same_bytes_again_and_resumed(tmp_path: Path) -> None:
     assert not (tmp_path / "b" / "score.json").exists()
     Challenge(Folder(tmp_path / "b"), SETTINGS, says_no_gap).run(1)
     assert files(tmp_path / "a") == files(tmp_path / "b")
+
+
+@pytest.mark.usefixtures("quick_cases")
+def test_a_refused_campaign_is_scored_with_its_sentence(tmp_path: Path) -> None:
+    folder = Folder(tmp_path)
+    Challenge(folder, SETTINGS, refuses).run(1)
+    (challenge,) = json.loads(folder.score.read_text())["challenges"]
+    assert [case["refused"] for case in challenge["cases"]] == [
+        f"unit-000{i}: no test can be fitted to" for i in (1, 2, 3)
+    ]
+    again = Challenge(folder, SETTINGS, says_no_gap).run(1)  # a refusal is not tried again
+    assert again.figures[0].value == 1
 
 
 @pytest.mark.usefixtures("quick_cases")
@@ -227,7 +244,8 @@ def test_command_prints_the_table(
         ({"none": -1}, "none: found -1, expected a whole number from 0"),
         ({"seed": -1}, "seed: found -1, expected"),
         ({"workers": 0}, "workers: found 0, expected"),
-        ({"strongest": 6.0}, "strongest: found 6, expected a number above 6"),
+        ({"data": "none"}, "data: found 'none', expected full, few, short, coarse"),
+        ({"strongest": 6.0}, "strongest: found 6, expected above 6"),
     ],
 )
 def test_arguments_out_of_range_are_refused(

@@ -84,3 +84,16 @@ def test_further_tests_may_be_fitted() -> None:
     with pytest.raises(ValueError, match="centrifuge: expected one of static, positions"):
         plan_further_tests("centrifuge", 1.0, GYRO, np.random.default_rng(1))
     assert {kind for _, kind, _, _ in TESTS} >= {"thermal", "tumble"}
+
+
+def test_few_data_are_one_or_two_kinds_short_tests_or_coarse_rows() -> None:
+    full = {plan.id: plan for plan in plan_tests(GYRO, np.random.default_rng(3), True)}
+    for seed in range(8):
+        few = plan_tests(GYRO, np.random.default_rng(seed), data="few")
+        assert len({plan.kind for plan in few if plan.role == "fit"}) in (1, 2)
+        assert few[-1].role == "holdout"
+    for plan in plan_tests(GYRO, np.random.default_rng(3), True, "short")[:-1]:
+        assert 0.05 < plan.programme.time / full[plan.id].programme.time < 0.17
+    for plan in plan_tests(GYRO, np.random.default_rng(3), True, "coarse"):
+        assert plan.programme.interval >= 1.0
+        assert plan.programme.time == pytest.approx(full[plan.id].programme.time)

@@ -5,8 +5,9 @@ from dataclasses import replace
 
 import pytest
 
-from pyhrg.challenge.scoring import score
-from pyhrg.challenge.scoring.score import COORDINATES, ScoredCase
+from pyhrg.challenge.scoring import named, score
+from pyhrg.challenge.scoring.named import RefusedCase, ScoredCase
+from pyhrg.challenge.scoring.score import COORDINATES
 from pyhrg.challenge.truths.truth import Truth
 from pyhrg.gap.effects.catalogue import EFFECT_NAMES
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, Verdict
@@ -50,7 +51,7 @@ def unexplained(*shares: tuple[str, float]) -> Diagnosis:
     ],
 )
 def test_a_single_effect_is_right_alone_or_in_its_class(diagnosis: Diagnosis, right: bool) -> None:
-    assert score.is_right(judged(single(), diagnosis)) is right
+    assert named.is_right(judged(single(), diagnosis)) is right
 
 
 def test_members_of_a_class_share_its_probability() -> None:
@@ -59,8 +60,8 @@ def test_members_of_a_class_share_its_probability() -> None:
         Cause(GAIN, 0.4, equivalents=(DAMPING,)),
         verdict="ambiguous",
     )
-    assert score.list_named(halves) == [frozenset({DAMPING, GAIN})]
-    assert score.is_right(judged(single(), halves))
+    assert named.list_named(halves) == [frozenset({DAMPING, GAIN})]
+    assert named.is_right(judged(single(), halves))
 
 
 @pytest.mark.parametrize(
@@ -74,7 +75,7 @@ def test_members_of_a_class_share_its_probability() -> None:
 )
 def test_a_pair_needs_a_class_for_each(causes: tuple[Cause, ...], right: bool) -> None:
     truth = Truth("pair", (DAMPING, "duffing_stiffness"), {}, (8.0, 8.0))
-    assert score.is_right(judged(truth, said(*causes))) is right
+    assert named.is_right(judged(truth, said(*causes))) is right
 
 
 @pytest.mark.parametrize(("third", "right"), [("loop_delay", True), (DAMPING, False)])
@@ -82,7 +83,7 @@ def test_each_of_several_needs_a_class(third: str, right: bool) -> None:
     truth = Truth("several", (GAIN, DAMPING, "loop_delay"), {}, (8.0, 70.0, 500.0))
     alike = ("duffing_stiffness",)
     causes = (Cause(DAMPING, 0.9, equivalents=alike), Cause(GAIN, 0.9), Cause(third, 0.9))
-    assert score.is_right(judged(truth, said(*causes))) is right
+    assert named.is_right(judged(truth, said(*causes))) is right
 
 
 @pytest.mark.parametrize(
@@ -189,3 +190,75 @@ def test_closing_is_measured_by_the_noise_of_the_same_records() -> None:
     found = score.find_residual_over_noise(judged(truth, replace(NO_GAP, gap=gap)))
     assert found == pytest.approx(1.1)
     assert score.find_residual_over_noise(judged(truth, NO_GAP)) is None
+
+
+LATITUDE = "site_latitude"
+
+
+def test_causes_that_share_a_rival_are_two_classes() -> None:
+    causes = (
+        Cause(DAMPING, 0.9, equivalents=(LATITUDE,)),
+        Cause(GAIN, 0.9, equivalents=(LATITUDE,)),
+    )
+    truth = Truth("pair", (DAMPING, GAIN), {}, (8.0, 8.0))
+    assert named.is_right(judged(truth, said(*causes, verdict="ambiguous")))
+
+
+def test_a_known_parameter_in_a_class_holds_the_effect() -> None:
+    """Whichever of the two was chosen as the cause; alone it is wrong, unless it is off."""
+    known = Cause(LATITUDE, 0.99, equivalents=(DAMPING,), family="bench")
+    alone = judged(single(), said(replace(known, equivalents=())))
+    assert named.is_right(judged(single(), said(known, verdict="ambiguous")))
+    assert not named.is_right(alone)
+    assert named.is_wrong(alone)
+    off = judged(replace(single(), beyond=(LATITUDE,)), said(replace(known, equivalents=())))
+    assert not named.is_wrong(off)
+    assert not named.is_right(off)
+
+
+@pytest.mark.parametrize(
+    ("truth", "diagnosis", "right"),
+    [
+        (single(), said(Cause(GAIN, 0.9)), True),
+        (single(), said(Cause(LATITUDE, 0.9, family="bench")), False),
+        (single(), said(Cause(LATITUDE, 0.9, equivalents=(GAIN,), family="bench")), True),
+        (single(), said(Cause(DAMPING, 0.9), Cause(LATITUDE, 0.9, family="bench")), False),
+        (single(), said(verdict="no_gap"), False),
+        (Truth("none"), said(verdict="no_gap"), True),
+        (Truth("none"), said(Cause(DAMPING, 0.9)), False),
+        (Truth("none", beyond=(LATITUDE,)), said(Cause(LATITUDE, 0.9, family="bench")), True),
+        (Truth("none", beyond=(LATITUDE,)), said(verdict="no_gap"), True),
+        (Truth("outside", form="jump"), said(verdict="no_gap", unknown=0.9), True),
+        (Truth("outside", coordinate="table_angle"), said(verdict="no_gap", unknown=0.9), False),
+        (Truth("none"), said(verdict="unexplained", unknown=0.9), False),
+    ],
+)
+def test_where_it_is_wrong(truth: Truth, diagnosis: Diagnosis, right: bool) -> None:
+    assert named.is_family_right(judged(truth, diagnosis)) is right
+
+
+def test_measures_of_names() -> None:
+    """Three effects, of which one is missed and one is another: r = 2, w = 1 + 1."""
+    truth = Truth("several", (GAIN, DAMPING, "loop_delay"), {}, (8.0, 70.0, 500.0))
+    causes = (Cause(DAMPING, 0.8), Cause(GAIN, 0.7), Cause("duffing_stiffness", 0.9))
+    case = judged(truth, said(*causes))
+    figures = {figure.name: figure for figure in named.score_names([case], 1)}
+    assert figures["localisation F1"].value == pytest.approx(2 * 2 / (2 * 2 + 2))
+    assert figures["localisation F1"].n == 4
+    assert figures["false discovery rate of names"].value == pytest.approx(1 / 3)
+    assert figures["mean probability on the true fault"].value == pytest.approx(0.5)
+    log = (math.log(0.8) + math.log(0.7) + math.log(named.LEAST_PROBABILITY)) / 3
+    assert figures["log score of the true fault"].value == pytest.approx(log)
+
+
+def test_a_refused_campaign_counts_against_the_diagnosis() -> None:
+    cases = [
+        RefusedCase("unit", truth, "no test can be used") for truth in (Truth("none"), single())
+    ]
+    figures = {figure.name: figure for figure in score.score_figures(cases, 1)}
+    assert figures["false alarm without a gap"].value == 1
+    assert figures["single: right effect or its class"].value == 0
+    assert figures["effects: blamed on another"].value == 1
+    assert figures["mean probability on the true fault"].value == 0
+    assert figures["localisation F1"].value == 0
+    assert figures["diagnosis refused"].value == 1

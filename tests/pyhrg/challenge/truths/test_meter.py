@@ -10,10 +10,12 @@ from pyhrg.bench.programme import Programme
 from pyhrg.challenge.campaigns.course import make_course
 from pyhrg.challenge.campaigns.gyro import Disturbance
 from pyhrg.challenge.campaigns.instruments import Instruments
+from pyhrg.challenge.campaigns.laboratory import vary_each
 from pyhrg.challenge.truths.meter import Meter, make_measured_course
+from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import ARCSEC, DEG, DEG_PER_H
 from pyhrg.device.device import Device
-from pyhrg.gap.effects.catalogue import EFFECTS, NOISES
+from pyhrg.gap.effects.catalogue import EFFECTS, KNOWN, NOISES
 from pyhrg.gap.replay.simulation import Simulation
 from pyhrg.records import Log
 from pyhrg.theory.closed_forms import beyond_the_average
@@ -39,6 +41,24 @@ def test_a_rate_on_random_walk(simulation: Simulation) -> None:
     disturbance = Disturbance(rate=lambda course, start: np.full((1, 1), RATE))
     found = meter(simulation, device).sigmas(device, disturbance)
     assert found == pytest.approx(RATE * math.sqrt(ROWS) / device.angle_random_walk, rel=0.01)
+
+
+def test_a_rate_that_the_latitude_imitates(simulation: Simulation) -> None:
+    """Beside a parameter with a standard deviation of s sigma in the records, S is S/sqrt(1 + s^2):
+    at rest the latitude's tolerance t is a rate of t W_E cos(latitude)."""
+    device = replace(GYRO, angle_white_noise=1e-12, frequency_split=0.0, damping_anisotropy=0.0)
+    laboratories = vary_each(device, 2.0)
+    tolerance = EFFECTS["site_latitude"].tolerance_of(device)
+    assert max(lab.errors["latitude_error"] for lab in laboratories) == 2 * tolerance
+    assert len(laboratories) == sum(known.size for known in KNOWN)
+    assert vary_each(device, 0.0) == []
+    disturbance = Disturbance(rate=lambda course, start: np.full((1, 1), RATE))
+    walk = device.angle_random_walk / math.sqrt(ROWS)
+    site = EARTH_RATE * math.cos(device.site.latitude) * 2 * tolerance / walk
+    assert site > 0.3
+    measuring = replace(meter(simulation, device), laboratories=laboratories)
+    expected = RATE / walk / math.hypot(1, site)
+    assert measuring.sigmas(device, disturbance) == pytest.approx(expected, rel=0.01)
 
 
 def test_a_ramp_on_white_noise(simulation: Simulation) -> None:

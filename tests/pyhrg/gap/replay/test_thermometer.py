@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from scipy.stats import norm
 
 from pyhrg.device.device import Device
 from pyhrg.gap.replay.instruments import estimate_reading_steps, estimate_toggling_step
@@ -73,6 +74,24 @@ def test_rounding_adds_half_a_step_to_what_follows_the_temperature() -> None:
             assert rounding.level == pytest.approx(0.05 * noise.per_kelvin[channel])
         else:
             assert rounding is None
+
+
+def test_noise_shakes_readings_from_step_to_step() -> None:
+    """A reading between two steps whose noise is half a step is right in the mean: no error lasts
+    that is as large as without noise."""
+    step, shares = 0.01, (np.arange(100_000) + 0.5) / 100_000
+    shakes = step / 2 * norm.ppf(shares)
+    means = [np.mean(np.round((a + shakes) / step) * step - a) for a in np.linspace(0, step, 9)]
+    device = Device(frequency_per_kelvin=8.5e-5, decay_time_per_kelvin=-3e-3)
+    shaken = step / 2 * np.random.default_rng(2).normal(size=ROWS)
+    still = 298.15 + np.round(shaken / step) * step
+    log = replace(made_up_log(ROWS), temperature=still)
+    test = observe_test(Test("still", "static", "fit", log), device)
+    noise = estimate_campaign_noise(device, [test], [{name: np.zeros(ROWS) for name in CHANNELS}])
+    rounding = noise.get_model("amplitude_force", test).correlated
+    assert rounding is not None
+    level = rounding.level / noise.per_kelvin["amplitude_force"]
+    assert max(np.abs(means)) < level < 0.05 * step
 
 
 def test_a_lag_of_the_readings_is_undone() -> None:

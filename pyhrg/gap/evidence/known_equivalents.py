@@ -1,0 +1,78 @@
+"""Which effects and known parameters explain about as much in each other's place.
+
+A known parameter that is off by more than its tolerance is a hypothesis of its own: its size then
+has the prior of an effect's size, not that of its tolerance (docs/methods/verdict.md, "Equivalence
+classes").
+"""
+
+import math
+from collections.abc import Collection, Iterable
+
+import numpy as np
+
+from pyhrg.device.device import Device
+from pyhrg.gap.effects.catalogue import Effect
+from pyhrg.gap.effects.design import Group
+from pyhrg.gap.effects.known_parameters import KnownParameters
+from pyhrg.gap.evidence.evidence import EQUIVALENCE_LOG_ODDS, Fit, fit
+from pyhrg.gap.evidence.hypothesis import make_feasibility_check, sigma_along
+from pyhrg.gap.evidence.noise.noise_hypothesis import NORMAL_95
+
+
+def find_known_equivalents(
+    known: KnownParameters,
+    best: Fit,
+    nominal: Device,
+    cause: Effect,
+    candidates: Iterable[Effect],
+) -> tuple[str, ...]:
+    """Names of the candidates that explain about as much as the cause in its place, beside the
+    other groups of the most probable set. The cause or the candidate is a known parameter. The
+    candidate's set explains more than these groups alone do, and in it no other known parameter is
+    beyond its tolerance than beside the cause."""
+    others = [group for group in best.groups if group != cause]
+    allowed = _find_beyond(known, best) - {cause}
+    alone = _score_set(known, nominal, others, known.effects)
+    freed = _score_set(known, nominal, [*others, cause], allowed)
+    stated = known.marginal.log_likelihood + best.log_evidence
+    threshold = max(alone, freed - EQUIVALENCE_LOG_ODDS, stated - EQUIVALENCE_LOG_ODDS)
+    return tuple(
+        other.name
+        for other in candidates
+        if other not in (cause, *others)
+        and _score_set(known, nominal, [*others, other], allowed) > threshold
+    )
+
+
+def _score_set(
+    known: KnownParameters,
+    nominal: Device,
+    groups: Collection[Group],
+    allowed: Collection[Effect],
+) -> float:
+    """Log likelihood of a set whose sizes are integrated out, up to a constant. Known parameters
+    within it may have any size, the others have their tolerances; only the allowed ones may be
+    beyond. Minus infinity where they are, the sizes can't be told apart, or no gyro has them."""
+    tolerances = {e: size for e, size in known.tolerances.items() if e not in groups}
+    beside = KnownParameters(known.whole, tolerances)
+    design = beside.marginal
+    if not set(groups) <= set(design.groups):
+        return -math.inf
+    fitted = fit(design, list(groups))
+    effects = [group for group in groups if isinstance(group, Effect)]
+    if fitted is None or not make_feasibility_check(nominal, effects)(fitted):
+        return -math.inf
+    if not _find_beyond(beside, fitted) <= set(allowed):
+        return -math.inf
+    return design.log_likelihood + fitted.log_evidence
+
+
+def _find_beyond(known: KnownParameters, fitted: Fit) -> set[Effect]:
+    """Known parameters whose 95 % interval lies beyond their tolerance beside a set."""
+    sizes, covariances = known.estimate(fitted.sizes), known.compute_covariances(fitted.groups)
+    return {
+        effect
+        for effect, size in sizes.items()
+        if float(np.linalg.norm(size)) - known.tolerances[effect]
+        > NORMAL_95 * sigma_along(size, covariances[effect])
+    }

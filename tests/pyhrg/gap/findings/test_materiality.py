@@ -1,0 +1,24 @@
+"""Size of what an explanation leaves."""
+
+import pytest
+
+from pyhrg.gap.evidence.noise.noise_hypothesis import NoiseHypothesis, UnnamedNoise
+from pyhrg.gap.findings.materiality import MIN_RATE_TIME, measure_unnamed_noise
+from pyhrg.gap.whitening.whitening import CorrelatedNoise, NoiseModel
+
+
+@pytest.mark.parametrize(
+    ("lag", "of_rate", "expected"),
+    [
+        (1e4, True, (0.0, 1e-9)),
+        (MIN_RATE_TIME / 200, True, (0.0, 1e-10)),
+        (30.0, False, (1e-9, 0.0)),
+    ],
+)
+def test_a_noise_without_a_name_has_its_own_size(
+    lag: float, of_rate: bool, expected: tuple[float, float]
+) -> None:
+    unnamed = UnnamedNoise(CorrelatedNoise(1e-9, lag, of_rate), 10.0, -5.0)
+    hypothesis = NoiseHypothesis(NoiseModel(1e-7), (), 0.0, unnamed)
+    assert measure_unnamed_noise(hypothesis) == pytest.approx(expected)
+    assert measure_unnamed_noise(NoiseHypothesis(NoiseModel(1e-7), ())) == (0.0, 0.0)

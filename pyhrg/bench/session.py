@@ -135,6 +135,26 @@ def run_tests(
     return results
 
 
+def describe_readiness(campaign: Campaign) -> str:
+    """Which tests of the bench give figures of a campaign, why others do not, and which kinds of
+    records no test reads, in words."""
+    able, unable = [], []
+    for procedure in catalogue.PROCEDURES:
+        if campaign.of_kind(*procedure.kinds):
+            try:
+                able.append(run_test(procedure.name, campaign=campaign).name)
+            except HrgError as error:
+                unable.append(f"  not {procedure.name}: {error}")
+    lines = [f"the bench can run: {', '.join(able) or 'no test'}", *unable]
+    read = sorted({kind for procedure in catalogue.PROCEDURES for kind in procedure.kinds})
+    for test in campaign.tests:
+        if test.kind not in read:
+            close = difflib.get_close_matches(test.kind, read, n=1) or read
+            expected = f"expected one such as {' or '.join(close)}"
+            lines.append(f"  {test.id}: no bench test reads the kind {test.kind}; {expected}")
+    return "\n".join(lines)
+
+
 def _attempt(
     source: Source, procedure: Procedure, out: Path | None, progress: Progress
 ) -> TestResult | TestFailure:

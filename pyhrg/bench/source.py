@@ -3,7 +3,8 @@
 import difflib
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 
 from fmu_build.bundle import build_fmu
@@ -17,8 +18,10 @@ from pyhrg.common.errors import HrgError
 from pyhrg.device import device_file, ready_devices
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
+from pyhrg.records import Log
 from pyhrg.records import campaign as campaigns
-from pyhrg.records.campaign import Campaign
+from pyhrg.records.campaign import Campaign, Test
+from pyhrg.records.missing_inputs import add_missing_inputs, turns
 
 DEFAULT_DEVICE = "typical"
 """Ready device that is simulated where no other is named."""
@@ -94,13 +97,29 @@ def open_records(campaign: Campaign | str | Path, procedures: Sequence[Procedure
     if len(procedures) > 1 and not able:
         kinds = ", ".join(sorted({test.kind for test in records.tests})) or "no tests"
         raise BenchError(f"{records.device}: no test evaluates a campaign that has {kinds}")
+    device = replace(device_file.from_table(records.nominal, records.device), site=records.site)
+    tests = (
+        replace(test, recording=partial(_complete_log, test, device)) for test in records.tests
+    )
+    completed = replace(records, tests=tuple(tests))
     return Source(
         subject=f"{records.device}, recorded",
         procedures=able if len(procedures) > 1 else procedures,
-        get_records=lambda procedure: records,
-        device=device_file.from_table(records.nominal, records.device),
+        get_records=lambda procedure: completed,
+        device=device,
         resumption="the same command begins again",
     )
+
+
+def _complete_log(test: Test, device: Device) -> Log:
+    """A test's log with the inputs that it lacks as at rest, and a note that says which.
+
+    The table's angle stays missing where the gyro shows that the table turned.
+    """
+    without = ("table_angle",) if turns(test.log) else ()
+    log, notes = add_missing_inputs(test.log, device, without)
+    texts = (note.removeprefix(f"{log.source}: ") for note in notes)
+    return replace(log, exclusions=(*log.exclusions, *texts))
 
 
 def _load_fmus(procedures: Sequence[Procedure], say: Callable[[str], None]) -> dict[str, GyroFmu]:

@@ -26,10 +26,12 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> None:
+    from pyhrg.bench.session import describe_readiness
     from pyhrg.gap.soundness import describe_screening
     from pyhrg.records.campaign_import import import_campaign
 
     imported = import_campaign(options.mapping, options.out)
-    print(f"{imported.preview}\n\n{describe_screening(imported.campaign_as_read)}")
+    campaign = imported.campaign_as_read
+    print(f"{imported.preview}\n\n{describe_screening(campaign)}\n\n{describe_readiness(campaign)}")
     if options.out is not None:
         print(f"\nwritten to {options.out}")

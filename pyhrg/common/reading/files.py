@@ -14,6 +14,8 @@ from pyhrg.common.reading.limits import LOG_BYTES, check_size, compute_expanded_
 
 GZIPPED = b"\x1f\x8b"
 """First bytes of gzipped data."""
+SPREADSHEETS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")
+"""First bytes of a spreadsheet's file: of Excel and LibreOffice, new and old."""
 
 
 def open_file(path: Path, error_class: type[HrgError] = HrgError) -> BinaryIO:
@@ -42,6 +44,10 @@ def read_bytes(path: Path, most: int, error_class: type[HrgError] = HrgError) ->
 def read_unpacked(path: Path, error_class: type[HrgError] = HrgError) -> bytes:
     """A log's bytes, decompressed if they are gzipped, whatever the file's name."""
     data = read_bytes(path, LOG_BYTES, error_class)
+    if data.startswith(SPREADSHEETS):
+        raise error_class(
+            f"{path}: found a spreadsheet (Excel) or an archive; save the sheet as CSV"
+        )
     if not data.startswith(GZIPPED):
         return data
     most = min(LOG_BYTES, compute_expanded_limit(len(data)))

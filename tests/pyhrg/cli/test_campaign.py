@@ -1,13 +1,18 @@
 """`hrg campaign import`, as documented."""
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
+import pandas as pd
 import pytest
 
+from pyhrg import run_test
 from pyhrg.common.cli import main
+from pyhrg.common.site import EARTH_RATE
 from pyhrg.common.units import DEG
-from pyhrg.records import campaign
+from pyhrg.records import LogError, campaign
 
 PAGE = Path(__file__).parents[3] / "docs" / "import.md"
 
@@ -79,5 +84,59 @@ def test_what_a_diagnosis_would_refuse_is_said(
     turned = mapping.read_text().replace('"mrad"', '"mrad", scale = -1')
     mapping.write_text(turned)
     assert run(mapping, "--check") == 0
-    said = capsys.readouterr().out.splitlines()[-1]
-    assert said.startswith("a diagnosis would refuse it: 1 of 1 logs, as table.csv: columns gyro")
+    said = capsys.readouterr().out
+    assert "\na diagnosis would refuse it: 1 of 1 logs, as table.csv: columns gyro" in said
+
+
+def test_a_log_with_the_gyros_columns_alone_is_imported_and_benched(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A static record of two hours, and the same under a kind that no test reads."""
+    seconds = np.arange(1.0, 7201.0)
+    angle = np.degrees(EARTH_RATE * np.sin(39.9 * DEG) * seconds)
+    angle += np.random.default_rng(1).normal(0, 1e-6, len(seconds))
+    frame = pd.DataFrame({"t": seconds, "gyro": angle, "pattern": -0.277 * angle})
+    frame.to_csv(tmp_path / "log.csv", index=False)
+    entry = """
+[[tests]]
+id = "{kind}"
+kind = "{kind}"
+role = "fit"
+file = "log.csv"
+"""
+    columns = """
+[columns]
+time = { column = "t", unit = "s" }
+axis_up = 1
+gyro_angle = { column = "gyro", unit = "deg" }
+wave_angle = { column = "pattern", unit = "deg" }
+"""
+    head = re.sub(r"\[layout\].*", "", block("toml"), flags=re.DOTALL)
+    text = head + columns + entry.format(kind="static") + entry.format(kind="drehrate")
+    (tmp_path / "mapping.toml").write_text(text)
+    assert run(tmp_path / "mapping.toml", "--check") == 0
+    said = capsys.readouterr().out
+    assert "the bench can run: fixed-position, random-walk\n  not self-calibration: " in said
+    assert "drehrate: no bench test reads the kind drehrate; expected one such as rate" in said
+    assert run(tmp_path / "mapping.toml", "--out", tmp_path / "campaign") == 0
+    result = run_test("fixed-position", campaign=tmp_path / "campaign")
+    assert any("table_angle_deg, virtual_rotation_deg_s" in x for x in result.outcome.exclusions)
+    assert abs(result.findings.value["bias_deg_per_h"]) < 1e-3
+
+
+def test_a_table_that_turned_is_not_taken_to_rest(recorded_campaign: Path) -> None:
+    given = campaign.read_campaign(recorded_campaign)
+    tests = [test for test in given.tests if test.kind == "ring_down"]
+    absent = [np.full(len(test.log.time), np.nan) for test in tests]
+    pairs = zip(tests, absent, strict=True)
+    spoilt = tuple(replace(t, recording=replace(t.log, table_angle=angle)) for t, angle in pairs)
+    with pytest.raises(LogError, match="column table_angle_deg is missing"):
+        run_test("ring-down", campaign=replace(given, tests=spoilt))
+
+
+def test_a_spreadsheet_is_refused_in_words(
+    mapping: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (mapping.parent / "table.csv").write_bytes(b"PK\x03\x04\x14\x00\xff")
+    assert run(mapping, "--check") == 2
+    assert "found a spreadsheet (Excel) or an archive" in capsys.readouterr().err

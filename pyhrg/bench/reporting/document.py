@@ -30,8 +30,8 @@ def format_document(
         "seed": seed,
         "findings": {
             finding.key: {
-                "value": _convert(finding.value_in_unit),
-                "interval_95": _convert(finding.interval_in_unit),
+                "value": _convert(finding.value),
+                "interval_95": _convert(finding.interval),
                 "n": finding.n,
                 "note": finding.note,
             }

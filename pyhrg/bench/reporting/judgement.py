@@ -22,9 +22,9 @@ class Judgement:
     def word(self) -> str:
         """`meets` or `fails` where the whole 95 % interval of the magnitude lies on one side of the
         limit, else `not decided`; `not measured` where the finding has no value."""
-        if math.isnan(self.finding.value):
+        if math.isnan(self.finding.si_value):
             return "not measured"
-        low, high = self.finding.interval_in_unit
+        low, high = self.finding.interval
         if math.isnan(low + high):
             return "not decided"
         ends = sorted((abs(low), abs(high)))
@@ -35,10 +35,10 @@ class Judgement:
 
     def __str__(self) -> str:
         finding = self.finding
-        low, high = finding.interval_in_unit
+        low, high = finding.interval
         interval = f" ({low:.4g} to {high:.4g})" if low <= high else ""
         side = "at least" if finding.at_least else "at most"
-        value = f"{finding.value_in_unit:.4g}"
+        value = f"{finding.value:.4g}"
         return f"{finding.key} {value}{interval}, {side} {self.limit:g}: {self.word}"
 
 

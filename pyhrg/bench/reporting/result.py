@@ -71,7 +71,7 @@ class TestResult:
         words = {j.finding.key: j.word for j in judge_findings(self.outcome, self.limits)}
         rows = {
             f.key: (
-                *(f.name, f.value_in_unit, f.unit, *f.interval_in_unit, f.n),
+                *(f.name, f.value, f.unit, *f.interval, f.n),
                 *(self.limits.get(f.key, math.nan), words.get(f.key, ""), f.note),
             )
             for f in self.outcome.findings

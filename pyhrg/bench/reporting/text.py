@@ -39,12 +39,12 @@ def make_findings_table(findings: Sequence[Finding]) -> Table:
 def format_finding(finding: Finding) -> tuple[str, str, str]:
     """Value, 95 % interval and unit of a finding."""
     decimals = _choose_decimals(finding)
-    low, high = finding.interval_in_unit
+    low, high = finding.interval
     interval = f"{_format_number(low, decimals)} to {_format_number(high, decimals)}"
     if math.isnan(low) and math.isnan(high):
         interval = "-"
     unit = finding.unit if finding.unit != "1" else ""
-    return _format_number(finding.value_in_unit, decimals), interval, unit
+    return _format_number(finding.value, decimals), interval, unit
 
 
 def format_table(table: Table) -> str:
@@ -70,12 +70,12 @@ def _count_columns(cell: str) -> int:
 
 def _choose_decimals(finding: Finding) -> int | None:
     """Decimals that show two digits of the interval's width; None where four digits are enough."""
-    low, high = finding.interval_in_unit
+    low, high = finding.interval
     width = high - low
     if not (math.isfinite(width) and width > 0):
         return None
     decimals = 1 - math.floor(math.log10(width))
-    return decimals if 0 <= decimals <= 9 and abs(finding.value_in_unit) < 1e6 else None
+    return decimals if 0 <= decimals <= 9 and abs(finding.value) < 1e6 else None
 
 
 def _format_number(value: float, decimals: int | None) -> str:

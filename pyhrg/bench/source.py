@@ -4,8 +4,9 @@ import difflib
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import cached_property, partial
 from pathlib import Path
+from typing import Any
 
 from fmu_build.bundle import build_fmu
 from pyhrg.bench.bench import NAMELESS, Bench
@@ -15,6 +16,7 @@ from pyhrg.bench.reporting.progress import Progress
 from pyhrg.bench.store import Store
 from pyhrg.common.arguments import choose_workers
 from pyhrg.common.errors import HrgError
+from pyhrg.common.made_by import digest_value, list_versions
 from pyhrg.device import device_file, ready_devices
 from pyhrg.device.device import Device
 from pyhrg.fmu import GyroFmu
@@ -31,6 +33,7 @@ DEFAULT_DEVICE = "typical"
 class Source:
     """Where the records of a run come from.
 
+    name: of the gyro.
     subject: the gyro, and how its records come about; heads the report.
     procedures: the tests that there are records for.
     get_records: gives the campaign that a procedure evaluates.
@@ -41,6 +44,7 @@ class Source:
     store: open during the run.
     """
 
+    name: str
     subject: str
     procedures: Sequence[Procedure]
     get_records: Callable[[Procedure], Campaign]
@@ -49,6 +53,16 @@ class Source:
     seed: int | None = None
     limits: Mapping[str, float] = field(default_factory=dict)
     store: AbstractContextManager[object] = field(default_factory=nullcontext)
+
+    @cached_property
+    def identity(self) -> dict[str, Any]:
+        """Device, digest of its parameters, seed and versions, by keys of result.json."""
+        return {
+            "made_by": list_versions(),
+            "device": self.name,
+            "device_sha256": digest_value(self.device),
+            "seed": self.seed,
+        }
 
 
 def prepare_simulation(
@@ -79,6 +93,7 @@ def prepare_simulation(
         return bench.campaign(procedure.record(bench, **plan))
 
     return Source(
+        name=gyro.name or NAMELESS,
         subject=f"{gyro.name or NAMELESS}, simulated with seed {seed}",
         procedures=procedures,
         get_records=simulate_campaign,
@@ -103,6 +118,7 @@ def open_records(campaign: Campaign | str | Path, procedures: Sequence[Procedure
     )
     completed = replace(records, tests=tuple(tests))
     return Source(
+        name=records.device,
         subject=f"{records.device}, recorded",
         procedures=able if len(procedures) > 1 else procedures,
         get_records=lambda procedure: completed,

@@ -42,12 +42,12 @@ def make_section(
     """HTML section of a test: verdict, tables, figure, notes, method.
 
     The limits are the specification's, by the findings' keys; `picture` is the figure's path from
-    the page's folder.
+    the page's folder, empty where the test has none.
     """
     parts = [f"<h2>{html.escape(procedure.title)}</h2>", make_paragraph(outcome.verdict)]
     tables = (make_findings_table(outcome.findings), *outcome.tables)
     parts += [make_table(content) for content in tables]
-    if outcome.draw:
+    if picture:
         alternative = html.escape(f"Figure: {procedure.title}. {outcome.verdict}")
         parts.append(f'<img src="{picture}" alt="{alternative}">')
     parts += [make_paragraph(note, "weak") for note in list_notes(outcome, limits)]

@@ -28,6 +28,7 @@ from ins_eval.trajectories.trajectory import Trajectory
 from pyhrg.common.errors import HrgError
 from pyhrg.common.files import check_output_folder
 from pyhrg.common.made_by import check_identity, digest_value
+from pyhrg.common.reading.files import read_unpacked
 
 
 def fly(
@@ -150,7 +151,7 @@ def fly_log(
     )
     reference = find_reference(truth, position, -(plan.alignment or 0.0), plan.duration)
     imu = load_imu_at_rate(errors_of, None)
-    digest = digest_value((path.read_bytes(), imu))
+    digest = digest_value((read_unpacked(path), imu))
     _check_folder(out, force, describe_flight(plan, LOG_TRAJECTORY, path.name, digest))
     flight = navigate_log(plan, path.name, record.increments, position, imu, reference)
     return _write(replace(flight, imu_digest=digest), out)

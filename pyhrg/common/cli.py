@@ -75,7 +75,7 @@ def _report_errors(arguments: Sequence[str] | None) -> int:
         print(f"hrg: {fold_line(f'{place}{error.strerror or error}')}", file=sys.stderr)
         return 2
     except KeyboardInterrupt as interruption:
-        print(f"hrg: {interruption or 'interrupted; nothing was written'}", file=sys.stderr)
+        print(f"hrg: {str(interruption) or 'interrupted; nothing was written'}", file=sys.stderr)
         return 130
     finally:
         sys.stdout.flush()

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from pyhrg.bench.outcome import Finding, Outcome
+from pyhrg.common.pages.svg import format_interval
 
 
 @dataclass(frozen=True)
@@ -36,10 +37,9 @@ class Judgement:
     def __str__(self) -> str:
         finding = self.finding
         low, high = finding.interval
-        interval = f" ({low:.4g} to {high:.4g})" if low <= high else ""
+        value = format_interval(finding.value, low, high) if low <= high else f"{finding.value:.4g}"
         side = "at least" if finding.at_least else "at most"
-        value = f"{finding.value:.4g}"
-        return f"{finding.key} {value}{interval}, {side} {self.limit:g}: {self.word}"
+        return f"{finding.key} {value}, {side} {self.limit:g}: {self.word}"
 
 
 def judge_findings(outcome: Outcome, limits: Mapping[str, float]) -> list[Judgement]:

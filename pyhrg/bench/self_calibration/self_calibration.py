@@ -25,6 +25,7 @@ from pyhrg.bench.readings.turns import find_turns
 from pyhrg.bench.scale_factor.scale_factor import fit_scale_factor_map
 from pyhrg.bench.self_calibration import cycles
 from pyhrg.bench.self_calibration.cycles import Cycle, find_averaging_time, find_pooled_deviation
+from pyhrg.common.pages.svg import format_interval
 from pyhrg.common.units import DEG, DEG_PER_H
 from pyhrg.records.campaign import Campaign, Test
 
@@ -175,10 +176,9 @@ def _scale_factors(campaign: Campaign, turning: AngleFit) -> tuple[Finding, ...]
 def _verdict(found: dict[str, Finding]) -> str:
     on, off = found["bias repeatability on"], found["bias repeatability off"]
     ratio = found["random walk on over off"]
-    low, high = ratio.interval
     text = (
-        f"Virtual rotation multiplies the angle random walk by {ratio.value:.3g} "
-        f"({low:.3g} to {high:.3g})"
+        "Virtual rotation multiplies the angle random walk by "
+        f"{format_interval(ratio.value, *ratio.interval)}"
     )
     if np.isnan(on.si_value) or np.isnan(off.si_value):
         return f"{text}; one power-on can't show what it gains in repeatability."

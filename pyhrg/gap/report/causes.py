@@ -4,7 +4,7 @@ import html
 from collections.abc import Sequence
 
 from pyhrg.common.pages.markup import make_paragraph
-from pyhrg.common.pages.svg import format_number
+from pyhrg.common.pages.svg import format_interval, format_number
 from pyhrg.device.keys import KEYS
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.effects.design import Group
@@ -15,7 +15,6 @@ from pyhrg.gap.report.words import (
     format_effect,
     format_group,
     format_percent,
-    format_value,
     parse_parameter,
     show_share,
 )
@@ -50,7 +49,7 @@ def _make_rows(cause: Cause, result: CampaignDiagnosis) -> list[tuple[str, ...]]
         key = next(k for k in KEYS if k.name == name)
         nominal = key.from_si(getattr(result.nominal, key.field)) * scale
         low, high = (scale * end for end in cause.interval_95[name])
-        text = format_value(scale * value, low, high)
+        text = format_interval(scale * value, low, high)
         equivalents = ", ".join(format_effect(e) for e in cause.equivalents) or "–"
         effect = (f"<b>{format_effect(cause.effect)}</b>", format_percent(cause.probability))
         lead, last = (effect, equivalents) if i == 0 else (("", ""), "")

@@ -2,7 +2,7 @@
 
 import textwrap
 
-from pyhrg.common.pages.svg import format_number
+from pyhrg.common.pages.svg import format_interval, format_number
 from pyhrg.device.keys import KEYS
 from pyhrg.gap.diagnose import CampaignDiagnosis
 from pyhrg.gap.findings.diagnosis import Cause, Diagnosis, GapFigure, KnownValue
@@ -14,10 +14,8 @@ from pyhrg.gap.report.words import (
     CHANNELS,
     COORDINATES,
     format_effect,
-    format_interval,
     format_name,
     format_percent,
-    format_value,
     join_words,
     parse_parameter,
 )
@@ -167,7 +165,7 @@ def _say_what_next(diagnosis: Diagnosis) -> list[str]:
 def _describe_known(known: KnownValue) -> str:
     words, unit, scale = parse_parameter(known.parameter)
     low, high = (scale * end for end in known.interval_95)
-    value = format_value(scale * known.value, low, high)
+    value = format_interval(scale * known.value, low, high)
     label = f"{format_effect(known.name)}: {_label(words, known.name)}"
     told = format_number(scale * known.told)
     return f"Within its tolerance: {label}{value} {unit}, not {told}."
@@ -188,7 +186,7 @@ def _describe_cause(cause: Cause, result: CampaignDiagnosis) -> str:
         key = next(key for key in KEYS if key.name == name)
         told = key.from_si(getattr(result.nominal, key.field)) * scale
         instead = f", not {format_number(told)}" if told else ""
-        values.append(f"{label}{format_value(scale * value, low, high)} {unit}{instead}")
+        values.append(f"{label}{format_interval(scale * value, low, high)} {unit}{instead}")
     return f"{_begin(format_effect(cause.effect))}: {'; '.join(values)}."
 
 

@@ -1,11 +1,9 @@
 """Names, numbers and tables as the page shows them."""
 
 import html
-import math
 import re
 from collections.abc import Sequence
 
-from pyhrg.common.pages.svg import format_number
 from pyhrg.gap.effects.catalogue import Effect
 from pyhrg.gap.effects.design import Group
 
@@ -124,22 +122,6 @@ def parse_parameter(parameter: str) -> tuple[str, str, float]:
         if parameter.endswith(suffix):
             return format_name(parameter.removesuffix(suffix)), unit, 1.0
     return format_name(parameter), "ppm", 1e6
-
-
-def format_value(value: float, low: float, high: float) -> str:
-    """A value and its interval, to two digits of the interval's width."""
-    width = high - low
-    if not (math.isfinite(width) and width > 0):
-        return format_interval(value, low, high)
-    largest = max(abs(low), abs(high), abs(value))
-    digits = min(max(math.ceil(math.log10(largest / width)) + 2, 3), 9)
-    texts = [f"{v:.{digits}g}".replace("-", "−") for v in (value, low, high)]
-    return f"{texts[0]} ({texts[1]} to {texts[2]})"
-
-
-def format_interval(value: float, low: float, high: float) -> str:
-    """A value and its interval, to three digits."""
-    return f"{format_number(value)} ({format_number(low)} to {format_number(high)})"
 
 
 def format_percent(share: float) -> str:

@@ -4,6 +4,7 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+from unittest.mock import Mock
 
 import pytest
 
@@ -70,3 +71,21 @@ def test_numbers_are_ascii_digits(text: str, capsys: pytest.CaptureFixture[str])
             main(["validate", option, text])
         assert end.value.code == 2
         assert f"invalid {kind} value" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("interruption", "said"),
+    [
+        (KeyboardInterrupt(), "hrg: interrupted; nothing was written\n"),
+        (KeyboardInterrupt("interrupted; goes on"), "hrg: interrupted; goes on\n"),
+    ],
+)
+def test_an_interruption_is_said(
+    interruption: KeyboardInterrupt,
+    said: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setattr("pyhrg.cli.bench.run", Mock(side_effect=interruption))
+    assert main(["bench", "fixed-position"]) == 130
+    assert capsys.readouterr().err == said

@@ -1,6 +1,7 @@
 """The command `hrg`: each package brings its own subcommands as entry points."""
 
 import argparse
+import difflib
 import os
 import signal
 import sys
@@ -39,6 +40,25 @@ class _Parser(argparse.ArgumentParser):
         super().__init__(*arguments, **options)
         self.register("type", int, partial(_parse_number, int))
         self.register("type", float, partial(_parse_number, float))
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        """As of any parser, but an option that is close to a known one is named."""
+        options, unknown = super().parse_known_args(args, namespace)
+        for text in unknown:
+            name = text.partition("=")[0]
+            known = [name for action in self._actions for name in action.option_strings]
+            close = difflib.get_close_matches(name, known, n=1)
+            if name.startswith("--") and close:
+                self.error(f"found {name}, expected {close[0]}")
+        return options, unknown
+
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        """As of any parser, but of many choices the closest one is named."""
+        if action.choices is not None and value not in action.choices:
+            known = [str(choice) for choice in action.choices]
+            close = difflib.get_close_matches(str(value), known, n=1)
+            expected = " or ".join(close) or f"one of {', '.join(known)}"
+            raise argparse.ArgumentError(action, f"found {value!r}, expected {expected}")
 
     def error(self, message: str) -> NoReturn:
         """One clear line, as for every user's error."""

@@ -151,7 +151,8 @@ def test_specification(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["no-such-test"], "argument TEST: invalid choice: 'no-such-test' (choose from"),
+        (["qwertz"], "argument TEST: found 'qwertz', expected one of fixed-position, full-"),
+        (["fixed-postion"], "argument TEST: found 'fixed-postion', expected fixed-position\n"),
         (
             ["fixed-position", "--seed", "-1"],
             "seed: found -1, expected a whole number from 0 to 2^63",
@@ -167,6 +168,7 @@ def test_specification(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
         (["fixed-position", "--campaign", "none"], "campaign.json: can't be read: "),
         (["fixed-position", "--device", "a", "--campaign", "b"], "not allowed with argument"),
         (["fixed-position", "--bogus"], "unrecognized arguments: --bogus"),
+        (["fixed-position", "--devise=typical"], "bench: found --devise, expected --device\n"),
         ([], "the following arguments are required: TEST"),
     ],
 )

@@ -16,6 +16,9 @@ from pyhrg.common.errors import HrgError, fold_line
 SINGLE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS")
 """Variables that make linear algebra run in one thread, unless the user sets them: more threads
 slow its small matrices down, and large work is shared among processes."""
+MIN_LIKENESS = 0.7
+"""Share of equal letters from which an option that is not known is taken for a known one. Chosen:
+`--devise` is `--device`, `--bogus` is nothing."""
 
 
 class Command(Protocol):
@@ -47,7 +50,7 @@ class _Parser(argparse.ArgumentParser):
         for text in unknown:
             name = text.partition("=")[0]
             known = [name for action in self._actions for name in action.option_strings]
-            close = difflib.get_close_matches(name, known, n=1)
+            close = difflib.get_close_matches(name, known, n=1, cutoff=MIN_LIKENESS)
             if name.startswith("--") and close:
                 self.error(f"found {name}, expected {close[0]}")
         return options, unknown

@@ -177,7 +177,7 @@ def test_recorded_ring_laser_drifts(tmp_path: Path) -> None:
         (["--rate-hz", "2000", "--hours", "2"], "at 2000 Hz, 14400000 increments; expected at"),
         (["--samples", "5"], "samples: found 5, expected a whole number from 2 to 4"),
         (["--runs", "0"], "runs: found 0, expected a whole number from 1 to 1000"),
-        (["--height", "up"], "argument --height: invalid choice: 'up'"),
+        (["--height", "up"], "argument --height: found 'up', expected one of clamped, "),
         (["--align-s", "x"], "argument --align-s: invalid float value: 'x'"),
         (["--align-s", "60", "--start-from-truth"], "not allowed with argument"),
         (["--trajectory", "nowhere"], "nowhere: found no such mission, expected aircraft, "),

@@ -1,6 +1,7 @@
 """`hrg campaign import`, as documented."""
 
 import re
+import tomllib
 from dataclasses import replace
 from pathlib import Path
 
@@ -122,6 +123,37 @@ wave_angle = { column = "pattern", unit = "deg" }
     result = run_test("fixed-position", campaign=tmp_path / "campaign")
     assert any("table_angle_deg, virtual_rotation_deg_s" in x for x in result.outcome.exclusions)
     assert abs(result.findings.value["bias_deg_per_h"]) < 1e-3
+
+
+def test_a_draft_of_guesses_is_accepted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    rows = [f"{t};{0.003 * t:.4f};{-0.8 * 0.003 * t:.4f};21;x" for t in range(1, 300)]
+    text = "\n".join(["t [s];Omega_deg;Theta (mrad);T;remark", *rows]).replace(".", ",")
+    (tmp_path / "still.csv").write_text(text)
+    (tmp_path / "rate_1.csv").write_text(text.replace("Omega_deg", "gyro_rate_deg_s"))
+    out = tmp_path / "draft" / "mapping.toml"
+    out.parent.mkdir()
+    logs = [str(tmp_path / name) for name in ("still.csv", "rate_1.csv")]
+    assert main(["campaign", "init", *logs, "--out", str(out)]) == 0
+    assert f"hrg campaign import {out} --check" in capsys.readouterr().out
+    still, rate = tomllib.loads(out.read_text())["tests"]
+    assert still["layout"] == {"separator": "semicolon", "decimal": "comma", "comment": "#"}
+    assert still["columns"]["wave_angle"] == {"column": "Theta (mrad)", "unit": "mrad"}
+    assert still["columns"]["temperature"] == {"column": "T", "unit": "degC"}
+    assert (rate["kind"], rate["columns"]["gyro_angle"]["integrate"]) == ("rate", "means")
+    assert "# not used: remark" in out.read_text()
+    assert run(out, "--check") == 0
+    assert main(["campaign", "init", *logs, "--out", str(out)]) == 2
+    assert "found a file, expected none" in capsys.readouterr().err
+
+
+def test_a_log_without_a_header_is_not_drafted(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "log.csv").write_text("1,2\n3,4\n")
+    out = tmp_path / "mapping.toml"
+    assert main(["campaign", "init", str(tmp_path / "log.csv"), "--out", str(out)]) == 2
+    assert "found no row of names above the values" in capsys.readouterr().err
+    assert not out.exists()
 
 
 def test_a_table_that_turned_is_not_taken_to_rest(recorded_campaign: Path) -> None:

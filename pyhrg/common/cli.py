@@ -143,11 +143,12 @@ def refuse(options: argparse.Namespace, names: Sequence[str], reason: str) -> No
 
 @contextmanager
 def progress_bar(title: str, unit: str) -> Iterator[Callable[[int, int], None]]:
-    """A bar on stderr; what it gives is called with the number done and the number of all."""
+    """A bar on a terminal's stderr, with the time that is left; nothing into a pipe. What it gives
+    is called with the number done and the number of all."""
     from tqdm import tqdm
 
-    layout = "{desc} {percentage:3.0f}%|{bar}| {n}/{total} " + unit + " [{elapsed}]"
-    with tqdm(desc=title, bar_format=layout, delay=2, file=sys.stderr) as bar:
+    layout = "{desc} {percentage:3.0f}%|{bar}| {n}/{total} " + unit + " [{elapsed}<{remaining}]"
+    with tqdm(desc=title, bar_format=layout, delay=2, file=sys.stderr, disable=None) as bar:
 
         def update(done: int, total: int) -> None:
             bar.total = total

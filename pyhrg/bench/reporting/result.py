@@ -10,6 +10,7 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from pyhrg.bench.figures import move_legends
 from pyhrg.bench.outcome import Outcome
 from pyhrg.bench.procedure import Procedure
 from pyhrg.bench.reporting import page
@@ -140,6 +141,7 @@ class TestResult:
             if self.outcome.draw:
                 figure = Figure(figsize=(8, 5), layout="constrained")
                 self.outcome.draw(figure)
+                move_legends(figure)
                 figure.savefig(aside / PICTURE, dpi=120, metadata={"Software": None})
             if self.seed is not None and self.records is not None:
                 campaigns.write_campaign(self.records, aside)

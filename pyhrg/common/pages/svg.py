@@ -100,7 +100,9 @@ def draw_vertical_ticks(y: Scale, left: float, right: float) -> str:
 
 
 def _format_short(value: float) -> str:
-    """Format a tick's value: 0.1, 10, −100k."""
+    """Format a tick's value: 0.1, 10, −100k, 1M."""
+    if abs(value) >= 1e6:
+        return f"{format_number(value / 1e6)}M"
     return f"{format_number(value / 1000)}k" if abs(value) >= 1000 else format_number(value)
 
 

@@ -57,3 +57,10 @@ def test_results_of_another_version_are_kept(
     file.write_text(file.read_text().replace('"numpy": "', '"numpy": "0.'))
     assert hrg("fixed-position", "--out", tmp_path / "out", "--seed", 7) == 2
     assert "another run: made_by.numpy: found '0." in capsys.readouterr().err
+
+
+def test_the_page_fits_a_phone(done: Path) -> None:
+    """Its width is that of the screen, and a table that is wider scrolls by itself."""
+    text = (done / "report.html").read_text()
+    assert '<meta name="viewport" content="width=device-width' in text
+    assert text.count("<table>") == text.count('<div class="wide"><table>') > 0

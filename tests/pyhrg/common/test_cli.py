@@ -3,12 +3,13 @@
 import re
 import subprocess
 import sys
+import time
 from pathlib import Path
 from unittest.mock import Mock
 
 import pytest
 
-from pyhrg.common.cli import main
+from pyhrg.common.cli import main, progress_bar
 
 HEAVY = ("dask", "fmpy", "matplotlib", "numba", "numpy", "pandas", "scipy", "xarray")
 CODE = """
@@ -17,7 +18,7 @@ import sys
 print(sorted(set(sys.modules) & set({heavy!r})))
 """
 HELP = """
-from pyhrg.common.cli import main
+from pyhrg.common.cli import main, progress_bar
 try:
     main(["--help"])
 except SystemExit:
@@ -89,3 +90,11 @@ def test_an_interruption_is_said(
     monkeypatch.setattr("pyhrg.cli.bench.run", Mock(side_effect=interruption))
     assert main(["bench", "fixed-position"]) == 130
     assert capsys.readouterr().err == said
+
+
+def test_no_bar_goes_into_a_pipe(capsys: pytest.CaptureFixture[str]) -> None:
+    with progress_bar("flights", "runs") as progress:
+        for done in range(3):
+            progress(done, 2)
+            time.sleep(1.1)
+    assert capsys.readouterr().err == ""

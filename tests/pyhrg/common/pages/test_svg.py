@@ -82,3 +82,8 @@ def test_log_axes_are_named() -> None:
     x, y = svg.make_horizontal_scale(0.0, 1.0, log=False), svg.make_vertical_scale(1.0, 10.0)
     labels = re.findall(r'text-anchor="middle">(\D[^<]*)<', svg.draw_frame(x, y, "time", "error"))
     assert labels == ["time", "error, log axis"]
+
+
+def test_ticks_are_short() -> None:
+    ticks = [svg._format_short(value) for value in (0.1, 999.0, -1e5, 1e6, 2.5e6)]
+    assert ticks == ["0.1", "999", "−100k", "1M", "2.5M"]
